@@ -48,13 +48,13 @@ class Joint:
 @dataclass(frozen=True)
 class Shape:
     """A body in its link's frame: a box of ``size`` [3] about ``centre`` [3], turned by ``yaw`` [rad] about z, or the
-    mesh ``file`` as it is. A ``flat`` one is a board, plate or book: less than half as high as it is wide and deep."""
+    mesh ``file`` as it is. ``points`` [N, 3] are the corners of a collision part of a piece."""
 
     size: np.ndarray | None = None
     centre: np.ndarray = field(default_factory=lambda: np.zeros(3))
     yaw: float = 0.0
     file: str = ""
-    flat: bool = False
+    points: np.ndarray = field(default_factory=lambda: np.zeros((0, 3)))
 
 
 @dataclass(frozen=True)
@@ -164,15 +164,14 @@ class _Meshes:
         """The collision parts of a link."""
         found = []
         for k, solid in enumerate(solids):
-            extent = np.ptp(solid.points, axis=0)
-            flat = bool(extent[2] < 0.5 * extent[:2].min())
+            at = solid.points - anchor
             if solid.box is not None:
                 centre, half = (np.asarray(v, dtype=float) for v in solid.box)
-                found.append(Shape(2 * half, centre - anchor, flat=flat))
+                found.append(Shape(2 * half, centre - anchor, points=at))
                 continue
             file = f"{self._prefix}{link}-part-{k}.obj"
             corners = triangles(solid.points)[1].reshape(-1, 3)
             points, packed = np.unique(corners, axis=0, return_inverse=True)
             self.files[file] = obj(points - anchor, packed.reshape(-1, 3))
-            found.append(Shape(file=file, flat=flat))
+            found.append(Shape(file=file, points=at))
         return tuple(found)

@@ -105,7 +105,7 @@ def _room(room: Room) -> Articulation:
     files: dict[str, bytes] = {}
     looks = dict(_LOOKS)
     low, high = np.min(room.outline, axis=0) - WALL_THICKNESS, np.max(room.outline, axis=0) + WALL_THICKNESS
-    shapes = [Shape(np.array([*(high - low), _DEEP]), np.array([*(low + high) / 2, -_DEEP / 2]), flat=True)]
+    shapes = [Shape(np.array([*(high - low), _DEEP]), np.array([*(low + high) / 2, -_DEEP / 2]))]
     visuals = [_seen("floor", floor_mesh(room), looks, files)]
     for wall in room.walls:
         visuals.append(_seen(f"wall_{wall.index}", wall_mesh(room, wall.index), looks, files))

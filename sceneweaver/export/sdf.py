@@ -25,7 +25,8 @@ from .placed_articulations import PlacedArticulation, placed_articulations
 FOLDER = "sdf"
 """Where the meshes are, beside the file."""
 
-_MODULUS = 1e8  # [Pa] of contact areas: things sink in by micrometres
+_STUD = 1e-3  # [m], radius of the balls in corners of undersides
+_LEVEL = 1e-3  # [m] within which corners belong to the underside
 
 
 def sdf(scene: Scene, load: Load | None = None, *, loose: bool = True, bullet: bool = False) -> dict[str, bytes]:
@@ -112,34 +113,48 @@ def _link(model: Xml.Element, link: ArticulatedLink, placed: PlacedArticulation,
         made = _geometry(element, "visual", number, shape)
         _material(made, placed.model.looks[look])
     for number, shape in enumerate(link.shapes):
-        made = _geometry(element, "collision", number, shape)
-        grip = Xml.SubElement(Xml.SubElement(Xml.SubElement(made, "surface"), "friction"), "ode")
-        _text(grip, "mu", placed.model.friction)
-        _text(grip, "mu2", placed.model.friction)
-        if not bullet:
-            _drake(made, shape)
+        made = _geometry(element, "collision", number, shape, convex=not bullet)
+        _friction(made, placed.model.friction)
+    if not bullet and link.name == BASE and not placed.fixed:
+        for number, corner in enumerate(_underside(link)):
+            _friction(_stud(element, number, corner), placed.model.friction)
 
 
-def _drake(collision: Xml.Element, shape: Shape) -> None:
-    """What Drake reads besides: meshes are convex; flat parts have contact areas.
-
-    Drake's point contact is one point a pair of parts, on which a plate or a book rocks and wanders. Contact areas cost
-    more, so that only parts that rest on each other with their whole undersides have them.
-    """
-    mesh = collision.find("geometry/mesh")
-    if mesh is not None:
-        Xml.SubElement(mesh, "drake:declare_convex")
-    if shape.flat:
-        made = Xml.SubElement(collision, "drake:proximity_properties")
-        Xml.SubElement(made, "drake:compliant_hydroelastic")
-        _text(made, "drake:hydroelastic_modulus", _MODULUS)
+def _underside(link: ArticulatedLink) -> np.ndarray:
+    """At most four corners [N, 3] of what a link stands on, far from each other."""
+    points = np.concatenate([shape.points for shape in link.shapes])
+    low = points[points[:, 2] < points[:, 2].min() + _LEVEL]
+    ways = np.array([(1, 1), (1, -1), (-1, 1), (-1, -1)], dtype=float)
+    middle = low[:, :2].mean(axis=0)
+    corners = [low[int(((low[:, :2] - middle) @ way).argmax())] for way in ways]
+    inset = [corner - [*(_STUD * np.sign(corner[:2] - middle)), 0.0] for corner in corners]
+    return np.unique(np.round(inset, 9), axis=0)
 
 
-def _geometry(link: Xml.Element, tag: str, number: int, shape: Shape) -> Xml.Element:
+def _stud(link: Xml.Element, number: int, corner: np.ndarray) -> Xml.Element:
+    """A small ball in a corner of an underside. Drake has one point of contact a pair of parts, on which boards, boxes
+    and books rock and wander; with four more they stand still."""
+    made = Xml.SubElement(link, "collision", name=f"stud_{number}")
+    _text(made, "pose", (corner[0], corner[1], corner[2] + _STUD, 0, 0, 0))
+    _text(Xml.SubElement(Xml.SubElement(made, "geometry"), "sphere"), "radius", _STUD)
+    return made
+
+
+def _friction(collision: Xml.Element, value: float) -> None:
+    made = Xml.SubElement(Xml.SubElement(Xml.SubElement(collision, "surface"), "friction"), "ode")
+    _text(made, "mu", value)
+    _text(made, "mu2", value)
+
+
+def _geometry(link: Xml.Element, tag: str, number: int, shape: Shape, convex: bool = False) -> Xml.Element:
+    """What is seen or collides of a link; ``convex`` tells Drake that a mesh is."""
     made = Xml.SubElement(link, tag, name=f"{tag}_{number}")
     geometry = Xml.SubElement(made, "geometry")
     if shape.size is None:
-        _text(Xml.SubElement(geometry, "mesh"), "uri", f"{FOLDER}/{shape.file}")
+        mesh = Xml.SubElement(geometry, "mesh")
+        _text(mesh, "uri", f"{FOLDER}/{shape.file}")
+        if convex:
+            Xml.SubElement(mesh, "drake:declare_convex")
     else:
         _text(made, "pose", (*shape.centre, 0, 0, shape.yaw))
         _text(Xml.SubElement(geometry, "box"), "size", shape.size)

@@ -9,7 +9,7 @@ from pydrake.multibody.tree import BodyIndex, JointIndex, PrismaticJoint, Revolu
 from pydrake.systems.analysis import Simulator
 from pydrake.systems.framework import DiagramBuilder
 
-STEP = 0.004
+STEP = 0.005
 
 
 class Room(Client):

@@ -17,8 +17,9 @@ from sceneweaver.scene import Scene
 def expected(scene: Scene, load: Load | None = None) -> dict[str, Mapping[str, Any]]:
     """``bodies`` and ``joints`` by name.
 
-    A body has its pose (position, quaternion w x y z) as "object", in the frame that all bodies of an object share, and
-    as "link", with the frame at its joint's anchor; whether it is ``free``, and the ``middle`` of its box in the first.
+    A body has its pose (position, quaternion w x y z) as "object", in the frame that all bodies of an object share, as
+    "link", with the frame at its joint's anchor, and as "node", with the frame at a hinge's anchor; whether it is
+    ``free``, whether it or something on it ``moves``, and the ``middle`` of its box in the first.
     A joint has its kind, limits [rad] or [m], and its axis and anchor in the world.
     """
     bodies: dict[str, Any] = {}
@@ -32,20 +33,25 @@ def expected(scene: Scene, load: Load | None = None) -> dict[str, Mapping[str, A
             row = bodies[body.name] = {
                 "object": here,
                 "link": here,
+                "node": here,
                 "free": thing.free if body.link is None else body.loose,
+                "moves": thing.free or len(thing.bodies) > 1,
                 "middle": ((points.min(axis=0) + points.max(axis=0)) / 2).tolist(),
             }
             if body.link is not None and not body.loose:
                 axis, limits, _ = joint_of(body.link, thing.scale, body.mass)
                 anchor = at + turn @ (np.asarray(body.link.anchor) * thing.scale)
                 row["link"] = (anchor.tolist(), list(facing))
+                row["node"] = row["link"] if body.link.joint == "hinge" else here
                 joints[body.name] = _joint(body.link.joint, turn @ axis, anchor, limits)
     for leaf in leaves(scene.room):
         facing = list(wxyz(from_yaw(leaf.yaw)))
         bodies[leaf.name] = {
             "object": (list(leaf.position), facing),
+            "node": (list(leaf.position), facing),
             "link": (list(leaf.position), [1.0, 0.0, 0.0, 0.0]),
             "free": False,
+            "moves": True,
             "middle": [0.0, 0.0, 0.0],
         }
         axis = matrix(from_yaw(leaf.yaw)) @ np.asarray(leaf.axis)

@@ -17,7 +17,6 @@ import numpy as np
 
 FAR, LITTLE = 0.1, 0.01  # [m]
 OPEN = 0.9  # share of a joint's range
-SAME = 1e-5  # [m] and [rad] by which poses may differ
 
 
 class Client(ABC):
@@ -29,8 +28,14 @@ class Client(ABC):
     frames = "object"
     """Where the frame of a link stands: "object", as all of an object, or "link", at the anchor of its joint."""
 
-    joints_move = True
+    bodies_fixed = True
+    """Whether what stands still and has no joints is a body."""
+
     simulates = True
+    """Whether time can pass in it."""
+
+    rests_first = False
+    """Whether joints leave traces, so that rest has to be measured before them."""
 
     @classmethod
     @abstractmethod
@@ -61,6 +66,14 @@ class Client(ABC):
 def plain(name):
     """A name as every client has it: what is no letter or digit is "_"."""
     return re.sub(r"[^A-Za-z0-9]", "_", name)
+
+
+def usd_name(path):
+    """The name of the body at a path of a USD stage: objects have their links below them, doors a frame and a leaf."""
+    _, _, group, *names = path.split("/")
+    if group == "Objects":
+        return ".".join(name for name in names if name != "base")
+    return f"room:door:{names[1]}" if names[-1] == "leaf" else path
 
 
 def rotation(q):
@@ -103,7 +116,7 @@ def measure(client, expected, seconds):
     result = {
         "bodies": len(off),
         "bodies_expected": len(wanted),
-        "bodies_missing": sorted(set(wanted) - set(off))[:8],
+        "bodies_missing": sorted(n for n in set(wanted) - set(off) if client.bodies_fixed or bodies[n]["moves"])[:8],
         "pose_m": max((d for d, _ in off.values()), default=0.0),
         "pose_rad": max((a for _, a in off.values()), default=0.0),
         "pose_worst": max(off, key=lambda n: max(off[n]), default=""),
@@ -111,15 +124,18 @@ def measure(client, expected, seconds):
     names = {plain(n): n for n in client.joints()}
     result |= {"joints_expected": len(joints), "joints": len(names.keys() & joints.keys())}
     result["joints_missing"] = sorted(joints.keys() - names.keys())[:8]
-    if names and client.joints_move:
-        result |= joint_measures(client, joints, names, wanted)
-    if client.simulates and seconds > 0:
+    resting = client.simulates and seconds > 0
+    if resting and client.rests_first:
+        result |= rest(client, bodies, seconds)
+    if names:
+        result |= joint_measures(client, joints, names, wanted, LITTLE if client.rests_first else 1e-4)
+    if resting and not client.rests_first:
         result |= rest(client, bodies, seconds)
     return result
 
 
-def joint_measures(client, joints, names, wanted):
-    """Limits, and where each door and drawer is at 90 % and back at 0."""
+def joint_measures(client, joints, names, wanted, slack):
+    """Limits, and where each door and drawer is at 90 % and back at 0, within ``slack`` [m] and [rad]."""
     found = client.joints()
     wrong, opened = [], 0
     for name, joint in joints.items():
@@ -134,7 +150,7 @@ def joint_measures(client, joints, names, wanted):
         for at in (value, 0.0):
             client.set_joint(names[name], at)
             pose = {plain(n): p for n, p in client.poses().items()}[name]
-            right &= max(apart(pose, moved(wanted[name], joint, at))) < 1e-4
+            right &= max(apart(pose, moved(wanted[name], joint, at))) < slack
         opened += right
     return {"joints_wrong": wrong[:4], "joints_opened": opened}
 
