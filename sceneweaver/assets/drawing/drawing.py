@@ -181,7 +181,7 @@ class Drawing(Tree):
             else:
                 count = staves or staves_of(room) if room else staves
                 parts = shapes.hollow_hulls(rising, list(profile[top + 1 :]), segments, count)
-                if room is not None and self._frame[2, 2] > 0.999:
+                if room is not None and self.upright:
                     self.interior("inside", room, oval=True)
             hulls = [(v * scale, f) for v, f in parts]
         self.add((points * scale, faces), material, hulls)
@@ -294,7 +294,7 @@ class Drawing(Tree):
             inner = list(rings[-hollow:])
             room, oval = lofted_room(inner)
             if holds_things(room):
-                if self._frame[2, 2] > 0.999:
+                if self.upright:
                     self.interior("inside", room, oval=oval)
                 ends = np.linspace(0, len(rings[0]), staves_of(room) + 1).round().astype(int).tolist()
                 hulls = shapes.staved_hulls(outer, inner, ends) if self._collides else []

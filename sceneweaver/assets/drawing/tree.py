@@ -95,6 +95,11 @@ class Tree(Finishes):
         finally:
             self._frame = before
 
+    @property
+    def upright(self) -> bool:
+        """Whether z is up in the frame that is drawn in."""
+        return bool(self._frame[2, 2] > 0.999)
+
     # Parts
 
     @contextmanager

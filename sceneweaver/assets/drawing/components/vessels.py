@@ -71,7 +71,11 @@ def vessel(
     d.add(shapes.lofted(rings), material, hulls)
     if inside:
         room, round_plan = lofted_room(inner)
-        d.interior(inside, room, oval=round_plan)
+        if not d.upright:  # a drum that lies is as wide as its widest ring
+            points = np.concatenate(inner)[:, :2]
+            low, high = points.min(axis=0).tolist(), points.max(axis=0).tolist()
+            room = room.to(x=(low[0], high[0]), y=(low[1], high[1]))
+        d.interior(inside, room, oval=round_plan and d.upright)
 
 
 def bowl(

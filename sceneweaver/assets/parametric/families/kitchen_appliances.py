@@ -24,7 +24,8 @@ from .kitchen_common import PLINTH, SETBACK, burners, coat_of, feet, knobs, oven
 
 def _oven(d: Drawing, box: Box, coat: Look) -> None:
     """The dark room of an oven in its case, with two racks on ledges; its door is drawn before it."""
-    room = cavity(d, cavity(d, box, coat, 0.012, 0.002, None), "black paint", 0.028, 0.012, None).inset(front=0.005)
+    case = cavity(d, box, coat, 0.012, 0.002, None).inset(back=0.05)  # behind it are its fan and its wires
+    room = cavity(d, case, "black paint", 0.028, 0.012, None).inset(front=0.005)
     racks = [rack(d, room.inset(front=0.015, top=(1 - share) * room.height)) for share in (0.3, 0.62)]
     levels = [room.z[0], *(own.z[1] for own in racks), room.z[1]]
     spans = zip(levels[:-1], levels[1:], (0.005, 0.005, 0.0), strict=True)

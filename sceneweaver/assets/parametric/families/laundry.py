@@ -40,8 +40,9 @@ def washing_machine(d: Drawing) -> None:
     with d.at(case.x[0], pitch=math.pi / 2):  # +z is forward, and +x down
         around, hole = Box((-case.z[1], -case.z[0]), case.y, case.x), Box.sized(1.7 * r, 1.7 * r, 0.0, (-z, 0.0, 0.0))
         outer = [oval(around, level, 60.0) for level in (0.0, case.depth)]
-        vessel(d, outer, [oval(hole, level) for level in (case.depth, 0.12)], coat)
-        d.cylinder(hole.to(z=(0.115, 0.13)).inset(x=0.01, y=0.01), "steel")
+        back = 0.17 if case.depth > 0.55 else 0.13
+        vessel(d, outer, [oval(hole, case.depth), oval(hole.inset(x=-0.05, y=-0.05), back)], coat)
+        d.cylinder(hole.to(z=(back - 0.005, back + 0.01)).inset(x=-0.04, y=-0.04), "steel")
     d.surface("top", d.box(box.top(0.03), coat, 0.006), inset=0.02)
     face = d.box(case.front(-0.006).inset(y=0.004, back=-0.001).top(0.115), trim, 0.002).front(0.0)
     place = face.right(0.19).inset(right=0.015, z=0.012)
