@@ -243,8 +243,8 @@ def lidded_box(d: Drawing) -> None:
         d.sweep([(0, y - 0.005, z), (0, y + 0.018, z), (0.02, y + 0.018, z + 0.012)], 0.003, metal, 8)
         d.bar((0.02, y + 0.016, z + 0.012), (0.02, y + 0.03, z + 0.012), 0.005, wood)
     lid = box.share(z=(0.7, 1.0)).inset(bottom=0.001)
-    x, y, z = lid.anchor("back bottom")
-    with d.hinge("lid", (x, y, z), axis=(0.0, -1.0, 0.0), limits=(0.0, 1.7), role="lid"):
+    y, z = lid.center[1], lid.z[0]
+    with d.hinge("lid", lid.anchor("back top"), axis=(0.0, -1.0, 0.0), limits=(0.0, 1.5), role="lid"):
         edge = (1 - 0.024 / lid.depth, 1 - 0.024 / lid.width)
         d.sections(lid.inset(top=0.002), [(1, 1, 0.0), (1, 1, 0.6), (*edge, 1.0)], wood, radius=0.0, convex=True)
         d.box(lid.inset(x=0.03, y=0.03).top(0.006), metal, bevel=0.0)

@@ -166,8 +166,7 @@ def freezer(d: Drawing) -> None:
         panel = d.box(face.right(0.14).move(y=0.06).to(z=(0.1, 0.16)).front(-0.002), "grey plastic", bevel=0.0)
         knob(d, panel.right(0.08), "black plastic", 0.013, 0.012)
         d.print(panel.left(0.05).front(0.0).place(width=0.03, height=0.01), "lamp glow")
-        hinge = bounds.to(z=(lid, lid)).anchor("back")
-        with d.hinge("lid", hinge, axis=(0.0, 1.0, 0.0), limits=(-1.4, 0.0), role="lid"):
+        with d.hinge("lid", d.bounds.anchor("back top"), axis=(0.0, 1.0, 0.0), limits=(-1.4, 0.0), role="lid"):
             cover = d.box(d.bounds.inset(front=0.022).to(z=(lid + 0.0085, bounds.z[1])), coat, bevel=0.016)
             lip(d, cover.bottom(0.03).move(z=0.012).front(-0.022).place(width=0.2), "grey plastic", bevel=0.006)
             d.print(cover.front(0.0).place(width=0.036, height=0.01).move(y=0.16), "chrome")

@@ -51,7 +51,8 @@ def chest(d: Drawing) -> None:
             for y in (-0.055, 0.055):
                 d.box(Box.around((0.007, y, 0.0), 0.014, 0.02, 0.024), metal)
         if domed:
-            with d.hinge("lid", (case.x[0], 0.0, rim), axis=(0.0, -1.0, 0.0), limits=(0.0, 1.6), role="lid"):
+            hinge = (d.bounds.x[0], 0.0, top)  # nothing of it goes behind the chest, where a wall is
+            with d.hinge("lid", hinge, axis=(0.0, -1.0, 0.0), limits=(0.0, 1.5), role="lid"):
                 _dome(d, case.to(z=(rim, top - 0.004)), wood)
                 for y in bands:
                     _dome(d, case.inset(x=-0.004).to(y=y, z=(rim, top)), metal)
