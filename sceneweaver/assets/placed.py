@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import zlib
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import cache
 from zipfile import BadZipFile
 
@@ -42,6 +43,18 @@ _CLAYS = tuple(
 def loader(load: Load | None = None) -> Load:
     """``load``, or the library of this user, with each asset loaded once."""
     return cache(load or Library().load)
+
+
+def welded_assets(load: Load | None = None) -> Load:
+    """As ``load``, but what could be taken off an asset is part of its base: a link without hulls moves nothing."""
+    inner = loader(load)
+
+    def welded(asset_id: str) -> Asset:
+        asset = inner(asset_id)
+        loose = {number for number, link in enumerate(asset.links, 1) if link.joint == "free"}
+        return replace(asset, hulls=tuple(replace(h, link=0) if h.link in loose else h for h in asset.hulls))
+
+    return welded
 
 
 def scaled_asset(index: int, thing: SceneObject, load: Load) -> tuple[Asset | None, tuple[float, float, float]]:

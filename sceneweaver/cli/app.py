@@ -270,19 +270,23 @@ def export(
         typer.Option(
             "--to",
             metavar="FORMATS",
-            help="With a folder: glb, usd, usda, mjcf, scenestate, or all (default: glb,usd,mjcf).",
+            help="With a folder: glb, usd, usda, mjcf, mjcf:CLIENT, scenestate, sdf, urdf, or all "
+            "(default: glb,usd,mjcf). Clients: mujoco, robosuite, genesis, drake, dm_control, newton.",
             show_default=False,
         ),
     ] = None,
     textures: Annotated[
         bool, typer.Option("--textures/--no-textures", help="Materials with their maps, or plain and small.")
     ] = True,
+    welded: Annotated[
+        bool, typer.Option("--welded/--loose", help="Fruit in a bowl, books of a stack as one body, or each its own.")
+    ] = False,
     as_json: Json = False,
 ) -> int:
     """Write a scene for other tools: USD for Isaac Sim, MJCF for MuJoCo, GLB, SceneState."""
     from .export import run_export
 
-    return run_export(source, out, to=to, as_json=as_json, textures=textures)
+    return run_export(source, out, to=to, as_json=as_json, textures=textures, welded=welded)
 
 
 @app.command()

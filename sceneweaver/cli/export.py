@@ -12,7 +12,7 @@ from sceneweaver.scene import InputError, Scene
 from .output import list_files, no_chatter, print_json
 
 
-def run_export(source: Path, out: Path, *, to: str | None, as_json: bool, textures: bool) -> int:
+def run_export(source: Path, out: Path, *, to: str | None, as_json: bool, textures: bool, welded: bool) -> int:
     """Write a scene for other tools: a folder of formats, or one file whose suffix says which."""
     scene = Scene.load(source)
     began = time.monotonic()
@@ -23,12 +23,12 @@ def run_export(source: Path, out: Path, *, to: str | None, as_json: bool, textur
         if out.suffix and not out.is_dir():
             if to is not None:
                 raise InputError(f"--to: {out} is a file, whose suffix says the format; give a folder, or no --to")
-            files = {format_of(out).name: export_file(scene, out, textures=textures)}
+            files = {format_of(out).name: export_file(scene, out, textures=textures, welded=welded)}
         else:
             names = formats_named(to) if to is not None else USUAL
             if not names:
                 raise InputError(f"--to: names no format; use {', '.join(FORMATS)} or all")
-            files = export_scene(scene, out, names, textures=textures)
+            files = export_scene(scene, out, names, textures=textures, welded=welded)
     seconds = time.monotonic() - began
     if as_json:
         print_json(

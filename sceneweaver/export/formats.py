@@ -6,15 +6,17 @@ import os
 import re
 import shutil
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 
-from sceneweaver.assets.placed import Load, loader
+from sceneweaver.assets.placed import Load, loader, welded_assets
 from sceneweaver.scene import InputError, Scene
 
 from .folder import fill, move, staged
 from .glb import write_glb
 from .mjcf import mjcf
+from .mjcf_clients import CLIENTS, sleeping_twin
 from .scenestate import write_scenestate
 from .sdf import sdf
 from .urdf_room import room_urdf
@@ -41,14 +43,17 @@ def _write_usd(scene: Scene, path: Path, load: Load, textures: bool) -> None:
     write_usd(scene, path, load, textures=textures)
 
 
-def _write_mjcf(scene: Scene, path: Path, load: Load, textures: bool) -> None:
+def _write_mjcf(scene: Scene, path: Path, load: Load, textures: bool, client: str | None = None) -> None:
     """``scene.xml`` with ``meshes/`` and ``textures/`` beside it, in a folder that holds other things as well; the text
-    comes last."""
-    model = mjcf(scene, load, textures=textures)
+    comes last, and its sleeping twin, which the file for all has."""
+    model = mjcf(scene, load, textures=textures, client=client)
     meshes = path.parent / "meshes"
+    files = {**model.files, path.name: model.xml.encode()}
+    if client is None:
+        files[f"{path.stem}-sleep.xml"] = sleeping_twin(path.name, scene.id)
     with staged(path, "path") as draft:
-        fill(draft, {**model.files, path.name: model.xml.encode()})
-        move({draft / name: path.parent / name for name in (*model.files, path.name)})
+        fill(draft, files)
+        move({draft / name: path.parent / name for name in files})
     for left in meshes.glob("*.obj") if meshes.is_dir() else ():
         if f"meshes/{left.name}" not in model.files:
             left.unlink()  # of an export that this one has replaced
@@ -95,22 +100,41 @@ USUAL = ("glb", "usd", "mjcf")
 """What is written when nobody says what."""
 
 
+def format_named(name: str) -> Format:
+    """The format of a name; ``mjcf:<client>`` is that for one reader.
+
+    Raises:
+        InputError: for a name that is no format.
+    """
+    base, _, client = name.partition(":")
+    if name in FORMATS:
+        return FORMATS[name]
+    if base != "mjcf":
+        raise InputError(f"export: '{name}' is no format; use {', '.join(FORMATS)}, all or none")
+    if client not in CLIENTS:
+        raise InputError(f"export: '{name}' is no format; clients of mjcf are {', '.join(CLIENTS)}")
+    return replace(FORMATS[base], name=name, write=partial(_write_mjcf, client=client))
+
+
 def formats_named(names: str | Iterable[str]) -> tuple[str, ...]:
     """Names of formats from a list or from text with commas; "all" and "none" are understood.
 
     Raises:
-        InputError: for a name that is no format.
+        InputError: for a name that is no format, or two of one file.
     """
     listed = names.split(",") if isinstance(names, str) else list(names)
     found: list[str] = []
     for name in (text.strip().lower() for text in listed):
         if name == "all":
             found += [n for n in FORMATS if n != "usda"]
-        elif name in FORMATS:
-            found.append(name)
         elif name not in ("none", ""):
-            raise InputError(f"export: '{name}' is no format; use {', '.join(FORMATS)}, all or none")
-    return tuple(dict.fromkeys(found))
+            found.append(format_named(name).name)
+    files: dict[str, str] = {}
+    for name in found:
+        other = files.setdefault(format_named(name).file, name)
+        if other != name:
+            raise InputError(f"export: '{other}' and '{name}' are one file, {format_named(name).file}; choose one")
+    return tuple(files.values())
 
 
 def format_of(path: Path) -> Format:
@@ -134,15 +158,17 @@ def export_scene(
     load: Load | None = None,
     *,
     textures: bool = True,
+    welded: bool = False,
 ) -> dict[str, Path]:
     """Write a scene in several formats into a folder, which is made where it is not there.
 
     Args:
         scene: The scene.
         folder: Where the files go; ``FORMATS`` says under which names.
-        formats: Names of formats.
+        formats: Names of formats; ``mjcf:<client>`` is MJCF for one reader.
         load: From asset id to asset; None: the library of this user. Each asset is loaded once for all formats.
         textures: Whether materials have their maps; without, files are a fraction of the size.
+        welded: Whether fruit in a bowl, books of a stack and the like are one body, which is quicker to simulate.
 
     Returns:
         The path of each format's file.
@@ -151,7 +177,7 @@ def export_scene(
         InputError: for a format that is unknown, an asset that is missing, or a folder that cannot be written. Each
             file is there whole or as it was before.
     """
-    wanted = [FORMATS[name] for name in formats_named(formats)]
+    wanted = [format_named(name) for name in formats_named(formats)]
     target = Path(folder)
     fresh = not target.exists()
     try:
@@ -159,7 +185,7 @@ def export_scene(
     except OSError as error:
         reason = error.strerror or type(error).__name__
         raise InputError(f"folder: {target} cannot be made ({reason}); choose another place") from None
-    load = loader(load)
+    load = loader(welded_assets(load) if welded else load)
     done: dict[str, Path] = {}
     try:
         for one in wanted:
@@ -172,7 +198,14 @@ def export_scene(
     return done
 
 
-def export_file(scene: Scene, path: str | os.PathLike[str], load: Load | None = None, *, textures: bool = True) -> Path:
+def export_file(
+    scene: Scene,
+    path: str | os.PathLike[str],
+    load: Load | None = None,
+    *,
+    textures: bool = True,
+    welded: bool = False,
+) -> Path:
     """Write a scene to one file, in the format that its suffix stands for; meshes of MJCF go to ``meshes/`` beside it.
 
     Raises:
@@ -182,5 +215,5 @@ def export_file(scene: Scene, path: str | os.PathLike[str], load: Load | None = 
     one = format_of(target)
     if not target.parent.is_dir():
         raise InputError(f"out: {target.parent} is no folder; make it first")
-    one.write(scene, target, loader(load), textures)
+    one.write(scene, target, loader(welded_assets(load) if welded else load), textures)
     return target

@@ -28,6 +28,7 @@ from sceneweaver.scene import Room, Scene
 from .corners import indexed, texture_coordinates
 from .folder import write_folder
 from .images import file_stem, linear, png, tinted
+from .mjcf_clients import CLIENTS, sleeping_twin
 
 _PIXELS = 256
 """Side of the images: simulators show them small, and PNG is large."""
@@ -45,28 +46,35 @@ def write_mjcf(
         textures: Whether materials have their colour maps, as PNG.
 
     Returns:
-        The path of ``scene.xml``.
+        The path of ``scene.xml``. ``scene-sleep.xml`` is the same for MuJoCo 3.4 and newer, quicker: what is at rest
+        sleeps.
 
     Raises:
         InputError: an asset is missing, the place cannot be written, or holds something that is no MJCF export.
     """
     target = Path(folder)
     model = mjcf(scene, load, textures=textures)
-    files = {"scene.xml": model.xml.encode(), **model.files}
-    write_folder(target, files, lambda names: names <= {"scene.xml", "meshes", "textures"})
+    twin = {"scene-sleep.xml": sleeping_twin("scene.xml", scene.id)}
+    files = {"scene.xml": model.xml.encode(), **twin, **model.files}
+    write_folder(target, files, lambda names: names <= {"scene.xml", *twin, "meshes", "textures"})
     return target / "scene.xml"
 
 
-def mjcf(scene: Scene, load: Load | None = None, *, textures: bool = True) -> Model:
-    """The scene as MJCF with what is seen: the text, and the files that it names, by path relative to it."""
+def mjcf(scene: Scene, load: Load | None = None, *, textures: bool = True, client: str | None = None) -> Model:
+    """The scene as MJCF with what is seen: the text, and the files that it names, by path relative to it.
+
+    ``client`` is one of ``CLIENTS``; None: the file that most readers take.
+    """
     wardrobe = _Wardrobe(textures)
     model = build(scene, load, wardrobe)
     root = Xml.fromstring(model.xml)
     wardrobe.paper(root, scene.room)
     _without_slashes(root)
+    files = {**wardrobe.files, **_hulls_as_files(root)}
+    if client is not None:
+        CLIENTS[client](root)
     Xml.indent(root, " ")
-    xml = Xml.tostring(root, encoding="unicode") + "\n"
-    return replace(model, xml=xml, files={**wardrobe.files, **_hulls_as_files(root)})
+    return replace(model, xml=Xml.tostring(root, encoding="unicode") + "\n", files=files)
 
 
 def _hulls_as_files(root: Xml.Element) -> dict[str, bytes]:

@@ -169,14 +169,15 @@ def mesh_stem(thing: Thing) -> str:
 
 def _defaults(root: Xml.Element) -> None:
     """The classes; nothing stands in the top one, which would hold for what joins the room as well."""
-    room = child(child(root, "default"), "default", {"class": ROOM})
-    child(room, "geom", group="3", rgba="0.7 0.7 0.72 1")
-    child(room, "site", group="4", rgba="0.2 0.7 0.3 0.4")
-    seen = child(room, "default", {"class": f"{ROOM}:visual"})
+    default = child(root, "default")
+    # Two geoms touch where the type of one shares a bit with the affinity of the other; MuJoCo's own are 1 and 1.
+    bits = {ROOM: ("1", "1"), f"{ROOM}:covering": ("1", "0"), f"{ROOM}:grounded": ("3", "2")}
+    for name, (contype, conaffinity) in bits.items():  # beside each other: some readers know of none within others
+        room = child(default, "default", {"class": name})
+        child(room, "geom", group="3", rgba="0.7 0.7 0.72 1", contype=contype, conaffinity=conaffinity)
+        child(room, "site", group="4", rgba="0.2 0.7 0.3 0.4")
+    seen = child(default, "default", {"class": f"{ROOM}:visual"})
     child(seen, "geom", type="mesh", group="2", contype="0", conaffinity="0", mass="0", rgba=UNSET)
-    # Two geoms touch where the type of one shares a bit with the affinity of the other; both are 1 elsewhere.
-    for name, contype, conaffinity in (("covering", "1", "0"), ("grounded", "3", "2")):
-        child(child(room, "default", {"class": f"{ROOM}:{name}"}), "geom", contype=contype, conaffinity=conaffinity)
 
 
 def _shell(world: Xml.Element, room: Room) -> None:

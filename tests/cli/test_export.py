@@ -11,7 +11,7 @@ from sceneweaver.assets import make
 from sceneweaver.cli import main
 from sceneweaver.scene import Pose, Room, Scene
 
-USUAL = {"scene.glb", "scene.usdc", "scene.xml", "meshes", "textures"}
+USUAL = {"scene.glb", "scene.usdc", "scene.xml", "scene-sleep.xml", "meshes", "textures"}
 ROOM = Room(type="study", outline=((0, 0), (4, 0), (4, 3), (0, 3)), height=2.6)
 
 

@@ -11,10 +11,12 @@ import numpy as np
 import pytest
 
 from sceneweaver.assets import make
-from sceneweaver.export.mjcf import write_mjcf
+from sceneweaver.export import export_scene
+from sceneweaver.export.mjcf import mjcf, write_mjcf
+from sceneweaver.export.mjcf_clients import CLIENTS
 from sceneweaver.geometry.rotations import rotate
 from sceneweaver.physics.vertices import MOST_VERTICES, fewer_vertices
-from sceneweaver.scene import Door, Pose, Room, Scene, Support
+from sceneweaver.scene import Door, InputError, Pose, Room, Scene, Support
 
 mujoco: Any = import_module("mujoco")
 
@@ -33,7 +35,7 @@ ROBOT = """
 
 
 @pytest.fixture(scope="module")
-def path(tmp_path_factory) -> Path:
+def scene() -> Scene:
     room = Room.polygon([(0, 0), (4, 0), (4, 4), (0, 4)], height=2.6)
     room = room.model_copy(update={"doors": (Door(id="in/out", wall=0, offset=0.5, width=0.9, height=2.0),)})
     top = CABINET.surfaces[0]
@@ -43,9 +45,12 @@ def path(tmp_path_factory) -> Path:
         RUG.object("rug", pose=Pose.from_yaw(2, 2, 0, 0.1)),
         MUG.object("mug", pose=Pose.from_yaw(2, 2, top.z, 0), support=Support(object="files/1", surface=top.name)),
     )
-    return write_mjcf(
-        Scene(id="s", room=room, objects=objects), tmp_path_factory.mktemp("out") / "s", ASSETS.__getitem__
-    )
+    return Scene(id="s", room=room, objects=objects)
+
+
+@pytest.fixture(scope="module")
+def path(scene, tmp_path_factory) -> Path:
+    return write_mjcf(scene, tmp_path_factory.mktemp("out") / "s", ASSETS.__getitem__)
 
 
 def test_every_name_is_legal_and_there_once(path) -> None:
@@ -58,7 +63,9 @@ def test_every_name_is_legal_and_there_once(path) -> None:
         assert name in names
     assert [model.camera(k).name for k in range(model.ncam)] == ["room:top", "room:eye-door", "room:eye-corner"]
     files = re.findall(r'file="([^"]*)"', text)
-    assert files and all((path.parent / name).is_file() for name in files)
+    assert "vertex=" not in text and all((path.parent / name).is_file() for name in files)
+    used = {str(p.relative_to(path.parent)) for p in path.parent.rglob("*.*") if p.suffix in (".obj", ".png")}
+    assert used == set(files)
 
 
 def test_the_keyframe_is_the_scene(path) -> None:
@@ -154,3 +161,53 @@ def test_hulls_have_few_vertices_within_the_whole_one() -> None:
         gap = np.diff(np.append(corners, corners[0] + 2 * np.pi)).max()
         assert radius * (1 - np.cos(gap / 2)) < 1.5e-3, "as wide as before to 1.5 mm"
     assert np.array_equal(fewer_vertices(points[:50]), points[:50])
+
+
+def test_what_is_at_rest_sleeps(path) -> None:
+    text = (path.parent / "scene-sleep.xml").read_text()
+    assert "sleep=" in text and "sleep=" not in path.read_text(), "older versions refuse it"
+    model = mujoco.MjModel.from_xml_path(str(path.parent / "scene-sleep.xml"))
+    data = mujoco.MjData(model)
+    mujoco.mj_step(model, data, 250)
+    assert model.ntree > 2 and (data.tree_asleep >= 0).all()
+
+
+def test_each_client_has_its_file(scene, tmp_path) -> None:
+    whole = mjcf(scene, ASSETS.__getitem__, textures=False)
+    for client in CLIENTS:
+        mine = mjcf(scene, ASSETS.__getitem__, textures=False, client=client)
+        model = mujoco.MjModel.from_xml_string(mine.xml, mine.files)
+        other = mujoco.MjModel.from_xml_string(whole.xml, whole.files)
+        for name in (
+            "jnt_range",
+            "geom_contype",
+            "geom_conaffinity",
+            "geom_group",
+            "body_mass",
+            "site_pos",
+            "geom_rgba",
+        ):
+            assert np.allclose(getattr(model, name), getattr(other, name), atol=1e-6), (client, name)
+    text = mjcf(scene, ASSETS.__getitem__, textures=False, client="robosuite").xml
+    assert "childclass" not in text and "<default" not in text
+    with pytest.raises(InputError, match="export: 'mjcf:unreal' is no format; clients of mjcf are mujoco, robosuite"):
+        export_scene(scene, tmp_path / "x", ["mjcf:unreal"])
+    with pytest.raises(InputError, match="'mjcf' and 'mjcf:drake' are one file, scene.xml; choose one"):
+        export_scene(scene, tmp_path / "x", ["mjcf", "mjcf:drake"])
+    files = export_scene(scene, tmp_path / "x", ["mjcf:mujoco"], ASSETS.__getitem__, textures=False)
+    assert "sleep=" in files["mjcf:mujoco"].read_text() and files["mjcf:mujoco"].name == "scene.xml"
+
+
+def test_what_could_be_taken_is_welded_on_demand(tmp_path) -> None:
+    asset = make("fruit_bowl", 1)
+    assert any(link.joint == "free" for link in asset.links)
+    room = Room.polygon([(0, 0), (2, 0), (2, 2), (0, 2)], height=2.4)
+    scene = Scene(id="s", room=room, objects=(asset.object("bowl", mount="floor"),))
+    masses = []
+    for welded in (False, True):
+        files = export_scene(scene, tmp_path / str(welded), ["mjcf"], {asset.id: asset}.__getitem__, welded=welded)
+        model = mujoco.MjModel.from_xml_path(str(files["mjcf"]))
+        free = int((model.jnt_type == mujoco.mjtJoint.mjJNT_FREE).sum())
+        assert free == (1 if welded else 1 + sum(link.joint == "free" for link in asset.links))
+        masses.append(sum(float(model.body_mass[k]) for k in range(model.nbody) if "bowl" in model.body(k).name))
+    assert masses == pytest.approx([asset.mass] * 2, rel=1e-6)
