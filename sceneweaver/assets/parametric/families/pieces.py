@@ -10,7 +10,8 @@ take two heights: what is in the vessel of a line before, and a label around it.
 - ``?0.5``: only in that share of the seeds; ``=name``: only in that form, one of ``form: name, other``,
 - ``*4 0 .2 0``: so many copies, each moved on by these shares; ``^y``: once more mirrored at y (x, or both),
 - ``~``: the line goes on with the one before it,
-- ``+name``: the bodies from here on are one prism of the engine of that name; without any, all are one.
+- ``+name``: the bodies from here on are one prism of the engine of that name; without any, all are one,
+- ``@name``: the bodies from here on are a thing that can be taken; ``@`` alone ends it.
 
 ``surface name x0 x1 y0 y1 z``, perhaps with headroom, is a place for other things.
 """
@@ -192,11 +193,17 @@ def draw(d: Drawing, text: str) -> None:
     form = d.pick("form", named.pop("form").split(", ")) if "form" in named else ""
     looks = {letter: d.material(letter, names) for letter, names in named.items()}
     group: str | None = None if "\n+" in text else "all"
+    item = ExitStack()  # open while lines draw what can be taken
     last, layer = (whole, []), 0
     for number, line in enumerate(line for line in lines if ":" not in line):
         words, drawn = line.split(), True
         if words[0][0] == "+":
             group = words[0][1:]
+            continue
+        if words[0][0] == "@":
+            item.close()
+            if words[0][1:]:
+                item.enter_context(d.item(words[0][1:]))
             continue
         if words[0] == "surface":
             x0, x1, y0, y1, z, *headroom = (float(word) for word in words[2:])
@@ -237,6 +244,7 @@ def draw(d: Drawing, text: str) -> None:
                         ),
                         0,
                     )
+    item.close()
     d.fit(whole.size)
 
 

@@ -239,8 +239,9 @@ def chessmen(d: Drawing, cells: Sequence[Sequence[Box]], king: float, pale: Look
                 if played and rank != side and d.chance(f"moved {side} {j}", 0.3):
                     rank += 2 if side == 0 else -2
                 places.setdefault(size, []).append(cells[rank][j])
-        for size, found in places.items():
-            with d.copies([pose(*cell.center) for cell in found]):
+        for k, (size, found) in enumerate(places.items()):
+            name = f"{'dark' if side else 'pale'}-{k}"
+            with d.copies([pose(*cell.center) for cell in found]), d.item(name, "chessman"), d.convex():
                 d.turned(Box.sized(0.72 * found[0].depth, 0.72 * found[0].width, size * king), CHESSMAN, look, 10)
 
 
