@@ -18,7 +18,6 @@ ARMATURE = 0.001
 
 _DEPENETRATION = 1.0  # [m/s] at most, when things reach into each other: they part, and are not shot away
 _POSITION_ITERATIONS, _VELOCITY_ITERATIONS = 16, 1
-_MOST_VERTICES = 64  # of a hull, for PhysX on a GPU and for Newton
 _SHARE = 0.05  # friction of joints as a share of the force in them
 _SLEEP, _STABILIZE = 5e-5, 1e-5  # [m2/s2] kinetic energy by mass, below which bodies sleep and are damped
 
@@ -54,22 +53,17 @@ def tune_body(body: Prim) -> None:
     )
 
 
-def tune_collider(collider: Prim, *, hull: bool) -> None:
-    """Distances at which contacts begin and rest, and how many corners a hull may keep.
+def tune_collider(collider: Prim) -> None:
+    """Distances at which contacts begin and rest.
 
-    Things rest where their parts touch: rest offsets of 0 keep every pose as it is in the scene.
+    Things rest where their parts touch: rest offsets of 0 keep every pose as it is in the scene. Limits of hulls are
+    not written, as none has more than the 64 vertices that PhysX and Newton take.
     """
-    apply(collider, "PhysxCollisionAPI")
+    apply(collider, "PhysxCollisionAPI", "NewtonCollisionAPI")
     attribute(collider, "physxCollision:contactOffset", "Float", CONTACT_OFFSET)
     attribute(collider, "physxCollision:restOffset", "Float", 0.0)
-    # Newton would take PhysX's offsets as margins of MuJoCo contacts, which only cost time there.
-    apply(collider, "NewtonCollisionAPI")
-    attribute(collider, "newton:contactMargin", "Float", 0.0)
+    # Newton would take PhysX's offset as a margin of MuJoCo's contacts, which only costs time there.
     attribute(collider, "newton:contactGap", "Float", 0.0)
-    if hull:
-        apply(collider, "PhysxConvexHullCollisionAPI", "NewtonMeshCollisionAPI")
-        attribute(collider, "physxConvexHullCollision:hullVertexLimit", "Int", _MOST_VERTICES)
-        attribute(collider, "newton:maxHullVertices", "Int", _MOST_VERTICES, uniform=True)
 
 
 def tune_friction(material: Prim) -> None:

@@ -13,14 +13,16 @@ from .usd_engines import tune_collider
 from .usd_layer import Prim, attribute, integers, pairs, prim, triple, vectors
 from .usd_looks import Looks
 
+_STEPS = 50_000  # of a normal's coordinate, within which two are equal
+_WIDE = 2 * _STEPS + 2
 _LEAST_AREA = 1e-12  # [m2], twice that of faces that are left out, as nothing of them is seen
 
 
 def render_mesh(parent: Prim, name: str, mesh: Mesh, looks: Looks, link: int | None = None) -> None:
     """The faces of a mesh, or of one link of it; several materials are subsets of its faces. Without faces: no prim."""
     chosen = np.ones(len(mesh.faces), dtype=bool) if link is None else mesh.face_link == link
-    a, b, c = (mesh.vertices[mesh.faces[:, k]] for k in range(3))
-    chosen &= np.linalg.norm(np.cross(b - a, c - a), axis=1) > _LEAST_AREA
+    corners = mesh.vertices[mesh.faces]
+    chosen &= (np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) ** 2).sum(axis=1) > _LEAST_AREA**2
     faces, material = mesh.faces[chosen], mesh.face_material[chosen]
     if not len(faces):
         return
@@ -63,7 +65,7 @@ def collider(parent: Prim, name: str, solid: Solid, looks: Looks, friction: floa
     attribute(made, "primvars:normals:indices", "IntArray", integers(index))
     attribute(made, "purpose", "Token", "guide", uniform=True)
     attribute(made, "physics:approximation", "Token", "convexHull", uniform=True)
-    tune_collider(made, hull=True)
+    tune_collider(made)
     looks.rub(made, friction)
 
 
@@ -77,7 +79,7 @@ def box_collider(parent: Prim, name: str, center: np.ndarray, half: np.ndarray, 
     attribute(made, "xformOp:scale", "Double3", triple(2 * half))
     order = ["xformOp:translate", "xformOp:scale"]
     attribute(made, "xformOpOrder", "TokenArray", order, uniform=True)
-    tune_collider(made, hull=False)
+    tune_collider(made)
     looks.rub(made, friction)
 
 
@@ -91,11 +93,13 @@ def _lay(made: Prim, places: np.ndarray) -> None:
 
 def _flat_normals(points: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Different unit normals of faces [N, 3], and which one each face has [F]."""
-    a, b, c = (points[faces[:, k]] for k in range(3))
-    normals = np.cross(b - a, c - a)
-    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-30)
-    found, index = np.unique(np.round(normals, 5) + 0.0, axis=0, return_inverse=True)
-    return found, index.reshape(-1)
+    a, b, c = (points[faces[:, k]].T for k in range(3))
+    (ux, uy, uz), (vx, vy, vz) = b - a, c - a
+    normals = np.stack([uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx], axis=1)
+    normals /= np.maximum(np.sqrt((normals**2).sum(axis=1, keepdims=True)), 1e-30)
+    key = np.rint((normals + 1) * _STEPS).astype(np.int64) @ np.array([1, _WIDE, _WIDE**2])
+    _, first, index = np.unique(key, return_index=True, return_inverse=True)
+    return normals[first], index
 
 
 def _shape(made: Prim, points: np.ndarray, faces: np.ndarray) -> None:
