@@ -9,7 +9,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from sceneweaver.geometry.rotations import Quaternion
+from sceneweaver.geometry.rotations import Quaternion, from_matrix
 from sceneweaver.physics.inertia import Inertia
 
 from .usd_engines import tune_body, tune_joint
@@ -53,7 +53,7 @@ def rigid(target: Prim, inertia: Inertia) -> None:
         {
             "physics:mass": ("Float", max(inertia.mass, _LIGHTEST)),
             "physics:centerOfMass": ("Point3f", triple(inertia.centre)),
-            "physics:diagonalInertia": ("Float3", triple(np.maximum(moments, _LEAST_INERTIA))),
+            "physics:diagonalInertia": ("Float3", triple(moments)),
             "physics:principalAxes": ("Quatf", rotation("Quatf", axes)),
         },
     )
@@ -118,17 +118,19 @@ def _frames(made: Prim, position: Sequence[float], quaternion: Sequence[float]) 
 
 
 def _principal(tensor: np.ndarray) -> tuple[np.ndarray, Quaternion]:
-    """The moments [3] of an inertia tensor [3, 3], and the rotation (x, y, z, w) of the axes that have them."""
-    from scipy.spatial.transform import Rotation
+    """The moments [3] of an inertia tensor [3, 3], and the rotation (x, y, z, w) of the axes that have them.
 
+    Each is at least ``_LEAST_INERTIA`` and, in single precision as well, at most the sum of the others, as of sheets.
+    """
     off = tensor - np.diag(np.diag(tensor))
-    if np.abs(off).max() < 1e-9 * np.trace(tensor):
-        return np.diag(tensor), (0.0, 0.0, 0.0, 1.0)
-    moments, axes = np.linalg.eigh(tensor)
-    if np.linalg.det(axes) < 0:
-        axes[:, 2] *= -1
-    x, y, z, w = (float(v) for v in Rotation.from_matrix(axes).as_quat())
-    return moments, (x, y, z, w)
+    moments, axes = np.diag(tensor).copy(), np.eye(3)
+    if np.abs(off).max() > 1e-9 * np.trace(tensor):
+        moments, axes = np.linalg.eigh(tensor)
+        axes[:, 2] *= np.sign(np.linalg.det(axes))
+    moments = np.maximum(moments, _LEAST_INERTIA)
+    largest = int(moments.argmax())
+    moments[largest] = min(moments[largest], (1 - 1e-5) * (moments.sum() - moments[largest]))
+    return moments, from_matrix(axes)
 
 
 def _turn(number: int, axis: np.ndarray) -> tuple[float, float, float, float]:

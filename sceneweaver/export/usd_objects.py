@@ -99,6 +99,8 @@ def _articulated(made: Prim, thing: Thing, body: Body, prototypes: Prototypes) -
         mine = prim(made, names(title), displayName=title)
         place(mine)
         rigid(mine, _inertia(part))
+        facts = {"name": part.name} if part.link is None else {"name": part.name, "role": part.link.role}
+        mine.SetInfo("customData", {"sceneweaver": facts})
         if part.loose and part.link is not None:
             label(mine, part.link.category or part.link.name, part.name)
         prototypes.instance(mine, thing, body, part)
