@@ -48,8 +48,11 @@ def _leaf(
             more(leaf)
 
 
-def _cold_room(d: Drawing, box: Box, shelves: int, trays: int) -> None:
-    """A white lined room with boards of glass, over clear drawers that stand on its floor."""
+def _cold_room(d: Drawing, box: Box, shelves: int, trays: int, stocked: int = 0) -> None:
+    """A white lined room with boards of glass, over clear drawers that stand on its floor.
+
+    So many of its boards, from the lowest, are surfaces.
+    """
     room = cavity(d, box, "white plastic", 0.035, inside=None).inset(front=0.1, y=0.004)
     low = room.bottom(0.17 * trays)
     for cell in low.rows(trays, gap=0.01) if trays else []:
@@ -58,6 +61,9 @@ def _cold_room(d: Drawing, box: Box, shelves: int, trays: int) -> None:
     for cell in rows if trays else rows[1:]:
         d.box(cell.bottom(-0.006), "glass", bevel=0.0)
     compartments(d, rows)
+    for k, cell in enumerate(rows[:stocked]):
+        place = cell.bottom(0.0).inset(back=0.01, front=0.02, y=0.01)
+        d.surface(f"shelf-{k}", place, round(cell.height - 0.003, 4))
 
 
 def _cold_case(d: Drawing, box: Box, coat: Look, radius: float) -> Box:
@@ -83,11 +89,11 @@ def fridge(d: Drawing) -> None:
     def badge(leaf: Box) -> None:
         d.box(leaf.front(-0.0015).place(width=0.09).top(0.13).bottom(0.015), pull, bevel=0.0)
 
-    with d.part("body"):
-        room = _cold_case(d, body, "grey plastic" if coat.metallic else coat, 0.02 if retro else 0.004)
-        lower, upper = room.to(z=(room.z[0], split)), room.to(z=(split, room.z[1]))
-        _cold_room(d, lower, 1 if low else 3, 2 if low else 1)
-        _cold_room(d, upper, 3 if low else 1, 1 if low else 0)
+    room = _cold_case(d, body, "grey plastic" if coat.metallic else coat, 0.02 if retro else 0.004)
+    lower, upper = room.to(z=(room.z[0], split)), room.to(z=(split, room.z[1]))
+    _cold_room(d, lower, 1 if low else 3, 2 if low else 1, 0 if low else 2)
+    _cold_room(d, upper, 3 if low else 1, 1 if low else 0, 2 if low else 0)
+    with d.part("doors"):
         for name, z in (("lower", (fronts.z[0], split - 0.003)), ("upper", (split + 0.003, fronts.z[1]))):
             leaf = fronts.to(z=z)
             long = min(0.55, 0.6 * leaf.height)
