@@ -130,6 +130,15 @@ def test_an_episode_begins_anew_in_the_step_after_its_end(env):
     assert all(words.split()[0] in ("open", "close", "go", "put", "pick") for words in info["instruction"])
 
 
+def test_a_world_that_goes_astray_is_cut_off_and_begins_anew(env):
+    begun = start(env, 0, 1, 2)
+    env.physics._states[1].qvel[:] = 1e12
+    _, rewards, terminated, truncated, _ = env.step(np.zeros(env.action.shape))
+    assert truncated.tolist() == [False, True, False] and rewards[1] == 0 and not terminated.any()
+    seen = env.step(np.zeros(env.action.shape))[0]
+    assert seen["objects"][1] == pytest.approx(begun["objects"][1], abs=1e-6)
+
+
 def test_the_robot_moves_as_its_actions_say(env):
     before = start(env, 0, 0, 2)
     action = np.zeros(env.action.shape)

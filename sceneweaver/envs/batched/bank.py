@@ -392,7 +392,8 @@ def spawns(room: Room, row: _Row, slots: Slots, place: dict[str, np.ndarray], ra
 
     Where none is free the one with the most room.
     """
-    from shapely import Polygon, contains_xy
+    from shapely import Polygon, STRtree, box, contains_xy
+    from shapely import points as shapely_points
 
     size = row.fields["geom_size"]
     turn = matrix(xyzw(place["still_quat"]))
@@ -418,8 +419,10 @@ def spawns(room: Room, row: _Row, slots: Slots, place: dict[str, np.ndarray], ra
     points = np.stack([x[inside], y[inside]], axis=1)
     if not len(points):
         points = outline.mean(axis=0)[None]
-    gap = np.maximum(np.maximum(low[None] - points[:, None], points[:, None] - high[None]), 0.0)
-    clear = np.linalg.norm(gap, axis=2).min(axis=1) if len(low) else np.full(len(points), np.inf)
+    clear = np.full(len(points), np.inf)
+    if len(low):
+        tree = STRtree(box(*low.T, *high.T))
+        clear = tree.query_nearest(shapely_points(points), return_distance=True, all_matches=False)[1]
     rng = np.random.default_rng(len(points))
     free = np.flatnonzero(clear > radius + 0.02)
     chosen = rng.choice(free, PLACES) if len(free) else np.full(PLACES, int(np.argmax(clear)))

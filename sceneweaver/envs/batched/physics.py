@@ -127,6 +127,8 @@ class ThreadPhysics:
         """So many steps."""
         control, kinds = self.data.ctrl.numpy(), self._mujoco.mjtWarning
         full = int(kinds.mjWARN_CONTACTFULL), int(kinds.mjWARN_CNSTRFULL)
+        bad = int(kinds.mjWARN_BADQPOS), int(kinds.mjWARN_BADQVEL), int(kinds.mjWARN_BADQACC)
+        astray = np.zeros(len(self._states), dtype=bool)
 
         def run(worlds: np.ndarray) -> None:
             for k in worlds:
@@ -134,10 +136,12 @@ class ThreadPhysics:
                 state.ctrl[:] = control[k]
                 self._mujoco.mj_step(self._models[k], state, count)
                 self._full[k] |= any(state.warning[kind].number for kind in full)
+                astray[k] = any(state.warning[kind].number for kind in bad)
 
         map_threads(run, self._parts, len(self._parts))
         for name in ("qpos", "qvel", "qacc_warmstart"):
             self._read(name)
+        self.data.qpos.numpy()[astray] = np.nan  # MuJoCo begins anew after such a warning, and numbers look well
 
     def refresh(self, fresh: wp.array) -> None:
         """Where everything is by ``qpos``; ``fresh`` [W] worlds have other models and states than before."""

@@ -19,6 +19,7 @@ PUT_ON = wp.constant(4)
 TAKE = wp.constant(5)
 
 _FACING = wp.constant(wp.pi / 6.0)  # [rad] as `predicates.faces`
+_HUGE = wp.constant(1.0e6)  # positions beyond it are of a simulation that went astray
 _ON = wp.constant(0.02)  # [m] as `predicates.is_on`
 
 
@@ -170,7 +171,8 @@ def judge(
         most_steps: After which an episode is cut off.
         released: Distance [m] of the tool from a thing's box from which it is let go.
         goals: [V, K] tasks of the layouts.
-        fresh: Worlds that begin an episode get no reward; ``layout``, ``chosen``: their row of ``goals``.
+        fresh: Worlds that begin an episode get no reward, nor those that went astray, whose episode is cut off.
+        layout, chosen: Rows of ``goals``.
         qpos, xpos, xquat, site_xpos: State of the simulation.
         steps: Of the episode so far.
         potential: Of the step before; ``start_height`` and ``start_goal`` of `Take`: where its thing began.
@@ -249,7 +251,16 @@ def judge(
         goal = centre + wp.vec3(0.0, 0.0, g.share)
         value = -wp.length(centre - start_goal[world]) - 0.5 * hand
     cut = False
-    if fresh[world] != 0:
+    astray = int(0)  # noqa: UP018 - a variable of a loop in Warp
+    for k in range(qpos.shape[1]):
+        if not (wp.abs(qpos[world, k]) < _HUGE):  # nor a number
+            astray = int(1)  # noqa: UP018
+    if astray != 0:
+        cut = True
+        reward_out[world] = 0.0
+        success = False
+        value = 0.0
+    elif fresh[world] != 0:
         reward_out[world] = 0.0
         success = False
     else:
