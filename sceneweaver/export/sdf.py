@@ -80,7 +80,7 @@ def _model(world: Xml.Element, placed: PlacedArticulation, bullet: bool) -> None
     links = placed.model.links
     static = placed.fixed and (bullet or len(links) == 1)
     if static:
-        _text(model, "static", "true")
+        _text(model, "static", "1")  # which PyBullet reads, and not "true"
     _text(model, "pose", [*(f"{v:.12g}" for v in placed.position), *map(_exact, roll_pitch_yaw(placed.quaternion))])
     for link in links:
         _link(model, link, placed, bullet)

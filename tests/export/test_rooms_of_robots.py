@@ -66,7 +66,7 @@ def test_models_stand_where_objects_do(folder) -> None:
         np.testing.assert_allclose(pose[:3], thing.pose.position, atol=1e-11)
         turn = Rotation.from_euler("xyz", pose[3:])
         assert (turn.inv() * Rotation.from_quat(thing.pose.quaternion)).magnitude() < 1e-12
-    static = {name for name, m in models.items() if m.findtext("static") == "true"}
+    static = {name for name, m in models.items() if m.findtext("static") == "1"}
     welded = {name for name, m in models.items() if m.find("joint[@type='fixed']") is not None}
     assert static == {"rug"} and welded == {"room", "cabinet"}
     for model in models.values():
@@ -91,7 +91,7 @@ def test_meshes_are_there_and_joints_have_limits(folder) -> None:
 
 def test_bullet_gets_static_models_and_no_world(tmp_path) -> None:
     root = Xml.fromstring(sdf(SCENE, ASSETS.__getitem__, bullet=True)["scene.sdf"])
-    static = {m.get("name") for m in root.iter("model") if m.findtext("static") == "true"}
+    static = {m.get("name") for m in root.iter("model") if m.findtext("static") == "1"}
     assert static == {"room", "cabinet", "rug"}
     assert not root.findall(".//joint[@type='fixed']")
     assert all(link.findtext("contact/lateral_friction") for link in root.iter("link"))
