@@ -70,8 +70,8 @@ def _write_files(files: dict[str, bytes], path: Path, folder: str) -> None:
             left.unlink()  # of an export that this one has replaced
 
 
-def _write_sdf(scene: Scene, path: Path, load: Load, _: bool) -> None:
-    _write_files(sdf(scene, load), path, "sdf")
+def _write_sdf(scene: Scene, path: Path, load: Load, _: bool, bullet: bool = False) -> None:
+    _write_files(sdf(scene, load, bullet=bullet), path, "sdf")
 
 
 def _write_urdf(scene: Scene, path: Path, load: Load, _: bool) -> None:
@@ -96,12 +96,18 @@ FORMATS: dict[str, Format] = {
     )
 }
 
+VARIANTS: dict[str, dict[str, Callable[[Scene, Path, Load, bool], object]]] = {
+    "mjcf": {client: partial(_write_mjcf, client=client) for client in CLIENTS},
+    "sdf": {"pybullet": partial(_write_sdf, bullet=True)},
+}
+"""By format, who writes it for one client."""
+
 USUAL = ("glb", "usd", "mjcf")
 """What is written when nobody says what."""
 
 
 def format_named(name: str) -> Format:
-    """The format of a name; ``mjcf:<client>`` is that for one reader.
+    """The format of a name; ``mjcf:<client>`` and ``sdf:<client>`` are those for one reader.
 
     Raises:
         InputError: for a name that is no format.
@@ -109,11 +115,11 @@ def format_named(name: str) -> Format:
     base, _, client = name.partition(":")
     if name in FORMATS:
         return FORMATS[name]
-    if base != "mjcf":
+    if base not in VARIANTS:
         raise InputError(f"export: '{name}' is no format; use {', '.join(FORMATS)}, all or none")
-    if client not in CLIENTS:
-        raise InputError(f"export: '{name}' is no format; clients of mjcf are {', '.join(CLIENTS)}")
-    return replace(FORMATS[base], name=name, write=partial(_write_mjcf, client=client))
+    if client not in VARIANTS[base]:
+        raise InputError(f"export: '{name}' is no format; clients of {base} are {', '.join(VARIANTS[base])}")
+    return replace(FORMATS[base], name=name, write=VARIANTS[base][client])
 
 
 def formats_named(names: str | Iterable[str]) -> tuple[str, ...]:

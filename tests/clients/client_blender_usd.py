@@ -1,7 +1,10 @@
 """Blender as a module: ``scene.usdc``."""
 
+import re
+
 import bpy
 import client_blender
+from measure import usd_name
 from mathutils import Quaternion
 
 
@@ -16,7 +19,12 @@ class Room(client_blender.Room):
         bpy.ops.wm.usd_import(filepath=f"{folder}/scene.usdc")
 
     def name(self, item):
-        parent = item.parent.name if item.parent is not None else ""
-        if item.name.split(".")[0] == "leaf":
-            return f"room:door:{parent}"
-        return item.name
+        """By the path of the prim; Blender puts numbers behind names that are there twice."""
+        path = []
+        while item is not None:
+            path.insert(0, re.sub(r"\.\d\d\d$", "", item.name))
+            item = item.parent
+        if "Objects" not in path and "Doors" not in path:
+            return "/".join(path)
+        start = path.index("Objects" if "Objects" in path else "Doors")
+        return usd_name("/World/" + "/".join(path[start:] if path[start] == "Objects" else path[start - 1 :]))

@@ -22,15 +22,20 @@ class Room(Client):
         p.connect(p.DIRECT)
         p.setGravity(0, 0, -9.81)
         p.setPhysicsEngineParameter(fixedTimeStep=STEP, numSolverIterations=100)
+        self.bodies = self.load(folder)
+        self.links()
+
+    def load(self, folder):
+        """Numbers of bodies by name."""
         with open(f"{folder}/scene.urdf.json", encoding="utf-8") as file:
             robots = json.load(file)["robots"]
-        self.bodies = {}
         flags = p.URDF_USE_INERTIA_FROM_FILE
-        for r in robots:
-            path = f"{folder}/{r['file']}"
-            body = p.loadURDF(path, r["position"], r["quaternion"], useFixedBase=r["fixed"], flags=flags)
-            self.bodies[r["name"]] = body
-        self.links()
+        return {
+            r["name"]: p.loadURDF(
+                f"{folder}/{r['file']}", r["position"], r["quaternion"], useFixedBase=r["fixed"], flags=flags
+            )
+            for r in robots
+        }
 
     def links(self):
         """Numbers of body and joint by the name of what hangs on it; motors that Bullet starts in joints are off."""
