@@ -4,8 +4,8 @@ import re
 
 import bpy
 import client_blender
-from measure import usd_name
 from mathutils import Quaternion
+from measure import usd_name
 
 
 class Room(client_blender.Room):
