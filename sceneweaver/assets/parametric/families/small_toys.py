@@ -39,17 +39,21 @@ def building_blocks(d: Drawing) -> None:
     floor = d.bounds.bottom(0.0)
     tower = floor.place(s, 2.5 * s, at="back right").inset(top=-s)
     d.box(tower.right(s), c[0])
-    d.box(tower.left(s), c[1])
-    beam = d.box(tower.top(-0.5 * s).inset(x=0.05 * s, y=0.2 * s), c[2])
-    d.cylinder(beam.top(-0.8 * s).place(0.84 * s, 0.84 * s), c[3], bevel=0.002)
-    d.cylinder(beam.top(-1.5 * s).place(0.9 * s, 0.9 * s).inset(bottom=0.8 * s), c[4], ends=(1.0, 0.06))
+    with d.item("cube-1", "block"):
+        d.box(tower.left(s), c[1])
+    with d.item("beam", "block"):
+        beam = d.box(tower.top(-0.5 * s).inset(x=0.05 * s, y=0.2 * s), c[2])
+    with d.item("pillar", "block"):
+        d.cylinder(beam.top(-0.8 * s).place(0.84 * s, 0.84 * s), c[3], bevel=0.002)
+    with d.item("roof", "block"):
+        d.cylinder(beam.top(-1.5 * s).place(0.9 * s, 0.9 * s).inset(bottom=0.8 * s), c[4], ends=(1.0, 0.06))
     (x0, x1), (y0, y1) = floor.x, floor.y
-    with d.at(x1 - 0.6 * s, y0 + 0.8 * s, yaw=0.5):
+    with d.item("cube-2", "block"), d.at(x1 - 0.6 * s, y0 + 0.8 * s, yaw=0.5):
         cube = d.box(Box.sized(0.9 * s, 0.9 * s, 0.9 * s), c[5])
         d.print(cube.front(0.0).share(y=(0.25, 0.75), z=(0.25, 0.75)), "paper")
-    with d.at(x1 - 0.8 * s, y0 + 2.5 * s, yaw=-0.35):
+    with d.item("gable", "block"), d.at(x1 - 0.8 * s, y0 + 2.5 * s, yaw=-0.35):
         d.silhouette(Box.sized(0.9 * s, 1.4 * s, 0.75 * s), [(0, 0), (1, 0), (0.5, 1)], c[6], "x")
-    with d.at(x0 + 0.5 * s, y1 - 0.7 * s, yaw=0.2):
+    with d.item("arch", "block"), d.at(x0 + 0.5 * s, y1 - 0.7 * s, yaw=0.2):
         t = np.linspace(0, np.pi, 9)
         arch = [(0, 0), *np.c_[0.5 - 0.26 * np.cos(t), 0.6 * np.sin(t)], (1, 0), (1, 1), (0, 1)]
         d.silhouette(Box.sized(0.6 * s, 1.4 * s, 0.9 * s), arch, c[7], "x")
