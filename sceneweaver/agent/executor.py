@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
+from sceneweaver.assets import Library
 from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import Review, review_scene
 from sceneweaver.knowledge import RoomType
@@ -50,6 +51,9 @@ VARIED = 2
 
 IMPROVED = 2
 """Of several rooms or variants, how many are taken further: those with the best layouts."""
+
+OPENED = 4
+"""Layouts of a new room in which doors and drawers are opened, of those that the critic likes best."""
 
 STEADY = 3
 """Layouts that are tried in physics, of those that the critic likes best."""
@@ -284,7 +288,20 @@ class Executor:
             if variants
             else self._free(draft, fresh, seed, attempts, plain)
         )
-        return self._steadiest(self._ranked(layouts))
+        ranked = self._ranked(layouts)
+        return self._steadiest(self._opening(ranked) if fresh else ranked)
+
+    def _opening(self, ranked: list[Outcome]) -> list[Outcome]:
+        """Some outcomes, best first; of the leading valid ones the first in which all opens that has to is in front."""
+        from sceneweaver.verify import openable
+
+        load = Library().load
+        for k, one in enumerate(ranked[:OPENED]):
+            if one.faults or self.deadline.passed:
+                break
+            if not openable.violations(one.scene, openable.measure(one.scene, load)):
+                return [one, *ranked[:k], *ranked[k + 1 :]]
+        return ranked
 
     def _ranked(self, layouts: Sequence[Scene]) -> list[Outcome]:
         """Some layouts with their judgement, best first; past the deadline the first of them alone."""

@@ -9,13 +9,20 @@ from dataclasses import replace
 from sceneweaver.assets import Library
 from sceneweaver.assets.mirror import mirrored_zone
 from sceneweaver.assets.sources.parametric import other_hand
-from sceneweaver.scene import PRIORITIES, Pose, Scene, SceneObject
-from sceneweaver.scene.edits import Remove, apply
+from sceneweaver.scene import PRIORITIES, Pose, Relation, Scene, SceneObject
+from sceneweaver.scene.edits import Relate, Remove, apply
+from sceneweaver.tools.base import Proposal
 from sceneweaver.tools.carry import carried, follow
-from sceneweaver.verify import check, openable
+from sceneweaver.verify import Violation, check, openable
 from sceneweaver.verify.report import LinkTravel
 
 from .executor import Executor, Outcome
+
+APART = 0.6
+"""Distance [m] that is asked for between a piece and what keeps it from opening: a door is hardly wider."""
+
+FAR = 100.0
+"""Distance [m] that is no limit."""
 
 ROUNDS = 12
 """Pieces that are mended at most."""
@@ -47,7 +54,35 @@ def opened(outcome: Outcome, executor: Executor) -> tuple[Outcome, list[str]]:
     if scene is not outcome.scene:
         after = executor.judged(scene)
         outcome = replace(after, notes=outcome.notes, unmet=outcome.unmet)
+    wrong = openable.violations(scene, found) if outcome.report.valid else []
+    if wrong:
+        after = _searched(outcome, executor, wrong)
+        if after.report.valid and set(after.scene.ids) == set(scene.ids):
+            links = openable.measure(after.scene, load)
+            if _cost(after.scene, links) < _cost(scene, found):
+                scene, found = after.scene, links
+                outcome = replace(after, notes=outcome.notes, unmet=outcome.unmet)
     return replace(outcome, report=openable.judged(outcome.report, scene, found)), notes
+
+
+def _searched(outcome: Outcome, executor: Executor, wrong: Sequence[Violation]) -> Outcome:
+    """The outcome of a search that keeps what does not open off what is in its way."""
+    edits: dict[str, Relate] = {}
+    for violation in wrong:
+        piece, blocker = violation.objects[0], violation.objects[-1]
+        if piece not in outcome.scene.ids or piece == blocker:
+            continue
+        at_wall = any(r.type == "against_wall" and r.subject == piece for r in outcome.scene.relations)
+        if blocker in outcome.scene.ids:
+            row = Relation(type="distance", subject=piece, target=blocker, params={"min": APART, "max": FAR})
+        elif at_wall:  # with its back
+            row = Relation(type="against_wall", subject=piece)
+        else:
+            row = Relation(type="off_walls", subject=piece, params={"min": APART})
+        edits[piece] = Relate(relation=row)
+    if not edits:
+        return outcome
+    return executor.run(outcome.scene, Proposal(edits=tuple(edits.values())), executor.settings.seed, rival=outcome)
 
 
 def _cost(scene: Scene, found: Sequence[LinkTravel]) -> tuple[int, int]:

@@ -6,9 +6,11 @@ import pytest
 
 from sceneweaver.agent.executor import Outcome
 from sceneweaver.agent.openability import opened
+from sceneweaver.agent.settings import Settings
 from sceneweaver.assets import Library
 from sceneweaver.scene import Intent, Pose, Scene
 from sceneweaver.scene.intent import Priority
+from sceneweaver.tools.base import Proposal
 from sceneweaver.verify import check, openable
 from tests.verify.build import box, scene
 
@@ -20,6 +22,13 @@ class Judge:
 
     def judged(self, made: Scene) -> Outcome:
         return Outcome(made, check(made), None)  # type: ignore[arg-type]
+
+    settings = Settings()
+
+    def run(self, made: Scene, proposal: Proposal, seed: int, rival: Outcome) -> Outcome:
+        """A search that finds nothing."""
+        assert proposal.edits and made is rival.scene
+        return rival
 
 
 def touched(made: Scene) -> tuple[Outcome, list[str]]:
