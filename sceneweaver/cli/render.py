@@ -6,7 +6,7 @@ from pathlib import Path
 
 from sceneweaver.scene import InputError, Scene, whole
 
-from .output import list_files, print_json
+from .output import list_files, no_chatter, print_json
 
 PLAN = "plan"
 """The view that is a drawing and no picture."""
@@ -62,9 +62,10 @@ def run_passes(
 
 def _one_device(device: str) -> str:
     """Pictures are drawn on one device."""
-    from sceneweaver.layout.devices import pick_devices
+    with no_chatter():  # Warp greets when it starts
+        from sceneweaver.layout.devices import pick_devices
 
-    return pick_devices(device)[0]
+        return pick_devices(device)[0]
 
 
 def require_png(path: Path, option: str) -> None:
