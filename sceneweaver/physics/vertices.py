@@ -9,7 +9,8 @@ MOST_VERTICES = 64
 
 _LEVEL = 1e-5  # [m] within which vertices lie in the plane of the underside, or of the top
 _AT_ONCE = 4  # vertices that are added before the hull is found anew
-_IN_PLANE = 20  # vertices that an underside or a top has at most
+_IN_PLANE = 20  # vertices that a top has at most
+_STANDS_ON = 8  # the same of an underside: with more, contacts jump from one to the next, and things walk
 
 
 def fewer_vertices(points: np.ndarray, most: int = MOST_VERTICES) -> np.ndarray:
@@ -18,11 +19,14 @@ def fewer_vertices(points: np.ndarray, most: int = MOST_VERTICES) -> np.ndarray:
     It lies within the whole, as its vertices are among those. Undersides and tops stay level and nearly as wide, for
     things stand on them. Of all else those come next that stand out farthest of the hull of those chosen.
     """
+    under = np.flatnonzero(points[:, 2] <= points[:, 2].min() + _LEVEL)
+    if len(under) > _STANDS_ON:
+        points = np.delete(points, np.setdiff1d(under, _widest(points[:, :2], under, _STANDS_ON)), axis=0)
     if len(points) <= most:
         return points
     chosen = [int(k) for k in (*points.argmin(axis=0), *points.argmax(axis=0))]
     for level in (points[:, 2].min(), points[:, 2].max()):
-        chosen += _widest(points[:, :2], np.flatnonzero(np.abs(points[:, 2] - level) <= _LEVEL))
+        chosen += _widest(points[:, :2], np.flatnonzero(np.abs(points[:, 2] - level) <= _LEVEL), _IN_PLANE)
     chosen = list(dict.fromkeys(chosen))
     while len(chosen) < most:
         planes = _planes(points[chosen])
@@ -48,19 +52,19 @@ def _planes(points: np.ndarray) -> np.ndarray | None:
         return None
 
 
-def _widest(plan: np.ndarray, level: np.ndarray) -> list[int]:
-    """At most ``_IN_PLANE`` of those numbers of points [V, 2], so that their polygon is nearly as large."""
+def _widest(plan: np.ndarray, level: np.ndarray, most: int) -> list[int]:
+    """At most ``most`` of those numbers of points [V, 2], so that their polygon is nearly as large."""
     from scipy.spatial import ConvexHull, QhullError
 
     try:
         ring = level[ConvexHull(plan[level]).vertices]  # counter-clockwise
     except (QhullError, ValueError):
         return level.tolist()[:2]
-    if len(ring) <= _IN_PLANE:
+    if len(ring) <= most:
         return ring.tolist()
     corners = plan[ring]
     kept = [0, int(np.linalg.norm(corners - corners[0], axis=1).argmax())]
-    while len(kept) < _IN_PLANE:
+    while len(kept) < most:
         kept.sort()
         worst, at = -1.0, 0
         for k, end in zip(kept, [*kept[1:], len(ring)], strict=True):
