@@ -15,6 +15,7 @@ from sceneweaver.physics.inertia import Inertia, inertia_of
 from sceneweaver.physics.things import RigidBody, Thing, joint_of
 
 from .bodies import Body
+from .slices import sliced
 from .usd_bodies import Hinge, Solids, filter_pair, join, rigid, weld
 from .usd_layer import Names, Prim, apply, label, place, prim, usd
 from .usd_looks import Looks
@@ -65,8 +66,9 @@ class Prototypes:
         mesh = body.mesh if thing.asset is None else replace(body.mesh, face_link=thing.face_body)
         render_mesh(made, "Mesh", mesh, self._looks, part.number)
         scope, names = prim(made, "Collision", "Scope"), []
-        for number, solid in enumerate(part.solids):
-            collider(scope, f"part_{number}", _unscaled(solid, body.scale), self._looks, thing.friction)
+        solids = [piece for solid in part.solids for piece in sliced(_unscaled(solid, body.scale))]
+        for number, solid in enumerate(solids):
+            collider(scope, f"part_{number}", solid, self._looks, thing.friction)
             names.append(f"Collision/part_{number}")
         return _Prototype(made.path, tuple(names))
 

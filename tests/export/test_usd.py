@@ -10,15 +10,17 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy.spatial import Delaunay, KDTree
+from scipy.spatial import ConvexHull, Delaunay, KDTree
 
 from sceneweaver.assets import make
 from sceneweaver.assets.textures import maps
 from sceneweaver.export.images import linear
 from sceneweaver.export.room import floor_mesh
+from sceneweaver.export.slices import sliced
 from sceneweaver.export.usd import usd_layer, write_usd
 from sceneweaver.export.usd_bodies import _turn
 from sceneweaver.export.usd_mesh import corner_normals, hull_faces
+from sceneweaver.physics.hulls import Solid
 from sceneweaver.physics.leaves import leaves
 from sceneweaver.physics.things import things_of
 from sceneweaver.scene import EXAMPLES, Door, InputError, Part, Pose, Room, Scene, SceneObject, Support, Window
@@ -304,14 +306,40 @@ def test_engines_are_told_what_usd_has_no_words_for(stage) -> None:
         assert 0 < collider.GetAttribute("physxCollision:contactOffset").Get() <= 0.01
 
 
+def _pieces(thing, solid: Solid) -> list[Solid]:
+    """What a part of a thing is cut into, which is done in the size of its asset."""
+    scale = np.asarray(thing.scale)
+    cut = sliced(solid if solid.box else replace(solid, points=solid.points / scale))
+    return [piece if piece.box else replace(piece, points=piece.points * scale) for piece in cut]
+
+
+def test_no_hull_is_too_oblong_for_a_gpu() -> None:
+    """A round board of 6 mm and a tilted rod: their slices fill them, and have a ball of a hundredth inside."""
+    turn = np.linspace(0, 2 * np.pi, 24, endpoint=False)
+    ring = 0.3 * np.column_stack([np.cos(turn), np.sin(turn)])
+    board = np.concatenate([np.column_stack([ring, np.full(24, z)]) for z in (0.0, 0.006)])
+    rod = board * (0.02, 0.02, 250.0) @ _matrix((0, 0, 0), TILT)[:3, :3].T
+    for points in (board, rod):
+        pieces = [piece.points for piece in sliced(Solid(points, 1.0))]
+        hulls = [ConvexHull(piece) for piece in pieces]
+        assert 1 < len(pieces) <= 16
+        assert sum(hull.volume for hull in hulls) == pytest.approx(ConvexHull(points).volume)
+        for piece, hull in zip(pieces, hulls, strict=True):
+            inside = -(hull.equations[:, :3] @ piece.mean(axis=0) + hull.equations[:, 3]).max()
+            assert np.ptp(piece, axis=0).max() < 100 * inside
+    assert len(sliced(Solid(board * (1, 1, 10), 1.0))) == 1
+
+
 def test_colliders_are_the_convex_parts(stage) -> None:
     found = _objects(stage)
     for thing in things_of(SCENE, ASSETS.__getitem__):
         matrix = _matrix(thing.object.pose.position, thing.object.pose.quaternion)
         prim = found[thing.object.id]
         colliders = _colliders(prim)
-        assert len(colliders) == len(thing.solids)
-        by_link = sorted(thing.solids, key=lambda solid: solid.link)
+        by_link = [
+            piece for solid in sorted(thing.solids, key=lambda solid: solid.link) for piece in _pieces(thing, solid)
+        ]
+        assert len(colliders) == len(by_link)
         for collider, solid in zip(colliders, by_link, strict=True):
             assert UsdGeom.Imageable(collider).ComputePurpose() == "guide"
             local = solid.points
