@@ -55,8 +55,9 @@ def test_bodies_are_where_the_room_has_them(env, world):
     for k, turn in enumerate(TURNS):
         world.place(data, envs.poses_of(kitchen(turn)), np.zeros(3))
         names = env.bank.names[0]
+        begun = env.bank.layout["goals"][k, env.info()["goal"][k]]["joint"]  # what is to be closed begins open
         for slot, name in enumerate(names):
-            if name and not name.startswith("room:"):
+            if name and not name.startswith("room:") and slot != begun:
                 assert env.physics.data.xpos.numpy()[k, 1 + slot] == pytest.approx(data.body(name).xpos, abs=1e-5)
         model = env.physics._models[k]
         glass = 1 + names.index("drinking_glass-0")

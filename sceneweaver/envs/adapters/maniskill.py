@@ -16,6 +16,9 @@ from sceneweaver.scene import InputError, MissingDependencyError
 
 ENV_ID = "SceneWeaverRoom-v1"
 
+COVERINGS = ("rug", "carpet", "_mat")
+"""In names of categories: they lie under what stands on the floor."""
+
 
 def room_files(folder: str | os.PathLike[str]) -> list[dict[str, Any]]:
     """What stands in an exported room: ``file`` (absolute), ``position`` [3], ``quaternion`` (x, y, z, w), ``fixed``.
@@ -85,11 +88,15 @@ def register(rooms: Sequence[str | os.PathLike[str]], env_id: str = ENV_ID) -> s
                 loader.fix_root_link = row["fixed"]
                 loader.name = f"{row['name']}-{k}"
                 parsed = loader.parse(row["file"])
-                builder = [*parsed["articulation_builders"], *parsed["actor_builders"]][0]
+                articulated = bool(parsed["articulation_builders"])
+                builder = (parsed["articulation_builders"] or parsed["actor_builders"])[0]
                 x, y, z, w = row["quaternion"]
                 builder.initial_pose = sapien.Pose(p=row["position"], q=[w, x, y, z])
                 builder.set_scene_idxs([k])
-                found[row["name"]] = builder.build(name=loader.name)
+                if any(word in row["category"] for word in COVERINGS):
+                    builder.collision_records.clear()  # what stands over it shares its layer
+                still = not articulated and (row["fixed"] or not builder.collision_records)
+                found[row["name"]] = (builder.build_kinematic if still else builder.build)(name=loader.name)
             return found
 
         def _initialize_episode(self, env_idx: Any, options: dict[str, Any]) -> None:
