@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Iterator
+from importlib import import_module
+from typing import Any
 
 import numpy as np
 
@@ -29,8 +31,7 @@ ROOM = Room(outline=((-3, -3), (3, -3), (3, 3), (-3, 3)), height=3)
 
 def shifts_of(asset: Asset, seconds: float = SECONDS) -> tuple[dict[str, float], float]:
     """How far the middle of the mass of each body moves [m], by its name, and the deepest contact at the start [m]."""
-    import mujoco
-
+    mujoco: Any = import_module("mujoco")
     thing = asset.object("o", pose=Pose.from_yaw(0, 0, 0, 0), mount="floor")
     scene = Scene(id="s", room=ROOM, objects=(thing,))
     model = mujoco.MjModel.from_xml_string(build(scene, {asset.id: asset}.__getitem__).xml)
