@@ -159,16 +159,20 @@ class _Run:
         self._come(planner, first)
         self.move(way[1], 0.4, settle=8)
         self.grip(_CLOSED)
-        for joints in way[2:]:
-            self.move(joints, 0.5, settle=1)
-            if self.success:
-                break
+        self._swing(way[2:])
         self.grip(_OPEN, 8)
         retreat = self.joints
         tool = self.env.state.tool
         back = rotate(tool[3:], np.array([0.0, 0.0, -1.0])) * 0.12
         retreat[:2] += back[:2]
         self.move(retreat, 0.6)
+
+    def _swing(self, way: list[Array]) -> None:
+        """Follow configurations until the task is done; at the last of them wait for the joints."""
+        for number, joints in enumerate(way, 1):
+            self.move(joints, 0.5, settle=1 if number < len(way) else 20)
+            if self.success:
+                break
 
     def _come(self, planner: Planner, station: Array) -> None:
         """Drive to where a configuration has its base, with the arm ready, and go into it."""
@@ -213,10 +217,7 @@ class _Run:
             raise Failed(f"no way behind {joint}, open by {now / door.open_end:.0%}")
         self._come(planner, best[0])
         self.grip(_CLOSED, 6)
-        for joints in best[1:]:
-            self.move(joints, 0.5, settle=1)
-            if self.success:
-                break
+        self._swing(best[1:])
 
     # Things
 

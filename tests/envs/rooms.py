@@ -11,8 +11,8 @@ from sceneweaver.scene import Door, Pose, Room, Scene, Support
 SEEDS = {"drinking_glass": 4}  # one that a hand of 8 cm closes around
 PLACES = {
     "fridge": (0.45, 3.2),
-    "kitchen_counter": (0.34, 2.2),
-    "sink_cabinet": (0.34, 1.0),
+    "kitchen_counter": (0.34, 2.1),
+    "sink_cabinet": (0.34, 0.8),
     "dining_table": (2.9, 3.0),
 }
 
@@ -37,7 +37,7 @@ def kitchen(turn: float = 0.0) -> Scene:
         objects.append(by_name[name].object(f"{name}-0", pose=pose))
     counter = objects[1]
     top = counter.surfaces[0]
-    pose = Pose.from_yaw(0.45, 2.2, top.z, math.pi / 2)
+    pose = Pose.from_yaw(0.45, 2.1, top.z, math.pi / 2)
     support = Support(object=counter.id, surface=top.name)
     objects.append(by_name["drinking_glass"].object("drinking_glass-0", pose=pose, support=support))
     door = Door(id="door-0", wall=1, offset=0.5, width=0.9, height=2.0, swing="in-left")
