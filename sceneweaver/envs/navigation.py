@@ -126,12 +126,17 @@ def _plans(world: World, data: Any, low: float, high: float) -> list[Any]:
     """Plans of all collision parts between two heights, with the leaves of the room's doors left out."""
     import shapely
 
-    found = []
+    found: list[Array] = []
     for thing in world.geometry.things:
         for body in thing.bodies:
             pose = world.pose(data, body.name)
             for solid in body.solids:
                 points = to_world(pose, np.asarray(solid.points))
                 if points[:, 2].min() < high and points[:, 2].max() > low:
-                    found.append(shapely.MultiPoint(points[:, :2]).convex_hull)
-    return found
+                    found.append(points[:, :2])
+    if not found:
+        return []
+    owner = np.repeat(np.arange(len(found)), [len(points) for points in found])
+    points: Any = shapely.points(np.concatenate(found))
+    clouds: Any = shapely.multipoints(points, indices=owner)
+    return list(shapely.convex_hull(clouds))

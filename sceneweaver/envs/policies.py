@@ -13,7 +13,7 @@ import numpy as np
 from .env import PERIOD, RoomEnv
 from .geometry import Articulation
 from .grasping import grasps_of
-from .kinematics import ToolPose, configuration
+from .kinematics import ToolPose
 from .planning import EXTENSIONS, YAWS, Planner, link_pose, strain, tool_of
 from .predicates import rotate, to_world
 from .tasks import Open, PutIn, PutOn, Take
@@ -81,8 +81,7 @@ class _Run:
         most = self.world.speeds * PERIOD * share
         step = step / max(1.0, float(np.max(np.abs(step) / most)))
         yaw = self.env.data.qpos[self.world.driven_addresses[2]]
-        c, s = np.cos(yaw), np.sin(yaw)
-        step[:2] = c * step[0] + s * step[1], c * step[1] - s * step[0]
+        step[:2] = _turned(step[:2], -yaw)
         action = np.append(step / (self.world.speeds * PERIOD), self.gripper)
         _, _, done, cut, _ = self.env.step(np.clip(action, -1, 1))
         self.success |= done
@@ -229,10 +228,10 @@ class _Run:
         ways = []
         for grasp in grasps_of(geometry, name):
             tool = tool_of(grasp, pose)
-            ways += [(tool, joints) for joints in planner.stations(tool)]
-        ways.sort(key=lambda way: strain(way[1]))
-        for tool, joints in ways:
-            above = self._above(planner, tool, joints, name)
+            ways += planner.stations(tool)
+        ways.sort(key=strain)
+        for joints in ways:
+            above = self._above(planner, joints, name)
             if above is not None:
                 break
         else:
@@ -249,8 +248,8 @@ class _Run:
     def put(self, name: str, goal: Array) -> None:
         """Bring the thing that is held to a place [3] of its middle, and let go a little above."""
         planner = Planner(self.world, self.env.data)
-        for tool, joints in self._stations_over(planner, name, goal):
-            above = self._above(planner, tool, joints, name)
+        for joints in self._stations_over(planner, name, goal):
+            above = self._above(planner, joints, name)
             if above is not None:
                 break
         else:
@@ -265,27 +264,26 @@ class _Run:
                 break
             self.act(self.joints)
 
-    def _stations_over(self, planner: Planner, name: str, goal: Array) -> list[tuple[ToolPose, Array]]:
-        """Poses of the tool and configurations [9] with which the thing in the hand is over a place [3]: the wrist
-        stays as it is, so that the thing turns with the base."""
+    def _stations_over(self, planner: Planner, name: str, goal: Array) -> list[Array]:
+        """Configurations [9] with which the thing in the hand is over a place [3], the least strained first.
+
+        The wrist stays as it is: only the base, the lift and the telescope move, and the thing turns with the base.
+        """
         state, held = self.env.state, self.joints
         middle = to_world(state.bodies[name], self.world.geometry.items[name].centre)
-        closing = rotate(state.tool[3:], np.array([0.0, 1.0, 0.0]))
-        approach = rotate(state.tool[3:], np.array([0.0, 0.0, 1.0]))
+        ahead = _turned(middle[:2] - held[:2], -held[2])
         found = []
         for yaw in YAWS:
-            half = (yaw - held[2]) / 2
-            turn = np.array([np.cos(half), 0.0, 0.0, np.sin(half)])
-            offset = rotate(turn, state.tool[:3] - middle) + [0.0, 0.0, _DROP]
-            tool = ToolPose(goal + offset, rotate(turn, approach), rotate(turn, closing))
             for extend in EXTENSIONS:
-                joints = configuration(tool, yaw, extend)
-                if joints is not None and planner.on_floor(joints):
-                    joints[6:] = held[6:]
-                    found.append((tool, joints))
-        return sorted(found, key=lambda entry: strain(entry[1]))
+                joints = held.copy()
+                joints[:2] = goal[:2] - _turned(ahead + [extend - held[4] - held[5], 0.0], yaw)
+                joints[2], joints[4:6] = yaw, extend / 2
+                joints[3] += goal[2] + _DROP - middle[2]
+                if planner.on_floor(joints):
+                    found.append(joints)
+        return sorted(found, key=strain)
 
-    def _above(self, planner: Planner, tool: ToolPose, joints: Array, name: str) -> Array | None:
+    def _above(self, planner: Planner, joints: Array, name: str) -> Array | None:
         """The same configuration lifted, where hand and telescope come and go without touching."""
         above = joints.copy()
         above[3] = min(joints[3] + _LIFTED, 1.57)
@@ -310,6 +308,11 @@ class _Run:
         drawn = above.copy()
         drawn[4:6] = 0.0
         self.move(drawn, 0.6)
+
+
+def _turned(vector: Array, angle: float) -> Array:
+    c, s = np.cos(angle), np.sin(angle)
+    return np.array([c * vector[0] - s * vector[1], s * vector[0] + c * vector[1]])
 
 
 def _behind(

@@ -9,6 +9,8 @@ import numpy as np
 
 Array = np.ndarray
 
+_NEXT, _LAST = [1, 2, 0], [2, 0, 1]  # axes after and before each
+
 
 def to_local(poses: Array, points: Array) -> Array:
     """World points [..., 3] in the frames of poses [..., 7].
@@ -38,7 +40,12 @@ def rotate(quaternions: Array, vectors: Array) -> Array:
         [-1.0, -2.0, 3.0]
     """
     w, axis = quaternions[..., :1], quaternions[..., 1:]
-    return vectors + 2 * np.cross(axis, np.cross(axis, vectors) + w * vectors)
+    return vectors + 2 * _cross(axis, _cross(axis, vectors) + w * vectors)
+
+
+def _cross(a: Array, b: Array) -> Array:
+    """As `numpy.cross`, many times as quick for a few vectors."""
+    return a[..., _NEXT] * b[..., _LAST] - a[..., _LAST] * b[..., _NEXT]
 
 
 def open_share(position: Array | float, open_end: Array | float) -> Array:

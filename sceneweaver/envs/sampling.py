@@ -21,6 +21,7 @@ Poses = dict[str, Array]
 _MARGIN = 0.01  # [m] between a thing and the edge of what it goes into
 _FLAT = 0.1  # [m]; lower things, as rugs, are driven over
 _ARTICLES = ("the ", "a ", "an ")
+_ELBOW_ROOM = 0.08  # [m] around where a thing is put
 _TIDY_MOST = 3  # things of one tidy-up
 
 
@@ -46,8 +47,9 @@ def tasks_of(geometry: SceneGeometry, robot: Robot, poses: Poses) -> list[Task]:
             found += [Open(joint), Close(joint)]
     taken = [item for item in geometry.items.values() if _takeable(geometry, robot, poses, item)]
     found += [Take(item.name) for item in taken]
+    surfaces = _free_surfaces(geometry, robot, poses)
     for item in taken:
-        puts = _put_in(geometry, robot, poses, item), _put_on(geometry, robot, poses, item)
+        puts = _put_in(geometry, robot, poses, item), _put_on(geometry, surfaces, item)
         found += [goal for goals in puts for goal in islice(goals, 8)]
     if robot.base:
         standing = [t.object for t in geometry.things if t.object.mount == "floor"]
@@ -113,26 +115,38 @@ def _put_in(geometry: SceneGeometry, robot: Robot, poses: Poses, item: Item) -> 
             yield PutIn(item.name, room.body, room.name)
 
 
-def _put_on(geometry: SceneGeometry, robot: Robot, poses: Poses, item: Item) -> Iterator[PutOn]:
+def _put_on(geometry: SceneGeometry, free: list[SupportSurface], item: Item) -> Iterator[PutOn]:
     support = {t.object.id: t.object.support for t in geometry.things}.get(item.name)
-    for top in geometry.surfaces:
+    for top in free:
         here = support is not None and (support.object, support.surface) == (top.body, top.name)
-        height = float(poses[top.body][2]) + top.z
-        if here or top.body == geometry.owner[item.name] or not 0.3 <= height <= robot.heights[1] - 0.4:
-            continue
-        if _fits(item, top) and not _covered(geometry, poses, top, height):
+        if not here and top.body != geometry.owner[item.name] and _fits(item, top):
             yield PutOn(item.name, top.body, top.name)
 
 
-def _covered(geometry: SceneGeometry, poses: Poses, top: SupportSurface, height: float) -> bool:
-    """Whether something stands where a thing would be put."""
-    middle = to_world(poses[top.body], np.append((top.low + top.high) / 2, top.z))
-    for item in geometry.items.values():
-        if item.name != top.body and item.low[2] + poses[item.name][2] >= height - 0.03:
-            gap = np.linalg.norm(to_world(poses[item.name], item.centre)[:2] - middle[:2])
-            if gap < max(item.size[:2]) / 2 + 0.08:
-                return True
-    return False
+def _crowds(geometry: SceneGeometry, poses: Poses) -> tuple[list[str], Array, Array, Array]:
+    """Names, middles [N, 3], lowest heights [N] and radii in plan [N] of all things."""
+    items = list(geometry.items.values())
+    middles = to_world(np.stack([poses[item.name] for item in items]), np.stack([item.centre for item in items]))
+    lowest = np.array([poses[item.name][2] + item.low[2] for item in items])
+    return [item.name for item in items], middles, lowest, np.array([max(item.size[:2]) / 2 for item in items])
+
+
+def _free_surfaces(geometry: SceneGeometry, robot: Robot, poses: Poses) -> list[SupportSurface]:
+    """Surfaces at a height to work at with nothing in their middle."""
+    if not geometry.items:
+        return []
+    names, middles, lowest, radii = _crowds(geometry, poses)
+    found = []
+    for top in geometry.surfaces:
+        height = float(poses[top.body][2]) + top.z
+        if not 0.3 <= height <= robot.heights[1] - 0.4:
+            continue
+        middle = to_world(poses[top.body], np.append((top.low + top.high) / 2, top.z))
+        near = np.linalg.norm(middles[:, :2] - middle[:2], axis=1) < radii + _ELBOW_ROOM
+        near &= (lowest > height - 0.03) & (np.array(names) != top.body)
+        if not near.any():
+            found.append(top)
+    return found
 
 
 def _goes_through(item: Item, room: Interior) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from importlib import import_module
@@ -190,9 +190,25 @@ class World:
 
     def state(self, data: Any) -> RoomState:
         """What tasks look at, copied from the simulation."""
-        bodies = {name: self.pose(data, name) for name in self._bodies}
+        bodies = _Poses(self._bodies, np.hstack([data.xpos, data.xquat]))
         joints = dict(zip(self.joint_names, data.qpos[self.joint_addresses].tolist(), strict=True))
         return RoomState(bodies, joints, self.tool(data), self.base(data))
+
+
+class _Poses(Mapping[str, Array]):
+    """Poses [7] of bodies by name, over one array of all of them."""
+
+    def __init__(self, numbers: Mapping[str, int], poses: Array) -> None:
+        self._numbers, self._poses = numbers, poses
+
+    def __getitem__(self, name: str) -> Array:
+        return self._poses[self._numbers[name]]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._numbers)
+
+    def __len__(self) -> int:
+        return len(self._numbers)
 
 
 def _compile(scene: Scene, robot: Robot, load: Load, visual: bool, loose: bool) -> Any:
