@@ -10,7 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from sceneweaver.assets.placed import Load, loader
+from sceneweaver.assets.placed import Load, loader, welded_assets
+from sceneweaver.export.mjcf_clients import SLEEP_TOLERANCE
 from sceneweaver.physics import build
 from sceneweaver.scene import InputError, Scene
 
@@ -73,10 +74,10 @@ class World:
         self, scene: Scene, robot: Robot, load: Load | None = None, *, visual: bool = False, loose: bool = True
     ) -> None:
         """Build and compile the model."""
-        load = loader(load)
+        load = loader(load if loose else welded_assets(load))
         self.scene, self.robot = scene, robot
-        self.geometry = SceneGeometry(scene, load, loose=loose)
-        self.model = _compile(scene, robot, load, visual, loose)
+        self.geometry = SceneGeometry(scene, load)
+        self.model = _compile(scene, robot, load, visual)
         self._find()
 
     def _find(self) -> None:
@@ -211,14 +212,14 @@ class _Poses(Mapping[str, Array]):
         return len(self._numbers)
 
 
-def _compile(scene: Scene, robot: Robot, load: Load, visual: bool, loose: bool) -> Any:
+def _compile(scene: Scene, robot: Robot, load: Load, visual: bool) -> Any:
     mujoco: Any = import_module("mujoco")
     if visual:
         from sceneweaver.export.mjcf import mjcf
 
         made = mjcf(scene, load)
     else:
-        made = build(scene, load, loose=loose)
+        made = build(scene, load)
     room = mujoco.MjSpec.from_string(made.xml, assets=made.files)
     try:
         if robot.folder is None:
@@ -231,6 +232,7 @@ def _compile(scene: Scene, robot: Robot, load: Load, visual: bool, loose: bool) 
         for key in list(room.keys):
             room.delete(key)  # they know nothing of the robot
         room.option.enableflags |= int(mujoco.mjtEnableBit.mjENBL_SLEEP)
+        room.option.sleep_tolerance = SLEEP_TOLERANCE
         return room.compile()
     except ValueError as error:
         raise InputError(f"robot: {robot.name} does not fit into the room's model ({error})") from None

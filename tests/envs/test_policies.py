@@ -51,6 +51,7 @@ def test_doors_turn_and_slide_as_in_the_simulation(env):
         assert world.pose(data, name) == pytest.approx(pose, abs=1e-6)
 
 
+@pytest.mark.slow
 def test_a_glass_is_taken(env):
     env.reset(seed=1, options={"task": "take the glass"})
     before = env.state.bodies["drinking_glass-0"][2]
