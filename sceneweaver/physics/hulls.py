@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -51,6 +52,16 @@ class Solid:
     link: int = 0
     box: tuple[np.ndarray, np.ndarray] | None = None
     handle: bool = False
+
+    @cached_property
+    def planes(self) -> np.ndarray:
+        """The faces as outward normal and offset, [F, 4]."""
+        from scipy.spatial import ConvexHull
+
+        if self.box is None:
+            return ConvexHull(self.points).equations
+        (centre, half), turns = self.box, np.concatenate([np.eye(3), -np.eye(3)])
+        return np.column_stack([turns, -turns @ centre - np.tile(half, 2)])
 
 
 def solids_of(thing: SceneObject, asset: Asset | None, scale: np.ndarray) -> list[Solid]:
@@ -110,7 +121,9 @@ def reduce(solids: Sequence[Solid], parts: Sequence[Part], most: int, rooms: Seq
     live: dict[int, Solid] = dict(enumerate(solids))
     homes = {k: _homes(solid.points, parts) for k, solid in live.items()}
     bounds = {k: np.stack([solid.points.min(axis=0), solid.points.max(axis=0)]) for k, solid in live.items()}
-    others = {link: [s for s in solids if s.link != link] for link in {s.link for s in solids}}
+    spans = np.array([[solid.points.min(axis=0), solid.points.max(axis=0)] for solid in solids])
+    links = np.array([solid.link for solid in solids])
+    others = {k: ([s for s in solids if s.link != k], spans[links != k]) for k in set(links.tolist())}
     filled = {k: _filled(solid.points, rooms) for k, solid in live.items()}
     heap: list[tuple[float, int, int]] = []
     fresh, total = len(live), sum(s.volume for s in solids)
@@ -142,11 +155,12 @@ def reduce(solids: Sequence[Solid], parts: Sequence[Part], most: int, rooms: Seq
                 continue
             if len(live) <= most and added > _WASTE * total:
                 break
-            both = _solid(np.concatenate([live[i].points, live[j].points]), live[i].link)
-            if any(_reaches(both, other) for other in others[both.link]):
-                continue
-            fills = _filled(both.points, rooms)
+            points = np.concatenate([live[i].points, live[j].points])
+            fills = _filled(points, rooms)
             if (fills > filled[i] + filled[j] + _FILL).any():
+                continue
+            both = _solid(points, live[i].link)
+            if any(_reaches(both, other) for other in _near(both, *others[both.link])):
                 continue
             filled[fresh] = fills
             homes[fresh] = homes[i] & homes[j]
@@ -211,26 +225,23 @@ def _filled(points: np.ndarray, rooms: Sequence[np.ndarray]) -> np.ndarray:
     return shares
 
 
+def _near(one: Solid, others: Sequence[Solid], spans: np.ndarray) -> list[Solid]:
+    """Those of some parts whose boxes, ``spans`` [N, 2, 3], reach into that of a part."""
+    low, high = one.points.min(axis=0), one.points.max(axis=0)
+    shared = (np.minimum(spans[:, 1], high) - np.maximum(spans[:, 0], low)).min(axis=1)
+    return [others[k] for k in np.flatnonzero(shared >= _TOUCH).tolist()]
+
+
 def _reaches(one: Solid, two: Solid) -> bool:
     """Whether no face of either parts the two, by ``_TOUCH`` at least; in doubt they do reach into each other."""
     low, high = np.maximum(one.points.min(0), two.points.min(0)), np.minimum(one.points.max(0), two.points.max(0))
     if (high - low).min() < _TOUCH:
         return False
     for a, b in ((one, two), (two, one)):
-        planes = _planes(a)
+        planes = a.planes
         if (b.points @ planes[:, :3].T + planes[:, 3]).min(axis=0).max() > -_TOUCH:
             return False
     return True
-
-
-def _planes(solid: Solid) -> np.ndarray:
-    """The faces as outward normal and offset, [F, 4]."""
-    from scipy.spatial import ConvexHull
-
-    if solid.box is None:
-        return ConvexHull(solid.points).equations
-    (centre, half), turns = solid.box, np.concatenate([np.eye(3), -np.eye(3)])
-    return np.column_stack([turns, -turns @ centre - np.tile(half, 2)])
 
 
 def _homes(points: np.ndarray, parts: Sequence[Part]) -> frozenset[int]:
