@@ -24,7 +24,8 @@ def run(settings: Settings, judge: Judge) -> Result:
         f"Designs of the ten kinds of rooms of the SceneWeaver paper as MJCF folders, loaded by plain MuJoCo in a "
         f"process without sceneweaver and let loose for {SECONDS:g} s. Shares are of the bodies that may move, the "
         "shift is that of the middle of a body's box; ajar is how far a door or drawer opened by itself, as a share "
-        "of its range. Means over seeds; of most and ajar the largest.",
+        "of its range. Means over seeds; of most and ajar the largest. Sleeping: the same in scene-sleep.xml, in which "
+        "what is at rest sleeps, on one core.",
     )
     table = result.add("rooms", "By room", COLUMNS)
     each = result.add("seeds", "Each seed", (COLUMNS[0], Column("seed", "seed", "count"), *COLUMNS[1:]), keys=2)
