@@ -144,7 +144,7 @@ def reduce(solids: Sequence[Solid], parts: Sequence[Part], most: int, rooms: Seq
             heapq.heappush(heap, (both - live[i].volume - live[k].volume, i, k))
 
     for count in (_NEAR, len(solids)):  # far pairs are seldom the cheapest, and are tried when there are no others
-        if count > _NEAR and len(live) <= most:
+        if count > _NEAR and (len(live) <= most or rooms):  # around a room, far pairs fill it
             break
         heap.clear()
         for i in sorted(live):
