@@ -45,13 +45,19 @@ class Drawing(Tree):
             self._collides = before
 
     @contextmanager
-    def convex(self) -> Iterator[None]:
-        """What is drawn inside has one collision part, the hull of all of it: for things that are nearly convex."""
+    def convex(self, box: bool = False) -> Iterator[None]:
+        """What is drawn inside has one collision part, the hull of all of it: for things that are nearly convex.
+
+        As a ``box`` along the axes of the object it is coarser, and lies still where it is thin.
+        """
         first = len(self.drawn.hulls)
         yield
         own = self.drawn.hulls[first:]
         if len(own) > 1:
-            points, faces = shapes.hull(np.concatenate([hull.vertices for hull in own]))
+            corners = np.concatenate([hull.vertices for hull in own])
+            low, high = corners.min(axis=0).tolist(), corners.max(axis=0).tolist()
+            x, y, z = zip(low, high, strict=True)
+            points, faces = shapes.box(x, y, z) if box else shapes.hull(corners)
             self.drawn.hulls[first:] = [replace(own[0], vertices=points, faces=faces)]
             del self.drawn.groups[first + 1 :]
 

@@ -179,9 +179,9 @@ def cutlery_set(d: Drawing) -> None:
     start, w = -d.bounds.depth / 2, d.bounds.width
     with d.at(start, w / 2 - 0.012):
         fork(d, metal)
-    with d.item("knife"), d.convex(), d.at(start):
+    with d.item("knife"), d.convex(box=True), d.at(start):
         knife(d, metal, grip)
-    with d.item("spoon"), d.convex(), d.at(start, -w / 2 + 0.02):
+    with d.item("spoon"), d.convex(box=True), d.at(start, -w / 2 + 0.02):
         spoon(d, 0.195, metal)
 
 
@@ -203,13 +203,13 @@ def place_setting(d: Drawing) -> None:
                 open_vessel(d, Box.sized(1.2 * r, 1.2 * r, 0.045, (0, 0, floor)), CUP, glaze, floor=0.2)
         else:
             cloth = d.material("napkin", "white fabric, mustard fabric, rose fabric, blue fabric")
-            with d.item("napkin"), d.convex():
+            with d.item("napkin"), d.convex(box=True):
                 d.cushion(Box.sized(0.12, 0.06, 0.014, (0, 0, floor)), cloth, radius=0.006)
                 band = Box.sized(0.012, 0.064, 0.016, (0, 0, floor))
                 d.slab(band, "brass" if d.chance("ring", 0.5) else mat, 0.003)
     tools = ("fork", fork, -r - 0.03), ("knife", knife, r + 0.03), ("spoon", partial(spoon, length=0.2), r + 0.062)
     for name, tool, y in tools:
-        with d.item(name), d.convex(), d.at(0.11, y, 0.003, yaw=math.pi):
+        with d.item(name), d.convex(box=True), d.at(0.11, y, 0.003, yaw=math.pi):
             tool(d, metal=metal)
     corner = (-depth / 2 + 0.045, min(r * 0.9, width / 2 - 0.05), 0.003)
     wine = d.chance("wine", 0.5)
