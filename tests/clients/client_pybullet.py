@@ -1,6 +1,7 @@
 """PyBullet: the robots of ``scene.urdf.json``."""
 
 import json
+from importlib.metadata import version
 
 import numpy as np
 import pybullet as p
@@ -16,7 +17,7 @@ class Room(Client):
 
     @classmethod
     def version(cls):
-        return str(p.getAPIVersion())
+        return version("pybullet")
 
     def __init__(self, folder):
         p.connect(p.DIRECT)

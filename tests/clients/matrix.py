@@ -111,7 +111,8 @@ def _cells(rows: Sequence[dict[str, Any]]) -> list[str]:
         return sum(r.get(key, 0) for r in rows)
 
     cells = [f"{total('bodies'):,}", f"{max(r['pose_m'] for r in rows):.1e}"]
-    cells += [f"{total('joints')} of {total('joints_expected')}", f"{total('joints_opened')}"]
+    opens = total("joints") > 0
+    cells += [f"{total('joints')} of {total('joints_expected')}", f"{total('joints_opened')}"] if opens else ["", ""]
     if "far" not in rows[0]:
         return [*cells, "", "", "", f"{sum(r['load_s'] for r in rows) / len(rows):.1f}", ""]
     free = total("free")

@@ -121,12 +121,12 @@ def measure(client, expected, seconds):
         "pose_rad": max((a for _, a in off.values()), default=0.0),
         "pose_worst": max(off, key=lambda n: max(off[n]), default=""),
     }
-    names = {plain(n): n for n in client.joints()}
-    result |= {"joints_expected": len(joints), "joints": len(names.keys() & joints.keys())}
-    result["joints_missing"] = sorted(joints.keys() - names.keys())[:8]
     resting = client.simulates and seconds > 0
     if resting and client.rests_first:
         result |= rest(client, bodies, seconds)
+    names = {plain(n): n for n in client.joints()}
+    result |= {"joints_expected": len(joints), "joints": len(names.keys() & joints.keys())}
+    result["joints_missing"] = sorted(joints.keys() - names.keys())[:8]
     if names:
         result |= joint_measures(client, joints, names, wanted, LITTLE if client.rests_first else 1e-4)
     if resting and not client.rests_first:
