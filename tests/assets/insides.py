@@ -34,15 +34,15 @@ SLACK = 0.01
 CONTAINERS = frozenset(
     """
     mug cup_and_saucer drinking_glass wine_glass champagne_flute bowl mixing_bowl pot saucepan frying_pan vase
-    decorative_tray utensil_holder   bucket  mop_bucket measuring_cup beaker 
-    pitcher serving_tray basket plastic_bin wooden_crate shopping_basket laundry_cart  trash_can pedal_bin
-    recycling_bin  jewelry_box music_box     colander
-    laundry_hamper fridge side_by_side_fridge freezer  minibar stove oven_tower microwave dishwasher
-    washing_machine dryer wardrobe dresser tallboy sideboard cabinet linen_cabinet  filing_cabinet
-     locker safe bar_cabinet  nightstand tv_stand kitchen_cabinet kitchen_counter
+    decorative_tray utensil_holder bucket mop_bucket measuring_cup beaker
+    pitcher serving_tray basket plastic_bin wooden_crate shopping_basket laundry_cart trash_can pedal_bin
+    recycling_bin jewelry_box music_box colander
+    laundry_hamper fridge side_by_side_fridge freezer minibar stove oven_tower microwave dishwasher
+    washing_machine dryer wardrobe dresser tallboy sideboard cabinet linen_cabinet filing_cabinet
+    locker safe bar_cabinet nightstand tv_stand kitchen_cabinet kitchen_counter
     corner_cabinet wall_cabinet tall_cabinet sink_cabinet kitchen_island kitchen_cart vanity double_vanity
-    medicine_cabinet medical_cabinet teacher_desk  secretary_desk dressing_table  lab_bench
-    tool_chest tool_cabinet storage_bed bathtub freestanding_bathtub wall_basin pedestal_sink laundry_sink 
+    medicine_cabinet medical_cabinet teacher_desk secretary_desk dressing_table lab_bench
+    tool_chest tool_cabinet storage_bed bathtub freestanding_bathtub wall_basin pedestal_sink laundry_sink
     ice_machine cash_register
     """.split()  # noqa: SIM905
 )
