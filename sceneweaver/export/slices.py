@@ -1,4 +1,4 @@
-"""Hulls cut until none is oblong: PhysX keeps those that are off the GPU."""
+"""Hulls that PhysX takes, on a GPU as well: of few vertices, and cut until none is oblong."""
 
 from __future__ import annotations
 
@@ -7,6 +7,10 @@ from dataclasses import replace
 import numpy as np
 
 from sceneweaver.physics.hulls import Solid
+from sceneweaver.physics.vertices import fewer_vertices
+
+FEW_VERTICES = 48
+"""Vertices of a hull at most. PhysX allows 64, but vases whose hull had 60 tilted on the spot and fell."""
 
 LONGEST = 90.0
 """Extent of a hull in radii of a ball inside of it, at most; PhysX allows 100."""
@@ -16,11 +20,15 @@ _DEEP = 4  # cuts of one part after each other
 
 
 def sliced(solid: Solid) -> list[Solid]:
-    """A part as slices that are not oblong, itself where it is not; boxes are never cut."""
+    """A part as slices of few vertices that are not oblong, itself where it is so already; boxes are never cut."""
     if solid.box is not None:
         return [solid]
-    pieces = _sliced(solid.points, _DEEP)
-    return [solid] if len(pieces) == 1 else [replace(solid, points=points) for points in pieces]
+    pieces = [_limited(piece) for piece in _sliced(solid.points, _DEEP)]
+    return [replace(solid, points=points) for points in pieces]
+
+
+def _limited(points: np.ndarray) -> np.ndarray:
+    return points if len(points) <= FEW_VERTICES else fewer_vertices(points, FEW_VERTICES)
 
 
 def _sliced(points: np.ndarray, cuts: int) -> list[np.ndarray]:

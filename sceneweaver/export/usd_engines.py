@@ -57,7 +57,7 @@ def tune_collider(collider: Prim) -> None:
     """Distances at which contacts begin and rest.
 
     Things rest where their parts touch: rest offsets of 0 keep every pose as it is in the scene. Limits of hulls are
-    not written, as none has more than the 64 vertices that PhysX and Newton take.
+    not written, as none has as many vertices as PhysX and Newton take.
     """
     apply(collider, "PhysxCollisionAPI", "NewtonCollisionAPI")
     attribute(collider, "physxCollision:contactOffset", "Float", CONTACT_OFFSET)

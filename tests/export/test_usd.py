@@ -16,7 +16,7 @@ from sceneweaver.assets import make
 from sceneweaver.assets.textures import maps
 from sceneweaver.export.images import linear
 from sceneweaver.export.room import floor_mesh
-from sceneweaver.export.slices import sliced
+from sceneweaver.export.slices import FEW_VERTICES, sliced
 from sceneweaver.export.usd import usd_layer, write_usd
 from sceneweaver.export.usd_bodies import _turn
 from sceneweaver.export.usd_mesh import corner_normals, hull_faces
@@ -328,6 +328,23 @@ def test_no_hull_is_too_oblong_for_a_gpu() -> None:
             inside = -(hull.equations[:, :3] @ piece.mean(axis=0) + hull.equations[:, 3]).max()
             assert np.ptp(piece, axis=0).max() < 100 * inside
     assert len(sliced(Solid(board * (1, 1, 10), 1.0))) == 1
+
+
+def test_hulls_are_of_few_vertices_and_stand_as_they_did() -> None:
+    """A vase of 64 vertices, which would tilt in PhysX: fewer of the same, the underside as wide."""
+    vase = make("flower_vase", seed=3)
+    thing = SceneObject(id="vase", category="flower_vase", asset="vase", size=vase.size, pose=Pose(position=(0, 0, 0)))
+    room = Room(outline=[(0, 0), (2, 0), (2, 2), (0, 2)], height=2.5)
+    (found,) = things_of(Scene(id="s", room=room, objects=[thing]), {"vase": vase}.__getitem__)
+    rich = [solid for solid in found.solids if len(solid.points) > FEW_VERTICES]
+    assert rich
+    for solid in rich:
+        (piece,) = sliced(solid)
+        assert len(piece.points) <= FEW_VERTICES
+        assert {tuple(p) for p in piece.points} <= {tuple(p) for p in solid.points}
+        assert ConvexHull(piece.points).volume > 0.9 * solid.volume
+    before, after = (s.points[s.points[:, 2] < 1e-5, :2] for s in (rich[0], *sliced(rich[0])))
+    assert len(before) >= 8 and ConvexHull(after).volume == pytest.approx(ConvexHull(before).volume)
 
 
 def test_colliders_are_the_convex_parts(stage) -> None:
