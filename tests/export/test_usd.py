@@ -334,8 +334,8 @@ def test_hulls_are_of_few_vertices_and_stand_as_they_did() -> None:
     """A vase of 64 vertices, which would tilt in PhysX: fewer of the same, the underside as wide."""
     vase = make("flower_vase", seed=3)
     thing = SceneObject(id="vase", category="flower_vase", asset="vase", size=vase.size, pose=Pose(position=(0, 0, 0)))
-    room = Room(outline=[(0, 0), (2, 0), (2, 2), (0, 2)], height=2.5)
-    (found,) = things_of(Scene(id="s", room=room, objects=[thing]), {"vase": vase}.__getitem__)
+    room = Room(outline=((0, 0), (2, 0), (2, 2), (0, 2)), height=2.5)
+    (found,) = things_of(Scene(id="s", room=room, objects=(thing,)), {"vase": vase}.__getitem__)
     rich = [solid for solid in found.solids if len(solid.points) > FEW_VERTICES]
     assert rich
     for solid in rich:
