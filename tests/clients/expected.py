@@ -14,8 +14,8 @@ from sceneweaver.physics.things import joint_of, things_of
 from sceneweaver.scene import Scene
 
 
-def expected(scene: Scene, load: Load | None = None) -> dict[str, Mapping[str, Any]]:
-    """``bodies`` and ``joints`` by name.
+def expected(scene: Scene, load: Load | None = None, *, loose: bool = True) -> dict[str, Mapping[str, Any]]:
+    """``bodies`` and ``joints`` by name; ``loose`` as for `things_of`.
 
     A body has its pose (position, quaternion w x y z) as "object", in the frame that all bodies of an object share, as
     "link", with the frame at its joint's anchor, and as "node", with the frame at a hinge's anchor; whether it is
@@ -24,7 +24,7 @@ def expected(scene: Scene, load: Load | None = None) -> dict[str, Mapping[str, A
     """
     bodies: dict[str, Any] = {}
     joints: dict[str, Any] = {}
-    for thing in things_of(scene, load):
+    for thing in things_of(scene, load, loose=loose):
         pose = thing.object.pose
         turn, at, facing = matrix(pose.quaternion), np.asarray(pose.position), wxyz(pose.quaternion)
         for body in thing.bodies:
