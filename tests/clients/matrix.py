@@ -42,7 +42,7 @@ CLIENTS = {
     "robosuite": Entry("robosuite", "robosuite", "robosuite", "mjcf:robosuite"),
     "newton": Entry("Newton, MJCF", "newton", "newton", "mjcf"),
     "newton_usd": Entry("Newton, USD", "newton_usd", "newton", "usd"),
-    "ovphysx": Entry("PhysX (ovphysx)", "ovphysx", "ovphysx", "usd"),
+    "ovphysx": Entry("ovphysx", "ovphysx", "ovphysx", "usd"),
     "sapien": Entry("SAPIEN", "sapien", "sapien", "urdf"),
     "drake": Entry("Drake", "drake", "drake", "sdf"),
     "pybullet": Entry("PyBullet", "pybullet", "pybullet", "urdf"),
