@@ -33,6 +33,9 @@ from .mjcf_clients import CLIENTS, sleeping_twin
 _PIXELS = 256
 """Side of the images: simulators show them small, and PNG is large."""
 
+_MARGIN = 2e-5
+"""Distance [m] at which parts touch: at none, stacked hulls lose contacts in MuJoCo 3.3, and creep."""
+
 
 def write_mjcf(
     scene: Scene, folder: str | os.PathLike[str], load: Load | None = None, *, textures: bool = True
@@ -70,6 +73,8 @@ def mjcf(scene: Scene, load: Load | None = None, *, textures: bool = True, clien
     root = Xml.fromstring(model.xml)
     wardrobe.paper(root, scene.room)
     _without_slashes(root)
+    for geom in root.iterfind("default/default/geom[@group='3']"):
+        geom.set("margin", str(_MARGIN))
     files = {**wardrobe.files, **_hulls_as_files(root)}
     if client is not None:
         CLIENTS[client](root)

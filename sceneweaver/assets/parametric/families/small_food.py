@@ -10,8 +10,8 @@ from ... import shapes
 from ...drawing import PROUD, Box, Drawing, Look, draws
 from .small_parts import GOLDEN, open_vessel, spread
 
-_HOLLOW = {"apple": 0.785, "orange": 0.789}
-"""How much higher than three of these that touch an orange lies in their hollow, as a share of its width."""
+_HOLLOW = 0.785
+"""How much higher than three apples that touch an orange lies in their hollow, as a share of its width."""
 
 APPLE_SIDE = [(0.3, 0.0), (0.62, 0.06), (0.88, 0.28), (1.0, 0.56), (0.93, 0.78), (0.68, 0.94), (0.4, 0.97)]
 
@@ -49,12 +49,11 @@ def banana(d: Drawing, length: float, r: float) -> None:
 
 @draws("fruit_bowl", whole=True, even="round")
 def fruit_bowl(d: Drawing) -> None:
-    """A wide bowl of apples and oranges, seven on its floor and three in their hollows."""
+    """A wide bowl of seven apples on its floor and three oranges in their hollows."""
     box = d.even("round")
     look = d.material("bowl", "white ceramic, walnut, oak, blue ceramic, grey ceramic, brass")
-    # Seven touch each other on its floor; more lie in hollows between three of them.
-    below = d.pick("fruit", ("apple", "apple", "orange"))
-    r, floor, up = box.width / 2, 0.006, _HOLLOW[below] + 0.004
+    # Seven apples, which stand flat, touch each other on its floor; oranges lie in hollows between three of them.
+    r, floor, up = box.width / 2, 0.006, _HOLLOW + 0.004
     size = min(0.53 * r, (box.height - floor) / (1 + up))
     wall = 1.6 * size / r
     rim = 0.6 * size + floor
@@ -64,7 +63,7 @@ def fruit_bowl(d: Drawing) -> None:
     with d.at(yaw=d.uniform("turn", 0, 6)):
         for k, (far, turn, low) in enumerate([*places, *hollows]):
             own = Box.sized(size, size, size, (far * math.cos(turn), far * math.sin(turn), low))
-            kind = below if low == floor else "orange"
+            kind = "apple" if low == floor else "orange"
             with d.item(f"{kind}-{k}", kind), d.convex():
                 if kind == "apple":
                     apple_in(d, own, "green apple" if d.chance(f"green {k}", 0.4) else "red apple")
