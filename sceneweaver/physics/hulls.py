@@ -124,7 +124,8 @@ def reduce(solids: Sequence[Solid], parts: Sequence[Part], most: int, rooms: Seq
     spans = np.array([[solid.points.min(axis=0), solid.points.max(axis=0)] for solid in solids])
     links = np.array([solid.link for solid in solids])
     others = {k: ([s for s in solids if s.link != k], spans[links != k]) for k in set(links.tolist())}
-    filled = {k: _filled(solid.points, rooms) for k, solid in live.items()}
+    free = [_Room(corners) for corners in rooms]
+    filled = {k: _filled(solid.points, free) for k, solid in live.items()}
     heap: list[tuple[float, int, int]] = []
     fresh, total = len(live), sum(s.volume for s in solids)
 
@@ -156,7 +157,7 @@ def reduce(solids: Sequence[Solid], parts: Sequence[Part], most: int, rooms: Seq
             if len(live) <= most and added > _WASTE * total:
                 break
             points = np.concatenate([live[i].points, live[j].points])
-            fills = _filled(points, rooms)
+            fills = _filled(points, free)
             if (fills > filled[i] + filled[j] + _FILL).any():
                 continue
             both = _solid(points, live[i].link)
@@ -211,17 +212,27 @@ def _hull_volume(points: np.ndarray) -> float:
     return volume if volume > _THINNEST**3 else _solid(points, 0).volume
 
 
-def _filled(points: np.ndarray, rooms: Sequence[np.ndarray]) -> np.ndarray:
+class _Room:
+    """A convex room by its corners [N, 3]: its box and its solid."""
+
+    def __init__(self, corners: np.ndarray):
+        import manifold3d
+
+        self.low, self.high = corners.min(axis=0), corners.max(axis=0)
+        self.solid = manifold3d.Manifold.hull_points(corners)
+        self.volume = self.solid.volume()
+
+
+def _filled(points: np.ndarray, rooms: Sequence[_Room]) -> np.ndarray:
     """The share of each room that the hull of points [N, 3] fills, [R]."""
     import manifold3d
 
     low, high = points.min(axis=0), points.max(axis=0)
     shares, body = np.zeros(len(rooms)), None
-    for k, corners in enumerate(rooms):
-        if (np.minimum(high, corners.max(axis=0)) - np.maximum(low, corners.min(axis=0))).min() > _TOUCH:
+    for k, room in enumerate(rooms):
+        if (np.minimum(high, room.high) - np.maximum(low, room.low)).min() > _TOUCH:
             body = manifold3d.Manifold.hull_points(points) if body is None else body
-            room = manifold3d.Manifold.hull_points(corners)
-            shares[k] = (body ^ room).volume() / room.volume()
+            shares[k] = (body ^ room.solid).volume() / room.volume
     return shares
 
 
