@@ -152,7 +152,7 @@ def joint_of(
     stretch = float(np.linalg.norm(axis)) if slides else 1.0
     low, high = (float(end) * stretch for end in link.limits)
     if link.role == "control":
-        hold = 0.5 if slides else 0.02
+        hold = max(0.5, 15.0 * mass) if slides else 0.02  # a button carries its own weight
     else:
         hold = max(1.0, 2.0 * mass) if slides else max(0.2, 0.5 * mass)
     return axis / np.linalg.norm(axis), (low, high), hold
