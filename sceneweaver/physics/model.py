@@ -71,6 +71,7 @@ ROOM = "room"
 ``room:visual``, ``room:covering`` and ``room:grounded``."""
 
 _LEAST_INERTIA = 1e-7  # [kg m2] about each axis: less is not stable at the time step
+_BUTTON = {"stiffness": 200.0, "springref": -0.003}  # [N/m], [m]: friction alone gives way slowly
 _STOP = "0.008 1"  # ends of doors and drawers: as stiff as the time step allows, as many weigh little
 
 
@@ -269,7 +270,9 @@ class _Bodies:
                 frame = child(top, "body", name=body.name)
                 axis, limits, hold = joint_of(body.link, thing.scale, body.mass)
                 anchor = np.asarray(body.link.anchor) * np.asarray(thing.scale)
-                _joint(frame, body.name, body.link.joint, axis, limits, hold, pos=anchor)
+                button = body.link.role == "control" and body.link.joint == "slide"
+                spring = _BUTTON if button else {}
+                _joint(frame, body.name, body.link.joint, axis, limits, hold, pos=anchor, **spring)
                 if not thing.free:  # a body that is part of the world is not left out as a parent is
                     child(self._contact, "exclude", body1=base.name, body2=body.name)
             self._fill(frame, thing, body)
