@@ -201,10 +201,10 @@ def check(
         bool, typer.Option("--physics", help="Simulate 3 s with MuJoCo as well: does everything stay where it is?")
     ] = False,
     openable: Annotated[
-        bool, typer.Option("--openable/--no-openable", help="Measure how far doors, drawers and lids of assets open.")
-    ] = True,
+        bool, typer.Option("--openable", help="Open doors, drawers and lids as well: is anything in their way?")
+    ] = False,
 ) -> int:
-    """Judge a scene: collisions, bounds, support, zones, relations, what opens. Changes nothing."""
+    """Judge a scene: collisions, bounds, support, zones, relations. Changes nothing."""
     from .check import run_check
 
     return run_check(
