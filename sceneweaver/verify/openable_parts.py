@@ -19,7 +19,7 @@ from sceneweaver.scene import Room, Scene, Window
 from sceneweaver.verify.solids import Array
 from sceneweaver.verify.sweeps import Block, Motion
 
-LIGHT, LIGHT_SEAT = 3.0, 15.0
+LIGHT, LIGHT_SEAT = 3.0, 30.0
 """Mass [kg] up to which a free thing, or a seat, is not in the way: a hand moves it."""
 
 ROLES = ("door", "drawer", "lid")
