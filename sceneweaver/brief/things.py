@@ -126,7 +126,7 @@ def _single(noun: str) -> str:
         ("sses", "ss"),
         ("s", ""),
     ):
-        if noun.endswith(ending):
+        if noun.endswith(ending) and not noun.endswith(f" {ending}") and noun != ending:  # an ending ends a word
             return noun[: len(noun) - len(ending)] + plain
     return noun
 

@@ -73,6 +73,11 @@ red oak large 2 m 1.2 x 3 wide long bedroom office dining area reading for peopl
 """.split()  # noqa: SIM905
 
 
+@pytest.mark.parametrize("text", ["S", "es", "an es", "two s", "bed s", "the s is red", "s with es"])
+def test_what_is_only_an_ending_is_a_word(text: str) -> None:
+    consistent(read_request(text))
+
+
 @given(st.text(min_size=1, max_size=60).filter(lambda text: any(c.isalpha() for c in text)))
 @settings(max_examples=150, deadline=None, derandomize=True)
 def test_any_text_is_read(text: str) -> None:
