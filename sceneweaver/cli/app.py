@@ -558,6 +558,22 @@ def assets_infinigen(
     return run_infinigen(names or [], seeds=seeds, store=store, time_limit=time_limit, as_json=as_json)
 
 
+dataset = typer.Typer(name="dataset", help="Data sets: many rooms from one specification.")
+app.add_typer(dataset)
+
+
+@dataset.command(name="make")
+def dataset_make(
+    source: Annotated[Path, typer.Argument(metavar="SPEC", help="A specification in YAML.", show_default=False)],
+    out: Annotated[Path, typer.Option("--out", "-o", metavar="DIR", help="A folder.", show_default=False)],
+    device: Device = "auto",
+) -> int:
+    """Make a data set; started again, it goes on where it ended."""
+    from .dataset import run_make
+
+    return run_make(source, out, device=device)
+
+
 bench = typer.Typer(name="bench", help="Compare optimisers on many problems: curves, profiles, tables, plots.")
 app.add_typer(bench)
 

@@ -1,0 +1,116 @@
+"""Which request each scene of a data set answers: a function of the specification and the scene's index alone."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from sceneweaver.scene import InputError, read_bytes
+
+from .spec import Spec, Weights
+
+ATTEMPT = 0x9E3779B9
+"""What lies between the seeds of two attempts at a room (2**32 over the golden ratio)."""
+
+
+@dataclass(frozen=True)
+class Request:
+    """One room that a data set asks for. Its layouts are the scenes ``index`` to ``index + layouts - 1``.
+
+    Attributes:
+        room: number of the room.
+        index: number of its first scene.
+        layouts: scenes that are wanted of it.
+        prompt: the request in words.
+        kind: the kind of room that was drawn; empty for a prompt of a user.
+        seed: what all draws of this room follow from.
+        clutter: how lived-in it looks, 0 to 1.
+    """
+
+    room: int
+    index: int
+    layouts: int
+    prompt: str
+    kind: str
+    seed: int
+    clutter: float
+
+    def key(self, layout: int) -> str:
+        """The name of one of its scenes in the files of a data set."""
+        return f"{self.index + layout:08d}"
+
+    def attempt(self, number: int) -> int:
+        """The seed of an attempt, counted from 0."""
+        return (self.seed + number * ATTEMPT) % 2**32
+
+
+class Requests:
+    """The requests of a specification, by number of the room."""
+
+    def __init__(self, spec: Spec, folder: Path = Path()):
+        self.spec = spec
+        self._prompts = _prompts(spec, folder)
+
+    def __len__(self) -> int:
+        return -(-self.spec.count // self.spec.rooms.layouts)
+
+    def __getitem__(self, room: int) -> Request:
+        if not 0 <= room < len(self):
+            raise IndexError(room)
+        spec = self.spec
+        rng = np.random.default_rng([spec.seed, room])
+        seed = int(rng.integers(2**32))
+        clutter = round(float(rng.uniform(*spec.requests.clutter)), 3)
+        kind = ""
+        if self._prompts is not None:
+            prompt = self._prompts[room % len(self._prompts)]
+        else:
+            kind = _drawn(rng, spec.requests.kinds or {})
+            prompt = _words(spec, kind, rng)
+        index = room * spec.rooms.layouts
+        return Request(room, index, min(spec.rooms.layouts, spec.count - index), prompt, kind, seed, clutter)
+
+    @property
+    def blocks(self) -> int:
+        """How many blocks of rooms are made together."""
+        return -(-len(self) // self.spec.block)
+
+    def block(self, number: int) -> list[Request]:
+        """The rooms of a block."""
+        first = number * self.spec.block
+        return [self[room] for room in range(first, min(first + self.spec.block, len(self)))]
+
+
+def _drawn(rng: np.random.Generator, weights: Weights) -> str:
+    names = sorted(weights)
+    p = np.array([weights[name] for name in names])
+    return names[int(rng.choice(len(names), p=p / p.sum()))]
+
+
+def _words(spec: Spec, kind: str, rng: np.random.Generator) -> str:
+    """A request for a kind of room with what was drawn for it."""
+    asked = spec.requests
+    size, style, people = (_drawn(rng, weights) for weights in (asked.sizes, asked.styles, asked.people))
+    words = [w for w in (size, style, kind.replace("_", " ")) if w]
+    article = "an" if words[0][0] in "aeiou" else "a"
+    text = " ".join([article, *words])
+    if kind in asked.area:
+        text += f" of {rng.uniform(*asked.area[kind]):.1f} m2"
+    return f"{text} for {people}" if people else text
+
+
+def _prompts(spec: Spec, folder: Path) -> Sequence[str] | None:
+    if spec.requests.prompts is not None:
+        return spec.requests.prompts
+    if spec.requests.prompts_file is None:
+        return None
+    path = folder / spec.requests.prompts_file
+    rows = list(csv.DictReader(io.StringIO(read_bytes(path).decode("utf-8-sig"))))
+    if not rows or "prompt" not in rows[0]:
+        raise InputError(f"{path}: no column 'prompt'; the first line must name the columns")
+    return [row["prompt"] for row in rows]

@@ -1,0 +1,115 @@
+"""The specification of a data set: a YAML file that says all that its content depends on."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from pathlib import Path
+from typing import Annotated, ClassVar, Literal
+
+import yaml
+from pydantic import Field, model_validator
+
+from sceneweaver.scene import InputError, read_bytes
+from sceneweaver.scene.base import FrozenModel
+
+FORMAT = "sceneweaver.dataset/1"
+
+Weights = Annotated[dict[str, Annotated[float, Field(gt=0)]], Field(min_length=1)]
+"""What is drawn, with how much it weighs."""
+
+Share = Annotated[float, Field(ge=0, le=1)]
+
+
+class Requests(FrozenModel):
+    """What is asked for: kinds of rooms by weight, prompts, or a CSV file with a column ``prompt``; one of the three.
+
+    The other fields are said in each request of a kind of room: its area, style and number of people.
+    """
+
+    kinds: Weights | None = None
+    prompts: tuple[str, ...] | None = None
+    prompts_file: str | None = None
+    area: dict[str, tuple[float, float]] = Field(default={}, description="Least and greatest floor area [m2] by kind")
+    sizes: Weights = Field(default={"": 1.0}, description='Words of size: "", small, large, ...')
+    styles: Weights = Field(default={"": 1.0}, description='Words of style: "", industrial, scandinavian, ...')
+    people: Weights = Field(default={"": 1.0}, description='How many use the room, as in "for two people"; "": unsaid')
+    clutter: tuple[Share, Share] = Field(default=(0.2, 0.6), description="Least and greatest, from 0 to 1")
+
+    @model_validator(mode="after")
+    def _one_source(self) -> Requests:
+        if sum(given is not None for given in (self.kinds, self.prompts, self.prompts_file)) != 1:
+            raise ValueError("give one of kinds, prompts and prompts_file")
+        return self
+
+
+class Rooms(FrozenModel):
+    """How each room is laid out."""
+
+    candidates: int = Field(default=24, ge=1, le=65536, description="Layouts that are refined for each room")
+    layouts: int = Field(default=1, ge=1, le=10**6, description="Layouts of a room that are kept, a scene each")
+    attempts: int = Field(default=3, ge=1, le=20, description="Draws of a room before a request counts as not served")
+
+
+class Views(FrozenModel):
+    """Pictures of each scene."""
+
+    cameras: tuple[Literal["eye-door", "eye-corner", "corner", "top"], ...] = ()
+    passes: tuple[str, ...] = Field(default=(), description="rgb, depth, normals, ids, ...: as `sceneweaver render`")
+    width: int = Field(default=640, ge=16, le=8192, description="[pixels]")
+    height: int = Field(default=480, ge=16, le=8192, description="[pixels]")
+
+
+class Gates(FrozenModel):
+    """What a scene must be to be delivered; one that is not is drawn again, and at last left out with its reason."""
+
+    grade: float = Field(default=0.0, ge=0, le=10, description="Least mean grade of the critic")
+    unmet: int | None = Field(default=None, ge=0, description="Most wishes that are not met; None: any number")
+    openable: Share = Field(default=0.0, description="Least share of doors and drawers that open")
+    still: float | None = Field(default=None, gt=0, description="Farthest that a thing may move in physics [m]")
+
+
+class Spec(FrozenModel):
+    """All that the content of a data set depends on. Equal specifications give equal data sets, whoever makes them."""
+
+    _noun: ClassVar[str] = "spec"
+
+    schema_: Literal["sceneweaver.dataset/1"] = Field(alias="schema")
+    name: str = Field(pattern=r"^[a-z0-9][a-z0-9_-]{0,63}$")
+    product: Literal["scenes", "layouts"] = "scenes"
+    count: int = Field(ge=1, le=10**9, description="Scenes, or layouts")
+    seed: int = Field(default=0, ge=0, le=2**32 - 1)
+    requests: Requests
+    rooms: Rooms = Rooms()
+    exports: tuple[Literal["glb", "mjcf", "usd"], ...] = ("glb", "mjcf")
+    views: Views = Views()
+    captions: bool = True
+    counterfactuals: int = Field(default=0, ge=0, le=16, description="Changed twins of each scene")
+    gates: Gates = Gates()
+    splits: Weights = Field(default={"train": 0.9, "validation": 0.05, "test": 0.05})
+    variants: int = Field(default=16, ge=1, le=10**6, description="Drawings of a kind of thing that scenes choose from")
+    time_limit: float = Field(default=120.0, gt=0, description="Seconds for a scene, after which it has failed")
+    block: int = Field(default=16, ge=1, le=4096, description="Rooms that are made together, and kept or lost together")
+    shard: int = Field(default=200, ge=1, le=4096, description="Size of a shard of data [MB]")
+
+    @property
+    def hash(self) -> str:
+        """SHA-256 of all fields, in hex."""
+        text = json.dumps(self.model_dump(mode="json"), sort_keys=True, ensure_ascii=False)
+        return hashlib.sha256(text.encode()).hexdigest()
+
+
+def load_spec(path: str | Path) -> Spec:
+    """Read a specification.
+
+    Raises:
+        InputError: one line that names the file, the field and the fix.
+    """
+    try:
+        data = yaml.safe_load(read_bytes(path, max_bytes=2**20))
+    except (yaml.YAMLError, UnicodeDecodeError) as error:
+        raise InputError(f"{path}: no YAML: {' '.join(str(error).split())}") from None
+    try:
+        return Spec.model_validate(data)
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from None

@@ -1,0 +1,5 @@
+"""The files that all scenes of a data set share, by their content."""
+
+from .content import AssetStore
+
+__all__ = ["AssetStore"]
