@@ -20,7 +20,7 @@ from .base import Context, Proposal
 from .card import checked
 from .draft import Draft
 from .prior_program import MANY, named_kinds
-from .wall_plan import CLOSE, TALL, Rectangle, Span, extent, free_runs, obstacles
+from .wall_plan import CLOSE, TALL, Outlines, Rectangle, Span, extent, free_runs, obstacles
 
 BARE = 1.2
 """Length [m] of bare wall on which something is hung."""
@@ -66,6 +66,7 @@ class _Work:
     context: Context
     draft: Draft
     rng: random.Random
+    outlines: Outlines
     edits: list[AnyEdit] = field(default_factory=list)
 
     @property
@@ -89,7 +90,8 @@ class AddWallObjects:
         for k in chosen:
             if k >= len(walls):
                 raise InputError(f"tool {self.name}: inputs.walls: there is no wall {k}; use 0 to {len(walls) - 1}")
-        work = _Work(context, draft, random.Random(f"walls {context.seed}"))
+        rng = random.Random(f"walls {context.seed}")
+        work = _Work(context, draft, rng, Outlines(draft.objects.values()))
         least = float(inputs.get("bare", BARE))
         for k in sorted(set(chosen), key=lambda k: (-walls[k].length, k)):
             if not inputs.get("walls"):
@@ -136,7 +138,7 @@ def _heat(work: _Work, wall: Wall) -> None:
             continue
         middle = window.offset + window.width / 2
         along = (middle - asset.size[1] / 2, middle + asset.size[1] / 2)
-        taken = obstacles(room, work.objects, wall, asset.size[0])
+        taken = obstacles(room, work.outlines, wall, asset.size[0])
         place = Rectangle(along, (ABOVE_FLOOR, ABOVE_FLOOR + asset.size[2]))
         if not any(place.meets(other) for other in taken):
             _add(work, wall, asset, (middle, ABOVE_FLOOR), None)
@@ -150,10 +152,12 @@ def _within(obj: SceneObject, window: Window, wall: Wall) -> bool:
 def _bases(work: _Work, wall: Wall) -> Iterator[SceneObject]:
     """Low furniture at a wall, wide enough for something to hang over it."""
     for obj in work.objects:
+        if obj.mount != "floor" or not 0.3 < obj.size[2] < TALL:
+            continue
         along, deep = extent(obj, wall)
-        low = obj.mount == "floor" and 0.3 < obj.size[2] < TALL
-        turned = abs(obj.pose.frame.axis[0] * wall.along[0] + obj.pose.frame.axis[1] * wall.along[1]) < 0.1
-        if low and turned and deep[0] <= CLOSE and along[1] - along[0] >= BASES:
+        front = obj.pose.frame.axis
+        turned = abs(front[0] * wall.along[0] + front[1] * wall.along[1]) < 0.1
+        if turned and deep[0] <= CLOSE and along[1] - along[0] >= BASES:
             yield obj
 
 
@@ -217,7 +221,7 @@ def _place(
 ) -> tuple[float, float] | None:
     """Where along the wall its middle is and how high its bottom [m], free of all that is there."""
     depth, width, height = asset.size
-    taken = obstacles(work.draft.room, work.objects, wall, depth)
+    taken = obstacles(work.draft.room, work.outlines, wall, depth)
     if asset.category in BOARDS:
         taken += _before_boards(work, wall)
     bottom = MIDDLE - height / 2
@@ -242,8 +246,10 @@ def _place(
 def _before_boards(work: _Work, wall: Wall) -> Iterator[Rectangle]:
     """The stretches of a wall before which furniture stands."""
     for obj in work.objects:
+        if obj.mount != "floor" or obj.category in SEATS:
+            continue
         along, deep = extent(obj, wall)
-        if obj.mount == "floor" and obj.category not in SEATS and deep[0] < READ and deep[1] > 0.0:
+        if deep[0] < READ and deep[1] > 0.0:
             yield Rectangle(along, (0.0, work.draft.room.height))
 
 
@@ -258,5 +264,6 @@ def _add(work: _Work, wall: Wall, asset: Asset, place: tuple[float, float], base
     if base is not None:
         relations.append(Relation(type="above", subject=made.id, target=base.id, hard=False))
     work.draft.objects[made.id] = made
+    work.outlines.add(made)
     work.draft.relations += relations
     work.edits += [Add(object=made), *(Relate(relation=r) for r in relations)]

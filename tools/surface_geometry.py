@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from functools import cached_property
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,7 +23,7 @@ EDGE = 0.004
 """Free space [m] kept to the edge of a surface."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Prism:
     """A convex polygon [n, 2], counter-clockwise, from ``low`` to ``high`` [m] above the surface."""
 
@@ -34,17 +35,54 @@ class Prism:
         """The prism turned by ``yaw`` [rad] about the origin, then moved [m]."""
         return Prism(turned(self.polygon, yaw) + (x, y), self.low, self.high)
 
+    @cached_property
+    def box(self) -> tuple[float, float, float, float]:
+        """Bounds in the plane: x0, y0, x1, y1 [m]."""
+        return (*self.polygon.min(axis=0).tolist(), *self.polygon.max(axis=0).tolist())
 
-@dataclass(frozen=True)
+    @cached_property
+    def normals(self) -> Array:
+        """Outward unit normals of its edges [m, 2]."""
+        return normals(self.polygon)
+
+    @cached_property
+    def reach(self) -> Array:
+        """How far it reaches along its own normals [m]."""
+        return (self.polygon @ self.normals.T).max(axis=0)
+
+    def meets(self, box: tuple[float, float, float, float], other: Prism) -> bool:
+        """Whether its bounds meet a box in the plane, and its heights those of another prism."""
+        x0, y0, x1, y1 = self.box
+        level = self.low < other.high - 1e-4 and self.high > other.low + 1e-4
+        return level and x1 >= box[0] and y1 >= box[1] and x0 <= box[2] and y0 <= box[3]
+
+
+class Turned(NamedTuple):
+    """The prisms of a shape that is turned, and all their corners [n, 2]."""
+
+    prisms: tuple[Prism, ...]
+    points: Array
+
+
+@dataclass(frozen=True, eq=False)
 class Shape:
     """What an object covers, in its own frame: prisms that stand on the surface; ``size`` is its box [m]."""
 
     prisms: tuple[Prism, ...]
     size: tuple[float, float, float]
+    _turned: dict[float, Turned] = field(default_factory=dict, init=False, repr=False)
+
+    def turned(self, yaw: float) -> Turned:
+        """The shape turned by ``yaw`` [rad] about the origin."""
+        found = self._turned.get(yaw)
+        if found is None:
+            prisms = tuple(Prism(turned(p.polygon, yaw), p.low, p.high) for p in self.prisms)
+            found = self._turned[yaw] = Turned(prisms, np.concatenate([p.polygon for p in prisms]))
+        return found
 
     def extent(self, yaw: float) -> tuple[Array, Array]:
         """Least and largest x, y [m] about the origin when turned by ``yaw``."""
-        points = np.concatenate([turned(p.polygon, yaw) for p in self.prisms])
+        points = self.turned(yaw).points
         return points.min(axis=0), points.max(axis=0)
 
     @property
@@ -88,7 +126,7 @@ class Field:
         ring = counter_clockwise(np.asarray(hull.exterior.coords)[:-1])
         self._normals = normals(ring)
         self._limit = (ring @ self._normals.T).max(axis=0)
-        self._notches = [np.asarray(t) for t in _triangles(hull.difference(inner))]
+        self._notches = [Prism(t, 0.0, 0.0) for t in _triangles(hull.difference(inner))]
         self.low, self.high = ring.min(axis=0), ring.max(axis=0)
         self.centre = np.asarray(inner.centroid.coords[0])
 
@@ -97,19 +135,22 @@ class Field:
         good = np.zeros(len(at), dtype=bool)
         if self.empty or shape.size[2] > self.headroom - 1e-3:
             return good
-        rotated = [turned(p.polygon, yaw) for p in shape.prisms]
-        points = np.concatenate(rotated)
-        reach = (points @ self._normals.T).max(axis=0)
+        placed = shape.turned(yaw)
+        reach = (placed.points @ self._normals.T).max(axis=0)
         good = (at @ self._normals.T <= self._limit - reach).all(axis=1)
         if not good.any():
             return good
-        low, high = points.min(axis=0) + at.min(axis=0) - gap, points.max(axis=0) + at.max(axis=0) + gap
-        for polygon, prism in zip(rotated, shape.prisms, strict=True):
-            mine = normals(polygon)
-            for other in self._near(low, high, prism):
-                good &= _apart(polygon, mine, other, at) >= gap
-            for notch in self._notches:
-                good &= _apart(polygon, mine, notch, at) >= 0.0
+        low = placed.points.min(axis=0) + at.min(axis=0) - gap
+        high = placed.points.max(axis=0) + at.max(axis=0) + gap
+        box = (*low.tolist(), *high.tolist())
+        for prism in placed.prisms:
+            near = [(other, gap) for other in self.taken if other.meets(box, prism)]
+            near += [(notch, 0.0) for notch in self._notches]
+            along = at @ prism.normals.T if near else at
+            for other, least in near:
+                good &= _apart(prism, other, at, along) >= least
+                if not good.any():
+                    return good
         return good
 
     def put(self, shape: Shape, yaw: float, at: Sequence[float] | Array) -> None:
@@ -146,18 +187,12 @@ class Field:
         length = float(np.hypot(*way))
         return way if length < 0.3 else way * (0.3 / length)
 
-    def _near(self, low: Array, high: Array, prism: Prism) -> Iterable[Array]:
-        for other in self.taken:
-            level = other.low < prism.high - 1e-4 and other.high > prism.low + 1e-4
-            if level and (other.polygon.max(axis=0) >= low).all() and (other.polygon.min(axis=0) <= high).all():
-                yield other.polygon
 
-
-def _apart(a: Array, mine: Array, b: Array, at: Array) -> Array:
-    """Largest separation [k] of convex polygons ``a`` moved by each offset and ``b``, over the normals of both."""
-    theirs = normals(b)
-    one = (a @ theirs.T).min(axis=0) - (b @ theirs.T).max(axis=0) + at @ theirs.T
-    two = (b @ mine.T).min(axis=0) - (a @ mine.T).max(axis=0) - at @ mine.T
+def _apart(a: Prism, b: Prism, at: Array, along: Array) -> Array:
+    """Largest separation [k] of ``a`` moved by each offset and ``b``, over the normals of both; ``along`` [k, m] are
+    the offsets along those of ``a``."""
+    one = (a.polygon @ b.normals.T).min(axis=0) - b.reach + at @ b.normals.T
+    two = (b.polygon @ a.normals.T).min(axis=0) - a.reach - along
     return np.maximum(one.max(axis=1), two.max(axis=1))
 
 

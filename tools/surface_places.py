@@ -15,7 +15,7 @@ from sceneweaver.knowledge.surfaces import Slot
 from sceneweaver.scene import SceneObject, Surface
 
 from .base import CLUTTER
-from .surface_geometry import Array, Field, Shape, turned
+from .surface_geometry import Array, Field, Shape
 from .surface_scene import Seat
 
 SEAT_EDGE = 0.02
@@ -111,7 +111,7 @@ class Spread:
 
 def _reach(shape: Shape, yaw: float, way: Array) -> float:
     """How far a shape turned by ``yaw`` reaches along a unit vector [m]."""
-    return max(float((turned(p.polygon, yaw) @ way).max()) for p in shape.prisms)
+    return max(float((p.polygon @ way).max()) for p in shape.turned(yaw).prisms)
 
 
 def seat_places(shape: Shape, field: Field, seat: Seat, stray: float) -> tuple[Array, float] | None:

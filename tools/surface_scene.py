@@ -119,10 +119,11 @@ class Surroundings:
         middle = ring.mean(axis=0)
         x, y = frame.world(*middle.tolist())
         reach = float(np.hypot(*(ring - middle).T).max())
-        for own, low, high, prism in self._solids:
+        for own, prism in self._solids:
             if own == obj.id or prism.high <= base + 1e-4:
                 continue
-            if (low > (x + reach, y + reach)).any() or (high < (x - reach, y - reach)).any():
+            x0, y0, x1, y1 = prism.box
+            if x0 > x + reach or y0 > y + reach or x1 < x - reach or y1 < y - reach:
                 continue
             made.taken.append(Prism(frame.to_local(prism.polygon), prism.low - base, prism.high - base))
         return made
@@ -166,22 +167,19 @@ class Surroundings:
         return length > 0 and outside < 0.6 and dot(way, heading(yaw)) > 0.9 * length
 
     @cached_property
-    def _solids(self) -> list[tuple[str, Array, Array, Prism]]:
-        """Everything that may be in the way, in the room: owner, box and prism."""
+    def _solids(self) -> list[tuple[str, Prism]]:
+        """Everything that may be in the way, in the room, with its owner."""
         found = list(self._openings())
         for o in self.scene.objects:
             shapes = [(p.polygon, p.z) for p in o.solids] + [(z.polygon, z.z) for z in o.zones if z.hard]
             if not is_upright(o.pose.quaternion, TILT):  # anything within its reach, whichever way it lies
                 r = math.hypot(*o.size)
                 shapes = [(((-r, -r), (r, -r), (r, r), (-r, r)), (-r, r))]
-            x, y, z = o.pose.position
+            z, frame = o.pose.position[2], o.pose.frame
             for polygon, span in shapes:
-                placed = o.pose.frame.to_world(counter_clockwise(polygon))
+                placed = frame.to_world(counter_clockwise(polygon))
                 found.append((o.id, Prism(placed, z + span[0], z + span[1])))
-        convex = []
-        for id, p in found:
-            convex.append((id, p.polygon.min(axis=0), p.polygon.max(axis=0), p))
-        return convex
+        return found
 
     def _openings(self) -> Iterator[tuple[str, Prism]]:
         room = self.scene.room

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
+
+import numpy as np
 
 from sceneweaver.geometry.polygons import rectangle
 from sceneweaver.geometry.shell import clear_zone, heights
@@ -47,11 +49,14 @@ def free_runs(room: Room, objects: Iterable[SceneObject], wall: Wall, least: flo
     """Stretches [m] of a wall of which ``least`` [m] or more is bare, less what stays free at their ends."""
     taken: list[tuple[float, float, float]] = [(0.0, 0.0, CORNER), (wall.length, wall.length, CORNER)]
     taken += [(o.offset, o.offset + o.width, FRAME) for o in room.openings_of(wall.index)]
+    walls = room.walls
     for obj in objects:
-        along, deep = extent(obj, wall)
-        hung = obj.mount == "wall" and wall_behind(room.walls, obj.pose.position, obj.pose.frame.axis) == wall.index
+        hung = obj.mount == "wall" and wall_behind(walls, obj.pose.position, obj.pose.frame.axis) == wall.index
         tall = obj.mount == "floor" and obj.size[2] >= TALL
-        if (hung or tall) and deep[0] <= CLOSE and deep[1] > 0.0 and along[1] > 0.0 and along[0] < wall.length:
+        if not (hung or tall):
+            continue
+        along, deep = extent(obj, wall)
+        if deep[0] <= CLOSE and deep[1] > 0.0 and along[1] > 0.0 and along[0] < wall.length:
             taken.append((*along, HUNG if hung else BESIDE))
     runs: list[Span] = []
     at, gap = 0.0, CORNER
@@ -66,31 +71,60 @@ def free_runs(room: Room, objects: Iterable[SceneObject], wall: Wall, least: flo
 def extent(obj: SceneObject, wall: Wall) -> tuple[Span, Span]:
     """From and to of a thing along a wall and away from it [m]."""
     d, w = obj.size[0] / 2, obj.size[1] / 2
-    corners = [wall.coordinates(obj.pose.frame.world(x, y)) for x, y in ((d, w), (d, -w), (-d, -w), (-d, w))]
+    frame = obj.pose.frame
+    corners = [wall.coordinates(frame.world(x, y)) for x, y in ((d, w), (d, -w), (-d, -w), (-d, w))]
     along, deep = zip(*corners, strict=True)
     return (min(along), max(along)), (min(deep), max(deep))
 
 
-def obstacles(room: Room, objects: Iterable[SceneObject], wall: Wall, depth: float) -> list[Rectangle]:
+class Outlines:
+    """The parts and hard zones of some objects from above, read once for all walls."""
+
+    def __init__(self, objects: Iterable[SceneObject]) -> None:
+        """``objects`` in any order; `add` takes more."""
+        self._rings: list[Any] = []
+        self._rows: list[tuple[float, float, float, bool]] = []  # low, high, margin [m], whether one passes before it
+        for obj in objects:
+            self.add(obj)
+
+    def add(self, obj: SceneObject) -> None:
+        """Take one more object."""
+        z, frame, stands = obj.pose.position[2], obj.pose.frame, obj.mount == "floor"
+        found = [(ring, low, high, MARGIN / 2, stands) for ring, low, high in _parts(obj)]
+        found += [(zone.polygon, *zone.z, 0.0, False) for zone in obj.zones if zone.hard]
+        for ring, low, high, margin, passed in found:
+            u, v = np.array(ring, dtype=float).T
+            self._rings.append(np.stack(frame.world(u, v)))
+            self._rows.append((z + low, z + high, margin, passed))
+
+    def before(self, wall: Wall, depth: float) -> list[Rectangle]:
+        """Those in the way of something of that depth [m] on a wall, with the ways that have to stay."""
+        if not self._rings:
+            return []
+        starts = np.cumsum([0, *(ring.shape[1] for ring in self._rings[:-1])])
+        along, deep = wall.coordinates(np.concatenate(self._rings, axis=1))
+        ends = np.stack([np.minimum.reduceat(along, starts), np.maximum.reduceat(along, starts)], axis=1).tolist()
+        nearest, farthest = np.minimum.reduceat(deep, starts), np.maximum.reduceat(deep, starts)
+        margins = np.array([margin for _, _, margin, _ in self._rows])
+        passed = np.array([passed for *_, passed in self._rows]) & (nearest >= PASSED[0])
+        inside = farthest > 0.0
+        met = inside & (nearest < depth + margins)
+        narrowed = inside & passed & (nearest < sum(PASSED) + depth)
+        found = [Rectangle((ends[k][0], ends[k][1]), self._rows[k][:2]) for k in np.flatnonzero(met)]
+        return found + [
+            Rectangle((ends[k][0] - AROUND, ends[k][1] + AROUND), (0.0, UNDER)) for k in np.flatnonzero(narrowed)
+        ]
+
+
+def obstacles(room: Room, outlines: Outlines, wall: Wall, depth: float) -> list[Rectangle]:
     """What is in the way of something of that depth [m] on a wall: things, what they need free, doors and windows."""
     found = [Rectangle((o.offset, o.offset + o.width), heights(o)) for o in room.openings_of(wall.index)]
+    walls = room.walls
     for opening in room.openings:
         if opening.wall != wall.index:
-            corners = [wall.coordinates(corner) for corner in clear_zone(opening, room.walls)]
+            corners = [wall.coordinates(corner) for corner in clear_zone(opening, walls)]
             found += _before(corners, (0.0, heights(opening)[1]), depth + LEAF)
-    for obj in objects:
-        z = obj.pose.position[2]
-        for polygon, low, high in _parts(obj):
-            corners = [wall.coordinates(obj.pose.frame.world(*corner)) for corner in polygon]
-            found += _before(corners, (z + low, z + high), depth + MARGIN / 2)
-            if obj.mount == "floor" and PASSED[0] <= min(v for _, v in corners):
-                near = _before(corners, (0.0, UNDER), sum(PASSED) + depth)
-                found += [Rectangle((r.along[0] - AROUND, r.along[1] + AROUND), r.high) for r in near]
-        for zone in obj.zones or ():
-            if zone.hard:
-                corners = [wall.coordinates(obj.pose.frame.world(*corner)) for corner in zone.polygon]
-                found += _before(corners, (z + zone.z[0], z + zone.z[1]), depth)
-    return found
+    return found + outlines.before(wall, depth)
 
 
 def _parts(obj: SceneObject) -> Iterator[tuple[Sequence[Sequence[float]], float, float]]:

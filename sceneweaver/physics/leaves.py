@@ -9,8 +9,12 @@ that slides hangs before the outer face of the wall, where no furniture is, and 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any, Literal
+
+import numpy as np
 
 from sceneweaver.assets import Grasp
 from sceneweaver.geometry.angles import cross
@@ -71,7 +75,14 @@ class Leaf:
 
 def leaves(room: Room) -> list[Leaf]:
     """One leaf for each door, in their order."""
-    return [_sliding(room, door) if door.swing == "slide" else _swinging(room, door) for door in room.doors]
+    return list(_leaves(room.outline, room.doors))
+
+
+@lru_cache(maxsize=64)
+def _leaves(outline: tuple[tuple[float, float], ...], doors: tuple[Door, ...]) -> tuple[Leaf, ...]:
+    """The leaves of some doors; a scene is measured and written many times with one room."""
+    room = Room.model_construct(outline=outline, doors=doors)
+    return tuple(_sliding(room, door) if door.swing == "slide" else _swinging(room, door) for door in doors)
 
 
 def wall_ends(room: Room, wall: int) -> tuple[float, float]:
@@ -138,7 +149,7 @@ def _sliding(room: Room, door: Door) -> Leaf:
     walls = _walls(room)
     # The leaf covers the opening and a little more where no other wall begins.
     plans = [_slide(room, door, over, flip) for over in (0.03, 0.0, -0.01) for flip in (False, True)]
-    clear = [leaf for leaf in plans if not _hits(leaf, 0.0, walls)] or plans[-2:]
+    clear = [leaf for leaf in plans if not _hits(leaf, [0.0], walls)[0]] or plans[-2:]
     ways = [(_way(leaf, walls, leaf.limits[1]), leaf) for leaf in clear[:2]]
     travel, best = max(ways, key=lambda pair: pair[0])
     return _limited(best, travel)
@@ -185,29 +196,34 @@ def _limited(leaf: Leaf, most: float) -> Leaf:
 def _way(leaf: Leaf, walls: Any, most: float) -> float:
     """How far it opens before it meets a wall, ``most`` at most, in steps."""
     count = math.ceil(most / _STEP)
-    for k in range(1, count + 1):
-        if _hits(leaf, most * k / count, walls):
-            return most * max(k - 2, 0) / count  # one step back from the last that was free
-    return most
+    hits = np.flatnonzero(_hits(leaf, [most * k / count for k in range(1, count + 1)], walls))
+    # One step back from the last that was free.
+    return most * max(int(hits[0]) - 1, 0) / count if len(hits) else most
 
 
-def _hits(leaf: Leaf, at: float, walls: Any) -> bool:
-    """Whether the leaf, opened by ``at``, and a wall share a plan."""
-    from shapely.geometry import Polygon
+def _hits(leaf: Leaf, positions: Sequence[float], walls: Any) -> Any:
+    """Whether the leaf, opened by each of some positions, and a wall share a plan: bool [positions]."""
+    import shapely
 
-    slid = at if leaf.joint == "slide" else 0.0
-    turn = leaf.yaw + (at * leaf.axis[2] if leaf.joint == "hinge" else 0.0)
-    frame = SE2(*leaf.position[:2], turn)
-    for (bx, by, _), (hx, hy, _) in leaf.boxes:
-        plan = Polygon([frame.world(bx + slid + u, by + v) for u, v in rectangle(2 * hx, 2 * hy)])
-        if plan.intersection(walls).area > 1e-7:
-            return True
-    return False
+    slides = leaf.joint == "slide"
+    x, y = leaf.position[:2]
+    frames = [SE2(x, y, leaf.yaw + (0.0 if slides else at * leaf.axis[2])).axis for at in positions]
+    c, s = np.array(frames).T[:, :, None, None]
+    slid = np.asarray(positions)[:, None, None] if slides else 0.0
+    corners = np.array([rectangle(2 * hx, 2 * hy) for _, (hx, hy, _) in leaf.boxes])
+    u, v = np.array([(bx, by) for (bx, by, _), _ in leaf.boxes]).T[:, :, None] + corners.transpose(2, 0, 1)
+    u = u + slid
+    plans: Any = shapely.polygons(np.stack([x + c * u - s * v, y + s * u + c * v], axis=-1))
+    near = shapely.intersects(walls, plans)
+    shared = np.zeros(plans.shape)
+    shared[near] = shapely.area(shapely.intersection(plans[near], walls))
+    return (shared > 1e-7).any(axis=1)
 
 
 def _walls(room: Room) -> Any:
-    """The walls from above, less their doorways, as one plan."""
-    from shapely.geometry import Polygon
+    """The walls from above, less their doorways, as one plan, prepared for many questions."""
+    import shapely
+    from shapely import Polygon
 
     def strip(wall: Wall, low: float, high: float) -> Any:
         return Polygon(wall.strip(low, high - low, -WALL_THICKNESS, 0.0))
@@ -216,4 +232,6 @@ def _walls(room: Room) -> Any:
     for door in room.doors:
         doorway = strip(room.walls[door.wall], door.offset, door.offset + door.width)
         slabs[door.wall] = slabs[door.wall].difference(doorway)
-    return union(slabs)
+    made = union(slabs)
+    shapely.prepare(made)
+    return made

@@ -9,9 +9,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from sceneweaver.geometry.polygons import rectangle
+from sceneweaver.geometry.se2 import SE2
 from sceneweaver.geometry.shell import WALL_THICKNESS
 from sceneweaver.physics import build
-from sceneweaver.physics.leaves import THICK, Leaf, leaves
+from sceneweaver.physics.leaves import THICK, Leaf, _hits, _walls, leaves
 from sceneweaver.scene import Door, Room, Scene, Window
 from sceneweaver.verify.solids import Placed
 
@@ -171,3 +173,25 @@ def test_a_hand_finds_the_handles_of_a_leaf(swing: str) -> None:
         approach = np.array([[c, -s], [s, c]]) @ grasp.approach[:2]
         toward = approach @ np.array(wall.outward)
         assert toward == pytest.approx(1.0 if grasp.name == "inside" else -1.0)
+
+
+@pytest.mark.parametrize("swing", ["in-left", "in-right", "out", "slide"])
+def test_many_positions_at_once_are_as_one_by_one(swing: Any) -> None:
+    import shapely
+
+    outline = ((0.0, 0.0), (4.0, 0.0), (4.0, 1.2), (2.1, 1.2), (2.1, 3.0), (0.0, 3.0))
+    door = Door(id="door-0", wall=2, offset=0.3, width=0.9, height=2.0, swing=swing)
+    room = Room(type="room", outline=outline, doors=(door,))
+    (leaf,), walls = leaves(room), _walls(room)
+    positions = np.linspace(-1.0, 3.0, 60).tolist()
+    wanted = []
+    for at in positions:
+        frame = SE2(*leaf.position[:2], leaf.yaw + (at * leaf.axis[2] if leaf.joint == "hinge" else 0.0))
+        slid = at if leaf.joint == "slide" else 0.0
+        plans = [
+            shapely.Polygon([frame.world(x + slid + u, y + v) for u, v in rectangle(2 * hx, 2 * hy)])
+            for (x, y, _), (hx, hy, _) in leaf.boxes
+        ]
+        wanted.append(any(plan.intersection(walls).area > 1e-7 for plan in plans))
+    assert 0 < sum(wanted) < len(wanted)
+    assert _hits(leaf, positions, walls).tolist() == wanted

@@ -15,7 +15,7 @@ from sceneweaver.scene import Door, InputError, Pose, Room, Scene, Window
 from sceneweaver.scene.edits import apply_all
 from sceneweaver.tools.add_wall_objects import BARE, OVER, AddWallObjects
 from sceneweaver.tools.base import Context
-from sceneweaver.tools.wall_plan import CORNER, FRAME, extent, free_runs
+from sceneweaver.tools.wall_plan import AROUND, CORNER, FRAME, MARGIN, PASSED, UNDER, Outlines, extent, free_runs
 from sceneweaver.verify import check
 
 LIBRARY = Library()
@@ -164,3 +164,23 @@ def test_boards_hang_where_people_can_stand_before_them(category, hangs):
         after, _ = hung(scene(*row, kind="classroom"), seed=seed, walls=[2])
         boards += [o for o in after.objects if o.category == "notice_board"]
     assert bool(boards) is hangs
+
+
+def test_what_is_in_the_way_is_that_of_each_polygon_alone():
+    room = Scene.example("bedroom")
+    read = Outlines(room.objects[:2])
+    for obj in room.objects[2:]:
+        read.add(obj)
+    for wall in room.room.walls:
+        wanted = []
+        for obj in room.objects:
+            z, frame = obj.pose.position[2], obj.pose.frame
+            rings = [(p.polygon, p.z, MARGIN / 2, obj.mount == "floor") for p in obj.solids]
+            rings += [(zone.polygon, zone.z, 0.0, False) for zone in obj.zones if zone.hard]
+            for ring, (low, high), margin, passed in rings:
+                along, deep = zip(*(wall.coordinates(frame.world(*corner)) for corner in ring), strict=True)
+                if max(deep) > 0.0 and min(deep) < 0.05 + margin:
+                    wanted.append(((min(along), max(along)), (z + low, z + high)))
+                if passed and PASSED[0] <= min(deep) < sum(PASSED) + 0.05:
+                    wanted.append(((min(along) - AROUND, max(along) + AROUND), (0.0, UNDER)))
+        assert sorted(map(tuple, read.before(wall, 0.05))) == sorted(wanted)

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 import pytest
+import shapely
 
 from sceneweaver.assets import categories, make
 from sceneweaver.knowledge import room_types
@@ -194,3 +195,31 @@ def test_field_of_any_simple_polygon() -> None:
     field.put(shape, 0.0, (0.2, 0.2))
     assert not field.free(shape, 0.3, np.array([(0.3, 0.2)]))[0]
     assert not Field(ell, headroom=0.1).free(shape, 0.0, at).any()
+
+
+def test_many_places_at_once_are_as_one_by_one() -> None:
+    rng = np.random.default_rng(2)
+    outline = np.array([(0, 0), (1.2, 0), (1.2, 0.5), (0.5, 0.5), (0.5, 0.9), (0, 0.9)])
+    corners = [np.column_stack([r * np.cos(a), r * np.sin(a)]) for r, a in _rings(rng, 12)]
+    shape = Shape((Prism(corners[0], 0.0, 0.1), Prism(corners[1] + 0.05, 0.0, 0.2)), (0.2, 0.2, 0.2))
+    field = Field(outline, headroom=0.5, edge=0.01)
+    for ring in corners[2:]:
+        field.put(Shape((Prism(ring, 0.0, 0.15),), (0.1, 0.1, 0.15)), 0.0, rng.uniform((0, 0), (1.2, 0.9)))
+    at, yaw, gap = rng.uniform((0, 0), (1.2, 0.9), (400, 2)), 0.4, 0.006
+    inner = shapely.Polygon(outline).buffer(-0.01, join_style="mitre")
+    there = [shapely.Polygon(p.polygon) for p in field.taken]
+    wanted = []
+    for x, y in at:
+        mine = [shapely.Polygon(p.moved(x, y, yaw).polygon) for p in shape.prisms]
+        # corners of discs apart: the separation along the normals of edges is never more than the distance
+        near = min(a.distance(b) for a in mine for b in there)
+        wanted.append(all(inner.covers(a) for a in mine) and near >= gap)
+    good = field.free(shape, yaw, at, gap)
+    assert 20 < good.sum() < 380
+    assert not (good & ~np.array(wanted)).any()
+    assert (good == wanted).mean() > 0.97
+
+
+def _rings(rng: np.random.Generator, count: int):
+    """Radii [m] and angles [rad] of some convex rings."""
+    return [(rng.uniform(0.03, 0.08), np.sort(rng.permutation(12)[:5]) * np.pi / 6) for _ in range(count)]
