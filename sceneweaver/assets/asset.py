@@ -67,6 +67,20 @@ class Asset:
         d, w, h = (round(float(v), 6) for v in high - low)
         return d, w, h
 
+    @property
+    def nbytes(self) -> int:
+        """About the memory that it takes."""
+        mesh = self.mesh
+        arrays = [
+            mesh.vertices,
+            mesh.faces,
+            mesh.face_material,
+            mesh.face_link,
+            *([] if mesh.uv is None else [mesh.uv]),
+        ]
+        arrays += [array for hull in self.hulls for array in (hull.vertices, hull.faces)]
+        return sum(array.nbytes + 128 for array in arrays) + 2**14  # prisms, zones, words
+
     def object(
         self, asset_id: str, *, pose: Pose | None = None, mount: Mount | None = None, support: Support | None = None
     ) -> SceneObject:

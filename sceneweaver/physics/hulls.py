@@ -10,6 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from sceneweaver.assets import Asset, Interior
+from sceneweaver.assets.recent import Recent
 from sceneweaver.geometry.prisms import prism_vertices
 from sceneweaver.scene import Part, SceneObject
 
@@ -28,15 +29,12 @@ _SLACK = 1e-4  # [m] by which a part may stand out of a prism and still belong t
 _THINNEST = 1e-4  # [m]; thinner parts become boxes of this thickness
 _WASTE = 0.01  # share of volume that a merge may add when it is not forced
 _NEAR = 8  # neighbours of a part that it is tried with first
-_KEPT = 4096  # assets whose parts are kept
 _FILL = 0.02  # share of an interior that a merge may fill
 _NEARLY = 0.93  # share of its bounds that a part fills which becomes a box
 _NARROWER = (1.0, 0.998, 0.995, 0.99, 0.98, 0.97, 0.96, 0.95, 0.94, 0.92)  # shares of depth and width, tried in turn
 _NARROWED = 0.005  # [m] by which a side of a box may lie inside that of the part
 _CORNERS = np.array([(x, y, z) for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
 _TOUCH = 1e-3  # [m] by which parts of different links may reach into each other
-
-_KNOWN: dict[bytes, list[Solid]] = {}
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,6 +62,12 @@ class Solid:
         return np.column_stack([turns, -turns @ centre - np.tile(half, 2)])
 
 
+_MERGED: Recent[bytes, tuple[Solid, ...]] = Recent(
+    64 * 2**20, lambda solids: sum(2 * solid.points.nbytes + 2**10 for solid in solids)
+)
+"""Parts of assets by their content."""
+
+
 def solids_of(thing: SceneObject, asset: Asset | None, scale: np.ndarray) -> list[Solid]:
     """The parts of an object; of an asset its hulls, ``scale`` [3] times as large, else the object's own prisms."""
     if asset is None or not any(hull.link == 0 for hull in asset.hulls):
@@ -84,14 +88,13 @@ def merged_hulls(asset: Asset) -> list[Solid]:
     for hull in asset.hulls:
         content.update(np.array([len(hull.vertices), hull.link, hull.handle]).tobytes())
         content.update(np.ascontiguousarray(hull.vertices, dtype=float).tobytes())
-    key = content.digest()
-    if key not in _KNOWN:
-        if len(_KNOWN) >= _KEPT:
-            _KNOWN.clear()
-        found = [_solid(np.asarray(h.vertices, dtype=float), h.link, h.handle) for h in asset.hulls]
-        merged = reduce(found, asset.parts, most, rooms) if len(found) > most and asset.parts else found
-        _KNOWN[key] = [_limited(solid) for solid in squared(merged, asset.parts)]
-    return list(_KNOWN[key])
+    return list(_MERGED.get(content.digest(), lambda: _merged(asset, most, rooms)))
+
+
+def _merged(asset: Asset, most: int, rooms: Sequence[np.ndarray]) -> tuple[Solid, ...]:
+    found = [_solid(np.asarray(h.vertices, dtype=float), h.link, h.handle) for h in asset.hulls]
+    merged = reduce(found, asset.parts, most, rooms) if len(found) > most and asset.parts else found
+    return tuple(_limited(solid) for solid in squared(merged, asset.parts))
 
 
 def rooms_of(interiors: Sequence[Interior]) -> list[np.ndarray]:

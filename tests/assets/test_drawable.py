@@ -125,3 +125,18 @@ def test_words_say_what_holds_a_thing_where_that_may_be() -> None:
 
 def test_a_material_alone_makes_no_other_thing_of_a_basket() -> None:
     assert drawable("basket", "wicker").category == "basket"
+
+
+def test_what_was_asked_in_vain_before_does_not_matter() -> None:
+    """The same wish gives the same drawing, whatever was asked before it and of what size."""
+    from sceneweaver.assets.sources import parametric
+    from sceneweaver.assets.sources.base import Wish
+
+    wishes = [Wish(size=(None, w, None), parts=(("drawers", 5),), seed=s, count=1) for w in (1.2, 2.0) for s in (0, 1)]
+
+    def found(order):
+        parametric._can_show.cache_clear()
+        parametric._DRAWN.clear()
+        return {wish: [card.id for card in parametric.ParametricSource().find("desk", wish)] for wish in order}
+
+    assert found(wishes) == found(wishes[::-1])

@@ -14,6 +14,7 @@ from ..category import categories
 from ..looks import Words, shows
 from ..materials import STYLES
 from ..parametric import Request, make
+from ..recent import Recent
 from ..taxonomy import Match, resolve
 from .base import Card, Wish
 
@@ -88,28 +89,32 @@ VARIED = ("material", "shape")
 def _shown(category: str, seed: int, request: Request) -> Asset:
     """A body that shows the asked look, of another seed where this one's cannot; the first when none can."""
     words = Words(color=request.color, material=request.material, shape=request.shape, parts=request.parts)
-    if words == Words() or (category, replace(request, size=(None, None, None), style=None)) in _VAIN:
-        return _draw(category, seed, request)
     first = _draw(category, seed, request)
-    missing = [kind for kind, shown in shows(first.attributes, words).items() if not shown]
-    if not missing:
+    missing = {kind for kind, shown in shows(first.attributes, words).items() if not shown}
+    if not missing or any(kind not in (*VARIED, *first.attributes) for kind in missing):
         return first
-    tries = TRIES if set(missing) & set(VARIED) else TRIES_FOR_COUNTS
-    drawn = (_draw(category, seed + 7919 * k, request) for k in range(1, tries))
-    hopeless = any(kind not in (*VARIED, *first.attributes) for kind in missing)
-    found = None if hopeless else next((m for m in drawn if all(shows(m.attributes, words).values())), None)
-    if found is None:
-        _VAIN.add((category, replace(request, size=(None, None, None), style=None)))
-    return found or first
+    if not _can_show(category, replace(request, size=(None, None, None), style=None), words):
+        return first
+    tries = TRIES if missing & set(VARIED) else TRIES_FOR_COUNTS
+    return next(_that_show(category, seed, request, words, range(1, tries)), first)
 
 
-_VAIN: set[tuple[str, Request]] = set()
-"""What was asked in vain, so as not to try again."""
+@lru_cache(maxsize=4096)
+def _can_show(category: str, request: Request, words: Words) -> bool:
+    """Whether any variant of a category shows a look: so as not to try in vain for each seed and size."""
+    return next(_that_show(category, 0, request, words, range(TRIES_FOR_COUNTS)), None) is not None
 
 
-@lru_cache(maxsize=1024)
+def _that_show(category: str, seed: int, request: Request, words: Words, tries: range) -> Iterator[Asset]:
+    drawn = (_draw(category, seed + 7919 * k, request) for k in tries)
+    return (made for made in drawn if all(shows(made.attributes, words).values()))
+
+
+_DRAWN: Recent[tuple[str, int, Request], Asset] = Recent(128 * 2**20, lambda asset: asset.nbytes)
+
+
 def _draw(category: str, seed: int, request: Request) -> Asset:
-    return make(category, seed, request)
+    return _DRAWN.get((category, seed, request), lambda: make(category, seed, request))
 
 
 def _size(text: str) -> tuple[float | None, float | None, float | None]:
