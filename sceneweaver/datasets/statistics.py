@@ -1,0 +1,163 @@
+"""What a data set is made of, in numbers: counts, spreads, variety. Streaming: rows are seen once and not kept."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from sceneweaver.assets import categories
+from sceneweaver.knowledge import room_types
+
+SCHEMA = "sceneweaver.dataset-statistics/1"
+
+BINS: Mapping[str, tuple[float, float, int]] = {
+    "area": (0.0, 120.0, 24),
+    "object_count": (0.0, 200.0, 40),
+    "relation_count": (0.0, 120.0, 24),
+    "grade": (0.0, 10.0, 40),
+    "clutter": (0.0, 1.0, 20),
+    "walkable_share": (0.0, 1.0, 20),
+    "openable_share": (0.0, 1.0, 20),
+    "relations_satisfied": (0.0, 1.0, 20),
+}
+"""Columns that are numbers: lower and upper end of their histogram, and its bins."""
+
+
+class Spread:
+    """Count, mean, deviation, extremes and a histogram of numbers; the outer bins hold what lies beyond them."""
+
+    def __init__(self, low: float, high: float, bins: int):
+        self.low, self.high = low, high
+        self.counts = [0] * bins
+        self.number, self._sum, self._squares = 0, 0.0, 0.0
+        self._least, self._most = math.inf, -math.inf
+
+    def add(self, value: float) -> None:
+        """One number more."""
+        place = int((value - self.low) / (self.high - self.low) * len(self.counts))
+        self.counts[min(max(place, 0), len(self.counts) - 1)] += 1
+        self.number += 1
+        self._sum += value
+        self._squares += value * value
+        self._least, self._most = min(self._least, value), max(self._most, value)
+
+    def result(self) -> dict[str, Any]:
+        """As plain JSON; without numbers only their count, 0."""
+        if not self.number:
+            return {"count": 0}
+        mean = self._sum / self.number
+        deviation = math.sqrt(max(0.0, self._squares / self.number - mean * mean))
+        found = {"mean": mean, "deviation": deviation, "least": self._least, "most": self._most}
+        rounded = {name: round(value, 6) for name, value in found.items()}
+        return {"count": self.number, **rounded, "low": self.low, "high": self.high, "histogram": self.counts}
+
+
+def statistics(rows: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
+    """The statistics of a data set, as ``meta/statistics.json`` holds them.
+
+    Shares are of all requests, spreads and variety are over the delivered scenes. Distinct shells are counted by kind
+    of room, number of walls and area to 0.01 m2, so that there are at least as many.
+
+    Args:
+        rows: rows of the index, in its order.
+
+    Returns:
+        Plain JSON without times: equal rows give equal statistics.
+    """
+    tallies = {name: Counter() for name in ("status", "split", "kind", "room_type", "licence", "attempt")}
+    reasons, failed_gates, unmet = Counter(), Counter(), Counter()
+    things, scenes_with = Counter(), Counter()
+    spreads = {name: Spread(*bins) for name, bins in BINS.items()}
+    grades: dict[str, Spread] = {}
+    rooms, signatures, shells, groups = set(), set(), set(), Counter()
+    requests = ok = invalid = size = 0
+    for row in rows:
+        requests += 1
+        tallies["status"][row["status"]] += 1
+        if row["status"] != "ok":
+            reasons[_short(row.get("reason"))] += 1
+            failed_gates.update(name for name, passed in (row.get("gates") or {}).items() if passed is False)
+            continue
+        ok += 1
+        invalid += row.get("valid") is False
+        size += row.get("bytes") or 0
+        for name in ("split", "kind", "room_type", "attempt"):
+            if row.get(name) is not None:
+                tallies[name][str(row[name])] += 1
+        tallies["licence"].update(set(row.get("licences") or ()))
+        unmet.update(row.get("unmet") or ())
+        for name, spread in spreads.items():
+            if row.get(name) is not None:
+                spread.add(float(row[name]))
+        for name, grade in (row.get("grades") or {}).items():
+            if grade is not None:
+                grades.setdefault(name, Spread(0.0, 10.0, 40)).add(grade)
+        named = row.get("categories") or ()
+        things.update(named)
+        scenes_with.update(set(named))
+        rooms.add(row.get("room"))
+        if row.get("layout_signature"):
+            signatures.add(hash(row["layout_signature"]))
+        if row.get("area") is not None:
+            shells.add((row.get("room_type"), row.get("wall_count"), round(row["area"], 2)))
+        if row.get("near_duplicate_group") is not None:
+            groups[row["near_duplicate_group"]] += 1
+    twins = sum(count for count in groups.values() if count > 1)
+    total = sum(things.values())
+    return {
+        "schema": SCHEMA,
+        "requests": requests,
+        "scenes": ok,
+        "rooms": len(rooms),
+        "served": _share(ok, requests),
+        "invalid": invalid,
+        "bytes": size,
+        "objects": total,
+        **{name: _sorted(tally) for name, tally in tallies.items()},
+        "reasons": _sorted(reasons),
+        "gates_failed": _sorted(failed_gates),
+        "unmet": dict(list(_sorted(unmet).items())[:50]),
+        "spreads": {name: spread.result() for name, spread in spreads.items()},
+        "grades": {name: spread.result() for name, spread in sorted(grades.items())},
+        "categories": {n: {"objects": c, "scenes": scenes_with[n]} for n, c in _sorted(things).items()},
+        "diversity": {
+            "categories": len(things),
+            "category_entropy": round(entropy(things), 4),
+            "effective_categories": round(2 ** entropy(things), 2),
+            "layout_signatures": len(signatures),
+            "shells": len(shells),
+            "near_duplicates": twins,
+            "near_duplicate_share": _share(twins, sum(groups.values())),
+        },
+        "coverage": {
+            "categories": _coverage(set(things), set(categories())),
+            "room_types": _coverage(set(tallies["room_type"]), set(room_types())),
+        },
+    }
+
+
+def entropy(tally: Mapping[Any, int]) -> float:
+    """Shannon entropy [bits] of what is counted."""
+    total = sum(tally.values())
+    return -sum(count / total * math.log2(count / total) for count in tally.values() if count)
+
+
+def _coverage(seen: set[str], known: set[str]) -> dict[str, Any]:
+    """How much of what the knowledge base knows is there."""
+    used = len(seen & known)
+    return {"seen": used, "known": len(known), "share": _share(used, len(known)), "unseen": sorted(known - seen)}
+
+
+def _sorted(tally: Mapping[str, int]) -> dict[str, int]:
+    return dict(sorted(tally.items(), key=lambda pair: (-pair[1], pair[0])))
+
+
+def _share(part: float, whole: float) -> float:
+    return round(part / whole, 6) if whole else 0.0
+
+
+def _short(reason: Any) -> str:
+    """A reason without what differs between scenes: what stands behind the first colon."""
+    return str(reason or "unknown").split(":")[0].strip()
