@@ -16,6 +16,7 @@ from benchmarks.designs import LIBRARY
 from benchmarks.results import Column
 from sceneweaver.assets import Asset
 from sceneweaver.export.mjcf import write_mjcf
+from sceneweaver.physics import mjcf_file
 from sceneweaver.scene import Scene
 
 SECONDS = 3.0
@@ -45,7 +46,7 @@ def measure(scene: Scene, seconds: float = SECONDS, load: Callable[[str], Asset]
     Raises:
         RuntimeError: MuJoCo does not take the export.
     """
-    script = Path(__file__).resolve().with_name("plain_mujoco.py")
+    script = Path(mjcf_file.__file__)
     with tempfile.TemporaryDirectory() as folder:
         began = time.perf_counter()
         path = write_mjcf(scene, Path(folder) / "scene", load or LIBRARY.load)
