@@ -211,7 +211,7 @@ class Executor:
         s, attempts = self.settings, self.settings.attempts[0]
         self.attempts += attempts
         cases = [(draft.model_copy(update={"room": room}), variant) for room in rooms for variant in variants or ((),)]
-        drafts = [_with(moved, variant) for moved, variant in cases]
+        drafts = [with_relations(moved, variant) for moved, variant in cases]
         solutions = self._solved(drafts, max(8, s.layouts // len(drafts)), seed, attempts)
         for (moved, _), varied, solution in zip(cases, drafts, solutions, strict=True):
             layouts = solution.distinct(2) or [solution.best]
@@ -403,7 +403,7 @@ class Executor:
     def _of_variants(self, draft: Scene, variants: Sequence[Variant], seed: int, attempts: int) -> list[Scene]:
         """Layouts of a scene with the relations of each variant; if none is valid, the one that comes nearest."""
         s = self.settings
-        drafts = [_with(draft, variant) for variant in variants]
+        drafts = [with_relations(draft, variant) for variant in variants]
         solutions = self._solved(drafts, max(6, s.layouts // (2 * len(drafts))), seed, attempts)
         found = [
             _posed(draft, layout)
@@ -417,7 +417,7 @@ class Executor:
         """A layout as the relations draw it, without search: what a tool alone would give."""
         if not proposal.fresh:
             return draft
-        scene = _with(draft, proposal.variants[0]) if proposal.variants else draft
+        scene = with_relations(draft, proposal.variants[0]) if proposal.variants else draft
         solution = refine(scene, candidates=1, seed=seed, optimizer="adam", steps=1, device=self.settings.device)
         return _posed(scene, solution.best)
 
@@ -443,7 +443,7 @@ def _changed(scene: Scene, draft: Scene) -> set[str]:
     }
 
 
-def _with(scene: Scene, variant: Variant) -> Scene:
+def with_relations(scene: Scene, variant: Variant) -> Scene:
     """The scene with the relations of a variant."""
     return scene.model_copy(update={"relations": (*scene.relations, *variant)})
 

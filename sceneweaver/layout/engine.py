@@ -14,6 +14,7 @@ from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.geometry.se2 import absolute, relative
 from sceneweaver.kernels import load
 from sceneweaver.kernels.bookkeeping import broadcast_poses, set_turns
+from sceneweaver.kernels.cells import CROWD
 from sceneweaver.optimizers import OPTIMIZERS, Batch, Monitor, judge, load_poses, run, streams
 from sceneweaver.optimizers.batch import Progress
 from sceneweaver.optimizers.snap import MODULES as SNAP_MODULES
@@ -78,8 +79,8 @@ def refine(
 def refine_many(
     scenes: Sequence[Scene],
     *,
-    candidates: int = 64,
-    seed: int = 0,
+    candidates: int | Sequence[int] = 64,
+    seed: int | Sequence[int] = 0,
     init: str = "sample",
     device: str = "auto",
     optimizer: str | StepOptimizer = "search",
@@ -91,26 +92,36 @@ def refine_many(
 ) -> list[Solution]:
     """Refine many scenes in shared launches; each gets what ``refine`` would give it alone.
 
-    Arguments and errors as for ``refine``; ``time_limit`` is for all scenes together, ``init`` is a name, and
-    ``quality`` has the terms of each scene.
+    Arguments and errors as for ``refine``; ``time_limit`` is for all scenes together, ``init`` is a name,
+    ``candidates`` and ``seed`` are for all scenes or one for each, and ``quality`` has the terms of each scene.
     """
     began = time.monotonic()
     where = pick_devices(device)
     terms = [()] * len(scenes) if quality is None else quality
     if len(terms) != len(scenes):
         raise InputError(f"quality: terms of {len(terms)} scenes, but there are {len(scenes)}")
+    counts, seeds = (_each(value, len(scenes), name) for name, value in (("candidates", candidates), ("seed", seed)))
     jobs = []
-    for scene, wanted in zip(scenes, terms, strict=True):
-        _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps)
+    for scene, wanted, count, own in zip(scenes, terms, counts, seeds, strict=True):
+        _check_arguments(scene, count, own, init, optimizer, time_limit, steps)
         check_terms(scene, wanted)
         compiled = compile_scene(scene)
-        world = _all_at(compiled.room.home, candidates)
+        world = _all_at(compiled.room.home, count)
         current = init == "current"
-        jobs.append(Job(compiled, world, "given" if current else init, seed, keep=current, walk=not wanted))
-    monitor = Monitor(candidates * len(jobs), None if time_limit is None else began + time_limit, progress)
+        jobs.append(Job(compiled, world, "given" if current else init, own, keep=current, walk=not wanted))
+    monitor = Monitor(sum(counts), None if time_limit is None else began + time_limit, progress)
     jobs = _prepared(jobs, where, optimizer, monitor)
     found = solve_on(where, jobs, lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began, snap))
     return _rated(found, [job.compiled for job in jobs], terms, began)
+
+
+def _each(value: int | Sequence[int], count: int, name: str) -> list[int]:
+    """What holds for each of so many scenes: its own, or the same for all."""
+    if not isinstance(value, Sequence):
+        return [value] * count
+    if len(value) != count:
+        raise InputError(f"{name}: {len(value)} numbers, but there are {count} scenes")
+    return list(value)
 
 
 def _rated(
@@ -166,11 +177,12 @@ def solve(
     method = find_optimizer(optimizer)
     load(device, *_modules(jobs, optimizer, device), *(SNAP_MODULES if snap else ()))
     pools = surface_pools(jobs, device, monitor.deadline)
-    buckets: dict[tuple[str, int], list[int]] = {}
+    buckets: dict[tuple[str, int, bool], list[int]] = {}
     for i, job in enumerate(jobs):
-        buckets.setdefault((job.start, int(math.log2(max(job.compiled.room.size, 1)))), []).append(i)
+        size = job.compiled.room.size  # a crowd is searched in another way than a few
+        buckets.setdefault((job.start, int(math.log2(max(size, 1))), size > CROWD), []).append(i)
     solutions: dict[int, Solution] = {}
-    for (start, _), members in buckets.items():
+    for (start, *_), members in buckets.items():
         group = [jobs[i] for i in members]
         if start == "given":
             for job in group:

@@ -1,59 +1,195 @@
-"""The scenes of some requests."""
+"""The scenes of some requests: together and fast at first, one by one and thoroughly where that does not serve."""
 
 from __future__ import annotations
 
-import tempfile
+import errno
+import time
 from collections.abc import Iterator, Sequence
-from pathlib import Path
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import Any
 
-import sceneweaver
-from sceneweaver.agent import design
+from sceneweaver.agent.deadline import Deadline
+from sceneweaver.agent.executor import Outcome
+from sceneweaver.agent.interrupt import TimeUp
+from sceneweaver.assets import Library
+from sceneweaver.scene import InputError, MissingDependencyError, Scene
 
 from ..requests import Request
 from ..sample import Sample
 from ..spec import Spec
-from ..store import AssetStore
+from ..store import AssetStore, dataset_library
+from .drafts import Draft, drafted
+from .files import columns_of, files_of, measured
+from .finish import Finished, designed, finished
+from .layouts import chosen, laid_out
+
+OF_THE_MACHINE = {errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EIO, errno.EMFILE, errno.ENFILE, errno.EACCES}
+"""Errors that say nothing of a scene: a full disk is no reason to leave one out."""
+
+LAYOUT_SEED = 0x85EBCA6B
+"""What lies between the seeds of two layouts of a room."""
+
+FULL = 2
+"""Attempt from which on the agent makes the room, with reflection."""
+
+
+@dataclass
+class _Room:
+    """A room on its way.
+
+    Attributes:
+        request: what is asked for.
+        spent: wall time that the first attempt took before it came to a single scene [s].
+        draft: what the first attempt drew.
+        layouts: layouts of it, the most promising first, not judged yet.
+        reason: why there is no draft.
+    """
+
+    request: Request
+    spent: dict[str, float] = field(default_factory=dict)
+    draft: Draft | None = None
+    layouts: list[Scene] = field(default_factory=list)
+    reason: str = ""
 
 
 def produce(spec: Spec, requests: Sequence[Request], store: AssetStore, device: str = "auto") -> Iterator[Sample]:
     """The scenes of some requests, in the order of their index.
 
-    What a scene becomes does not depend on the requests beside it, nor on what was made before.
+    What a scene becomes does not depend on the requests beside it, nor on what was made before. One that breaks down
+    or takes too long is a row with the reason; errors of the machine, such as a full disk, are raised.
     """
-    del store
-    for request in requests:
-        with tempfile.TemporaryDirectory() as folder:
-            result = design(
-                request.prompt,
-                seed=request.attempt(0),
-                candidates=spec.rooms.candidates,
-                clutter=request.clutter,
-                device=device,
-                time_limit=None,
-                reflect=False,
-                generations=0,
-                out=folder,
-                export=spec.exports,
-                pictures=False,
-            )
-            files = {
-                suffix: (Path(folder) / name).read_bytes()
-                for suffix, name in (("scene.json", "scene.json"), ("glb", "scene.glb"), ("xml", "scene.xml"))
-                if (Path(folder) / name).exists()
-            }
-        row = {
-            "room": request.room,
-            "layout": 0,
-            "attempt": 0,
-            "seed": request.seed,
-            "prompt": request.prompt,
-            "kind": request.kind,
-            "clutter": request.clutter,
-            "room_type": result.scene.room.type,
-            "object_count": len(result.scene.objects),
-            "valid": result.report.valid,
-            "grade": result.review.total,
-            "unmet": list(result.unmet),
-            "version": sceneweaver.__version__,
-        }
-        yield Sample(request.index, request.key(0), "ok", row, files, {"design": result.seconds})
+    library = dataset_library(spec.variants)
+    rooms = [_Room(request) for request in requests]
+    for room in rooms:
+        try:
+            with _lap(room.spent, "draft"), _limit(spec.time_limit).enforced():
+                room.draft = drafted(spec, room.request, room.request.attempt(0), library, device)
+        except (Exception, TimeUp) as error:
+            room.reason = _reason(error)
+    _lay_out([room for room in rooms if room.draft is not None], device)
+    for room in rooms:
+        yield from _scenes(spec, room, library, store, device)
+        room.draft, room.layouts = None, []
+
+
+def _lay_out(rooms: Sequence[_Room], device: str) -> None:
+    """Give rooms their layouts; where a search breaks down, its room alone is left without."""
+    began = time.monotonic()
+    try:
+        for room, layouts in zip(rooms, laid_out([r.draft for r in rooms if r.draft], device), strict=True):
+            room.layouts = layouts
+    except Exception as error:
+        if len(rooms) > 1:
+            for room in rooms:
+                _lay_out([room], device)
+            return
+        rooms[0].reason = _reason(error)
+    for room in rooms:
+        room.spent["layouts"] = (time.monotonic() - began) / len(rooms)
+
+
+def _scenes(spec: Spec, room: _Room, library: Library, store: AssetStore, device: str) -> Iterator[Sample]:
+    request = room.request
+    shared = {name: seconds / request.layouts for name, seconds in room.spent.items()}
+    first: list[Outcome] = []
+    try:
+        with _lap(shared, "choice"), _limit(spec.time_limit).enforced():
+            if room.draft is not None:
+                first = chosen(room.draft, room.layouts, request.layouts)
+    except (Exception, TimeUp) as error:
+        room.reason = _reason(error)
+    for layout in range(request.layouts):
+        seconds = dict(shared)
+        yield _scene(
+            spec, room, layout, first[layout] if layout < len(first) else None, library, store, device, seconds
+        )
+
+
+def _scene(
+    spec: Spec,
+    room: _Room,
+    layout: int,
+    first: Outcome | None,
+    library: Library,
+    store: AssetStore,
+    device: str,
+    seconds: dict[str, float],
+) -> Sample:
+    """A scene of a room; ``first`` is the layout that the first attempt found for it."""
+    request, done, attempt = room.request, None, 0
+    reason = room.reason or ("" if first else "no valid layout was found")
+
+    def sample(status: Any, row: dict[str, Any], files: dict[str, bytes] | None = None) -> Sample:
+        index, named = request.index + layout, columns_of(request, layout, attempt)
+        rounded = {name: round(value, 4) for name, value in seconds.items()}
+        return Sample(index, request.key(layout), status, named | row, files or {}, rounded)
+
+    try:
+        with _limit(spec.time_limit - sum(seconds.values())).enforced():
+            for attempt in range(spec.rooms.attempts):
+                try:
+                    with _lap(seconds, "finish" if attempt == 0 else "again"):
+                        made = _made(spec, room, layout, attempt, first, library, device)
+                    if made is None:
+                        continue
+                    done, reason = made, made.reason
+                    if not reason:
+                        with _lap(seconds, "files"):
+                            files = files_of(spec, done, library, store, device)
+                        return sample("ok", measured(done, library), files)
+                except Exception as error:
+                    done, reason = None, _reason(error)
+                    if isinstance(error, InputError) and room.draft is None:
+                        break  # it is the request, which no other draw makes better
+    except TimeUp:
+        return sample("failed", {"reason": _reason(TimeUp())})
+    if done is not None:
+        return sample("rejected", measured(done, library) | {"reason": reason})
+    return sample("rejected" if room.draft is not None and not room.reason else "failed", {"reason": reason})
+
+
+def _made(
+    spec: Spec, room: _Room, layout: int, attempt: int, first: Outcome | None, library: Library, device: str
+) -> Finished | None:
+    """What an attempt at a scene leads to; None where the first found no layout."""
+    request, aside = room.request, layout * LAYOUT_SEED
+    if attempt == 0:
+        if room.draft is None or first is None:
+            return None
+        return finished(room.draft, first, (room.draft.seed + aside) % 2**32, spec.gates)
+    seed = (request.attempt(attempt) + aside) % 2**32
+    if attempt >= FULL:
+        return designed(spec, request, seed, device)
+    draft = drafted(spec, request, seed, library, device)
+    outcome = draft.executor.run(draft.context.scene, draft.proposal, seed)
+    return finished(draft, outcome, seed, spec.gates)
+
+
+def _limit(seconds: float) -> Deadline:
+    return Deadline(time.monotonic() + seconds)
+
+
+@contextmanager
+def _lap(seconds: dict[str, float], name: str) -> Iterator[None]:
+    """Add the time that a block takes to those of its name."""
+    began = time.monotonic()
+    try:
+        yield
+    finally:
+        seconds[name] = seconds.get(name, 0.0) + time.monotonic() - began
+
+
+def _reason(error: BaseException) -> str:
+    """Why a scene was not made, in one line; errors of the machine go on to the caller."""
+    if isinstance(error, MissingDependencyError):
+        raise error
+    cause: BaseException | None = error
+    while cause is not None:
+        if isinstance(cause, OSError) and cause.errno in OF_THE_MACHINE:
+            raise error
+        cause = cause.__cause__ or cause.__context__
+    if isinstance(error, TimeUp):
+        return "time limit"
+    text = " ".join(str(error).split())
+    return text if isinstance(error, InputError) else f"{type(error).__name__}: {text}"
