@@ -1,6 +1,7 @@
 """Data sets: many rooms from one specification, each with its judgement, whoever makes them and in whatever order."""
 
 from .blocks import read_rows, write_block
+from .checking import Verification, verify_dataset
 from .folder import Folder
 from .produce import produce
 from .requests import Request, Requests
@@ -16,9 +17,11 @@ __all__ = [
     "Requests",
     "Sample",
     "Spec",
+    "Verification",
     "load_spec",
     "make_block",
     "produce",
     "read_rows",
+    "verify_dataset",
     "write_block",
 ]

@@ -1,0 +1,174 @@
+"""One scene of a data set judged again: its files against each other, against the judge and against its row."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+import tempfile
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from sceneweaver.geometry.polygons import signed_area
+from sceneweaver.physics.mjcf_file import simulate
+from sceneweaver.scene import InputError, Scene
+from sceneweaver.verify import Report, check
+
+from . import exports
+from .findings import Findings
+
+SUFFIXES = {"glb": "glb", "mjcf": "xml"}
+"""The file of a scene in which an export is."""
+
+_COUNTS = ("valid", "collisions", "out_of_bounds", "unsupported", "blocked_zones", "blocked_openings")
+_CLOSE = {"area": 0.01, "walkable_share": 1e-3, "relations_satisfied": 1e-6}
+"""How far a number of a row may be from what is measured."""
+
+
+@dataclass
+class Judge:
+    """Judges the scenes of a data set, one by one.
+
+    Attributes:
+        root: the data set.
+        formats: what each scene is exported to.
+        seconds: how long scenes are let loose in MuJoCo, in its own time.
+        still: farthest that a thing may move then [m]; None: any distance.
+    """
+
+    root: Path
+    formats: tuple[str, ...] = ()
+    seconds: float = 3.0
+    still: float | None = None
+    _there: set[str] = field(default_factory=set)
+
+    def judge(self, row: Mapping[str, Any], files: Mapping[str, bytes], found: Findings) -> None:
+        """Judge a scene; faults and counts go to ``found``."""
+        key = row["key"]
+        found.counts["judged"] += 1
+        try:
+            scene = Scene.loads(files["scene.json"])
+        except KeyError:
+            return found.fault("content", key, "has no scene.json")
+        except InputError as error:
+            return found.fault("judge", key, f"scene.json: {error}")
+        report = check(scene)
+        if not report.valid:
+            worst = next(v for v in report.violations if v.hard)
+            found.fault("judge", key, f"is not valid: {worst.kind}: {worst.detail}")
+        found.counts["collisions"] += report.collisions
+        found.counts["out of bounds"] += report.out_of_bounds
+        found.counts["objects"] += len(scene.objects)
+        for line in (*differences(row, scene, report), *_metrics(files.get("metrics.json"), report)):
+            found.fault("record", key, line)
+        for name in self.formats:
+            suffix = SUFFIXES.get(name)
+            if suffix is not None and suffix not in files:
+                found.fault("export", key, f"has no {suffix}")
+        self._exports(key, scene, files, found)
+
+    def simulate(self, key: str, content: bytes, seconds: float, found: Findings) -> None:
+        """Compile the MJCF file of a scene and let it loose for a time; 0: only compile it."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "scene.xml"
+            path.write_bytes(content)
+            (path.parent / "assets").symlink_to((self.root / "assets").resolve())
+            try:
+                result = simulate(path, seconds)
+            except ValueError as error:
+                return found.fault("compile", key, f"MuJoCo does not take it: {' '.join(str(error).split())[:200]}")
+        found.counts["compiled"] += 1
+        if not seconds:
+            return None
+        found.counts["simulated"] += 1
+        found.moved(key, result["moved"])
+        for name, count in result["warnings"].items():
+            found.fault("stability", key, f"MuJoCo warns {count} times: {name}")
+        far, name = max(((far, name) for name, far in result["moved"].items()), default=(0.0, ""))
+        if not result["finite"]:
+            found.fault("stability", key, "diverges")
+        elif self.still is not None and far > self.still:
+            found.fault("stability", key, f"{name} moves {far:.3f} m; {self.still:g} m are allowed")
+        return None
+
+    def _exports(self, key: str, scene: Scene, files: Mapping[str, bytes], found: Findings) -> None:
+        """Files of the store that are named, and where objects are."""
+        for suffix, read, names, frames in (
+            ("glb", exports.glb_json, exports.glb_files, exports.glb_frames),
+            ("xml", exports.mjcf_tree, exports.mjcf_files, exports.mjcf_frames),
+        ):
+            if suffix not in files:
+                continue
+            try:
+                document: Any = read(files[suffix])
+                lines = list(exports.misplaced(scene, frames(document)))
+                self._named(key, suffix, set(names(document)), found)
+            except (InputError, ArithmeticError, LookupError, TypeError, ValueError) as error:
+                found.fault("export", key, f"{suffix}: {error}")
+                continue
+            found.counts[f"{suffix} read"] += 1
+            for line in lines[:3]:
+                found.fault("export", key, f"{suffix}: {line}")
+
+    def _named(self, key: str, suffix: str, names: Iterable[str], found: Findings) -> None:
+        for name in sorted(set(names) - self._there):
+            if name.startswith("assets/") and ".." not in name and (self.root / name).is_file():
+                self._there.add(name)
+            else:
+                found.fault("asset", key, f"{suffix} names {name}, which is not in the store")
+
+
+def content_of(files: Mapping[str, bytes]) -> tuple[str, int]:
+    """Content hash and bytes of the files of a scene, as its row has them."""
+    digest, size = hashlib.sha256(), 0
+    for suffix in sorted(files):
+        digest.update(f"{suffix}:{len(files[suffix])}\n".encode() + files[suffix])
+        size += len(files[suffix])
+    return digest.hexdigest(), size
+
+
+def differences(row: Mapping[str, Any], scene: Scene, report: Report) -> list[str]:
+    """Lines about columns of a row that are not what the scene is. Columns that are null say nothing."""
+    hard, soft = report.relations.hard, report.relations.soft
+    total = hard.total + soft.total
+    measured = {
+        "prompt": scene.prompt,
+        "room_type": scene.room.type,
+        "area": signed_area(scene.room.outline),
+        "wall_count": len(scene.room.outline),
+        "object_count": len(scene.objects),
+        "relation_count": len(scene.relations),
+        "valid": report.valid,
+        "collisions": report.collisions,
+        "out_of_bounds": report.out_of_bounds,
+        "relations_satisfied": (hard.satisfied + soft.satisfied) / total if total else 1.0,
+        "walkable_share": report.walkable_share,
+    }
+    lines = []
+    for name, value in measured.items():
+        said = row.get(name)
+        if said is None or value is None:
+            continue
+        close = math.isclose(said, value, rel_tol=1e-6, abs_tol=_CLOSE[name]) if name in _CLOSE else said == value
+        if not close:
+            lines.append(f"{name} is {value!r}; the index says {said!r}")
+    if row.get("categories") is not None and set(row["categories"]) != {obj.category for obj in scene.objects}:
+        lines.append("its categories are not those of the index")
+    return lines
+
+
+def _metrics(content: bytes | None, report: Report) -> list[str]:
+    """Lines about counts of ``metrics.json`` that are not what is measured."""
+    if content is None:
+        return []
+    try:
+        said = json.loads(content)
+        return [
+            f"{name} is {getattr(report, name)!r}; metrics.json says {said[name]!r}"
+            for name in _COUNTS
+            if name in said and said[name] != getattr(report, name)
+        ]
+    except (ValueError, TypeError) as error:
+        return [f"metrics.json: {error}"]

@@ -1,0 +1,171 @@
+"""The tables of a data set: rows against each other, against the shards, and what a gate or a licence asks."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+from ..columns import arrow, index_schema
+from ..folder import Folder
+from ..reading import INDEX, Span
+from ..spec import Spec
+from ..store.content import DIGITS
+from .findings import Findings
+
+UNCHECKED = {"meta/seconds.parquet"}
+"""Files that need no line in the list of checksums: no two runs agree on them."""
+
+_EXCLUSIVE = ("room", "near_duplicate_group", "content_hash")
+"""Columns of which no value may be in two splits."""
+
+
+def check_rows(rows: Iterable[Mapping[str, Any]], spec: Spec, found: Findings) -> None:
+    """Order, keys, states, gates, licences and splits of the rows of an index.
+
+    Memory grows by some tens of bytes a row: what may not be in two splits is remembered by its hash.
+    """
+    keys: set[str] = set()
+    splits: dict[str, dict[int, str]] = {name: {} for name in _EXCLUSIVE}
+    count = 0
+    for count, row in enumerate(rows, start=1):
+        key = row["key"]
+        if row["index"] != count - 1:
+            found.fault("index", key, f"row {count - 1} has index {row['index']}")
+        if key in keys:
+            found.fault("index", key, "is there twice")
+        keys.add(key)
+        if row["status"] != "ok":
+            for line in _undelivered(row):
+                found.fault("index", key, line)
+            continue
+        found.counts["scenes"] += 1
+        for line in _delivered(row, spec):
+            found.fault("index", key, line)
+        for line in gates_failed(row, spec):
+            found.fault("gate", key, line)
+        if row.get("asset_ids") and not row.get("licences"):
+            found.fault("licence", key, "has assets without a licence")
+        for column, known in splits.items():
+            if row.get(column) is None:
+                continue
+            first = known.setdefault(hash(row[column]), row["split"])
+            if first != row["split"]:
+                found.fault("split", key, f"{column} {row[column]} is in {first} and in {row['split']}")
+    found.counts["rows"] += count
+    if count != spec.count:
+        found.fault("index", INDEX, f"has {count} rows; the specification asks for {spec.count}")
+
+
+def _undelivered(row: Mapping[str, Any]) -> Iterator[str]:
+    if row["status"] not in ("rejected", "failed"):
+        yield f"has the status {row['status']!r}"
+    if not row.get("reason"):
+        yield f"is {row['status']} without a reason"
+    if row.get("shard") or row.get("content_hash"):
+        yield f"is {row['status']}, and has files"
+
+
+def _delivered(row: Mapping[str, Any], spec: Spec) -> Iterator[str]:
+    for column in ("split", "shard", "content_hash", "bytes"):
+        if row.get(column) is None:
+            yield f"has no {column}"
+    if row.get("split") is not None and row["split"] not in spec.splits:
+        yield f"is in split {row['split']!r}, which the specification does not have"
+    if row.get("shard") and not Path(row["shard"]).name.startswith(f"{row.get('split')}-"):
+        yield f"is in split {row.get('split')!r}, and lies in {row['shard']}"
+
+
+def gates_failed(row: Mapping[str, Any], spec: Spec) -> Iterator[str]:
+    """Lines about gates of a specification that a delivered row does not pass."""
+    for name, passed in (row.get("gates") or {}).items():
+        if passed is False:
+            yield f"is delivered, but gate {name} failed"
+    gates = spec.gates
+    if row.get("grade") is not None and row["grade"] < gates.grade - 1e-9:
+        yield f"has grade {row['grade']:.2f}; at least {gates.grade:g} is asked"
+    if gates.unmet is not None and len(row.get("unmet") or ()) > gates.unmet:
+        yield f"leaves {len(row['unmet'])} wishes unmet; {gates.unmet} are allowed"
+    if row.get("openable_share") is not None and row["openable_share"] < gates.openable - 1e-9:
+        yield f"has {row['openable_share']:.2f} of its doors and drawers open; at least {gates.openable:g} is asked"
+
+
+def check_schema(folder: Folder, found: Findings) -> None:
+    """The columns of the index."""
+    arrow()
+    from pyarrow import parquet
+
+    there = {field.name: field.type for field in parquet.read_schema(folder.meta / INDEX)}
+    for field in index_schema():
+        if there.get(field.name) != field.type:
+            found.fault("index", INDEX, f"column {field.name} is {there.get(field.name)}, not {field.type}")
+
+
+def check_spans(spans: Iterable[Span], shards: Mapping[str, str], found: Findings) -> None:
+    """Every delivered scene lies in its shard, once, and no other does.
+
+    Args:
+        spans: the scenes of all shards.
+        shards: name of the shard of each delivered scene, by key.
+        found: takes the faults.
+    """
+    seen: set[str] = set()
+    for span in spans:
+        for key in span.keys:
+            if key in seen:
+                found.fault("shard", key, f"is there twice, again in {span.path.name}")
+            elif key not in shards:
+                found.fault("shard", key, f"lies in {span.path.name}, and the index has no such scene")
+            elif shards[key] != span.path.name:
+                found.fault("shard", key, f"lies in {span.path.name}; the index says {shards[key]}")
+            seen.add(key)
+    for key in sorted(shards.keys() - seen):
+        found.fault("shard", key, f"is not in {shards[key]}")
+
+
+def checksums(folder: Folder, found: Findings) -> list[tuple[Path, str]]:
+    """The files in the list of checksums with their SHA-256; files of ``data/`` and ``meta/`` must be in it."""
+    path = folder.path / "checksums.sha256"
+    if not path.is_file():
+        found.fault("checksum", path.name, "is not there")
+        return []
+    listed = {}
+    for line in path.read_text(encoding="utf-8").splitlines():
+        digest, _, name = line.partition(" ")
+        listed[name.lstrip(" *").removeprefix("./")] = digest
+    for part in (folder.data, folder.meta):
+        for file in sorted(part.rglob("*")):
+            name = file.relative_to(folder.path).as_posix()
+            if file.is_file() and name not in listed and name not in UNCHECKED:
+                found.fault("checksum", name, f"is not in {path.name}")
+    for name, digest in listed.items():
+        if (stem := _store_name(name)) and not digest.startswith(stem):
+            found.fault("checksum", name, f"is listed with {digest[:16]}..., which is not its name")
+    there = {name: digest for name, digest in listed.items() if (folder.path / name).is_file()}
+    for name in sorted(listed.keys() - there.keys()):
+        found.fault("checksum", name, f"is not there; {path.name} lists it")
+    return [(folder.path / name, digest) for name, digest in there.items()]
+
+
+def stored(folder: Folder, listed: Iterable[Path]) -> list[tuple[Path, str]]:
+    """The files of the store that are not listed, with the beginning of their SHA-256, which is their name."""
+    known = set(listed)
+    files = (path for path in sorted(folder.assets.glob("??/*.*")) if path not in known)
+    return [(path, stem) for path in files if (stem := _store_name(path.relative_to(folder.path).as_posix()))]
+
+
+def _store_name(name: str) -> str:
+    """The hash that the name of a file of the store gives; empty for any other file."""
+    stem = Path(name).stem
+    return stem if name.startswith("assets/") and len(stem) == DIGITS else ""
+
+
+def check_digests(root: Path, files: Iterable[tuple[Path, str]], found: Findings) -> None:
+    """Whether the SHA-256 of files begins as it should."""
+    for path, expected in files:
+        found.counts["files hashed"] += 1
+        with open(path, "rb") as file:
+            digest = hashlib.file_digest(file, "sha256").hexdigest()
+        if not expected or not digest.startswith(expected.lower()):
+            found.fault("checksum", path.relative_to(root).as_posix(), f"has SHA-256 {digest[:16]}..., not {expected}")

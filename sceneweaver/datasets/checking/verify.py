@@ -1,0 +1,176 @@
+"""A data set checked as a whole: its sums, its tables, and each of its scenes by the judge."""
+
+from __future__ import annotations
+
+import json
+import os
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import sceneweaver
+from sceneweaver.scene import InputError, write_atomic
+
+from ..folder import Folder
+from ..reading import Span, packed, rows_of, shards_of, spans_of
+from ..spec import Spec, load_spec
+from . import tables
+from .findings import CHECKS, KEPT, Fault, Findings
+from .pages import markdown
+from .scene import Judge
+from .tasks import Digests, Scenes, Task, results
+
+SCHEMA = "sceneweaver.dataset-verification/1"
+JSON, MARKDOWN = "verification.json", "verification.md"
+
+COMPILED = 50
+"""How many scenes are compiled by MuJoCo, at most, besides those that are let loose."""
+
+_TOGETHER = 16  # scenes of a task
+_ROW = ("key", "index", "prompt", "room_type", "area", "wall_count", "object_count", "relation_count", "categories")
+_ROW += ("valid", "collisions", "out_of_bounds", "relations_satisfied", "walkable_share", "content_hash", "bytes")
+
+Progress = Callable[[int, int], object]
+"""Called with how many scenes are done, and how many there are."""
+
+
+@dataclass(frozen=True)
+class Verification:
+    """What `verify_dataset` found.
+
+    Attributes:
+        data: all of it as plain JSON, as in ``verification.json``.
+    """
+
+    data: dict[str, Any]
+
+    @property
+    def ok(self) -> bool:
+        """Whether all holds."""
+        return not self.data["faults"]
+
+    def lines(self) -> list[str]:
+        """A summary for a terminal, with the first faults by key."""
+        counts, stability = self.data["counts"], self.data["stability"]
+        lines = [
+            f"{counts.get('scenes', 0)} scenes, {counts.get('judged', 0)} judged again: "
+            f"{counts.get('collisions', 0)} collisions, {counts.get('out of bounds', 0)} out of bounds"
+        ]
+        if stability is not None:
+            lines.append(
+                f"{stability['scenes']} let loose in MuJoCo, {stability['things']} things: "
+                f"{100 * stability['moved_over_0_01m']:.2f} % moved over 1 cm, "
+                f"{100 * stability['moved_over_0_1m']:.2f} % over 10 cm"
+            )
+        if self.ok:
+            return [*lines, "all holds"]
+        lines.append("faults: " + ", ".join(f"{name} {count}" for name, count in self.data["faults"].items()))
+        return lines + [f"{fault['key']}: {fault['check']}: {fault['detail']}" for fault in self.data["first"][:KEPT]]
+
+
+def verify_dataset(
+    path: str | os.PathLike[str],
+    *,
+    workers: int = 1,
+    sample: int | None = None,
+    stability: int = 0,
+    progress: Progress | None = None,
+) -> Verification:
+    """Check a packed data set from its files alone, and write ``verification.json`` and ``.md`` into it.
+
+    Every row, shard and sum is checked, and every delivered scene is judged again. Grades and what opens are taken as
+    they are recorded.
+
+    Args:
+        path: the data set.
+        workers: processes that judge; 1: this one.
+        sample: how many scenes are judged; None: all.
+        stability: how many of these are let loose in MuJoCo for 3 s.
+        progress: called as scenes are done.
+
+    Raises:
+        InputError: no data set, or one that is not packed yet.
+        MissingDependencyError: when pyarrow is not installed.
+    """
+    began = time.perf_counter()
+    folder = Folder(Path(path))
+    if not folder.spec.is_file():
+        raise InputError(f"{folder.path}: no data set: there is no {folder.spec.name} in it")
+    if not packed(folder):
+        raise InputError(f"{folder.path}: is not packed yet; finish it with `sceneweaver dataset resume`")
+    spec, found = load_spec(folder.spec), Findings()
+    tables.check_schema(folder, found)
+    tables.check_rows(rows_of(folder), spec, found)
+    total, done = found.counts["scenes"], 0
+    for result in results(_tasks(folder, spec, found, sample, stability), workers):
+        found.add(result)
+        done += result.counts["judged"]
+        if progress is not None and result.counts["judged"]:
+            progress(done, min(total, total if sample is None else sample))
+    verification = Verification(_result(found, spec, time.perf_counter() - began))
+    write_atomic(folder.path / JSON, json.dumps(verification.data, indent=1, ensure_ascii=False) + "\n")
+    write_atomic(folder.path / MARKDOWN, markdown(verification.data))
+    return verification
+
+
+def _tasks(folder: Folder, spec: Spec, found: Findings, sample: int | None, stability: int) -> Iterator[Task]:
+    """All work on files, the large ones first; the table of contents of the shards is checked on the way."""
+    files = tables.checksums(folder, found)
+    large = sorted(files, key=lambda pair: -pair[0].stat().st_size)
+    yield from (Digests(folder.path, (pair,)) for pair in large if pair[0].suffix == ".tar")
+    small = [pair for pair in large if pair[0].suffix != ".tar"]
+    small += tables.stored(folder, (path for path, _ in files))
+    yield from (Digests(folder.path, tuple(small[k : k + 256])) for k in range(0, len(small), 256))
+
+    rows = {row["key"]: row for row in rows_of(folder, ["status", "shard", *_ROW]) if row.pop("status") == "ok"}
+    shards = {key: Path(row.pop("shard") or "").name for key, row in rows.items()}
+    judged = _chosen(rows, sample)
+    simulated = dict.fromkeys(_chosen(dict.fromkeys(judged), COMPILED), 0.0) if "mjcf" in spec.exports else {}
+    judge = Judge(folder.path, spec.exports, still=spec.gates.still)
+    simulated |= dict.fromkeys(_chosen(dict.fromkeys(judged), stability), judge.seconds)
+    spans: list[Span] = []
+    for shard in shards_of(folder):
+        try:
+            of_shard = list(spans_of(shard, _TOGETHER))
+        except InputError as error:
+            found.fault("shard", shard.name, str(error))
+            continue
+        spans += of_shard
+        for span in of_shard:
+            mine = {key: rows[key] for key in span.keys if key in rows}
+            loose = {key: simulated[key] for key in mine if key in simulated}
+            yield Scenes(judge, span, mine, judged & mine.keys(), loose)
+    tables.check_spans(spans, shards, found)
+
+
+def _chosen(keys: dict[str, Any], count: int | None) -> frozenset[str]:
+    """Some keys, drawn evenly; always the same."""
+    names = list(keys)
+    if count is None or count >= len(names):
+        return frozenset(names)
+    drawn = np.random.default_rng(0).choice(len(names), size=count, replace=False)
+    return frozenset(names[k] for k in drawn)
+
+
+def _result(found: Findings, spec: Spec, seconds: float) -> dict[str, Any]:
+    first = sorted(fault for faults in found.first.values() for fault in faults)
+    return {
+        "schema": SCHEMA,
+        "name": spec.name,
+        "spec": spec.hash,
+        "version": sceneweaver.__version__,
+        "ok": not found.faults,
+        "counts": dict(sorted(found.counts.items())),
+        "faults": {check: found.faults[check] for check in CHECKS if found.faults[check]},
+        "first": [_plain(fault) for fault in first],
+        "stability": found.stability(),
+        "seconds": round(seconds, 1),
+    }
+
+
+def _plain(fault: Fault) -> dict[str, str]:
+    return {"key": fault.key, "check": fault.check, "detail": fault.detail}
