@@ -55,6 +55,11 @@ class Grid:
         """Return world ``points`` [..., 2] in the frame of the grid [m]."""
         return (points - self._start) @ self._axes.T
 
+    def to_world(self, cells: NDArray[np.bool_]) -> Array:
+        """Return the centres [n, 2] of the cells of ``cells`` in the world [m]."""
+        rows, columns = np.nonzero(cells)
+        return (self._origin + (np.stack([columns, rows], axis=1) + 0.5) * CELL) @ self._axes + self._start
+
     def nearest(self, cells: NDArray[np.bool_], point: Array, within: float) -> tuple[int, int] | None:
         """Return (row, column) of the cell of ``cells`` nearest to ``point`` (grid's frame), if ``within`` metres."""
         rows, columns = np.nonzero(cells)

@@ -1,0 +1,391 @@
+"""Captions of a scene in three lengths: a line, a paragraph, a list by place."""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import numpy as np
+
+from sceneweaver.verify.solids import Body
+
+from .facts import FLAT, Facts, is_seat, is_watcher
+from .naming import Name, look, names
+from .nouns import counted, listed, noun, number, room_noun, with_article
+from .statements import Statement, Text, joined, said
+
+SQUARE = 0.02
+"""Share by which two sides of a room may differ and count as equal."""
+
+_CONNECTED = ("front_against", "front_to_front", "around", "seated_at")
+
+
+class Captioner:
+    """The captions of one scene."""
+
+    def __init__(self, facts: Facts, rng: np.random.Generator):
+        self.facts = facts
+        self.rng = rng
+        self.names: dict[str, Name] = names(facts)
+        self.spoken: set[str] = set()
+
+    def one_of(self, *texts: str) -> str:
+        """One of several wordings."""
+        return texts[int(self.rng.integers(len(texts)))]
+
+    # ---- what there is
+
+    def groups(self, bodies: Sequence[Body]) -> list[tuple[str, list[Body]]]:
+        """Bodies by category, in the order in which they come."""
+        found: dict[str, list[Body]] = defaultdict(list)
+        for body in bodies:
+            found[body.item.category].append(body)
+        return list(found.items())
+
+    def group(self, category: str, bodies: Sequence[Body], looks: bool = True) -> Text:
+        """Some things of one category: "two cream nightstands"."""
+        seen = {look(b) for b in bodies}
+        shared = next(iter(seen)) if len(seen) == 1 and looks else None
+        statements = []
+        words = counted(len(bodies), category)
+        if shared is not None and not set(shared[0].split()) & set(noun(category).split()):
+            words = counted(len(bodies), category, shared[0])
+            statements = [Statement(shared[1], (b.id,), shared[0]) for b in bodies]
+        return Text(words, tuple(statements))
+
+    def inventory(self, bodies: Sequence[Body], looks: bool = False) -> Text:
+        """Things in a row: "a vase, two books and a lamp"."""
+        parts = [self.group(category, group, looks) for category, group in self.groups(bodies)]
+        return Text(listed([p.words for p in parts]), tuple(s for p in parts for s in p.statements))
+
+    def totals(self, bodies: Sequence[Body]) -> tuple[Statement, ...]:
+        """That there are so many of each category, of what is all there."""
+        everything = self.facts.by_category
+        return tuple(
+            Statement("count", tuple(b.id for b in everything[c]), {"category": c, "count": len(everything[c])})
+            for c, _ in self.groups(bodies)
+        )
+
+    def main(self) -> list[tuple[str, list[Body]]]:
+        """Categories of furniture by how much room they take."""
+        groups = [(c, [b for b in bs if b.item.mount == "floor"]) for c, bs in self.groups(self.facts.furniture)]
+        return sorted(groups, key=lambda g: (-round(sum(b.size[0] * b.size[1] * b.size[2] for b in g[1]), 6), g[0]))
+
+    # ---- texts
+
+    def short(self) -> Text:
+        """One line."""
+        kind = room_noun(self.facts.scene.room.type)
+        area = round(self.facts.area)
+        most = 3 + int(self.rng.integers(2))
+        chosen = self.main()[:most]
+        parts = [self.group(c, bodies, looks=len(bodies) == 1) for c, bodies in chosen]
+        things = listed([p.words for p in parts])
+        statements = [Statement("room_type", (), self.facts.scene.room.type)]
+        if self.rng.random() < 0.5:
+            start = f"a {kind} of {area} m²" if self.rng.random() < 0.5 else with_article(f"{area} m² {kind}")
+            statements.append(Statement("floor_area", (), area))
+        else:
+            start = with_article(kind)
+        words = f"{start} with {things}" if things else start
+        facts = [s for p in parts for s in p.statements]
+        return said(words, *statements, *self.totals([b for _, bs in chosen for b in bs]), *facts)
+
+    def paragraph(self) -> Text:
+        """Some sentences: the room, the main furniture, where it is, what lies on it."""
+        sentences = [self._room(), self._openings(), self._furniture(), *self._relations(), *self._arrangements()]
+        return joined([s for s in sentences if s is not None])
+
+    def _room(self) -> Text:
+        facts, room = self.facts, self.facts.scene.room
+        kind = room_noun(room.type)
+        area = round(facts.area, 1)
+        stated = [Statement("room_type", (), room.type), Statement("floor_area", (), area)]
+        sides = rectangle_sides(facts)
+        if sides is None:
+            words = self.one_of(
+                f"this {kind} has a floor of {area:g} m² with {number(len(room.outline))} corners",
+                f"the floor of this {kind} covers {area:g} m² and has {number(len(room.outline))} corners",
+            )
+            return said(words, *stated, Statement("corners", (), len(room.outline)))
+        a, b = sides
+        stated.append(Statement("extent", (), [a, b]))
+        words = self.one_of(
+            f"this {kind} is {a:g} m by {b:g} m, which makes {area:g} m²",
+            f"the {kind} measures {a:g} by {b:g} metres ({area:g} m²)",
+            f"this is {with_article(kind)} of {area:g} m², {a:g} m long and {b:g} m wide",
+        )
+        return said(words, *stated)
+
+    def _openings(self) -> Text | None:
+        facts = self.facts
+        doors, windows = facts.placed.doors, facts.placed.windows
+        if not doors:
+            return None
+        stated = [Statement("doors", tuple(d.item.id for d in doors), len(doors))]
+        stated.append(Statement("windows", tuple(w.item.id for w in windows), len(windows)))
+        door_words = with_article("door") if len(doors) == 1 else f"{number(len(doors))} doors"
+        if not windows:
+            return said(
+                self.one_of(f"it has {door_words} and no window", f"there is no window, but {door_words}"), *stated
+            )
+        window_words = with_article("window") if len(windows) == 1 else f"{number(len(windows))} windows"
+        walls = {w.wall.index for w in windows}
+        if facts.door is not None and len(walls) == 1:
+            side = _side(facts, next(iter(walls)))
+            if side is not None:
+                stated.append(Statement("window_side", tuple(w.item.id for w in windows), side))
+                return said(
+                    self.one_of(
+                        f"it has {door_words}, and {window_words} {side}",
+                        f"coming in through the door, you see {window_words} {side}",
+                    ),
+                    *stated,
+                )
+        return said(f"it has {door_words} and {window_words}", *stated)
+
+    def _furniture(self) -> Text | None:
+        chosen = self.main()[:6]
+        if not chosen:
+            return None
+        parts = [self.group(c, bodies) for c, bodies in chosen]
+        things = listed([p.words for p in parts])
+        be = "is" if sum(len(bodies) for _, bodies in chosen) == 1 else "are"
+        words = self.one_of(f"it is furnished with {things}", f"there {be} {things}", f"the main furniture is {things}")
+        facts = [s for p in parts for s in p.statements]
+        return said(words, *self.totals([b for _, bs in chosen for b in bs]), *facts)
+
+    def _relations(self) -> list[Text]:
+        """Where the main furniture is, each thing said once."""
+        found: list[Text] = []
+        kinds = (self._walls, self._gatherings, self._facings, self._sides, self._betweens, self._from_door)
+        for kind in (kinds[int(k)] for k in self.rng.permutation(len(kinds))):
+            for text in list(kind())[:2]:
+                found.append(text)
+        return found[:6]
+
+    def _walls(self) -> Iterator[Text]:
+        facts = self.facts
+        by_wall: dict[int, list[Body]] = defaultdict(list)
+        for body in facts.furniture:
+            wall = facts.wall_at(body, 0.9)
+            if body.id in self.names and wall in facts.wall_names and facts.holds("against_wall", body, f"wall:{wall}"):
+                by_wall[wall].append(body)
+        for wall, bodies in sorted(by_wall.items(), key=lambda row: -sum(b.size[1] for b in row[1])):
+            bodies = bodies[:3]
+            stated = [Statement("against_wall", (b.id,), f"wall:{wall}") for b in bodies]
+            verb = "stands" if len(bodies) == 1 else "stand"
+            things = listed([self.names[b.id].text for b in bodies])
+            words = self.one_of(
+                f"{things} {verb} against {facts.wall_names[wall]}", f"against {facts.wall_names[wall]} {verb} {things}"
+            )
+            yield said(words, *stated)
+
+    def _gatherings(self) -> Iterator[Text]:
+        """Seats at tables and the like."""
+        facts = self.facts
+        seats: dict[str, list[Body]] = defaultdict(list)
+        for relation in facts.scene.relations:
+            if relation.type in _CONNECTED and isinstance(relation.target, str) and relation.target in facts.by_id:
+                body, target = facts.by_id[relation.subject], facts.by_id[relation.target]
+                near = body.item.mount == "floor" and facts.distance(body, target) < 0.25
+                if near and is_seat(body) and body not in seats[target.id]:
+                    seats[target.id].append(body)
+        for target, bodies in seats.items():
+            groups = self.groups(bodies)
+            if target in self.names and len(groups) == 1 and len(bodies) > 0:
+                category, _ = groups[0]
+                stated = [Statement("near", (b.id, target), {"max": 0.3}) for b in bodies]
+                where = self.names[target].text
+                verb = "stands" if len(bodies) == 1 else "stand"
+                mine = self.names.get(bodies[0].id) if len(bodies) == 1 else None
+                things = mine.text if mine else counted(len(bodies), category)
+                yield said(f"{things} {verb} at {where}", *stated)
+
+    def _facings(self) -> Iterator[Text]:
+        facts = self.facts
+        for a in (b for b in facts.furniture if b.id in self.names and is_watcher(b)):
+            for b in (
+                b for b in facts.bodies if b.id in self.names and b.item.mount in ("floor", "wall") and b is not a
+            ):
+                apart = math.dist(a.centre, b.centre)
+                if b.z[1] - b.z[0] > 0.2 and 0.6 < apart < 4.5 and facts.holds("facing", a, b.id, degrees=10):
+                    words = f"{self.names[a.id].text} faces {self.names[b.id].text}"
+                    yield said(words, Statement("facing", (a.id, b.id)))
+                    break
+
+    def _sides(self) -> Iterator[Text]:
+        """What is next to what, without left or right, which are another's for each viewer."""
+        facts = self.facts
+        main = [b for b in facts.furniture if b.id in self.names][:10]
+        for k, b in enumerate(main):
+            for a in main[k + 1 :]:
+                if facts.boxes_apart(a, b) < 0.3 and (apart := facts.distance(a, b)) < 0.3 and not _over(a, b):
+                    words = f"{self.names[a.id].text} is next to {self.names[b.id].text}"
+                    if apart < 0.25:
+                        yield said(words, Statement("near", (a.id, b.id), {"max": 0.3}))
+                        break
+
+    def _betweens(self) -> Iterator[Text]:
+        facts = self.facts
+        main = [b for b in facts.furniture if b.id in self.names][:7]
+        for c in main:
+            for k, a in enumerate(main):
+                for b in main[k + 1 :]:
+                    if c in (a, b) or not 1.0 < math.dist(a.centre, b.centre) < 3.5:
+                        continue
+                    if facts.holds("between", c, (a.id, b.id), aside=0.25, along=[0.3, 0.7]):
+                        mine, one, other = (self.names[x.id].text for x in (c, a, b))
+                        yield said(f"{mine} stands between {one} and {other}", Statement("between", (c.id, a.id, b.id)))
+                        return
+
+    def _from_door(self) -> Iterator[Text]:
+        """What is on the left, on the right and straight ahead of a visitor."""
+        facts = self.facts
+        sides: dict[str, list[Body]] = defaultdict(list)
+        for body in (b for b in facts.furniture if b.id in self.names):
+            side = door_side(facts, body)
+            if side is not None and len(sides[side]) < 2:
+                sides[side].append(body)
+        words = {"left": "on the left", "right": "on the right", "ahead": "straight ahead"}
+        chosen = [side for side in words if sides[side]]
+        predicates = {"left": "left_from_door", "right": "right_from_door", "ahead": "ahead_of_door"}
+        if chosen:
+            said_of = [
+                f"{words[s]} {be} {listed([self.names[b.id].text for b in sides[s]])}"
+                for s in chosen
+                for be in ["is" if len(sides[s]) == 1 else "are"]
+            ]
+            stated = [Statement(predicates[s], (b.id,)) for s in chosen for b in sides[s]]
+            yield said(f"as you come in, {listed(said_of)}", *stated)
+
+    def _arrangements(self) -> list[Text]:
+        """What rests on the largest carriers."""
+        facts = self.facts
+        carriers = [(facts.by_id[c], how, things) for (c, how), things in facts.carried.items() if c in self.names]
+        carriers = sorted(carriers, key=lambda row: (-len(row[2]), row[0].id, row[1]))[:5]
+        found = []
+        for k in self.rng.permutation(len(carriers))[:2]:
+            body, how, things = carriers[int(k)]
+            found.append(self.resting(body, how, things))
+        return found
+
+    def resting(self, body: Body, how: str, things: Sequence[Body]) -> Text:
+        """What rests on or in a thing, all of it or with the number of the rest."""
+        chosen = list(things)
+        groups = self.groups(chosen)
+        if len(groups) > 5:
+            groups = groups[:4]
+            rest = len(chosen) - sum(len(bodies) for _, bodies in groups)
+            chosen = [b for _, bodies in groups for b in bodies]
+            words = listed(
+                [
+                    *(counted(len(bs), c) for c, bs in groups),
+                    f"{number(rest)} other {'thing' if rest == 1 else 'things'}",
+                ]
+            )
+        else:
+            words = self.inventory(chosen).words
+        be = "is" if len(things) == 1 else "are"
+        stated = [Statement(f"rests_{how}", (b.id, body.id)) for b in things]
+        return said(f"{how} {self.names[body.id].text} {be} {words}", *stated)
+
+    def by_place(self) -> list[dict[str, Any]]:
+        """All that there is, by where it is: walls, the rest of the floor, each carrier, ceiling."""
+        facts = self.facts
+        places: dict[str, list[Body]] = defaultdict(list)
+        hung: dict[str, list[Body]] = defaultdict(list)
+        for body in facts.bodies:
+            wall = facts.wall_at(body) if body.item.mount in ("floor", "wall") else None
+            name = facts.wall_names.get(wall) if wall is not None else None
+            if body.item.mount == "wall":
+                hung[name or "a wall"].append(body)
+            elif body.item.mount == "ceiling":
+                places["on the ceiling"].append(body)
+            elif body.item.mount == "floor":
+                flat = body.z[1] <= FLAT
+                places["on the floor" if flat else f"along {name}" if name else "elsewhere in the room"].append(body)
+        rows = []
+        for place, bodies in [*places.items(), *((f"hanging on {n}", b) for n, b in hung.items())]:
+            text = self.inventory(bodies, looks=True)
+            rows.append(
+                {
+                    "place": place,
+                    **Text(
+                        f"{place[0].upper()}{place[1:]}: {text.words}.",
+                        (*self._placed(place, bodies), *text.statements),
+                    ).to_dict(),
+                }
+            )
+        for (carrier, how), things in facts.carried.items():
+            body = facts.by_id[carrier]
+            where = self.names[carrier].text if carrier in self.names else with_article(noun(body.item.category))
+            text = self.inventory(things)
+            stated = (Statement(f"rests_{how}", (b.id, carrier)) for b in things)
+            rows.append(
+                {
+                    "place": f"{how} {where}",
+                    **Text(f"{how.capitalize()} {where}: {text.words}.", (*stated, *text.statements)).to_dict(),
+                }
+            )
+        return rows
+
+    def _placed(self, place: str, bodies: Sequence[Body]) -> tuple[Statement, ...]:
+        predicate = {"on the ceiling": "on_ceiling", "on the floor": "on_floor", "elsewhere in the room": "on_floor"}
+        kind = predicate.get(place, "along_wall" if place.startswith("along") else "on_wall")
+        wall = [k for k, name in self.facts.wall_names.items() if place.endswith(name)]
+        return tuple(Statement(kind, (b.id,), f"wall:{wall[0]}" if wall else None) for b in bodies)
+
+
+def _over(a: Body, b: Body) -> bool:
+    return a.z[0] >= b.z[1] or b.z[0] >= a.z[1]
+
+
+def rectangle_sides(facts: Facts) -> tuple[float, float] | None:
+    """The sides of a rectangular room [m], the longer first, to 0.1 m; None for another shape."""
+    walls = facts.placed.walls
+    if len(walls) != 4 or any(abs(np.dot(w.along, walls[k - 1].along)) > 0.01 for k, w in enumerate(walls)):
+        return None
+    a, b = sorted((round(walls[0].length, 1), round(walls[1].length, 1)), reverse=True)
+    return a, b
+
+
+def door_side(facts: Facts, body: Body) -> str | None:
+    """Whether a body is on the "left" or "right" of who comes in, or "ahead"; None between these."""
+    place = facts.from_door(body)
+    if place is None or place[0] < 0.4:
+        return None
+    bearing = math.degrees(math.atan2(place[1], place[0]))
+    if abs(bearing) < 10:
+        return "ahead"
+    return "left" if bearing > 25 else "right" if bearing < -25 else None
+
+
+def _side(facts: Facts, wall: int) -> str | None:
+    """Where a wall is for who comes in: "on the left"; None for one that looks another way."""
+    if facts.doorway is None:
+        return None
+    _, inward, left = facts.doorway
+    outward = facts.placed.walls[wall].outward
+    for words, direction in {"straight ahead": inward, "on the left": left, "on the right": -left}.items():
+        if float(np.dot(outward, direction)) > 0.94:
+            return words
+    return None
+
+
+def captions(facts: Facts, seed: int) -> dict[str, Any]:
+    """The captions of a scene as JSON data, each with the facts that it states.
+
+    Args:
+        facts: the scene.
+        seed: what is drawn: wording, and which of the facts are told.
+    """
+    writer = Captioner(facts, np.random.default_rng(seed))
+    return {
+        "schema": "sceneweaver.captions/1",
+        "short": writer.short().to_dict(),
+        "paragraph": writer.paragraph().to_dict(),
+        "by_place": writer.by_place(),
+    }

@@ -1,0 +1,72 @@
+"""Categories as English nouns: one, several, with article or number."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cache
+from importlib import resources
+from typing import Any
+
+from sceneweaver.assets.category import read_yaml
+from sceneweaver.brief.vocabulary import plural
+
+_NUMBERS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve")
+_SPOKEN_AS_VOWEL = ("hour", "IV ", "8")
+_SPOKEN_AS_CONSONANT = ("uni", "uri", "use", "ute", "one")
+
+
+@cache
+def _table() -> dict[str, Any]:
+    return read_yaml(resources.files(__package__ or "").joinpath("nouns.yaml"))
+
+
+@cache
+def noun(category: str) -> str:
+    """The noun of a category: "round dining table"."""
+    return _table()["things"].get(category, [category.replace("_", " ").strip()])[0]
+
+
+@cache
+def nouns(category: str) -> str:
+    """The plural of `noun`."""
+    found = _table()["things"].get(category)
+    return found[1] if found else plural(noun(category))
+
+
+@cache
+def room_noun(kind: str) -> str:
+    """The noun of a kind of room."""
+    return _table()["rooms"].get(kind, kind.replace("_", " ").strip())
+
+
+def with_article(words: str) -> str:
+    """A noun, or words before one, after "a" or "an"."""
+    lower = words.lower()
+    vowel = (
+        words.startswith(_SPOKEN_AS_VOWEL)
+        or words.split()[0] in ("11", "18")
+        or (lower[:1] in "aeiou" and not lower.startswith(_SPOKEN_AS_CONSONANT))
+    )
+    return f"{'an' if vowel else 'a'} {words}"
+
+
+def number(count: int) -> str:
+    """A count in words, as far as they are usual."""
+    return _NUMBERS[count] if 0 <= count < len(_NUMBERS) else str(count)
+
+
+def counted(count: int, category: str, look: str = "") -> str:
+    """So many of a category, with a word on how they look: "a cream nightstand", "two oak chairs"."""
+    words = noun(category) if count == 1 else nouns(category)
+    words = f"{look} {words}" if look else words
+    return with_article(words) if count == 1 else f"{number(count)} {words}"
+
+
+def listed(words: Sequence[str], last: str = "and") -> str:
+    """Words in a row, with "and" before the last."""
+    return f"{', '.join(words[:-1])} {last} {words[-1]}" if len(words) > 1 else "".join(words)
+
+
+def sentence(words: str) -> str:
+    """Words with a capital letter and a full stop."""
+    return f"{words[0].upper()}{words[1:]}."

@@ -1,0 +1,130 @@
+"""One question about a scene with its answer and how it was found."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import asdict, dataclass, field
+from itertools import islice
+from typing import Any, Literal, TypeVar
+
+import numpy as np
+
+from sceneweaver.verify.solids import Body
+
+from ..facts import Facts
+from ..naming import Name, names
+
+Form = Literal["yes_no", "choice", "count", "number", "list"]
+
+T = TypeVar("T")
+
+TRIED = 24
+"""Candidates of a template that are looked at in one scene."""
+
+
+@dataclass(frozen=True)
+class Question:
+    """A question, its answer by geometry and what that came from.
+
+    Attributes:
+        template: what kind of question it is.
+        form: "yes_no", "choice" (one of ``options``), "count" (a whole number), "number" (right within ``tolerance``)
+            or "list" (nouns in any order, as often as they are there).
+        question: in English.
+        answer: "yes" or "no", one of the options, a number, or a list.
+        objects: ids that it is about.
+        operands: the measurements that the answer follows from; lengths [m], areas [m2], angles [deg].
+        method: how the answer follows from them.
+        margin: how far the measurement is from where the answer would change, in its unit; None: it is counted or said.
+        options: of a choice.
+        tolerance: how far a number may be off.
+        unit: of a number.
+    """
+
+    template: str
+    form: Form
+    question: str
+    answer: Any
+    objects: tuple[str, ...]
+    operands: dict[str, Any]
+    method: str
+    margin: float | None = None
+    options: tuple[str, ...] = ()
+    tolerance: float | None = None
+    unit: str | None = field(default=None)
+
+    def to_dict(self) -> dict[str, Any]:
+        """JSON data, without what is not there."""
+        return {key: value for key, value in asdict(self).items() if value not in (None, ())}
+
+
+class Asker:
+    """What templates of questions need: the facts, the names of things, and the draws of this scene."""
+
+    def __init__(self, facts: Facts, rng: np.random.Generator):
+        self.facts = facts
+        self.rng = rng
+        self.names: dict[str, Name] = names(facts)
+        self.named = [b for b in facts.bodies if b.id in self.names]
+        self.standing = [b for b in facts.furniture if b.id in self.names]
+        self.floor: Any = None
+
+    def coin(self) -> bool:
+        """True or false, each as often."""
+        return bool(self.rng.integers(2))
+
+    def one_of(self, *texts: str) -> str:
+        """One of several wordings."""
+        return texts[int(self.rng.integers(len(texts)))]
+
+    def shuffled(self, items: Iterable[T]) -> list[T]:
+        """The items in a drawn order."""
+        found = list(items)
+        return [found[int(k)] for k in self.rng.permutation(len(found))]
+
+    def name(self, body: Body) -> str:
+        """The words that mean a body."""
+        return self.names[body.id].text
+
+    def ids(self, *bodies: Body) -> tuple[str, ...]:
+        """All ids that the names of some bodies speak of, without repetition."""
+        return tuple(dict.fromkeys(i for body in bodies for i in self.names[body.id].ids))
+
+    def pairs(self, first: list[Body], second: list[Body]) -> Iterator[tuple[Body, Body]]:
+        """Pairs of different bodies, none of them part of the other's name, in a drawn order."""
+        for a in self.shuffled(first):
+            for b in self.shuffled(second):
+                if a is not b and a.id not in self.names[b.id].ids and b.id not in self.names[a.id].ids:
+                    yield a, b
+
+    def balanced(self, candidates: Iterable[T], answer: Callable[[T], tuple[bool | None, Any]]) -> tuple | None:
+        """A candidate whose answer was drawn; None where the scene does not have one for "yes" and one for "no".
+
+        So both answers are equally likely, whatever is known of rooms in general.
+
+        Args:
+            candidates: what could be asked about.
+            answer: whether it is so, and what it was read off; None for what is too close to call.
+        """
+        wanted, found = self.coin(), {}
+        for candidate in islice(candidates, TRIED):
+            said, read = answer(candidate)
+            if said is not None and said not in found:
+                found[said] = (candidate, said, read)
+            if len(found) == 2:
+                return found[wanted]
+        return None
+
+
+Template = Callable[[Asker], Question | None]
+"""Asks one question, or none where the scene does not lend itself to it."""
+
+
+def yes_no(said: bool) -> str:
+    """The word for it."""
+    return "yes" if said else "no"
+
+
+def rounded(value: float, digits: int = 3) -> float:
+    """A measurement as it is written."""
+    return round(float(value), digits)
