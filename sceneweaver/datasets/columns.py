@@ -26,6 +26,13 @@ def arrow():
     return pyarrow
 
 
+GRADES = ("realism", "functionality", "layout", "completion", "alignment")
+"""The critic's grades of a scene, from 0 to 10."""
+
+GATES = ("valid", "grade", "unmet", "openable", "still")
+"""What a specification asks of a scene; one that it does not ask for is null."""
+
+
 def index_schema() -> pa.Schema:
     """What `meta/index.parquet` holds. Columns of scenes that are not there are null."""
     pa = arrow()
@@ -58,9 +65,9 @@ def index_schema() -> pa.Schema:
             ("openable_share", number),
             ("walkable_share", number),
             ("grade", number),
-            ("grades", pa.map_(text, number)),
+            ("grades", pa.struct([(name, number) for name in GRADES])),
             ("unmet", pa.list_(text)),
-            ("gates", pa.map_(text, flag)),
+            ("gates", pa.struct([(name, flag) for name in GATES])),
             ("assets", pa.list_(text)),
             ("asset_ids", pa.list_(text)),
             ("licences", pa.list_(text)),

@@ -47,6 +47,26 @@ class Folder:
         """Blocks that are made and not packed yet."""
         return self.path / "work" / "blocks"
 
+    @property
+    def plan(self) -> Path:
+        """What packing is to write; once it is there, no block is made any more."""
+        return self.path / "work" / "plan"
+
+    @property
+    def index(self) -> Path:
+        """The index, when all is packed."""
+        return self.meta / "index.parquet"
+
+    @property
+    def asset_table(self) -> Path:
+        """What is known about each asset: recipe, category, licence, source, attribution."""
+        return self.meta / "assets.parquet"
+
+    @property
+    def checksums(self) -> Path:
+        """Checksums of all files but times, written last."""
+        return self.path / "checksums.sha256"
+
     def block(self, number: int) -> Path:
         """The folder of a block; where it is, the block is whole.
 

@@ -17,6 +17,7 @@ from sceneweaver.assets import Library
 from sceneweaver.scene import Scene
 from sceneweaver.verify import Report
 
+from ..files import fingerprint
 from ..requests import Request
 from ..spec import Spec, Views
 from ..store import AssetStore
@@ -86,6 +87,7 @@ def measured(done: Finished, library: Library) -> dict[str, Any]:
         "gates": done.gates,
         "asset_ids": asset_ids,
         "licences": sorted({library.load(asset_id).origin.licence for asset_id in asset_ids}),
+        **fingerprint(scene),
     }
 
 

@@ -1,0 +1,153 @@
+"""The data card: what is in a data set, how it was made, how to load it; with the fields of Hugging Face."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+import sceneweaver
+
+from ..columns import index_schema
+from ..folder import Folder
+from ..spec import Spec
+from .licences import Licence
+
+SIZES = ((10**3, "n<1K"), (10**4, "1K<n<10K"), (10**5, "10K<n<100K"), (10**6, "100K<n<1M"), (10**7, "1M<n<10M"))
+TEMPLATE = Path(__file__).with_name("card.md")
+"""The text, with fields in braces."""
+
+HUB_LICENCES = {"Apache-2.0", "BSD-3-Clause", "CC-BY-4.0", "CC-BY-NC-4.0", "CC0-1.0", "MIT"}
+"""Licences that Hugging Face knows by their name in lower case."""
+
+FILES = {
+    "scene.json": "the scene: room, objects, poses, relations (`sceneweaver.scene/1`)",
+    "metrics.json": "what the judge and the critic measured",
+    "glb": "glTF 2.0, whose buffers and pictures lie in `assets/`",
+    "xml": "MJCF for MuJoCo, whose meshes and textures lie in `assets/`",
+    "usdc": "USD",
+    "captions.json": "descriptions, each statement with what makes it true",
+    "questions.jsonl": "questions with answers by geometry",
+    "instructions.jsonl": "instructions for rearrangement with their goals",
+}
+
+
+def card(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Licence]) -> str:
+    """The text of ``README.md``.
+
+    Args:
+        folder: the data set.
+        spec: what it was made from.
+        numbers: its statistics.
+        used: licences of its assets.
+    """
+    front = yaml.safe_dump(_front(folder, spec, numbers, used), sort_keys=False, allow_unicode=True)
+    diversity = numbers["diversity"]
+    text = TEMPLATE.read_text(encoding="utf-8").format(
+        name=spec.name,
+        product="furnished scenes" if spec.product == "scenes" else "layouts",
+        requests=f"{numbers['requests']:,}",
+        scenes=f"{numbers['scenes']:,}",
+        rooms=f"{numbers['rooms']:,}",
+        served=f"{numbers['served']:.2%}",
+        invalid=f"{numbers['invalid']:,}",
+        objects=f"{numbers['objects']:,}",
+        categories=diversity["categories"],
+        twins=f"{diversity['near_duplicate_share']:.2%}",
+        megabytes=f"{numbers['bytes'] / 1e6:,.1f}",
+        splits=_table(("split", "scenes"), numbers["split"]),
+        kinds=_table(("kind of room", "scenes"), numbers["room_type"]),
+        reasons=_table(("why a request was not served", "scenes"), numbers["reasons"]) or "All requests were served.\n",
+        grades=_grades(numbers["grades"]),
+        files="".join(f"| `<key>.{suffix}` | {FILES[suffix]} |\n" for suffix in FILES if suffix in suffixes(folder)),
+        licences=", ".join(dict.fromkeys(one.name for one in used)),
+        version=sceneweaver.__version__,
+        hash=spec.hash,
+        spec=yaml.safe_dump(spec.model_dump(mode="json", by_alias=True), sort_keys=False, allow_unicode=True).rstrip(),
+    )
+    return f"---\n{front}---\n\n{text}"
+
+
+def _front(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Licence]) -> dict[str, Any]:
+    """The YAML at the head of the card."""
+    names = list(dict.fromkeys(one.name for one in used))
+    one = names[0] if len(names) == 1 and names[0] in HUB_LICENCES else None
+    licence = (
+        {"license": one.lower()}
+        if one
+        else {"license": "other", "license_name": "mixed", "license_link": "LICENSES.md"}
+    )
+    suffix = "tar" if spec.product == "scenes" else "parquet"
+    splits = [name for name in sorted(spec.splits) if any(folder.data.glob(f"{name}-*.{suffix}"))]
+    data = [{"split": name, "path": f"data/{name}-*.{suffix}"} for name in splits]
+    return {
+        "pretty_name": spec.name,
+        **licence,
+        "language": ["en"],
+        "task_categories": ["robotics", "text-to-3d", "visual-question-answering"],
+        "tags": ["indoor scenes", "3d", "layout", "synthetic", "simulation", "sceneweaver"],
+        "size_categories": [next((name for most, name in SIZES if numbers["scenes"] < most), "n>10M")],
+        "configs": [
+            *([{"config_name": "default", "data_files": data, "default": True}] if data else []),
+            {"config_name": "index", "data_files": [{"split": "all", "path": "meta/index.parquet"}]},
+        ],
+        "dataset_info": [
+            {
+                "config_name": "index",
+                "features": [_feature(field.name, field.type) for field in index_schema()],
+                "splits": [
+                    {
+                        "name": "all",
+                        "num_bytes": folder.index.stat().st_size,
+                        "num_examples": numbers["requests"],
+                    }
+                ],
+            }
+        ],
+    }
+
+
+def _feature(name: str, kind: Any) -> dict[str, Any]:
+    """A column in the words of Hugging Face."""
+    import pyarrow.types as types
+
+    if types.is_list(kind):
+        return {"name": name, "list": str(kind.value_type)}
+    if types.is_struct(kind):
+        return {"name": name, "struct": [_feature(field.name, field.type) for field in kind]}
+    return {"name": name, "dtype": {"double": "float64"}.get(str(kind), str(kind))}
+
+
+def suffixes(folder: Folder) -> set[str]:
+    """The suffixes of the files of the first scene."""
+    import tarfile
+
+    for path in sorted(folder.data.glob("*.tar"))[:1]:
+        with tarfile.open(path, "r:") as tar:
+            key, found = None, set()
+            for member in tar:
+                name, _, suffix = member.name.partition(".")
+                if key not in (None, name):
+                    break
+                key = name
+                found.add(suffix)
+            return found
+    return set()
+
+
+def _table(heads: tuple[str, str], rows: dict[str, int]) -> str:
+    if not rows:
+        return ""
+    lines = "".join(f"| {name} | {count:,} |\n" for name, count in rows.items())
+    return f"| {heads[0]} | {heads[1]} |\n| --- | ---: |\n{lines}"
+
+
+def _grades(grades: dict[str, Any]) -> str:
+    if not grades:
+        return ""
+    lines = "".join(
+        f"| {name} | {one['mean']:.2f} | {one['deviation']:.2f} | {one['least']:.2f} |\n"
+        for name, one in grades.items()
+    )
+    return f"\n| grade of the critic, 0 to 10 | mean | deviation | least |\n| --- | ---: | ---: | ---: |\n{lines}"

@@ -1,0 +1,131 @@
+"""Croissant metadata (version 1.1): files with checksums, and the index as a set of records."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import sceneweaver
+
+from ..columns import index_schema
+from ..folder import Folder
+from ..spec import Spec
+from .checksums import sha256
+from .licences import TEXTS, Licence
+
+CONTEXT = {
+    "@language": "en",
+    "@vocab": "https://schema.org/",
+    "citeAs": "cr:citeAs",
+    "column": "cr:column",
+    "conformsTo": "dct:conformsTo",
+    "cr": "http://mlcommons.org/croissant/",
+    "rai": "http://mlcommons.org/croissant/RAI/",
+    "data": {"@id": "cr:data", "@type": "@json"},
+    "dataType": {"@id": "cr:dataType", "@type": "@vocab"},
+    "dct": "http://purl.org/dc/terms/",
+    "equivalentProperty": "cr:equivalentProperty",
+    "examples": {"@id": "cr:examples", "@type": "@json"},
+    "extract": "cr:extract",
+    "field": "cr:field",
+    "fileProperty": "cr:fileProperty",
+    "fileObject": "cr:fileObject",
+    "fileSet": "cr:fileSet",
+    "format": "cr:format",
+    "includes": "cr:includes",
+    "isArray": "cr:isArray",
+    "arrayShape": "cr:arrayShape",
+    "isLiveDataset": "cr:isLiveDataset",
+    "jsonPath": "cr:jsonPath",
+    "key": "cr:key",
+    "md5": "cr:md5",
+    "parentField": "cr:parentField",
+    "path": "cr:path",
+    "recordSet": "cr:recordSet",
+    "references": "cr:references",
+    "regex": "cr:regex",
+    "repeated": "cr:repeated",
+    "replace": "cr:replace",
+    "samplingRate": "cr:samplingRate",
+    "sc": "https://schema.org/",
+    "separator": "cr:separator",
+    "source": "cr:source",
+    "subField": "cr:subField",
+    "transform": "cr:transform",
+}
+
+TYPES = {"bool": "sc:Boolean", "int32": "cr:Int32", "int64": "cr:Int64", "double": "cr:Float64", "string": "sc:Text"}
+PUBLISHED = "2025-01-01"
+
+
+def croissant(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Licence]) -> dict[str, Any]:
+    """The content of ``croissant.json``.
+
+    Args:
+        folder: the data set.
+        spec: what it was made from.
+        numbers: its statistics.
+        used: licences of its assets.
+    """
+    names = dict.fromkeys(one.name for one in used)
+    index = _file(folder, folder.index, "application/vnd.apache.parquet")
+    shards = sorted(path for path in folder.data.iterdir() if path.suffix in KINDS) if folder.data.exists() else []
+    return {
+        "@context": CONTEXT,
+        "@type": "sc:Dataset",
+        "conformsTo": "http://mlcommons.org/croissant/1.1",
+        "name": spec.name,
+        "description": (
+            f"{numbers['scenes']} indoor {spec.product} of {numbers['rooms']} rooms, made with sceneweaver "
+            f"{sceneweaver.__version__} and judged one by one."
+        ),
+        "license": [TEXTS.get(name, name) for name in names],
+        "version": "1.0.0",
+        "citeAs": f"{spec.name}: made with sceneweaver {sceneweaver.__version__}, specification {spec.hash}",
+        "keywords": ["indoor scenes", "layout", "synthetic", "simulation"],
+        "distribution": [index, *(_file(folder, path, KINDS[path.suffix]) for path in shards)],
+        "recordSet": [
+            {
+                "@type": "cr:RecordSet",
+                "@id": "scenes",
+                "name": "scenes",
+                "description": "One row a request.",
+                "key": {"@id": "scenes/index"},
+                "field": [_field(index["@id"], column) for column in index_schema()],
+            }
+        ],
+    }
+
+
+KINDS = {".tar": "application/x-tar", ".parquet": "application/vnd.apache.parquet"}
+"""Media types of shards by suffix."""
+
+
+def _file(folder: Folder, path: Path, kind: str) -> dict[str, Any]:
+    name = path.relative_to(folder.path).as_posix()
+    return {
+        "@type": "cr:FileObject",
+        "@id": name,
+        "name": name,
+        "contentUrl": name,
+        "contentSize": f"{path.stat().st_size} B",
+        "encodingFormat": kind,
+        "sha256": sha256(path),
+    }
+
+
+def _field(table: str, column: Any) -> dict[str, Any]:
+    """A column of the index."""
+    import pyarrow.types as types
+
+    field = {
+        "@type": "cr:Field",
+        "@id": f"scenes/{column.name}",
+        "name": column.name,
+        "source": {"fileObject": {"@id": table}, "extract": {"column": column.name}},
+    }
+    if types.is_list(column.type):
+        return field | {"dataType": TYPES[str(column.type.value_type)], "isArray": True, "arrayShape": "-1"}
+    if types.is_struct(column.type):
+        return field | {"dataType": "sc:Text"}
+    return field | {"dataType": TYPES[str(column.type)]}

@@ -1,0 +1,144 @@
+"""Where the large furniture of a room stands, in a frame of the room's own: what tells layouts apart.
+
+The frame has its origin in the centroid of the outline and its x axis along a wall. A rectangle has one such frame up
+to turns by 90 degrees and mirrors, other outlines one for each direction of a wall. A layout seen in another of these
+frames is the same layout.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+import shapely
+
+from sceneweaver.scene import Scene
+
+FOOTPRINT, HEIGHT = 0.3, 0.1
+"""Least footprint [m2] and height [m] of large furniture: neither seats at tables nor rugs."""
+
+FEW = 4
+"""Where less than so many things are as large, all that stands on the floor counts, but what is flat."""
+
+POSITION, ANGLE = 0.05, math.radians(15.0)
+"""Grid of signatures for lengths [m] and angles [rad]."""
+
+BIAS = 0.0123
+"""Shift of the grid [m], so that lengths that people give lie on no border of it."""
+
+MIRROR = np.diag([1.0, -1.0])
+
+
+def fingerprint(scene: Scene) -> dict[str, Any]:
+    """What packing needs of a scene to find near-duplicates: its signature and its large furniture as plain data."""
+    layout = Layout.of(scene)
+    furniture = {
+        "outline": _rounded(layout.outline),
+        "categories": list(layout.categories),
+        "boxes": _rounded(layout.boxes),
+    }
+    return {"layout_signature": layout.signature, "furniture": furniture}
+
+
+def signature(scene: Scene) -> str:
+    """A hash of the layout: equal for equal large furniture, to 5 cm and 15 degrees, in a room of equal extents.
+
+    Neither the order of objects, nor how the whole room is turned, shifted or mirrored, changes it.
+    """
+    return Layout.of(scene).signature
+
+
+@dataclass(frozen=True)
+class Layout:
+    """The large furniture of a room.
+
+    Attributes:
+        outline: corners of the floor [m], shape [corner, 2].
+        categories: of the furniture, in ascending order.
+        boxes: x, y [m], yaw [rad], depth, width [m] of each, shape [thing, 5].
+    """
+
+    outline: np.ndarray
+    categories: tuple[str, ...]
+    boxes: np.ndarray
+
+    @classmethod
+    def of(cls, scene: Scene) -> Layout:
+        """The layout of a scene."""
+        standing = [o for o in scene.objects if o.mount == "floor" and o.size[2] >= HEIGHT]
+        large = [o for o in standing if o.size[0] * o.size[1] >= FOOTPRINT]
+        chosen = sorted(large if len(large) >= FEW else standing, key=lambda o: o.category)
+        boxes = [(*o.pose.position[:2], o.pose.yaw, *o.size[:2]) for o in chosen]
+        outline = np.array(scene.room.outline, dtype=float)
+        return cls(outline, tuple(o.category for o in chosen), np.array(boxes, dtype=float).reshape(-1, 5))
+
+    @classmethod
+    def from_row(cls, furniture: dict[str, Any]) -> Layout:
+        """The layout from the plain data of `fingerprint`."""
+        boxes = np.array(furniture["boxes"], dtype=float).reshape(-1, 5)
+        return cls(np.array(furniture["outline"], dtype=float), tuple(furniture["categories"]), boxes)
+
+    def views(self) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+        """The layout in each of its frames: extents of the room [m], shape [2], and boxes, shape [thing, 5]."""
+        centroid = shapely.Polygon(self.outline).centroid
+        outline = self.outline - (centroid.x, centroid.y)
+        places = self.boxes[:, :2] - (centroid.x, centroid.y)
+        for direction in self._directions:
+            for quarter in range(4):
+                angle = -direction - quarter * math.pi / 2
+                c, s = math.cos(angle), math.sin(angle)
+                turn = np.array([[c, -s], [s, c]])
+                for mirrored in (False, True):
+                    matrix = MIRROR @ turn if mirrored else turn
+                    yaw = self.boxes[:, 2] + angle
+                    boxes = np.column_stack([places @ matrix.T, -yaw if mirrored else yaw, self.boxes[:, 3:]])
+                    yield np.ptp(outline @ matrix.T, axis=0), boxes
+
+    @property
+    def signature(self) -> str:
+        """A hash that all views agree on."""
+        texts = []
+        for extents, boxes in self.views():
+            lengths = np.floor((np.round(boxes[:, [0, 1, 3, 4]], 6) + BIAS) / POSITION).astype(int)
+            turns = np.floor(np.round(boxes[:, 2] / ANGLE, 6) + 0.5).astype(int) % round(2 * math.pi / ANGLE)
+            things = sorted(
+                f"{category} {' '.join(map(str, numbers))} {turn}"
+                for category, numbers, turn in zip(self.categories, lengths.tolist(), turns.tolist(), strict=True)
+            )
+            room = np.floor((np.round(extents, 6) + BIAS) / POSITION).astype(int).tolist()
+            texts.append("\n".join([str(room), *things]))
+        return hashlib.sha256(min(texts).encode()).hexdigest()[:16]
+
+    @cached_property
+    def embedding(self) -> np.ndarray:
+        """Numbers [m] that no view changes, shape [3 things]; of two near-duplicates none differs by over 10 cm.
+
+        The distances from the centroid of the room, the depths and the widths, each sorted within a category: sorting
+        two lists whose entries differ by so much at most gives lists that do, too.
+        """
+        centroid = shapely.Polygon(self.outline).centroid
+        distance = np.hypot(*(self.boxes[:, :2] - (centroid.x, centroid.y)).T)
+        names = np.array(self.categories)
+        columns = [
+            np.sort(values[names == name])
+            for values in (distance, self.boxes[:, 3], self.boxes[:, 4])
+            for name in dict.fromkeys(self.categories)
+        ]
+        return np.concatenate([np.zeros(0), *columns]).astype(np.float32)
+
+    @cached_property
+    def _directions(self) -> list[float]:
+        """Directions of the walls [rad], without those that differ by a multiple of 90 degrees."""
+        steps = np.roll(self.outline, -1, axis=0) - self.outline
+        angles = np.arctan2(steps[:, 1], steps[:, 0]) % (math.pi / 2)
+        rounded = np.round(angles, 3) % round(math.pi / 2, 3)
+        return list(dict(zip(rounded.tolist(), angles.tolist(), strict=True)).values())
+
+
+def _rounded(values: np.ndarray) -> list[list[float]]:
+    return np.round(values, 4).tolist()

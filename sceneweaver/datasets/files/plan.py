@@ -1,0 +1,137 @@
+"""What packing is to write: the index with split, shard and near-duplicate group of each scene, and the times.
+
+The plan is a function of the rows of all blocks. It is there whole or not at all, and packing goes by it to the end.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from sceneweaver.scene import InputError
+from sceneweaver.scene.files import temporary_folder
+
+from ..blocks import SECONDS, read_rows
+from ..columns import arrow, index_schema
+from ..folder import Folder
+from ..requests import Requests
+from ..spec import Spec
+from .fingerprint import Layout
+from .near_duplicates import join_near_duplicates
+from .splits import assign_splits
+from .union_find import UnionFind
+
+INDEX, SECONDS_TABLE = "index.parquet", "seconds.parquet"
+GROUP = 8192
+"""Rows that are written to a table at once."""
+
+
+def packing(folder: Folder) -> bool:
+    """Whether packing has begun: then blocks may be gone, and none is to be made."""
+    return folder.plan.exists() or folder.index.exists()
+
+
+def write_plan(folder: Folder, requests: Requests) -> None:
+    """Plan the packing of a data set.
+
+    Raises:
+        InputError: when a block is missing.
+    """
+    blocks = [folder.block(number) for number in range(requests.blocks)]
+    missing = [path.name for path in blocks if not path.exists()]
+    if missing:
+        raise InputError(f"{folder.path}: block {missing[0]} of {len(blocks)} is missing; resume the data set")
+    placed = _placed(requests.spec, blocks)
+    with temporary_folder(folder.plan.parent) as parent:
+        draft = parent / folder.plan.name
+        draft.mkdir()
+        write_table(draft / INDEX, _indexed(blocks, placed), index_schema())
+        write_table(draft / SECONDS_TABLE, _seconds(blocks), _seconds_schema())
+        os.rename(draft, folder.plan)
+
+
+def write_table(path: Path, rows: Iterable[dict[str, Any]], schema: Any) -> None:
+    """Write rows to a Parquet file, some thousands at a time; keys that are no columns are left out."""
+    pa = arrow()
+    with pa.parquet.ParquetWriter(path, schema, compression="zstd") as writer:
+        for some in _batches(rows, GROUP):
+            writer.write_table(pa.Table.from_pylist(some, schema=schema))
+
+
+def read_table(path: Path, columns: list[str] | None = None) -> Iterator[dict[str, Any]]:
+    """The rows of a Parquet file, in order, some thousands in memory at a time."""
+    with arrow().parquet.ParquetFile(path) as file:
+        for some in file.iter_batches(GROUP, columns=columns):
+            yield from some.to_pylist()
+
+
+def _placed(spec: Spec, blocks: list[Path]) -> Iterator[dict[str, Any]]:
+    """Split, shard and near-duplicate group of each delivered scene, in order."""
+    rooms, sizes, layouts = [], [], []
+    for row in _delivered(blocks):
+        layouts.append((len(rooms), row["layout_signature"], Layout.from_row(row["furniture"])))
+        rooms.append(row["room"])
+        sizes.append(row["bytes"])
+    index = np.array([row["index"] for row in _delivered(blocks)], dtype=np.int64)
+    sets = UnionFind(len(rooms))
+    join_near_duplicates(sets, layouts)
+    groups = index[sets.names()]
+    first: dict[int, int] = {}
+    for number, room in enumerate(rooms):
+        sets.join(first.setdefault(room, number), number)
+    names = sorted(spec.splits)
+    filled, shard = dict.fromkeys(names, 0), dict.fromkeys(names, 0)
+    for size, group, split in zip(sizes, groups, assign_splits(spec, sets.names()), strict=True):
+        name = names[split]
+        if filled[name] and filled[name] + size > spec.shard * 10**6:
+            filled[name], shard[name] = 0, shard[name] + 1
+        filled[name] += size
+        yield {
+            "split": name,
+            "shard": f"data/{name}-{shard[name]:06d}.tar",
+            "near_duplicate_group": int(group),
+        }
+
+
+def _indexed(blocks: list[Path], placed: Iterator[dict[str, Any]]) -> Iterator[dict[str, Any]]:
+    for row in _rows(blocks):
+        yield {**row, **next(placed)} if row["status"] == "ok" else row
+
+
+def _rows(blocks: list[Path]) -> Iterator[dict[str, Any]]:
+    for path in blocks:
+        yield from read_rows(path)
+
+
+def _delivered(blocks: list[Path]) -> Iterator[dict[str, Any]]:
+    return (row for row in _rows(blocks) if row["status"] == "ok")
+
+
+def _seconds(blocks: list[Path]) -> Iterator[dict[str, Any]]:
+    for path in blocks:
+        with open(path / SECONDS, encoding="utf-8") as file:
+            for line in file:
+                row = json.loads(line)
+                index = row.pop("index")
+                yield from ({"index": index, "stage": stage, "seconds": took} for stage, took in row.items())
+
+
+def _seconds_schema():
+    pa = arrow()
+    return pa.schema([("index", pa.int64()), ("stage", pa.string()), ("seconds", pa.float64())])
+
+
+def _batches(rows: Iterable[Any], size: int) -> Iterator[list[Any]]:
+    some = []
+    for row in rows:
+        some.append(row)
+        if len(some) == size:
+            yield some
+            some = []
+    if some:
+        yield some

@@ -1,0 +1,169 @@
+"""Packing: shards, tables and texts, whole after any cut, in equal bytes."""
+
+import hashlib
+import json
+import os
+import shutil
+import tarfile
+
+import pytest
+
+from sceneweaver.datasets import Folder
+from sceneweaver.datasets.columns import arrow
+from sceneweaver.datasets.files import pack, packing, shards
+from sceneweaver.scene import InputError
+from tests.datasets.small import make_small
+
+
+def contents(root):
+    """SHA-256 of every file by its path."""
+    files = [p for p in sorted(root.rglob("*")) if p.is_file()]
+    return {p.relative_to(root).as_posix(): hashlib.sha256(p.read_bytes()).hexdigest() for p in files}
+
+
+def rows_of(root):
+    return arrow().parquet.read_table(root / "meta" / "index.parquet").to_pylist()
+
+
+@pytest.fixture(scope="module")
+def packed(tmp_path_factory):
+    root = tmp_path_factory.mktemp("packed")
+    requests = make_small(root, 12, failed=(3,))
+    pack(Folder(root), requests)
+    return root
+
+
+def test_every_delivered_scene_is_in_the_shard_that_the_index_names(packed):
+    rows = rows_of(packed)
+    assert [row["index"] for row in rows] == list(range(12))
+    assert [row["index"] for row in rows if row["status"] != "ok"] == [3]
+    assert rows[3]["split"] is None and rows[3]["reason"] == "too small: nothing fits"
+    for name in {row["shard"] for row in rows} - {None}:
+        expected = [row["key"] for row in rows if row["shard"] == name]
+        with tarfile.open(packed / name) as tar:
+            members = tar.getmembers()
+            assert [m.name for m in members] == [f"{k}.{s}" for k in expected for s in ("metrics.json", "scene.json")]
+            assert {m.mtime for m in members} == {0}
+            for key in expected:
+                scene = json.loads(tar.extractfile(f"{key}.scene.json").read())
+                assert scene["room"]["type"] == rows[int(key)]["room_type"]
+
+
+def test_the_hash_of_a_row_is_that_of_its_files(packed):
+    row = rows_of(packed)[5]
+    digest = hashlib.sha256()
+    with tarfile.open(packed / row["shard"]) as tar:
+        for suffix in ("metrics.json", "scene.json"):
+            content = tar.extractfile(f"{row['key']}.{suffix}").read()
+            digest.update(f"{suffix}:{len(content)}\n".encode() + content)
+    assert row["content_hash"] == digest.hexdigest()
+
+
+def test_checksums_cover_all_files_but_times(packed):
+    lines = [line.split("  ") for line in (packed / "checksums.sha256").read_text().splitlines()]
+    found = contents(packed)
+    assert {name for _, name in lines} == set(found) - {"checksums.sha256", "meta/seconds.parquet"}
+    assert all(found[name] == digest for digest, name in lines)
+
+
+def test_times_lie_in_a_table_of_their_own(packed):
+    rows = arrow().parquet.read_table(packed / "meta" / "seconds.parquet").to_pylist()
+    assert {"index": 0, "stage": "export", "seconds": 0.5} in rows
+    assert len(rows) == 11 * 2 + 1
+
+
+def test_nothing_is_left_of_the_blocks_and_packing_again_changes_nothing(packed):
+    before = contents(packed)
+    assert not list((packed / "work").rglob("*.jsonl")) and not (packed / "work" / "plan").exists()
+    requests = make_small(packed / "other", 12)
+    shutil.rmtree(packed / "other")
+    pack(Folder(packed), requests)
+    assert contents(packed) == before
+
+
+class Killed(BaseException):
+    """As a signal would, it passes through every handler."""
+
+
+def test_killed_at_any_step_it_goes_on_to_the_same_bytes(tmp_path, monkeypatch):
+    monkeypatch.setattr(shards, "SAFE", 0)  # so that blocks go one by one
+    whole, torn = tmp_path / "whole", tmp_path / "torn"
+    requests = make_small(whole, 8, failed=(1,), shard=1, splits={"train": 0.7, "test": 0.3})
+    shutil.copytree(whole, torn)
+    pack(Folder(whole), requests)
+    assert packing(Folder(whole))
+    steps = {"left": 0}
+
+    def counted(function):
+        def call(*args, **kwargs):
+            steps["left"] -= 1
+            if steps["left"] == 0:
+                raise Killed
+            return function(*args, **kwargs)
+
+        return call
+
+    for name in ("fsync", "replace", "rename", "truncate"):
+        monkeypatch.setattr(os, name, counted(getattr(os, name)))
+    deaths, allowed = 0, 1
+    while True:
+        steps["left"] = allowed
+        try:
+            pack(Folder(torn), requests)
+            break
+        except Killed:
+            deaths += 1
+            allowed = 1 + deaths
+    assert deaths >= 8
+    assert contents(torn) == contents(whole)
+
+
+def test_a_torn_end_of_a_shard_is_written_again(tmp_path, monkeypatch):
+    monkeypatch.setattr(shards, "SAFE", 0)
+    whole, torn = tmp_path / "whole", tmp_path / "torn"
+    requests = make_small(whole, 8)
+    shutil.copytree(whole, torn)
+    pack(Folder(whole), requests)
+    sync, calls = shards.Shards.sync, []
+
+    def killed(self):
+        sync(self)
+        calls.append(self)
+        if len(calls) == 3:  # the samples of three blocks are copied, two of the blocks are gone
+            raise Killed
+
+    monkeypatch.setattr(shards.Shards, "sync", killed)
+    with pytest.raises(Killed):
+        pack(Folder(torn), requests)
+    begun = sorted((torn / "work" / "plan").glob("*.tar"))
+    ends = [shards._end_of(path, {f"{i:08d}" for i in range(4)}) for path in begun]
+    assert any(end < path.stat().st_size for end, path in zip(ends, begun, strict=True))
+    for end, path in zip(ends, begun, strict=True):
+        with open(path, "r+b") as file:
+            file.truncate(min(end + 700, path.stat().st_size))
+    pack(Folder(torn), requests)
+    assert contents(torn) == contents(whole)
+
+
+def test_a_missing_block_is_named(tmp_path):
+    requests = make_small(tmp_path, 6)
+    shutil.rmtree(Folder(tmp_path).block(1))
+    with pytest.raises(InputError, match="block 00000001 of 3 is missing"):
+        pack(Folder(tmp_path), requests)
+    assert not packing(Folder(tmp_path))
+
+
+def test_a_shard_ends_where_the_next_scene_would_not_fit(tmp_path):
+    requests = make_small(tmp_path, 6, splits={"all": 1.0}, shard=1, files={"glb": bytes(400_000)})
+    pack(Folder(tmp_path), requests)
+    assert [row["shard"][-8:-4] for row in rows_of(tmp_path)] == ["0000", "0000", "0001", "0001", "0002", "0002"]
+    with tarfile.open(tmp_path / "data" / "all-000002.tar") as tar:
+        assert len(tar.getnames()) == 6
+
+
+def test_nothing_delivered_is_a_data_set_as_well(tmp_path):
+    requests = make_small(tmp_path, 4, failed=(0, 1, 2, 3))
+    pack(Folder(tmp_path), requests)
+    assert {row["status"] for row in rows_of(tmp_path)} == {"failed"}
+    assert list((tmp_path / "data").iterdir()) == []
+    assert "| too small | 4 |" in (tmp_path / "README.md").read_text()
