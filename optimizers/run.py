@@ -17,8 +17,10 @@ PIECE_PAIRS = 2**17  # pairs of objects in those candidates: no launch should go
 
 
 def cpu_threads() -> int:
-    """Threads worth starting: the cores that this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    """Threads worth starting: the cores that this process may use; no more than OMP_NUM_THREADS, where it is set."""
+    count = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    limit = os.environ.get("OMP_NUM_THREADS", "")
+    return min(count, int(limit)) if limit.isdigit() and int(limit) else count
 
 
 def pieces(batch: Batch) -> list[Batch]:

@@ -9,9 +9,7 @@ from __future__ import annotations
 import faulthandler
 import gc
 import json
-import math
 import os
-import re
 import signal
 import sys
 import threading
@@ -25,8 +23,10 @@ from typing import Annotated
 import typer
 
 from .clock import process_began
+from .dataset import dataset
 from .exit_codes import BAD_INPUT, INTERRUPTED, MISSING
 from .extensions import load_extensions
+from .options import Candidates, Device, Input, Json, Out, Picture, Png, Seed, TimeLimit, positive_seconds
 
 # The base of typer's usage errors, which lives in click or, with newer versions of typer, in typer itself.
 _UsageError: type[Exception] = next(c for c in typer.BadParameter.__mro__ if c.__name__ == "ClickException")
@@ -68,36 +68,6 @@ def _version(wanted: bool) -> None:
 
         typer.echo(f"sceneweaver {sceneweaver.__version__}")
         raise typer.Exit
-
-
-def _device(value: str) -> str:
-    if not re.fullmatch(r"auto|cpu|cuda(:(\d+|all))?", value):
-        raise typer.BadParameter(f"'{value}' is not a device; give auto, cpu, cuda, cuda:0 or cuda:all")
-    return value
-
-
-def _seconds(value: float | None) -> float | None:
-    if value is not None and not (math.isfinite(value) and value > 0):
-        raise typer.BadParameter(f"{value} is not a number of seconds above 0")
-    return value
-
-
-Input = Annotated[Path, typer.Argument(metavar="IN", help="A scene.json.", show_default=False)]
-Out = Annotated[
-    Path,
-    typer.Option(
-        "--out", "-o", metavar="OUT", help="A folder, or a .json file for the scene alone.", show_default=False
-    ),
-]
-Png = Annotated[Path, typer.Option("--out", "-o", metavar="PNG", help="The picture.", show_default=False)]
-Picture = Annotated[bool, typer.Option("--picture/--no-picture", help="Draw the annotated top view.")]
-Candidates = Annotated[int, typer.Option(min=1, help="How many layouts are refined at once.")]
-Seed = Annotated[int, typer.Option(min=0, max=2**32 - 1, help="Equal seeds give equal results.")]
-Device = Annotated[str, typer.Option(callback=_device, metavar="auto|cpu|cuda[:k|:all]", help="Where to compute.")]
-TimeLimit = Annotated[
-    float | None, typer.Option(callback=_seconds, help="Stop after this many seconds.", show_default=False)
-]
-Json = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]
 
 
 @app.callback()
@@ -307,7 +277,7 @@ def design(
     planner: Annotated[Planner, typer.Option(help="Who chooses the tools.")] = Planner.RULES,
     device: Device = "auto",
     time_limit: Annotated[
-        float, typer.Option(callback=_seconds, help="Seconds that all may take, files included.")
+        float, typer.Option(callback=positive_seconds, help="Seconds that all may take, files included.")
     ] = 120.0,
     pictures: Annotated[bool, typer.Option("--pictures/--no-pictures", help="Draw views and the report.")] = True,
     export: Annotated[
@@ -397,6 +367,7 @@ def examples(as_json: Json = False) -> int:
 
 assets = typer.Typer(name="assets", help="Furniture: draw it, show it, import other people's.")
 app.add_typer(assets)
+app.add_typer(dataset)
 
 StorePath = Annotated[
     Path | None,
@@ -516,7 +487,9 @@ def assets_import(
     ] = None,
     licence: Annotated[str | None, typer.Option("--license", help="Their licence.", show_default=False)] = None,
     license_allow: Allow = None,
-    time_limit: Annotated[float, typer.Option(callback=_seconds, help="Seconds for each piece of native work.")] = 60.0,
+    time_limit: Annotated[
+        float, typer.Option(callback=positive_seconds, help="Seconds for each piece of native work.")
+    ] = 60.0,
     limit: Annotated[int | None, typer.Option(min=1, help="Stop after this many.", show_default=False)] = None,
     as_json: Json = False,
 ) -> int:
@@ -549,29 +522,13 @@ def assets_infinigen(
     ] = None,
     seeds: Annotated[int, typer.Option(min=1, max=1000, help="Variants of each category.")] = 1,
     store: StorePath = None,
-    time_limit: Annotated[float, typer.Option(callback=_seconds, help="Seconds for each generator.")] = 300.0,
+    time_limit: Annotated[float, typer.Option(callback=positive_seconds, help="Seconds for each generator.")] = 300.0,
     as_json: Json = False,
 ) -> int:
     """Make furniture with Infinigen's generators, in an environment of their own."""
     from .assets import run_infinigen
 
     return run_infinigen(names or [], seeds=seeds, store=store, time_limit=time_limit, as_json=as_json)
-
-
-dataset = typer.Typer(name="dataset", help="Data sets: many rooms from one specification.")
-app.add_typer(dataset)
-
-
-@dataset.command(name="make")
-def dataset_make(
-    source: Annotated[Path, typer.Argument(metavar="SPEC", help="A specification in YAML.", show_default=False)],
-    out: Annotated[Path, typer.Option("--out", "-o", metavar="DIR", help="A folder.", show_default=False)],
-    device: Device = "auto",
-) -> int:
-    """Make a data set; started again, it goes on where it ended."""
-    from .dataset import run_make
-
-    return run_make(source, out, device=device)
 
 
 bench = typer.Typer(name="bench", help="Compare optimisers on many problems: curves, profiles, tables, plots.")
@@ -602,7 +559,7 @@ def bench_run(
     problems: Annotated[str, typer.Option(metavar="A,B", help="Names, families, scene files, or all.")] = "all",
     seeds: Annotated[int, typer.Option(min=1, help="How many seeds, from 0.")] = 3,
     candidates: Annotated[int, typer.Option(min=1, help="Layouts that a method moves at once.")] = 64,
-    seconds: Annotated[float, typer.Option(callback=_seconds, help="Budget of a run.")] = 5.0,
+    seconds: Annotated[float, typer.Option(callback=positive_seconds, help="Budget of a run.")] = 5.0,
     evaluations: Annotated[
         int | None, typer.Option(min=1, help="Budget of a run in layouts measured.", show_default=False)
     ] = None,
@@ -612,7 +569,9 @@ def bench_run(
         bool, typer.Option("--restarts/--no-restarts", help="Begin again where a method ends early.")
     ] = True,
     checkpoints: Annotated[int, typer.Option(min=1, help="Looks at a run.")] = 16,
-    limit: Annotated[float, typer.Option(callback=_seconds, help="Wall seconds after which a run is killed.")] = 300.0,
+    limit: Annotated[
+        float, typer.Option(callback=positive_seconds, help="Wall seconds after which a run is killed.")
+    ] = 300.0,
     isolate: Annotated[
         bool, typer.Option("--isolate/--no-isolate", help="Run in a process that may hang or crash.")
     ] = True,

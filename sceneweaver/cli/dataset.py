@@ -1,19 +1,114 @@
-"""``sceneweaver dataset``: what the commands do."""
+"""``sceneweaver dataset``: the commands with their options."""
 
 from __future__ import annotations
 
+import re
+from enum import StrEnum
 from pathlib import Path
+from typing import Annotated
 
-from .output import no_chatter
+import typer
+
+from .options import Device
+
+dataset = typer.Typer(name="dataset", help="Data sets: many rooms from one specification.")
 
 
-def run_make(source: Path, out: Path, *, device: str) -> int:
-    """Make the blocks of a data set."""
-    with no_chatter():
-        from sceneweaver.datasets import Folder, Requests, load_spec, make_block
+class Engine(StrEnum):
+    """Where blocks are made."""
 
-        spec = load_spec(source)
-        folder, requests = Folder(out), Requests(spec, source.parent)
-        for number in range(requests.blocks):
-            make_block(folder, requests, number, device)
-    return 0
+    LOCAL = "local"
+    RAY = "ray"
+
+
+UNITS = {"": 1, "K": 2**10, "M": 2**20, "G": 2**30}
+
+
+def _shard(value: str | None) -> str | None:
+    if value is not None and _parts(value) is None:
+        raise typer.BadParameter(f"'{value}' is not i/N with 0 <= i < N, such as 0/8")
+    return value
+
+
+def _parts(value: str) -> tuple[int, int] | None:
+    found = re.fullmatch(r"(\d{1,9})/(\d{1,9})", value)
+    return (int(found[1]), int(found[2])) if found and int(found[1]) < int(found[2]) else None
+
+
+def _size(value: str | None) -> str | None:
+    if value is not None and not re.fullmatch(r"\d{1,15}[KMG]?B?", value.upper()):
+        raise typer.BadParameter(f"'{value}' is not a size; give bytes, or such as 800M or 2G")
+    return value
+
+
+def _bytes(value: str | None) -> int | None:
+    if value is None:
+        return None
+    number = value.upper().removesuffix("B")
+    unit = number[-1] if number[-1] in UNITS else ""
+    return int(number.removesuffix(unit)) * UNITS[unit]
+
+
+Spec = Annotated[Path, typer.Argument(metavar="SPEC", help="A specification in YAML.", show_default=False)]
+Folder = Annotated[Path, typer.Argument(metavar="DIR", help="The folder of a data set.", show_default=False)]
+NewFolder = Annotated[Path, typer.Option("--out", "-o", metavar="DIR", help="A folder.", show_default=False)]
+Workers = Annotated[
+    int | None, typer.Option(min=1, max=4096, help="Processes (default: the cores).", show_default=False)
+]
+Shard = Annotated[
+    str | None,
+    typer.Option(callback=_shard, metavar="i/N", help="Only the i-th of N shares of the work.", show_default=False),
+]
+WhereEngine = Annotated[Engine, typer.Option("--engine", help="Processes of this machine, or a Ray cluster.")]
+Address = Annotated[str | None, typer.Option(help="Of the Ray cluster (default: one here).", show_default=False)]
+Memory = Annotated[
+    str | None,
+    typer.Option(
+        "--worker-memory",
+        callback=_size,
+        metavar="SIZE",
+        help="Replace a worker that holds more, such as 2G.",
+        show_default=False,
+    ),
+]
+Patient = Annotated[bool, typer.Option("--wait/--no-wait", help="When the disk is full: wait for room, or end.")]
+JsonLines = Annotated[bool, typer.Option("--json", help="Print a line of JSON a block and one at the end.")]
+
+
+@dataset.command()
+def make(
+    source: Spec,
+    out: NewFolder,
+    workers: Workers = None,
+    device: Device = "auto",
+    shard: Shard = None,
+    engine: WhereEngine = Engine.LOCAL,
+    address: Address = None,
+    worker_memory: Memory = None,
+    patient: Patient = True,
+    as_json: JsonLines = False,
+) -> int:
+    """Make a data set; started again, it goes on where it ended."""
+    from .dataset_runs import Run, run_make
+
+    settings = Run(workers, device, _parts(shard or ""), engine.value, address, _bytes(worker_memory), patient, as_json)
+    return run_make(source, out, settings)
+
+
+@dataset.command()
+def resume(
+    folder: Folder,
+    workers: Workers = None,
+    device: Device = "auto",
+    shard: Shard = None,
+    engine: WhereEngine = Engine.LOCAL,
+    address: Address = None,
+    worker_memory: Memory = None,
+    patient: Patient = True,
+    as_json: JsonLines = False,
+) -> int:
+    """Go on with a data set that is not whole; it needs no specification."""
+    from .dataset_runs import Run, run_resume
+
+    settings = Run(workers, device, _parts(shard or ""), engine.value, address, _bytes(worker_memory), patient, as_json)
+    return run_resume(folder, settings)

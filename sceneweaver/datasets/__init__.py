@@ -1,9 +1,11 @@
-"""Data sets: many rooms from one specification, each with its judgement, whoever makes them and in whatever order."""
+"""Data sets: many rooms from one specification, each with its judgement, whoever makes them and in whatever order.
 
-from .blocks import read_rows, write_block
+`produce` is loaded from `sceneweaver.datasets.produce` where scenes are made, as it needs the whole house.
+"""
+
+from .blocks import read_rows, read_samples, write_block
 from .checking import Verification, verify_dataset
 from .folder import Folder
-from .produce import produce
 from .requests import Request, Requests
 from .sample import Sample
 from .spec import Spec, load_spec
@@ -20,8 +22,8 @@ __all__ = [
     "Verification",
     "load_spec",
     "make_block",
-    "produce",
     "read_rows",
+    "read_samples",
     "verify_dataset",
     "write_block",
 ]

@@ -45,14 +45,35 @@ def write_block(path: Path, samples: Iterable[Sample]) -> None:
                 seconds.append({"index": sample.index, **sample.seconds})
         for name, data in ((ROWS, rows), (SECONDS, seconds)):
             (draft / name).write_text("".join(json.dumps(row, ensure_ascii=False) + "\n" for row in data))
-        if not path.exists():
+        try:
             os.rename(draft, path)
+        except OSError:  # the folder is not empty: another process was as quick
+            if not path.exists():
+                raise
 
 
 def read_rows(path: Path) -> Iterator[dict[str, Any]]:
     """The rows of a block."""
     with open(path / ROWS, encoding="utf-8") as file:
         yield from (json.loads(line) for line in file)
+
+
+def read_samples(path: Path) -> Iterator[Sample]:
+    """The samples of a block; `write_block` makes the same block of them."""
+    with open(path / SECONDS, encoding="utf-8") as file:
+        times = [json.loads(line) for line in file]
+    with tarfile.open(path / SAMPLES) as tar:
+        member = tar.next()
+        for row, seconds in zip(read_rows(path), times, strict=True):
+            files: dict[str, bytes] = {}
+            while member is not None and member.name.startswith(f"{row['key']}."):
+                files[member.name.partition(".")[2]] = tar.extractfile(member).read()  # pyright: ignore[reportOptionalMemberAccess]
+                member = tar.next()
+            index, key, status = (row.pop(name) for name in ("index", "key", "status"))
+            for name in ("content_hash", "bytes") if files else ():
+                del row[name]
+            del seconds["index"]
+            yield Sample(index, key, status, row, files, seconds)
 
 
 def _member(name: str, size: int) -> tarfile.TarInfo:

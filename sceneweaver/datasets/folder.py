@@ -43,9 +43,28 @@ class Folder:
         return self.path / "meta"
 
     @property
+    def work(self) -> Path:
+        """What runs need on the way; no part of the data set."""
+        return self.path / "work"
+
+    @property
     def blocks(self) -> Path:
         """Blocks that are made and not packed yet."""
-        return self.path / "work" / "blocks"
+        return self.work / "blocks"
+
+    @property
+    def records(self) -> Path:
+        """When blocks were made, by whom, with how much memory."""
+        return self.work / "records"
+
+    @property
+    def complete(self) -> Path:
+        """Is there as soon as all blocks were made: from then on they are packed, and none is made again."""
+        return self.work / "complete"
+
+    def rooms(self, number: int) -> Path:
+        """Rooms of a block that is made room by room, as its worker was killed."""
+        return self.work / "rooms" / f"{number:08d}"
 
     @property
     def plan(self) -> Path:

@@ -2,14 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator, Sequence
+
+import sceneweaver
+
 from .blocks import write_block
 from .folder import Folder
-from .produce import produce
-from .requests import Requests
+from .requests import Request, Requests
+from .sample import Sample
+from .spec import Spec
 from .store import AssetStore
 
+Produce = Callable[[Spec, Sequence[Request], AssetStore, str], Iterator[Sample]]
+"""What makes the scenes of some requests, as `produce` does."""
 
-def make_block(folder: Folder, requests: Requests, number: int, device: str = "auto") -> None:
+
+def make_block(
+    folder: Folder, requests: Requests, number: int, device: str = "auto", produce: Produce | None = None
+) -> None:
     """Make one block of a data set, unless it is there.
 
     Args:
@@ -17,8 +27,35 @@ def make_block(folder: Folder, requests: Requests, number: int, device: str = "a
         requests: what is asked for, with its specification.
         number: which block.
         device: where layouts are refined.
+        produce: what makes its scenes, if not `produce`.
     """
     path = folder.block(number)
     if not path.exists():
+        produce = produce or usual()
         samples = produce(requests.spec, requests.block(number), AssetStore(folder.path), device)
         write_block(path, samples)
+
+
+def usual() -> Produce:
+    """`produce`, which is loaded only where scenes are made."""
+    from .produce import produce
+
+    return produce
+
+
+def failed_samples(request: Request, reason: str) -> list[Sample]:
+    """The scenes of a room that could not be made at all."""
+    row = {
+        "reason": reason,
+        "room": request.room,
+        "attempt": 0,
+        "seed": request.seed,
+        "prompt": request.prompt,
+        "kind": request.kind,
+        "clutter": request.clutter,
+        "version": sceneweaver.__version__,
+    }
+    return [
+        Sample(request.index + layout, request.key(layout), "failed", {**row, "layout": layout})
+        for layout in range(request.layouts)
+    ]

@@ -9,7 +9,8 @@ import pytest
 
 from sceneweaver import check
 from sceneweaver.assets import Library
-from sceneweaver.datasets import AssetStore, Requests, Sample, Spec, produce
+from sceneweaver.datasets import AssetStore, Requests, Sample, Spec
+from sceneweaver.datasets.produce import produce
 from sceneweaver.datasets.produce.drafts import drafted
 from sceneweaver.datasets.produce.layouts import alike, chosen, laid_out
 from sceneweaver.scene import Pose, Scene

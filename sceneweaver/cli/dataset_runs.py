@@ -1,0 +1,143 @@
+"""``sceneweaver dataset make`` and ``resume``: a run, what it says on the way, and how it ends."""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+import time
+from collections import Counter
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import IO, TYPE_CHECKING, Any
+
+from .output import no_chatter
+
+if TYPE_CHECKING:
+    from sceneweaver.datasets.engines import Dataset
+
+QUIET = 30.0
+"""Seconds between two lines of progress where there is no terminal."""
+
+STATUSES = ("ok", "rejected", "failed")
+
+
+@dataclass(frozen=True)
+class Run:
+    """The options of a run."""
+
+    workers: int | None
+    device: str
+    shard: tuple[int, int] | None
+    engine: str
+    address: str | None
+    memory: int | None
+    patient: bool
+    as_json: bool
+
+
+def run_make(source: Path, out: Path, run: Run) -> int:
+    """Make a data set."""
+    with _handles() as (stdout, stderr):
+        from sceneweaver.datasets.engines import begin
+
+        return _go_on(begin(source, out, run.device), run, stdout, stderr)
+
+
+def run_resume(path: Path, run: Run) -> int:
+    """Go on with a data set."""
+    with _handles() as (stdout, stderr):
+        from sceneweaver.datasets.engines import open_dataset
+
+        return _go_on(open_dataset(path), run, stdout, stderr)
+
+
+def _go_on(dataset: Dataset, run: Run, stdout: IO[str], stderr: IO[str]) -> int:
+    from sceneweaver.datasets.engines import Listener, Options, missing, resume
+
+    path, begun = dataset.folder.path, time.monotonic()
+    left = 0 if dataset.folder.complete.exists() else len(missing(dataset, run.shard))
+    progress = Progress(left, dataset.spec.count, stdout if run.as_json else None, stderr)
+    options = Options(run.workers, run.device, run.shard, run.memory, run.patient)
+    try:
+        whole = resume(dataset, options, Listener(progress.block, progress.notice))
+    except (KeyboardInterrupt, SystemExit):
+        progress.notice(f"stopped; nothing is lost; go on with: sceneweaver dataset resume {path}")
+        raise
+    finally:
+        progress.close()
+    seconds = time.monotonic() - begun
+    if run.as_json:
+        facts = {"folder": str(path), "whole": whole, "blocks": left, **progress.counts, "seconds": round(seconds, 3)}
+        print(json.dumps(facts), file=stdout)
+        return 0
+    scenes = ", ".join(f"{progress.counts[status]} {status}" for status in STATUSES)
+    print(f"{path}: {left} blocks in {seconds:.1f} s: {scenes}", file=stdout)
+    if not whole:
+        print(f"when all shards are made: sceneweaver dataset resume {path}", file=stdout)
+    return 0
+
+
+class Progress:
+    """What a run says: a line of JSON a block, a line on a terminal that moves, or a line now and then."""
+
+    def __init__(self, blocks: int, scenes: int, lines: IO[str] | None, stderr: IO[str]):
+        self._blocks, self._scenes, self._lines, self._stderr = blocks, scenes, lines, stderr
+        self._begun = self._said = time.monotonic()
+        self._moving = lines is None and stderr.isatty()
+        self._done = 0
+        self.counts: Counter[str] = Counter({status: 0 for status in STATUSES})
+
+    def block(self, record: dict[str, Any]) -> None:
+        """Hear of a block."""
+        self._done += 1
+        self.counts.update({status: record[status] for status in STATUSES})
+        if self._lines is not None:
+            print(json.dumps({**record, "done": self._done, "of": self._blocks}), file=self._lines, flush=True)
+        elif self._moving:
+            self._stderr.write(f"\r\x1b[K{self._line()}")
+            self._stderr.flush()
+        elif time.monotonic() - self._said > QUIET:
+            self._said = time.monotonic()
+            print(self._line(), file=self._stderr, flush=True)
+
+    def notice(self, text: str) -> None:
+        """Say something in a line of its own."""
+        print(f"{self._erase()}sceneweaver: {text}", file=self._stderr, flush=True)
+
+    def close(self) -> None:
+        """Take the moving line away."""
+        self._stderr.write(self._erase())
+        self._stderr.flush()
+
+    def _erase(self) -> str:
+        return "\r\x1b[K" if self._moving else ""
+
+    def _line(self) -> str:
+        seconds = time.monotonic() - self._begun
+        left = seconds / self._done * (self._blocks - self._done)
+        troubles = self.counts["rejected"] + self.counts["failed"]
+        rate = self.counts.total() / seconds
+        return (
+            f"{self._done}/{self._blocks} blocks, {self.counts.total()} scenes, {rate:.2f} a second, "
+            f"{troubles} not delivered, {_duration(left)} left"
+        )
+
+
+def _duration(seconds: float) -> str:
+    hours, minutes = divmod(round(seconds) // 60, 60)
+    return f"{hours} h {minutes:02d} min" if hours else f"{minutes} min {round(seconds) % 60:02d} s"
+
+
+@contextmanager
+def _handles() -> Iterator[tuple[IO[str], IO[str]]]:
+    """Handles of stdout and stderr of our own: `no_chatter` takes the usual ones away."""
+    sys.stdout.flush()
+    with (
+        open(os.dup(1), "w", encoding="utf-8") as stdout,
+        open(os.dup(2), "w", encoding="utf-8") as stderr,
+        no_chatter(),
+    ):
+        yield stdout, stderr

@@ -1,0 +1,141 @@
+"""A run: from a data set that is begun to one that is whole, wherever it was interrupted."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import time
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from sceneweaver.scene import InputError, sweep, write_atomic
+
+from ..disk import disk_full, waiting
+from ..work import Produce
+from .local import TICK, Listener, LocalEngine
+from .locks import run_lock
+from .manifest import Dataset, agreed_device, devices
+from .records import Records
+
+Pack = Callable[[Dataset], None]
+"""What makes the files of a data set of its blocks; killed at any moment, it goes on when called again."""
+
+
+@dataclass(frozen=True)
+class Options:
+    """How a run works. What comes out depends on none of it.
+
+    Attributes:
+        workers: processes; None: one for each core.
+        device: where rooms are laid out: auto, cpu, cuda, cuda:k, or cuda:all for all GPUs in turns.
+        shard: (i, N) makes the blocks i, i + N, i + 2 N ... only, and does not pack them.
+        memory: resident bytes above which a worker is replaced between two blocks.
+        patient: wait when the disk is full, or end.
+    """
+
+    workers: int | None = None
+    device: str = "auto"
+    shard: tuple[int, int] | None = None
+    memory: int | None = None
+    patient: bool = True
+
+
+def resume(
+    dataset: Dataset, options: Options, listener: Listener, *, produce: Produce | None = None, pack: Pack | None = None
+) -> bool:
+    """Make what a data set still lacks.
+
+    Args:
+        dataset: from `begin` or `open_dataset`.
+        options: how to work.
+        listener: hears of blocks and troubles.
+        produce: what makes scenes, if not `produce`; a function that can be pickled.
+        pack: makes the files of a data set of its blocks.
+
+    Returns:
+        Whether it is whole now.
+
+    Raises:
+        InputError: another run is at work there, or the device is of another kind.
+        DiskFullError: the disk is full, and the run is not patient.
+    """
+    device = agreed_device(dataset, options.device)
+    with run_lock(dataset.folder, options.shard):
+        clean(dataset)
+        try:
+            if not dataset.folder.complete.exists():
+                _make(dataset, options, device, listener, produce)
+            if options.shard is not None:
+                return dataset.folder.complete.exists()
+            finish(dataset, pack, listener, patient=options.patient)
+        finally:  # also of processes that were still dying when this run began
+            clean(dataset)
+    return True
+
+
+def _make(dataset: Dataset, options: Options, device: str, listener: Listener, produce: Produce | None) -> None:
+    numbers = missing(dataset, options.shard)
+    if not numbers:
+        return
+    records = Records(dataset.folder)
+
+    def block(record: dict[str, Any]) -> None:
+        records.add(record)
+        listener.block(record)
+
+    engine = LocalEngine(
+        dataset,
+        devices(device),
+        options.workers or cores(),
+        produce,
+        Listener(block, listener.notice),
+        memory=options.memory,
+        patient=options.patient,
+    )
+    engine.run(numbers)
+
+
+def missing(dataset: Dataset, shard: tuple[int, int] | None = None) -> list[int]:
+    """The blocks of a data set, or of a shard of the work, that are not made yet."""
+    first, step = shard or (0, 1)
+    return [n for n in range(first, dataset.requests.blocks, step) if not dataset.folder.block(n).exists()]
+
+
+def finish(dataset: Dataset, pack: Pack | None, listener: Listener, *, patient: bool) -> None:
+    """Pack the blocks of a data set that has them all."""
+    while True:
+        try:
+            if not dataset.folder.complete.exists():
+                shutil.rmtree(dataset.folder.work / "rooms", ignore_errors=True)
+                write_atomic(dataset.folder.complete, "")
+            if pack is not None:
+                pack(dataset)
+            return
+        except (OSError, InputError) as error:
+            if not disk_full(error):
+                raise
+        pause = waiting(dataset.folder.path, wait=patient)
+        listener.notice(f"{pause}; waiting")
+        while not pause.over:
+            time.sleep(TICK)
+
+
+def clean(dataset: Dataset) -> None:
+    """Remove what killed processes have left half-written."""
+    folder = dataset.folder
+    for place in (folder.path, folder.work, *_folders(folder.blocks), *_folders(folder.assets)):
+        sweep(place)
+
+
+def cores() -> int:
+    """How many cores this process may use; a worker has one thread, whatever OMP_NUM_THREADS says."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def _folders(path: Path) -> Iterator[Path]:
+    yield path
+    with suppress(FileNotFoundError):
+        yield from (place for place in path.iterdir() if place.is_dir())

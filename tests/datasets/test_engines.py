@@ -1,0 +1,208 @@
+"""Runs of data sets: the same bytes whoever makes them, and no trouble of one room ends them."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from sceneweaver.datasets import read_rows
+from sceneweaver.datasets.disk import DiskFullError, disk_full
+from sceneweaver.datasets.engines import Listener, Options, begin, missing, open_dataset, read_records, resume
+from sceneweaver.datasets.engines.locks import run_lock
+from sceneweaver.scene import InputError, write_atomic
+from tests.datasets import fake
+
+SPEC = """
+schema: sceneweaver.dataset/1
+name: tiny
+count: 12
+block: 2
+requests: {prompts: [%s]}
+"""
+
+
+def spec_file(folder: Path, *prompts: str, more: str = "") -> Path:
+    folder.mkdir(parents=True, exist_ok=True)
+    path = folder / "spec.yaml"
+    path.write_text(SPEC % ", ".join(f'"{p}"' for p in prompts or ["a room"]) + more)
+    return path
+
+
+def made(source: Path, out: Path, **options: object) -> list[str]:
+    """Make a data set; what was noticed on the way."""
+    notices: list[str] = []
+    dataset = begin(source, out, "cpu")
+    resume(dataset, Options(**options), Listener(lambda record: None, notices.append), produce=fake.produce)
+    return notices
+
+
+def content(out: Path) -> dict[str, bytes]:
+    """All that a data set holds but what no two runs agree on."""
+    paths = (p for p in out.rglob("*") if p.is_file() and p.name != "seconds.jsonl" and "records" not in p.parts)
+    return {str(p.relative_to(out)): p.read_bytes() for p in paths}
+
+
+def rows(out: Path) -> list[dict]:
+    dataset = open_dataset(out)
+    return [row for n in range(dataset.requests.blocks) for row in read_rows(dataset.folder.block(n))]
+
+
+def test_any_number_of_workers_and_shards_makes_the_same_bytes(tmp_path):
+    source = spec_file(tmp_path, "a room", "a hopeless room", "b room")
+    made(source, tmp_path / "one", workers=1)
+    made(source, tmp_path / "two", workers=2)
+    for shard in ((2, 3), (0, 3), (1, 3)):
+        made(source, tmp_path / "shards", workers=1, shard=shard)
+    assert not (tmp_path / "shards" / "work" / "complete").exists()
+    made(source, tmp_path / "shards", workers=1)
+    expected = content(tmp_path / "one")
+    assert content(tmp_path / "two") == expected == content(tmp_path / "shards")
+    assert [row["status"] for row in rows(tmp_path / "one")] == ["ok", "rejected", "ok"] * 4
+
+
+def test_rooms_that_crash_hang_or_raise_are_rows_and_the_others_are_served(tmp_path):
+    prompts = ["a room", "crash", "b room", "flaky", "hang", "fault"]
+    notices = made(spec_file(tmp_path, *prompts, more="time_limit: 0.5"), tmp_path / "out", workers=2)
+    found = {row["prompt"]: (row["status"], row.get("reason")) for row in rows(tmp_path / "out")[:6]}
+    assert found == {
+        "a room": ("ok", None),
+        "crash": ("failed", "worker killed by signal 9"),
+        "b room": ("ok", None),
+        "flaky": ("ok", None),
+        "hang": ("failed", "worker hung: no scene for too long"),
+        "fault": ("failed", "ValueError: no such wall"),
+    }
+    assert any("room 1: worker killed by signal 9; it has failed" in text for text in notices)
+
+
+def test_a_block_made_room_by_room_is_the_block_made_at_once(tmp_path):
+    source = spec_file(tmp_path, "a room", "flaky", "a hopeless room", "b room")
+    made(source, tmp_path / "out", workers=1)
+    for n in range(6):
+        (tmp_path / "out" / "work" / f"trouble-{n}").touch()
+    made(source, tmp_path / "out", workers=1)
+    calm = tmp_path / "calm"
+    (calm / "work").mkdir(parents=True)
+    before = content(tmp_path / "out")
+    assert b"flaky" in before["work/blocks/00000/00000000/rows.jsonl"]
+    made(spec_file(tmp_path / "b", "a room", "flakx", "a hopeless room", "b room"), tmp_path / "other", workers=1)
+    changed = content(tmp_path / "other")["work/blocks/00000/00000000/rows.jsonl"].replace(b"flakx", b"flaky")
+    assert changed == before["work/blocks/00000/00000000/rows.jsonl"]
+
+
+def test_a_full_disk_is_waited_for(tmp_path, monkeypatch):
+    source = spec_file(tmp_path, "a room", "full")
+    with pytest.raises(DiskFullError, match=r"disk full: .* MB free, about 64 MB are needed"):
+        made(source, tmp_path / "out", workers=1, patient=False)
+    assert not (tmp_path / "out" / "work" / "blocks" / "00000" / "00000000").exists()
+    notices = made(spec_file(tmp_path / "b", "full"), tmp_path / "other", workers=1)
+    assert [text for text in notices if text.startswith("disk full")] and "trying again" in notices
+    assert {row["status"] for row in rows(tmp_path / "other")} == {"ok"}
+
+
+def test_an_error_about_a_full_disk_is_known_through_others(tmp_path):
+    try:
+        try:
+            raise OSError(28, "No space left on device")
+        except OSError:
+            raise InputError("cannot be written") from None
+    except InputError as error:
+        assert disk_full(error)
+    with pytest.raises(InputError) as found:
+        write_atomic(tmp_path / "no" / "file", "")
+    assert not disk_full(found.value)
+
+
+def test_a_changed_specification_is_named_by_its_first_field(tmp_path):
+    made(spec_file(tmp_path), tmp_path / "out", workers=1)
+    before = content(tmp_path / "out")
+    with pytest.raises(InputError, match=r"spec: count is 13, but .*out was begun with 12; choose another folder"):
+        source = spec_file(tmp_path / "b")
+        source.write_text(source.read_text().replace("12", "13"))
+        begin(source, tmp_path / "out", "cpu")
+    with pytest.raises(InputError, match=r"--device: cuda:0, but .* was begun on cpu"):
+        begin(spec_file(tmp_path), tmp_path / "out", "cuda:0")
+    assert content(tmp_path / "out") == before
+
+
+def test_a_file_of_prompts_goes_with_the_data_set(tmp_path):
+    source = spec_file(tmp_path / "in")
+    source.write_text(source.read_text().replace('prompts: ["a room"]', "prompts_file: ../wishes.csv"))
+    (tmp_path / "wishes.csv").write_text("prompt\na bed\n")
+    made(source, tmp_path / "out", workers=1)
+    (tmp_path / "wishes.csv").write_text("prompt\na desk\n")
+    assert open_dataset(tmp_path / "out").requests[3].prompt == "a bed"
+    with pytest.raises(InputError, match="prompts_file has other content"):
+        begin(source, tmp_path / "out", "cpu")
+
+
+@pytest.mark.parametrize("place", ["file", "file/below", "full"])
+def test_places_that_will_not_do_are_one_line(tmp_path, place):
+    (tmp_path / "file").write_text("")
+    (tmp_path / "full").mkdir()
+    (tmp_path / "full" / "thesis.txt").write_text("")
+    with pytest.raises(InputError, match="choose another") as found:
+        begin(spec_file(tmp_path / "in"), tmp_path / place, "cpu")
+    assert "\n" not in str(found.value)
+    with pytest.raises(InputError, match="no data set"):
+        open_dataset(tmp_path / "full")
+
+
+def test_one_run_at_a_time_or_several_of_different_shards(tmp_path):
+    dataset = begin(spec_file(tmp_path), tmp_path / "out", "cpu")
+    taken = f"being written by process {os.getpid()}"
+    with run_lock(dataset.folder, (0, 2)), run_lock(dataset.folder, (1, 2)):
+        for shard in (None, (1, 2)):
+            with pytest.raises(InputError, match=taken), run_lock(dataset.folder, shard):
+                pass
+    with run_lock(dataset.folder, None), pytest.raises(InputError, match=taken), run_lock(dataset.folder, None):
+        pass
+
+
+def test_records_say_who_made_a_block_and_with_how_much_memory(tmp_path):
+    made(spec_file(tmp_path), tmp_path / "out", workers=1)
+    records = read_records(open_dataset(tmp_path / "out").folder)
+    assert sorted(record["block"] for record in records) == list(range(6))
+    assert all(r["start"] <= r["end"] and 10**7 < r["rss"] <= r["peak_rss"] and r["ok"] == 2 for r in records)
+
+
+def test_a_worker_with_too_much_memory_is_replaced(tmp_path):
+    made(spec_file(tmp_path), tmp_path / "out", workers=1, memory=1)
+    assert len({record["pid"] for record in read_records(open_dataset(tmp_path / "out").folder)}) == 6
+
+
+RUN = """
+import sys
+from pathlib import Path
+from sceneweaver.datasets.engines import Listener, Options, begin, resume
+from tests.datasets import fake
+if __name__ == "__main__":
+    dataset = begin(Path(sys.argv[1]), Path(sys.argv[2]), "cpu")
+    resume(dataset, Options(workers=2), Listener(lambda r: None, print), produce=fake.produce)
+"""
+
+
+def test_a_killed_run_goes_on_to_the_same_bytes(tmp_path):
+    source = spec_file(tmp_path, "slow", "slow a", "slow b")
+    script = tmp_path / "run.py"
+    script.write_text(RUN)
+    command = [sys.executable, str(script), str(source), str(tmp_path / "out")]
+    process = subprocess.Popen(command, start_new_session=True, env={**os.environ, "PYTHONPATH": os.getcwd()})
+    blocks = tmp_path / "out" / "work" / "blocks"
+    until = time.monotonic() + 60
+    while not list(blocks.glob("*/[0-9]*")) and time.monotonic() < until:
+        time.sleep(0.01)
+    os.killpg(process.pid, signal.SIGKILL)
+    process.wait()
+    assert 0 < len(missing(open_dataset(tmp_path / "out"))) < 6
+    made(source, tmp_path / "out", workers=2)
+    made(source, tmp_path / "unbroken", workers=1)
+    assert content(tmp_path / "out") == content(tmp_path / "unbroken")
+    assert json.loads((tmp_path / "out" / "dataset.json").read_text())["device"] == "cpu"
