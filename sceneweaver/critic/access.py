@@ -185,11 +185,11 @@ def _before(opening: Opening, depth: float) -> Any:
 
 def _inside(survey: Survey, area: Any, own: Body | None, head: float = HEAD) -> Iterator[tuple[Body, float]]:
     """Things on the floor or low on a wall that reach into an area, with the share of it that they take."""
-    whole = max(1e-9, float(area.area))
-    for row in sorted(int(r) for r in survey.tree.query(area, predicate="intersects")):
-        other = survey.bodies[row]
-        if other is own or other.item.mount in ("surface", "ceiling") or other.z[1] <= FLAT or other.z[0] > head:
-            continue
-        share = float(survey.footprints[row].intersection(area).area) / whole
+    there = [
+        b
+        for b in survey.reaching(area)
+        if b is not own and b.item.mount not in ("surface", "ceiling") and b.z[1] > FLAT and b.z[0] <= head
+    ]
+    for other, share in zip(there, survey.taken(area, there), strict=True):
         if share > 0.02:
             yield other, share

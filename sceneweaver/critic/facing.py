@@ -5,6 +5,9 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
 
 from sceneweaver.geometry.angles import bearing, wrap_angle
 from sceneweaver.scene import CATALOGUE
@@ -65,7 +68,7 @@ def angle_to(survey: Survey, body: Body, target: Body) -> float:
     shape, spot = survey.boxes[target.index], shapely.Point(body.centre)
     (x, y), (fx, fy) = body.centre, body.front
     ahead = body.size[0] / 2 + AHEAD
-    if shapely.LineString([(x, y), (x + ahead * fx, y + ahead * fy)]).intersects(survey.footprints[target.index]):
+    if shapely.LineString([(x, y), (x + ahead * fx, y + ahead * fy)]).intersects(survey.footprint(target)):
         return 0.0
     if not shape.contains(spot):
         near = shape.exterior.interpolate(shape.exterior.project(spot))
@@ -194,9 +197,9 @@ def _lounge(survey: Survey) -> Iterator[Finding]:
         close = [b for b in tvs if math.dist(b.centre, seat.centre) < VIEW]
         sofa = seat.item.category in kinds.SOFAS
         if sofa and close:
-            angle = min(angle_to(survey, seat, b) for b in close)
-            if angle > LOUNGE:
-                tv = min(close, key=lambda b: (angle_to(survey, seat, b), b.id))
+            angles = [angle_to(survey, seat, b) for b in close]
+            if (angle := min(angles)) > LOUNGE:
+                tv = min(zip(angles, close, strict=True), key=lambda pair: (pair[0], pair[1].id))[1]
                 back = _another_faces(survey, seat, close)
                 yield _wrong(
                     [seat.id, tv.id],
@@ -207,9 +210,11 @@ def _lounge(survey: Survey) -> Iterator[Finding]:
                     toward=tv.id,
                 )
                 continue
+        inward = math.degrees(turn_to(seat, middle))
+        if inward <= LOUNGE:
+            continue
         targets = [*close, *tables, *others, *desks]
         angles = [angle_to(survey, seat, b) for b in targets]
-        inward = math.degrees(turn_to(seat, middle))
         if min([*angles, inward]) <= LOUNGE:
             continue
         to = targets[0] if targets else None
@@ -414,11 +419,12 @@ def _walled_in(survey: Survey) -> Iterator[Finding]:
     """Things whose free side, where someone stands to use them, lies beyond a wall: a shower that opens to the wall."""
     seen = {b.index for b in survey.of_kind(kinds.WALL_BACKED, kinds.DESKS)}  # as `_fronts` has them
     zones = survey.placed.zones
+    beyonds = _outside(survey, zones.polygons)
     for k, owner in enumerate(zones.owner):
         body = survey.bodies[int(owner)]
         if body.item.mount != "floor" or body.index in seen:
             continue
-        beyond = _beyond(survey, [k], body, 0.0)
+        beyond = float(beyonds[k])
         if beyond <= BEYOND:
             continue
         seen.add(body.index)
@@ -445,8 +451,16 @@ def _walled_in(survey: Survey) -> Iterator[Finding]:
 
 def _beyond(survey: Survey, zones: list[int], body: Body, turn: float) -> float:
     """Share of a body's zones outside of the room if it turned on the spot; the sum over the zones."""
-    import shapely
     from shapely.affinity import rotate
 
     shapes = [rotate(survey.placed.zones.polygons[k], turn, origin=body.centre, use_radians=True) for k in zones]
-    return sum(1.0 - shapely.intersection(s, survey.placed.floor).area / max(s.area, 1e-9) for s in shapes)
+    return sum(_outside(survey, shapes).tolist())
+
+
+def _outside(survey: Survey, shapes: Any) -> Any:
+    """Share of each of some polygons outside of the room [n]."""
+    import shapely
+
+    return 1.0 - shapely.area(shapely.intersection(shapes, survey.placed.floor)) / np.maximum(
+        shapely.area(shapes), 1e-9
+    )

@@ -40,7 +40,7 @@ def outline(survey: Survey, body: Body) -> Any:
     """The hull of a footprint as a shapely geometry."""
     import shapely
 
-    return shapely.convex_hull(survey.footprints[body.index])
+    return shapely.convex_hull(survey.footprint(body))
 
 
 def of_middle(survey: Survey, subjects: Sequence[Body]) -> Measurement:
@@ -55,7 +55,7 @@ def of_between(survey: Survey, body: Body, shapes: Sequence[Any]) -> Measurement
     """For the most part within the hull of some things, and of two on the middle of the way from one to the other."""
     import shapely
 
-    footprint = survey.footprints[body.index]
+    footprint = survey.footprint(body)
     hull = shapely.buffer(shapely.convex_hull(shapely.geometrycollections(list(shapes))), HULL)
     share = float(shapely.area(shapely.intersection(footprint, hull)) / max(1e-9, shapely.area(footprint)))
     inside = at_least("share of it between them", share, 0.5, "")
@@ -84,7 +84,7 @@ def _gap(survey: Survey, body: Body, target: Target) -> float:
         return math.inf if body is target else gap(survey, body, target)
     import shapely
 
-    return float(shapely.distance(survey.footprints[body.index], target.line))
+    return float(shapely.distance(survey.footprint(body), target.line))
 
 
 def of_flanking(survey: Survey, subjects: Sequence[Body], target: Target) -> Verdict:
@@ -107,7 +107,7 @@ def _across(survey: Survey, body: Body, target: Target, axis: int) -> tuple[floa
     if isinstance(target, Body):
         low, high = spans(survey, body, target)[axis]
         return (low + high) / 2, target.size[axis] / 2
-    u, _ = target.wall.coordinates(survey.outlines[body.index].T)
+    u, _ = target.wall.coordinates(survey.outline(body).T)
     return (float(u.min()) + float(u.max())) / 2 - (target.start + target.end) / 2, (target.end - target.start) / 2
 
 

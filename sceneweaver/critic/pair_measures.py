@@ -81,7 +81,7 @@ def plan_gap(survey: Survey, a: Body, b: Body) -> float:
 
 def spans(survey: Survey, subject: Body, target: Body) -> tuple[tuple[float, float], tuple[float, float]]:
     """Extents [m] of the subject's footprint in the target's frame: ahead of it, and to its own left."""
-    x, y = (survey.outlines[subject.index] - target.centre).T
+    x, y = (survey.outline(subject) - target.centre).T
     (c, s) = target.front
     ahead, left = c * x + s * y, c * y - s * x
     return (float(ahead.min()), float(ahead.max())), (float(left.min()), float(left.max()))
@@ -217,7 +217,7 @@ def at(survey: Survey, s: Body, t: Body, params: dict[str, Any]) -> Alternatives
     if not kinds.upright_seat(s.item.category) or s.item.category in kinds.UPRIGHT_SEATS:
         return [close]
     here = shapely.points(s.centre)
-    hull = shapely.convex_hull(survey.footprints[t.index])
+    hull = shapely.convex_hull(survey.footprint(t))
     if shapely.intersects(hull, here):
         return [close]
     spot = shapely.get_coordinates(shapely.shortest_line(here, hull))[1]
@@ -232,7 +232,7 @@ def shared(survey: Survey, s: Body, t: Body) -> float:
     """Share of the subject's outline that lies within the target's, as seen from above."""
     import shapely
 
-    mine, theirs = (shapely.convex_hull(survey.footprints[b.index]) for b in (s, t))
+    mine, theirs = (shapely.convex_hull(survey.footprint(b)) for b in (s, t))
     area = float(shapely.area(mine))
     return float(shapely.area(shapely.intersection(mine, theirs))) / area if area > 0.0 else 0.0
 
@@ -319,7 +319,7 @@ def facing(survey: Survey, s: Body, t: Body, params: dict[str, Any]) -> Alternat
 def _faces(survey: Survey, s: Body, t: Body, way: float) -> Measurement:
     import shapely
 
-    m = turned_to(s, shapely.convex_hull(survey.footprints[t.index]), t.centre, way)
+    m = turned_to(s, shapely.convex_hull(survey.footprint(t)), t.centre, way)
     return m._replace(quantity=f"{s.id} turned away by")
 
 

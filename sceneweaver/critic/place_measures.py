@@ -128,12 +128,12 @@ def _gap(survey: Survey, body: Body, segment: Segment) -> float:
     """Distance [m] in plan."""
     import shapely
 
-    return float(shapely.distance(survey.footprints[body.index], segment.line))
+    return float(shapely.distance(survey.footprint(body), segment.line))
 
 
 def _lateral(survey: Survey, body: Body, segment: Segment) -> tuple[float, float]:
     """Extent [m] of the footprint along the wall, from the middle of the segment."""
-    u, _ = segment.wall.coordinates(survey.outlines[body.index].T)
+    u, _ = segment.wall.coordinates(survey.outline(body).T)
     middle = (segment.start + segment.end) / 2
     return float(u.min()) - middle, float(u.max()) - middle
 

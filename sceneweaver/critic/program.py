@@ -63,10 +63,13 @@ class Program:
         by_item: dict[str, list[str]] = defaultdict(list)
         for object_id, name in item_of.items():
             by_item[name].append(object_id)
+        loose = [o for o in scene.objects if o.id not in item_of]
         for level in (2, 1):  # what is named first, then what may stand in for it
             for item in room_type.items:
+                if all(o.id in item_of for o in loose):
+                    break
                 least = _least(item, by_item, scene, area, people)
-                for o in scene.objects:
+                for o in loose:
                     if (
                         o.id not in item_of
                         and len(by_item[item.id]) < max(least, item.count.most)
@@ -74,7 +77,7 @@ class Program:
                     ):
                         item_of[o.id] = item.id
                         by_item[item.id].append(o.id)
-        for o in scene.objects:  # more of an item than it counts is still of that item
+        for o in loose:  # more of an item than it counts is still of that item
             if o.id not in item_of:
                 fits = [i for i in room_type.items if serves(o.category, i.what)]
                 if fits:

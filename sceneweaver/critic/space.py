@@ -81,44 +81,45 @@ def _measure(survey: Survey) -> Floor:
     inside = np.asarray(shapely.contains_xy(room, grid_u, grid_v))
     taken = np.zeros_like(inside)
     parts = survey.placed.parts
-    owners = {b.index for b in survey.standing}
-    rows = [k for k in range(len(parts)) if int(parts.owner[k]) in owners]
-    for k in rows:
-        _fill(taken, frame.to_local(parts.xy[k]), us, vs)
+    stands = np.zeros(len(survey.bodies), dtype=bool)
+    stands[[b.index for b in survey.standing]] = True
+    _fill(taken, frame.to_local(parts.xy[stands[parts.owner]]), us, vs)
     away = np.asarray(distance_transform_edt(~taken)) * cell if taken.any() else np.full(inside.shape, np.inf)
     used = away <= REACH
-    for k, zone in enumerate(survey.placed.opening_zones.xy):
-        if k < len(survey.placed.doors):
-            _fill(used, frame.to_local(zone), us, vs)
+    _fill(used, frame.to_local(survey.placed.opening_zones.xy[: len(survey.placed.doors)]), us, vs)
     return Floor(cell, inside, taken & inside, used & inside, frame.yaw, (float(low[0]), float(low[1])))
 
 
-def _fill(mask: NDArray[np.bool_], polygon: NDArray[np.float64], us: NDArray, vs: NDArray) -> None:
-    """Set the cells whose centres lie in a convex counter-clockwise polygon [k, 2]."""
-    (u0, v0), (u1, v1) = polygon.min(axis=0), polygon.max(axis=0)
-    a, b = np.searchsorted(us, (u0, u1))
-    c, d = np.searchsorted(vs, (v0, v1))
-    if a >= b or c >= d:
+def _fill(mask: NDArray[np.bool_], polygons: NDArray[np.float64], us: NDArray, vs: NDArray) -> None:
+    """Set the cells whose centres lie in some of convex counter-clockwise polygons [n, k, 2]."""
+    if not len(polygons):
         return
-    u, v = us[a:b][None, :], vs[c:d][:, None]
-    corners = polygon.tolist()
-    within = np.ones((d - c, b - a), dtype=bool)
-    for (x0, y0), (x1, y1) in zip(corners, (*corners[1:], corners[0]), strict=True):
-        within &= (x1 - x0) * (v - y0) - (y1 - y0) * (u - x0) >= -1e-9
-    mask[c:d, a:b] |= within
+    (u0, v0), (u1, v1) = polygons.min(axis=1).T, polygons.max(axis=1).T
+    left, low = np.searchsorted(us, u0), np.searchsorted(vs, v0)
+    wide, tall = np.searchsorted(us, u1) - left, np.searchsorted(vs, v1) - low
+    count = np.maximum(wide, 0) * np.maximum(tall, 0)
+    which = np.repeat(np.arange(len(polygons)), count)
+    within = np.arange(len(which)) - np.repeat(np.cumsum(count) - count, count)
+    rows, columns = low[which] + within // wide[which], left[which] + within % wide[which]
+    u, v = us[columns][:, None], vs[rows][:, None]
+    edges = np.roll(polygons, -1, axis=1) - polygons
+    (x, y), (dx, dy) = np.moveaxis(polygons[which], -1, 0), np.moveaxis(edges[which], -1, 0)
+    inside = (dx * (v - y) - dy * (u - x) >= -1e-9).all(axis=1)
+    mask[rows[inside], columns[inside]] = True
 
 
 def largest_rectangle(free: NDArray[np.bool_]) -> tuple[int, int, int, int, int]:
     """The largest all-true rectangle: cells, first row, first column, rows, columns."""
     best = (0, 0, 0, 0, 0)
-    heights = np.zeros(free.shape[1], dtype=int)
+    heights = np.zeros(free.shape[1] + 1, dtype=int)
     wider = np.append((free[1:] | ~free[:-1]).all(axis=1), False)
     for r in range(free.shape[0]):
-        heights = np.where(free[r], heights + 1, 0)
+        heights[:-1] = np.where(free[r], heights[:-1] + 1, 0)
         if wider[r]:  # what ends here goes on in the next row
             continue
+        steps = [0, *(np.flatnonzero(heights[1:] != heights[:-1]) + 1).tolist()]
         stack: list[tuple[int, int]] = []
-        for k, h in enumerate([*heights.tolist(), 0]):
+        for k, h in zip(steps, heights[steps].tolist(), strict=True):
             start = k
             while stack and stack[-1][1] >= h:
                 start, tall = stack.pop()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -158,20 +158,22 @@ class Survey:
         return made
 
     @cached_property
-    def footprints(self) -> NDArray[Any]:
-        """The union of each object's parts in plan as a shapely geometry [n]."""
-        rows = [self.placed.parts.polygons[self.placed.part_rows(b)] for b in self.bodies]
-        out = np.empty(len(rows), dtype=object)
-        for i, parts in enumerate(rows):
-            out[i] = parts[0] if len(parts) == 1 else union(parts)
-        return out
+    def _footprints(self) -> dict[int, Any]:
+        return {}
 
-    @cached_property
-    def outlines(self) -> tuple[Array, ...]:
-        """The corners of the convex hull of each footprint [n, 2] [m]."""
+    def footprint(self, body: Body) -> Any:
+        """The union of a body's parts in plan as a shapely geometry."""
+        found = self._footprints.get(body.index)
+        if found is None:
+            parts = self.placed.footprint(body)
+            found = self._footprints[body.index] = parts[0] if len(parts) == 1 else union(parts)
+        return found
+
+    def outline(self, body: Body) -> Array:
+        """The corners of the convex hull of a body's footprint [n, 2] [m]."""
         import shapely
 
-        return tuple(shapely.get_coordinates(hull)[:-1] for hull in shapely.convex_hull(self.footprints))
+        return shapely.get_coordinates(shapely.convex_hull(self.footprint(body)))[:-1]
 
     @cached_property
     def diagonal(self) -> float:
@@ -195,11 +197,43 @@ class Survey:
         """Other objects whose box is within ``distance`` [m] of a body's, with their distances, nearest first."""
         import shapely
 
-        rows = self.tree.query(self.boxes[body.index], predicate="dwithin", distance=distance)
+        rows = self._meeting(self.boxes[body.index], distance)
         rows = rows[rows != body.index]
         gaps = shapely.distance(self.boxes[rows], self.boxes[body.index])
+        rows, gaps = rows[gaps <= distance], gaps[gaps <= distance]
         order = np.lexsort((rows, np.round(gaps, 4)))
         return [(self.bodies[int(rows[k])], float(gaps[k])) for k in order]
+
+    def reaching(self, area: Any) -> list[Body]:
+        """The objects whose box meets an area (a shapely geometry), in the order of the scene."""
+        import shapely
+
+        rows = self._meeting(area)
+        return [self.bodies[int(k)] for k in rows[shapely.intersects(self.boxes[rows], area)]]
+
+    def taken(self, area: Any, bodies: Sequence[Body]) -> list[float]:
+        """The share of an area (a shapely polygon) that each of some bodies covers."""
+        import shapely
+
+        if not bodies:
+            return []
+        shapes = np.array([self.footprint(b) for b in bodies], dtype=object)
+        return (shapely.area(shapely.intersection(shapes, area)) / max(1e-9, float(area.area))).tolist()
+
+    @cached_property
+    def _bounds(self) -> Array:
+        """Bounds of the boxes: x0, y0, x1, y1 [4, n] [m]."""
+        import shapely
+
+        return np.ascontiguousarray(shapely.bounds(self.boxes).T)
+
+    def _meeting(self, shape: Any, distance: float = 0.0) -> NDArray[np.intp]:
+        """The boxes whose bounds come within a distance [m] of those of a shape."""
+        low_x, low_y, high_x, high_y = self._bounds
+        x0, y0, x1, y1 = shape.bounds
+        apart = distance + 1e-9
+        near = (low_x <= x1 + apart) & (low_y <= y1 + apart) & (high_x >= x0 - apart) & (high_y >= y0 - apart)
+        return np.flatnonzero(near)
 
     def back_wall(self, body: Body) -> tuple[Wall, float, float] | None:
         """The wall that the back of a body looks at, the gap [m] and the angle [rad] between them; None: none."""

@@ -202,15 +202,10 @@ class RoomType(FrozenModel):
 
     def item(self, item_id: str) -> Item:
         """The item of that id; KeyError when there is none."""
-        return (
-            next(item for item in self.items if item.id == item_id)
-            if item_id in {i.id for i in self.items}
-            else _none(item_id)
-        )
-
-
-def _none(item_id: str) -> Item:
-    raise KeyError(item_id)
+        for item in self.items:
+            if item.id == item_id:
+                return item
+        raise KeyError(item_id)
 
 
 __all__ = ["Annotated", "Count", "Item", "Need", "Opening", "Place", "RoomType"]

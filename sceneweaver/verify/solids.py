@@ -12,7 +12,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,6 +35,9 @@ DEPTH = 1e-3
 TILT = math.radians(0.5)
 """Tilt in radians from which the true rotated geometry of an object is used."""
 
+RECENT = 2
+"""Scenes whose placement is kept: the judge and the critic look at one after the other."""
+
 
 class Face(NamedTuple):
     """A vertical side of a box: its centre, outward unit normal and half width in the plane [m]."""
@@ -55,7 +58,7 @@ class Opening(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Body:
-    """One object where it stands. ``z`` is the height interval that its solids fill, ``volume`` their summed volume."""
+    """One object where it stands. ``z`` is the height interval that its solids fill."""
 
     index: int
     item: SceneObject
@@ -66,9 +69,13 @@ class Body:
     rotation: Array
     tilted: bool
     z: tuple[float, float]
-    volume: float
     corners: tuple[Point, ...]
     frame: SE2
+
+    @cached_property
+    def volume(self) -> float:
+        """Summed volume of its solids [m3]."""
+        return sum(abs(signed_area(p.polygon)) * (p.z[1] - p.z[0]) for p in self.item.solids)
 
     @property
     def centre(self) -> Point:
@@ -185,7 +192,6 @@ def _body(index: int, item: SceneObject) -> Body:
     tilted, frame = tilt_of(quaternion) > TILT, item.pose.frame
     rotation = matrix(quaternion) if tilted else _upright(frame)
     position, size, solids = item.pose.position, item.size, item.solids
-    volume = sum(abs(signed_area(p.polygon)) * (p.z[1] - p.z[0]) for p in solids)
     if tilted:
         world = np.asarray(position)
         heights = np.concatenate([prism_vertices(p.polygon, p.z) @ rotation[2] + world[2] for p in solids])
@@ -194,7 +200,7 @@ def _body(index: int, item: SceneObject) -> Body:
     else:
         z = (position[2] + min(p.z[0] for p in solids), position[2] + max(p.z[1] for p in solids))
         corners = tuple(frame.world(u, v) for u, v in rectangle(size[0], size[1]))
-    return Body(index, item, item.id, position, size, frame.yaw, rotation, tilted, z, volume, corners, frame)
+    return Body(index, item, item.id, position, size, frame.yaw, rotation, tilted, z, corners, frame)
 
 
 def _upright(frame: SE2) -> Array:
@@ -213,9 +219,20 @@ class Placed:
     doors: tuple[Opening, ...]
     windows: tuple[Opening, ...]
 
+    _recent: ClassVar[tuple[Placed, ...]] = ()
+
     @classmethod
     def of(cls, scene: Scene) -> Placed:
-        """Place every object of ``scene``."""
+        """Place every object of ``scene``; what was made of the same scene a moment ago is taken again."""
+        for one in cls._recent:
+            if one.scene is scene:
+                return one
+        made = cls._made(scene)
+        cls._recent = (made, *cls._recent[: RECENT - 1])
+        return made
+
+    @classmethod
+    def _made(cls, scene: Scene) -> Placed:
         walls = scene.room.walls
 
         def opening(item: Door | Window) -> Opening:

@@ -54,6 +54,13 @@ class Access(NamedTuple):
 
 def measure(placed: Placed) -> Access | None:
     """Return how much of the floor and which objects a robot can reach; None for a room of more than `MOST_CELLS`."""
+    kept = placed.__dict__
+    if "_access" not in kept:
+        kept["_access"] = _measure(placed)
+    return kept["_access"]
+
+
+def _measure(placed: Placed) -> Access | None:
     from scipy.ndimage import label
 
     grid = Grid(placed)

@@ -66,7 +66,7 @@ def _swings(survey: Survey) -> Iterator[Finding]:
             (u0, u1), (v0, _) = along(door, body)
             if v0 < AT_FRAME and (u1 < door.item.offset or u0 > door.item.offset + door.item.width):
                 continue  # beside the frame, said above
-            gap = float(shapely.distance(leaf, survey.footprints[body.index]))
+            gap = float(shapely.distance(leaf, survey.footprint(body)))
             if gap < least:
                 yield breach(
                     "swing_free",

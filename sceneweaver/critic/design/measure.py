@@ -49,16 +49,12 @@ def inside(
 ) -> list[tuple[Body, float]]:
     """Things on the floor that reach into an area between two heights [m], with the share of it that they take."""
     skipped = {b.index for b in skip}
-    whole = max(1e-9, float(area.area))
-    found = []
-    for row in sorted(int(r) for r in survey.tree.query(area, predicate="intersects")):
-        other = survey.bodies[row]
-        if row in skipped or other.item.mount != "floor" or other.z[1] <= low or other.z[0] > high:
-            continue
-        share = float(survey.footprints[row].intersection(area).area) / whole
-        if share > 1e-3:
-            found.append((other, share))
-    return found
+    there = [
+        b
+        for b in survey.reaching(area)
+        if b.index not in skipped and b.item.mount == "floor" and b.z[1] > low and b.z[0] <= high
+    ]
+    return [(b, share) for b, share in zip(there, survey.taken(area, there), strict=True) if share > 1e-3]
 
 
 def clear_depth(
@@ -73,7 +69,7 @@ def clear_depth(
     for other, _ in inside(survey, area, (body,)):
         if passes(other):
             continue
-        points = shapely.get_coordinates(survey.footprints[other.index].intersection(area))
+        points = shapely.get_coordinates(survey.footprint(other).intersection(area))
         near = float(((points - face.centre) @ face.normal).min()) if len(points) else math.inf
         if near < best:
             best, who = max(0.0, near), other

@@ -58,7 +58,7 @@ def _tables(survey: Survey) -> Iterator[Finding]:
 
 def _shape(survey: Survey, rug: Body):
     """The rug in plan [m]."""
-    return survey.footprints[rug.index]
+    return survey.footprint(rug)
 
 
 def _area(survey: Survey, body: Body) -> float:

@@ -102,32 +102,37 @@ class Plan:
         from scipy.ndimage import distance_transform_edt, label
 
         if width not in self._away:
-            regions, _ = label(self.clear >= width / 2, structure=np.ones((3, 3)))
+            regions, count = label(self.clear >= width / 2, structure=np.ones((3, 3)))
             near = int(ENTRY / self.cell)
-            entered: set[int] = set()
+            entered = np.zeros(count + 1, dtype=bool)
             for row, column in self.entries:
                 box = regions[max(0, row - near) : row + near + 1, max(0, column - near) : column + near + 1]
-                entered |= set(np.unique(box).tolist())
-            reached = np.isin(regions, list(entered - {0}))
+                entered[box] = True
+            entered[0] = False
+            reached = entered[regions]
             far = np.full(regions.shape, np.inf)
             self._away[width] = np.asarray(distance_transform_edt(~reached)) * self.cell if reached.any() else far
         return self._away[width]
 
-    def reached(self, width: float, outline: NDArray[np.float64], within: float) -> bool:
-        """Whether a way of a width [m] comes within a distance [m], beyond half of it, of an outline [n, 2]."""
+    def along(self, outline: NDArray[np.float64]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+        """Rows and columns of cells along a closed outline [n, 2] [m]."""
         rows, columns = self._cells(_dense(outline, self.cell)).T
-        return bool((self.away(width)[rows, columns] <= within + width / 2).any())
+        return rows, columns
+
+    def reached(self, width: float, cells: tuple[NDArray[np.intp], NDArray[np.intp]], within: float) -> bool:
+        """Whether a way of a width [m] comes within a distance [m], beyond half of it, of some cells."""
+        return bool((self.away(width)[cells] <= within + width / 2).any())
 
 
 def _dense(outline: NDArray[np.float64], step: float) -> NDArray[np.float64]:
     """Points [n, 2] along a closed outline at most two steps [m] apart."""
     ends = np.roll(outline, -1, axis=0)
-    parts = [
-        a + (b - a) * np.arange(count)[:, None] / count
-        for a, b in zip(outline, ends, strict=True)
-        for count in (1 + int(math.dist(a, b) / (2 * step)),)
-    ]
-    return np.concatenate(parts)
+    counts = np.array(
+        [1 + int(math.dist(a, b) / (2 * step)) for a, b in zip(outline.tolist(), ends.tolist(), strict=True)]
+    )
+    edge = np.repeat(np.arange(len(outline)), counts)
+    number = np.arange(len(edge)) - np.repeat(np.cumsum(counts) - counts, counts)
+    return outline[edge] + (ends - outline)[edge] * number[:, None] / counts[edge, None]
 
 
 def _ways(survey: Survey, plan: Plan) -> Iterator[Finding]:
@@ -136,8 +141,10 @@ def _ways(survey: Survey, plan: Plan) -> Iterator[Finding]:
     width = limit("way_to_group", "width")
     groups: dict[float, list[Body]] = {}
     for body in survey.of_kind(GOALS):
-        shape = np.array(body.corners)
-        if body.item.mount == "floor" and not plan.reached(width - GRID, shape, REACH):
+        if body.item.mount != "floor":
+            continue
+        shape = plan.along(np.array(body.corners))
+        if not plan.reached(width - GRID, shape, REACH):
             groups.setdefault(_widest(plan, shape, REACH), []).append(body)
     for wide, bodies in groups.items():
         yield breach(
@@ -151,7 +158,7 @@ def _ways(survey: Survey, plan: Plan) -> Iterator[Finding]:
         )
     width, narrow = limit("way_to_window", "width"), {}
     for window in survey.placed.windows:
-        shape = np.array(window.wall.strip(window.item.offset, window.item.width, 0.0, 0.05))
+        shape = plan.along(np.array(window.wall.strip(window.item.offset, window.item.width, 0.0, 0.05)))
         if not plan.reached(width - GRID, shape, ACROSS):
             narrow[window.item.id] = _widest(plan, shape, ACROSS)
     if narrow:
@@ -166,7 +173,7 @@ def _ways(survey: Survey, plan: Plan) -> Iterator[Finding]:
         )
 
 
-def _widest(plan: Plan, shape: NDArray[np.float64], within: float) -> float:
+def _widest(plan: Plan, shape: tuple[NDArray[np.intp], NDArray[np.intp]], within: float) -> float:
     return next((w for w in NARROWER if plan.reached(w, shape, within)), 0.0)
 
 
@@ -191,7 +198,7 @@ def _unreached(survey: Survey, plan: Plan) -> Iterator[Finding]:
             half = 0.7 * face.half
             sides = np.array([(x - ny * half, y + nx * half), (x + ny * half, y - nx * half)])
         near = STEPPED_ON if body.item.category == "scale" else rule.limits["gap"] - 0.1
-        if not plan.reached(BODY, sides, near):
+        if not plan.reached(BODY, plan.along(sides), near):
             yield breach(
                 "reachable",
                 (body.id,),
