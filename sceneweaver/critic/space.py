@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -51,8 +52,8 @@ class Floor:
         """Share of the room that a mask covers."""
         return float((mask & self.inside).sum()) / max(1, int(self.inside.sum()))
 
-    def world(self, row: float, column: float) -> tuple[float, float]:
-        """The point [m] of a position in the grid."""
+    def world(self, row: Any, column: Any) -> tuple[Any, Any]:
+        """The point [m] of a position in the grid; floats, or arrays of one shape."""
         u, v = self.origin[0] + column * self.cell, self.origin[1] + row * self.cell
         return SE2(yaw=self.turn).world(u, v)
 

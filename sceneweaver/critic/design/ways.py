@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -102,7 +103,8 @@ class Plan:
         from scipy.ndimage import distance_transform_edt, label
 
         if width not in self._away:
-            regions, count = label(self.clear >= width / 2, structure=np.ones((3, 3)))
+            labelled: Any = label(self.clear >= width / 2, structure=np.ones((3, 3)))
+            regions, count = labelled
             near = int(ENTRY / self.cell)
             entered = np.zeros(count + 1, dtype=bool)
             for row, column in self.entries:
