@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 import os
 from dataclasses import replace
+from functools import partial
 
 from sceneweaver.assets import Mesh
 from sceneweaver.assets.placed import Load
@@ -25,6 +26,7 @@ from .glb_nodes import add_leaf, add_object, free_name
 from .models import with_mesh
 from .openings import window_mesh
 from .room import floor_mesh, wall_mesh
+from .shared import SharedFiles
 
 _Y_UP = [-math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5)]
 
@@ -41,7 +43,14 @@ def write_glb(
     write_atomic(path, glb_bytes(scene, load, missing, textures=textures))
 
 
-def glb_bytes(scene: Scene, load: Load | None = None, missing: Missing = "error", *, textures: bool = True) -> bytes:
+def glb_bytes(
+    scene: Scene,
+    load: Load | None = None,
+    missing: Missing = "error",
+    *,
+    textures: bool = True,
+    shared: SharedFiles | None = None,
+) -> bytes:
     """A scene as glTF 2.0 binary.
 
     Args:
@@ -49,17 +58,19 @@ def glb_bytes(scene: Scene, load: Load | None = None, missing: Missing = "error"
         load: From asset id to asset; None: the library of this user.
         missing: Whether an asset that cannot be loaded is an error, or its object is shown as its parts.
         textures: Whether materials have their maps, or are plain: a fraction of the size.
+        shared: Where the meshes of objects and all images go, as files that the scene names; None: into the file.
 
     Raises:
         InputError: when an asset cannot be loaded or has no mesh, and ``missing`` is "error".
     """
     found = bodies_of(scene, with_mesh(load), missing)
-    file = GlbFile(textures)
+    file = GlbFile(textures, shared)
     ids = set(scene.ids)
     meshes = room_meshes(scene.room)
     meshes |= {f"room:window:{w.id}": window_mesh(scene.room, w) for w in scene.room.windows}
     children = [
-        file.node(free_name(name, ids), {"mesh": file.mesh(f"\0{name}", mesh, name)}) for name, mesh in meshes.items()
+        file.node(free_name(name, ids), {"mesh": file.mesh(f"\0{name}", partial(meshes.__getitem__, name), name)})
+        for name in meshes
     ]
     children += [add_leaf(file, leaf, ids) for leaf in leaves(scene.room)]
     children += [add_object(file, body, ids) for body in found]
@@ -78,7 +89,7 @@ def model_bytes(mesh: Mesh, name: str) -> bytes:
     """
     file = GlbFile()
     turned = replace(mesh, vertices=mesh.vertices[:, [1, 2, 0]], uv=uv_of(mesh))
-    return file.bytes(file.node(name, {"mesh": file.mesh(name, turned)}), {"name": name})
+    return file.bytes(file.node(name, {"mesh": file.mesh(name, lambda: turned)}), {"name": name})
 
 
 def room_meshes(room: Room) -> dict[str, Mesh]:

@@ -4,25 +4,28 @@ from __future__ import annotations
 
 import json
 import struct
+from collections.abc import Callable
 from typing import Any
-
-import numpy as np
 
 from sceneweaver.assets import Material, Mesh
 
-from .corners import Surface, surfaces
+from .glb_mesh import PackedMesh, packed
 from .images import images, linear, tinted
+from .shared import SharedFiles
 
-_FLOAT, _SHORT, _INT = 5126, 5123, 5125
-_VERTICES, _INDICES = 34962, 34963
 _LINEAR, _MIPMAPS, _REPEAT = 9729, 9987, 10497
 
 
 class GlbFile:
-    """A glTF document while it grows: its JSON lists and its one buffer."""
+    """A glTF document while it grows: its JSON lists and its own buffer.
 
-    def __init__(self, textured: bool = True):
-        self._textured = textured
+    Args:
+        textured: Whether materials have their maps.
+        shared: Where images and the meshes of objects go; None: into the file.
+    """
+
+    def __init__(self, textured: bool = True, shared: SharedFiles | None = None):
+        self._textured, self._shared = textured, shared
         self._json: dict[str, list[Any]] = {name: [] for name in ("nodes", "meshes", "accessors", "bufferViews")}
         self._data = bytearray()
         self._meshes: dict[str, int] = {}
@@ -30,18 +33,33 @@ class GlbFile:
         self._made: list[dict[str, Any]] = []
         self._textures: dict[str, dict[str, dict[str, int]]] = {}
         self._images: list[dict[str, Any]] = []
+        self._buffers: list[dict[str, Any]] = []
+        self._paths: dict[str, int] = {}
 
     def node(self, name: str, node: dict[str, Any]) -> int:
         """Add a node; returns its number, as all of these do."""
         self._json["nodes"].append({"name": name, **node})
         return len(self._json["nodes"]) - 1
 
-    def mesh(self, key: str, mesh: Mesh, name: str = "") -> int:
-        """Add a mesh, unless one of this key is there."""
+    def mesh(self, key: str, make: Callable[[], Mesh], name: str = "", asset: str | None = None) -> int:
+        """Add a mesh, unless one of this key is there.
+
+        Args:
+            key: Equal for equal meshes.
+            make: Gives the mesh when it is needed.
+            name: Its name; the key where it has none.
+            asset: What it is of, if others may have it: its data go to the shared files, where there are some.
+        """
         if key not in self._meshes:
+            if self._shared is None or asset is None:
+                found = packed(make(), self._textured)
+                buffer, start = 0, self._append(found.data)
+            else:
+                found, path = self._shared.mesh(asset, (key, self._textured), lambda: packed(make(), self._textured))
+                length = max(view["byteOffset"] + view["byteLength"] for view in found.views)
+                buffer, start = self._buffer(path, length), 0
             self._meshes[key] = len(self._json["meshes"])
-            primitives = [self._primitive(surface) for surface in surfaces(mesh, not self._textured)]
-            self._json["meshes"].append({"name": name or key, "primitives": primitives})
+            self._json["meshes"].append({"name": name or key, "primitives": self._primitives(found, buffer, start)})
         return self._meshes[key]
 
     def bytes(self, root: int, scene: dict[str, Any]) -> bytes:
@@ -57,42 +75,41 @@ class GlbFile:
             document["images"] = self._images
             document["textures"] = [{"source": k, "sampler": 0} for k in range(len(self._images))]
             document["samplers"] = [{"magFilter": _LINEAR, "minFilter": _MIPMAPS, "wrapS": _REPEAT, "wrapT": _REPEAT}]
-        document["buffers"] = [{"byteLength": len(self._data)}]
+        document["buffers"] = [{"byteLength": len(self._data)}, *self._buffers]
         text = json.dumps(document, separators=(",", ":"), allow_nan=False).encode()
         text += b" " * (-len(text) % 4)
         data = bytes(self._data) + b"\0" * (-len(self._data) % 4)
         head = struct.pack("<4sII", b"glTF", 2, 12 + 8 + len(text) + 8 + len(data))
         return head + struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(data), b"BIN\0") + data
 
-    def _primitive(self, surface: Surface) -> dict[str, Any]:
-        material = self._material(surface.material)
-        vectors = {"POSITION": (surface.points, "VEC3"), "NORMAL": (surface.normals, "VEC3")}
-        if surface.uv is not None:
-            vectors["TEXCOORD_0"] = (surface.uv * (1.0, -1.0) + (0.0, 1.0), "VEC2")  # here v grows downward
-            if "normalTexture" in self._made[material] and surface.tangents is not None:
-                vectors["TANGENT"] = (surface.tangents, "VEC4")
-        attributes = {
-            name: self._accessor(values.astype("<f4"), kind, _FLOAT, _VERTICES, bounds=name == "POSITION")
-            for name, (values, kind) in vectors.items()
-        }
-        wide = len(surface.points) > 0xFFFF  # 0xFFFF itself is the mark for a restart, and no index
-        order = surface.faces.reshape(-1).astype("<u4" if wide else "<u2")
-        indices = self._accessor(order, "SCALAR", _INT if wide else _SHORT, _INDICES)
-        return {"attributes": attributes, "indices": indices, "material": material, "mode": 4}
+    def _primitives(self, mesh: PackedMesh, buffer: int, start: int) -> list[dict[str, Any]]:
+        """The primitives of a mesh whose data begin at an offset of a buffer."""
+        views, accessors = self._json["bufferViews"], self._json["accessors"]
+        view, first = len(views), len(accessors)
+        views += [{"buffer": buffer, **v, "byteOffset": start + v["byteOffset"]} for v in mesh.views]
+        accessors += [{"bufferView": view + k, **accessor} for k, accessor in enumerate(mesh.accessors)]
+        return [
+            {
+                "attributes": {name: first + k for name, k in primitive.attributes.items()},
+                "indices": first + primitive.indices,
+                "material": self._material(primitive.material),
+                "mode": 4,
+            }
+            for primitive in mesh.primitives
+        ]
 
-    def _accessor(self, values: np.ndarray, kind: str, component: int, target: int, bounds: bool = False) -> int:
-        view = self._view(values.tobytes(), {"target": target})
-        accessor: dict[str, Any] = {"bufferView": view, "componentType": component, "count": len(values), "type": kind}
-        if bounds:
-            accessor |= {"min": values.min(axis=0).tolist(), "max": values.max(axis=0).tolist()}
-        self._json["accessors"].append(accessor)
-        return len(self._json["accessors"]) - 1
-
-    def _view(self, data: bytes, more: dict[str, Any]) -> int:
+    def _append(self, data: bytes) -> int:
+        """Add to the buffer of the file itself; returns where that begins."""
         self._data += b"\0" * (-len(self._data) % 4)
-        self._json["bufferViews"].append({"buffer": 0, "byteOffset": len(self._data), "byteLength": len(data), **more})
         self._data += data
-        return len(self._json["bufferViews"]) - 1
+        return len(self._data) - len(data)
+
+    def _buffer(self, path: str, length: int) -> int:
+        """The number of the buffer that is a shared file."""
+        if path not in self._paths:
+            self._paths[path] = len(self._buffers) + 1  # the file's own is the first
+            self._buffers.append({"uri": path, "byteLength": length})
+        return self._paths[path]
 
     def _material(self, material: Material) -> int:
         """The glTF material of a finish: numbers, and the images of its texture that they are multiplied with."""
@@ -143,5 +160,12 @@ class GlbFile:
         return self._textures[texture]
 
     def _image(self, name: str, data: bytes) -> dict[str, int]:
-        self._images.append({"name": name, "mimeType": "image/jpeg", "bufferView": self._view(data, {})})
+        image: dict[str, Any] = {"name": name, "mimeType": "image/jpeg"}
+        if self._shared is not None:
+            image["uri"] = self._shared.path(name, "jpg", lambda: data)
+        else:
+            image["bufferView"] = len(self._json["bufferViews"])
+            start = self._append(data)
+            self._json["bufferViews"].append({"buffer": 0, "byteOffset": start, "byteLength": len(data)})
+        self._images.append(image)
         return {"index": len(self._images) - 1}

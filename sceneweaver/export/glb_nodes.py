@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -48,7 +49,9 @@ def add_object(file: GlbFile, body: Body, taken: set[str]) -> int:
     if not moving:
         if body.scale != _SAME:
             node["scale"] = list(body.scale)
-        return file.node(thing.id, {"mesh": file.mesh(body.key, body.mesh), **node, "extras": extras})
+        return file.node(
+            thing.id, {"mesh": file.mesh(body.key, lambda: body.mesh, asset=thing.asset), **node, "extras": extras}
+        )
     assert body.asset is not None
     # The scale goes into the meshes: a door that turns below a node of uneven scale would be sheared.
     key = body.key if body.scale == _SAME else f"{body.key}*{body.scale}"
@@ -59,10 +62,11 @@ def add_object(file: GlbFile, body: Body, taken: set[str]) -> int:
         anchor = np.asarray(link.anchor if link.joint == "hinge" else (0.0, 0.0, 0.0)) * body.scale
         below = {"translation": anchor.tolist(), "extras": {"joint": _joint(link, body.scale)}}
         if (link_of == number).any():
-            below["mesh"] = file.mesh(f"{key}.{number}", _part(body, link_of == number, anchor), f"{key}.{link.name}")
+            part = partial(_part, body, link_of == number, anchor)
+            below["mesh"] = file.mesh(f"{key}.{number}", part, f"{key}.{link.name}", thing.asset)
         children.append(file.node(free_name(f"{thing.id}.{link.name}", taken), below))
     if (link_of == 0).any():
-        node["mesh"] = file.mesh(f"{key}.0", _part(body, link_of == 0, np.zeros(3)), key)
+        node["mesh"] = file.mesh(f"{key}.0", partial(_part, body, link_of == 0, np.zeros(3)), key, thing.asset)
     return file.node(thing.id, {**node, "children": children, "extras": extras})
 
 
@@ -70,7 +74,7 @@ def add_leaf(file: GlbFile, leaf: Leaf, taken: set[str]) -> int:
     """The node of a door's leaf, closed."""
     joint = {"type": leaf.joint, "axis": list(leaf.axis), "limits": list(leaf.limits), "role": "door"}
     node: dict[str, Any] = {
-        "mesh": file.mesh(f"\0{leaf.name}", leaf_mesh(leaf), leaf.name),
+        "mesh": file.mesh(f"\0{leaf.name}", lambda: leaf_mesh(leaf), leaf.name),
         "translation": list(leaf.position),
         "rotation": list(from_yaw(leaf.yaw)),
         "extras": {"joint": joint},

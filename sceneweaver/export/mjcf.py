@@ -6,8 +6,9 @@ Bodies have the names of their objects. Geoms of group 2 are what is seen, those
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from xml.etree import ElementTree as Xml
 
@@ -20,6 +21,7 @@ from sceneweaver.assets.textures import maps
 from sceneweaver.assets.textures.relief import to_srgb
 from sceneweaver.geometry.hulls import hull_mesh
 from sceneweaver.physics import Model, build
+from sceneweaver.physics.hulls import Solid
 from sceneweaver.physics.model import ROOM, UNSET, mesh_stem
 from sceneweaver.physics.things import RigidBody, Thing
 from sceneweaver.physics.xml import child
@@ -29,6 +31,7 @@ from .corners import indexed, texture_coordinates
 from .folder import write_folder
 from .images import file_stem, linear, png, tinted
 from .mjcf_clients import CLIENTS, sleeping_twin
+from .shared import SharedFiles
 
 _PIXELS = 256
 """Side of the images: simulators show them small, and PNG is large."""
@@ -63,34 +66,34 @@ def write_mjcf(
     return target / "scene.xml"
 
 
-def mjcf(scene: Scene, load: Load | None = None, *, textures: bool = True, client: str | None = None) -> Model:
+def mjcf(
+    scene: Scene,
+    load: Load | None = None,
+    *,
+    textures: bool = True,
+    client: str | None = None,
+    shared: SharedFiles | None = None,
+) -> Model:
     """The scene as MJCF with what is seen: the text, and the files that it names, by path relative to it.
 
-    ``client`` is one of ``CLIENTS``; None: the file that most readers take.
+    Args:
+        scene: The scene.
+        load: From asset id to asset; None: the library of this user.
+        textures: Whether materials have their colour maps, as PNG.
+        client: One of ``CLIENTS``; None: the file that most readers take.
+        shared: Where meshes and images go, as files that the text names; None: into ``files``.
     """
-    wardrobe = _Wardrobe(textures)
-    model = build(scene, load, wardrobe)
+    wardrobe = _Wardrobe(textures, shared)
+    model = build(scene, load, wardrobe, shape=wardrobe.shape)
     root = Xml.fromstring(model.xml)
     wardrobe.paper(root, scene.room)
     _without_slashes(root)
     for geom in root.iterfind("default/default/geom[@group='3']"):
         geom.set("margin", str(_MARGIN))
-    files = {**wardrobe.files, **_hulls_as_files(root)}
     if client is not None:
         CLIENTS[client](root)
     Xml.indent(root, " ")
-    return replace(model, xml=Xml.tostring(root, encoding="unicode") + "\n", files=files)
-
-
-def _hulls_as_files(root: Xml.Element) -> dict[str, bytes]:
-    """Moves the vertices of hulls to files, as some readers take no others; returns these by path."""
-    files = {}
-    for mesh in root.iterfind("asset/mesh[@vertex]"):
-        points = np.array(mesh.attrib.pop("vertex").split(), dtype=float).reshape(-1, 3)
-        name = f"meshes/{mesh.get('name')}.obj"
-        files[name] = _obj(*hull_mesh(points), None)
-        mesh.set("file", name)
-    return files
+    return replace(model, xml=Xml.tostring(root, encoding="unicode") + "\n", files=wardrobe.files)
 
 
 def _without_slashes(root: Xml.Element) -> None:
@@ -115,8 +118,8 @@ def _without_slashes(root: Xml.Element) -> None:
 class _Wardrobe:
     """Gives bodies their looks; meshes and materials are there once, however many use them."""
 
-    def __init__(self, textured: bool) -> None:
-        self._textured = textured
+    def __init__(self, textured: bool, shared: SharedFiles | None) -> None:
+        self._textured, self._shared = textured, shared
         self._textures: set[str] = set()
         self.files: dict[str, bytes] = {}
         self._materials: dict[Material, str] = {}
@@ -151,25 +154,44 @@ class _Wardrobe:
                 if geom.get("rgba", "").endswith(" 1"):  # not a pane
                     geom.set("rgba", " ".join(f"{c:.4g}" for c in (*wall_look(room, k).color, 1)))
 
+    def shape(self, name: str, thing: Thing, solid: Solid) -> dict[str, str]:
+        """The hull of a collision part as a file, as some readers take no vertices."""
+        if self._shared is not None:
+            return {"file": self._shared.hull(thing.object.asset, solid, partial(_hull, solid))}
+        return {"file": self._file(f"meshes/{name}.obj", None, partial(_hull, solid))}
+
+    def _file(self, name: str, key: Hashable, make: Callable[[], bytes], asset: str | None = None) -> str:
+        """The path of a file of that name, or of a shared one of that key."""
+        if self._shared is not None:
+            return self._shared.path(key, name.rpartition(".")[2], make, asset)
+        self.files[name] = make()
+        return name
+
     def _add(self, assets: Xml.Element, thing: Thing, link: int) -> list[tuple[str, Material]]:
         """One mesh for each material of a link."""
         assert thing.asset is not None
-        mesh, found = thing.asset.mesh, []
-        face_body = thing.face_body
-        uv = texture_coordinates(mesh) if self._textured else None
-        stem = f"{mesh_stem(thing)}-{link}"
-        for number in np.unique(mesh.face_material[face_body == link]):
-            chosen = (face_body == link) & (mesh.face_material == number)
-            material = mesh.materials[int(number)]
-            used, packed = np.unique(mesh.faces[chosen], return_inverse=True)
-            places = None if uv is None or maps(material.texture) is None else indexed(uv[chosen])
-            name = f"{stem}-{number}"
-            points = mesh.vertices[used] * np.asarray(thing.scale)
-            self.files[f"meshes/{name}.obj"] = _obj(points, packed.reshape(-1, 3), places)
+        mesh, face_body = thing.asset.mesh, thing.face_body
+        found = []
+        for number in np.unique(mesh.face_material[face_body == link]).tolist():
+            name = f"{mesh_stem(thing)}-{link}-{number}"
+            key = ("mjcf", thing.key, thing.welded, link, number, self._textured)
+            file = self._file(f"meshes/{name}.obj", key, partial(self._seen, thing, link, number), thing.object.asset)
             # Sheets and open pieces enclose no volume; as shells they have a frame all the same.
-            child(assets, "mesh", name=name, file=f"meshes/{name}.obj", inertia="shell")
-            found.append((name, material))
+            child(assets, "mesh", name=name, file=file, inertia="shell")
+            found.append((name, mesh.materials[number]))
         return found
+
+    def _seen(self, thing: Thing, link: int, number: int) -> bytes:
+        """The faces of a link that are of one material, as a file."""
+        assert thing.asset is not None
+        mesh = thing.asset.mesh
+        chosen = (thing.face_body == link) & (mesh.face_material == number)
+        used, packed = np.unique(mesh.faces[chosen], return_inverse=True)
+        places = None
+        if self._textured and maps(mesh.materials[number].texture) is not None:
+            uv = texture_coordinates(mesh)
+            places = None if uv is None else indexed(uv[chosen])
+        return _obj(mesh.vertices[used] * np.asarray(thing.scale), packed.reshape(-1, 3), places)
 
     def _material(self, assets: Xml.Element, material: Material, more: Mapping[str, str] | None = None) -> str:
         if material not in self._materials:
@@ -199,19 +221,25 @@ class _Wardrobe:
         name = file_stem(material.texture)
         if name not in self._textures:
             self._textures.add(name)
-            self.files[f"textures/{name}.png"] = png(found.tint, _PIXELS)
-            child(assets, "texture", name=name, type="2d", file=f"textures/{name}.png")
+            file = self._file(f"textures/{name}.png", name, lambda: png(found.tint, _PIXELS))
+            child(assets, "texture", name=name, type="2d", file=file)
         color, _ = tinted(material, linear(material.color))
         return to_srgb(np.array(color)).tolist(), {"texture": name}
 
 
+def _hull(solid: Solid) -> bytes:
+    return _obj(*hull_mesh(solid.points), None)
+
+
 def _obj(points: np.ndarray, faces: np.ndarray, places: tuple[np.ndarray, np.ndarray] | None) -> bytes:
     """Wavefront OBJ of triangles, with texture coordinates [N, 2] and which of them each corner has."""
-    lines = [f"v {x:.6g} {y:.6g} {z:.6g}" for x, y, z in points.tolist()]
+    text = _lines("v %.6g %.6g %.6g\n", points)
     if places is None:
-        lines += [f"f {a} {b} {c}" for a, b, c in (faces + 1).tolist()]
-        return ("\n".join(lines) + "\n").encode()
-    lines += [f"vt {u:.5g} {v:.5g}" for u, v in places[0].tolist()]
-    corners = zip((faces + 1).tolist(), (places[1].reshape(-1, 3) + 1).tolist(), strict=True)
-    lines += [f"f {a}/{i} {b}/{j} {c}/{k}" for (a, b, c), (i, j, k) in corners]
-    return ("\n".join(lines) + "\n").encode()
+        return (text + _lines("f %d %d %d\n", faces + 1)).encode()
+    corners = np.stack([faces, places[1].reshape(-1, 3)], axis=2) + 1
+    return (text + _lines("vt %.5g %.5g\n", places[0]) + _lines("f %d/%d %d/%d %d/%d\n", corners)).encode()
+
+
+def _lines(line: str, values: np.ndarray) -> str:
+    """A line for each row of an array."""
+    return line * len(values) % tuple(values.reshape(-1).tolist())

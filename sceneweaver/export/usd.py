@@ -18,6 +18,7 @@ where the model for MuJoCo is made, so that both behave alike.
 from __future__ import annotations
 
 import os
+import tempfile
 from pathlib import Path
 from typing import Any
 
@@ -28,6 +29,7 @@ from sceneweaver.scene import InputError, Scene, whole
 
 from .bodies import Body, bodies_of
 from .folder import fill, move
+from .shared import SharedFiles
 from .usd_bodies import filter_pair
 from .usd_engines import tune_scene
 from .usd_layer import Names, attribute, prim, usd
@@ -72,17 +74,35 @@ def usd_layer(scene: Scene, load: Load | None = None) -> Any:
     return _layer(scene, load, False)[0]
 
 
-def _layer(scene: Scene, load: Load | None, textures: bool) -> tuple[Any, dict[str, bytes]]:
+def usd_bytes(scene: Scene, load: Load | None, shared: SharedFiles) -> bytes:
+    """The scene as a binary stage whose images are shared files."""
+    layer, _ = _layer(scene, load, True, shared)
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "scene.usdc"
+        layer.Export(str(path))
+        return path.read_bytes()
+
+
+def _layer(
+    scene: Scene, load: Load | None, textures: bool, shared: SharedFiles | None = None
+) -> tuple[Any, dict[str, bytes]]:
     """The layer, and the images that it names by path relative to it."""
     load = loader(load)
     things, bodies = things_of(scene, load), bodies_of(scene, load)
     layer = usd().Sdf.Layer.CreateAnonymous(".usda")
     with usd().Sdf.ChangeBlock():
-        files = _fill(layer, scene, things, bodies, textures)
+        files = _fill(layer, scene, things, bodies, textures, shared)
     return layer, files
 
 
-def _fill(layer: Any, scene: Scene, things: list[Thing], bodies: list[Body], textures: bool) -> dict[str, bytes]:
+def _fill(
+    layer: Any,
+    scene: Scene,
+    things: list[Thing],
+    bodies: list[Body],
+    textures: bool,
+    shared: SharedFiles | None,
+) -> dict[str, bytes]:
     layer.defaultPrim = "World"
     layer.comment = "Made by sceneweaver"
     for key, value in (("upAxis", "Z"), ("metersPerUnit", 1.0), ("kilogramsPerUnit", 1.0)):
@@ -94,7 +114,7 @@ def _fill(layer: Any, scene: Scene, things: list[Thing], bodies: list[Body], tex
     attribute(physics, "physics:gravityMagnitude", "Float", _GRAVITY)
     tune_scene(physics)
     world = prim(layer, "World", kind="assembly", displayName=scene.id)
-    looks = Looks(prim(world, "Looks", "Scope"), prim(world, "PhysicsMaterials", "Scope"), textures)
+    looks = Looks(prim(world, "Looks", "Scope"), prim(world, "PhysicsMaterials", "Scope"), textures, shared)
     prototypes = Prototypes(prim(world, "Prototypes", "Scope"), looks)
     doors = add_room(prim(world, "Room", kind="group"), scene.room, looks)
     add_lights(prim(world, "Lights", "Scope"), scene.room)

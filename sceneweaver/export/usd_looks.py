@@ -8,6 +8,7 @@ from typing import Any
 from sceneweaver.assets import Material
 
 from .images import Images, file_stem, images, linear, tinted
+from .shared import SharedFiles
 from .usd_engines import tune_friction
 from .usd_layer import Names, Prim, apply, attribute, prim, relate, triple, usd
 
@@ -21,11 +22,12 @@ GLOW = 6.0
 class Looks:
     """The materials of a stage below two scopes, each made when it is first asked for.
 
-    ``files`` are the images that go beside the stage, by path relative to it; not ``textured``: there are none.
+    ``files`` are the images that go beside the stage, by path relative to it; not ``textured``: there are none. Where
+    files are ``shared``, images are there.
     """
 
-    def __init__(self, looks: Prim, frictions: Prim, textured: bool):
-        self.textured = textured
+    def __init__(self, looks: Prim, frictions: Prim, textured: bool, shared: SharedFiles | None = None):
+        self.textured, self._shared = textured, shared
         self.files: dict[str, bytes] = {}
         self._looks, self._frictions = looks, frictions
         self._names = Names()
@@ -84,8 +86,12 @@ class Looks:
         color, roughness = tinted(material, linear(material.color))
 
         def image(role: str, data: bytes, space: str, scale: Sequence[float], bias: Sequence[float] = ()) -> Prim:
-            path = f"textures/{file_stem(material.texture)}_{role}.jpg"
-            self.files[path] = data
+            name = f"{file_stem(material.texture)}_{role}"
+            if self._shared is not None:
+                path = self._shared.path(name, "jpg", lambda: data)
+            else:
+                path = f"textures/{name}.jpg"
+                self.files[path] = data
             found = prim(made, role.capitalize(), "Shader")
             attribute(found, "info:id", "Token", "UsdUVTexture", uniform=True)
             attribute(found, "inputs:file", "Asset", usd().Sdf.AssetPath(f"./{path}"))

@@ -93,13 +93,25 @@ Dress = Callable[[Xml.Element, Xml.Element, Thing, RigidBody], None]
 """Adds what is seen of a thing's body: (assets, body, thing, which of its bodies)."""
 
 
-def build(scene: Scene, load: Load | None = None, dress: Dress | None = None, *, loose: bool = True) -> Model:
+Shape = Callable[[str, Thing, Solid], dict[str, Any]]
+"""What a mesh element of a name says of the shape of a part of a thing: its vertices, or a file of them."""
+
+
+def build(
+    scene: Scene,
+    load: Load | None = None,
+    dress: Dress | None = None,
+    *,
+    shape: Shape | None = None,
+    loose: bool = True,
+) -> Model:
     """The MuJoCo model of a scene.
 
     Args:
         scene: The scene.
         load: From asset id to asset; None: the library of this user.
         dress: Adds visual meshes; None: only collision parts.
+        shape: Says what parts are that are no boxes; None: by their vertices.
         loose: Whether what lies in or on an object as part of it is a body of its own, as `things_of` says.
 
     Raises:
@@ -143,7 +155,7 @@ def build(scene: Scene, load: Load | None = None, dress: Dress | None = None, *,
     _shell(world, scene.room)
     contact = child(root, "contact")
     covers = {k for k, _ in coverings(things)}
-    writer = _Bodies(world, assets, contact, dress)
+    writer = _Bodies(world, assets, contact, dress, shape or _vertices)
     for k, thing in enumerate(things):
         over = covers and thing.object.mount == "floor"
         writer.add(thing, "room:covering" if k in covers else "room:grounded" if over else ROOM)
@@ -249,8 +261,10 @@ def _joint(
 class _Bodies:
     """Writes things: their bodies with collision parts, inertia and sites; each mesh once, however many use it."""
 
-    def __init__(self, world: Xml.Element, assets: Xml.Element, contact: Xml.Element, dress: Dress | None) -> None:
-        self._world, self._assets, self._contact, self._dress = world, assets, contact, dress
+    def __init__(
+        self, world: Xml.Element, assets: Xml.Element, contact: Xml.Element, dress: Dress | None, shape: Shape
+    ) -> None:
+        self._world, self._assets, self._contact, self._dress, self._shape = world, assets, contact, dress, shape
         self._meshes = set[str]()
 
     def add(self, thing: Thing, kind: str) -> None:
@@ -305,8 +319,12 @@ class _Bodies:
         mesh = f"{mesh_stem(thing)}-hull-{k}"
         if mesh not in self._meshes:
             self._meshes.add(mesh)
-            child(self._assets, "mesh", name=mesh, inertia="convex", vertex=solid.points.reshape(-1))
+            child(self._assets, "mesh", {"name": mesh, "inertia": "convex", **self._shape(mesh, thing, solid)})
         child(frame, "geom", {"name": name, "type": "mesh", "mesh": mesh, **share})
+
+
+def _vertices(_: str, __: Thing, solid: Solid) -> dict[str, Any]:
+    return {"vertex": solid.points.reshape(-1)}
 
 
 def _inertial(frame: Xml.Element, body: RigidBody, masses: Sequence[float]) -> None:

@@ -2,34 +2,105 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
+import os
+import re
+from collections.abc import Iterator
+from contextlib import ExitStack
 from pathlib import Path
 
-from sceneweaver.scene import write_atomic
+from sceneweaver.scene import InputError, sweep
+from sceneweaver.scene.files import reason, temporary_folder
 
 DIGITS = 32
 """Hex digits of a SHA-256 in a name: two contents share a name with a chance of about 1e-38 a pair."""
 
+NAME = re.compile(rb"assets/[0-9a-f]{2}/[0-9a-f]{%d}\.[a-z0-9]{1,8}" % DIGITS)
+"""How files name those of the store."""
+
 
 class AssetStore:
-    """Files in ``assets/<two digits>/<hash>.<suffix>`` below the root of a data set; many processes may write."""
+    """Files in ``assets/<two digits>/<hash>.<suffix>`` below the root of a data set; many processes may write.
+
+    A file is written in a temporary folder and renamed, so that it is there whole; `sync` brings all to the disk.
+    """
 
     def __init__(self, root: Path):
         self.root = root
         self._known: set[str] = set()
+        self._fresh: list[Path] = []
+        self._held = ExitStack()
+        self._draft: Path | None = None
 
     def put(self, content: bytes, suffix: str) -> str:
         """Keep a content, unless it is there.
 
         Returns:
             Its path relative to the root of the data set, with "/" between the parts.
+
+        Raises:
+            OSError: the store cannot be written.
         """
         name = hashlib.sha256(content).hexdigest()[:DIGITS]
         relative = f"assets/{name[:2]}/{name}.{suffix}"
         if relative not in self._known:
             path = self.root / relative
-            if not path.exists():
+            if not _is_there(path, len(content)):
+                draft = self._drafts() / path.name
+                draft.write_bytes(content)
                 path.parent.mkdir(parents=True, exist_ok=True)
-                write_atomic(path, content)
+                os.replace(draft, path)
+                self._fresh.append(path)
             self._known.add(relative)
         return relative
+
+    def sync(self) -> None:
+        """Bring what was put to the disk: call it before the files that name it get their final names.
+
+        Raises:
+            OSError: the disk is full or gone.
+        """
+        while self._fresh:
+            file = os.open(self._fresh[-1], os.O_RDONLY)
+            try:
+                os.fsync(file)
+            finally:
+                os.close(file)
+            self._fresh.pop()
+
+    def close(self) -> None:
+        """Let go of the temporary folder."""
+        self._held.close()
+        self._draft = None
+
+    def wrong(self) -> Iterator[str]:
+        """The files whose content is not that of their name, by relative path, sorted.
+
+        Raises:
+            InputError: a file cannot be read.
+        """
+        for path in sorted(self.root.glob("assets/[0-9a-f][0-9a-f]/*.*")):
+            try:
+                with open(path, "rb") as file:
+                    digest = hashlib.file_digest(file, "sha256").hexdigest()[:DIGITS]
+            except OSError as error:
+                raise InputError(f"{path}: cannot be read ({reason(error)}); check the disk") from None
+            if digest != path.stem or path.parent.name != digest[:2]:
+                yield path.relative_to(self.root).as_posix()
+
+    def _drafts(self) -> Path:
+        """A temporary folder on the disk of the store; what killed processes left there goes."""
+        if self._draft is None or not self._draft.exists():
+            folder = self.root / "assets"
+            folder.mkdir(parents=True, exist_ok=True)
+            sweep(folder)
+            self._draft = self._held.enter_context(temporary_folder(folder))
+        return self._draft
+
+
+def _is_there(path: Path, size: int) -> bool:
+    """Whether a file is there and whole: one that was being written when the power went may be short."""
+    with contextlib.suppress(OSError):
+        return path.stat().st_size == size
+    return False

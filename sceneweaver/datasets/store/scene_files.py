@@ -1,0 +1,121 @@
+"""A scene in the formats of other tools, its meshes and images in the store of its data set."""
+
+from __future__ import annotations
+
+import json
+import os
+import secrets
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+from sceneweaver.assets.placed import Load
+from sceneweaver.export.glb import glb_bytes
+from sceneweaver.export.mjcf import mjcf
+from sceneweaver.export.shared import SharedFiles
+from sceneweaver.export.usd import usd_bytes
+from sceneweaver.scene import Scene
+
+from .content import NAME, AssetStore
+
+SUFFIXES = {"glb": "glb", "mjcf": "xml", "usd": "usdc"}
+"""By format, the suffix of its file."""
+
+RECORDS = "work/assets"
+"""Where processes write what they know of assets, relative to the root of the data set."""
+
+
+class SceneFiles:
+    """Writes the scenes of a data set; keep one for as many scenes as possible, as it knows what is in the store.
+
+    Args:
+        store: Where meshes and images go.
+        load: From asset id to asset, for all scenes.
+    """
+
+    def __init__(self, store: AssetStore, load: Load):
+        self._store, self._load = store, load
+        self._shared = SharedFiles(store.put, self._used)
+        self._recorded: set[str] = set()
+        self._fresh: dict[str, set[str]] = {}
+        self._records = store.root / RECORDS / f"{secrets.token_hex(8)}.jsonl"
+
+    def of(self, scene: Scene, formats: Sequence[str]) -> dict[str, bytes]:
+        """The files of a scene by suffix. They name those of the store by paths from the root of the data set.
+
+        Raises:
+            InputError: when an asset cannot be loaded.
+            OSError: the store cannot be written.
+        """
+        write = {
+            "glb": lambda: glb_bytes(scene, self._load, shared=self._shared),
+            "mjcf": lambda: mjcf(scene, self._load, shared=self._shared).xml.encode(),
+            "usd": lambda: usd_bytes(scene, self._load, self._shared),
+        }
+        found = {SUFFIXES[name]: write[name]() for name in formats}
+        self._record()
+        return found
+
+    def _used(self, asset: str, path: str) -> None:
+        if asset not in self._recorded:
+            self._fresh.setdefault(asset, set()).add(path)
+
+    def _record(self) -> None:
+        """Write a line for each asset that this process has met for the first time."""
+        if not self._fresh:
+            return
+        lines = [json.dumps(self._row(name, paths), ensure_ascii=False) for name, paths in self._fresh.items()]
+        self._records.parent.mkdir(parents=True, exist_ok=True)
+        with open(self._records, "a", encoding="utf-8") as file:
+            file.write("".join(line + "\n" for line in lines))
+            file.flush()
+            os.fsync(file.fileno())
+        self._recorded |= self._fresh.keys()
+        self._fresh.clear()
+
+    def _row(self, name: str, paths: Iterable[str]) -> dict[str, Any]:
+        asset, files = self._load(name), sorted(paths)
+        return {
+            "asset": name,
+            "category": asset.category,
+            "source": asset.origin.source,
+            "licence": asset.origin.licence,
+            "attribution": asset.origin.attribution,
+            "files": files,
+            "bytes": sum((self._store.root / path).stat().st_size for path in files),
+        }
+
+
+def asset_rows(store: AssetStore) -> list[dict[str, Any]]:
+    """What is known of each asset of a data set, by id: category, source, licence, attribution, files and bytes.
+
+    A last line that a killed process left half written is left out; the block that it was for is not there, either.
+    """
+    found: dict[str, dict[str, Any]] = {}
+    for path in sorted((store.root / RECORDS).glob("*.jsonl")):
+        for line in path.read_bytes().split(b"\n")[:-1]:
+            row = json.loads(line)
+            found[row["asset"]] = row
+    return [found[name] for name in sorted(found)]
+
+
+def references(files: Mapping[str, bytes]) -> list[str]:
+    """The files of the store that the files of a scene name, by path from the root of the data set."""
+    found: set[str] = set()
+    for suffix, content in files.items():
+        if suffix == "usdc":
+            content = _usd_text(content)
+        found |= {match.decode() for match in NAME.findall(content)}
+    return sorted(found)
+
+
+def _usd_text(content: bytes) -> bytes:
+    """A binary stage as text."""
+    import tempfile
+    from pathlib import Path
+
+    from sceneweaver.export.usd_layer import usd
+
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "scene.usdc"
+        path.write_bytes(content)
+        return usd().Sdf.Layer.FindOrOpen(str(path)).ExportToString().encode()

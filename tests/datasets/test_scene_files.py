@@ -1,0 +1,144 @@
+"""Exports whose meshes and images lie in the store of a data set: the same rooms as those of the usual writers."""
+
+from __future__ import annotations
+
+import io
+import json
+import struct
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from sceneweaver.assets import Library
+from sceneweaver.datasets.store import AssetStore
+from sceneweaver.datasets.store.scene_files import SceneFiles, asset_rows, references
+from sceneweaver.export import glb_bytes, write_mjcf, write_usd
+from sceneweaver.scene import Door, Pose, Room, Scene, Support, Window
+
+ROOM = Room(
+    outline=((0, 0), (5, 0), (5, 4), (0, 4)),
+    height=2.6,
+    doors=(Door(id="door-0", wall=0, offset=0.5, width=0.9, height=2.0),),
+    windows=(Window(id="window-0", wall=1, offset=1.0, width=1.2, sill=0.9, height=1.2),),
+)
+LOAD = Library().load
+DESK = LOAD("parametric:desk?seed=3")
+CABINET = LOAD("parametric:dresser?seed=2")
+LAMP = LOAD("parametric:table_lamp?seed=1")
+BOWL = LOAD("parametric:fruit_bowl?seed=1")
+
+
+def _scene(name: str, x: float) -> Scene:
+    """A room; its chest is larger than drawn, and another desk is as drawn."""
+    large = CABINET.object("chest", pose=Pose.from_yaw(4.0, 3.0, 0.0, -1.6))
+    depth, width, height = large.size
+    on_desk = Support(object="desk", surface=DESK.surfaces[0].name)
+    objects = (
+        DESK.object("desk", pose=Pose.from_yaw(x, 1.5, 0.0, 2.1)),
+        DESK.object("desk 2", pose=Pose.from_yaw(3.5, 1.0, 0.0, -0.7)),
+        LAMP.object("lamp", pose=Pose.from_yaw(x, 1.5, DESK.surfaces[0].z, 0.3), support=on_desk),
+        BOWL.object("bowl", pose=Pose.from_yaw(x + 0.3, 1.5, DESK.surfaces[0].z, 0.3), support=on_desk),
+        large.model_copy(update={"size": (depth, round(1.25 * width, 6), height)}),
+    )
+    return Scene(id=name, prompt="p", room=ROOM, objects=objects)
+
+
+@pytest.fixture(scope="module")
+def root(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A data set with two scenes that stand beside the store."""
+    root = tmp_path_factory.mktemp("set")
+    store = AssetStore(root)
+    writer = SceneFiles(store, LOAD)
+    for k in range(2):
+        for suffix, content in writer.of(_scene(f"s{k}", 1.0 + k / 4), ("glb", "mjcf", "usd")).items():
+            (root / f"{k}.{suffix}").write_bytes(content)
+    store.sync()
+    store.close()
+    return root
+
+
+def _document(path: Path) -> dict[str, Any]:
+    data = path.read_bytes()
+    (length,) = struct.unpack_from("<I", data, 12)
+    return json.loads(data[20 : 20 + length])
+
+
+def test_glb_is_the_room_of_the_usual_one(root: Path) -> None:
+    import trimesh
+
+    way: Any = {"process": False, "merge_primitives": True}
+    whole: Any = trimesh.load(io.BytesIO(glb_bytes(_scene("s1", 1.25), LOAD)), file_type="glb", **way)
+    shared: Any = trimesh.load(root / "1.glb", **way)
+    assert set(whole.graph.nodes_geometry) == set(shared.graph.nodes_geometry)
+    for node in whole.graph.nodes_geometry:
+        (place, mesh), (other, twin) = (
+            (scene.graph.get(node)[0], scene.geometry[scene.graph.get(node)[1]]) for scene in (whole, shared)
+        )
+        np.testing.assert_allclose(place, other)
+        np.testing.assert_array_equal(mesh.vertices, twin.vertices)
+        np.testing.assert_array_equal(mesh.faces, twin.faces)
+        assert type(mesh.visual) is type(twin.visual)
+    document = _document(root / "1.glb")
+    assert all("uri" in image for image in document["images"])
+    named = [buffer["uri"] for buffer in document["buffers"] if "uri" in buffer]
+    assert named and len(named) == len(set(named)) and "uri" not in document["buffers"][0]
+    for buffer in document["buffers"][1:]:
+        assert (root / buffer["uri"]).stat().st_size >= buffer["byteLength"]
+    assert (root / "1.glb").stat().st_size < 80_000
+
+
+def test_mjcf_is_the_model_of_the_usual_one(root: Path, tmp_path: Path) -> None:
+    mujoco: Any = pytest.importorskip("mujoco")
+
+    scene = _scene("s0", 1.0)
+    usual = mujoco.MjModel.from_xml_path(str(write_mjcf(scene, tmp_path / "out", LOAD)))
+    shared = mujoco.MjModel.from_xml_path(str(root / "0.xml"))
+    for field in ("body_mass", "body_pos", "geom_type", "geom_pos", "geom_quat", "mesh_vert", "mesh_face", "tex_data"):
+        np.testing.assert_array_equal(getattr(usual, field), getattr(shared, field), err_msg=field)
+    assert usual.names == shared.names
+
+
+def test_usd_is_the_stage_of_the_usual_one(root: Path, tmp_path: Path) -> None:
+    Usd, UsdShade = (pytest.importorskip(f"pxr.{name}") for name in ("Usd", "UsdShade"))
+
+    write_usd(_scene("s0", 1.0), tmp_path / "s.usdc", LOAD)
+    usual, shared = (Usd.Stage.Open(str(path)) for path in (tmp_path / "s.usdc", root / "0.usdc"))
+    assert [p.GetPath() for p in usual.Traverse()] == [p.GetPath() for p in shared.Traverse()]
+    images = [
+        shader.GetInput("file").Get().path
+        for p in shared.Traverse()
+        if (shader := UsdShade.Shader(p)) and shader.GetInput("file")
+    ]
+    assert images and all((root / path).is_file() for path in images)
+
+
+def test_scenes_share_files_and_the_store_knows_what_they_are_of(root: Path) -> None:
+    files = [
+        {path.suffix[1:]: path.read_bytes() for path in (root / f"{k}.{s}" for s in ("glb", "xml", "usdc"))}
+        for k in range(2)
+    ]
+    first, second = (references(one) for one in files)
+    assert first == second  # another place, the same things
+    kept = {path.relative_to(root).as_posix() for path in root.glob("assets/*/*")}
+    assert kept == set(first)
+    rows = asset_rows(AssetStore(root))
+    assert [row["asset"] for row in rows] == sorted(a.id for a in (DESK, CABINET, LAMP, BOWL))
+    assert all(set(row["files"]) <= kept and row["bytes"] > 0 and row["licence"] == "Apache-2.0" for row in rows)
+
+
+def test_equal_scenes_give_equal_bytes_whatever_was_written_before(root: Path, tmp_path: Path) -> None:
+    alone = SceneFiles(AssetStore(tmp_path), LOAD).of(_scene("s1", 1.25), ("glb", "mjcf", "usd"))
+    assert alone == {suffix: (root / f"1.{suffix}").read_bytes() for suffix in alone}
+
+
+def test_a_store_finds_what_is_damaged_and_mends_what_is_short(tmp_path: Path) -> None:
+    store = AssetStore(tmp_path)
+    good, bad = store.put(b"good", "bin"), store.put(b"bad", "bin")
+    store.sync()
+    assert list(store.wrong()) == []
+    (tmp_path / bad).write_bytes(b"ba")
+    assert list(AssetStore(tmp_path).wrong()) == [bad]
+    assert AssetStore(tmp_path).put(b"bad", "bin") == bad
+    assert list(AssetStore(tmp_path).wrong()) == [] and (tmp_path / good).read_bytes() == b"good"
