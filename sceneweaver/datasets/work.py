@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import lru_cache
+from pathlib import Path
 
 import sceneweaver
 
@@ -32,7 +34,7 @@ def make_block(
     path = folder.block(number)
     if not path.exists():
         produce = produce or usual()
-        samples = produce(requests.spec, requests.block(number), AssetStore(folder.path), device)
+        samples = produce(requests.spec, requests.block(number), _store(folder.path, folder.path.stat().st_ino), device)
         write_block(path, samples)
 
 
@@ -59,3 +61,10 @@ def failed_samples(request: Request, reason: str) -> list[Sample]:
         Sample(request.index + layout, request.key(layout), "failed", {**row, "layout": layout})
         for layout in range(request.layouts)
     ]
+
+
+@lru_cache(maxsize=1)
+def _store(root: Path, inode: int) -> AssetStore:
+    """The store of a data set, for all blocks that this process makes; another one when its folder was made anew."""
+    del inode
+    return AssetStore(root)

@@ -6,7 +6,7 @@ import pytest
 
 from sceneweaver.assets import Library
 from sceneweaver.assets.sources.base import Wish
-from sceneweaver.datasets.store import dataset_library
+from sceneweaver.datasets.store.pool import dataset_library
 
 PALETTES = [f"oak/white paint/brass/cream,navy,mustard/{seed}" for seed in (5, 77, 123456)]
 

@@ -21,6 +21,7 @@ from ..files import fingerprint
 from ..requests import Request
 from ..spec import Spec, Views
 from ..store import AssetStore
+from ..store.scene_files import scene_files
 from .finish import Finished
 
 
@@ -30,7 +31,7 @@ def files_of(spec: Spec, done: Finished, library: Library, store: AssetStore, de
     return {
         "scene.json": _text(scene.to_json()),
         "metrics.json": _text(_metrics(spec, done).to_dict()),
-        **_exported(scene, spec.exports, store, library),
+        **scene_files(scene, spec.exports, store, library.load),
         **_pictures(scene, spec.views, device),
     }
 
@@ -93,17 +94,6 @@ def measured(done: Finished, library: Library) -> dict[str, Any]:
 
 def _text(data: Mapping[str, Any]) -> bytes:
     return json.dumps(data, ensure_ascii=False, allow_nan=False, separators=(",", ":")).encode()
-
-
-def _exported(scene: Scene, formats: tuple[str, ...], store: AssetStore, library: Library) -> dict[str, bytes]:
-    del store
-    if not formats:
-        return {}
-    from sceneweaver.export import export_scene
-
-    with tempfile.TemporaryDirectory() as folder:
-        written = export_scene(scene, folder, formats, library.load)
-        return {path.suffix[1:]: path.read_bytes() for path in written.values()}
 
 
 def _pictures(scene: Scene, views: Views, device: str) -> dict[str, bytes]:

@@ -18,7 +18,9 @@ from sceneweaver.scene import InputError, MissingDependencyError, Scene
 from ..requests import Request
 from ..sample import Sample
 from ..spec import Spec
-from ..store import AssetStore, dataset_library
+from ..store import AssetStore
+from ..store.pool import dataset_library
+from ..store.scene_files import references
 from .drafts import Draft, drafted
 from .files import columns_of, files_of, measured
 from .finish import Finished, designed, finished
@@ -71,6 +73,7 @@ def produce(spec: Spec, requests: Sequence[Request], store: AssetStore, device: 
     for room in rooms:
         yield from _scenes(spec, room, library, store, device)
         room.draft, room.layouts = None, []
+    store.sync()
 
 
 def _lay_out(rooms: Sequence[_Room], device: str) -> None:
@@ -137,7 +140,8 @@ def _scene(
                     if not reason:
                         with _lap(seconds, "files"):
                             files = files_of(spec, done, library, store, device)
-                        return sample("ok", measured(done, library), files)
+                        row = measured(done, library) | {"assets": references(files)}
+                        return sample("ok", row, files)
                 except Exception as error:
                     done, reason = None, _reason(error)
                     if isinstance(error, InputError) and room.draft is None:

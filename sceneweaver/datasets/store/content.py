@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterator
 from contextlib import ExitStack
 from pathlib import Path
+from typing import Any
 
 from sceneweaver.scene import InputError, sweep
 from sceneweaver.scene.files import reason, temporary_folder
@@ -24,10 +25,12 @@ class AssetStore:
     """Files in ``assets/<two digits>/<hash>.<suffix>`` below the root of a data set; many processes may write.
 
     A file is written in a temporary folder and renamed, so that it is there whole; `sync` brings all to the disk.
+    Keep one for as many scenes as possible: ``notes`` is where its users remember what they have put there.
     """
 
     def __init__(self, root: Path):
         self.root = root
+        self.notes: dict[Any, Any] = {}
         self._known: set[str] = set()
         self._fresh: list[Path] = []
         self._held = ExitStack()

@@ -24,8 +24,22 @@ RECORDS = "work/assets"
 """Where processes write what they know of assets, relative to the root of the data set."""
 
 
+def scene_files(scene: Scene, formats: Sequence[str], store: AssetStore, load: Load) -> dict[str, bytes]:
+    """The files of a scene by suffix: as `SceneFiles.of`, with one writer for all scenes of a store.
+
+    Args:
+        scene: the scene.
+        formats: "glb", "mjcf", "usd".
+        store: where meshes and images go.
+        load: from asset id to asset; all that are given for one store give equal assets.
+    """
+    if SceneFiles not in store.notes:
+        store.notes[SceneFiles] = SceneFiles(store, load)
+    return store.notes[SceneFiles].of(scene, formats)
+
+
 class SceneFiles:
-    """Writes the scenes of a data set; keep one for as many scenes as possible, as it knows what is in the store.
+    """Writes the scenes of a data set, and remembers what is in the store.
 
     Args:
         store: Where meshes and images go.
