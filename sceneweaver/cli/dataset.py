@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from .options import Device
+from .options import Device, Json
 
 dataset = typer.Typer(name="dataset", help="Data sets: many rooms from one specification.")
 
@@ -112,3 +112,41 @@ def resume(
 
     settings = Run(workers, device, _parts(shard or ""), engine.value, address, _bytes(worker_memory), patient, as_json)
     return run_resume(folder, settings)
+
+
+@dataset.command()
+def status(folder: Folder, as_json: Json = False) -> int:
+    """Say how far a data set is: blocks, scenes, rate, why some were not delivered."""
+    from .dataset_looks import run_status
+
+    return run_status(folder, as_json=as_json)
+
+
+@dataset.command()
+def plan(
+    source: Spec,
+    sample: Annotated[int, typer.Option(min=1, max=10_000, help="Scenes that are made to find out.")] = 20,
+    workers: Workers = None,
+    device: Device = "auto",
+    as_json: Json = False,
+) -> int:
+    """Say what a data set will cost: seconds and bytes, from a sample that is made and thrown away."""
+    from .dataset_looks import run_plan
+
+    return run_plan(source, sample, workers, device, as_json=as_json)
+
+
+@dataset.command()
+def verify(
+    folder: Folder,
+    workers: Workers = None,
+    sample: Annotated[
+        int | None, typer.Option(min=1, help="Judge so many scenes only (default: all).", show_default=False)
+    ] = None,
+    stability: Annotated[int, typer.Option(min=0, help="Let so many scenes loose in MuJoCo.")] = 0,
+    as_json: Json = False,
+) -> int:
+    """Judge a data set from its files alone: sums, tables, every scene. 3 when something does not hold."""
+    from .dataset_looks import run_verify
+
+    return run_verify(folder, workers, sample, stability, as_json=as_json)

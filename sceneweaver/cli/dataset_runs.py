@@ -40,7 +40,7 @@ class Run:
 
 def run_make(source: Path, out: Path, run: Run) -> int:
     """Make a data set."""
-    with _handles() as (stdout, stderr):
+    with handles() as (stdout, stderr):
         from sceneweaver.datasets.engines import begin
 
         return _go_on(begin(source, out, run.device), run, stdout, stderr)
@@ -48,7 +48,7 @@ def run_make(source: Path, out: Path, run: Run) -> int:
 
 def run_resume(path: Path, run: Run) -> int:
     """Go on with a data set."""
-    with _handles() as (stdout, stderr):
+    with handles() as (stdout, stderr):
         from sceneweaver.datasets.engines import open_dataset
 
         return _go_on(open_dataset(path), run, stdout, stderr)
@@ -59,7 +59,7 @@ def _go_on(dataset: Dataset, run: Run, stdout: IO[str], stderr: IO[str]) -> int:
 
     path, begun = dataset.folder.path, time.monotonic()
     left = 0 if dataset.folder.complete.exists() else len(missing(dataset, run.shard))
-    progress = Progress(left, dataset.spec.count, stdout if run.as_json else None, stderr)
+    progress = Progress(left, stdout if run.as_json else None, stderr)
     options = Options(run.workers, run.device, run.shard, run.memory, run.patient)
     try:
         whole = resume(dataset, options, Listener(progress.block, progress.notice))
@@ -83,8 +83,8 @@ def _go_on(dataset: Dataset, run: Run, stdout: IO[str], stderr: IO[str]) -> int:
 class Progress:
     """What a run says: a line of JSON a block, a line on a terminal that moves, or a line now and then."""
 
-    def __init__(self, blocks: int, scenes: int, lines: IO[str] | None, stderr: IO[str]):
-        self._blocks, self._scenes, self._lines, self._stderr = blocks, scenes, lines, stderr
+    def __init__(self, blocks: int, lines: IO[str] | None, stderr: IO[str]):
+        self._blocks, self._lines, self._stderr = blocks, lines, stderr
         self._begun = self._said = time.monotonic()
         self._moving = lines is None and stderr.isatty()
         self._done = 0
@@ -122,17 +122,18 @@ class Progress:
         rate = self.counts.total() / seconds
         return (
             f"{self._done}/{self._blocks} blocks, {self.counts.total()} scenes, {rate:.2f} a second, "
-            f"{troubles} not delivered, {_duration(left)} left"
+            f"{troubles} not delivered, {duration(left)} left"
         )
 
 
-def _duration(seconds: float) -> str:
+def duration(seconds: float) -> str:
+    """A time for people."""
     hours, minutes = divmod(round(seconds) // 60, 60)
     return f"{hours} h {minutes:02d} min" if hours else f"{minutes} min {round(seconds) % 60:02d} s"
 
 
 @contextmanager
-def _handles() -> Iterator[tuple[IO[str], IO[str]]]:
+def handles() -> Iterator[tuple[IO[str], IO[str]]]:
     """Handles of stdout and stderr of our own: `no_chatter` takes the usual ones away."""
     sys.stdout.flush()
     with (

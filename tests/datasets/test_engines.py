@@ -14,7 +14,18 @@ import pytest
 
 from sceneweaver.datasets import read_rows
 from sceneweaver.datasets.disk import DiskFullError, disk_full
-from sceneweaver.datasets.engines import Listener, Options, begin, missing, open_dataset, read_records, resume
+from sceneweaver.datasets.engines import (
+    Listener,
+    Options,
+    begin,
+    estimate,
+    missing,
+    open_dataset,
+    read_records,
+    resume,
+    status,
+)
+from sceneweaver.datasets.engines.estimate import grown
 from sceneweaver.datasets.engines.locks import run_lock
 from sceneweaver.scene import InputError, write_atomic
 from tests.datasets import fake
@@ -39,7 +50,8 @@ def made(source: Path, out: Path, **options: object) -> list[str]:
     """Make a data set; what was noticed on the way."""
     notices: list[str] = []
     dataset = begin(source, out, "cpu")
-    resume(dataset, Options(**options), Listener(lambda record: None, notices.append), produce=fake.produce)
+    listener = Listener(lambda record: None, notices.append)
+    resume(dataset, Options(**options), listener, produce=fake.produce, pack=lambda dataset: None)
     return notices
 
 
@@ -155,6 +167,24 @@ def test_places_that_will_not_do_are_one_line(tmp_path, place):
         open_dataset(tmp_path / "full")
 
 
+def test_the_state_of_a_run_and_why_scenes_are_missing(tmp_path):
+    made(spec_file(tmp_path, "a room", "hopeless"), tmp_path / "out", workers=1, shard=(1, 3))
+    found = status(open_dataset(tmp_path / "out"))
+    assert (found.blocks, found.made, found.whole, found.running) == (6, 2, False, True)
+    assert found.rows == {"ok": 2, "rejected": 2, "failed": 0} and found.reasons == {"gate grade": 2}
+    assert found.seconds_left == pytest.approx(8 / found.rate)
+
+
+def test_a_plan_is_for_the_whole_from_a_sample(tmp_path):
+    source = spec_file(tmp_path, "a room", "hopeless")
+    source.write_text(source.read_text().replace("12", "1000"))
+    found = estimate(source, sample=8, workers=2, device="cpu", produce=fake.produce)
+    assert (found.count, found.sample, found.shares) == (1000, 8, {"ok": 4, "rejected": 4, "failed": 0})
+    assert found.seconds > 1000 * found.scene_seconds / 2 and found.bytes > 1000 * 500
+    assert grown([(n, 100 * round(n**0.5)) for n in (1, 4, 16, 64)], 6400) == pytest.approx(8000, rel=1e-6)
+    assert grown([(2, 0), (4, 0)], 100) == 0 and grown([(4, 20)], 100) == 500
+
+
 def test_one_run_at_a_time_or_several_of_different_shards(tmp_path):
     dataset = begin(spec_file(tmp_path), tmp_path / "out", "cpu")
     taken = f"being written by process {os.getpid()}"
@@ -185,7 +215,8 @@ from sceneweaver.datasets.engines import Listener, Options, begin, resume
 from tests.datasets import fake
 if __name__ == "__main__":
     dataset = begin(Path(sys.argv[1]), Path(sys.argv[2]), "cpu")
-    resume(dataset, Options(workers=2), Listener(lambda r: None, print), produce=fake.produce)
+    resume(dataset, Options(workers=2), Listener(lambda r: None, print), produce=fake.produce,
+        pack=lambda dataset: None)
 """
 
 

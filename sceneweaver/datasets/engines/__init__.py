@@ -1,8 +1,23 @@
 """Runs of data sets: begun, interrupted, resumed, spread over workers and machines. What comes out is the same."""
 
+from .estimate import Estimate, estimate
 from .local import Listener
 from .manifest import Dataset, begin, open_dataset
 from .records import read_records
 from .run import Options, missing, resume
+from .status import Status, status
 
-__all__ = ["Dataset", "Listener", "Options", "begin", "missing", "open_dataset", "read_records", "resume"]
+__all__ = [
+    "Dataset",
+    "Estimate",
+    "Listener",
+    "Options",
+    "Status",
+    "begin",
+    "estimate",
+    "missing",
+    "open_dataset",
+    "read_records",
+    "resume",
+    "status",
+]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import socket
+import time
 from collections import deque
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
@@ -68,6 +69,8 @@ class LocalEngine:
         self._pause: Wait | None = None
         self._false_starts = 0
         self._largest = 0  # block so far [bytes]
+        self.began = 0.0
+        """When it was asked to run [s since 1970]."""
 
     def run(self, numbers: Iterable[int]) -> None:
         """Make these blocks.
@@ -76,6 +79,7 @@ class LocalEngine:
             DiskFullError: the disk is full, and the engine is not patient. MissingDependencyError: of a worker.
             SceneWeaverError: workers do not even begin.
         """
+        self.began = time.time()
         self._tasks.extend(Task(number) for number in numbers)
         try:
             for index in range(min(self._count, len(self._tasks))):

@@ -91,17 +91,28 @@ def begin(source: Path, out: Path, device: str = "auto") -> Dataset:
     Raises:
         InputError: the specification is wrong, the folder holds something else, or it cannot be written.
     """
-    spec, prompts, folder = load_spec(source), None, Folder(out)
-    if spec.requests.prompts_file is not None:
-        Requests(spec, source.parent)  # an error names the file of the user
-        prompts = read_bytes(source.parent / spec.requests.prompts_file, max_bytes=MAX_PROMPTS)
-        spec = spec.model_copy(update={"requests": spec.requests.model_copy(update={"prompts_file": PROMPTS})})
+    spec, prompts = load_source(source)
+    folder = Folder(out)
     if folder.manifest.exists():
         there = open_dataset(out)
         _require_same(there, spec, None if prompts is None else hashlib.sha256(prompts).hexdigest())
         agreed_device(there, device)
         return there
     return create(folder, spec, device, {folder.spec.name: read_bytes(source)}, prompts)
+
+
+def load_source(source: Path) -> tuple[Spec, bytes | None]:
+    """The specification of a file, as a data set keeps it, and the content of its file of prompts if there is one.
+
+    Raises:
+        InputError: one of them is wrong.
+    """
+    spec = load_spec(source)
+    if spec.requests.prompts_file is None:
+        return spec, None
+    Requests(spec, source.parent)  # an error names the file of the user
+    prompts = read_bytes(source.parent / spec.requests.prompts_file, max_bytes=MAX_PROMPTS)
+    return spec.model_copy(update={"requests": spec.requests.model_copy(update={"prompts_file": PROMPTS})}), prompts
 
 
 def create(

@@ -53,7 +53,7 @@ def resume(
         options: how to work.
         listener: hears of blocks and troubles.
         produce: what makes scenes, if not `produce`; a function that can be pickled.
-        pack: makes the files of a data set of its blocks.
+        pack: makes the files of a data set of its blocks, if not `pack_blocks`.
 
     Returns:
         Whether it is whole now.
@@ -111,8 +111,7 @@ def finish(dataset: Dataset, pack: Pack | None, listener: Listener, *, patient: 
             if not dataset.folder.complete.exists():
                 shutil.rmtree(dataset.folder.work / "rooms", ignore_errors=True)
                 write_atomic(dataset.folder.complete, "")
-            if pack is not None:
-                pack(dataset)
+            (pack or pack_blocks)(dataset)
             return
         except (OSError, InputError) as error:
             if not disk_full(error):
@@ -121,6 +120,13 @@ def finish(dataset: Dataset, pack: Pack | None, listener: Listener, *, patient: 
         listener.notice(f"{pause}; waiting")
         while not pause.over:
             time.sleep(TICK)
+
+
+def pack_blocks(dataset: Dataset) -> None:
+    """Make the files of a data set of its blocks."""
+    from ..files import pack
+
+    pack(dataset.folder, dataset.requests)
 
 
 def clean(dataset: Dataset) -> None:

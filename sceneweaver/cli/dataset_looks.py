@@ -1,0 +1,79 @@
+"""``sceneweaver dataset status``, ``plan``, ``verify``: what is there, what it will cost, whether it holds."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import typer
+
+from .dataset_runs import Progress, duration, handles
+from .exit_codes import NOT_VALID
+from .output import no_chatter, print_json, progress_bar
+
+
+def run_status(path: Path, *, as_json: bool) -> int:
+    """Say how far a data set is."""
+    from sceneweaver.datasets.engines import open_dataset, status
+
+    found = status(open_dataset(path))
+    if as_json:
+        print_json(found.to_dict())
+        return 0
+    state = "whole" if found.whole else "being made" if found.running else "not whole; resume it"
+    typer.echo(f"{path}: {state}, {found.made} of {found.blocks} blocks")
+    typer.echo("  " + ", ".join(f"{count} {name}" for name, count in found.rows.items()))
+    if found.rate:
+        left = found.seconds_left
+        typer.echo(f"  {found.rate:.2f} scenes a second" + ("" if left is None else f", {duration(left)} left"))
+    for reason, count in found.reasons.items():
+        typer.echo(f"  {count} x {reason}")
+    return 0
+
+
+def run_plan(source: Path, sample: int, workers: int | None, device: str, *, as_json: bool) -> int:
+    """Say what a data set will cost."""
+    with handles() as (_, stderr):
+        from sceneweaver.datasets.engines import Listener, estimate
+
+        notices = Progress(0, None, stderr)
+        found = estimate(source, sample, workers, device, Listener(lambda record: None, notices.notice))
+    if as_json:
+        print_json(found.to_dict())
+        return 0
+    typer.echo(f"{found.count} scenes with {found.workers} workers, from {found.sample} that were made:")
+    typer.echo(f"  {found.rate:.2f} scenes a second, {duration(found.seconds)} in all")
+    typer.echo(
+        f"  {_size(found.bytes)} on the disk: {_size(found.scene_bytes)} a scene, "
+        f"{_size(found.asset_bytes)} of assets that scenes share"
+    )
+    typer.echo("  of the sample: " + ", ".join(f"{count} {name}" for name, count in found.shares.items()))
+    return 0
+
+
+def run_verify(path: Path, workers: int | None, sample: int | None, stability: int, *, as_json: bool) -> int:
+    """Judge a data set from its files alone."""
+    from sceneweaver.datasets import verify_dataset
+    from sceneweaver.datasets.engines.run import cores
+
+    with progress_bar("judging", 1) as bar, no_chatter():
+        found = verify_dataset(
+            path,
+            workers=workers or cores(),
+            sample=sample,
+            stability=stability,
+            progress=None if bar is None else lambda done, total: bar(done, total, done, 0.0),
+        )
+    if as_json:
+        print_json(found.data)
+    else:
+        for line in found.lines():
+            typer.echo(line)
+    return 0 if found.ok else NOT_VALID
+
+
+def _size(count: float) -> str:
+    for unit in ("bytes", "kB", "MB", "GB"):
+        if count < 1000:
+            return f"{count:.3g} {unit}"
+        count /= 1000
+    return f"{count:.3g} TB"
