@@ -10,6 +10,7 @@ from sceneweaver.scene import Scene
 
 from .captions import captions
 from .facts import Facts
+from .instructions import instructions
 from .questions import questions
 
 
@@ -24,11 +25,15 @@ def describe(scene: Scene, seed: int) -> dict[str, bytes]:
         seed: what is drawn: wording, which facts are told and what is asked.
 
     Returns:
-        By suffix, the contents of ``captions.json`` and ``questions.jsonl``.
+        By suffix, the contents of ``captions.json``, ``questions.jsonl`` and ``instructions.jsonl``.
     """
     facts = Facts(scene)
     rows = [{"id": f"q{k}", **question.to_dict()} for k, question in enumerate(questions(facts, seed))]
-    return {"captions.json": _line(captions(facts, seed)), "questions.jsonl": _lines(rows)}
+    return {
+        "captions.json": _line(captions(facts, seed)),
+        "questions.jsonl": _lines(rows),
+        "instructions.jsonl": _lines(instructions(facts, seed)),
+    }
 
 
 def _line(data: Any) -> bytes:

@@ -49,7 +49,8 @@ def is_bed(body: Body) -> bool:
 def has_front(body: Body) -> bool:
     """Whether everyone sees where its front is."""
     category = body.item.category
-    return is_seat(body) or is_bed(body) or category in _SCREENS or "front" in category_named(category).sides
+    sides = category_named(category).sides
+    return is_seat(body) or is_bed(body) or category in _SCREENS or ("front" in sides and "back" not in sides)
 
 
 def is_watcher(body: Body) -> bool:

@@ -74,39 +74,44 @@ def side_of_thing(asker: Asker) -> Question | None:
     """Whether a thing is on the left or right of who sits in a seat, or looks at a piece of furniture."""
     facts = asker.facts
     fronted = [b for b in asker.standing if has_front(b) and not b.tilted]
-    for a, b in asker.pairs(asker.standing, fronted):
+
+    def answer(pair: tuple[Body, Body]) -> tuple[bool | None, float]:
+        a, b = pair
         if facts.boxes_apart(a, b) > 3.0:
-            continue
+            return None, 0.0
         corners = np.array([b.local(corner) for corner in a.corners])
         angles = np.degrees(np.arctan2(corners[:, 1], corners[:, 0]))
         sides = np.sign(corners[:, 1])
         if abs(sides.sum()) < 4 or np.abs(angles).min() < TURNED or np.abs(angles).max() > 180 - TURNED:
-            continue
-        own_left = sides[0] > 0
-        name = asker.name(b)
-        if is_seat(b):
-            start, left = f"You sit on {name} and look straight ahead.", own_left
-        elif is_bed(b):
-            start, left = f"You stand at the foot of {name} and look at it.", not own_left
-        else:
-            start, left = f"You stand before the front of {name} and look at it.", not own_left
-        return Question(
-            "side_of_thing",
-            "choice",
-            f"{start} Is {asker.name(a)} on your left or on your right?",
-            "left" if left else "right",
-            asker.ids(a, b),
-            {
-                "in_frame_of": b.id,
-                "centre": [rounded(v) for v in b.local(a.centre)],
-                "viewer": "own" if is_seat(b) else "opposite",
-            },
-            "all corners of the first box, [ahead, left] in the frame of the second; left and right swap where "
-            "one looks at it",
-            margin=rounded(np.abs(corners[:, 1]).min()),
-            options=("left", "right"),
-        )
-    return None
+            return None, 0.0
+        return bool((sides[0] > 0) == is_seat(b)), float(np.abs(corners[:, 1]).min())
+
+    found = asker.balanced(asker.pairs(asker.standing, fronted), answer)
+    if found is None:
+        return None
+    (a, b), left, margin = found
+    name = asker.name(b)
+    if is_seat(b):
+        start = f"You sit on {name} and look straight ahead."
+    elif is_bed(b):
+        start = f"You stand at the foot of {name} and look at it."
+    else:
+        start = f"You stand before the front of {name} and look at it."
+    return Question(
+        "side_of_thing",
+        "choice",
+        f"{start} Is {asker.name(a)} on your left or on your right?",
+        "left" if left else "right",
+        asker.ids(a, b),
+        {
+            "in_frame_of": b.id,
+            "centre": [rounded(v) for v in b.local(a.centre)],
+            "viewer": "own" if is_seat(b) else "opposite",
+        },
+        "corners of the first box, [ahead, left] in the frame of the second; left and right swap if one looks at it",
+        margin=rounded(margin),
+        options=("left", "right"),
+    )
 
 
 def faces(asker: Asker) -> Question | None:
@@ -198,6 +203,7 @@ def between(asker: Asker) -> Question | None:
             "the relation `between` of the catalogue, which holds for this one alone and not nearly for the others",
             margin=0.2,
             options=tuple(asker.name(c) for c in options),
+            option_objects=tuple(c.id for c in options),
         )
     return None
 

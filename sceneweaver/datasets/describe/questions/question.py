@@ -37,6 +37,7 @@ class Question:
         method: how the answer follows from them.
         margin: how far the measurement is from where the answer would change, in its unit; None: it is counted or said.
         options: of a choice.
+        option_objects: ids of the options, where they are things.
         tolerance: how far a number may be off.
         unit: of a number.
     """
@@ -50,6 +51,7 @@ class Question:
     method: str
     margin: float | None = None
     options: tuple[str, ...] = ()
+    option_objects: tuple[str, ...] = ()
     tolerance: float | None = None
     unit: str | None = field(default=None)
 

@@ -86,6 +86,7 @@ def nearest(asker: Asker) -> Question | None:
             "the least of the distances between footprints",
             margin=rounded(margin),
             options=tuple(asker.name(b) for b in chosen),
+            option_objects=tuple(b.id for b in chosen),
         )
     return None
 
@@ -136,6 +137,7 @@ def largest(asker: Asker) -> Question | None:
         "depth times width of the box of each",
         margin=rounded(first - second),
         options=tuple(asker.name(b) for b in chosen),
+        option_objects=tuple(b.id for b in chosen),
     )
 
 
@@ -164,13 +166,15 @@ def floor_area(asker: Asker) -> Question | None:
         "free_floor",
         "number",
         asker.one_of(
-            "How many square metres of the floor are free of furniture?",
-            "How much of the floor, in square metres, has nothing standing on it (rugs and mats do not count)?",
+            "Seen from above, how many square metres of the floor are not covered by things that stand on it? Rugs and "
+            "mats do not count.",
+            "How much of the floor, in square metres, is left over when all that stands on it is seen from above (rugs "
+            "and mats aside)?",
         ),
         rounded(free, 1),
         (),
         {"area": rounded(area), "taken": rounded(area - free)},
-        f"area of the outline less the union of the parts of all that begins below {FLAT} m and ends above it",
+        f"area of the outline less the footprints of all things that begin below {FLAT} m and end above it",
         tolerance=rounded(max(0.3, 0.05 * area), 2),
         unit="m2",
     )
