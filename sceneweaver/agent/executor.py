@@ -155,7 +155,7 @@ class Executor:
         if rooms and best.faults and (lighter := lightened(draft, best.faults)) is not None:
             # What is optional goes before the room is changed: a larger one would stay half empty without it.
             notes += lighter.notes
-            draft, variants = lighter.scene, _without(lighter.scene, variants)
+            draft, variants = lighter.scene, remaining(lighter.scene, variants)
             best = self.judged(eased(best.scene, draft))
             if best.faults:
                 best = refined(0, best)
@@ -189,7 +189,7 @@ class Executor:
                 spare = True
                 break
             notes, unmet = [*notes, *lighter.notes], [*unmet, *lighter.unmet]
-            draft, variants = lighter.scene, _without(lighter.scene, variants)
+            draft, variants = lighter.scene, remaining(lighter.scene, variants)
             best = refined(0, self.judged(eased(best.scene, draft)))
         if best.faults and not spare and self.deadline.left > AGAIN * took:
             variants = []  # without the rows: they may be what stands in the way
@@ -448,7 +448,7 @@ def with_relations(scene: Scene, variant: Variant) -> Scene:
     return scene.model_copy(update={"relations": (*scene.relations, *variant)})
 
 
-def _without(scene: Scene, variants: Sequence[Variant]) -> list[Variant]:
+def remaining(scene: Scene, variants: Sequence[Variant]) -> list[Variant]:
     """The variants without the relations of what is not in a scene any more."""
     known = {*scene.ids, *(f"wall:{wall.index}" for wall in scene.room.walls)}
     return [tuple(r for r in variant if {r.subject, *r.targets} <= known) for variant in variants]
