@@ -1,10 +1,9 @@
 """Data sets: many rooms from one specification, each with its judgement, whoever makes them and in whatever order.
 
-`produce` is loaded from `sceneweaver.datasets.produce` where scenes are made, as it needs the whole house.
+What needs more of the house is loaded where it is used: `produce`, `engines`, `checking` and `report`.
 """
 
 from .blocks import read_rows, read_samples, write_block
-from .checking import Verification, verify_dataset
 from .folder import Folder
 from .requests import Request, Requests
 from .sample import Sample
@@ -19,11 +18,9 @@ __all__ = [
     "Requests",
     "Sample",
     "Spec",
-    "Verification",
     "load_spec",
     "make_block",
     "read_rows",
     "read_samples",
-    "verify_dataset",
     "write_block",
 ]
