@@ -57,22 +57,23 @@ class Spread:
 def statistics(rows: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
     """The statistics of a data set, as ``meta/statistics.json`` holds them.
 
-    Shares are of all requests, spreads and variety are over the delivered scenes. Distinct shells are counted by kind
-    of room, number of walls and area to 0.01 m2, so that there are at least as many.
+    Shares are of all requests, spreads and variety are over the delivered scenes. Categories and their entropy are
+    counted by scenes that have them. Distinct shells are counted by kind of room, number of walls and area to 0.01 m2,
+    so that there are at least as many.
 
     Args:
-        rows: rows of the index, in its order.
+        rows: rows of the index, in order.
 
     Returns:
         Plain JSON without times: equal rows give equal statistics.
     """
     tallies = {name: Counter() for name in ("status", "split", "kind", "room_type", "licence", "attempt")}
     reasons, failed_gates, unmet = Counter(), Counter(), Counter()
-    things, scenes_with = Counter(), Counter()
+    things: Counter[str] = Counter()
     spreads = {name: Spread(*bins) for name, bins in BINS.items()}
     grades: dict[str, Spread] = {}
     rooms, signatures, shells, groups = set(), set(), set(), Counter()
-    requests = ok = invalid = size = 0
+    requests = ok = invalid = size = objects = 0
     for row in rows:
         requests += 1
         tallies["status"][row["status"]] += 1
@@ -94,9 +95,8 @@ def statistics(rows: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
         for name, grade in (row.get("grades") or {}).items():
             if grade is not None:
                 grades.setdefault(name, Spread(0.0, 10.0, 40)).add(grade)
-        named = row.get("categories") or ()
-        things.update(named)
-        scenes_with.update(set(named))
+        objects += row.get("object_count") or 0
+        things.update(set(row.get("categories") or ()))
         rooms.add(row.get("room"))
         if row.get("layout_signature"):
             signatures.add(hash(row["layout_signature"]))
@@ -105,7 +105,6 @@ def statistics(rows: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
         if row.get("near_duplicate_group") is not None:
             groups[row["near_duplicate_group"]] += 1
     twins = sum(count for count in groups.values() if count > 1)
-    total = sum(things.values())
     return {
         "schema": SCHEMA,
         "requests": requests,
@@ -114,14 +113,14 @@ def statistics(rows: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
         "served": _share(ok, requests),
         "invalid": invalid,
         "bytes": size,
-        "objects": total,
+        "objects": objects,
         **{name: _sorted(tally) for name, tally in tallies.items()},
         "reasons": _sorted(reasons),
         "gates_failed": _sorted(failed_gates),
         "unmet": dict(list(_sorted(unmet).items())[:50]),
         "spreads": {name: spread.result() for name, spread in spreads.items()},
         "grades": {name: spread.result() for name, spread in sorted(grades.items())},
-        "categories": {n: {"objects": c, "scenes": scenes_with[n]} for n, c in _sorted(things).items()},
+        "categories": _sorted(things),
         "diversity": {
             "categories": len(things),
             "category_entropy": round(entropy(things), 4),

@@ -6,7 +6,7 @@ import hashlib
 import json
 import math
 import tempfile
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -67,7 +67,7 @@ class Judge:
             suffix = SUFFIXES.get(name)
             if suffix is not None and suffix not in files:
                 found.fault("export", key, f"has no {suffix}")
-        self._exports(key, scene, files, found)
+        self._exports(row, scene, files, found)
 
     def simulate(self, key: str, content: bytes, seconds: float, found: Findings) -> None:
         """Compile the MJCF file of a scene and let it loose for a time; 0: only compile it."""
@@ -93,8 +93,9 @@ class Judge:
             found.fault("stability", key, f"{name} moves {far:.3f} m; {self.still:g} m are allowed")
         return None
 
-    def _exports(self, key: str, scene: Scene, files: Mapping[str, bytes], found: Findings) -> None:
+    def _exports(self, row: Mapping[str, Any], scene: Scene, files: Mapping[str, bytes], found: Findings) -> None:
         """Files of the store that are named, and where objects are."""
+        key = row["key"]
         for suffix, read, names, frames in (
             ("glb", exports.glb_json, exports.glb_files, exports.glb_frames),
             ("xml", exports.mjcf_tree, exports.mjcf_files, exports.mjcf_frames),
@@ -104,7 +105,7 @@ class Judge:
             try:
                 document: Any = read(files[suffix])
                 lines = list(exports.misplaced(scene, frames(document)))
-                self._named(key, suffix, set(names(document)), found)
+                self._named(row, suffix, set(names(document)), found)
             except (InputError, ArithmeticError, LookupError, TypeError, ValueError) as error:
                 found.fault("export", key, f"{suffix}: {error}")
                 continue
@@ -112,12 +113,15 @@ class Judge:
             for line in lines[:3]:
                 found.fault("export", key, f"{suffix}: {line}")
 
-    def _named(self, key: str, suffix: str, names: Iterable[str], found: Findings) -> None:
-        for name in sorted(set(names) - self._there):
+    def _named(self, row: Mapping[str, Any], suffix: str, names: set[str], found: Findings) -> None:
+        """Files that an export names are in the store, and in the row."""
+        for name in sorted(names - self._there):
             if name.startswith("assets/") and ".." not in name and (self.root / name).is_file():
                 self._there.add(name)
             else:
-                found.fault("asset", key, f"{suffix} names {name}, which is not in the store")
+                found.fault("asset", row["key"], f"{suffix} names {name}, which is not in the store")
+        if row.get("assets") is not None and (more := names.difference(row["assets"])):
+            found.fault("asset", row["key"], f"{suffix} names {min(more)}, which the index does not list")
 
 
 def content_of(files: Mapping[str, bytes]) -> tuple[str, int]:

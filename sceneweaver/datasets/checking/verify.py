@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -15,9 +15,11 @@ import numpy as np
 import sceneweaver
 from sceneweaver.scene import InputError, write_atomic
 
+from ..columns import arrow
+from ..engines import open_dataset
 from ..folder import Folder
 from ..reading import Span, packed, rows_of, shards_of, spans_of
-from ..spec import Spec, load_spec
+from ..spec import Spec
 from . import tables
 from .findings import CHECKS, KEPT, Fault, Findings
 from .pages import markdown
@@ -31,8 +33,9 @@ COMPILED = 50
 """How many scenes are compiled by MuJoCo, at most, besides those that are let loose."""
 
 _TOGETHER = 16  # scenes of a task
-_ROW = ("key", "index", "prompt", "room_type", "area", "wall_count", "object_count", "relation_count", "categories")
-_ROW += ("valid", "collisions", "out_of_bounds", "relations_satisfied", "walkable_share", "content_hash", "bytes")
+_ROW = ["key", "status", "shard", "prompt", "room_type", "area", "wall_count", "object_count", "relation_count"]
+_ROW += ["categories", "assets", "valid", "collisions", "out_of_bounds", "relations_satisfied", "walkable_share"]
+_ROW += ["content_hash", "bytes"]
 
 Progress = Callable[[int, int], object]
 """Called with how many scenes are done, and how many there are."""
@@ -97,12 +100,10 @@ def verify_dataset(
         MissingDependencyError: when pyarrow is not installed.
     """
     began = time.perf_counter()
-    folder = Folder(Path(path))
-    if not folder.spec.is_file():
-        raise InputError(f"{folder.path}: no data set: there is no {folder.spec.name} in it")
+    dataset = open_dataset(Path(path))
+    folder, spec, found = dataset.folder, dataset.spec, Findings()
     if not packed(folder):
         raise InputError(f"{folder.path}: is not packed yet; finish it with `sceneweaver dataset resume`")
-    spec, found = load_spec(folder.spec), Findings()
     tables.check_schema(folder, found)
     tables.check_rows(rows_of(folder), spec, found)
     total, done = found.counts["scenes"], 0
@@ -126,12 +127,15 @@ def _tasks(folder: Folder, spec: Spec, found: Findings, sample: int | None, stab
     small += tables.stored(folder, (path for path, _ in files))
     yield from (Digests(folder.path, tuple(small[k : k + 256])) for k in range(0, len(small), 256))
 
-    rows = {row["key"]: row for row in rows_of(folder, ["status", "shard", *_ROW]) if row.pop("status") == "ok"}
-    shards = {key: Path(row.pop("shard") or "").name for key, row in rows.items()}
-    judged = _chosen(rows, sample)
-    simulated = dict.fromkeys(_chosen(dict.fromkeys(judged), COMPILED), 0.0) if "mjcf" in spec.exports else {}
+    table = _table(folder)
+    delivered = [status == "ok" for status in table["status"].to_pylist()]
+    table = table.filter(delivered)
+    places = {key: place for place, key in enumerate(table["key"].to_pylist())}
+    shards = {key: Path(shard or "").name for key, shard in zip(places, table["shard"].to_pylist(), strict=True)}
+    judged = _chosen(list(places), sample)
+    simulated = dict.fromkeys(_chosen(sorted(judged), COMPILED), 0.0) if "mjcf" in spec.exports else {}
     judge = Judge(folder.path, spec.exports, still=spec.gates.still)
-    simulated |= dict.fromkeys(_chosen(dict.fromkeys(judged), stability), judge.seconds)
+    simulated |= dict.fromkeys(_chosen(sorted(judged), stability), judge.seconds)
     spans: list[Span] = []
     for shard in shards_of(folder):
         try:
@@ -141,19 +145,29 @@ def _tasks(folder: Folder, spec: Spec, found: Findings, sample: int | None, stab
             continue
         spans += of_shard
         for span in of_shard:
-            mine = {key: rows[key] for key in span.keys if key in rows}
+            rows = table.take([places[key] for key in span.keys if key in places]).to_pylist()
+            mine = {row["key"]: row for row in rows}
             loose = {key: simulated[key] for key in mine if key in simulated}
             yield Scenes(judge, span, mine, judged & mine.keys(), loose)
     tables.check_spans(spans, shards, found)
 
 
-def _chosen(keys: dict[str, Any], count: int | None) -> frozenset[str]:
+def _table(folder: Folder) -> Any:
+    """What is compared of the index, as an Arrow table: names that many rows share are held once."""
+    arrow()
+    from pyarrow import parquet
+
+    names = [name for name in _ROW if name in parquet.read_schema(folder.index).names]
+    shared = [f"{name}.list.element" for name in ("assets", "categories")]
+    return parquet.read_table(folder.index, columns=names, read_dictionary=shared)
+
+
+def _chosen(keys: Sequence[str], count: int | None) -> frozenset[str]:
     """Some keys, drawn evenly; always the same."""
-    names = list(keys)
-    if count is None or count >= len(names):
-        return frozenset(names)
-    drawn = np.random.default_rng(0).choice(len(names), size=count, replace=False)
-    return frozenset(names[k] for k in drawn)
+    if count is None or count >= len(keys):
+        return frozenset(keys)
+    drawn = np.random.default_rng(0).choice(len(keys), size=count, replace=False)
+    return frozenset(keys[k] for k in drawn.tolist())
 
 
 def _result(found: Findings, spec: Spec, seconds: float) -> dict[str, Any]:

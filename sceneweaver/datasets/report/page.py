@@ -14,10 +14,8 @@ from typing import Any
 from sceneweaver.report.html import esc
 from sceneweaver.scene import InputError, write_atomic
 
-from ..engines import read_records
-from ..folder import Folder
+from ..engines import open_dataset, read_records
 from ..reading import packed
-from ..spec import load_spec
 from . import sections
 from .collect import Gathered, gather
 
@@ -38,16 +36,15 @@ def write_report(path: str | os.PathLike[str], out: str | os.PathLike[str] | Non
         InputError: no data set, or nothing is made yet.
         MissingDependencyError: when pyarrow is not installed.
     """
-    folder = Folder(Path(path))
-    if not folder.spec.is_file():
-        raise InputError(f"{folder.path}: no data set: there is no {folder.spec.name} in it")
+    dataset = open_dataset(Path(path))
+    folder = dataset.folder
     found = gather(folder)
     if not found.numbers["requests"]:
         raise InputError(f"{folder.path}: nothing is made yet; try again when the first block is there")
     verification = folder.path / "verification.json"
     verified = json.loads(verification.read_bytes()) if verification.is_file() and packed(folder) else None
     target = folder.path / NAME if out is None else Path(out)
-    write_atomic(target, page(load_spec(folder.spec).name, found, read_records(folder), verified, packed(folder)))
+    write_atomic(target, page(dataset.spec.name, found, read_records(folder), verified, packed(folder)))
     return target
 
 
