@@ -167,7 +167,7 @@ def _chosen(keys: Sequence[str], count: int | None) -> frozenset[str]:
     if count is None or count >= len(keys):
         return frozenset(keys)
     drawn = np.random.default_rng(0).choice(len(keys), size=count, replace=False)
-    return frozenset(keys[k] for k in drawn.tolist())
+    return frozenset(keys[int(k)] for k in drawn)
 
 
 def _result(found: Findings, spec: Spec, seconds: float) -> dict[str, Any]:
