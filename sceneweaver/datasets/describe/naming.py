@@ -30,6 +30,11 @@ class Name:
     ids: tuple[str, ...]
 
 
+def color_families() -> dict[str, str]:
+    """The colours that have a name here, each with the family in which one may be taken for the other."""
+    return dict(_PLAIN)
+
+
 def color(body: Body) -> str | None:
     """The colour of a body as a word, where its kind has one that is seen at a glance."""
     said = body.item.attributes.get("color")
