@@ -13,7 +13,18 @@ from tests.test_repository import ROOT, code_blocks, tracked_files
 TEXTS = ["README.md", "CONTRIBUTING.md", *(p.relative_to(ROOT).as_posix() for p in (ROOT / "docs").rglob("*.md"))]
 NAMED = re.compile(r"(?:[\w.*-]+/)*[\w.*-]+\.(?:py|yaml|schema\.json)|(?:[\w.*-]+/)+(?=[\s`,;)]|$)")
 LINKED = re.compile(r"^sceneweaver/(?=(kernels|optimizers|tools|toolcards)/)")
-OUTPUTS = ("out/", "views/", "steps/", "meshes/", "models/", "sdf/", "urdf/")  # folders that commands write
+OUTPUTS = (
+    "out/",
+    "views/",
+    "steps/",
+    "meshes/",
+    "models/",
+    "sdf/",
+    "urdf/",
+    "meta/",
+    "work/",
+    "spec.yaml",
+)  # what commands write
 
 
 @pytest.fixture(scope="module")

@@ -5,15 +5,19 @@ from __future__ import annotations
 import hashlib
 import json
 from pathlib import Path
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 import yaml
 from pydantic import Field, model_validator
 
 from sceneweaver.scene import InputError, read_bytes
 from sceneweaver.scene.base import FrozenModel
+from sceneweaver.scene.messages import suggest
 
 FORMAT = "sceneweaver.dataset/1"
+
+EXAMPLES = {path.stem: path for path in sorted((Path(__file__).parent / "examples").glob("*.yaml"))}
+"""Specifications that ship with the library, by name."""
 
 Weights = Annotated[dict[str, Annotated[float, Field(gt=0)]], Field(min_length=1)]
 """What is drawn, with how much it weighs."""
@@ -97,6 +101,24 @@ class Spec(FrozenModel):
         """SHA-256 of all fields, in hex."""
         text = json.dumps(self.model_dump(mode="json"), sort_keys=True, ensure_ascii=False)
         return hashlib.sha256(text.encode()).hexdigest()
+
+
+def spec_file(source: Path) -> Path:
+    """The file of a specification: of that path, or else of the example of that name.
+
+    Raises:
+        InputError: there is neither.
+    """
+    if source.exists() or source.suffix:
+        return source
+    if str(source) not in EXAMPLES:
+        raise InputError(f"{source}: no such file, and no example{suggest(str(source), EXAMPLES, what='examples')}")
+    return EXAMPLES[str(source)]
+
+
+def spec_schema() -> dict[str, Any]:
+    """The JSON schema of specifications, for editors and other programs."""
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **Spec.model_json_schema(by_alias=True)}
 
 
 def load_spec(path: str | Path) -> Spec:

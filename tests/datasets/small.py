@@ -30,7 +30,7 @@ def small_scene(number: int) -> sw.Scene:
     return scene
 
 
-def small_sample(request, scene: sw.Scene, status: str = "ok", layout: int = 0, **files: bytes) -> Sample:
+def small_sample(request, scene: sw.Scene, status: str = "ok", layout: int = 0, columns=None, **files: bytes) -> Sample:
     """The sample of a scene, with what packing reads of its row."""
     row = {
         "room": request.room,
@@ -53,13 +53,16 @@ def small_sample(request, scene: sw.Scene, status: str = "ok", layout: int = 0, 
         "unmet": [],
         "licences": ["Apache-2.0"],
         **fingerprint(scene),
+        **(columns or {}),
     }
     content = {"scene.json": scene.dumps().encode(), "metrics.json": b'{"valid": true}\n', **files}
     return Sample(index, key, "ok", row, content, {"design": 0.25, "export": 0.5})
 
 
-def make_small(root: Path, count: int = 6, *, failed: tuple[int, ...] = (), files=None, **changes) -> Requests:
-    """Write the blocks of a small data set."""
+def make_small(
+    root: Path, count: int = 6, *, failed: tuple[int, ...] = (), files=None, row=None, **changes
+) -> Requests:
+    """Write the blocks of a small data set; all its scenes have the files (perhaps by the scene) and columns given."""
     requests = Requests(small_spec(count, **changes))
     for number in range(requests.blocks):
         samples = [
@@ -68,7 +71,8 @@ def make_small(root: Path, count: int = 6, *, failed: tuple[int, ...] = (), file
                 small_scene(request.index + layout),
                 "failed" if request.index + layout in failed else "ok",
                 layout,
-                **(files or {}),
+                row,
+                **(files(small_scene(request.index + layout)) if callable(files) else files or {}),
             )
             for request in requests.block(number)
             for layout in range(request.layouts)

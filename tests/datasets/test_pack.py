@@ -167,3 +167,27 @@ def test_nothing_delivered_is_a_data_set_as_well(tmp_path):
     assert {row["status"] for row in rows_of(tmp_path)} == {"failed"}
     assert list((tmp_path / "data").iterdir()) == []
     assert "| too small | 4 |" in (tmp_path / "README.md").read_text()
+
+
+def test_assets_that_no_scene_names_go_and_others_are_listed(tmp_path):
+    from sceneweaver.datasets import AssetStore
+
+    store = AssetStore(tmp_path)
+    kept, left = store.put(b"mesh", "bin"), store.put(b"of a scene that failed", "bin")
+    requests = make_small(tmp_path, 2, row={"assets": [kept], "asset_ids": ["chair:1"]})
+    lines = [
+        {"asset": name, "category": "chair", "source": "abo", "licence": "CC-BY-4.0", "attribution": "Amazon Berkeley "}
+        | {"files": [path], "bytes": 4}
+        for name, path in (("chair:1", kept), ("chair:2", left))
+    ]
+    record = tmp_path / "work" / "assets" / "0.jsonl"
+    record.parent.mkdir()
+    record.write_text("".join(json.dumps(line) + "\n" for line in lines) + '{"asset": "torn')
+    pack(Folder(tmp_path), requests)
+    assert (tmp_path / kept).exists() and not (tmp_path / left).exists()
+    table = arrow().parquet.read_table(tmp_path / "meta" / "assets.parquet").to_pylist()
+    assert table == lines[:1]
+    text = (tmp_path / "LICENSES.md").read_text()
+    assert "| abo | [CC-BY-4.0](https://creativecommons.org/licenses/by/4.0/) | Amazon Berkeley  | 1 |" in text
+    assert kept in (tmp_path / "checksums.sha256").read_text()
+    assert "license: cc-by-4.0" in (tmp_path / "README.md").read_text()

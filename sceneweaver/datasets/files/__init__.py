@@ -2,7 +2,8 @@
 
 from .fingerprint import fingerprint, signature
 from .finish import finish
+from .hub import push_card
 from .packing import pack
 from .plan import packing
 
-__all__ = ["finish", "fingerprint", "pack", "packing", "signature"]
+__all__ = ["finish", "fingerprint", "pack", "packing", "push_card", "signature"]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import tarfile
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -9,7 +11,6 @@ import yaml
 
 import sceneweaver
 
-from ..columns import index_schema
 from ..folder import Folder
 from ..spec import Spec
 from .licences import Licence
@@ -17,6 +18,9 @@ from .licences import Licence
 SIZES = ((10**3, "n<1K"), (10**4, "1K<n<10K"), (10**5, "10K<n<100K"), (10**6, "100K<n<1M"), (10**7, "1M<n<10M"))
 TEMPLATE = Path(__file__).with_name("card.md")
 """The text, with fields in braces."""
+
+SEEN = 1000
+"""Files of the first shard that are looked at for suffixes."""
 
 HUB_LICENCES = {"Apache-2.0", "BSD-3-Clause", "CC-BY-4.0", "CC-BY-NC-4.0", "CC0-1.0", "MIT"}
 """Licences that Hugging Face knows by their name in lower case."""
@@ -73,11 +77,8 @@ def _front(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Licen
     """The YAML at the head of the card."""
     names = list(dict.fromkeys(one.name for one in used))
     one = names[0] if len(names) == 1 and names[0] in HUB_LICENCES else None
-    licence = (
-        {"license": one.lower()}
-        if one
-        else {"license": "other", "license_name": "mixed", "license_link": "LICENSES.md"}
-    )
+    mixed = {"license": "other", "license_name": "mixed", "license_link": "LICENSES.md"}
+    licence = {"license": one.lower()} if one else mixed
     suffix = "tar" if spec.product == "scenes" else "parquet"
     splits = [name for name in sorted(spec.splits) if any(folder.data.glob(f"{name}-*.{suffix}"))]
     data = [{"split": name, "path": f"data/{name}-*.{suffix}"} for name in splits]
@@ -88,51 +89,28 @@ def _front(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Licen
         "task_categories": ["robotics", "text-to-3d", "visual-question-answering"],
         "tags": ["indoor scenes", "3d", "layout", "synthetic", "simulation", "sceneweaver"],
         "size_categories": [next((name for most, name in SIZES if numbers["scenes"] < most), "n>10M")],
-        "configs": [
-            *([{"config_name": "default", "data_files": data, "default": True}] if data else []),
-            {"config_name": "index", "data_files": [{"split": "all", "path": "meta/index.parquet"}]},
-        ],
-        "dataset_info": [
-            {
-                "config_name": "index",
-                "features": [_feature(field.name, field.type) for field in index_schema()],
-                "splits": [
-                    {
-                        "name": "all",
-                        "num_bytes": folder.index.stat().st_size,
-                        "num_examples": numbers["requests"],
-                    }
-                ],
-            }
-        ],
+        "configs": [{"config_name": "default", "data_files": data}] if data else [],
+        **({"dataset_info": _info(folder, splits, numbers)} if spec.product == "scenes" else {}),
     }
 
 
-def _feature(name: str, kind: Any) -> dict[str, Any]:
-    """A column in the words of Hugging Face."""
-    import pyarrow.types as types
-
-    if types.is_list(kind):
-        return {"name": name, "list": str(kind.value_type)}
-    if types.is_struct(kind):
-        return {"name": name, "struct": [_feature(field.name, field.type) for field in kind]}
-    return {"name": name, "dtype": {"double": "float64"}.get(str(kind), str(kind))}
+def _info(folder: Folder, splits: list[str], numbers: dict[str, Any]) -> dict[str, Any]:
+    """Types of the files of a scene, as its JSON files have no columns that hold for all, and sizes of the splits."""
+    kinds = {suffix: "json" if suffix.endswith("json") else "binary" for suffix in sorted(suffixes(folder))}
+    kinds |= {"__key__": "string", "__url__": "string"}
+    sizes = {name: sum(path.stat().st_size for path in folder.data.glob(f"{name}-*.tar")) for name in splits}
+    return {
+        "features": [{"name": name, "dtype": kind} for name, kind in kinds.items()],
+        "splits": [{"name": name, "num_bytes": sizes[name], "num_examples": numbers["split"][name]} for name in splits],
+        "dataset_size": sum(sizes.values()),
+    }
 
 
 def suffixes(folder: Folder) -> set[str]:
-    """The suffixes of the files of the first scene."""
-    import tarfile
-
+    """The suffixes of the files of the first scenes."""
     for path in sorted(folder.data.glob("*.tar"))[:1]:
         with tarfile.open(path, "r:") as tar:
-            key, found = None, set()
-            for member in tar:
-                name, _, suffix = member.name.partition(".")
-                if key not in (None, name):
-                    break
-                key = name
-                found.add(suffix)
-            return found
+            return {member.name.partition(".")[2] for member in islice(tar, SEEN)}
     return set()
 
 

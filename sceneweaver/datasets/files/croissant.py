@@ -55,7 +55,6 @@ CONTEXT = {
 }
 
 TYPES = {"bool": "sc:Boolean", "int32": "cr:Int32", "int64": "cr:Int64", "double": "cr:Float64", "string": "sc:Text"}
-PUBLISHED = "2025-01-01"
 
 
 def croissant(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Licence]) -> dict[str, Any]:
@@ -67,8 +66,10 @@ def croissant(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Li
         numbers: its statistics.
         used: licences of its assets.
     """
+    from pyarrow.types import is_struct
+
     names = dict.fromkeys(one.name for one in used)
-    index = _file(folder, folder.index, "application/vnd.apache.parquet")
+    index = _file(folder, folder.index, "application/x-parquet")
     shards = sorted(path for path in folder.data.iterdir() if path.suffix in KINDS) if folder.data.exists() else []
     return {
         "@context": CONTEXT,
@@ -89,15 +90,15 @@ def croissant(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Li
                 "@type": "cr:RecordSet",
                 "@id": "scenes",
                 "name": "scenes",
-                "description": "One row a request.",
+                "description": "One row a request. The table has the structs grades and gates as well.",
                 "key": {"@id": "scenes/index"},
-                "field": [_field(index["@id"], column) for column in index_schema()],
+                "field": [_field(index["@id"], column) for column in index_schema() if not is_struct(column.type)],
             }
         ],
     }
 
 
-KINDS = {".tar": "application/x-tar", ".parquet": "application/vnd.apache.parquet"}
+KINDS = {".tar": "application/x-tar", ".parquet": "application/x-parquet"}
 """Media types of shards by suffix."""
 
 
@@ -116,7 +117,7 @@ def _file(folder: Folder, path: Path, kind: str) -> dict[str, Any]:
 
 def _field(table: str, column: Any) -> dict[str, Any]:
     """A column of the index."""
-    import pyarrow.types as types
+    from pyarrow.types import is_list
 
     field = {
         "@type": "cr:Field",
@@ -124,8 +125,6 @@ def _field(table: str, column: Any) -> dict[str, Any]:
         "name": column.name,
         "source": {"fileObject": {"@id": table}, "extract": {"column": column.name}},
     }
-    if types.is_list(column.type):
+    if is_list(column.type):
         return field | {"dataType": TYPES[str(column.type.value_type)], "isArray": True, "arrayShape": "-1"}
-    if types.is_struct(column.type):
-        return field | {"dataType": "sc:Text"}
     return field | {"dataType": TYPES[str(column.type)]}

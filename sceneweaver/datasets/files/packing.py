@@ -10,7 +10,7 @@ from sceneweaver.scene.files import sweep
 from ..folder import Folder
 from ..requests import Requests
 from .finish import finish
-from .plan import INDEX, SECONDS_TABLE, packing, write_plan
+from .plan import ASSETS, INDEX, SECONDS_TABLE, packing, read_table, write_plan
 from .shards import write_shards
 
 
@@ -33,9 +33,18 @@ def pack(folder: Folder, requests: Requests) -> None:
     if (folder.plan / INDEX).exists():
         write_shards(folder, requests)
         folder.meta.mkdir(exist_ok=True)
-        for name in (SECONDS_TABLE, INDEX):
+        for name in (SECONDS_TABLE, ASSETS, INDEX):
             if (folder.plan / name).exists():
                 os.replace(folder.plan / name, folder.meta / name)
     for place in (folder.plan, folder.blocks):
         shutil.rmtree(place, ignore_errors=True)
+    _prune(folder)
     finish(folder, requests.spec)
+
+
+def _prune(folder: Folder) -> None:
+    """Remove files from the store that no scene names: what a run that was killed wrote for scenes that then failed."""
+    used = {name for row in read_table(folder.index, ["assets"]) for name in row["assets"] or ()}
+    for path in folder.assets.glob("*/*"):
+        if path.relative_to(folder.path).as_posix() not in used:
+            path.unlink()

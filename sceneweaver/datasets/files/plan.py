@@ -21,12 +21,13 @@ from ..columns import arrow, index_schema
 from ..folder import Folder
 from ..requests import Requests
 from ..spec import Spec
+from ..store import AssetStore
 from .fingerprint import Layout
 from .near_duplicates import join_near_duplicates
 from .splits import assign_splits
 from .union_find import UnionFind
 
-INDEX, SECONDS_TABLE = "index.parquet", "seconds.parquet"
+INDEX, SECONDS_TABLE, ASSETS = "index.parquet", "seconds.parquet", "assets.parquet"
 GROUP = 8192
 """Rows that are written to a table at once."""
 
@@ -52,6 +53,7 @@ def write_plan(folder: Folder, requests: Requests) -> None:
         draft.mkdir()
         write_table(draft / INDEX, _indexed(blocks, placed), index_schema())
         write_table(draft / SECONDS_TABLE, _seconds(blocks), _seconds_schema())
+        write_table(draft / ASSETS, _assets(folder, blocks), _assets_schema())
         os.rename(draft, folder.plan)
 
 
@@ -119,6 +121,20 @@ def _seconds(blocks: list[Path]) -> Iterator[dict[str, Any]]:
                 row = json.loads(line)
                 index = row.pop("index")
                 yield from ({"index": index, "stage": stage, "seconds": took} for stage, took in row.items())
+
+
+def _assets(folder: Folder, blocks: list[Path]) -> Iterator[dict[str, Any]]:
+    """What is known of each asset that a delivered scene has, by id; others were drawn in vain."""
+    from ..store.scene_files import asset_rows  # which loads all exporters
+
+    used = {asset_id for row in _delivered(blocks) for asset_id in row.get("asset_ids") or ()}
+    return (row for row in asset_rows(AssetStore(folder.path)) if row["asset"] in used)
+
+
+def _assets_schema():
+    pa = arrow()
+    columns = [(name, pa.string()) for name in ("asset", "category", "source", "licence", "attribution")]
+    return pa.schema([*columns, ("files", pa.list_(pa.string())), ("bytes", pa.int64())])
 
 
 def _seconds_schema():
