@@ -20,6 +20,7 @@ class Plan:
     rounds: wp.int32  # rounds of one attempt
     start: wp.int32  # GIVEN, ANYWHERE, RELATIONS or DRAWN; later attempts draw from the relations
     anchored_attempts: wp.int32  # with GIVEN: attempts that begin there and keep what is in order where it is
+    mixing: wp.float32  # moves for each movable object, picked at random, that an attempt begins with
     moves: wp.int32  # in a round, for each movable object
     proposals: wp.int32
     slide: wp.float32  # share of proposals that are slid flush with something

@@ -6,7 +6,7 @@ from .array_access import item
 from .bodies import Candidate, candidate_of
 from .jobs import Jobs, SearchState
 from .plan import GIVEN, Plan, SearchRun
-from .state_machine import MOVING, STOP, SURVEY
+from .state_machine import MOVING, RATE, STOP, SURVEY
 from .tables import Problems, State
 from .transitions import transition
 from .warp_primitives import warp_size
@@ -20,9 +20,9 @@ def initial_state(plan: Plan, c: Candidate, run: SearchRun, s: State):
     for obj in range(c.objects):
         s.mark[c.index, obj] = 0
     d = SearchState()
-    d.job = SURVEY
     d.phase = MOVING
     d.round = run.clock[0] % plan.rounds
+    d.job = wp.where(plan.mixing > 0.0 and d.round == 0, RATE, SURVEY)  # to mix, no rating is needed: RATE of no group
     d.anchored = wp.where(plan.start == GIVEN and run.clock[0] // plan.rounds < plan.anchored_attempts, 1, 0)
     d.cursor = -1
     d.rng = item(s.stream, c.index, warp_size())

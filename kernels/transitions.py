@@ -67,6 +67,23 @@ def pick_object(c: Candidate, s: State, u: wp.float32):
 
 
 @wp.func
+def mixing_moves(plan: Plan, movable: wp.int32, round: wp.int32):
+    """How many moves of objects picked at random a round begins with."""
+    return wp.where(round == 0, int(wp.ceil(plan.mixing * float(movable))), 0)
+
+
+@wp.func
+def pick_any(t: TablesRef, c: Candidate, u: wp.float32):
+    """The first object that may move from a share u of all objects on; -1 when there is none."""
+    first = wp.min(int(u * float(c.objects)), c.objects - 1)
+    for k in range(0, c.objects, opaque_one()):
+        obj = (first + k) % c.objects
+        if item(t[0].object_free, c.first_object + obj) != 0:
+            return obj
+    return -1
+
+
+@wp.func
 def may_move(t: TablesRef, c: Candidate, d: SearchState, s: State):
     """True when the attempt may move all objects of a move."""
     if d.anchored == 1:
@@ -187,9 +204,19 @@ def choose_move(t: TablesRef, plan: Plan, c: Candidate, moves: wp.int32, chosen:
 def moving_event(t: TablesRef, plan: Plan, c: Candidate, done: wp.int32, moved: wp.bool, s: State, d: SearchState):
     """What comes next while objects move: the state, and the event."""
     movable = movable_of(t, c)
-    moves = wp.max(plan.moves * movable, LEAST_MOVES)
+    mixing = mixing_moves(plan, movable, d.round)
+    moves = wp.max(plan.moves * movable, LEAST_MOVES) + mixing
     event = int(IN_ORDER)
-    if plan.rates != 0 and done == MOVE and moved and d.last > members_end(t, c.first_object + d.obj):
+    if d.move < mixing:
+        rng = d.rng
+        chosen = pick_any(t, c, wp.randf(rng))
+        d.rng = rng
+        if chosen >= 0:
+            event = OBJECT_CHOSEN
+            d = choose_move(t, plan, c, moves, chosen, s, d)
+    elif mixing > 0 and d.move == mixing and done != SURVEY:
+        event = SURVEY_DUE
+    elif plan.rates != 0 and done == MOVE and moved and d.last > members_end(t, c.first_object + d.obj):
         event = GROUP_MOVED
     elif d.solved == 0:
         if done != SURVEY and d.move % wp.max(4, movable // 2) == 0:

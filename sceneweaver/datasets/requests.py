@@ -30,6 +30,7 @@ class Request:
         kind: the kind of room that was drawn; empty for a prompt of a user.
         seed: what all draws of this room follow from.
         clutter: how lived-in it looks, 0 to 1.
+        scene: a file of a user whose layouts are wanted; None where a room is drawn.
     """
 
     room: int
@@ -39,6 +40,7 @@ class Request:
     kind: str
     seed: int
     clutter: float
+    scene: Path | None = None
 
     def key(self, layout: int) -> str:
         """The name of one of its scenes in the files of a data set."""
@@ -54,6 +56,7 @@ class Requests:
 
     def __init__(self, spec: Spec, folder: Path = Path()):
         self.spec = spec
+        self.folder = folder
         self._prompts = _prompts(spec, folder)
 
     def __len__(self) -> int:
@@ -66,14 +69,16 @@ class Requests:
         rng = np.random.default_rng([spec.seed, room])
         seed = int(rng.integers(2**32))
         clutter = round(float(rng.uniform(*spec.requests.clutter)), 3)
-        kind = ""
-        if self._prompts is not None:
+        kind, prompt, scene = "", "", None
+        if spec.requests.scenes is not None:
+            scene = self.folder / spec.requests.scenes[room % len(spec.requests.scenes)]
+        elif self._prompts is not None:
             prompt = self._prompts[room % len(self._prompts)]
         else:
             kind = _drawn(rng, spec.requests.kinds or {})
             prompt = _words(spec, kind, rng)
         index = room * spec.rooms.layouts
-        return Request(room, index, min(spec.rooms.layouts, spec.count - index), prompt, kind, seed, clutter)
+        return Request(room, index, min(spec.rooms.layouts, spec.count - index), prompt, kind, seed, clutter, scene)
 
     @property
     def blocks(self) -> int:

@@ -26,7 +26,8 @@ Share = Annotated[float, Field(ge=0, le=1)]
 
 
 class Requests(FrozenModel):
-    """What is asked for: kinds of rooms by weight, prompts, or a CSV file with a column ``prompt``; one of the three.
+    """What is asked for: kinds of rooms by weight, prompts, a CSV file with a column ``prompt``, or for layouts scene
+    files; one of the four.
 
     The other fields are said in each request of a kind of room: its area, style and number of people.
     """
@@ -34,6 +35,7 @@ class Requests(FrozenModel):
     kinds: Weights | None = None
     prompts: tuple[str, ...] | None = None
     prompts_file: str | None = None
+    scenes: tuple[str, ...] | None = Field(default=None, description="Scene files whose layouts are wanted")
     area: dict[str, tuple[float, float]] = Field(default={}, description="Least and greatest floor area [m2] by kind")
     sizes: Weights = Field(default={"": 1.0}, description='Words of size: "", small, large, ...')
     styles: Weights = Field(default={"": 1.0}, description='Words of style: "", industrial, scandinavian, ...')
@@ -42,8 +44,8 @@ class Requests(FrozenModel):
 
     @model_validator(mode="after")
     def _one_source(self) -> Requests:
-        if sum(given is not None for given in (self.kinds, self.prompts, self.prompts_file)) != 1:
-            raise ValueError("give one of kinds, prompts and prompts_file")
+        if sum(given is not None for given in (self.kinds, self.prompts, self.prompts_file, self.scenes)) != 1:
+            raise ValueError("give one of kinds, prompts, prompts_file and scenes")
         return self
 
 
@@ -52,6 +54,9 @@ class Rooms(FrozenModel):
 
     candidates: int = Field(default=24, ge=1, le=65536, description="Layouts that are refined for each room")
     layouts: int = Field(default=1, ge=1, le=10**6, description="Layouts of a room that are kept, a scene each")
+    objects: tuple[int, int] = Field(
+        default=(1, 64), description="Least and most pieces of furniture of a room whose layouts are the product"
+    )
     attempts: int = Field(default=3, ge=1, le=20, description="Draws of a room before a request counts as not served")
 
 

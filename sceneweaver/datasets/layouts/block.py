@@ -1,0 +1,165 @@
+"""A block of programs with their layouts, written whole or not at all."""
+
+from __future__ import annotations
+
+import json
+import os
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sceneweaver
+from sceneweaver.geometry.polygons import signed_area
+from sceneweaver.layout.compile import CompiledScene, compile_scene
+from sceneweaver.layout.devices import pick_devices
+from sceneweaver.layout.sampling import Drawn, first_layouts
+from sceneweaver.scene import Scene
+from sceneweaver.scene.files import temporary_folder
+
+from ..blocks import ROWS, SECONDS
+from ..folder import Folder
+from ..requests import Request, Requests
+from ..spec import Spec
+from .collect import Collection, collect
+from .programs import Program, draw_all
+from .tables import Writers, schema
+
+ATTEMPTS = {"cpu": 4, "gpu": 20}
+"""How often each of the first layouts is begun anew; attempts on a GPU are shorter."""
+
+LEAST_FIRST = 2
+"""Valid layouts among the first ones that a program needs to be taken."""
+
+
+@dataclass
+class _Taken:
+    """A program that layouts are made of, with the first of them."""
+
+    program: Program
+    scene: CompiledScene
+    first: Drawn
+
+
+def make_block(folder: Folder, requests: Requests, number: int, device: str = "auto") -> None:
+    """Make one block of programs and their layouts, unless it is there.
+
+    Args:
+        folder: the data set.
+        requests: what is asked for, with its specification.
+        number: which block.
+        device: where layouts are made.
+    """
+    path = folder.block(number)
+    if path.exists():
+        return
+    where = pick_devices(device)[0]
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with temporary_folder(path.parent) as temporary:
+        draft = temporary / path.name
+        draft.mkdir()
+        rows, seconds = [], []
+        writers = Writers(draft, schema(width(requests)))
+        try:
+            for row, times in _made(requests.spec, requests.block(number), writers, where):
+                rows.append(row)
+                seconds.append(times)
+        finally:
+            writers.close()
+        for name, data in ((ROWS, rows), (SECONDS, seconds)):
+            (draft / name).write_text("".join(json.dumps(row, ensure_ascii=False) + "\n" for row in data))
+        if not path.exists():
+            os.rename(draft, path)
+
+
+def width(requests: Requests) -> int:
+    """The objects that rows have poses for: the most that a program may have, or that a scene of the user has."""
+    most = requests.spec.rooms.objects[1]
+    if requests.spec.requests.scenes is None:
+        return most
+    counts = [len(Scene.load(requests.folder / name).objects) for name in requests.spec.requests.scenes]
+    return min(most, max(counts))
+
+
+def _made(
+    spec: Spec, block: Sequence[Request], writers: Writers, device: str
+) -> list[tuple[dict[str, Any], dict[str, Any]]]:
+    """The rows and times of a block's programs, in their order; their layouts go to the writers."""
+    began = time.monotonic()
+    taken, refused = _programs(spec, block, device)
+    drawn = time.monotonic()
+    order = [request.room for request in block if request.room in taken]
+    chosen = [taken[room] for room in order]
+    collections = [
+        Collection(k, room, one.scene, one.program.request.layouts, writers.write)
+        for k, (room, one) in enumerate(zip(order, chosen, strict=True))
+    ]
+    steps = 0
+    if chosen:
+        scenes, first = [one.scene for one in chosen], [one.first for one in chosen]
+        steps = collect(scenes, first, [one.program.seed for one in chosen], collections, device)
+    ended = time.monotonic()
+    found = dict(zip(order, collections, strict=True))
+    times = {"programs": (drawn - began) / len(block), "layouts": (ended - drawn) / len(block)}
+    rows = []
+    for request in block:
+        if request.room in taken:
+            row = _row(taken[request.room], found[request.room].count, spec, steps)
+        else:
+            row = _base(refused[request.room]) | {"status": "rejected", "reason": refused[request.room].reason}
+        rows.append((row, {"index": request.index, **times}))
+    return rows
+
+
+def _programs(spec: Spec, block: Sequence[Request], device: str) -> tuple[dict[int, _Taken], dict[int, Program]]:
+    """The programs of a block by their room, and the last attempt at those that came to nothing."""
+    taken: dict[int, _Taken] = {}
+    refused: dict[int, Program] = {}
+    kind = "cpu" if device == "cpu" else "gpu"
+    for attempt in range(spec.rooms.attempts):
+        left = [request for request in block if request.room not in taken]
+        if not left:
+            break
+        programs = draw_all(spec, [(request, attempt) for request in left], device)
+        refused |= {p.request.room: p for p in programs if p.scene is None}
+        good = [p for p in programs if p.scene is not None]
+        scenes = [compile_scene(p.scene) for p in good if p.scene is not None]
+        first = first_layouts(scenes, spec.rooms.candidates, ATTEMPTS[kind], [p.seed for p in good], device)
+        for program, scene, layouts in zip(good, scenes, first, strict=True):
+            if len(layouts.poses) < min(LEAST_FIRST, program.request.layouts):
+                reason = f"{len(layouts.poses)} of {spec.rooms.candidates} layouts are valid"
+                refused[program.request.room] = Program(program.request, attempt, None, reason)
+            else:
+                taken[program.request.room] = _Taken(program, scene, layouts)
+    return taken, refused
+
+
+def _base(program: Program) -> dict[str, Any]:
+    request = program.request
+    return {
+        "index": request.index,
+        "key": request.key(0),
+        "room": request.room,
+        "attempt": program.attempt,
+        "seed": request.seed,
+        "prompt": request.prompt,
+        "kind": request.kind,
+        "version": sceneweaver.__version__,
+    }
+
+
+def _row(taken: _Taken, count: int, spec: Spec, steps: int) -> dict[str, Any]:
+    scene, wanted = taken.scene.scene, taken.program.request.layouts
+    return _base(taken.program) | {
+        "status": "ok" if count else "rejected",
+        "reason": None if count == wanted else f"{count} of {wanted} layouts after {steps} steps",
+        "layouts": count,
+        "first_valid": len(taken.first.poses) / spec.rooms.candidates,
+        "room_type": scene.room.type,
+        "area": round(abs(float(signed_area(scene.room.outline))), 3),
+        "wall_count": len(scene.room.outline),
+        "object_count": len(scene.objects),
+        "categories": sorted({o.category for o in scene.objects}),
+        "relation_count": len(scene.relations),
+        "scene": json.dumps(scene.to_json(), ensure_ascii=False, separators=(",", ":")),
+    }

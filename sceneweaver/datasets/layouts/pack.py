@@ -1,0 +1,169 @@
+"""From blocks to a data set: layouts in shards by split, and the table of programs."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from sceneweaver.scene.files import temporary_folder
+
+from ..blocks import read_rows
+from ..columns import arrow
+from ..folder import Folder
+from ..requests import Requests
+from ..spec import Spec
+from .block import width
+from .tables import COMPRESSION, FILES, schema
+
+if TYPE_CHECKING:
+    import pyarrow as pa
+
+PROGRAMS = "programs.parquet"
+SIDES = 0.25
+"""Grid [m] of sizes in which two programs of the same furniture count as near-duplicates."""
+
+
+def programs_schema() -> pa.Schema:
+    """The columns of ``meta/programs.parquet``: a row a program, delivered or not."""
+    pa = arrow()
+    text, whole, number = pa.string(), pa.int32(), pa.float64()
+    return pa.schema(
+        [
+            ("program", whole),
+            ("status", text),
+            ("reason", text),
+            ("split", text),
+            ("shards", pa.list_(text)),
+            ("layouts", whole),
+            ("first_valid", number),
+            ("attempt", whole),
+            ("seed", pa.int64()),
+            ("prompt", text),
+            ("kind", text),
+            ("room_type", text),
+            ("area", number),
+            ("wall_count", whole),
+            ("object_count", whole),
+            ("relation_count", whole),
+            ("categories", pa.list_(text)),
+            ("near_duplicate_group", whole),
+            ("scene", text),
+            ("version", text),
+        ]
+    )
+
+
+def pack(folder: Folder, requests: Requests) -> None:
+    """Write ``data/`` and ``meta/programs.parquet`` from the blocks, which stay; does nothing where that is done.
+
+    Programs of the same furniture in rooms of the same size are of one group, and a group lies in one split.
+    """
+    target = folder.meta / PROGRAMS
+    if target.exists():
+        return
+    pa, spec = arrow(), requests.spec
+    folder.meta.mkdir(parents=True, exist_ok=True)
+    with temporary_folder(folder.path) as temporary:
+        shards = _Shards(temporary / "data", schema(width(requests)), spec.shard * 10**6)
+        rows, groups = [], {}
+        for number in range(requests.blocks):
+            block = folder.block(number)
+            row_groups = _row_groups(block)
+            for row in read_rows(block):
+                row |= {"program": row["room"], "split": None, "shards": [], "layouts": row.get("layouts", 0)}
+                if row["layouts"]:
+                    row["near_duplicate_group"] = groups.setdefault(_furniture(row["scene"]), row["room"])
+                    row["split"] = split_of(spec, row["near_duplicate_group"])
+                    row["shards"] = shards.add(row["split"], row_groups[row["room"]])
+                rows.append(row)
+        shards.close()
+        names = programs_schema().names
+        table = pa.Table.from_pylist([{name: row.get(name) for name in names} for row in rows], programs_schema())
+        pa.parquet.write_table(table, temporary / PROGRAMS, compression="zstd", row_group_size=1024)
+        shutil.rmtree(folder.data, ignore_errors=True)  # of a packing that was cut off
+        os.rename(temporary / "data", folder.data)
+        os.rename(temporary / PROGRAMS, target)
+
+
+def split_of(spec: Spec, group: int) -> str:
+    """The split of a group of programs."""
+    digest = hashlib.sha256(f"{spec.seed}:{group}".encode()).digest()
+    names = sorted(spec.splits)
+    ends = np.cumsum([spec.splits[name] for name in names])
+    share = int.from_bytes(digest[:8]) / 2**64
+    return names[min(int(np.searchsorted(ends, share * ends[-1], side="right")), len(names) - 1)]
+
+
+def _furniture(scene: str) -> str:
+    """What near-duplicates of programs share: sizes of room and furniture on a grid, and categories."""
+    data = json.loads(scene)
+    corners = np.array(data["room"]["outline"])
+    sides = np.round(np.linalg.norm(np.roll(corners, -1, axis=0) - corners, axis=1) / SIDES).astype(int).tolist()
+    things = sorted([o["category"], *(round(side / SIDES) for side in o["size"])] for o in data["objects"])
+    return json.dumps([sides, things])
+
+
+_RowGroup = tuple[Path, int]
+
+
+def _row_groups(block: Path) -> dict[int, list[_RowGroup]]:
+    """The row groups of each program of a block, in their order."""
+    found: dict[int, list[_RowGroup]] = {}
+    for k in range(FILES):
+        path = block / f"layouts-{k}.parquet"
+        meta = arrow().parquet.read_metadata(path)
+        for number in range(meta.num_row_groups):
+            program = meta.row_group(number).column(0).statistics.min
+            found.setdefault(program, []).append((path, number))
+    return found
+
+
+class _Shards:
+    """Files of one size or a little more, by split, with row groups as they were."""
+
+    def __init__(self, folder: Path, schema: pa.Schema, size: int):
+        folder.mkdir()
+        self._folder, self._schema, self._size = folder, schema, size
+        self._open: dict[str, tuple[Any, Any, str]] = {}
+        self._count: dict[str, int] = {}
+
+    def add(self, split: str, row_groups: list[_RowGroup]) -> list[str]:
+        """Append the layouts of a program; the shards that they lie in."""
+        used: list[str] = []
+        for table in _tables(row_groups):
+            if split not in self._open:
+                number = self._count[split] = self._count.get(split, -1) + 1
+                name = f"{split}-{number:06d}.parquet"
+                file = open(self._folder / name, "wb")
+                self._open[split] = file, arrow().parquet.ParquetWriter(file, self._schema, **COMPRESSION), name
+            file, writer, name = self._open[split]
+            writer.write_table(table, row_group_size=len(table))
+            used += [f"data/{name}"] if f"data/{name}" not in used else []
+            if file.tell() >= self._size:
+                self._end(split)
+        return used
+
+    def _end(self, split: str) -> None:
+        file, writer, _ = self._open.pop(split)
+        writer.close()
+        file.close()
+
+    def close(self) -> None:
+        """End all files."""
+        for split in list(self._open):
+            self._end(split)
+
+
+def _tables(row_groups: list[_RowGroup]) -> Iterator[pa.Table]:
+    path, file = None, None
+    for where, number in row_groups:
+        if where != path or file is None:
+            path, file = where, arrow().parquet.ParquetFile(where)
+        yield file.read_row_group(number)
