@@ -32,10 +32,26 @@ def make_block(
         produce: what makes its scenes, if not `produce`.
     """
     path = folder.block(number)
-    if not path.exists():
+    if requests.spec.product == "layouts":
+        from . import layouts
+
+        layouts.make_block(folder, requests, number, device)
+    elif not path.exists():
         produce = produce or usual()
         samples = produce(requests.spec, requests.block(number), _store(folder.path, folder.path.stat().st_ino), device)
         write_block(path, samples)
+
+
+def pack(folder: Folder, requests: Requests) -> None:
+    """Make the files of a data set of its blocks, which are all there; goes on where it was cut off."""
+    if requests.spec.product == "layouts":
+        from .layouts import pack as pack_layouts
+
+        pack_layouts(folder, requests)
+    else:
+        from .files import pack as pack_scenes
+
+        pack_scenes(folder, requests)
 
 
 def usual() -> Produce:

@@ -32,8 +32,8 @@ LEAST_FIRST = 2
 """Valid layouts among the first ones that a program needs to be taken."""
 
 
-@dataclass
-class _Taken:
+@dataclass(frozen=True)
+class Taken:
     """A program that layouts are made of, with the first of them."""
 
     program: Program
@@ -86,7 +86,7 @@ def _made(
 ) -> list[tuple[dict[str, Any], dict[str, Any]]]:
     """The rows and times of a block's programs, in their order; their layouts go to the writers."""
     began = time.monotonic()
-    taken, refused = _programs(spec, block, device)
+    taken, refused = taken_programs(spec, block, device)
     drawn = time.monotonic()
     order = [request.room for request in block if request.room in taken]
     chosen = [taken[room] for room in order]
@@ -111,9 +111,9 @@ def _made(
     return rows
 
 
-def _programs(spec: Spec, block: Sequence[Request], device: str) -> tuple[dict[int, _Taken], dict[int, Program]]:
+def taken_programs(spec: Spec, block: Sequence[Request], device: str) -> tuple[dict[int, Taken], dict[int, Program]]:
     """The programs of a block by their room, and the last attempt at those that came to nothing."""
-    taken: dict[int, _Taken] = {}
+    taken: dict[int, Taken] = {}
     refused: dict[int, Program] = {}
     kind = "cpu" if device == "cpu" else "gpu"
     for attempt in range(spec.rooms.attempts):
@@ -130,7 +130,7 @@ def _programs(spec: Spec, block: Sequence[Request], device: str) -> tuple[dict[i
                 reason = f"{len(layouts.poses)} of {spec.rooms.candidates} layouts are valid"
                 refused[program.request.room] = Program(program.request, attempt, None, reason)
             else:
-                taken[program.request.room] = _Taken(program, scene, layouts)
+                taken[program.request.room] = Taken(program, scene, layouts)
     return taken, refused
 
 
@@ -148,7 +148,7 @@ def _base(program: Program) -> dict[str, Any]:
     }
 
 
-def _row(taken: _Taken, count: int, spec: Spec, steps: int) -> dict[str, Any]:
+def _row(taken: Taken, count: int, spec: Spec, steps: int) -> dict[str, Any]:
     scene, wanted = taken.scene.scene, taken.program.request.layouts
     return _base(taken.program) | {
         "status": "ok" if count else "rejected",

@@ -92,6 +92,7 @@ def collect(
     seeds: Sequence[int],
     collections: Sequence[Collection],
     device: str,
+    stop: Callable[[], bool] = bool,
 ) -> int:
     """Fill the collections of some programs, as far as that can be done; how many steps it took.
 
@@ -101,6 +102,7 @@ def collect(
         seeds: of each.
         collections: where their layouts go.
         device: a Warp device.
+        stop: says when to leave it at what there is; for measurements.
     """
     with ThreadPoolExecutor(cores()) as pool:
         list(pool.map(Collection.take, collections, first))
@@ -111,20 +113,24 @@ def collect(
             sampler = Sampler(scenes, [d.poses for d in first], chains, seeds, device)
             sampler.close(done)
             sampler.step()
+
+            def take(k: int) -> None:
+                collections[k].take(sampler.drawn(step, k))
+
             while True:
                 step = sampler.read()
                 steps += 1
-                going = np.flatnonzero(~done)
+                going = np.flatnonzero(~done).tolist()
                 if device != "cpu":
                     sampler.step()  # goes on while the last one is looked at
                 if steps > BURN_IN:
-                    list(pool.map(lambda k: collections[k].take(sampler.drawn(step, k)), going))
+                    list(pool.map(take, going))
                 few = LEAST_YIELD * chains * steps
                 for k in going:
                     done[k] = collections[k].complete or (steps >= PATIENCE and collections[k].count < few)
-                if done.all():
+                if done.all() or stop():
                     break
-                if done[going].any():
+                if any(done[k] for k in going):
                     sampler.close(done)
                 if device == "cpu":
                     sampler.step()

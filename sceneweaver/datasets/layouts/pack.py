@@ -141,7 +141,7 @@ class _Shards:
             if split not in self._open:
                 number = self._count[split] = self._count.get(split, -1) + 1
                 name = f"{split}-{number:06d}.parquet"
-                file = open(self._folder / name, "wb")
+                file = open(self._folder / name, "wb")  # noqa: SIM115
                 self._open[split] = file, arrow().parquet.ParquetWriter(file, self._schema, **COMPRESSION), name
             file, writer, name = self._open[split]
             writer.write_table(table, row_group_size=len(table))

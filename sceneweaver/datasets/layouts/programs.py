@@ -90,4 +90,3 @@ def _furnished(request: Request, seed: int) -> Scene:
         chosen = proposal.variants[seed % len(proposal.variants)]
         scene = scene.model_copy(update={"relations": (*scene.relations, *chosen)})
     return searched(scene)
-
