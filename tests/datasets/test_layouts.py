@@ -1,0 +1,153 @@
+"""Layouts as a product: every row is a valid layout of its program, and the files follow from the specification."""
+
+from __future__ import annotations
+
+import hashlib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from sceneweaver.datasets import Folder, Requests, Spec
+from sceneweaver.datasets.layouts import load_layout, load_program, make_block, pack
+from sceneweaver.datasets.layouts.signature import Seen, Signatures
+from sceneweaver.scene import InputError, Scene
+from sceneweaver.verify import check
+
+ZOO = Path(__file__).parents[1] / "zoo"
+NAMES = ("bedroom-small.json", "living.json", "dining-round.json", "children-twin.json")
+LAYOUTS = 40
+
+
+def spec_of(**changes) -> Spec:
+    fields = {
+        "schema": "sceneweaver.dataset/1",
+        "name": "few",
+        "product": "layouts",
+        "count": LAYOUTS * len(NAMES),
+        "seed": 5,
+        "requests": {"scenes": NAMES},
+        "rooms": {"layouts": LAYOUTS, "candidates": 8},
+        "splits": {"train": 1.0, "test": 1.0},
+        "block": 2,
+    }
+    return Spec.model_validate(fields | changes)
+
+
+def made(path: Path, blocks: tuple[int, ...]) -> Folder:
+    folder, requests = Folder(path), Requests(spec_of(), ZOO)
+    for number in blocks:
+        make_block(folder, requests, number, "cpu")
+    pack(folder, requests)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def dataset(tmp_path_factory) -> Folder:
+    return made(tmp_path_factory.mktemp("layouts"), (0, 1))
+
+
+def table(dataset: Folder):
+    import pyarrow.parquet as pq
+
+    return pq.read_table(dataset.data)
+
+
+def programs(dataset: Folder) -> list[dict]:
+    import pyarrow.parquet as pq
+
+    return pq.read_table(dataset.meta / "programs.parquet").to_pylist()
+
+
+def test_every_layout_is_valid(dataset):
+    rows = programs(dataset)
+    assert [row["layouts"] for row in rows] == [LAYOUTS] * len(NAMES)
+    for row in rows:
+        for layout in (0, LAYOUTS // 2, LAYOUTS - 1):
+            scene = load_layout(dataset.path, row["program"], layout)
+            assert check(scene, walkable=False).valid, (row["program"], layout)
+            assert scene.replace_poses({o.id: o.pose for o in scene.objects}) == scene
+        assert load_program(dataset.path, row["program"]).ids == scene.ids
+
+
+def test_rows_are_distinct_and_say_which_are_alike(dataset):
+    found = table(dataset)
+    width = found.schema.field("poses").type.list_size
+    assert width == 4 * max(row["object_count"] for row in programs(dataset))
+    for row in programs(dataset):
+        mine = found.filter(np.equal(found["program"].to_numpy(), row["program"]))
+        assert mine["layout"].to_pylist() == list(range(LAYOUTS))
+        assert len(set(mine["signature"].to_pylist())) == LAYOUTS
+        assert 1 <= len(set(mine["near_duplicate_group"].to_pylist())) <= LAYOUTS
+        poses = np.array(mine["poses"].to_pylist(), dtype=np.float32).reshape(LAYOUTS, -1, 4)
+        count = row["object_count"]
+        assert np.isfinite(poses[:, :count]).all() and np.isnan(poses[:, count:]).all()
+
+
+def test_the_order_of_blocks_and_other_processes_change_nothing(dataset, tmp_path):
+    again = made(tmp_path, (1, 0))
+    for path in sorted(p for p in dataset.path.rglob("*.parquet") if "work" not in p.parts):
+        other = again.path / path.relative_to(dataset.path)
+        assert hashlib.sha256(path.read_bytes()).digest() == hashlib.sha256(other.read_bytes()).digest(), path.name
+
+
+def test_polars_and_duckdb_read_them(dataset):
+    import duckdb
+    import polars
+
+    files = f"{dataset.data}/*.parquet"
+    frame = polars.scan_parquet(files).group_by("program").agg(polars.len(), polars.col("soft").min()).collect()
+    assert sorted(frame["len"].to_list()) == [LAYOUTS] * len(NAMES)
+    ((count, least),) = duckdb.sql(f"select count(*), min(len(poses)) from '{files}'").fetchall()
+    assert count == LAYOUTS * len(NAMES) and least == table(dataset).schema.field("poses").type.list_size
+
+
+def test_programs_keep_to_one_split(dataset):
+    import pyarrow.parquet as pq
+
+    where: dict[int, set[str]] = {}
+    for path in dataset.data.iterdir():
+        for program in set(pq.read_table(path)["program"].to_pylist()):
+            where.setdefault(program, set()).add(path.name.split("-")[0])
+    assert {k: {row["split"]} for k, row in enumerate(programs(dataset))} == where
+
+
+def test_what_is_not_there_is_said(dataset):
+    with pytest.raises(InputError, match="no layouts of program 99"):
+        load_program(dataset.path, 99)
+    with pytest.raises(InputError, match="has 40 layouts, none of number 40"):
+        load_layout(dataset.path, 0, LAYOUTS)
+    with pytest.raises(InputError, match="not packed yet"):
+        load_program(dataset.path / "meta", 0)
+
+
+def test_a_program_that_does_not_fit_has_a_reason(tmp_path):
+    spec = spec_of(rooms={"layouts": 2, "objects": (1, 3), "attempts": 1}, count=2)
+    folder, requests = Folder(tmp_path), Requests(spec, ZOO)
+    make_block(folder, requests, 0, "cpu")
+    pack(folder, requests)
+    (row,) = programs(folder)
+    assert row["status"] == "rejected" and row["reason"].endswith("objects, not 1 to 3") and row["layouts"] == 0
+
+
+def test_signatures_tell_cells_and_turns_apart():
+    scene = Scene.load(ZOO / "living.json")
+    poses = np.array([[(*o.pose.position, o.pose.yaw) for o in scene.objects]] * 4, dtype=np.float32)
+    free = next(k for k, o in enumerate(scene.objects) if o.mount == "floor" and not o.fixed)
+    poses[1, free, 0] = poses[0, free, 0] + 0.5
+    poses[2, free, 3] = poses[0, free, 3] + np.pi / 2
+    poses[3, free, 3] = poses[0, free, 3] + 2 * np.pi
+    hashes = Signatures(scene).distinct(poses)
+    assert hashes[0] == hashes[3] and len(set(hashes.tolist())) == 3
+
+
+def test_what_was_seen_counts_once():
+    seen, rng, known = Seen(), np.random.default_rng(0), set()
+    for _ in range(20):
+        hashes = rng.integers(0, 200, 50)
+        first: list[int] = []
+        for k, value in enumerate(hashes.tolist()):
+            if value not in known and len(first) < 12:
+                known.add(value)
+                first.append(k)
+        assert seen.add(hashes, 12).tolist() == first
