@@ -17,6 +17,7 @@ from sceneweaver.assets import Library
 from sceneweaver.scene import Scene
 from sceneweaver.verify import Report
 
+from ..describe import describe
 from ..files import fingerprint
 from ..requests import Request
 from ..spec import Spec, Views
@@ -25,14 +26,17 @@ from ..store.scene_files import scene_files
 from .finish import Finished
 
 
-def files_of(spec: Spec, done: Finished, library: Library, store: AssetStore, device: str) -> dict[str, bytes]:
-    """By suffix, what a shard holds of a scene."""
+def files_of(
+    spec: Spec, done: Finished, seed: int, library: Library, store: AssetStore, device: str
+) -> dict[str, bytes]:
+    """By suffix, what a shard holds of a scene; ``seed`` decides how it is described."""
     scene = done.outcome.scene
     return {
         "scene.json": _text(scene.to_json()),
         "metrics.json": _text(_metrics(spec, done).to_dict()),
         **scene_files(scene, spec.exports, store, library.load),
         **_pictures(scene, spec.views, device),
+        **(describe(scene, seed) if spec.captions else {}),
     }
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import errno
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -15,6 +14,7 @@ from sceneweaver.agent.interrupt import TimeUp
 from sceneweaver.assets import Library
 from sceneweaver.scene import InputError, MissingDependencyError, Scene
 
+from ..disk import disk_full
 from ..requests import Request
 from ..sample import Sample
 from ..spec import Spec
@@ -25,9 +25,6 @@ from .drafts import Draft, drafted
 from .files import columns_of, files_of, measured
 from .finish import Finished, designed, finished
 from .layouts import chosen, laid_out
-
-OF_THE_MACHINE = {errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EIO, errno.EMFILE, errno.ENFILE, errno.EACCES}
-"""Errors that say nothing of a scene: a full disk is no reason to leave one out."""
 
 LAYOUT_SEED = 0x85EBCA6B
 """What lies between the seeds of two layouts of a room."""
@@ -139,7 +136,7 @@ def _scene(
                     done, reason = made, made.reason
                     if not reason:
                         with _lap(seconds, "files"):
-                            files = files_of(spec, done, library, store, device)
+                            files = files_of(spec, done, request.seed + layout, library, store, device)
                         row = measured(done, library) | {"assets": references(files)}
                         return sample("ok", row, files)
                 except Exception as error:
@@ -185,14 +182,9 @@ def _lap(seconds: dict[str, float], name: str) -> Iterator[None]:
 
 
 def _reason(error: BaseException) -> str:
-    """Why a scene was not made, in one line; errors of the machine go on to the caller."""
-    if isinstance(error, MissingDependencyError):
+    """Why a scene was not made, in one line. What is no fault of a scene is raised: a full disk, a missing library."""
+    if isinstance(error, MissingDependencyError) or disk_full(error):
         raise error
-    cause: BaseException | None = error
-    while cause is not None:
-        if isinstance(cause, OSError) and cause.errno in OF_THE_MACHINE:
-            raise error
-        cause = cause.__cause__ or cause.__context__
     if isinstance(error, TimeUp):
         return "time limit"
     text = " ".join(str(error).split())
