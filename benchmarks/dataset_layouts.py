@@ -84,7 +84,7 @@ def _measure(asked: argparse.Namespace, device: str, folder: Path) -> int:
 
     start, cpu = time.perf_counter(), time.process_time()
     writers = Writers(folder, schema(spec.rooms.objects[1]))
-    collections = [Collection(k, k, t.scene, MOST, writers.write) for k, t in enumerate(taken)]
+    collections = [Collection(k, k, t.scene, MOST, writers.add) for k, t in enumerate(taken)]
     first, seeds = [t.first for t in taken], [t.program.seed for t in taken]
     scenes = [t.scene for t in taken]
     steps = collect(scenes, first, seeds, collections, device, lambda: time.perf_counter() - start > asked.seconds)

@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from sceneweaver.datasets import Folder, Requests, Spec
-from sceneweaver.datasets.layouts import load_layout, load_program, make_block, pack
+from sceneweaver.datasets import Folder, Requests, Spec, read_rows
+from sceneweaver.datasets.layouts import join, load_layout, load_program, make_block, pack, write_programs
 from sceneweaver.datasets.layouts.signature import Seen, Signatures
 from sceneweaver.scene import InputError, Scene
 from sceneweaver.verify import check
@@ -45,6 +45,11 @@ def made(path: Path, blocks: tuple[int, ...]) -> Folder:
 @pytest.fixture(scope="module")
 def dataset(tmp_path_factory) -> Folder:
     return made(tmp_path_factory.mktemp("layouts"), (0, 1))
+
+
+def digests(dataset: Folder) -> dict[str, str]:
+    paths = [*dataset.data.iterdir(), *dataset.meta.iterdir()]
+    return {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in paths}
 
 
 def table(dataset: Folder):
@@ -85,10 +90,27 @@ def test_rows_are_distinct_and_say_which_are_alike(dataset):
 
 
 def test_the_order_of_blocks_and_other_processes_change_nothing(dataset, tmp_path):
-    again = made(tmp_path, (1, 0))
-    for path in sorted(p for p in dataset.path.rglob("*.parquet") if "work" not in p.parts):
-        other = again.path / path.relative_to(dataset.path)
-        assert hashlib.sha256(path.read_bytes()).digest() == hashlib.sha256(other.read_bytes()).digest(), path.name
+    assert digests(made(tmp_path, (1, 0))) == digests(dataset)
+
+
+def test_programs_made_one_by_one_give_the_same_bytes(dataset, tmp_path):
+    folder, requests = Folder(tmp_path), Requests(spec_of(), ZOO)
+    for number in range(requests.blocks):
+        parts = []
+        for request in requests.block(number):
+            parts.append(tmp_path / "parts" / str(request.room))
+            write_programs(parts[-1], requests, [request], "cpu")
+        join(folder.block(number), requests, parts)
+    pack(folder, requests)
+    assert digests(folder) == digests(dataset)
+
+
+def test_a_program_that_ended_its_worker_is_a_row_with_the_reason(tmp_path):
+    requests = Requests(spec_of(), ZOO)
+    path = tmp_path / "part"
+    write_programs(path, requests, requests.block(0)[:1], "cpu", {0: "worker killed by signal 9"})
+    (row,) = read_rows(path)
+    assert (row["status"], row["reason"], row["room"]) == ("failed", "worker killed by signal 9", 0)
 
 
 def test_polars_and_duckdb_read_them(dataset):

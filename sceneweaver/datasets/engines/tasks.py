@@ -7,6 +7,7 @@ import time
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
 from ..blocks import read_rows, read_samples, write_block
@@ -98,16 +99,33 @@ def carry_out(dataset: Dataset, task: Task, device: str, produce: Produce | None
 def _make_alone(dataset: Dataset, task: Task, device: str, produce: Produce, say: Say) -> None:
     """Make a block room by room; each is kept as soon as it is there, for the next worker if this one ends."""
     place, block = dataset.folder.rooms(task.number), dataset.folder.block(task.number)
+    layouts = dataset.spec.product == "layouts"
     requests = [] if block.exists() else dataset.requests.block(task.number)
     paths = [place / f"{request.room:010d}" for request in requests]
     for request, path in zip(requests, paths, strict=True):
         if path.exists():
             continue
-        if request.room in task.failed:
+        if layouts:
+            _programs_alone(dataset, task, path, request, device, say)
+        elif request.room in task.failed:
             write_block(path, failed_samples(request, task.failed[request.room]))
         else:
             say("room", request.room)
             write_block(path, produce(dataset.spec, [request], AssetStore(dataset.folder.path), device))
-    if paths:
+    if paths and layouts:
+        from ..layouts import join
+
+        join(block, dataset.requests, paths)
+    elif paths:
         write_block(block, (sample for path in paths for sample in read_samples(path)))
     shutil.rmtree(place, ignore_errors=True)
+
+
+def _programs_alone(dataset: Dataset, task: Task, path: Path, request: Request, device: str, say: Say) -> None:
+    """Make a program of layouts on its own, or say why it has failed."""
+    from ..layouts import write_programs
+
+    failed = {room: reason for room, reason in task.failed.items() if room == request.room}
+    if not failed:
+        say("room", request.room)
+    write_programs(path, dataset.requests, [request], device, failed)

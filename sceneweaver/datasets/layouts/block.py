@@ -5,8 +5,10 @@ from __future__ import annotations
 import json
 import os
 import time
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import sceneweaver
@@ -23,7 +25,7 @@ from ..requests import Request, Requests
 from ..spec import Spec
 from .collect import Collection, collect
 from .programs import Program, draw_all
-from .tables import Writers, schema
+from .tables import Writers, row_groups, schema, tables
 
 ATTEMPTS = {"cpu": 4, "gpu": 20}
 """How often each of the first layouts is begun anew; attempts on a GPU are shorter."""
@@ -50,26 +52,63 @@ def make_block(folder: Folder, requests: Requests, number: int, device: str = "a
         number: which block.
         device: where layouts are made.
     """
-    path = folder.block(number)
+    write_programs(folder.block(number), requests, requests.block(number), device)
+
+
+def write_programs(
+    path: Path, requests: Requests, chosen: Sequence[Request], device: str, failed: Mapping[int, str] | None = None
+) -> None:
+    """Write some programs and their layouts, unless they are there.
+
+    Args:
+        path: the folder that they lie in, which is there as soon as it is whole.
+        requests: what is asked for, with its specification.
+        chosen: the programs.
+        device: where layouts are made.
+        failed: why programs are not even tried, by room.
+    """
     if path.exists():
         return
-    where = pick_devices(device)[0]
+    where, given_up = pick_devices(device)[0], failed or {}
+    with _draft(path) as draft, Writers(draft, schema(width(requests))) as writers:
+        tried = [request for request in chosen if request.room not in given_up]
+        found = {row["room"]: (row, times) for row, times in _made(requests.spec, tried, writers, where)}
+        for request in chosen:
+            if request.room in given_up:
+                reason = given_up[request.room]
+                row = _base(Program(request, 0, None)) | {"status": "failed", "reason": reason}
+                found[request.room] = row, {"index": request.index}
+        _write_rows(draft, [found[request.room] for request in chosen])
+
+
+def join(path: Path, requests: Requests, parts: Sequence[Path]) -> None:
+    """Write a block from folders of one program each, as if it had been written at once."""
+    if path.exists():
+        return
+    with _draft(path) as draft, Writers(draft, schema(width(requests))) as writers:
+        for position, part in enumerate(parts):
+            for table in tables(row_groups(part)):
+                writers.write(position, table)
+        for name in (ROWS, SECONDS):
+            (draft / name).write_bytes(b"".join((part / name).read_bytes() for part in parts))
+
+
+@contextmanager
+def _draft(path: Path) -> Iterator[Path]:
+    """A folder that is renamed to a path when it is whole."""
     path.parent.mkdir(parents=True, exist_ok=True)
     with temporary_folder(path.parent) as temporary:
         draft = temporary / path.name
         draft.mkdir()
-        rows, seconds = [], []
-        writers = Writers(draft, schema(width(requests)))
-        try:
-            for row, times in _made(requests.spec, requests.block(number), writers, where):
-                rows.append(row)
-                seconds.append(times)
-        finally:
-            writers.close()
-        for name, data in ((ROWS, rows), (SECONDS, seconds)):
-            (draft / name).write_text("".join(json.dumps(row, ensure_ascii=False) + "\n" for row in data))
+        yield draft
         if not path.exists():
             os.rename(draft, path)
+
+
+def _write_rows(folder: Path, found: Sequence[tuple[dict[str, Any], dict[str, Any]]]) -> None:
+    for name, data in zip((ROWS, SECONDS), zip(*found, strict=True), strict=True):
+        text = "".join(json.dumps(row, ensure_ascii=False) + "\n" for row in data)
+        (folder / name).write_text(text)
 
 
 def width(requests: Requests) -> int:
@@ -90,9 +129,10 @@ def _made(
     drawn = time.monotonic()
     order = [request.room for request in block if request.room in taken]
     chosen = [taken[room] for room in order]
+    positions = {request.room: position for position, request in enumerate(block)}
     collections = [
-        Collection(k, room, one.scene, one.program.request.layouts, writers.write)
-        for k, (room, one) in enumerate(zip(order, chosen, strict=True))
+        Collection(positions[room], room, one.scene, one.program.request.layouts, writers.add)
+        for room, one in zip(order, chosen, strict=True)
     ]
     steps = 0
     if chosen:
@@ -100,7 +140,8 @@ def _made(
         steps = collect(scenes, first, [one.program.seed for one in chosen], collections, device)
     ended = time.monotonic()
     found = dict(zip(order, collections, strict=True))
-    times = {"programs": (drawn - began) / len(block), "layouts": (ended - drawn) / len(block)}
+    share = 1 / max(1, len(block))
+    times = {"programs": share * (drawn - began), "layouts": share * (ended - drawn)}
     rows = []
     for request in block:
         if request.room in taken:

@@ -6,7 +6,6 @@ import hashlib
 import json
 import os
 import shutil
-from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -20,7 +19,7 @@ from ..folder import Folder
 from ..requests import Requests
 from ..spec import Spec
 from .block import width
-from .tables import COMPRESSION, FILES, schema
+from .tables import COMPRESSION, RowGroup, row_groups, schema, tables
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -75,13 +74,13 @@ def pack(folder: Folder, requests: Requests) -> None:
         rows, groups = [], {}
         for number in range(requests.blocks):
             block = folder.block(number)
-            row_groups = _row_groups(block)
+            groups_of = _of_programs(block)
             for row in read_rows(block):
                 row |= {"program": row["room"], "split": None, "shards": [], "layouts": row.get("layouts", 0)}
                 if row["layouts"]:
                     row["near_duplicate_group"] = groups.setdefault(_furniture(row["scene"]), row["room"])
                     row["split"] = split_of(spec, row["near_duplicate_group"])
-                    row["shards"] = shards.add(row["split"], row_groups[row["room"]])
+                    row["shards"] = shards.add(row["split"], groups_of[row["room"]])
                 rows.append(row)
         shards.close()
         names = programs_schema().names
@@ -110,18 +109,15 @@ def _furniture(scene: str) -> str:
     return json.dumps([sides, things])
 
 
-_RowGroup = tuple[Path, int]
-
-
-def _row_groups(block: Path) -> dict[int, list[_RowGroup]]:
+def _of_programs(block: Path) -> dict[int, list[RowGroup]]:
     """The row groups of each program of a block, in their order."""
-    found: dict[int, list[_RowGroup]] = {}
-    for k in range(FILES):
-        path = block / f"layouts-{k}.parquet"
-        meta = arrow().parquet.read_metadata(path)
-        for number in range(meta.num_row_groups):
-            program = meta.row_group(number).column(0).statistics.min
-            found.setdefault(program, []).append((path, number))
+    found: dict[int, list[RowGroup]] = {}
+    of_file: dict[Path, Any] = {}
+    for path, number in row_groups(block):
+        if path not in of_file:
+            of_file[path] = arrow().parquet.read_metadata(path)
+        program = of_file[path].row_group(number).column(0).statistics.min
+        found.setdefault(program, []).append((path, number))
     return found
 
 
@@ -134,10 +130,10 @@ class _Shards:
         self._open: dict[str, tuple[Any, Any, str]] = {}
         self._count: dict[str, int] = {}
 
-    def add(self, split: str, row_groups: list[_RowGroup]) -> list[str]:
+    def add(self, split: str, found: list[RowGroup]) -> list[str]:
         """Append the layouts of a program; the shards that they lie in."""
         used: list[str] = []
-        for table in _tables(row_groups):
+        for table in tables(found):
             if split not in self._open:
                 number = self._count[split] = self._count.get(split, -1) + 1
                 name = f"{split}-{number:06d}.parquet"
@@ -159,11 +155,3 @@ class _Shards:
         """End all files."""
         for split in list(self._open):
             self._end(split)
-
-
-def _tables(row_groups: list[_RowGroup]) -> Iterator[pa.Table]:
-    path, file = None, None
-    for where, number in row_groups:
-        if where != path or file is None:
-            path, file = where, arrow().parquet.ParquetFile(where)
-        yield file.read_row_group(number)

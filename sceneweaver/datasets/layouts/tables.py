@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -73,17 +74,30 @@ class Writers:
         self._threads = [ThreadPoolExecutor(1) for _ in range(FILES)]
         self._pending: list[Future[None]] = []
 
-    def write(self, program: int, columns: dict[str, np.ndarray]) -> None:
-        """Hand over layouts of one program: a row group."""
-        which = program % FILES
-        done = [f for f in self._pending if f.done()]
-        for future in done:
-            future.result()
-        self._pending = [f for f in self._pending if f not in done]
-        self._pending.append(self._threads[which].submit(self._write, which, columns))
+    def add(self, program: int, columns: dict[str, np.ndarray]) -> None:
+        """Hand over layouts of the program at a position in the block: a row group."""
+        self._submit(program, lambda: table(self._schema, columns))
 
-    def _write(self, which: int, columns: dict[str, np.ndarray]) -> None:
-        self._files[which].write_table(table(self._schema, columns), row_group_size=len(columns["layout"]))
+    def write(self, program: int, rows: pa.Table) -> None:
+        """The same for rows as they stand in files."""
+        self._submit(program, lambda: rows)
+
+    def _submit(self, program: int, rows: Callable[[], pa.Table]) -> None:
+        for future in [future for future in self._pending if future.done()]:
+            future.result()
+            self._pending.remove(future)
+        which = program % FILES
+        self._pending.append(self._threads[which].submit(self._write, which, rows))
+
+    def _write(self, which: int, rows: Callable[[], pa.Table]) -> None:
+        found = rows()
+        self._files[which].write_table(found, row_group_size=len(found))
+
+    def __enter__(self) -> Writers:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.close()
 
     def close(self) -> None:
         """Write what is left.
@@ -98,3 +112,22 @@ class Writers:
             for thread, file in zip(self._threads, self._files, strict=True):
                 thread.shutdown()
                 file.close()
+
+
+RowGroup = tuple[Path, int]
+"""A file and the number of a row group in it."""
+
+
+def row_groups(block: Path) -> list[RowGroup]:
+    """The row groups of a block, file by file."""
+    paths = [block / f"layouts-{k}.parquet" for k in range(FILES)]
+    return [(path, k) for path in paths for k in range(arrow().parquet.read_metadata(path).num_row_groups)]
+
+
+def tables(found: Sequence[RowGroup]) -> Iterator[pa.Table]:
+    """Row groups, read one after the other."""
+    path, file = None, None
+    for where, number in found:
+        if where != path or file is None:
+            path, file = where, arrow().parquet.ParquetFile(where)
+        yield file.read_row_group(number)
