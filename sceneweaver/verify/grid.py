@@ -107,7 +107,7 @@ class Grid:
         if not len(shapes):
             none = np.empty(0, dtype=np.intp)
             return Spans(none, none, none, none)
-        corners = shapes if isinstance(shapes, np.ndarray) else _padded(shapes)
+        corners = shapes if isinstance(shapes, np.ndarray) else padded(shapes)
         y0, y1 = corners[..., 1].min(axis=1) - radius + TIE, corners[..., 1].max(axis=1) + radius - TIE
         first = np.clip(self._row(y0), 0, self.shape[0])
         rows = np.clip(self._row(y1), 0, self.shape[0]) - first
@@ -130,7 +130,8 @@ class Grid:
         return np.clip(np.ceil((x - self._origin[0]) / CELL - 0.5), 0, self.shape[1]).astype(int)
 
 
-def _padded(shapes: Sequence[Array]) -> Array:
+def padded(shapes: Sequence[Array]) -> Array:
+    """Polygons as one array [n, v, 2], where short ones repeat their last corner."""
     most = max(map(len, shapes))
     return np.stack([np.concatenate([s, np.repeat(s[-1:], most - len(s), axis=0)]) for s in shapes])
 

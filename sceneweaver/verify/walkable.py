@@ -15,7 +15,7 @@ import numpy as np
 
 from sceneweaver.geometry.hulls import convex_hull
 from sceneweaver.scene import CATALOGUE, Relation
-from sceneweaver.verify.grid import Grid
+from sceneweaver.verify.grid import Grid, padded
 from sceneweaver.verify.solids import Array, Body, Placed
 
 RADIUS = 0.2
@@ -113,7 +113,7 @@ def _unreached(placed: Placed, grid: Grid, reached: np.ndarray) -> tuple[int, tu
             found += list(placed.parts.xy[placed.part_rows(body)])
         shapes += found
         owner += [index] * len(found)
-    spans = grid.spans([grid.to_grid(s) for s in shapes], RADIUS + ARM)
+    spans = grid.spans(grid.to_grid(padded(shapes)), RADIUS + ARM)
     near = grid.touches(reached, spans, len(shapes))
     touched = {owner[k] for k in np.flatnonzero(near)}
     return len(standing), tuple(body.id for k, body in enumerate(standing) if k not in touched)
