@@ -1,6 +1,7 @@
 """Moving, turning and mirroring the whole room and permuting its objects change no verdict."""
 
 import math
+from itertools import product
 
 import numpy as np
 import pytest
@@ -18,7 +19,7 @@ MIRRORED = {"left_of": "right_of", "right_of": "left_of"}
 OTHER_SIDE = {"left": "right", "right": "left"}
 LOOSE = {"gap": [0.0, 3.0], "degrees": 60.0, "offset": 3.0}  # what stands about by chance is seldom a neighbour
 PARAMS = {"distance": {"min": 0.5, "max": 2.0}, "next_to": LOOSE, "run_on": LOOSE}
-EXAMPLES = settings(max_examples=60, deadline=None, derandomize=True)
+EXAMPLES = settings(max_examples=40, deadline=None, derandomize=True)
 SEEDS = st.tuples(st.sampled_from(ROOMS), st.integers(0, 2**32 - 1))
 
 
@@ -171,13 +172,14 @@ def test_mirroring_twice_is_nothing(seed):
 
 def test_every_type_occurs():
     """The layouts above hold relations of every type, some true and some false."""
-    seen = set()
-    for seed in range(40):
-        for name in ROOMS:
-            data = layout(name, seed)
-            wrong = {(fact[1], fact[2], fact[3]) for fact in by_check(data) if fact[0] == "relation"}
-            for r in data["relations"]:
-                target = " and ".join(r["target"]) if isinstance(r["target"], list) else str(r["target"])
-                seen.add((r["type"], (r["subject"], r["type"], target) in wrong))
     rare = {"inside", "around"}  # as these layouts have neither shelves nor chairs put around
-    assert seen >= {(kind, holds) for kind in set(CATALOGUE) - rare for holds in (True, False)}
+    missing = {(kind, holds) for kind in set(CATALOGUE) - rare for holds in (True, False)}
+    for seed, name in product(range(40), ROOMS):
+        data = layout(name, seed)
+        wrong = {(fact[1], fact[2], fact[3]) for fact in by_check(data) if fact[0] == "relation"}
+        for r in data["relations"]:
+            target = " and ".join(r["target"]) if isinstance(r["target"], list) else str(r["target"])
+            missing.discard((r["type"], (r["subject"], r["type"], target) in wrong))
+        if not missing:
+            break
+    assert not missing
