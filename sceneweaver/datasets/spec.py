@@ -96,7 +96,7 @@ class Spec(FrozenModel):
     counterfactuals: int = Field(default=0, ge=0, le=16, description="Changed twins of each scene")
     gates: Gates = Gates()
     splits: Weights = Field(default={"train": 0.9, "validation": 0.05, "test": 0.05})
-    variants: int = Field(default=16, ge=1, le=10**6, description="Drawings of a kind of thing that scenes choose from")
+    variants: int = Field(default=8, ge=1, le=10**6, description="Drawings of a kind of thing that scenes choose from")
     time_limit: float = Field(default=120.0, gt=0, description="Seconds for a scene, after which it has failed")
     block: int = Field(default=16, ge=1, le=4096, description="Rooms that are made together, and kept or lost together")
     shard: int = Field(default=200, ge=1, le=4096, description="Size of a shard of data [MB]")

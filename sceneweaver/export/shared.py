@@ -2,54 +2,101 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Hashable
+from dataclasses import asdict
+from typing import Protocol
 from weakref import WeakKeyDictionary
 
+from sceneweaver.assets import Material
+from sceneweaver.assets.journal import Journal, journal_key
 from sceneweaver.assets.recent import Recent
 from sceneweaver.physics.hulls import Solid
 
-from .glb_mesh import PackedMesh
+from .glb_mesh import PackedMesh, Primitive
+
+
+class Store(Protocol):
+    """Where shared files are kept."""
+
+    def put(self, content: bytes, suffix: str) -> str:
+        """Keep a content under a suffix ("bin", "obj", "png", ...); the path by which scenes name it."""
+        ...
+
+    def holds(self, path: str, size: int) -> bool:
+        """Whether a file of that path and size [bytes] is there."""
+        ...
 
 
 class SharedFiles:
-    """A place for the meshes and images of many scenes.
+    """The meshes and images of many scenes in a store.
 
     What was put there once is known by its key from then on, so that it is neither made nor written again. Keys hold
     ids of assets: all scenes must have their assets from one library.
 
     Args:
-        put: Keeps a content under a suffix ("bin", "obj", "png", ...) and returns the path by which scenes name it.
+        store: Keeps the files.
         used: Is told the id of an asset and the path of a file of it, whenever a scene names that.
+        journal: Tells other processes what is in the store.
     """
 
-    def __init__(self, put: Callable[[bytes, str], str], used: Callable[[str, str], None]):
-        self._put, self._used = put, used
+    def __init__(self, store: Store, used: Callable[[str, str], None], journal: Journal):
+        self._store, self._used, self._journal = store, used, journal
         self._paths: Recent[Hashable, str] = Recent(16 * 2**20, lambda path: len(path) + 512)
         self._meshes: Recent[Hashable, tuple[PackedMesh, str]] = Recent(64 * 2**20, lambda kept: kept[0].nbytes)
         self._hulls: WeakKeyDictionary[Solid, str] = WeakKeyDictionary()
 
     def path(self, key: Hashable, suffix: str, make: Callable[[], bytes], asset: str | None = None) -> str:
         """The path of a file of that key, perhaps of an asset."""
-        path = self._paths.get((suffix, key), lambda: self._put(make(), suffix))
+        path = self._paths.get((suffix, key), lambda: self._path(journal_key(suffix, key), suffix, make))
         if asset is not None:
             self._used(asset, path)
         return path
 
     def mesh(self, asset: str, key: Hashable, make: Callable[[], PackedMesh]) -> tuple[PackedMesh, str]:
         """A mesh of an asset without its data, and the path of these."""
-
-        def put() -> tuple[PackedMesh, str]:
-            made = make()
-            return made.without_data(), self._put(made.data, "bin")
-
-        found = self._meshes.get(key, put)
+        found = self._meshes.get(key, lambda: self._mesh(journal_key("mesh", key), make))
         self._used(asset, found[1])
         return found
 
     def hull(self, asset: str | None, solid: Solid, make: Callable[[], bytes]) -> str:
         """The path of the mesh of a collision part."""
         if solid not in self._hulls:
-            self._hulls[solid] = self._put(make(), "obj")
+            key = journal_key("hull", solid.points.tobytes())
+            self._hulls[solid] = self._paths.get(key, lambda: self._path(key, "obj", make))
         if asset is not None:
             self._used(asset, self._hulls[solid])
         return self._hulls[solid]
+
+    def _path(self, key: bytes, suffix: str, make: Callable[[], bytes]) -> str:
+        told = self._journal.get(key)
+        if told is not None:
+            path, size = json.loads(told)
+            if self._store.holds(path, size):
+                return path
+        content = make()
+        path = self._store.put(content, suffix)
+        self._journal.put(key, json.dumps([path, len(content)]).encode())
+        return path
+
+    def _mesh(self, key: bytes, make: Callable[[], PackedMesh]) -> tuple[PackedMesh, str]:
+        told = self._journal.get(key)
+        if told is not None:
+            path, size, row = json.loads(told)
+            if self._store.holds(path, size):
+                return _mesh_of(row), path
+        made = make()
+        path = self._store.put(made.data, "bin")
+        kept = made.without_data()
+        row = {"views": kept.views, "accessors": kept.accessors, "primitives": [asdict(p) for p in kept.primitives]}
+        self._journal.put(key, json.dumps([path, len(made.data), row]).encode())
+        return kept, path
+
+
+def _mesh_of(row: dict) -> PackedMesh:
+    """The mesh of a row in a journal."""
+    primitives = (
+        Primitive(Material(**{**p["material"], "color": tuple(p["material"]["color"])}), p["attributes"], p["indices"])
+        for p in row["primitives"]
+    )
+    return PackedMesh(b"", tuple(row["views"]), tuple(row["accessors"]), tuple(primitives))

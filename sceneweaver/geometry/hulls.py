@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -34,19 +35,27 @@ def hull_faces(points: Array) -> NDArray[np.int32]:
     Raises:
         ValueError: they are fewer than four or lie in one plane.
     """
+    array = np.ascontiguousarray(points, dtype=float)
+    return np.frombuffer(_faces(array.tobytes()), dtype=np.int32).reshape(-1, 3).copy()
+
+
+@lru_cache(maxsize=16384)
+def _faces(content: bytes) -> bytes:
+    """Of float64 points [n, 3]; the same furniture has the same points in every finish."""
     from scipy.spatial import ConvexHull, QhullError
 
+    points = np.frombuffer(content).reshape(-1, 3)
     try:
         hull = ConvexHull(points)
     except QhullError as error:
         raise ValueError("the points lie in one plane or are fewer than four") from error
     faces = hull.simplices.astype(np.int32)
-    a, b, c = np.asarray(points)[faces.T]
+    a, b, c = points[faces.T]
     u, v = (b - a).T, (c - a).T
     cross = np.stack([u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]], axis=1)
     inward = np.einsum("ij,ij->i", cross, hull.equations[:, :3]) < 0
     faces[inward] = faces[inward][:, ::-1]
-    return faces
+    return faces.tobytes()
 
 
 def hull_mesh(points: ArrayLike) -> tuple[Array, NDArray[np.int32]]:

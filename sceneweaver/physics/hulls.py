@@ -10,6 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from sceneweaver.assets import Asset, Interior
+from sceneweaver.assets.journal import Journal
 from sceneweaver.assets.recent import Recent
 from sceneweaver.geometry.prisms import prism_vertices
 from sceneweaver.scene import Part, SceneObject
@@ -67,6 +68,8 @@ _MERGED: Recent[bytes, tuple[Solid, ...]] = Recent(
 )
 """Parts of assets by their content."""
 
+_JOURNAL: Journal | None = None
+
 
 def solids_of(thing: SceneObject, asset: Asset | None, scale: np.ndarray) -> list[Solid]:
     """The parts of an object; of an asset its hulls, ``scale`` [3] times as large, else the object's own prisms."""
@@ -88,10 +91,55 @@ def merged_hulls(asset: Asset) -> list[Solid]:
     for hull in asset.hulls:
         content.update(np.array([len(hull.vertices), hull.link, hull.handle]).tobytes())
         content.update(np.ascontiguousarray(hull.vertices, dtype=float).tobytes())
-    return list(_MERGED.get(content.digest(), lambda: _merged(asset, most, rooms)))
+    key = content.digest()[:16]
+    return list(_MERGED.get(key, lambda: _told(key) or _merged(key, asset, most, rooms)))
 
 
-def _merged(asset: Asset, most: int, rooms: Sequence[np.ndarray]) -> tuple[Solid, ...]:
+def share_parts(journal: Journal | None) -> None:
+    """Tell other processes the parts of assets, and take theirs, by a journal; None: no more."""
+    global _JOURNAL
+    _JOURNAL = journal
+
+
+def _told(key: bytes) -> tuple[Solid, ...] | None:
+    """The parts of an asset as another process tells them."""
+    content = _JOURNAL.get(key) if _JOURNAL is not None else None
+    return None if content is None else unpacked(content)
+
+
+def _merged(key: bytes, asset: Asset, most: int, rooms: Sequence[np.ndarray]) -> tuple[Solid, ...]:
+    made = _made(asset, most, rooms)
+    if _JOURNAL is not None:
+        _JOURNAL.put(key, packed(made))
+    return made
+
+
+def packed(solids: Sequence[Solid]) -> bytes:
+    """Parts as bytes: their number, a row of numbers for each, and all points."""
+    rows = np.zeros((len(solids), 11))
+    for row, solid in zip(rows, solids, strict=True):
+        row[:5] = len(solid.points), solid.link, solid.handle, solid.volume, solid.box is not None
+        if solid.box is not None:
+            row[5:] = np.concatenate(solid.box)
+    points = [np.asarray(solid.points, dtype=float).reshape(-1) for solid in solids]
+    return np.concatenate([[len(solids)], rows.reshape(-1), *points]).astype("<f8").tobytes()
+
+
+def unpacked(content: bytes) -> tuple[Solid, ...]:
+    """The parts that were packed."""
+    numbers = np.frombuffer(content, dtype="<f8").copy()
+    count = int(numbers[0])
+    rows, points = numbers[1 : 1 + 11 * count].reshape(-1, 11), numbers[1 + 11 * count :].reshape(-1, 3)
+    found, start = [], 0
+    for row in rows:
+        end = start + int(row[0])
+        box = (row[5:8], row[8:11]) if row[4] else None
+        found.append(Solid(points[start:end], float(row[3]), int(row[1]), box, bool(row[2])))
+        start = end
+    return tuple(found)
+
+
+def _made(asset: Asset, most: int, rooms: Sequence[np.ndarray]) -> tuple[Solid, ...]:
     found = [_solid(np.asarray(h.vertices, dtype=float), h.link, h.handle) for h in asset.hulls]
     merged = reduce(found, asset.parts, most, rooms) if len(found) > most and asset.parts else found
     return tuple(_limited(solid) for solid in squared(merged, asset.parts))

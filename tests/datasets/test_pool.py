@@ -20,7 +20,7 @@ def test_a_pool_has_few_drawings_of_a_kind_and_they_are_all_loaded_by_id() -> No
         asset = library.choose("desk", 1, wish)[0]
         assert asset.size[1] <= size[1] + 1e-9 and asset.size[2] <= size[2] + 1e-9  # what fits still fits
         found[asset.id] = asset
-    assert 4 < len(found) <= 4 * 2  # variants, looks of a palette
+    assert 2 <= len(found) <= 4
     for name, asset in found.items():
         assert Library().load(name) is asset  # drawn once, whoever asks
 

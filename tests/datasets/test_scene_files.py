@@ -142,3 +142,12 @@ def test_a_store_finds_what_is_damaged_and_mends_what_is_short(tmp_path: Path) -
     assert list(AssetStore(tmp_path).wrong()) == [bad]
     assert AssetStore(tmp_path).put(b"bad", "bin") == bad
     assert list(AssetStore(tmp_path).wrong()) == [] and (tmp_path / good).read_bytes() == b"good"
+
+
+def test_another_process_makes_nothing_anew(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    store = AssetStore(root)
+    kept: list[str] = []
+    monkeypatch.setattr(store, "put", lambda content, suffix: kept.append(suffix))
+    again = SceneFiles(store, LOAD).of(_scene("s1", 1.25), ("glb", "mjcf", "usd"))
+    assert kept == []
+    assert again == {suffix: (root / f"1.{suffix}").read_bytes() for suffix in again}

@@ -113,6 +113,11 @@ def _that_show(category: str, seed: int, request: Request, words: Words, tries: 
 _DRAWN: Recent[tuple[str, int, Request], Asset] = Recent(128 * 2**20, lambda asset: asset.nbytes)
 
 
+def keep_drawings(nbytes: int) -> None:
+    """Keep at least so many bytes of the drawings that were used last."""
+    _DRAWN.most = max(_DRAWN.most, nbytes)
+
+
 def _draw(category: str, seed: int, request: Request) -> Asset:
     return _DRAWN.get((category, seed, request), lambda: make(category, seed, request))
 

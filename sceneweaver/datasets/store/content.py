@@ -47,16 +47,25 @@ class AssetStore:
         """
         name = hashlib.sha256(content).hexdigest()[:DIGITS]
         relative = f"assets/{name[:2]}/{name}.{suffix}"
-        if relative not in self._known:
+        if not self.holds(relative, len(content)):
             path = self.root / relative
-            if not _is_there(path, len(content)):
-                draft = self._drafts() / path.name
-                draft.write_bytes(content)
-                path.parent.mkdir(parents=True, exist_ok=True)
-                os.replace(draft, path)
-                self._fresh.append(path)
+            draft = self._drafts() / path.name
+            draft.write_bytes(content)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            os.replace(draft, path)
+            self._fresh.append(path)
             self._known.add(relative)
         return relative
+
+    def holds(self, path: str, size: int) -> bool:
+        """Whether a file of that relative path and size [bytes] is there: one cut off by a power cut is shorter."""
+        if path in self._known:
+            return True
+        with contextlib.suppress(OSError):
+            if (self.root / path).stat().st_size == size:
+                self._known.add(path)
+                return True
+        return False
 
     def sync(self) -> None:
         """Bring what was put to the disk: call it before the files that name it get their final names.
@@ -100,10 +109,3 @@ class AssetStore:
             sweep(folder)
             self._draft = self._held.enter_context(temporary_folder(folder))
         return self._draft
-
-
-def _is_there(path: Path, size: int) -> bool:
-    """Whether a file is there and whole: one that was being written when the power went may be short."""
-    with contextlib.suppress(OSError):
-        return path.stat().st_size == size
-    return False

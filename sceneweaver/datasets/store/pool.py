@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from sceneweaver.assets import Library
+from sceneweaver.assets import Library, categories
 from sceneweaver.assets.materials import own_look
 from sceneweaver.assets.sources import Card, ParametricSource
 from sceneweaver.assets.sources.base import Wish
+from sceneweaver.assets.sources.parametric import keep_drawings
 from sceneweaver.assets.taxonomy import resolve
-
-LOOKS = 2
-"""Ways in which the furniture of a palette follows it."""
 
 SUITES = 4
 """Designs of fronts, handles and worktops."""
@@ -21,11 +19,20 @@ SUITES = 4
 GRID = ((0.4, 0.02), (2.0, 0.05), (math.inf, 0.1))
 """Steps of depths and widths [m] up to a length [m]; what is asked in words may differ by 15 %."""
 
-HEIGHTS = 0.02
+HEIGHTS = ((math.inf, 0.02),)
 """Steps of heights [m]: a seat goes under a table."""
+
+HUNG = ((0.4, 0.02), (math.inf, 0.1))
+"""Steps of all extents of what hangs on a wall."""
+
+MEMORY = 384 * 2**20
+"""Drawings that a process keeps [bytes]."""
 
 FITTED = frozenset(("curtain", "sheer_curtain", "window_blind"))
 """What is as wide as something else: it keeps its size."""
+
+
+Size = tuple[float | None, float | None, float | None]
 
 
 class PooledSource(ParametricSource):
@@ -40,14 +47,16 @@ class PooledSource(ParametricSource):
 
     def __init__(self, variants: int):
         self.variants = variants
+        keep_drawings(MEMORY)
 
     def find(self, category: str, wish: Wish) -> Iterator[Card]:
         """As `ParametricSource.find`, of the pool."""
-        size = wish.size if _is_fitted(category, wish) else _snapped(wish.size)
+        body = resolve(category, wish.mount).body
+        size = wish.size if _is_fitted(body, wish) else _snapped(body, wish.size)
         pooled = replace(
             wish,
             size=size,
-            palette=_pooled_palette(category, wish.palette),
+            palette=_pooled_palette(body, wish.palette),
             suite=None if wish.suite is None else wish.suite % SUITES,
             count=1,
         )
@@ -68,25 +77,23 @@ def _is_fitted(category: str, wish: Wish) -> bool:
     return wish.beyond or wish.suite is not None or category in FITTED
 
 
-def _snapped(size: tuple[float | None, float | None, float | None]) -> tuple[float | None, float | None, float | None]:
+def _snapped(category: str, size: Size) -> Size:
     depth, width, height = size
-    return _plan_step(depth), _plan_step(width), _floor(height, HEIGHTS)
+    if categories()[category].mount[0] == "wall":
+        return _floor(depth, HUNG), _floor(width, HUNG), _floor(height, HUNG)
+    return _floor(depth, GRID), _floor(width, GRID), _floor(height, HEIGHTS)
 
 
-def _plan_step(extent: float | None) -> float | None:
-    return None if extent is None else _floor(extent, next(step for most, step in GRID if extent < most))
-
-
-def _floor(extent: float | None, step: float) -> float | None:
-    """The next lower multiple; thin things stay as they are."""
-    if extent is None or extent < 5 * step:
-        return extent
-    return round(math.floor(extent / step + 1e-6) * step, 3)
+def _floor(extent: float | None, grid: Sequence[tuple[float, float]]) -> float | None:
+    """The next lower multiple of a step; thin things stay as they are."""
+    if extent is None:
+        return None
+    step = next(step for most, step in grid if extent < most)
+    return extent if extent < 5 * step else round(math.floor(extent / step + 1e-6) * step, 3)
 
 
 def _pooled_palette(category: str, code: str | None) -> str | None:
-    """The palette with one of few seeds; None for what follows none."""
-    if code is None or resolve(category).body in own_look():
+    """The palette without its seed; None for what follows none."""
+    if code is None or category in own_look():
         return None
-    colors, _, seed = code.rpartition("/")
-    return f"{colors}/{int(seed) % LOOKS}"
+    return code.rpartition("/")[0] + "/0"

@@ -8,11 +8,13 @@ import secrets
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
+from sceneweaver.assets.journal import Journal
 from sceneweaver.assets.placed import Load
 from sceneweaver.export.glb import glb_bytes
 from sceneweaver.export.mjcf import mjcf
 from sceneweaver.export.shared import SharedFiles
 from sceneweaver.export.usd import usd_bytes
+from sceneweaver.physics.hulls import share_parts
 from sceneweaver.scene import Scene
 
 from .content import NAME, AssetStore
@@ -22,6 +24,9 @@ SUFFIXES = {"glb": "glb", "mjcf": "xml", "usd": "usdc"}
 
 RECORDS = "work/assets"
 """Where processes write what they know of assets, relative to the root of the data set."""
+
+JOURNAL = "work/journal"
+"""Where processes tell each other what they have made, so that each thing is made once; it may go at any time."""
 
 
 def scene_files(scene: Scene, formats: Sequence[str], store: AssetStore, load: Load) -> dict[str, bytes]:
@@ -48,7 +53,9 @@ class SceneFiles:
 
     def __init__(self, store: AssetStore, load: Load):
         self._store, self._load = store, load
-        self._shared = SharedFiles(store.put, self._used)
+        journal = Journal(store.root / JOURNAL)
+        share_parts(journal)
+        self._shared = SharedFiles(store, self._used, journal)
         self._recorded: set[str] = set()
         self._fresh: dict[str, set[str]] = {}
         self._records = store.root / RECORDS / f"{secrets.token_hex(8)}.jsonl"
