@@ -7,6 +7,7 @@ import os
 import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -18,10 +19,12 @@ from sceneweaver.scene import InputError, write_atomic
 from ..columns import arrow
 from ..engines import open_dataset
 from ..folder import Folder
+from ..layouts.pack import PROGRAMS
 from ..reading import Span, packed, rows_of, shards_of, spans_of
 from ..spec import Spec
 from . import tables
 from .findings import CHECKS, KEPT, Fault, Findings
+from .layouts import SAMPLE, layout_tasks
 from .pages import markdown
 from .scene import Judge
 from .tasks import Digests, Scenes, Task, results
@@ -59,8 +62,9 @@ class Verification:
     def lines(self) -> list[str]:
         """A summary for a terminal, with the first faults by key."""
         counts, stability = self.data["counts"], self.data["stability"]
+        what = f"programs with {counts['layouts']} layouts" if "layouts" in counts else "scenes"
         lines = [
-            f"{counts.get('scenes', 0)} scenes, {counts.get('judged', 0)} judged again: "
+            f"{counts.get('scenes', 0)} {what}, {counts.get('judged', 0)} judged again: "
             f"{counts.get('collisions', 0)} collisions, {counts.get('out of bounds', 0)} out of bounds"
         ]
         if stability is not None:
@@ -91,7 +95,7 @@ def verify_dataset(
     Args:
         path: the data set.
         workers: processes that judge; 1: this one.
-        sample: how many scenes are judged; None: all.
+        sample: how many scenes or layouts are judged; None: all scenes, 5,000 layouts.
         stability: how many of these are let loose in MuJoCo for 3 s.
         progress: called as scenes are done.
 
@@ -102,31 +106,40 @@ def verify_dataset(
     began = time.perf_counter()
     dataset = open_dataset(Path(path))
     folder, spec, found = dataset.folder, dataset.spec, Findings()
-    if not packed(folder):
+    layouts = spec.product == "layouts"
+    if not (folder.meta / PROGRAMS).is_file() if layouts else not packed(folder):
         raise InputError(f"{folder.path}: is not packed yet; finish it with `sceneweaver dataset resume`")
-    tables.check_schema(folder, found)
-    tables.check_rows(rows_of(folder), spec, found)
-    total, done = found.counts["scenes"], 0
-    for result in results(_tasks(folder, spec, found, sample, stability), workers):
+    if layouts:
+        work = layout_tasks(folder, spec, found, sample)
+    else:
+        tables.check_schema(folder, found)
+        tables.check_rows(rows_of(folder), spec, found)
+        work = _scenes(folder, spec, found, sample, stability)
+    done = 0
+    for result in results(chain(_digests(folder, found), work), workers):
         found.add(result)
         done += result.counts["judged"]
         if progress is not None and result.counts["judged"]:
-            progress(done, min(total, total if sample is None else sample))
+            total = found.counts["layouts" if layouts else "scenes"]
+            progress(done, min(total, sample or (SAMPLE if layouts else total)))
     verification = Verification(_result(found, spec, time.perf_counter() - began))
     write_atomic(folder.path / JSON, json.dumps(verification.data, indent=1, ensure_ascii=False) + "\n")
     write_atomic(folder.path / MARKDOWN, markdown(verification.data))
     return verification
 
 
-def _tasks(folder: Folder, spec: Spec, found: Findings, sample: int | None, stability: int) -> Iterator[Task]:
-    """All work on files, the large ones first; the table of contents of the shards is checked on the way."""
+def _digests(folder: Folder, found: Findings) -> Iterator[Task]:
+    """All files to hash, the large ones first."""
     files = tables.checksums(folder, found)
-    large = sorted(files, key=lambda pair: -pair[0].stat().st_size)
-    yield from (Digests(folder.path, (pair,)) for pair in large if pair[0].suffix == ".tar")
-    small = [pair for pair in large if pair[0].suffix != ".tar"]
+    large = [pair for pair in files if pair[0].parent == folder.data]
+    yield from (Digests(folder.path, (pair,)) for pair in large)
+    small = [pair for pair in files if pair[0].parent != folder.data]
     small += tables.stored(folder, (path for path, _ in files))
     yield from (Digests(folder.path, tuple(small[k : k + 256])) for k in range(0, len(small), 256))
 
+
+def _scenes(folder: Folder, spec: Spec, found: Findings, sample: int | None, stability: int) -> Iterator[Task]:
+    """All scenes of the shards; the contents of these are checked on the way."""
     table = _table(folder)
     delivered = [status == "ok" for status in table["status"].to_pylist()]
     table = table.filter(delivered)
