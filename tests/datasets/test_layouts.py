@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import hashlib
+import shutil
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from sceneweaver.datasets import Folder, Requests, Spec, read_rows
+from sceneweaver.datasets.checking import verify_dataset
+from sceneweaver.datasets.engines.manifest import create
+from sceneweaver.datasets.files.checksums import write_checksums
 from sceneweaver.datasets.layouts import join, load_layout, load_program, make_block, pack, write_programs
 from sceneweaver.datasets.layouts.signature import Seen, Signatures
 from sceneweaver.scene import InputError, Scene
@@ -173,3 +177,34 @@ def test_what_was_seen_counts_once():
                 known.add(value)
                 first.append(k)
         assert seen.add(hashes, 12).tolist() == first
+
+
+def test_verification_finds_a_moved_object_a_lost_layout_and_a_wrong_split(dataset, tmp_path):
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    root = tmp_path / "set"
+    create(Folder(root), spec_of(), "cpu")
+    shutil.copytree(dataset.path, root, dirs_exist_ok=True)
+    write_checksums(Folder(root))
+    found = verify_dataset(root, sample=8)
+    assert found.ok and found.data["counts"]["judged"] == 8 and found.data["counts"]["layouts"] == LAYOUTS * len(NAMES)
+
+    shard = sorted((root / "data").iterdir())[0]
+    rows = pq.read_table(shard)
+    program = rows["program"][0].as_py()
+    poses = rows["poses"].to_pylist()
+    poses[0][0] += 30.0
+    wrong = rows.set_column(2, rows.schema.field("poses"), pa.array(poses, rows.schema.field("poses").type))
+    others = wrong.filter(np.not_equal(wrong["program"].to_numpy(), program))
+    with pq.ParquetWriter(shard, rows.schema) as writer:
+        writer.write_table(wrong.filter(np.equal(wrong["program"].to_numpy(), program)).slice(0, LAYOUTS - 1))
+        for name in sorted(set(others["program"].to_pylist())):
+            writer.write_table(others.filter(np.equal(others["program"].to_numpy(), name)))
+    path = root / "meta" / "programs.parquet"
+    table = pq.read_table(path).to_pylist()
+    table[program]["split"] = "validation"
+    pq.write_table(pa.Table.from_pylist(table, pq.read_schema(path)), path)
+    named = {(fault["check"], fault["key"]) for fault in verify_dataset(root).data["first"]}
+    assert {("checksum", f"data/{shard.name}"), ("checksum", "meta/programs.parquet")} <= named
+    assert {("judge", f"{program}/0"), ("shard", str(program)), ("index", str(program))} <= named
