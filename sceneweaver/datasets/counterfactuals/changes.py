@@ -61,7 +61,7 @@ class Changer:
         self.facts = facts
         self.scene = facts.scene
         self.rng = rng
-        self.space = Space(facts.scene)
+        self.space = Space(facts.scene, facts.placed)
         self.drawn = ParametricSource()
         holders = {carrier for carrier, _ in facts.carried}
         self.single = [b for b in facts.bodies if b.id not in holders and not b.item.fixed]

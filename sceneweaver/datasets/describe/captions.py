@@ -236,7 +236,8 @@ class Captioner:
                 for b in main[k + 1 :]:
                     if c in (a, b) or not 1.0 < math.dist(a.centre, b.centre) < 3.5:
                         continue
-                    if facts.holds("between", c, (a.id, b.id), aside=0.25, along=[0.3, 0.7]):
+                    share, aside = facts.beside_line(c, a, b)
+                    if 0.3 < share < 0.7 and aside < 0.25:
                         mine, one, other = (self.names[x.id].text for x in (c, a, b))
                         yield said(f"{mine} stands between {one} and {other}", Statement("between", (c.id, a.id, b.id)))
                         return

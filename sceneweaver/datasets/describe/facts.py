@@ -66,6 +66,7 @@ class Facts:
         self.placed = Placed.of(scene)
         self.bodies = self.placed.bodies
         self.by_id = self.placed.by_id
+        self.names: Any = None
 
     @cached_property
     def by_category(self) -> dict[str, list[Body]]:
@@ -166,6 +167,13 @@ class Facts:
         """Whether a relation of the catalogue holds, by the judge."""
         relation = Relation(type=kind, subject=subject.id, target=target, params=params)
         return judge_relation(self.placed, relation).holds
+
+    def beside_line(self, body: Body, a: Body, b: Body) -> tuple[float, float]:
+        """Where a centre lies between two others: the share of the way along, and the distance aside [m]."""
+        (x, y), (x0, y0), (x1, y1) = body.centre, a.centre, b.centre
+        length = max(math.dist((x0, y0), (x1, y1)), 1e-9)
+        u, v = (x1 - x0) / length, (y1 - y0) / length
+        return ((x - x0) * u + (y - y0) * v) / length, abs((y - y0) * u - (x - x0) * v)
 
     def distance(self, a: Body, b: Body) -> float:
         """Distance between two footprints [m]."""

@@ -18,7 +18,7 @@ from .moves import Space, is_movable, judged_locally
 from .nouns import sentence
 from .questions.question import Asker
 
-STEPS = (1, 1, 1, 2, 3)
+STEPS = (1, 1, 2, 3)
 """How many moves each instruction of a scene has."""
 
 TRIED_GOALS, TRIED_POSES = 5, 2
@@ -42,7 +42,7 @@ class Instructor:
     def __init__(self, facts: Facts, rng: np.random.Generator):
         self.facts = facts
         self.asker = Asker(facts, rng)
-        self.space = Space(facts.scene)
+        self.space = Space(facts.scene, facts.placed)
         scene = facts.scene
         self.large = [b for b in self.asker.standing if is_movable(scene, b)]
         holders = {c for c, _ in facts.carried}

@@ -82,11 +82,11 @@ def _reach(item: SceneObject) -> float:
 class Space:
     """What is in the way in a scene, for boxes that are to stand somewhere."""
 
-    def __init__(self, scene: Scene):
+    def __init__(self, scene: Scene, placed: Placed | None = None):
         import shapely
 
         self.scene = scene
-        self.placed = Placed.of(scene)
+        self.placed = Placed.of(scene) if placed is None else placed
         self.parts = shapely.STRtree(self.placed.parts.polygons)
         doors = self.placed.opening_zones.polygons[: len(self.placed.doors)]
         self.zones = shapely.STRtree(np.concatenate([self.placed.zones.polygons, doors]))

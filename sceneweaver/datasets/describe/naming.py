@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 from sceneweaver.assets.materials import finishes
 from sceneweaver.verify.solids import Body
@@ -58,7 +59,13 @@ def look(body: Body) -> tuple[str, str] | None:
 
 
 def names(facts: Facts) -> dict[str, Name]:
-    """By id, the things that words can tell from all others."""
+    """By id, the things that words can tell from all others; worked out once for each `Facts`."""
+    if facts.names is None:
+        facts.names = _names(facts)
+    return facts.names
+
+
+def _names(facts: Facts) -> dict[str, Name]:
     found: dict[str, Name] = {}
     categories = facts.by_category
     ambiguous = {c for c in categories if any(d != c and _may_mean(c, d) for d in categories)}
@@ -100,6 +107,7 @@ def _by_wall(facts: Facts, category: str, bodies: list[Body], found: dict) -> No
             found.setdefault(body.id, Name(f"the {noun(category)} on {facts.wall_names[wall]}", (body.id,)))
 
 
+@lru_cache(maxsize=2**16)
 def _may_mean(category: str, other: str) -> bool:
     """Whether the noun of one category may be said of the other: "chair" of a dining chair."""
     mine, theirs = noun(category), noun(other)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from functools import lru_cache
 
 from sceneweaver.knowledge import room_types
 from sceneweaver.knowledge.kin import kin
@@ -14,6 +15,7 @@ from ..nouns import noun, nouns, with_article
 from .question import Asker, Question, yes_no
 
 
+@lru_cache(maxsize=2**16)
 def _confusable(category: str, other: str) -> bool:
     """Whether someone may count one for the other."""
     mine, theirs = noun(category), noun(other)
@@ -28,11 +30,15 @@ def _countable(facts: Facts) -> list[str]:
 
 
 def how_many(asker: Asker) -> Question | None:
-    """How many of a category there are; of those that there are several of rather than one."""
+    """How many of a category there are."""
     facts = asker.facts
     known = _countable(facts)
-    several = [c for c in known if 2 <= len(facts.by_category[c]) <= 12]
-    choice = several if several and asker.rng.random() < 0.75 else known
+    if not known:
+        return None
+    # A number is drawn first, so that none is the usual answer.
+    numbers = sorted({len(facts.by_category[c]) for c in known} & set(range(1, 13)))
+    wanted = numbers[int(asker.rng.integers(len(numbers)))] if numbers else 0
+    choice = [c for c in known if len(facts.by_category[c]) == wanted]
     if not choice:
         return None
     category = choice[int(asker.rng.integers(len(choice)))]

@@ -151,9 +151,10 @@ def which_wall(asker: Asker) -> Question | None:
     facts = asker.facts
     if len(facts.wall_names) < 3:
         return None
-    for body in asker.shuffled(asker.standing):
-        wall = facts.wall_at(body, 0.9)
-        if wall is None or wall not in facts.wall_names or facts.wall_gap(body, wall) > 0.08:
+    walls = {b.id: facts.wall_at(b, 0.9) for b in asker.standing}
+    # A wall is drawn first, so that none is the usual answer.
+    for wall, body in ((k, b) for k in asker.shuffled(facts.wall_names) for b in asker.shuffled(asker.standing)):
+        if walls[body.id] != wall or facts.wall_gap(body, wall) > 0.08:
             continue
         others = [k for k in facts.wall_names if k != wall]
         clear = min(facts.wall_gap(body, k) for k in others)
@@ -184,8 +185,9 @@ def between(asker: Asker) -> Question | None:
         if not 1.2 < math.dist(a.centre, b.centre) < 5:
             continue
         others = [c for c in asker.standing if c not in (a, b)]
-        inside = [c for c in others if facts.holds("between", c, (a.id, b.id), aside=0.3)]
-        maybe = [c for c in others if facts.holds("between", c, (a.id, b.id), aside=0.8, along=[0.05, 0.95])]
+        places = {c.id: facts.beside_line(c, a, b) for c in others}
+        inside = [c for c in others if 0.22 < places[c.id][0] < 0.78 and places[c.id][1] < 0.3]
+        maybe = [c for c in others if 0.05 < places[c.id][0] < 0.95 and places[c.id][1] < 0.8]
         far = [c for c in others if c not in maybe]
         if len(inside) != 1 or len(maybe) != 1 or len(far) < 3:
             continue
