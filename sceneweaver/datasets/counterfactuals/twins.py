@@ -41,7 +41,7 @@ def twins(scene: Scene, count: int, seed: int) -> list[Twin]:
         seed: what is drawn: which things, and what becomes of them.
 
     Returns:
-        At most ``count`` twins; fewer where a scene does not lend itself to more.
+        ``count`` twins, unless a scene has too few things to change.
     """
     before = Measured.of(scene) if count else None
     if before is None or not before.report.valid:
@@ -52,7 +52,8 @@ def twins(scene: Scene, count: int, seed: int) -> list[Twin]:
     found: list[Twin] = []
     used: set[tuple[str, str | None, str]] = set()
     for k in range(count):
-        twin = _twin(changer, before, breaking=first == bool(k % 2), used=used)
+        breaking = first == bool(k % 2)
+        twin = _twin(changer, before, breaking, used) or _twin(changer, before, not breaking, used)
         if twin is not None:
             found.append(twin)
     return found

@@ -17,6 +17,7 @@ from sceneweaver.assets import Library
 from sceneweaver.scene import Scene
 from sceneweaver.verify import Report
 
+from ..counterfactuals import twin_files, twins
 from ..describe import describe
 from ..files import fingerprint
 from ..requests import Request
@@ -37,6 +38,7 @@ def files_of(
         **scene_files(scene, spec.exports, store, library.load),
         **_pictures(scene, spec.views, device),
         **(describe(scene, seed) if spec.captions else {}),
+        **twin_files(twins(scene, spec.counterfactuals, seed)),
     }
 
 

@@ -177,7 +177,7 @@ def _is_on(room: Room, row: dict[str, Any]) -> bool:
     support = thing["support"]
     if support is None or support["object"] != carrier:
         return row["answer"] == "no"
-    return row["answer"] == "yes" and room.box(thing["id"]).within(room.box(carrier).buffer(0.01))
+    return row["answer"] == "yes" and room.box(carrier).buffer(0.05).contains(Point(room.at(thing["id"])))
 
 
 def _side_from_door(room: Room, row: dict[str, Any]) -> bool:
