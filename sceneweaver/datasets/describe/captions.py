@@ -16,8 +16,8 @@ from .naming import Name, look, names
 from .nouns import counted, listed, noun, number, room_noun, with_article
 from .statements import Statement, Text, joined, said
 
-SQUARE = 0.02
-"""Share by which two sides of a room may differ and count as equal."""
+LOW = 0.55
+"""Height [m] below which nobody sits at a table."""
 
 _CONNECTED = ("front_against", "front_to_front", "around", "seated_at")
 
@@ -29,7 +29,7 @@ class Captioner:
         self.facts = facts
         self.rng = rng
         self.names: dict[str, Name] = names(facts)
-        self.spoken: set[str] = set()
+        self.told: set[frozenset[str]] = set()
 
     def one_of(self, *texts: str) -> str:
         """One of several wordings."""
@@ -85,7 +85,9 @@ class Captioner:
         things = listed([p.words for p in parts])
         statements = [Statement("room_type", (), self.facts.scene.room.type)]
         if self.rng.random() < 0.5:
-            start = f"a {kind} of {area} m²" if self.rng.random() < 0.5 else with_article(f"{area} m² {kind}")
+            start = (
+                f"{with_article(kind)} of {area} m²" if self.rng.random() < 0.5 else with_article(f"{area} m² {kind}")
+            )
             statements.append(Statement("floor_area", (), area))
         else:
             start = with_article(kind)
@@ -160,11 +162,12 @@ class Captioner:
     def _relations(self) -> list[Text]:
         """Where the main furniture is, each thing said once."""
         found: list[Text] = []
-        kinds = (self._walls, self._gatherings, self._facings, self._sides, self._betweens, self._from_door)
+        found += list(self._gatherings())[:2]
+        kinds = (self._walls, self._facings, self._sides, self._betweens, self._from_door)
         for kind in (kinds[int(k)] for k in self.rng.permutation(len(kinds))):
             for text in list(kind())[:2]:
                 found.append(text)
-        return found[:6]
+        return [found[int(k)] for k in self.rng.permutation(len(found))][:6]
 
     def _walls(self) -> Iterator[Text]:
         facts = self.facts
@@ -202,7 +205,9 @@ class Captioner:
                 verb = "stands" if len(bodies) == 1 else "stand"
                 mine = self.names.get(bodies[0].id) if len(bodies) == 1 else None
                 things = mine.text if mine else counted(len(bodies), category)
-                yield said(f"{things} {verb} at {where}", *stated)
+                self.told.add(frozenset((target, *(b.id for b in bodies))))
+                by = "by" if facts.by_id[target].size[2] < LOW else "at"
+                yield said(f"{things} {verb} {by} {where}", *stated)
 
     def _facings(self) -> Iterator[Text]:
         facts = self.facts
@@ -224,7 +229,7 @@ class Captioner:
             for a in main[k + 1 :]:
                 if facts.boxes_apart(a, b) < 0.3 and (apart := facts.distance(a, b)) < 0.3 and not _over(a, b):
                     words = f"{self.names[a.id].text} is next to {self.names[b.id].text}"
-                    if apart < 0.25:
+                    if apart < 0.25 and frozenset((a.id, b.id)) not in self.told:
                         yield said(words, Statement("near", (a.id, b.id), {"max": 0.3}))
                         break
 

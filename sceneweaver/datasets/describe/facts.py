@@ -20,6 +20,9 @@ from sceneweaver.verify.solids import Body, Opening, Placed
 FLAT = 0.03
 """Height [m] up to which what lies on the floor is walked on, as a rug is."""
 
+PLAIN = 0.7
+"""Height [m] from which furniture has a front that is plain to see."""
+
 CLOSE = 0.12
 """Distance [m] from a wall up to which something stands against it."""
 
@@ -42,15 +45,17 @@ def is_seat(body: Body) -> bool:
 
 
 def is_bed(body: Body) -> bool:
-    """Whether it is a bed."""
-    return group_of(body.item.category) == "bed_group"
+    """Whether it is a bed whose foot can be told from its head."""
+    return group_of(body.item.category) == "bed_group" and body.item.category.endswith("bed")
 
 
 def has_front(body: Body) -> bool:
     """Whether everyone sees where its front is."""
     category = body.item.category
     sides = category_named(category).sides
-    return is_seat(body) or is_bed(body) or category in _SCREENS or ("front" in sides and "back" not in sides)
+    if is_seat(body) or is_bed(body) or category in _SCREENS:
+        return True
+    return "front" in sides and "back" not in sides and body.size[2] >= PLAIN
 
 
 def is_watcher(body: Body) -> bool:

@@ -68,7 +68,7 @@ def against_wall(asker: Asker, body: Body) -> Iterator[Goal]:
         x, y = wall.point(offsets, body.size[0] / 2 + 0.01)
         yaw = np.full(24, math.atan2(wall.inward[1], wall.inward[0]))
         words = asker.one_of(f"to {name}", f"over to {name}")
-        words += ", with its back to it" if has_front(body) else ", so that it stands against it"
+        words += ", with its back against the wall" if has_front(body) else " and stand it against the wall"
         yield Goal("Move", words, (_relation("against_wall", body, f"wall:{k}"),), np.stack([x, y, yaw], axis=1))
 
 
@@ -109,7 +109,7 @@ def on_side(asker: Asker, body: Body) -> Iterator[Goal]:
         elif is_bed(other):
             words = f"to the {viewer} of {asker.name(other)}, as seen from the foot of it"
         else:
-            words = f"to the {viewer} of {asker.name(other)}, as seen by someone who stands before it and looks at it"
+            words = f"to the {viewer} of {asker.name(other)}, as seen by someone who faces it"
         if asker.facts.holds(f"{side}_of", body, other.id):
             continue
         poses = _beyond(asker, body, other, side)
@@ -126,7 +126,7 @@ def before(asker: Asker, body: Body) -> Iterator[Goal]:
         poses = _beyond(asker, body, other, "front", (0.3, 0.9))
         if is_watcher(body):
             relations.append(_relation("facing", body, other.id))
-            words += ", so that it faces it" if asker.coin() else " and turn it so that it faces it"
+            words += ", facing it"
             away = np.array(other.centre) - poses[:, :2]
             poses[:, 2] = np.arctan2(away[:, 1], away[:, 0])
         yield Goal("Move", words, tuple(relations), poses, objects=asker.names[other.id].ids)

@@ -153,8 +153,12 @@ def in_reach(asker: Asker) -> Question | None:
     return Question(
         "in_reach",
         "yes_no",
-        f"Someone walks in and stands where there is free floor. Can they touch {asker.name(body)} with a hand "
-        f"{100 * ARM:.0f} cm from a shoulder that is {SHOULDER:g} m above the floor?",
+        asker.one_of(
+            f"Someone with a shoulder {SHOULDER:g} m above the floor and an arm of {100 * ARM:.0f} cm comes in. "
+            f"Can they touch {asker.name(body)} from some place where they can stand?",
+            f"Is {asker.name(body)} within reach of someone who comes in through the door, with an arm of "
+            f"{100 * ARM:.0f} cm and a shoulder {SHOULDER:g} m above the floor?",
+        ),
         yes_no(said),
         asker.ids(body),
         {"distance": rounded(min(near, 9.999)), "radius": PERSON, "shoulder": SHOULDER, "arm": ARM},

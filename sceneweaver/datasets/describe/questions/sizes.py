@@ -96,7 +96,7 @@ def taller(asker: Asker) -> Question | None:
 
     def answer(pair: tuple[Body, Body]) -> tuple[bool | None, tuple[float, float]]:
         a, b = (body.z[1] - body.z[0] for body in pair)
-        return (None if abs(a - b) < 0.08 else a > b), (a, b)
+        return (a > b if 0.08 < abs(a - b) < 0.6 else None), (a, b)
 
     found = asker.balanced(asker.pairs(asker.standing, asker.standing), answer)
     if found is None:
@@ -119,11 +119,14 @@ def taller(asker: Asker) -> Question | None:
 
 def largest(asker: Asker) -> Question | None:
     """Which of some things takes up most of the floor."""
-    chosen = asker.shuffled(asker.standing)[:4]
-    if len(chosen) < 3:
+    size = {b.id: b.size[0] * b.size[1] for b in asker.standing}
+    by_size = sorted(asker.standing, key=lambda b: (-size[b.id], b.id))
+    if len(by_size) < 3:
         return None
-    size = {b.id: b.size[0] * b.size[1] for b in chosen}
-    ranked = sorted(chosen, key=lambda b: -size[b.id])
+    # Things of like sizes, so that knowing furniture does not do.
+    start = int(asker.rng.integers(max(1, len(by_size) - 3)))
+    ranked = by_size[start : start + 4]
+    chosen = asker.shuffled(ranked)
     first, second = size[ranked[0].id], size[ranked[1].id]
     if first < 1.2 * second:
         return None
@@ -133,7 +136,7 @@ def largest(asker: Asker) -> Question | None:
         asker.one_of("Which of these takes up the most floor space?", "Which of these has the largest footprint?"),
         asker.name(ranked[0]),
         asker.ids(*chosen),
-        {"areas": {i: rounded(v) for i, v in size.items()}},
+        {"areas": {b.id: rounded(size[b.id]) for b in chosen}},
         "depth times width of the box of each",
         margin=rounded(first - second),
         options=tuple(asker.name(b) for b in chosen),
