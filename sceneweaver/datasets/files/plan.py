@@ -52,7 +52,7 @@ def write_plan(folder: Folder, requests: Requests) -> None:
         draft = parent / folder.plan.name
         draft.mkdir()
         write_table(draft / INDEX, _indexed(blocks, placed), index_schema())
-        write_table(draft / SECONDS_TABLE, _seconds(blocks), _seconds_schema())
+        write_table(draft / SECONDS_TABLE, seconds_rows(blocks), seconds_schema())
         write_table(draft / ASSETS, _assets(folder, blocks), _assets_schema())
         os.rename(draft, folder.plan)
 
@@ -114,7 +114,8 @@ def _delivered(blocks: list[Path]) -> Iterator[dict[str, Any]]:
     return (row for row in _rows(blocks) if row["status"] == "ok")
 
 
-def _seconds(blocks: list[Path]) -> Iterator[dict[str, Any]]:
+def seconds_rows(blocks: list[Path]) -> Iterator[dict[str, Any]]:
+    """The times of some blocks, a row a stage."""
     for path in blocks:
         with open(path / SECONDS, encoding="utf-8") as file:
             for line in file:
@@ -137,7 +138,8 @@ def _assets_schema():
     return pa.schema([*columns, ("files", pa.list_(pa.string())), ("bytes", pa.int64())])
 
 
-def _seconds_schema():
+def seconds_schema():
+    """What ``meta/seconds.parquet`` holds."""
     pa = arrow()
     return pa.schema([("index", pa.int64()), ("stage", pa.string()), ("seconds", pa.float64())])
 

@@ -11,10 +11,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from sceneweaver.scene.files import temporary_folder
+from sceneweaver.scene.files import sweep, temporary_folder
 
 from ..blocks import read_rows
-from ..columns import arrow
+from ..columns import arrow, index_schema
+from ..files.finish import finish
+from ..files.plan import INDEX, SECONDS_TABLE, seconds_rows, seconds_schema, write_table
 from ..folder import Folder
 from ..requests import Requests
 from ..spec import Spec
@@ -60,35 +62,50 @@ def programs_schema() -> pa.Schema:
 
 
 def pack(folder: Folder, requests: Requests) -> None:
-    """Write ``data/`` and ``meta/programs.parquet`` from the blocks, which stay; does nothing where that is done.
+    """Write the files of a data set of the blocks, which go; does nothing where all is there.
 
-    Programs of the same furniture in rooms of the same size are of one group, and a group lies in one split.
+    Programs of the same furniture in rooms of the same size are of one group, and a group lies in one split. In the
+    index a row is a program.
+
+    Raises:
+        OSError: when the disk is full; called again, it goes on.
     """
-    target = folder.meta / PROGRAMS
-    if target.exists():
+    if folder.checksums.exists():
         return
-    pa, spec = arrow(), requests.spec
+    sweep(folder.path)
+    if not (folder.meta / PROGRAMS).exists():
+        _write(folder, requests)
+    shutil.rmtree(folder.blocks, ignore_errors=True)
+    finish(folder, requests.spec)
+
+
+def _write(folder: Folder, requests: Requests) -> None:
+    """Write shards and tables; the table of programs comes last."""
     folder.meta.mkdir(parents=True, exist_ok=True)
     with temporary_folder(folder.path) as temporary:
-        shards = _Shards(temporary / "data", schema(width(requests)), spec.shard * 10**6)
-        rows, groups = [], {}
+        shards = _Shards(temporary / "data", schema(width(requests)), requests.spec.shard * 10**6)
+        rows: list[dict[str, Any]] = []
+        groups: dict[str, int] = {}
         for number in range(requests.blocks):
             block = folder.block(number)
             groups_of = _of_programs(block)
             for row in read_rows(block):
-                row |= {"program": row["room"], "split": None, "shards": [], "layouts": row.get("layouts", 0)}
+                row |= {"program": row["room"], "shards": [], "layouts": row.get("layouts", 0), "split": None}
                 if row["layouts"]:
                     row["near_duplicate_group"] = groups.setdefault(_furniture(row["scene"]), row["room"])
-                    row["split"] = split_of(spec, row["near_duplicate_group"])
+                    row["split"] = split_of(requests.spec, row["near_duplicate_group"])
                     row["shards"] = shards.add(row["split"], groups_of[row["room"]])
+                    row |= {"shard": row["shards"][0], "valid": True}
                 rows.append(row)
         shards.close()
-        names = programs_schema().names
-        table = pa.Table.from_pylist([{name: row.get(name) for name in names} for row in rows], programs_schema())
-        pa.parquet.write_table(table, temporary / PROGRAMS, compression="zstd", row_group_size=1024)
+        blocks = [folder.block(number) for number in range(requests.blocks)]
+        write_table(temporary / SECONDS_TABLE, seconds_rows(blocks), seconds_schema())
+        write_table(temporary / INDEX, rows, index_schema())
+        write_table(temporary / PROGRAMS, rows, programs_schema())
         shutil.rmtree(folder.data, ignore_errors=True)  # of a packing that was cut off
         os.rename(temporary / "data", folder.data)
-        os.rename(temporary / PROGRAMS, target)
+        for name in (SECONDS_TABLE, INDEX, PROGRAMS):
+            os.replace(temporary / name, folder.meta / name)
 
 
 def split_of(spec: Spec, group: int) -> str:
