@@ -61,11 +61,11 @@ class SceneContent(SceneFile):
     @property
     def ids(self) -> tuple[str, ...]:
         """The ids of the objects, in order."""
-        return tuple(self._lookup())
+        return tuple(self._positions())
 
     def index(self, object_id: str) -> int:
         """The position of an object in ``objects``; InputError when there is none of that id."""
-        lookup = self._lookup()
+        lookup = self._positions()
         if object_id not in lookup:
             raise InputError(
                 f"{quote(object_id)} is no object of scene {quote(self.id)}{suggest(object_id, lookup, mark=chr(39))}"
@@ -88,8 +88,8 @@ class SceneContent(SceneFile):
             objects[at] = objects[at].model_copy(update={"pose": pose})
         return self.model_copy(update={"objects": tuple(objects)})
 
-    def _lookup(self) -> dict[str, int]:
-        """Position by id, kept with the ``objects`` that it was made from, as copies of a model share what it keeps."""
+    def _positions(self) -> dict[str, int]:
+        """Position in ``objects`` by id, kept with them, as copies of a model share what it keeps."""
         kept = self.__dict__.get("_kept_lookup")
         if kept is None or kept[0] is not self.objects:
             kept = (self.objects, {o.id: i for i, o in enumerate(self.objects)})

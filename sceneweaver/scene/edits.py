@@ -18,7 +18,7 @@ from .fields import Flag, Id, Index, JsonDict, Length, Name, Target
 from .intent import Intent
 from .messages import FieldError, describe, quote, show, suggest
 from .objects import Part, Pose, SceneObject, Support, Surface, Zone
-from .references import check_references
+from .references import check_references, relation_fits
 from .relation import Relation
 
 AnyScene = TypeVar("AnyScene", bound=SceneContent)
@@ -187,10 +187,11 @@ def apply(scene: AnyScene, edit: AnyEdit) -> AnyScene:
         if isinstance(edit, SetIntent):
             return _with_object(scene, scene.object(edit.id).model_copy(update={"intent": edit.intent}))
         after = _changed(scene, edit)
-        try:
-            check_references(after.room, after.objects, after.relations)
-        except FieldError as error:
-            raise InputError(describe(error.loc, error.text, after)) from None
+        if not _adds_in_order(scene, edit):
+            try:
+                check_references(after.room, after.objects, after.relations)
+            except FieldError as error:
+                raise InputError(describe(error.loc, error.text, after)) from None
     except InputError as error:
         raise InputError(f"{edit.op} {_named(edit)}: {error}") from None
     return after
@@ -256,6 +257,21 @@ def invert(scene: SceneContent, edit: AnyEdit) -> list[AnyEdit]:
             return [SetAttributes(id=edit.id, set=put, unset=tuple(key for key in edit.set if key not in old))]
         case SetIntent():
             return [SetIntent(id=edit.id, intent=scene.object(edit.id).intent)]
+
+
+def _adds_in_order(scene: SceneContent, edit: AnyEdit) -> bool:
+    """Whether an edit adds something whose references all exist: then those of the rest need no other look."""
+    if isinstance(edit, Relate):
+        return relation_fits(edit.relation, scene.room, scene._positions())
+    if not isinstance(edit, Add) or edit.object.id in scene._positions():
+        return False
+    if any(edit.object.id == opening.id for opening in scene.room.openings):
+        return False
+    support = edit.object.support
+    if support is None:
+        return True
+    at = scene._positions().get(support.object)
+    return at is not None and any(s.name == support.surface for s in scene.objects[at].surfaces)
 
 
 def _changed(scene: AnyScene, edit: AnyEdit) -> AnyScene:

@@ -5,7 +5,7 @@ Errors are Problems with the path from the scene.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 
 from .catalogue import CATALOGUE
 from .messages import FieldError, Loc, quote, show, suggest
@@ -16,21 +16,15 @@ from .room import Room
 
 def check_references(room: Room, objects: Sequence[SceneObject], relations: Sequence[Relation]) -> None:
     """Ids are unique, and whatever names an object, surface, wall or opening names one that exists."""
-    seen: dict[str, str] = {}
+    seen: dict[str, Loc] = {}
     for loc, name in _ids(room, objects):
-        where = "".join(f"[{k}]" if isinstance(k, int) else f".{k}" for k in loc).lstrip(".")
         if name in seen:
-            raise FieldError((*loc, "id"), f"is taken by {seen[name]}; ids are unique over doors, windows and objects")
-        seen[name] = where
+            where = "".join(f"[{k}]" if isinstance(k, int) else f".{k}" for k in seen[name]).lstrip(".")
+            raise FieldError((*loc, "id"), f"is taken by {where}; ids are unique over doors, windows and objects")
+        seen[name] = loc
     by_id = {o.id: o for o in objects}
     _check_supports(by_id)
-    kinds: dict[str, Iterable[str]] = {
-        "object": by_id,
-        "objects": by_id,
-        "window": [w.id for w in room.windows],
-        "door": [d.id for d in room.doors],
-        "wall": [f"wall:{i}" for i in range(len(room.outline))],
-    }
+    kinds = _targets(room, by_id)
     for i, relation in enumerate(relations):
         if relation.subject not in by_id:
             fix = suggest(relation.subject, by_id, what="objects", mark="'")
@@ -43,6 +37,23 @@ def check_references(room: Room, objects: Sequence[SceneObject], relations: Sequ
                 fix = suggest(target, kinds[kind], what=f"{noun}s", mark="'")
                 fix = f"; the walls are wall:0 to wall:{len(room.outline) - 1}" if kind == "wall" else fix
                 raise FieldError(loc, f"is {quote(target)}, which is no {noun} of this scene{fix}")
+
+
+def relation_fits(relation: Relation, room: Room, ids: Collection[str]) -> bool:
+    """Whether all that a relation names is there; ``ids`` are those of the objects."""
+    known = _targets(room, ids)[CATALOGUE[relation.type].target_kind] if relation.targets else ()
+    return relation.subject in ids and all(target in known for target in relation.targets)
+
+
+def _targets(room: Room, ids: Collection[str]) -> dict[str, Collection[str]]:
+    """What a relation may name as its target, by kind of target."""
+    return {
+        "object": ids,
+        "objects": ids,
+        "window": [w.id for w in room.windows],
+        "door": [d.id for d in room.doors],
+        "wall": [f"wall:{i}" for i in range(len(room.outline))],
+    }
 
 
 def _check_supports(objects: dict[str, SceneObject]) -> None:
