@@ -49,7 +49,9 @@ def _bytes(value: str | None) -> int | None:
     return int(number.removesuffix(unit)) * UNITS[unit]
 
 
-Spec = Annotated[Path, typer.Argument(metavar="SPEC", help="A specification in YAML.", show_default=False)]
+Spec = Annotated[
+    Path, typer.Argument(metavar="SPEC", help="A specification in YAML, or ten_kinds or layouts.", show_default=False)
+]
 Folder = Annotated[Path, typer.Argument(metavar="DIR", help="The folder of a data set.", show_default=False)]
 NewFolder = Annotated[Path, typer.Option("--out", "-o", metavar="DIR", help="A folder.", show_default=False)]
 Workers = Annotated[
@@ -150,3 +152,39 @@ def verify(
     from .dataset_looks import run_verify
 
     return run_verify(folder, workers, sample, stability, as_json=as_json)
+
+
+@dataset.command()
+def report(
+    folder: Folder,
+    out: Annotated[
+        Path | None,
+        typer.Option("--out", "-o", metavar="HTML", help="The page (default: report.html there).", show_default=False),
+    ] = None,
+) -> int:
+    """Write a page about a data set, also of one that is still made: figures, variety, samples, troubles."""
+    from .dataset_looks import run_report
+
+    return run_report(folder, out)
+
+
+@dataset.command()
+def schema() -> int:
+    """Print the JSON schema of specifications."""
+    from .dataset_looks import run_schema
+
+    return run_schema()
+
+
+@dataset.command(name="push-card")
+def push_card(
+    folder: Folder,
+    repo: Annotated[str, typer.Option(metavar="OWNER/NAME", help="A data set on the hub.", show_default=False)],
+    endpoint: Annotated[str | None, typer.Option(help="Another hub than huggingface.co.", show_default=False)] = None,
+    token_env: Annotated[str, typer.Option(metavar="NAME", help="Environment variable with the token.")] = "HF_TOKEN",
+    dry_run: Annotated[bool, typer.Option("--dry-run", help="Only list what would be uploaded.")] = False,
+) -> int:
+    """Upload card, licences and tables of a data set to the Hugging Face hub, without its shards."""
+    from .dataset_looks import run_push_card
+
+    return run_push_card(folder, repo, endpoint, token_env, dry_run)

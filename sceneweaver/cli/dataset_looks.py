@@ -8,7 +8,7 @@ import typer
 
 from .dataset_runs import Progress, duration, handles
 from .exit_codes import NOT_VALID
-from .output import no_chatter, print_json, progress_bar
+from .output import list_files, no_chatter, print_json, progress_bar
 
 
 def run_status(path: Path, *, as_json: bool) -> int:
@@ -69,6 +69,33 @@ def run_verify(path: Path, workers: int | None, sample: int | None, stability: i
         for line in found.lines():
             typer.echo(line)
     return 0 if found.ok else NOT_VALID
+
+
+def run_report(path: Path, out: Path | None) -> int:
+    """Write the page about a data set."""
+    with no_chatter():
+        from sceneweaver.datasets.report import write_report
+
+        page = write_report(path, out)
+    list_files([page])
+    return 0
+
+
+def run_schema() -> int:
+    """Print the JSON schema of specifications."""
+    from sceneweaver.datasets.spec import spec_schema
+
+    print_json(spec_schema())
+    return 0
+
+
+def run_push_card(path: Path, repo: str, endpoint: str | None, token_env: str, dry_run: bool) -> int:
+    """Upload what describes a data set."""
+    from sceneweaver.datasets.files import push_card
+
+    for name in push_card(path, repo, endpoint=endpoint, token_env=token_env, dry_run=dry_run):
+        typer.echo(name)
+    return 0
 
 
 def _size(count: float) -> str:

@@ -60,7 +60,7 @@ def _go_on(dataset: Dataset, run: Run, stdout: IO[str], stderr: IO[str]) -> int:
     path, begun = dataset.folder.path, time.monotonic()
     left = 0 if dataset.folder.complete.exists() else len(missing(dataset, run.shard))
     progress = Progress(left, stdout if run.as_json else None, stderr)
-    options = Options(run.workers, run.device, run.shard, run.memory, run.patient)
+    options = Options(run.workers, run.device, run.shard, run.engine, run.address, run.memory, run.patient)
     try:
         whole = resume(dataset, options, Listener(progress.block, progress.notice))
     except (KeyboardInterrupt, SystemExit):

@@ -62,6 +62,11 @@ class Folder:
         """Is there as soon as all blocks were made: from then on they are packed, and none is made again."""
         return self.work / "complete"
 
+    @property
+    def packed(self) -> Path:
+        """Is there as soon as the blocks are packed."""
+        return self.work / "packed"
+
     def rooms(self, number: int) -> Path:
         """Rooms of a block that is made room by room, as its worker was killed."""
         return self.work / "rooms" / f"{number:08d}"

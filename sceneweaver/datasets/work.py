@@ -38,7 +38,7 @@ def make_block(
         layouts.make_block(folder, requests, number, device)
     elif not path.exists():
         produce = produce or usual()
-        samples = produce(requests.spec, requests.block(number), _store(folder.path, folder.path.stat().st_ino), device)
+        samples = produce(requests.spec, requests.block(number), store_of(folder), device)
         write_block(path, samples)
 
 
@@ -77,6 +77,11 @@ def failed_samples(request: Request, reason: str) -> list[Sample]:
         Sample(request.index + layout, request.key(layout), "failed", {**row, "layout": layout})
         for layout in range(request.layouts)
     ]
+
+
+def store_of(folder: Folder) -> AssetStore:
+    """The store of a data set, one for all blocks that this process makes."""
+    return _store(folder.path, folder.path.stat().st_ino)
 
 
 @lru_cache(maxsize=1)

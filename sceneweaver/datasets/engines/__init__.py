@@ -1,10 +1,10 @@
 """Runs of data sets: begun, interrupted, resumed, spread over workers and machines. What comes out is the same."""
 
 from .estimate import Estimate, estimate
-from .local import Listener
 from .manifest import Dataset, begin, open_dataset
 from .records import read_records
 from .run import Options, missing, resume
+from .schedule import Listener
 from .status import Status, status
 
 __all__ = [

@@ -12,9 +12,10 @@ import numpy as np
 
 from ..folder import Folder
 from ..work import Produce
-from .local import Listener, LocalEngine
+from .local import LocalEngine
 from .manifest import create, devices, load_source
 from .run import cores
+from .schedule import Listener
 
 
 @dataclass(frozen=True)
@@ -90,13 +91,13 @@ def estimate(
         listener: hears of blocks and troubles.
         produce: what makes scenes, if not `produce`.
     """
-    spec, prompts = load_source(source)
+    spec, inputs = load_source(source)
     workers, count = workers or cores(), spec.count
     rooms = min(-(-sample // spec.rooms.layouts), -(-count // spec.rooms.layouts))
     block = max(1, min(spec.block, rooms // (2 * workers)))  # two for each worker; what is made does not depend on it
     few = spec.model_copy(update={"count": min(count, rooms * spec.rooms.layouts), "block": block})
     with tempfile.TemporaryDirectory(prefix="sceneweaver-plan-") as place:
-        dataset = create(Folder(Path(place) / "set"), few, device, prompts=prompts)
+        dataset = create(Folder(Path(place) / "set"), few, device, inputs)
         growth: list[tuple[int, int]] = []
         records: list[dict[str, Any]] = []
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import platform
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from importlib.metadata import version
 from itertools import chain
@@ -18,13 +18,13 @@ from sceneweaver.scene.files import TEMPORARY, reason
 
 from ..folder import Folder
 from ..requests import Requests
-from ..spec import Spec, load_spec
+from ..spec import Spec, load_spec, spec_file
 
 SCHEMA = "sceneweaver.dataset-manifest/1"
 PROMPTS = "prompts.csv"
 """Where a data set keeps a file of prompts, so that it needs no other file to go on."""
 
-MAX_PROMPTS = 2**30
+MAX_INPUT = 2**30
 
 
 @dataclass(frozen=True)
@@ -33,17 +33,17 @@ class Dataset:
 
     Attributes:
         folder: its paths.
-        spec: its specification; a file of prompts lies beside the manifest.
+        spec: its specification; the files that it names lie beside the manifest.
         device: the kind of device that lays out its rooms, "cpu" or "cuda", on which results depend.
         versions: of what makes it, by name.
-        prompts: SHA-256 of the file of prompts, or None.
+        inputs: SHA-256 of the files that the specification names, by their name in the data set.
     """
 
     folder: Folder
     spec: Spec
     device: str
     versions: dict[str, str]
-    prompts: str | None = None
+    inputs: dict[str, str] = field(default_factory=dict)
 
     @cached_property
     def requests(self) -> Requests:
@@ -57,7 +57,7 @@ class Dataset:
             "name": self.spec.name,
             "hash": self.spec.hash,
             "spec": self.spec.model_dump(mode="json"),
-            "prompts": self.prompts,
+            "inputs": self.inputs,
             "device": self.device,
             "versions": self.versions,
         }
@@ -73,9 +73,9 @@ def open_dataset(path: Path) -> Dataset:
     if not folder.manifest.exists():
         raise InputError(f"{path}: no data set, as it has no {folder.manifest.name}; check the path")
     try:
-        data = json.loads(read_bytes(folder.manifest, max_bytes=MAX_PROMPTS))
+        data = json.loads(read_bytes(folder.manifest, max_bytes=MAX_INPUT))
         spec = Spec.model_validate(data["spec"])
-        return Dataset(folder, spec, str(data["device"]), dict(data["versions"]), data.get("prompts"))
+        return Dataset(folder, spec, str(data["device"]), dict(data["versions"]), dict(data["inputs"]))
     except (ValueError, TypeError, KeyError) as error:
         raise InputError(f"{folder.manifest}: damaged: {reason(error)}") from None
 
@@ -91,46 +91,56 @@ def begin(source: Path, out: Path, device: str = "auto") -> Dataset:
     Raises:
         InputError: the specification is wrong, the folder holds something else, or it cannot be written.
     """
-    spec, prompts = load_source(source)
+    spec, inputs = load_source(source)
     folder = Folder(out)
     if folder.manifest.exists():
         there = open_dataset(out)
-        _require_same(there, spec, None if prompts is None else hashlib.sha256(prompts).hexdigest())
+        _require_same(there, spec, _digests(inputs))
         agreed_device(there, device)
         return there
-    return create(folder, spec, device, {folder.spec.name: read_bytes(source)}, prompts)
+    return create(folder, spec, device, inputs, read_bytes(spec_file(source)))
 
 
-def load_source(source: Path) -> tuple[Spec, bytes | None]:
-    """The specification of a file, as a data set keeps it, and the content of its file of prompts if there is one.
+def load_source(source: Path) -> tuple[Spec, dict[str, bytes]]:
+    """The specification of a file, or of an example by name, as a data set keeps it, and the files that it names.
 
     Raises:
         InputError: one of them is wrong.
     """
+    source = spec_file(source)
     spec = load_spec(source)
-    if spec.requests.prompts_file is None:
-        return spec, None
     Requests(spec, source.parent)  # an error names the file of the user
-    prompts = read_bytes(source.parent / spec.requests.prompts_file, max_bytes=MAX_PROMPTS)
-    return spec.model_copy(update={"requests": spec.requests.model_copy(update={"prompts_file": PROMPTS})}), prompts
+    inputs: dict[str, bytes] = {}
+    changed: dict[str, Any] = {}
+    if spec.requests.prompts_file is not None:
+        inputs[PROMPTS] = read_bytes(source.parent / spec.requests.prompts_file, max_bytes=MAX_INPUT)
+        changed = {"prompts_file": PROMPTS}
+    if spec.requests.scenes is not None:
+        names = tuple(f"inputs/{number:06d}.json" for number in range(len(spec.requests.scenes)))
+        for name, path in zip(names, spec.requests.scenes, strict=True):
+            inputs[name] = read_bytes(source.parent / path)
+        changed = {"scenes": names}
+    return spec.model_copy(update={"requests": spec.requests.model_copy(update=changed)}), inputs
 
 
 def create(
-    folder: Folder, spec: Spec, device: str, files: dict[str, bytes] | None = None, prompts: bytes | None = None
+    folder: Folder, spec: Spec, device: str, inputs: dict[str, bytes] | None = None, source: bytes | None = None
 ) -> Dataset:
     """Write the manifest of a new data set; it comes last of all that a run needs to go on."""
-    files = dict(files or {}) | ({} if prompts is None else {PROMPTS: prompts})
+    inputs = inputs or {}
+    files = inputs | ({} if source is None else {folder.spec.name: source})
     versions = {
         "sceneweaver": sceneweaver.__version__,
         "warp-lang": version("warp-lang"),
         "python": platform.python_version(),
     }
     kind = devices(device)[0].partition(":")[0]
-    digest = None if prompts is None else hashlib.sha256(prompts).hexdigest()
-    dataset = Dataset(folder, spec, kind, versions, digest)
+    dataset = Dataset(folder, spec, kind, versions, _digests(inputs))
     try:
         _require_empty(folder.path, files)
-        folder.path.mkdir(parents=True, exist_ok=True)
+        for name in ("", *files):
+            (folder.path / name).parent.mkdir(parents=True, exist_ok=True)
+        folder.path.mkdir(exist_ok=True)
     except OSError as error:
         raise InputError(f"--out: {folder.path} cannot be written ({reason(error)}); choose another place") from None
     for name, content in files.items():
@@ -167,15 +177,18 @@ def agreed_device(dataset: Dataset, device: str) -> str:
 
 def _require_empty(path: Path, files: dict[str, bytes]) -> None:
     """Refuse a folder with files that are not ours; what a run left that was killed at its very start is."""
-    for place in path.iterdir() if path.exists() else ():
-        ours = place.name.startswith(TEMPORARY) or (
-            place.name in files and place.is_file() and place.read_bytes() == files[place.name]
-        )
+    for place in path.rglob("*") if path.exists() else ():
+        name = place.relative_to(path).as_posix()
+        ours = name.startswith(TEMPORARY) or place.is_dir() or (name in files and place.read_bytes() == files[name])
         if not ours:
             raise InputError(f"--out: {path} is not empty and holds no data set; choose another folder")
 
 
-def _require_same(there: Dataset, spec: Spec, prompts: str | None) -> None:
+def _digests(inputs: dict[str, bytes]) -> dict[str, str]:
+    return {name: hashlib.sha256(content).hexdigest() for name, content in inputs.items()}
+
+
+def _require_same(there: Dataset, spec: Spec, inputs: dict[str, str]) -> None:
     old, new = (_flat(s.model_dump(mode="json")) for s in (there.spec, spec))
     for name in dict.fromkeys(chain(new, old)):
         if old.get(name) != new.get(name):
@@ -183,11 +196,12 @@ def _require_same(there: Dataset, spec: Spec, prompts: str | None) -> None:
                 f"spec: {name} is {_said(new.get(name))}, but {there.folder.path} was begun with "
                 f"{_said(old.get(name))}; choose another folder for another data set"
             )
-    if there.prompts != prompts:
-        raise InputError(
-            f"spec: requests.prompts_file has other content than {there.folder.path / PROMPTS}, which the data set was "
-            "begun with; choose another folder for another data set"
-        )
+    for name, digest in inputs.items():
+        if there.inputs.get(name) != digest:
+            raise InputError(
+                f"spec: requests.{'scenes' if spec.requests.scenes else 'prompts_file'} has other content than "
+                f"{there.folder.path / name}, which the data set was begun with; choose another folder"
+            )
 
 
 def _flat(data: Any, name: str = "") -> dict[str, Any]:

@@ -13,12 +13,13 @@ from typing import Any
 
 from sceneweaver.scene import InputError, sweep, write_atomic
 
+from .. import work
 from ..disk import disk_full, waiting
-from ..work import Produce
-from .local import TICK, Listener, LocalEngine
+from .local import TICK, LocalEngine
 from .locks import run_lock
 from .manifest import Dataset, agreed_device, devices
 from .records import Records
+from .schedule import Listener
 
 Pack = Callable[[Dataset], None]
 """What makes the files of a data set of its blocks; killed at any moment, it goes on when called again."""
@@ -32,6 +33,8 @@ class Options:
         workers: processes; None: one for each core.
         device: where rooms are laid out: auto, cpu, cuda, cuda:k, or cuda:all for all GPUs in turns.
         shard: (i, N) makes the blocks i, i + N, i + 2 N ... only, and does not pack them.
+        engine: "local" for processes of this machine, "ray" for a cluster.
+        address: of the cluster; None: one of this machine.
         memory: resident bytes above which a worker is replaced between two blocks.
         patient: wait when the disk is full, or end.
     """
@@ -39,12 +42,19 @@ class Options:
     workers: int | None = None
     device: str = "auto"
     shard: tuple[int, int] | None = None
+    engine: str = "local"
+    address: str | None = None
     memory: int | None = None
     patient: bool = True
 
 
 def resume(
-    dataset: Dataset, options: Options, listener: Listener, *, produce: Produce | None = None, pack: Pack | None = None
+    dataset: Dataset,
+    options: Options,
+    listener: Listener,
+    *,
+    produce: work.Produce | None = None,
+    pack: Pack | None = None,
 ) -> bool:
     """Make what a data set still lacks.
 
@@ -53,7 +63,7 @@ def resume(
         options: how to work.
         listener: hears of blocks and troubles.
         produce: what makes scenes, if not `produce`; a function that can be pickled.
-        pack: makes the files of a data set of its blocks, if not `pack_blocks`.
+        pack: makes the files of a data set of its blocks, if not `pack`.
 
     Returns:
         Whether it is whole now.
@@ -62,12 +72,15 @@ def resume(
         InputError: another run is at work there, or the device is of another kind.
         DiskFullError: the disk is full, and the run is not patient.
     """
+    if whole(dataset):
+        return True
     device = agreed_device(dataset, options.device)
     with run_lock(dataset.folder, options.shard):
         clean(dataset)
         try:
             if not dataset.folder.complete.exists():
                 _make(dataset, options, device, listener, produce)
+            clean(dataset)  # before what is there is counted
             if options.shard is not None:
                 return dataset.folder.complete.exists()
             finish(dataset, pack, listener, patient=options.patient)
@@ -76,7 +89,7 @@ def resume(
     return True
 
 
-def _make(dataset: Dataset, options: Options, device: str, listener: Listener, produce: Produce | None) -> None:
+def _make(dataset: Dataset, options: Options, device: str, listener: Listener, produce: work.Produce | None) -> None:
     numbers = missing(dataset, options.shard)
     if not numbers:
         return
@@ -86,16 +99,21 @@ def _make(dataset: Dataset, options: Options, device: str, listener: Listener, p
         records.add(record)
         listener.block(record)
 
-    engine = LocalEngine(
-        dataset,
-        devices(device),
-        options.workers or cores(),
-        produce,
-        Listener(block, listener.notice),
-        memory=options.memory,
-        patient=options.patient,
-    )
+    told = Listener(block, listener.notice)
+    if options.engine == "ray":
+        from .cluster import RayEngine
+
+        engine = RayEngine(dataset, options.address, options.workers, produce, told, patient=options.patient)
+    else:
+        workers, places = options.workers or cores(), devices(device)
+        memory, patient = options.memory, options.patient
+        engine = LocalEngine(dataset, places, workers, produce, told, memory=memory, patient=patient)
     engine.run(numbers)
+
+
+def whole(dataset: Dataset) -> bool:
+    """Whether nothing is left to do."""
+    return dataset.folder.packed.exists() or dataset.folder.checksums.exists()
 
 
 def missing(dataset: Dataset, shard: tuple[int, int] | None = None) -> list[int]:
@@ -111,7 +129,8 @@ def finish(dataset: Dataset, pack: Pack | None, listener: Listener, *, patient: 
             if not dataset.folder.complete.exists():
                 shutil.rmtree(dataset.folder.work / "rooms", ignore_errors=True)
                 write_atomic(dataset.folder.complete, "")
-            (pack or pack_blocks)(dataset)
+            (pack or _pack)(dataset)
+            write_atomic(dataset.folder.packed, "")
             return
         except (OSError, InputError) as error:
             if not disk_full(error):
@@ -122,11 +141,8 @@ def finish(dataset: Dataset, pack: Pack | None, listener: Listener, *, patient: 
             time.sleep(TICK)
 
 
-def pack_blocks(dataset: Dataset) -> None:
-    """Make the files of a data set of its blocks."""
-    from ..files import pack
-
-    pack(dataset.folder, dataset.requests)
+def _pack(dataset: Dataset) -> None:
+    work.pack(dataset.folder, dataset.requests)
 
 
 def clean(dataset: Dataset) -> None:

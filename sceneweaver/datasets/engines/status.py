@@ -10,6 +10,7 @@ from typing import Any
 from ..reading import rows_of
 from .manifest import Dataset
 from .records import read_records
+from .run import whole
 
 RECENT = 600.0
 """Seconds over which the rate of a run is measured."""
@@ -25,7 +26,7 @@ class Status:
         blocks: how many it has.
         made: how many of them are there.
         whole: whether it is packed.
-        rows: scenes by status.
+        rows: scenes, or programs of layouts, by status.
         rate: scenes a second, all runs on it together, of the last ten minutes of work.
         running: whether a block was made within the last ten minutes.
         reasons: why scenes were not delivered, the most frequent first.
@@ -63,7 +64,7 @@ class Status:
 def status(dataset: Dataset) -> Status:
     """Read how far a data set is; runs may be at work on it."""
     folder, blocks = dataset.folder, dataset.requests.blocks
-    complete = folder.complete.exists()
+    complete = folder.complete.exists() or whole(dataset)
     made = blocks if complete else sum(folder.block(number).exists() for number in range(blocks))
     rows, reasons = Counter({"ok": 0, "rejected": 0, "failed": 0}), Counter()
     for row in rows_of(folder, ["status", "reason"]):
@@ -71,11 +72,13 @@ def status(dataset: Dataset) -> Status:
         if row["status"] != "ok":
             reasons[row.get("reason") or "no reason given"] += 1
     records = read_records(folder)
+    if dataset.spec.product == "layouts":  # whose rows are programs
+        rows = Counter({name: sum({r["block"]: r[name] for r in records}.values()) for name in rows})
     last = records[-1]["end"] if records else 0.0
     return Status(
         blocks=blocks,
         made=made,
-        whole=complete and folder.checksums.exists(),
+        whole=whole(dataset),
         rows=dict(rows),
         rate=_rate([record for record in records if record["end"] > last - RECENT]),
         running=not complete and last > time.time() - RECENT,

@@ -1,4 +1,4 @@
-"""What a worker is asked to do: a block in one piece, or room by room after it ended a worker."""
+"""What a worker is asked to do: a block; or one room of a block that ended its worker; at last, to join the rooms."""
 
 from __future__ import annotations
 
@@ -8,124 +8,131 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
+
+from sceneweaver.scene import MissingDependencyError
 
 from ..blocks import read_rows, read_samples, write_block
+from ..disk import disk_full
 from ..requests import Request
 from ..sample import Sample
 from ..spec import Spec
 from ..store import AssetStore
-from ..work import Produce, failed_samples, make_block, usual
+from ..work import Produce, failed_samples, make_block, store_of, usual
 from .manifest import Dataset
 from .records import memory
 
-CHANCES = 2
-"""How often a room may end its worker before it counts as failed."""
-
-Say = Callable[..., None]
-"""``say(kind, value)``: "room", its number, before it is made on its own; "scene", its status, when one is done."""
+Message = tuple[Literal["ready", "alive", "done", "full", "missing", "error"], Any]
+"""What a worker says: it is ready or alive; its task is done, with a record; the disk is full; something that it needs
+is missing, or another error, in words."""
 
 
 @dataclass
 class Task:
-    """A block to make.
+    """A piece of work.
 
     Attributes:
         number: of the block.
-        alone: whether its rooms are made one by one.
-        deaths: of these rooms, how often each ended its worker.
-        failed: why rooms are given up.
-        room: the one that is being made, where they are made one by one.
+        room: the one room to make, by its place in the block; None: all.
+        join: whether to join the rooms of the block, which are made.
+        failed: of rooms that are given up, by their place in the block, why.
+        deaths: how often it ended its worker.
     """
 
     number: int
-    alone: bool = False
-    deaths: Counter[int] = field(default_factory=Counter)
-    failed: dict[int, str] = field(default_factory=dict)
     room: int | None = None
-
-    def died(self, reason: str) -> str:
-        """Take note that the worker of this task ended; what happens now, in words."""
-        if not self.alone:
-            self.alone = True
-            return f"block {self.number}: {reason}; its rooms are made one by one"
-        if self.room is None:
-            return f"block {self.number}: {reason}; it is made again"
-        self.deaths[self.room] += 1
-        if self.deaths[self.room] < CHANCES:
-            return f"room {self.room}: {reason}; it is made again"
-        self.failed[self.room] = reason
-        return f"room {self.room}: {reason}; it has failed"
+    join: bool = False
+    failed: dict[int, str] = field(default_factory=dict)
+    deaths: int = 0
 
     def patience(self, spec: Spec) -> float:
         """Seconds without a scene after which its worker counts as hung.
 
         Rooms of a block are laid out together, so its first scene may take longer than any other.
         """
-        scenes = spec.rooms.layouts * (1 if self.alone else spec.block)
+        scenes = spec.rooms.layouts * (spec.block if self.room is None else 1)
         return spec.time_limit * (1 + scenes / 8)
 
 
-def carry_out(dataset: Dataset, task: Task, device: str, produce: Produce | None, say: Say) -> dict[str, Any]:
-    """Make the block of a task, unless it is there; its record."""
-    start, folder = time.time(), dataset.folder
+def attempt(dataset: Dataset, task: Task, device: str, produce: Produce | None, alive: Callable[[], None]) -> Message:
+    """Carry out a task; how it went.
 
-    produce = produce or usual()
+    Args:
+        dataset: what it is a part of.
+        task: what to do.
+        device: where rooms are laid out.
+        produce: what makes scenes, if not `produce`.
+        alive: called after each scene.
+    """
+    try:
+        return "done", _carry_out(dataset, task, device, produce, alive)
+    except Exception as error:
+        if disk_full(error):
+            return "full", None
+        if isinstance(error, MissingDependencyError):
+            return "missing", str(error)
+        return "error", f"{type(error).__name__}: {' '.join(str(error).split())[:300]}"
+
+
+def _carry_out(
+    dataset: Dataset, task: Task, device: str, produce: Produce | None, alive: Callable[[], None]
+) -> dict[str, Any]:
+    start, folder, whole = time.time(), dataset.folder, dataset.folder.block(task.number)
 
     def watched(spec: Spec, requests: Sequence[Request], store: AssetStore, device: str = "auto") -> Iterator[Sample]:
-        for sample in produce(spec, requests, store, device):
-            say("scene", sample.status)
+        for sample in (produce or usual())(spec, requests, store, device):
+            alive()
             yield sample
 
-    if task.alone:
-        _make_alone(dataset, task, device, watched, say)
-    else:
+    if task.join:
+        _join(dataset, task)
+    elif task.room is None:
         make_block(folder, dataset.requests, task.number, device, watched)
-    block = folder.block(task.number)
-    counts = Counter(row["status"] for row in read_rows(block))
+    elif not whole.exists():
+        request = dataset.requests.block(task.number)[task.room]
+        path = folder.rooms(task.number) / f"{task.room:04d}"
+        if dataset.spec.product == "layouts":
+            _write_programs(dataset, path, request, device, {})
+        elif not path.exists():
+            write_block(path, watched(dataset.spec, [request], store_of(folder), device))
     rss, peak = memory()
-    return {
-        "block": task.number,
-        "start": start,
-        "end": time.time(),
-        "rss": rss,
-        "peak_rss": peak,
-        "bytes": sum(path.stat().st_size for path in block.iterdir()),
+    record = {"block": task.number, "start": start, "end": time.time(), "rss": rss, "peak_rss": peak}
+    if not whole.exists():  # a room alone is no news yet
+        return record
+    counts = Counter(row["status"] for row in read_rows(whole))
+    return record | {
+        "bytes": sum(path.stat().st_size for path in whole.iterdir()),
         "rooms": len(dataset.requests.block(task.number)),
         **{status: counts[status] for status in ("ok", "rejected", "failed")},
     }
 
 
-def _make_alone(dataset: Dataset, task: Task, device: str, produce: Produce, say: Say) -> None:
-    """Make a block room by room; each is kept as soon as it is there, for the next worker if this one ends."""
+def _join(dataset: Dataset, task: Task) -> None:
+    """Make a block of its rooms, which were made one by one."""
     place, block = dataset.folder.rooms(task.number), dataset.folder.block(task.number)
-    layouts = dataset.spec.product == "layouts"
-    requests = [] if block.exists() else dataset.requests.block(task.number)
-    paths = [place / f"{request.room:010d}" for request in requests]
-    for request, path in zip(requests, paths, strict=True):
-        if path.exists():
-            continue
-        if layouts:
-            _programs_alone(dataset, task, path, request, device, say)
-        elif request.room in task.failed:
-            write_block(path, failed_samples(request, task.failed[request.room]))
-        else:
-            say("room", request.room)
-            write_block(path, produce(dataset.spec, [request], AssetStore(dataset.folder.path), device))
-    if paths and layouts:
+
+    requests = dataset.requests.block(task.number)
+    paths = [place / f"{number:04d}" for number in range(len(requests))]
+
+    def samples() -> Iterator[Sample]:
+        for number, request in enumerate(requests):
+            if number in task.failed:
+                yield from failed_samples(request, task.failed[number])
+            else:
+                yield from read_samples(paths[number])
+
+    if dataset.spec.product == "layouts":
         from ..layouts import join
 
+        for number, reason in task.failed.items():
+            _write_programs(dataset, paths[number], requests[number], "cpu", {requests[number].room: reason})
         join(block, dataset.requests, paths)
-    elif paths:
-        write_block(block, (sample for path in paths for sample in read_samples(path)))
+    elif not block.exists():
+        write_block(block, samples())
     shutil.rmtree(place, ignore_errors=True)
 
 
-def _programs_alone(dataset: Dataset, task: Task, path: Path, request: Request, device: str, say: Say) -> None:
-    """Make a program of layouts on its own, or say why it has failed."""
+def _write_programs(dataset: Dataset, path: Path, request: Request, device: str, failed: dict[int, str]) -> None:
     from ..layouts import write_programs
 
-    failed = {room: reason for room, reason in task.failed.items() if room == request.room}
-    if not failed:
-        say("room", request.room)
     write_programs(path, dataset.requests, [request], device, failed)

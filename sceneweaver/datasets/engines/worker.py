@@ -12,14 +12,10 @@ from collections.abc import Iterator
 from multiprocessing import get_context
 from multiprocessing.connection import Connection
 from pathlib import Path
-from typing import Any
 
-from sceneweaver.scene import MissingDependencyError
-
-from ..disk import disk_full
 from ..work import Produce
 from .manifest import Dataset, open_dataset
-from .tasks import Task, carry_out
+from .tasks import Task, attempt
 
 SPAWN = get_context("spawn")  # a fork of a process that has used CUDA or JAX is of no use
 
@@ -31,14 +27,12 @@ START = 300.0
 
 PR_SET_PDEATHSIG = 1
 
-Message = tuple[str, Any]
-
 
 class Worker:
     """The near end of a worker."""
 
     def __init__(self, index: int, dataset: Dataset, device: str, produce: Produce | None):
-        self.index, self.ready = index, False
+        self.index, self.ready, self.used = index, False, False
         self.task: Task | None = None
         self._spec = dataset.spec
         self.end, theirs = SPAWN.Pipe()
@@ -52,7 +46,7 @@ class Worker:
 
     def give(self, task: Task) -> None:
         """Ask for a block. A process that has just ended will be heard of as one that ended at it."""
-        self.task, task.room = task, None
+        self.task, self.used = task, True
         with contextlib.suppress(OSError):
             self.end.send(task)
         self.alive()
@@ -69,6 +63,8 @@ class Worker:
 
     def close(self, wait: float = 0.0) -> str:
         """End the process, at once or when it has not ended by itself after some seconds; how it ended."""
+        if self.end.closed:
+            return ""
         self._process.join(wait)
         by_itself = not self._process.is_alive()
         self._process.kill()
@@ -88,28 +84,16 @@ def serve(end: Connection, path: Path, device: str, produce: Produce | None) -> 
     _be_quiet()
     dataset = open_dataset(path)
 
-    def say(kind: str, value: Any = None) -> None:
-        end.send((kind, value))
+    def alive() -> None:
+        end.send(("alive", None))
 
-    say("ready")
+    end.send(("ready", None))
     while True:
         try:
             task = end.recv()
         except EOFError:
             return
-        say(*attempt(dataset, task, device, produce, say))
-
-
-def attempt(dataset: Dataset, task: Task, device: str, produce: Produce | None, say: Any) -> Message:
-    """How a task went: "done" with its record, "full", "missing" or "error" with the reason."""
-    try:
-        return "done", carry_out(dataset, task, device, produce, say)
-    except Exception as error:
-        if disk_full(error):
-            return "full", None
-        if isinstance(error, MissingDependencyError):
-            return "missing", str(error)
-        return "error", f"{type(error).__name__}: {' '.join(str(error).split())[:300]}"
+        end.send(attempt(dataset, task, device, produce, alive))
 
 
 @contextlib.contextmanager

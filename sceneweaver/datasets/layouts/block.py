@@ -101,8 +101,11 @@ def _draft(path: Path) -> Iterator[Path]:
         draft = temporary / path.name
         draft.mkdir()
         yield draft
-        if not path.exists():
+        try:
             os.rename(draft, path)
+        except OSError:  # the folder is not empty: another process was as quick
+            if not path.exists():
+                raise
 
 
 def _write_rows(folder: Path, found: Sequence[tuple[dict[str, Any], dict[str, Any]]]) -> None:

@@ -1,0 +1,141 @@
+"""What is to be made next, whoever makes it: troubles of a worker or a disk change the order, never the outcome."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from sceneweaver.scene import MissingDependencyError
+
+from ..disk import LEAST, Wait, waiting
+from .manifest import Dataset
+from .tasks import Message, Task
+
+CHANCES = 2
+"""How often a room may end its worker before it counts as failed."""
+
+
+@dataclass(frozen=True)
+class Listener:
+    """Who wants to hear of a run.
+
+    Attributes:
+        block: told of each block's record.
+        notice: told in one line what else happens.
+    """
+
+    block: Callable[[dict[str, Any]], None]
+    notice: Callable[[str], None]
+
+
+@dataclass
+class _Apart:
+    """A block whose rooms are made one by one: how many are left, and why others are given up."""
+
+    left: int
+    failed: dict[int, str]
+
+
+class Schedule:
+    """The tasks of a run.
+
+    Args:
+        dataset: what they make.
+        numbers: the blocks that it lacks.
+        listener: hears of blocks and troubles.
+        workers: how many there are, for the room on the disk that they need.
+        patient: wait when the disk is full, or end.
+    """
+
+    def __init__(self, dataset: Dataset, numbers: Iterable[int], listener: Listener, workers: int, patient: bool):
+        self._dataset, self._listener, self._patient = dataset, listener, patient
+        self._tasks = deque(Task(number) for number in numbers)
+        self._apart: dict[int, _Apart] = {}
+        self._taken = 0
+        self._pause: Wait | None = None
+        self._workers, self._largest = workers, 0
+
+    @property
+    def over(self) -> bool:
+        """Whether all is made."""
+        return not self._tasks and not self._taken
+
+    @property
+    def waiting(self) -> int:
+        """How many tasks nobody works at."""
+        return len(self._tasks)
+
+    def take(self) -> Task | None:
+        """The next task; None when there is none now."""
+        if self._pause is not None and self._pause.over:
+            self._pause = None
+            self._listener.notice("trying again")
+        if self._pause is not None or not self._tasks:
+            return None
+        self._taken += 1
+        return self._tasks.popleft()
+
+    def heard(self, task: Task, message: Message, who: dict[str, Any]) -> None:
+        """Take note of how a task ended.
+
+        Args:
+            task: it.
+            message: "done", "full", "missing" or "error".
+            who: of the worker, for the record.
+
+        Raises:
+            MissingDependencyError: a worker lacks something that all lack.
+            DiskFullError: the disk is full, and nobody wants to wait.
+        """
+        kind, value = message
+        if kind == "missing":
+            raise MissingDependencyError(value)
+        if kind == "error":
+            self.died(task, value)
+            return
+        self._taken -= 1
+        if kind == "full":
+            self._tasks.appendleft(task)
+            self._wait()
+        elif task.room is not None:
+            self._room_over(task)
+        else:
+            self._largest = max(self._largest, value["bytes"])
+            self._listener.block({**value, **who})
+
+    def died(self, task: Task, reason: str) -> None:
+        """Take note that a task ended its worker: its block is made room by room, its room again, or given up."""
+        self._taken -= 1
+        task.deaths += 1
+        if task.join:
+            self._tasks.appendleft(task)
+        elif task.room is None:
+            self._listener.notice(f"block {task.number}: {reason}; its rooms are made one by one")
+            rooms = len(self._dataset.requests.block(task.number))
+            self._apart[task.number] = _Apart(rooms, {})
+            self._tasks.extendleft(Task(task.number, room) for room in reversed(range(rooms)))
+        elif task.deaths < CHANCES:
+            self._listener.notice(f"{self._name(task)}: {reason}; it is made again")
+            self._tasks.appendleft(task)
+        else:
+            self._listener.notice(f"{self._name(task)}: {reason}; it has failed")
+            self._apart[task.number].failed[task.room] = reason
+            self._room_over(task)
+
+    def _room_over(self, task: Task) -> None:
+        apart = self._apart[task.number]
+        apart.left -= 1
+        if not apart.left:
+            self._tasks.appendleft(Task(task.number, join=True, failed=apart.failed))
+            del self._apart[task.number]
+
+    def _name(self, task: Task) -> str:
+        return f"room {self._dataset.requests.block(task.number)[task.room or 0].room}"
+
+    def _wait(self) -> None:
+        if self._pause is None:
+            needed = max(LEAST, 2 * self._largest * self._workers)
+            self._pause = waiting(self._dataset.folder.path, needed, wait=self._patient)
+            self._listener.notice(f"{self._pause}; waiting")
