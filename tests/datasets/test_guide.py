@@ -7,9 +7,9 @@ import pytest
 import yaml
 
 from sceneweaver.datasets import AssetStore, Folder
-from sceneweaver.datasets.files import pack
+from sceneweaver.datasets.files import finish, pack
 from sceneweaver.datasets.store.scene_files import references, scene_files
-from tests.datasets.small import make_small
+from tests.datasets.small import make_small, small_spec
 from tests.test_repository import ROOT, code_blocks
 
 GUIDE = code_blocks((ROOT / "docs" / "datasets.md").read_text(), "python")
@@ -80,3 +80,32 @@ def test_croissant_is_valid_and_its_records_are_those_of_the_index(packed):
         not o.get("contentUrl", "").startswith("/")
         for o in json.loads((packed / "croissant.json").read_text())["distribution"]
     )
+
+
+def test_layouts_have_a_card_as_well(tmp_path):
+    import mlcroissant
+    from huggingface_hub import DatasetCard
+    from pyarrow import Table, parquet
+
+    from sceneweaver.datasets.layouts.pack import programs_schema
+
+    folder = Folder(tmp_path)
+    for place in (folder.data, folder.meta):
+        place.mkdir()
+    parquet.write_table(Table.from_pydict({"program": [0] * 5}), folder.data / "train-000000.parquet")
+    program = {
+        "program": 0,
+        "status": "ok",
+        "split": "train",
+        "layouts": 5,
+        "room_type": "gym",
+        "categories": ["bench"],
+    }
+    failed = {"program": 1, "status": "failed", "reason": "time limit", "layouts": 0}
+    parquet.write_table(Table.from_pylist([program, failed], programs_schema()), folder.meta / "programs.parquet")
+    finish(folder, small_spec(10, product="layouts", rooms={"layouts": 5}))
+    card = DatasetCard.load(tmp_path / "README.md")
+    assert "5 valid layouts of 1 furnished rooms" in card.text and "| time limit | 1 |" in card.text
+    assert card.data.configs[0]["data_files"] == [{"split": "train", "path": "data/train-*.parquet"}]
+    records = list(mlcroissant.Dataset(tmp_path / "croissant.json").records("scenes"))
+    assert [int(r["scenes/program"]) for r in records] == [0, 1]

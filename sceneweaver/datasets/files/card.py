@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import fnmatch
 import tarfile
 from itertools import islice
 from pathlib import Path
@@ -16,8 +17,8 @@ from ..spec import Spec
 from .licences import Licence
 
 SIZES = ((10**3, "n<1K"), (10**4, "1K<n<10K"), (10**5, "10K<n<100K"), (10**6, "100K<n<1M"), (10**7, "1M<n<10M"))
-TEMPLATE = Path(__file__).with_name("card.md")
-"""The text, with fields in braces."""
+TEMPLATES = Path(__file__).parent
+"""Where the texts lie, with fields in braces: ``card_<product>.md`` and how all end."""
 
 SEEN = 1000
 """Files of the first shard that are looked at for suffixes."""
@@ -30,10 +31,13 @@ FILES = {
     "metrics.json": "what the judge and the critic measured",
     "glb": "glTF 2.0, whose buffers and pictures lie in `assets/`",
     "xml": "MJCF for MuJoCo, whose meshes and textures lie in `assets/`",
-    "usdc": "USD",
+    "usdc": "USD, whose meshes and textures lie in `assets/`",
+    "*.png": "pictures and data passes",
     "captions.json": "descriptions, each statement with what makes it true",
     "questions.jsonl": "questions with answers by geometry",
     "instructions.jsonl": "instructions for rearrangement with their goals",
+    "twin-*.scene.json": "a changed twin of the scene",
+    "twin-*.difference.json": "what the twin differs in, and the measured effect",
 }
 
 
@@ -47,8 +51,10 @@ def card(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Licence
         used: licences of its assets.
     """
     front = yaml.safe_dump(_front(folder, spec, numbers, used), sort_keys=False, allow_unicode=True)
-    diversity = numbers["diversity"]
-    text = TEMPLATE.read_text(encoding="utf-8").format(
+    diversity, found = numbers["diversity"], suffixes(folder)
+    names = (f"card_{spec.product}.md", "card_end.md")
+    template = "\n".join((TEMPLATES / name).read_text(encoding="utf-8") for name in names)
+    text = template.format(
         name=spec.name,
         product="furnished scenes" if spec.product == "scenes" else "layouts",
         requests=f"{numbers['requests']:,}",
@@ -64,7 +70,8 @@ def card(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Licence
         kinds=_table(("kind of room", "scenes"), numbers["room_type"]),
         reasons=_table(("why a request was not served", "scenes"), numbers["reasons"]) or "All requests were served.\n",
         grades=_grades(numbers["grades"]),
-        files="".join(f"| `<key>.{suffix}` | {FILES[suffix]} |\n" for suffix in FILES if suffix in suffixes(folder)),
+        layouts=f"{numbers.get('layouts', 0):,}",
+        files="".join(f"| `<key>.{name}` | {what} |\n" for name, what in FILES.items() if fnmatch.filter(found, name)),
         licences=", ".join(dict.fromkeys(one.name for one in used)),
         version=sceneweaver.__version__,
         hash=spec.hash,
@@ -88,10 +95,14 @@ def _front(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Licen
         "language": ["en"],
         "task_categories": ["robotics", "text-to-3d", "visual-question-answering"],
         "tags": ["indoor scenes", "3d", "layout", "synthetic", "simulation", "sceneweaver"],
-        "size_categories": [next((name for most, name in SIZES if numbers["scenes"] < most), "n>10M")],
+        "size_categories": [next((name for most, name in SIZES if _items(numbers) < most), "n>10M")],
         "configs": [{"config_name": "default", "data_files": data}] if data else [],
         **({"dataset_info": _info(folder, splits, numbers)} if spec.product == "scenes" else {}),
     }
+
+
+def _items(numbers: dict[str, Any]) -> int:
+    return numbers.get("layouts", numbers["scenes"])
 
 
 def _info(folder: Folder, splits: list[str], numbers: dict[str, Any]) -> dict[str, Any]:

@@ -7,11 +7,11 @@ from typing import Any
 
 import sceneweaver
 
-from ..columns import index_schema
 from ..folder import Folder
 from ..spec import Spec
 from .checksums import sha256
 from .licences import TEXTS, Licence
+from .tables import read_schema, table_of
 
 CONTEXT = {
     "@language": "en",
@@ -69,20 +69,20 @@ def croissant(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Li
     from pyarrow.types import is_struct
 
     names = dict.fromkeys(one.name for one in used)
-    index = _file(folder, folder.index, "application/x-parquet")
+    table = table_of(folder, spec)
+    index = _file(folder, table, "application/x-parquet")
+    columns = [column for column in read_schema(table) if not is_struct(column.type)]
+    key, made = columns[0].name, f"made with sceneweaver {sceneweaver.__version__}"
     shards = sorted(path for path in folder.data.iterdir() if path.suffix in KINDS) if folder.data.exists() else []
     return {
         "@context": CONTEXT,
         "@type": "sc:Dataset",
         "conformsTo": "http://mlcommons.org/croissant/1.1",
         "name": spec.name,
-        "description": (
-            f"{numbers['scenes']} indoor {spec.product} of {numbers['rooms']} rooms, made with sceneweaver "
-            f"{sceneweaver.__version__} and judged one by one."
-        ),
+        "description": f"Indoor {spec.product} of {numbers['rooms']} rooms, {made}.",
         "license": [TEXTS.get(name, name) for name in names],
         "version": "1.0.0",
-        "citeAs": f"{spec.name}: made with sceneweaver {sceneweaver.__version__}, specification {spec.hash}",
+        "citeAs": f"{spec.name}: {made}, specification {spec.hash}",
         "keywords": ["indoor scenes", "layout", "synthetic", "simulation"],
         "distribution": [index, *(_file(folder, path, KINDS[path.suffix]) for path in shards)],
         "recordSet": [
@@ -90,9 +90,9 @@ def croissant(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Li
                 "@type": "cr:RecordSet",
                 "@id": "scenes",
                 "name": "scenes",
-                "description": "One row a request. The table has the structs grades and gates as well.",
-                "key": {"@id": "scenes/index"},
-                "field": [_field(index["@id"], column) for column in index_schema() if not is_struct(column.type)],
+                "description": "One row a request; columns that are structs are left out.",
+                "key": {"@id": f"scenes/{key}"},
+                "field": [_field(index["@id"], column) for column in columns],
             }
         ],
     }

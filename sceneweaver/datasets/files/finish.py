@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from typing import Any
 
 from sceneweaver.scene import write_atomic
 
@@ -13,7 +14,10 @@ from .card import card
 from .checksums import write_checksums
 from .croissant import croissant
 from .licences import licences, licences_text
-from .plan import read_table
+from .tables import read_schema, read_table, table_of
+
+LONG = ("assets", "asset_ids", "scene")
+"""Columns that statistics leave out, and that most of a table consists of."""
 
 
 def finish(folder: Folder, spec: Spec) -> None:
@@ -21,13 +25,25 @@ def finish(folder: Folder, spec: Spec) -> None:
 
     All of it is a function of these files and the specification, without times.
     """
-    numbers = statistics(read_table(folder.index))
+    numbers = _numbers(folder, spec)
     used = licences(folder)
     write_atomic(folder.meta / "statistics.json", _json(numbers))
     write_atomic(folder.path / "LICENSES.md", licences_text(spec, used))
     write_atomic(folder.path / "README.md", card(folder, spec, numbers, used))
     write_atomic(folder.path / "croissant.json", _json(croissant(folder, spec, numbers, used)))
     write_checksums(folder)
+
+
+def _numbers(folder: Folder, spec: Spec) -> dict[str, Any]:
+    """Statistics of the scenes; of layouts those of their programs, and how many layouts there are."""
+    table = table_of(folder, spec)
+    names = [name for name in read_schema(table).names if name not in LONG]
+    if spec.product == "scenes":
+        return statistics(read_table(table, names))
+    rows = ({**row, "room": row["program"]} for row in read_table(table, names))
+    size = sum(path.stat().st_size for path in folder.data.glob("*.parquet"))
+    layouts = sum(row["layouts"] or 0 for row in read_table(table, ["layouts"]))
+    return {**statistics(rows), "layouts": layouts, "bytes": size}
 
 
 def _json(data: object) -> str:

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from ..folder import Folder
 from ..spec import Spec
-from .plan import read_table
+from .tables import read_table
 
 TEXTS = {
     "Apache-2.0": "https://www.apache.org/licenses/LICENSE-2.0",

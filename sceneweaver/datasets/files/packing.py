@@ -10,8 +10,9 @@ from sceneweaver.scene.files import sweep
 from ..folder import Folder
 from ..requests import Requests
 from .finish import finish
-from .plan import ASSETS, INDEX, SECONDS_TABLE, packing, read_table, write_plan
+from .plan import ASSETS, INDEX, SECONDS_TABLE, packing, write_plan
 from .shards import write_shards
+from .tables import read_table
 
 
 def pack(folder: Folder, requests: Requests) -> None:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -25,11 +25,10 @@ from ..store import AssetStore
 from .fingerprint import Layout
 from .near_duplicates import join_near_duplicates
 from .splits import assign_splits
+from .tables import write_table
 from .union_find import UnionFind
 
 INDEX, SECONDS_TABLE, ASSETS = "index.parquet", "seconds.parquet", "assets.parquet"
-GROUP = 8192
-"""Rows that are written to a table at once."""
 
 
 def packing(folder: Folder) -> bool:
@@ -57,32 +56,17 @@ def write_plan(folder: Folder, requests: Requests) -> None:
         os.rename(draft, folder.plan)
 
 
-def write_table(path: Path, rows: Iterable[dict[str, Any]], schema: Any) -> None:
-    """Write rows to a Parquet file, some thousands at a time; keys that are no columns are left out."""
-    pa = arrow()
-    with pa.parquet.ParquetWriter(path, schema, compression="zstd") as writer:
-        for some in _batches(rows, GROUP):
-            writer.write_table(pa.Table.from_pylist(some, schema=schema))
-
-
-def read_table(path: Path, columns: list[str] | None = None) -> Iterator[dict[str, Any]]:
-    """The rows of a Parquet file, in order, some thousands in memory at a time."""
-    with arrow().parquet.ParquetFile(path) as file:
-        for some in file.iter_batches(GROUP, columns=columns):
-            yield from some.to_pylist()
-
-
 def _placed(spec: Spec, blocks: list[Path]) -> Iterator[dict[str, Any]]:
     """Split, shard and near-duplicate group of each delivered scene, in order."""
-    rooms, sizes, layouts = [], [], []
+    index, rooms, sizes, layouts = [], [], [], []
     for row in _delivered(blocks):
         layouts.append((len(rooms), row["layout_signature"], Layout.from_row(row["furniture"])))
+        index.append(row["index"])
         rooms.append(row["room"])
         sizes.append(row["bytes"])
-    index = np.array([row["index"] for row in _delivered(blocks)], dtype=np.int64)
     sets = UnionFind(len(rooms))
     join_near_duplicates(sets, layouts)
-    groups = index[sets.names()]
+    groups = np.array(index, dtype=np.int64)[sets.names()]
     first: dict[int, int] = {}
     for number, room in enumerate(rooms):
         sets.join(first.setdefault(room, number), number)
@@ -142,14 +126,3 @@ def seconds_schema():
     """What ``meta/seconds.parquet`` holds."""
     pa = arrow()
     return pa.schema([("index", pa.int64()), ("stage", pa.string()), ("seconds", pa.float64())])
-
-
-def _batches(rows: Iterable[Any], size: int) -> Iterator[list[Any]]:
-    some = []
-    for row in rows:
-        some.append(row)
-        if len(some) == size:
-            yield some
-            some = []
-    if some:
-        yield some

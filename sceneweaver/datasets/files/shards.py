@@ -17,7 +17,8 @@ from sceneweaver.scene.files import temporary_folder
 from ..blocks import SAMPLES
 from ..folder import Folder
 from ..requests import Requests
-from .plan import INDEX, read_table
+from .plan import INDEX
+from .tables import read_table
 
 SAFE = 256 * 10**6
 """Bytes after which what was copied is written to the disk for good, so that its blocks may go."""

@@ -16,7 +16,8 @@ from sceneweaver.scene.files import sweep, temporary_folder
 from ..blocks import read_rows
 from ..columns import arrow, index_schema
 from ..files.finish import finish
-from ..files.plan import INDEX, SECONDS_TABLE, seconds_rows, seconds_schema, write_table
+from ..files.plan import INDEX, SECONDS_TABLE, seconds_rows, seconds_schema
+from ..files.tables import write_table
 from ..folder import Folder
 from ..requests import Requests
 from ..spec import Spec
