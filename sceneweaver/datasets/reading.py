@@ -13,7 +13,7 @@ from typing import Any
 
 from sceneweaver.scene import InputError
 
-from .blocks import SAMPLES, read_rows
+from .blocks import ROWS, SAMPLES, read_rows
 from .columns import arrow
 from .folder import Folder
 
@@ -42,7 +42,7 @@ def packed(folder: Folder) -> bool:
 
 def block_folders(folder: Folder) -> list[Path]:
     """The blocks that are whole, in order."""
-    return sorted(path.parent for path in folder.blocks.glob("*/*/" + SAMPLES))
+    return sorted(path.parent for path in folder.blocks.glob(f"*/*/{ROWS}"))
 
 
 def rows_of(folder: Folder, columns: list[str] | None = None) -> Iterator[dict[str, Any]]:

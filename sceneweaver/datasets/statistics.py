@@ -62,7 +62,7 @@ def statistics(rows: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
     so that there are at least as many.
 
     Args:
-        rows: rows of the index, in order.
+        rows: rows of the index, in order; of a data set of layouts its programs.
 
     Returns:
         Plain JSON without times: equal rows give equal statistics.
@@ -73,7 +73,7 @@ def statistics(rows: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
     spreads = {name: Spread(*bins) for name, bins in BINS.items()}
     grades: dict[str, Spread] = {}
     rooms, signatures, shells, groups = set(), set(), set(), Counter()
-    requests = ok = invalid = size = objects = 0
+    requests = ok = invalid = size = objects = layouts = 0
     for row in rows:
         requests += 1
         tallies["status"][row["status"]] += 1
@@ -95,6 +95,7 @@ def statistics(rows: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
         for name, grade in (row.get("grades") or {}).items():
             if grade is not None:
                 grades.setdefault(name, Spread(0.0, 10.0, 40)).add(grade)
+        layouts += row.get("layouts") or 0
         objects += row.get("object_count") or 0
         things.update(set(row.get("categories") or ()))
         rooms.add(row.get("room"))
@@ -114,6 +115,7 @@ def statistics(rows: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
         "invalid": invalid,
         "bytes": size,
         "objects": objects,
+        **({"layouts": layouts} if layouts else {}),
         **{name: _sorted(tally) for name, tally in tallies.items()},
         "reasons": _sorted(reasons),
         "gates_failed": _sorted(failed_gates),

@@ -16,6 +16,7 @@ import numpy as np
 from ..folder import Folder
 from ..reading import rows_of, scenes_of, shards_of, spans_of
 from ..statistics import statistics
+from .layouts import layout_files, program_layouts, program_rows
 from .plan import box_of, plan
 from .sampling import Sampler
 
@@ -86,18 +87,20 @@ class Gathered:
             cells[min(max(row, 0), CELLS - 1), min(max(column, 0), CELLS - 1)] += 1
 
 
-def gather(folder: Folder) -> Gathered:
-    """Gather all that the report shows of rows and scenes."""
-    sampler = Sampler()
-    numbers = statistics(sampler.watch(rows_of(folder)))
+def gather(folder: Folder, product: str = "scenes") -> Gathered:
+    """Gather all that the report shows of rows and scenes; of layouts, a row is a program."""
+    sampler, layouts = Sampler(), product == "layouts"
+    numbers = statistics(sampler.watch(program_rows(folder) if layouts else rows_of(folder)))
+    if layouts:
+        numbers["bytes"] = sum(path.stat().st_size for path in layout_files(folder))
     found = Gathered(numbers, sampler.wall(), sampler.pairs)
     drawn = {*found.wall, *(key for pair in found.pairs for key in pair)}
     step = max(1, math.ceil(numbers["scenes"] / SCENES))
-    for number, (key, content) in enumerate(_scene_texts(folder)):
+    for number, (key, content) in enumerate(program_layouts(folder) if layouts else _scene_texts(folder)):
         if number % step and key not in drawn:
             continue
         scene = json.loads(content)
-        if key in drawn:
+        if key in drawn and key not in found.plans:
             found.plans[key] = plan(scene)
         if number % step == 0:
             found.add(scene)

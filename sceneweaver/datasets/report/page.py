@@ -18,6 +18,7 @@ from ..engines import open_dataset, read_records
 from ..reading import packed
 from . import sections
 from .collect import Gathered, gather
+from .layouts import programs_packed
 
 NAME = "report.html"
 
@@ -38,13 +39,15 @@ def write_report(path: str | os.PathLike[str], out: str | os.PathLike[str] | Non
     """
     dataset = open_dataset(Path(path))
     folder = dataset.folder
-    found = gather(folder)
+    layouts = dataset.spec.product == "layouts"
+    found = gather(folder, dataset.spec.product)
     if not found.numbers["requests"]:
         raise InputError(f"{folder.path}: nothing is made yet; try again when the first block is there")
     verification = folder.path / "verification.json"
-    verified = json.loads(verification.read_bytes()) if verification.is_file() and packed(folder) else None
+    whole = programs_packed(folder) if layouts else packed(folder)
+    verified = json.loads(verification.read_bytes()) if verification.is_file() and whole else None
     target = folder.path / NAME if out is None else Path(out)
-    write_atomic(target, page(dataset.spec.name, found, read_records(folder), verified, packed(folder)))
+    write_atomic(target, page(dataset.spec.name, found, read_records(folder), verified, whole))
     return target
 
 

@@ -37,28 +37,33 @@ def section(title: str, body: str, aside: str = "") -> str:
 
 def header(name: str, numbers: Mapping[str, Any], verification: Mapping[str, Any] | None, whole: bool) -> str:
     """What it is, in a line, whether it was verified, and the numbers that matter most."""
-    variety = numbers["diversity"]
+    variety, layouts = numbers["diversity"], numbers.get("layouts")
+    noun = "layouts" if layouts else "scenes"
     tags = []
     if not whole:
         tags.append('<span class="tag fair">still being made</span>')
     if verification is not None:
         good = verification["ok"]
         judged = verification["counts"].get("judged", 0)
-        text = f"{judged:,} scenes judged again: all holds" if good else "verification found faults"
+        text = (
+            f"{judged:,} {'layouts' if layouts else 'scenes'} judged again: all holds"
+            if good
+            else "verification found faults"
+        )
         tags.append(f'<span class="tag {"good" if good else "bad"}">{text}</span>')
     tiles = [
-        (f"{numbers['scenes']:,}", "scenes"),
-        (f"{numbers['rooms']:,}", "rooms"),
-        (f"{numbers['objects']:,}", "objects"),
+        (f"{layouts or numbers['scenes']:,}", noun),
+        (f"{numbers['rooms']:,}", "programs" if layouts else "rooms"),
+        (f"{numbers['objects']:,}", "objects in programs" if layouts else "objects"),
         (_percent(numbers["served"]), "of requests served"),
         (f"{numbers['invalid']:,}", "of these not valid"),
         (_percent(variety["near_duplicate_share"]), "near-duplicates"),
         (f"{variety['categories']:,}", "categories"),
-        (_size(numbers["bytes"]), "of scenes"),
+        (_size(numbers["bytes"]), f"of {noun}"),
     ]
     cells = "".join(f"<div><b>{value}</b><span>{label}</span></div>" for value, label in tiles)
     return (
-        f'<header><p class="eyebrow">Data set of furnished rooms</p><h1>{esc(name)}</h1>'
+        f'<header><p class="eyebrow">Data set of {noun}</p><h1>{esc(name)}</h1>'
         f'<p class="tags">{"".join(tags)}</p><div class="tiles">{cells}</div></header>'
     )
 
