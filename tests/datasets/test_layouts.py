@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import yaml
 
 from sceneweaver.datasets import Folder, Requests, Spec, read_rows
 from sceneweaver.datasets.checking import verify_dataset
@@ -17,8 +18,10 @@ from sceneweaver.datasets.layouts import join, load_layout, load_program, make_b
 from sceneweaver.datasets.layouts.signature import Seen, Signatures
 from sceneweaver.scene import InputError, Scene
 from sceneweaver.verify import check
+from tests.test_repository import ROOT, code_blocks
 
-ZOO = Path(__file__).parents[1] / "zoo"
+GUIDE = (ROOT / "docs" / "datasets_layouts.md").read_text()
+ZOO = ROOT / "tests" / "zoo"
 NAMES = ("bedroom-small.json", "living.json", "dining-round.json", "children-twin.json")
 LAYOUTS = 40
 
@@ -127,6 +130,17 @@ def test_polars_and_duckdb_read_them(dataset):
     assert sorted(frame["len"].to_list()) == [LAYOUTS] * len(NAMES)
     ((count, least),) = duckdb.sql(f"select count(*), min(len(poses)) from '{files}'").fetchall()
     assert count == LAYOUTS * len(NAMES) and least == table(dataset).schema.field("poses").type.list_size
+
+
+@pytest.mark.parametrize("block", code_blocks(GUIDE, "python"), ids=lambda text: text.split()[1])
+def test_the_guide_runs(block, dataset, monkeypatch):
+    monkeypatch.chdir(dataset.path)
+    exec(compile(block, "<docs/datasets_layouts.md>", "exec"), {"__name__": "guide"})
+
+
+def test_the_specification_of_the_guide_is_one():
+    (text,) = code_blocks(GUIDE, "yaml")
+    assert len(Requests(Spec.model_validate(yaml.safe_load(text)))) == 20
 
 
 def test_programs_keep_to_one_split(dataset):

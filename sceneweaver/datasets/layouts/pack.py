@@ -14,9 +14,9 @@ import numpy as np
 from sceneweaver.scene.files import sweep, temporary_folder
 
 from ..blocks import read_rows
-from ..columns import arrow, index_schema
+from ..columns import arrow
 from ..files.finish import finish
-from ..files.plan import INDEX, SECONDS_TABLE, seconds_rows, seconds_schema
+from ..files.plan import SECONDS_TABLE, seconds_rows, seconds_schema
 from ..files.tables import write_table
 from ..folder import Folder
 from ..requests import Requests
@@ -65,8 +65,7 @@ def programs_schema() -> pa.Schema:
 def pack(folder: Folder, requests: Requests) -> None:
     """Write the files of a data set of the blocks, which go; does nothing where all is there.
 
-    Programs of the same furniture in rooms of the same size are of one group, and a group lies in one split. In the
-    index a row is a program.
+    Programs of the same furniture in rooms of the same size are of one group, and a group lies in one split.
 
     Raises:
         OSError: when the disk is full; called again, it goes on.
@@ -96,16 +95,14 @@ def _write(folder: Folder, requests: Requests) -> None:
                     row["near_duplicate_group"] = groups.setdefault(_furniture(row["scene"]), row["room"])
                     row["split"] = split_of(requests.spec, row["near_duplicate_group"])
                     row["shards"] = shards.add(row["split"], groups_of[row["room"]])
-                    row |= {"shard": row["shards"][0], "valid": True}
                 rows.append(row)
         shards.close()
         blocks = [folder.block(number) for number in range(requests.blocks)]
         write_table(temporary / SECONDS_TABLE, seconds_rows(blocks), seconds_schema())
-        write_table(temporary / INDEX, rows, index_schema())
         write_table(temporary / PROGRAMS, rows, programs_schema())
         shutil.rmtree(folder.data, ignore_errors=True)  # of a packing that was cut off
         os.rename(temporary / "data", folder.data)
-        for name in (SECONDS_TABLE, INDEX, PROGRAMS):
+        for name in (SECONDS_TABLE, PROGRAMS):
             os.replace(temporary / name, folder.meta / name)
 
 

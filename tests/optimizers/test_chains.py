@@ -1,0 +1,96 @@
+"""Chains over valid layouts: what they lead to is valid, other than before, and nobody else's business."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from sceneweaver.layout.compile import CompiledScene, compile_scene
+from sceneweaver.layout.sampling import Sampler, first_layouts
+from sceneweaver.optimizers import chains as module
+from sceneweaver.scene import Pose, Room, Scene
+from sceneweaver.verify import check
+from tests.optimizers.batches import zoo
+
+CHAINS, STEPS = 6, 4
+
+
+def walk(scenes: list[CompiledScene], chains: int = CHAINS, steps: int = STEPS) -> list[list[np.ndarray]]:
+    """The fresh layouts of each step, by scene; chains begin at the scenes' own poses."""
+    first = [s.room.home[None].astype(np.float32) for s in scenes]
+    sampler = Sampler(scenes, first, chains, list(range(len(scenes))), "cpu")
+    found: list[list[np.ndarray]] = [[] for _ in scenes]
+    for _ in range(steps):
+        sampler.step()
+        step = sampler.read()
+        for k, layouts in enumerate(found):
+            layouts.append(sampler.drawn(step, k).poses)
+    return found
+
+
+def posed(scene: Scene, poses: np.ndarray) -> Scene:
+    moved = [(o.id, Pose.from_yaw(*map(float, p))) for o, p in zip(scene.objects, poses, strict=True) if not o.fixed]
+    return scene.replace_poses(dict(moved))
+
+
+@pytest.mark.parametrize("name", ["bedroom-small", "living-dining-L", "children-twin"])
+def test_what_chains_lead_to_is_valid_and_new(name):
+    compiled = zoo(name)
+    (steps,) = walk([compiled])
+    layouts = np.concatenate(steps)
+    assert len(layouts) >= CHAINS * STEPS // 3
+    for poses in layouts:
+        assert check(posed(compiled.scene, poses), walkable=False).valid
+    away = np.linalg.norm(layouts[..., :2] - compiled.room.home[:, :2], axis=-1)
+    assert (away > 0.5).any(axis=1).mean() > 0.5  # the best part of them has moved something far
+    assert len(np.unique(layouts.reshape(len(layouts), -1), axis=0)) == len(layouts)
+
+
+def test_neither_scenes_beside_it_nor_threads_change_a_chain(monkeypatch):
+    scenes = [zoo("bedroom-small"), zoo("dining-round")]
+    together = walk(scenes)
+    monkeypatch.setattr(module, "cpu_threads", lambda: 1)
+    for scene, expected in zip(scenes, together, strict=True):
+        seed = scenes.index(scene)
+        sampler = Sampler([scene], [scene.room.home[None].astype(np.float32)], CHAINS, [seed], "cpu")
+        for poses in expected:
+            sampler.step()
+            np.testing.assert_array_equal(sampler.drawn(sampler.read(), 0).poses, poses)
+
+
+def test_closed_chains_stay_where_they_are():
+    scenes = [zoo("bedroom-small"), zoo("dining-round")]
+    sampler = Sampler(scenes, [s.room.home[None].astype(np.float32) for s in scenes], 4, [1, 2], "cpu")
+    sampler.step()
+    before = sampler.read()
+    sampler.close(np.array([True, False]))
+    sampler.step()
+    after = sampler.read()
+    np.testing.assert_array_equal(after.poses[:4], before.poses[:4])
+    assert not after.fresh[:4].any() and after.fresh[4:].any()
+
+
+def test_a_step_that_fails_leaves_a_valid_layout(monkeypatch):
+    monkeypatch.setattr(module, "TEMPERATURE", 3.0)  # anything goes, and there is little time to mend it
+    monkeypatch.setattr(module, "ROUNDS", 1)
+    compiled = zoo("bedroom-tight")
+    sampler = Sampler([compiled], [compiled.room.home[None].astype(np.float32)], 16, [3], "cpu")
+    for _ in range(3):
+        sampler.step()
+        step = sampler.read()
+        for poses in step.poses[:, : compiled.room.size]:
+            assert check(posed(compiled.scene, poses), walkable=False).valid
+    assert not step.fresh.all()
+
+
+def test_rugs_stay_inside_of_a_room_that_is_not_convex():
+    """They are thinner than what the engine takes for a contact."""
+    from sceneweaver.assets import make
+
+    outline = ((0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4))
+    rug = make("rug", 1).object("rug", pose=Pose.from_yaw(1.5, 1.0, 0.0, 0.0))
+    assert rug.size[2] < 5e-4
+    scene = Scene(id="rug", room=Room(outline=outline), objects=(rug,), relations=())
+    (found,) = first_layouts([compile_scene(scene)], 64, 4, [0], "cpu")
+    assert 0 < len(found.poses) < 64
+    assert all(check(posed(scene, poses), walkable=False).valid for poses in found.poses)
