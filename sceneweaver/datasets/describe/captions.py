@@ -2,24 +2,19 @@
 
 from __future__ import annotations
 
-import math
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from sceneweaver.verify.solids import Body
 
-from .facts import FLAT, Facts, is_seat, is_watcher
-from .naming import Name, look, names
-from .nouns import counted, listed, noun, number, room_noun, with_article
+from .facts import FLAT, Facts
+from .nouns import listed, noun, number, room_noun, with_article
+from .relation_texts import relations_told
 from .statements import Statement, Text, joined, said
-
-LOW = 0.55
-"""Height [m] below which nobody sits at a table."""
-
-_CONNECTED = ("front_against", "front_to_front", "around", "seated_at")
+from .words import Words
 
 
 class Captioner:
@@ -28,60 +23,15 @@ class Captioner:
     def __init__(self, facts: Facts, rng: np.random.Generator):
         self.facts = facts
         self.rng = rng
-        self.names: dict[str, Name] = names(facts)
-        self.told: set[frozenset[str]] = set()
-
-    def one_of(self, *texts: str) -> str:
-        """One of several wordings."""
-        return texts[int(self.rng.integers(len(texts)))]
-
-    # ---- what there is
-
-    def groups(self, bodies: Sequence[Body]) -> list[tuple[str, list[Body]]]:
-        """Bodies by category, in the order in which they come."""
-        found: dict[str, list[Body]] = defaultdict(list)
-        for body in bodies:
-            found[body.item.category].append(body)
-        return list(found.items())
-
-    def group(self, category: str, bodies: Sequence[Body], looks: bool = True) -> Text:
-        """Some things of one category: "two cream nightstands"."""
-        seen = {look(b) for b in bodies}
-        shared = next(iter(seen)) if len(seen) == 1 and looks else None
-        statements = []
-        words = counted(len(bodies), category)
-        if shared is not None and not set(shared[0].split()) & set(noun(category).split()):
-            words = counted(len(bodies), category, shared[0])
-            statements = [Statement(shared[1], (b.id,), shared[0]) for b in bodies]
-        return Text(words, tuple(statements))
-
-    def inventory(self, bodies: Sequence[Body], looks: bool = False) -> Text:
-        """Things in a row: "a vase, two books and a lamp"."""
-        parts = [self.group(category, group, looks) for category, group in self.groups(bodies)]
-        return Text(listed([p.words for p in parts]), tuple(s for p in parts for s in p.statements))
-
-    def totals(self, bodies: Sequence[Body]) -> tuple[Statement, ...]:
-        """That there are so many of each category, of what is all there."""
-        everything = self.facts.by_category
-        return tuple(
-            Statement("count", tuple(b.id for b in everything[c]), {"category": c, "count": len(everything[c])})
-            for c, _ in self.groups(bodies)
-        )
-
-    def main(self) -> list[tuple[str, list[Body]]]:
-        """Categories of furniture by how much room they take."""
-        groups = [(c, [b for b in bs if b.item.mount == "floor"]) for c, bs in self.groups(self.facts.furniture)]
-        return sorted(groups, key=lambda g: (-round(sum(b.size[0] * b.size[1] * b.size[2] for b in g[1]), 6), g[0]))
-
-    # ---- texts
+        self.words = Words(facts, rng)
 
     def short(self) -> Text:
         """One line."""
         kind = room_noun(self.facts.scene.room.type)
         area = round(self.facts.area)
         most = 3 + int(self.rng.integers(2))
-        chosen = self.main()[:most]
-        parts = [self.group(c, bodies, looks=len(bodies) == 1) for c, bodies in chosen]
+        chosen = self.words.main()[:most]
+        parts = [self.words.group(c, bodies, looks=len(bodies) == 1) for c, bodies in chosen]
         things = listed([p.words for p in parts])
         statements = [Statement("room_type", (), self.facts.scene.room.type)]
         if self.rng.random() < 0.5:
@@ -93,11 +43,17 @@ class Captioner:
             start = with_article(kind)
         words = f"{start} with {things}" if things else start
         facts = [s for p in parts for s in p.statements]
-        return said(words, *statements, *self.totals([b for _, bs in chosen for b in bs]), *facts)
+        return said(words, *statements, *self.words.totals([b for _, bs in chosen for b in bs]), *facts)
 
     def paragraph(self) -> Text:
         """Some sentences: the room, the main furniture, where it is, what lies on it."""
-        sentences = [self._room(), self._openings(), self._furniture(), *self._relations(), *self._arrangements()]
+        sentences = [
+            self._room(),
+            self._openings(),
+            self._furniture(),
+            *relations_told(self.words),
+            *self._arrangements(),
+        ]
         return joined([s for s in sentences if s is not None])
 
     def _room(self) -> Text:
@@ -107,14 +63,14 @@ class Captioner:
         stated = [Statement("room_type", (), room.type), Statement("floor_area", (), area)]
         sides = rectangle_sides(facts)
         if sides is None:
-            words = self.one_of(
+            words = self.words.one_of(
                 f"this {kind} has a floor of {area:g} m² with {number(len(room.outline))} corners",
                 f"the floor of this {kind} covers {area:g} m² and has {number(len(room.outline))} corners",
             )
             return said(words, *stated, Statement("corners", (), len(room.outline)))
         a, b = sides
         stated.append(Statement("extent", (), [a, b]))
-        words = self.one_of(
+        words = self.words.one_of(
             f"this {kind} is {a:g} m by {b:g} m, which makes {area:g} m²",
             f"the {kind} measures {a:g} by {b:g} metres ({area:g} m²)",
             f"this is {with_article(kind)} of {area:g} m², {a:g} m long and {b:g} m wide",
@@ -131,7 +87,8 @@ class Captioner:
         door_words = with_article("door") if len(doors) == 1 else f"{number(len(doors))} doors"
         if not windows:
             return said(
-                self.one_of(f"it has {door_words} and no window", f"there is no window, but {door_words}"), *stated
+                self.words.one_of(f"it has {door_words} and no window", f"there is no window, but {door_words}"),
+                *stated,
             )
         window_words = with_article("window") if len(windows) == 1 else f"{number(len(windows))} windows"
         walls = {w.wall.index for w in windows}
@@ -140,7 +97,7 @@ class Captioner:
             if side is not None:
                 stated.append(Statement("window_side", tuple(w.item.id for w in windows), side))
                 return said(
-                    self.one_of(
+                    self.words.one_of(
                         f"it has {door_words}, and {window_words} {side}",
                         f"coming in through the door, you see {window_words} {side}",
                     ),
@@ -149,154 +106,30 @@ class Captioner:
         return said(f"it has {door_words} and {window_words}", *stated)
 
     def _furniture(self) -> Text | None:
-        chosen = self.main()[:6]
+        chosen = self.words.main()[:6]
         if not chosen:
             return None
-        parts = [self.group(c, bodies) for c, bodies in chosen]
+        parts = [self.words.group(c, bodies) for c, bodies in chosen]
         things = listed([p.words for p in parts])
         be = "is" if sum(len(bodies) for _, bodies in chosen) == 1 else "are"
-        words = self.one_of(f"it is furnished with {things}", f"there {be} {things}", f"the main furniture is {things}")
+        words = self.words.one_of(
+            f"it is furnished with {things}", f"there {be} {things}", f"the main furniture is {things}"
+        )
         facts = [s for p in parts for s in p.statements]
-        return said(words, *self.totals([b for _, bs in chosen for b in bs]), *facts)
-
-    def _relations(self) -> list[Text]:
-        """Where the main furniture is, each thing said once."""
-        found: list[Text] = []
-        found += list(self._gatherings())[:2]
-        kinds = (self._walls, self._facings, self._sides, self._betweens, self._from_door)
-        for kind in (kinds[int(k)] for k in self.rng.permutation(len(kinds))):
-            for text in list(kind())[:2]:
-                found.append(text)
-        return [found[int(k)] for k in self.rng.permutation(len(found))][:6]
-
-    def _walls(self) -> Iterator[Text]:
-        facts = self.facts
-        by_wall: dict[int, list[Body]] = defaultdict(list)
-        for body in facts.furniture:
-            wall = facts.wall_at(body, 0.9)
-            if body.id in self.names and wall in facts.wall_names and facts.holds("against_wall", body, f"wall:{wall}"):
-                by_wall[wall].append(body)
-        for wall, bodies in sorted(by_wall.items(), key=lambda row: -sum(b.size[1] for b in row[1])):
-            bodies = bodies[:3]
-            stated = [Statement("against_wall", (b.id,), f"wall:{wall}") for b in bodies]
-            verb = "stands" if len(bodies) == 1 else "stand"
-            things = listed([self.names[b.id].text for b in bodies])
-            words = self.one_of(
-                f"{things} {verb} against {facts.wall_names[wall]}", f"against {facts.wall_names[wall]} {verb} {things}"
-            )
-            yield said(words, *stated)
-
-    def _gatherings(self) -> Iterator[Text]:
-        """Seats at tables and the like."""
-        facts = self.facts
-        seats: dict[str, list[Body]] = defaultdict(list)
-        for relation in facts.scene.relations:
-            if relation.type in _CONNECTED and isinstance(relation.target, str) and relation.target in facts.by_id:
-                body, target = facts.by_id[relation.subject], facts.by_id[relation.target]
-                near = body.item.mount == "floor" and facts.distance(body, target) < 0.25
-                if near and is_seat(body) and body not in seats[target.id]:
-                    seats[target.id].append(body)
-        for target, bodies in seats.items():
-            groups = self.groups(bodies)
-            if target in self.names and len(groups) == 1 and len(bodies) > 0:
-                category, _ = groups[0]
-                stated = [Statement("near", (b.id, target), {"max": 0.3}) for b in bodies]
-                where = self.names[target].text
-                verb = "stands" if len(bodies) == 1 else "stand"
-                mine = self.names.get(bodies[0].id) if len(bodies) == 1 else None
-                things = mine.text if mine else counted(len(bodies), category)
-                self.told.add(frozenset((target, *(b.id for b in bodies))))
-                by = "by" if facts.by_id[target].size[2] < LOW else "at"
-                yield said(f"{things} {verb} {by} {where}", *stated)
-
-    def _facings(self) -> Iterator[Text]:
-        facts = self.facts
-        for a in (b for b in facts.furniture if b.id in self.names and is_watcher(b)):
-            for b in (
-                b for b in facts.bodies if b.id in self.names and b.item.mount in ("floor", "wall") and b is not a
-            ):
-                apart = math.dist(a.centre, b.centre)
-                if b.z[1] - b.z[0] > 0.2 and 0.6 < apart < 4.5 and facts.holds("facing", a, b.id, degrees=10):
-                    words = f"{self.names[a.id].text} faces {self.names[b.id].text}"
-                    yield said(words, Statement("facing", (a.id, b.id)))
-                    break
-
-    def _sides(self) -> Iterator[Text]:
-        """What is next to what, without left or right, which are another's for each viewer."""
-        facts = self.facts
-        main = [b for b in facts.furniture if b.id in self.names][:10]
-        for k, b in enumerate(main):
-            for a in main[k + 1 :]:
-                if facts.boxes_apart(a, b) < 0.3 and (apart := facts.distance(a, b)) < 0.3 and not _over(a, b):
-                    words = f"{self.names[a.id].text} is next to {self.names[b.id].text}"
-                    if apart < 0.25 and frozenset((a.id, b.id)) not in self.told:
-                        yield said(words, Statement("near", (a.id, b.id), {"max": 0.3}))
-                        break
-
-    def _betweens(self) -> Iterator[Text]:
-        facts = self.facts
-        main = [b for b in facts.furniture if b.id in self.names][:7]
-        for c in main:
-            for k, a in enumerate(main):
-                for b in main[k + 1 :]:
-                    if c in (a, b) or not 1.0 < math.dist(a.centre, b.centre) < 3.5:
-                        continue
-                    share, aside = facts.beside_line(c, a, b)
-                    if 0.3 < share < 0.7 and aside < 0.25:
-                        mine, one, other = (self.names[x.id].text for x in (c, a, b))
-                        yield said(f"{mine} stands between {one} and {other}", Statement("between", (c.id, a.id, b.id)))
-                        return
-
-    def _from_door(self) -> Iterator[Text]:
-        """What is on the left, on the right and straight ahead of a visitor."""
-        facts = self.facts
-        sides: dict[str, list[Body]] = defaultdict(list)
-        for body in (b for b in facts.furniture if b.id in self.names):
-            side = door_side(facts, body)
-            if side is not None and len(sides[side]) < 2:
-                sides[side].append(body)
-        words = {"left": "on the left", "right": "on the right", "ahead": "straight ahead"}
-        chosen = [side for side in words if sides[side]]
-        predicates = {"left": "left_from_door", "right": "right_from_door", "ahead": "ahead_of_door"}
-        if chosen:
-            said_of = [
-                f"{words[s]} {be} {listed([self.names[b.id].text for b in sides[s]])}"
-                for s in chosen
-                for be in ["is" if len(sides[s]) == 1 else "are"]
-            ]
-            stated = [Statement(predicates[s], (b.id,)) for s in chosen for b in sides[s]]
-            yield said(f"as you come in, {listed(said_of)}", *stated)
+        return said(words, *self.words.totals([b for _, bs in chosen for b in bs]), *facts)
 
     def _arrangements(self) -> list[Text]:
         """What rests on the largest carriers."""
         facts = self.facts
-        carriers = [(facts.by_id[c], how, things) for (c, how), things in facts.carried.items() if c in self.names]
+        carriers = [
+            (facts.by_id[c], how, things) for (c, how), things in facts.carried.items() if c in self.words.names
+        ]
         carriers = sorted(carriers, key=lambda row: (-len(row[2]), row[0].id, row[1]))[:5]
         found = []
         for k in self.rng.permutation(len(carriers))[:2]:
             body, how, things = carriers[int(k)]
-            found.append(self.resting(body, how, things))
+            found.append(self.words.resting(body, how, things))
         return found
-
-    def resting(self, body: Body, how: str, things: Sequence[Body]) -> Text:
-        """What rests on or in a thing, all of it or with the number of the rest."""
-        chosen = list(things)
-        groups = self.groups(chosen)
-        if len(groups) > 5:
-            groups = groups[:4]
-            rest = len(chosen) - sum(len(bodies) for _, bodies in groups)
-            chosen = [b for _, bodies in groups for b in bodies]
-            words = listed(
-                [
-                    *(counted(len(bs), c) for c, bs in groups),
-                    f"{number(rest)} other {'thing' if rest == 1 else 'things'}",
-                ]
-            )
-        else:
-            words = self.inventory(chosen).words
-        be = "is" if len(things) == 1 else "are"
-        stated = [Statement(f"rests_{how}", (b.id, body.id)) for b in things]
-        return said(f"{how} {self.names[body.id].text} {be} {words}", *stated)
 
     def by_place(self) -> list[dict[str, Any]]:
         """All that there is, by where it is: walls, the rest of the floor, each carrier, ceiling."""
@@ -315,7 +148,7 @@ class Captioner:
                 places["on the floor" if flat else f"along {name}" if name else "elsewhere in the room"].append(body)
         rows = []
         for place, bodies in [*places.items(), *((f"hanging on {n}", b) for n, b in hung.items())]:
-            text = self.inventory(bodies, looks=True)
+            text = self.words.inventory(bodies, looks=True)
             rows.append(
                 {
                     "place": place,
@@ -327,8 +160,12 @@ class Captioner:
             )
         for (carrier, how), things in facts.carried.items():
             body = facts.by_id[carrier]
-            where = self.names[carrier].text if carrier in self.names else with_article(noun(body.item.category))
-            text = self.inventory(things)
+            where = (
+                self.words.names[carrier].text
+                if carrier in self.words.names
+                else with_article(noun(body.item.category))
+            )
+            text = self.words.inventory(things)
             stated = (Statement(f"rests_{how}", (b.id, carrier)) for b in things)
             rows.append(
                 {
@@ -345,10 +182,6 @@ class Captioner:
         return tuple(Statement(kind, (b.id,), f"wall:{wall[0]}" if wall else None) for b in bodies)
 
 
-def _over(a: Body, b: Body) -> bool:
-    return a.z[0] >= b.z[1] or b.z[0] >= a.z[1]
-
-
 def rectangle_sides(facts: Facts) -> tuple[float, float] | None:
     """The sides of a rectangular room [m], the longer first, to 0.1 m; None for another shape."""
     walls = facts.placed.walls
@@ -356,17 +189,6 @@ def rectangle_sides(facts: Facts) -> tuple[float, float] | None:
         return None
     a, b = sorted((round(walls[0].length, 1), round(walls[1].length, 1)), reverse=True)
     return a, b
-
-
-def door_side(facts: Facts, body: Body) -> str | None:
-    """Whether a body is on the "left" or "right" of who comes in, or "ahead"; None between these."""
-    place = facts.from_door(body)
-    if place is None or place[0] < 0.4:
-        return None
-    bearing = math.degrees(math.atan2(place[1], place[0]))
-    if abs(bearing) < 10:
-        return "ahead"
-    return "left" if bearing > 25 else "right" if bearing < -25 else None
 
 
 def _side(facts: Facts, wall: int) -> str | None:

@@ -59,7 +59,7 @@ def _relation(kind: str, body: Body, target: str | None, **params: object) -> Re
 def against_wall(asker: Asker, body: Body) -> Iterator[Goal]:
     """With its back to a wall."""
     facts = asker.facts
-    for k, name in asker.shuffled(facts.wall_names.items()):
+    for k, name in asker.shuffled(facts.wall_names.items()) if has_front(body) else ():
         wall = facts.placed.walls[k]
         free = wall.length - body.size[1]
         if free < 0.1 or facts.wall_at(body, 0.9) == k:
@@ -67,8 +67,7 @@ def against_wall(asker: Asker, body: Body) -> Iterator[Goal]:
         offsets = body.size[1] / 2 + free * asker.rng.random(24)
         x, y = wall.point(offsets, body.size[0] / 2 + 0.01)
         yaw = np.full(24, math.atan2(wall.inward[1], wall.inward[0]))
-        words = asker.one_of(f"to {name}", f"over to {name}")
-        words += ", with its back against the wall" if has_front(body) else " and stand it against the wall"
+        words = f"{asker.one_of('to', 'over to')} {name}, with its back against the wall"
         yield Goal("Move", words, (_relation("against_wall", body, f"wall:{k}"),), np.stack([x, y, yaw], axis=1))
 
 
@@ -105,11 +104,11 @@ def on_side(asker: Asker, body: Body) -> Iterator[Goal]:
         left = asker.coin()
         side, viewer = ("left" if left else "right"), ("right" if left else "left")
         if is_seat(other):
-            words = f"to the {side} of {asker.name(other)}, as seen by someone who sits on it"
+            words = f"just to the {side} of {asker.name(other)}, as seen by someone who sits on it"
         elif is_bed(other):
-            words = f"to the {viewer} of {asker.name(other)}, as seen from the foot of it"
+            words = f"just to the {viewer} of {asker.name(other)}, as seen from the foot of it"
         else:
-            words = f"to the {viewer} of {asker.name(other)}, as seen by someone who faces it"
+            words = f"just to the {viewer} of {asker.name(other)}, as seen by someone who faces it"
         if asker.facts.holds(f"{side}_of", body, other.id):
             continue
         poses = _beyond(asker, body, other, side)
@@ -122,7 +121,7 @@ def before(asker: Asker, body: Body) -> Iterator[Goal]:
         if not has_front(other) or asker.facts.holds("in_front_of", body, other.id):
             continue
         relations = [_relation("in_front_of", body, other.id)]
-        words = f"in front of {asker.name(other)}"
+        words = f"just in front of {asker.name(other)}"
         poses = _beyond(asker, body, other, "front", (0.3, 0.9))
         if is_watcher(body):
             relations.append(_relation("facing", body, other.id))

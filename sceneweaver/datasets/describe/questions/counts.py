@@ -65,13 +65,16 @@ def exists(asker: Asker) -> Question | None:
     kind = room_types().get(facts.scene.room.type)
     if kind is None:
         return None
-    usual = sorted({c for item in kind.items for c in item.what} - set(there))
-    absent = [c for c in usual if not any(_confusable(c, d) or _confusable(d, c) for d in there)]
-    # Of what is there, only kinds that some rooms like this go without: nobody need ask for the bed of a bedroom.
-    needed = {c for item in kind.items if item.need == "needed" for c in item.what}
-    present = [c for c in there if c not in needed and any(c in item.what for item in kind.items)]
-    if not absent or not present:
+    # Both answers come from things that rooms of this kind have as often, so that knowing rooms does not do.
+    pools = []
+    for need in ("optional", "usual"):
+        kinds = sorted({c for item in kind.items if item.need == need for c in item.what})
+        absent = [c for c in kinds if not any(c == d or _confusable(c, d) or _confusable(d, c) for d in there)]
+        pools.append(([c for c in kinds if c in there], absent))
+    found = next(((present, absent) for present, absent in pools if present and absent), None)
+    if found is None:
         return None
+    present, absent = found
     said = asker.coin()
     pool = present if said else absent
     category = pool[int(asker.rng.integers(len(pool)))]
