@@ -18,10 +18,10 @@ from .moves import Space, is_movable, judged_locally
 from .nouns import sentence
 from .questions.question import Asker
 
-STEPS = (1, 1, 2, 3)
+STEPS = (1, 1, 1, 2, 3)
 """How many moves each instruction of a scene has."""
 
-TRIED_GOALS, TRIED_POSES = 5, 2
+TRIED_GOALS, TRIED_POSES = 12, 1
 """Goals of a step and poses of a goal that are looked at closely."""
 
 
@@ -69,7 +69,7 @@ class Instructor:
 
     def _step(self, space: Space, used: set[str], promised: list[Relation]) -> Step | None:
         """One move of a thing that no earlier step spoke of, which keeps what those promised."""
-        bodies = [*self.asker.shuffled(self.large)[:3], *self.asker.shuffled(self.small)[:2]]
+        bodies = [*self.asker.shuffled(self.large)[:4], *self.asker.shuffled(self.small)[:4]]
         goals = (
             (body, goal)
             for body in self.asker.shuffled(bodies)
