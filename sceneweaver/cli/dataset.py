@@ -188,3 +188,15 @@ def push_card(
     from .dataset_looks import run_push_card
 
     return run_push_card(folder, repo, endpoint, token_env, dry_run)
+
+
+@dataset.command()
+def extract(
+    folder: Folder,
+    key: Annotated[str, typer.Argument(metavar="KEY", help="The key of a scene.", show_default=False)],
+    out: NewFolder,
+) -> int:
+    """Copy one scene, with the meshes and images that it names, into a folder that stands alone."""
+    from .dataset_looks import run_extract
+
+    return run_extract(folder, key, out)

@@ -1,4 +1,4 @@
-"""``sceneweaver dataset status``, ``plan``, ``verify``: what is there, what it will cost, whether it holds."""
+"""``sceneweaver dataset``: what there is, what it will cost, whether it holds, and one scene taken out."""
 
 from __future__ import annotations
 
@@ -95,6 +95,15 @@ def run_push_card(path: Path, repo: str, endpoint: str | None, token_env: str, d
 
     for name in push_card(path, repo, endpoint=endpoint, token_env=token_env, dry_run=dry_run):
         typer.echo(name)
+    return 0
+
+
+def run_extract(path: Path, key: str, out: Path) -> int:
+    """Copy one scene into a folder that stands alone."""
+    from sceneweaver.datasets.extract import extract
+
+    for file in extract(path, key, out):
+        typer.echo(file)
     return 0
 
 

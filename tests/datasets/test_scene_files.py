@@ -12,10 +12,13 @@ import numpy as np
 import pytest
 
 from sceneweaver.assets import Library
+from sceneweaver.datasets import Folder, Sample
+from sceneweaver.datasets.blocks import write_block
+from sceneweaver.datasets.extract import extract
 from sceneweaver.datasets.store import AssetStore
 from sceneweaver.datasets.store.scene_files import SceneFiles, asset_rows, references
 from sceneweaver.export import glb_bytes, write_mjcf, write_usd
-from sceneweaver.scene import Door, Pose, Room, Scene, Support, Window
+from sceneweaver.scene import Door, InputError, Pose, Room, Scene, Support, Window
 
 ROOM = Room(
     outline=((0, 0), (5, 0), (5, 4), (0, 4)),
@@ -151,3 +154,27 @@ def test_another_process_makes_nothing_anew(root: Path, monkeypatch: pytest.Monk
     again = SceneFiles(store, LOAD).of(_scene("s1", 1.25), ("glb", "mjcf", "usd"))
     assert kept == []
     assert again == {suffix: (root / f"1.{suffix}").read_bytes() for suffix in again}
+
+
+def test_a_scene_taken_out_stands_alone(root: Path, tmp_path: Path) -> None:
+    """Of a set that is still made: block 0 has scene 0, and scene 1 was not delivered."""
+    import trimesh
+
+    mujoco: Any = pytest.importorskip("mujoco")
+    kept = {path.suffix[1:]: path.read_bytes() for path in root.glob("0.*")}
+    kept["scene.json"] = json.dumps(_scene("s0", 1.0).to_json()).encode()
+    samples = [Sample(0, "00000000", "ok", {}, kept), Sample(1, "00000001", "rejected", {"reason": "gate: grade"})]
+    write_block(Folder(root).block(0), samples)
+    files = extract(root, "00000000", tmp_path / "one")
+    assert {path.name for path in files} == {"scene.json", "scene.glb", "scene.xml", "scene.usdc"}
+    assert mujoco.MjModel.from_xml_path(str(tmp_path / "one" / "scene.xml")).nmesh > 5
+    assert len(trimesh.load_scene(tmp_path / "one" / "scene.glb").geometry) > 5
+    named = {path.relative_to(tmp_path / "one").as_posix() for path in (tmp_path / "one").glob("assets/*/*")}
+    assert named == set(references(kept))
+    with pytest.raises(InputError, match="is there already"):
+        extract(root, "00000000", tmp_path / "one")
+    with pytest.raises(InputError, match=r"not delivered \(gate: grade\)"):
+        extract(root, "00000001", tmp_path / "two")
+    with pytest.raises(InputError, match="no scene '7'"):
+        extract(root, "7", tmp_path / "two")
+    assert [path.name for path in tmp_path.iterdir()] == ["one"]

@@ -120,10 +120,14 @@ def asset_rows(store: AssetStore) -> list[dict[str, Any]]:
 
 
 def references(files: Mapping[str, bytes]) -> list[str]:
-    """The files of the store that the files of a scene name, by path from the root of the data set."""
+    """The files of the store that the files of a scene name, by path from the root of the data set.
+
+    Args:
+        files: by suffix, or by name.
+    """
     found: set[str] = set()
     for suffix, content in files.items():
-        if suffix == "usdc":
+        if suffix.endswith("usdc"):
             content = _usd_text(content)
         found |= {match.decode() for match in NAME.findall(content)}
     return sorted(found)
