@@ -18,8 +18,8 @@ from .moves import Space, is_movable, judged_locally
 from .nouns import sentence
 from .questions.question import Asker
 
-STEPS = (1, 1, 1, 2, 3)
-"""How many moves each instruction of a scene has."""
+SINGLE, MOST_MOVES = 2, 3
+"""Instructions of one move in a scene, and the most moves of the one after them, which has at least two."""
 
 TRIED_GOALS, TRIED_POSES = 12, 1
 """Goals of a step and poses of a goal that are looked at closely."""
@@ -64,7 +64,7 @@ class Instructor:
             used |= {step.body.id, *carried(step.after, step.body.id), *step.goal.objects}
             promised += step.goal.relations
             if len(steps) < moves:
-                space = Space(step.after)
+                space = space.after(step.after, step.body.id)
         return steps
 
     def _step(self, space: Space, used: set[str], promised: list[Relation]) -> Step | None:
@@ -95,7 +95,7 @@ class Instructor:
             if goal.support is not None:
                 after = _resting(after, body.id, *goal.support)
             wanted = [*goal.relations, *others, *promised]
-            judged = judged_locally(after, body.id, wanted, [scene.relations[k] for k in mine])
+            judged = judged_locally(after, body.id, wanted, [scene.relations[k] for k in mine], space.reaches)
             if judged.hard:
                 continue
             given_up = [mine[k] for k in judged.lost]
@@ -159,7 +159,7 @@ def instructions(facts: Facts, seed: int) -> list[dict[str, Any]]:
     """
     instructor = Instructor(facts, np.random.default_rng(seed))
     found: dict[str, dict[str, Any]] = {}
-    for moves in STEPS:
+    for moves in (*(1,) * SINGLE, 2 + int(instructor.asker.rng.integers(MOST_MOVES - 1))):
         steps = instructor.instruction(moves)
         if steps is not None:
             row = instructor.written(len(found), steps)

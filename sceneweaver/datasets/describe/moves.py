@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,7 +13,7 @@ from sceneweaver.geometry.polygons import rectangle
 from sceneweaver.scene import Relation, Scene, SceneObject
 from sceneweaver.scene.edits import carried
 from sceneweaver.verify import Violation, check
-from sceneweaver.verify.solids import Body, Placed
+from sceneweaver.verify.solids import Array, Body, Placed
 
 from .facts import FLAT, group_of
 
@@ -38,7 +39,9 @@ class Judged(NamedTuple):
     lost: list[int]
 
 
-def judged_locally(scene: Scene, object_id: str, hard: Sequence[Relation], soft: Sequence[Relation] = ()) -> Judged:
+def judged_locally(
+    scene: Scene, object_id: str, hard: Sequence[Relation], soft: Sequence[Relation] = (), reaches: Array | None = None
+) -> Judged:
     """What is wrong with an object and all that it carries, judged with what is near it alone.
 
     All judgements but walkability are between neighbours, so this is what ``check`` says of these objects.
@@ -48,10 +51,11 @@ def judged_locally(scene: Scene, object_id: str, hard: Sequence[Relation], soft:
         object_id: what was moved.
         hard: relations that have to hold; those that do not concern these objects are left out.
         soft: relations that need not hold.
+        reaches: what `reaches_of` says of the scene, where that is known.
     """
     group = carried(scene, object_id)
     centres = np.array([o.pose.position[:2] for o in scene.objects])
-    reaches = np.array([_reach(o) for o in scene.objects])[:, None]
+    reaches = (reaches_of(scene) if reaches is None else reaches)[:, None]
     mine = np.array([o.id in group for o in scene.objects])
     low, high = (centres - reaches)[mine].min(axis=0), (centres + reaches)[mine].max(axis=0)
     near = ((centres - reaches <= high + NEIGHBOURHOOD) & (centres + reaches >= low - NEIGHBOURHOOD)).all(axis=1)
@@ -73,6 +77,11 @@ def judged_locally(scene: Scene, object_id: str, hard: Sequence[Relation], soft:
     return Judged([v for v in found if v.hard], lost)
 
 
+def reaches_of(scene: Scene) -> Array:
+    """How far [m] each object with its zones reaches from its origin, in the plane."""
+    return np.array([_reach(o) for o in scene.objects])
+
+
 def _reach(item: SceneObject) -> float:
     """How far [m] an object with its zones reaches from its origin, in the plane; generous for what is tilted."""
     reach = math.hypot(*item.size) / 2
@@ -82,16 +91,25 @@ def _reach(item: SceneObject) -> float:
 class Space:
     """What is in the way in a scene, for boxes that are to stand somewhere."""
 
-    def __init__(self, scene: Scene, placed: Placed | None = None):
+    def __init__(self, scene: Scene, placed: Placed | None = None, reaches: Array | None = None):
         import shapely
 
         self.scene = scene
         self.placed = Placed.of(scene) if placed is None else placed
+        self.reaches = reaches_of(scene) if reaches is None else reaches
         self.parts = shapely.STRtree(self.placed.parts.polygons)
         doors = self.placed.opening_zones.polygons[: len(self.placed.doors)]
         self.zones = shapely.STRtree(np.concatenate([self.placed.zones.polygons, doors]))
         self.zone_owner = np.append(self.placed.zones.owner, np.full(len(doors), -1))
         self.zone_low = np.append(self.placed.zones.z[:, 0], np.zeros(len(doors)))
+
+    def after(self, scene: Scene, object_id: str) -> Space:
+        """The space of a scene in which one object, with what it carries, has moved and all else has not."""
+        group = carried(scene, object_id)
+        part = scene.model_copy(update={"objects": tuple(o for o in scene.objects if o.id in group)})
+        moved = {body.id: body for body in Placed.of(part).bodies}
+        bodies = tuple(replace(moved[b.id], index=b.index) if b.id in moved else b for b in self.placed.bodies)
+        return Space(scene, replace(self.placed, scene=scene, bodies=bodies), self.reaches)
 
     def free(self, object_id: str, poses: np.ndarray, height: float, carrier: tuple[str, str] | None) -> np.ndarray:
         """Where an object's box and zones would stand free.
