@@ -84,16 +84,16 @@ def mjcf(
         shared: Where meshes and images go, as files that the text names; None: into ``files``.
     """
     wardrobe = _Wardrobe(textures, shared)
-    model = build(scene, load, wardrobe, shape=wardrobe.shape)
-    root = Xml.fromstring(model.xml)
-    wardrobe.paper(root, scene.room)
-    _without_slashes(root)
-    for geom in root.iterfind("default/default/geom[@group='3']"):
-        geom.set("margin", str(_MARGIN))
-    if client is not None:
-        CLIENTS[client](root)
-    Xml.indent(root, " ")
-    return replace(model, xml=Xml.tostring(root, encoding="unicode") + "\n", files=wardrobe.files)
+
+    def amend(root: Xml.Element) -> None:
+        wardrobe.paper(root, scene.room)
+        _without_slashes(root)
+        for geom in root.iterfind("default/default/geom[@group='3']"):
+            geom.set("margin", str(_MARGIN))
+        if client is not None:
+            CLIENTS[client](root)
+
+    return replace(build(scene, load, wardrobe, shape=wardrobe.shape, amend=amend), files=wardrobe.files)
 
 
 def _without_slashes(root: Xml.Element) -> None:

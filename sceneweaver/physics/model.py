@@ -104,6 +104,7 @@ def build(
     *,
     shape: Shape | None = None,
     loose: bool = True,
+    amend: Callable[[Xml.Element], None] | None = None,
 ) -> Model:
     """The MuJoCo model of a scene.
 
@@ -113,6 +114,7 @@ def build(
         dress: Adds visual meshes; None: only collision parts.
         shape: Says what parts are that are no boxes; None: by their vertices.
         loose: Whether what lies in or on an object as part of it is a body of its own, as `things_of` says.
+        amend: Changes the whole before it becomes text.
 
     Raises:
         InputError: when an asset cannot be loaded.
@@ -167,6 +169,8 @@ def build(
     add_spawns(world, scene.room, {"class": ROOM})
     add_cameras(world, scene.room, scene.objects)
     child(child(root, "keyframe"), "key", name="start")  # without numbers: those of the bodies, whatever joins them
+    if amend is not None:
+        amend(root)
     Xml.indent(root, " ")
     free = tuple(t.object.id for t in things if t.free)
     fixed = tuple(t.object.id for t in things if not t.free)

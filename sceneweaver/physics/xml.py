@@ -16,4 +16,6 @@ def text(value: Any) -> str:
     """A text as it is, a number with nine digits, a vector as numbers with blanks between."""
     if isinstance(value, str):
         return value
-    return " ".join(map(text, value)) if hasattr(value, "__len__") else f"{float(value):.9g}"
+    if hasattr(value, "__len__"):
+        return " ".join([f"{x:.9g}" if isinstance(x, (float, int)) else text(x) for x in value])
+    return f"{float(value):.9g}"
