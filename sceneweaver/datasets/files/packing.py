@@ -44,8 +44,9 @@ def pack(folder: Folder, requests: Requests) -> None:
 
 
 def _prune(folder: Folder) -> None:
-    """Remove files from the store that no scene names: what a run that was killed wrote for scenes that then failed."""
-    used = {name for row in read_table(folder.index, ["assets"]) for name in row["assets"] or ()}
+    """Remove files from the store that no scene needs: what a run that was killed wrote for scenes that then failed."""
+    columns = ((folder.index, "assets"), (folder.asset_table, "files"))
+    used = {name for table, column in columns for row in read_table(table, [column]) for name in row[column] or ()}
     for path in folder.assets.glob("*/*"):
         if path.relative_to(folder.path).as_posix() not in used:
             path.unlink()
