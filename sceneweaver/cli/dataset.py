@@ -117,6 +117,19 @@ def resume(
 
 
 @dataset.command()
+def merge(
+    folders: Annotated[list[Path], typer.Argument(metavar="DIR...", help="Data sets.", show_default=False)],
+    out: NewFolder,
+    workers: Workers = None,
+    as_json: JsonLines = False,
+) -> int:
+    """Join data sets: shares of one that were made apart, or whole ones of different specifications."""
+    from .dataset_runs import Run, run_merge
+
+    return run_merge(folders, out, Run(workers, "auto", None, "local", None, None, True, as_json))
+
+
+@dataset.command()
 def status(folder: Folder, as_json: Json = False) -> int:
     """Say how far a data set is: blocks, scenes, rate, why some were not delivered."""
     from .dataset_looks import run_status

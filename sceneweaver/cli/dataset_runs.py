@@ -54,6 +54,14 @@ def run_resume(path: Path, run: Run) -> int:
         return _go_on(open_dataset(path), run, stdout, stderr)
 
 
+def run_merge(sources: list[Path], out: Path, run: Run) -> int:
+    """Join data sets, and go on with what they are together."""
+    with handles() as (stdout, stderr):
+        from sceneweaver.datasets.engines import merge
+
+        return _go_on(merge(sources, out), run, stdout, stderr)
+
+
 def _go_on(dataset: Dataset, run: Run, stdout: IO[str], stderr: IO[str]) -> int:
     from sceneweaver.datasets.engines import Listener, Options, missing, resume
 

@@ -76,5 +76,6 @@ def index_schema() -> pa.Schema:
             ("content_hash", text),
             ("bytes", pa.int64()),
             ("version", text),
+            ("source", text),
         ]
     )

@@ -19,6 +19,7 @@ from sceneweaver.datasets.engines import (
     Options,
     begin,
     estimate,
+    merge,
     missing,
     open_dataset,
     read_records,
@@ -27,8 +28,9 @@ from sceneweaver.datasets.engines import (
 )
 from sceneweaver.datasets.engines.estimate import grown
 from sceneweaver.datasets.engines.locks import run_lock
+from sceneweaver.datasets.reading import rows_of
 from sceneweaver.scene import InputError, write_atomic
-from tests.datasets import fake
+from tests.datasets import fake, torture
 
 SPEC = """
 schema: sceneweaver.dataset/1
@@ -212,7 +214,8 @@ RUN = """
 import sys
 from pathlib import Path
 from sceneweaver.datasets.engines import Listener, Options, begin, resume
-from tests.datasets import fake
+from sceneweaver.datasets.reading import rows_of
+from tests.datasets import fake, torture
 if __name__ == "__main__":
     dataset = begin(Path(sys.argv[1]), Path(sys.argv[2]), "cpu")
     resume(dataset, Options(workers=2), Listener(lambda r: None, print), produce=fake.produce,
@@ -237,3 +240,34 @@ def test_a_killed_run_goes_on_to_the_same_bytes(tmp_path):
     made(source, tmp_path / "unbroken", workers=1)
     assert content(tmp_path / "out") == content(tmp_path / "unbroken")
     assert json.loads((tmp_path / "out" / "dataset.json").read_text())["device"] == "cpu"
+
+
+def test_shares_that_were_made_apart_are_one_data_set(tmp_path):
+    source = spec_file(tmp_path, "a room", "b room")
+    for shard in ((0, 2), (1, 2)):
+        made(source, tmp_path / f"disk{shard[0]}", workers=1, shard=shard)
+    dataset = merge([tmp_path / "disk0", tmp_path / "disk1"], tmp_path / "out")
+    assert missing(dataset) == []
+    made(source, tmp_path / "out", workers=1)
+    made(source, tmp_path / "one", workers=1)
+    assert content(tmp_path / "out") == content(tmp_path / "one")
+    with pytest.raises(InputError, match="is whole: there is nothing to merge"):
+        merge([tmp_path / "one", tmp_path / "disk0"], tmp_path / "more")
+
+
+def test_whole_data_sets_are_joined_with_new_numbers_and_their_names(tmp_path):
+    for name, count in (("first", 5), ("second", 3)):
+        source = spec_file(tmp_path / f"{name}-spec")
+        source.write_text(source.read_text().replace("tiny", name).replace("12", str(count)))
+        dataset = begin(source, tmp_path / name, "cpu")
+        resume(dataset, Options(workers=1), Listener(print, print), produce=torture.fake)
+    parts = [tmp_path / "first", tmp_path / "second"]
+    joined = merge(parts, tmp_path / "both")
+    resume(merge(parts, tmp_path / "both"), Options(workers=1), Listener(print, print))
+    found = list(rows_of(joined.folder))
+    assert [(row["index"], row["room"], row["source"]) for row in found] == [
+        *((n, n, "first") for n in range(5)),
+        *((n, n, "second") for n in range(5, 8)),
+    ]
+    hashes = [row["content_hash"] for part in parts for row in rows_of(open_dataset(part).folder)]
+    assert [row["content_hash"] for row in found] == hashes

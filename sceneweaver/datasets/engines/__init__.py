@@ -2,6 +2,7 @@
 
 from .estimate import Estimate, estimate
 from .manifest import Dataset, begin, open_dataset
+from .merge import merge
 from .records import read_records
 from .run import Options, missing, resume
 from .schedule import Listener
@@ -15,6 +16,7 @@ __all__ = [
     "Status",
     "begin",
     "estimate",
+    "merge",
     "missing",
     "open_dataset",
     "read_records",

@@ -95,7 +95,7 @@ def begin(source: Path, out: Path, device: str = "auto") -> Dataset:
     folder = Folder(out)
     if folder.manifest.exists():
         there = open_dataset(out)
-        _require_same(there, spec, _digests(inputs))
+        _require_same(there, spec, digests(inputs))
         agreed_device(there, device)
         return there
     return create(folder, spec, device, inputs, read_bytes(spec_file(source)))
@@ -135,7 +135,7 @@ def create(
         "python": platform.python_version(),
     }
     kind = devices(device)[0].partition(":")[0]
-    dataset = Dataset(folder, spec, kind, versions, _digests(inputs))
+    dataset = Dataset(folder, spec, kind, versions, digests(inputs))
     try:
         _require_empty(folder.path, files)
         for name in ("", *files):
@@ -184,7 +184,8 @@ def _require_empty(path: Path, files: dict[str, bytes]) -> None:
             raise InputError(f"--out: {path} is not empty and holds no data set; choose another folder")
 
 
-def _digests(inputs: dict[str, bytes]) -> dict[str, str]:
+def digests(inputs: dict[str, bytes]) -> dict[str, str]:
+    """The SHA-256 of each file, by name."""
     return {name: hashlib.sha256(content).hexdigest() for name, content in inputs.items()}
 
 

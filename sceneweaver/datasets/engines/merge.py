@@ -1,0 +1,190 @@
+"""Data sets joined to one: shares of the same that were made on different disks, or whole ones of any specification."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import os
+import re
+import shutil
+from collections.abc import Iterator, Sequence
+from itertools import chain, islice
+from pathlib import Path
+from typing import Any
+
+from sceneweaver.scene import InputError, Scene, write_atomic
+from sceneweaver.scene.files import temporary_folder
+
+from ..blocks import write_block
+from ..folder import Folder
+from ..reading import rows_of, scenes_of, shards_of, spans_of
+from ..sample import Sample
+from ..spec import Spec
+from .locks import run_lock
+from .manifest import PROMPTS, Dataset, create, digests, open_dataset
+from .run import missing, whole
+
+BLOCK = 64
+"""Scenes of a block of joined data sets."""
+
+PACKED = ("index", "key", "status", "split", "shard", "near_duplicate_group", "content_hash", "bytes")
+"""Columns that packing fills, or that a sample has as fields."""
+
+
+def merge(sources: Sequence[Path], out: Path) -> Dataset:
+    """Bring data sets into one folder; a run there then makes what is missing, and packs it.
+
+    Those of one specification are shares of one data set: their blocks are united. Others have to be whole; their
+    scenes follow each other with new numbers, and the column ``source`` says the name of the data set that each is of.
+    Killed in between, it goes on when called again.
+
+    Args:
+        sources: two data sets or more.
+        out: a folder that is missing, empty, or holds the beginning of this.
+
+    Returns:
+        The data set, not packed yet.
+
+    Raises:
+        InputError: they do not go together, or a folder holds something else.
+    """
+    parts = [open_dataset(path) for path in sources]
+    if len(parts) < 2 or len({path.resolve() for path in [*sources, out]}) <= len(parts):
+        raise InputError("merge: give two different data sets or more, and another folder for --out")
+    first = parts[0]
+    if all(
+        (part.spec.hash, part.inputs, part.device) == (first.spec.hash, first.inputs, first.device) for part in parts
+    ):
+        return _unite(parts, out)
+    return _join(parts, out)
+
+
+def _unite(parts: Sequence[Dataset], out: Path) -> Dataset:
+    """The blocks of shares of one data set in one folder."""
+    for part in parts:
+        if whole(part):
+            raise InputError(f"{part.folder.path} is whole: there is nothing to merge with it")
+    first = parts[0]
+    inputs = {name: (first.folder.path / name).read_bytes() for name in first.inputs}
+    given = first.folder.spec.read_bytes() if first.folder.spec.exists() else None
+    dataset = _begun(out, first.spec, inputs) or create(Folder(out), first.spec, first.device, inputs, given)
+    with run_lock(dataset.folder, None):
+        for k, part in enumerate(parts):
+            _take_assets(part.folder, dataset.folder, k)
+            for number in missing(dataset):
+                if part.folder.block(number).exists():
+                    _take_folder(part.folder.block(number), dataset.folder.block(number))
+    return dataset
+
+
+def _join(parts: Sequence[Dataset], out: Path) -> Dataset:
+    """The scenes of whole data sets, one after the other, as blocks of a new one."""
+    for part in parts:
+        if part.spec.product != "scenes" or not whole(part):
+            what = "holds layouts" if part.spec.product != "scenes" else "is not whole"
+            raise InputError(
+                f"{part.folder.path} {what}: data sets of different specifications are joined as whole scenes"
+            )
+    prompts = io.StringIO()
+    table = csv.writer(prompts, lineterminator="\n")
+    table.writerow(["prompt"])
+    count = 0
+    for part in parts:
+        for row in rows_of(part.folder, ["prompt"]):
+            table.writerow([row["prompt"]])
+            count += 1
+    spec = parts[0].spec
+    spec = spec.model_copy(
+        update={
+            "name": re.sub("[^a-z0-9_-]+", "-", out.absolute().name.lower()).strip("-_")[:64] or spec.name,
+            "count": count,
+            "block": BLOCK,
+            "rooms": spec.rooms.model_copy(update={"layouts": 1}),
+            "requests": type(spec.requests)(prompts_file=PROMPTS),
+        }
+    )
+    spec = type(spec).model_validate(spec.model_dump(mode="json"))
+    inputs = {PROMPTS: prompts.getvalue().encode()}
+    dataset = _begun(out, spec, inputs) or create(Folder(out), spec, "cpu", inputs)
+    with run_lock(dataset.folder, None):
+        for k, part in enumerate(parts):
+            _take_assets(part.folder, dataset.folder, k)
+        samples = chain.from_iterable(_samples(parts))
+        for number in range(dataset.requests.blocks):
+            some = islice(samples, BLOCK)
+            if dataset.folder.block(number).exists():
+                next(islice(some, BLOCK, BLOCK), None)
+            else:
+                write_block(dataset.folder.block(number), some)
+    return dataset
+
+
+def _begun(out: Path, spec: Spec, inputs: dict[str, bytes]) -> Dataset | None:
+    """The data set in a folder, if it is the one that is wanted; None where there is none."""
+    if not Folder(out).manifest.exists():
+        return None
+    there = open_dataset(out)
+    if (there.spec.hash, there.inputs) != (spec.hash, digests(inputs)):
+        raise InputError(f"--out: {out} holds another data set; choose another folder")
+    return there
+
+
+def _samples(parts: Sequence[Dataset]) -> Iterator[Iterator[Sample]]:
+    index = room = 0
+    for part in parts:
+        yield _of_part(part, index, room)
+        index += part.spec.count
+        room += len(part.requests)
+
+
+def _of_part(part: Dataset, first: int, first_room: int) -> Iterator[Sample]:
+    """The scenes of a whole data set in order, with new numbers."""
+    from ..files import fingerprint
+
+    places = {span.keys[0]: span for path in shards_of(part.folder) for span in spans_of(path, 1)}
+    for row in rows_of(part.folder):
+        index, status = first + row["index"], row["status"]
+        kept: dict[str, Any] = {name: value for name, value in row.items() if name not in PACKED and value is not None}
+        kept |= {"room": first_room + row["room"], "source": part.spec.name}
+        files: dict[str, bytes] = {}
+        if status == "ok":
+            _, files = next(scenes_of(places[row["key"]]))
+            kept |= fingerprint(Scene.loads(files["scene.json"].decode()))
+        yield Sample(index, f"{index:08d}", status, kept, files)
+
+
+def _take_assets(source: Folder, target: Folder, number: int) -> None:
+    """Assets of a data set, and what is known about them."""
+    for path in source.assets.glob("*/*"):
+        place = target.path / path.relative_to(source.path)
+        if path.is_file() and not place.exists():
+            place.parent.mkdir(parents=True, exist_ok=True)
+            _link(path, place)
+    place = target.work / "assets"
+    place.mkdir(parents=True, exist_ok=True)
+    for path in (source.work / "assets").glob("*.jsonl"):
+        write_atomic(place / f"{number:04d}-{path.name}", path.read_bytes())
+    if source.asset_table.exists():
+        from ..files.tables import read_table
+
+        lines = "".join(json.dumps(row) + "\n" for row in read_table(source.asset_table))
+        write_atomic(place / f"{number:04d}.jsonl", lines)
+
+
+def _take_folder(source: Path, target: Path) -> None:
+    target.parent.mkdir(parents=True, exist_ok=True)
+    with temporary_folder(target.parent) as folder:
+        shutil.copytree(source, folder / target.name, copy_function=_link)
+        os.rename(folder / target.name, target)
+
+
+def _link(source: str | Path, target: str | Path) -> None:
+    """The same file at another place: by a link where both are on one disk, else copied whole."""
+    try:
+        os.link(source, target)
+    except OSError:
+        with temporary_folder(Path(target).parent) as folder:
+            draft = folder / Path(target).name
+            shutil.copyfile(source, draft)
+            os.replace(draft, target)
