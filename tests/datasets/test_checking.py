@@ -19,6 +19,7 @@ from sceneweaver.datasets.checking import verify_dataset
 from sceneweaver.datasets.checking.findings import KEPT, Findings
 from sceneweaver.datasets.checking.scene import Judge, content_of
 from sceneweaver.datasets.columns import index_schema
+from sceneweaver.datasets.counterfactuals import twin_files, twins
 from sceneweaver.datasets.engines.manifest import create
 from sceneweaver.datasets.files import fingerprint, pack
 from sceneweaver.datasets.files.checksums import write_checksums
@@ -83,7 +84,11 @@ def _sample(request, layout: int, writer: SceneFiles) -> Sample:
     row |= {"room_type": "study", "area": 20.0, "wall_count": 4, "object_count": 3, "relation_count": 0, "valid": True}
     row |= {"collisions": 0, "out_of_bounds": 0, "relations_satisfied": 1.0, "walkable_share": report.walkable_share}
     row |= {"categories": sorted({o.category for o in scene.objects}), "gates": {"valid": True}, "grade": 7.0}
-    row |= {"assets": references(files), "asset_ids": ["desk", "lamp"], "licences": ["Apache-2.0"]}
+    row |= {
+        "assets": references(files),
+        "asset_ids": sorted({str(o.asset) for o in scene.objects}),
+        "licences": ["Apache-2.0"],
+    }
     row |= fingerprint(scene)
     files |= {"scene.json": scene.dumps().encode(), "metrics.json": json.dumps(report.to_dict()).encode()}
     return Sample(index, key, "ok", row, files)
@@ -190,6 +195,31 @@ def test_a_scene_that_collides_whatever_is_recorded(root):
     assert any("collision: " in line and "00000001" in line for line in found.lines())
 
 
+def test_twins_are_what_is_stated_of_them(root):
+    def add(files):
+        scene = Scene.loads(files["scene.json"])
+        made = twin_files(twins(scene, 3, seed=1))
+        files |= made
+        if scene.id == "s1":
+            twin = Scene.loads(made["twin-0.scene.json"])
+            stated = json.loads(made["twin-0.difference.json"])
+            other = next(
+                o for o in twin.objects if o.mount == "floor" and o.id not in (stated["object"], *stated["carried"])
+            )
+            files["twin-0.scene.json"] = twin.remove(stays[0], cascade=True).dumps().encode()
+            stated = json.loads(made["twin-1.difference.json"])
+            stated["measured"]["collisions"][1] += 1
+            files["twin-1.difference.json"] = json.dumps(stated).encode()
+
+    for key in ("00000000", "00000001"):
+        change_files(root, key, add)
+    found = verify_dataset(root)
+    lines = [fault["detail"] for fault in found.data["first"]]
+    assert found.data["counts"]["twins"] == 6 and {fault["key"] for fault in found.data["first"]} == {"00000001"}
+    assert any("twin-0: " in line and "not stated" in line for line in lines)
+    assert any(line.startswith("twin-1: collisions is ") for line in lines)
+
+
 def test_rows_that_were_swapped(root):
     rows = {row["key"]: row for row in rows_of(Folder(root))}
     swapped = {"00000000": "00000003", "00000003": "00000000"}
@@ -231,13 +261,16 @@ def test_rows_without_reason_licence_or_gate(root):
             row["reason"] = None
         if row["key"] == "00000000":
             row["licences"] = []
+        if row["key"] == "00000003":
+            row |= {"asset_ids": [*row["asset_ids"], "stolen"], "licences": ["MIT"]}
         if row["key"] == "00000001":
             row["gates"] = row["gates"] | {"valid": False}
         if row["key"] == "00000002":
             row["index"] = 5
 
     change_rows(root, change)
-    assert faults(root) == {"index": {"00000006", "00000002"}, "licence": {"00000000"}, "gate": {"00000001"}}
+    licences = {"00000000", "00000003"}
+    assert faults(root) == {"index": {"00000006", "00000002"}, "licence": licences, "gate": {"00000001"}}
 
 
 def test_scenes_that_the_index_does_not_know_and_files_that_are_not_listed(root):

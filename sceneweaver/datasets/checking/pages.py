@@ -13,7 +13,7 @@ _MEANING = {
     "shard": "every delivered scene lies in its shard once, and nothing else does",
     "content": "the files of each scene have the hash and size of its row",
     "split": "no room, content or group of near-duplicates is in two splits",
-    "licence": "every scene with assets names their licences",
+    "licence": "the licence of every asset is known, and named by the scenes that have it",
     "asset": "every file that a GLB or MJCF names is in the store",
     "judge": "the judge finds every scene valid: nothing collides, leaves the room, floats or breaks a relation",
     "record": "what index and metrics.json record is what is measured",

@@ -18,6 +18,7 @@ from sceneweaver.verify import Report, check
 
 from . import exports
 from .findings import Findings
+from .twins import twin_faults, twin_names
 
 SUFFIXES = {"glb": "glb", "mjcf": "xml"}
 """The file of a scene in which an export is."""
@@ -63,6 +64,9 @@ class Judge:
         found.counts["objects"] += len(scene.objects)
         for line in (*differences(row, scene, report), *_metrics(files.get("metrics.json"), report)):
             found.fault("record", key, line)
+        for line in twin_faults(scene, files):
+            found.fault("record", key, line)
+        found.counts["twins"] += len(twin_names(files))
         for name in self.formats:
             suffix = SUFFIXES.get(name)
             if suffix is not None and suffix not in files:

@@ -21,10 +21,18 @@ _EXCLUSIVE = ("room", "near_duplicate_group", "content_hash")
 """Columns of which no value may be in two splits."""
 
 
-def check_rows(rows: Iterable[Mapping[str, Any]], spec: Spec, found: Findings) -> None:
+def check_rows(
+    rows: Iterable[Mapping[str, Any]], spec: Spec, found: Findings, licences: Mapping[str, str] | None = None
+) -> None:
     """Order, keys, states, gates, licences and splits of the rows of an index.
 
     Memory grows by some tens of bytes a row: what may not be in two splits is remembered by its hash.
+
+    Args:
+        rows: the rows, in order.
+        spec: the specification.
+        found: takes the faults.
+        licences: of each asset; None: not known.
     """
     keys: set[str] = set()
     splits: dict[str, dict[int, str]] = {name: {} for name in _EXCLUSIVE}
@@ -45,8 +53,8 @@ def check_rows(rows: Iterable[Mapping[str, Any]], spec: Spec, found: Findings) -
             found.fault("index", key, line)
         for line in gates_failed(row, spec):
             found.fault("gate", key, line)
-        if row.get("asset_ids") and not row.get("licences"):
-            found.fault("licence", key, "has assets without a licence")
+        for line in _licences(row, licences):
+            found.fault("licence", key, line)
         for column, known in splits.items():
             if row.get(column) is None:
                 continue
@@ -75,6 +83,26 @@ def _delivered(row: Mapping[str, Any], spec: Spec) -> Iterator[str]:
         yield f"is in split {row['split']!r}, which the specification does not have"
     if row.get("shard") and not Path(row["shard"]).name.startswith(f"{row.get('split')}-"):
         yield f"is in split {row.get('split')!r}, and lies in {row['shard']}"
+
+
+def _licences(row: Mapping[str, Any], licences: Mapping[str, str] | None) -> Iterator[str]:
+    used, said = row.get("asset_ids") or (), set(row.get("licences") or ())
+    if used and not said:
+        yield "has assets without a licence"
+    elif licences is not None:
+        for asset in used:
+            if not licences.get(asset):
+                yield f"has an asset of unknown licence: {asset}"
+            elif licences[asset] not in said:
+                yield f"does not name the licence {licences[asset]} of {asset}"
+
+
+def asset_licences(folder: Folder) -> dict[str, str] | None:
+    """The licence of each asset by the table of assets; None where there is no such table."""
+    if not folder.asset_table.is_file():
+        return None
+    table = arrow().parquet.read_table(folder.asset_table, columns=["asset", "licence"])
+    return dict(zip(table["asset"].to_pylist(), table["licence"].to_pylist(), strict=True))
 
 
 def gates_failed(row: Mapping[str, Any], spec: Spec) -> Iterator[str]:

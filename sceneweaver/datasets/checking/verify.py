@@ -40,6 +40,8 @@ _ROW = ["key", "status", "shard", "prompt", "room_type", "area", "wall_count", "
 _ROW += ["categories", "assets", "valid", "collisions", "out_of_bounds", "relations_satisfied", "walkable_share"]
 _ROW += ["content_hash", "bytes"]
 
+_ZERO = ("collisions", "judged", "out of bounds", "scenes")  # counts that are said at zero, too
+
 Progress = Callable[[int, int], object]
 """Called with how many scenes are done, and how many there are."""
 
@@ -113,7 +115,7 @@ def verify_dataset(
         work = layout_tasks(folder, spec, found, sample)
     else:
         tables.check_schema(folder, found)
-        tables.check_rows(rows_of(folder), spec, found)
+        tables.check_rows(rows_of(folder), spec, found, tables.asset_licences(folder))
         work = _scenes(folder, spec, found, sample, stability)
     done = 0
     for result in results(chain(_digests(folder, found), work), workers):
@@ -191,7 +193,7 @@ def _result(found: Findings, spec: Spec, seconds: float) -> dict[str, Any]:
         "spec": spec.hash,
         "version": sceneweaver.__version__,
         "ok": not found.faults,
-        "counts": dict(sorted(found.counts.items())),
+        "counts": {name: count for name, count in sorted(found.counts.items()) if count or name in _ZERO},
         "faults": {check: found.faults[check] for check in CHECKS if found.faults[check]},
         "first": [_plain(fault) for fault in first],
         "stability": found.stability(),
