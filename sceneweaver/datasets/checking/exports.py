@@ -18,6 +18,7 @@ APART = 1e-3
 """How far [m] an object of an exported file may be from its pose in ``scene.json``, and any point at one metre from
 its origin by a turn: rounding of its text."""
 
+_FILES = {"mesh": "meshdir", "texture": "texturedir", "hfield": "meshdir", "model": "", "include": ""}  # in MJCF
 _JSON_CHUNK = 0x4E4F534A
 _Z_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])  # of glTF, in which y is up
 
@@ -79,18 +80,18 @@ def mjcf_tree(content: bytes) -> ElementTree.Element:
         root = ElementTree.fromstring(content)
     except ElementTree.ParseError as error:
         raise InputError(f"no XML: {error}") from None
-    if root.tag != "mujoco":
+    if root.tag not in ("mujoco", "mujocoinclude"):
         raise InputError(f"no MJCF: its root is <{root.tag}>")
     return root
 
 
 def mjcf_files(root: ElementTree.Element) -> Iterator[str]:
-    """The files that an MJCF file names, relative to its own folder."""
+    """The files that an MJCF file names, relative to the folder of the file that is loaded."""
     compiler = root.find("compiler")
     folders = {} if compiler is None else compiler.attrib
     assets = folders.get("assetdir", "")
-    for tag, key in (("mesh", "meshdir"), ("texture", "texturedir"), ("hfield", "meshdir"), ("model", "")):
-        folder = folders.get(key, assets)
+    for tag, key in _FILES.items():
+        folder = "" if tag == "include" else folders.get(key, assets)
         for element in root.iter(tag):
             if (name := element.get("file")) is not None:
                 yield f"{folder}/{name}" if folder else name

@@ -43,7 +43,7 @@ class Judge:
     formats: tuple[str, ...] = ()
     seconds: float = 3.0
     still: float | None = None
-    _there: set[str] = field(default_factory=set)
+    _there: dict[str, frozenset[str]] = field(default_factory=dict)  # files of the store, and what these name
 
     def judge(self, row: Mapping[str, Any], files: Mapping[str, bytes], found: Findings) -> None:
         """Judge a scene; faults and counts go to ``found``."""
@@ -118,12 +118,20 @@ class Judge:
                 found.fault("export", key, f"{suffix}: {line}")
 
     def _named(self, row: Mapping[str, Any], suffix: str, names: set[str], found: Findings) -> None:
-        """Files that an export names are in the store, and in the row."""
-        for name in sorted(names - self._there):
-            if name.startswith("assets/") and ".." not in name and (self.root / name).is_file():
-                self._there.add(name)
-            else:
-                found.fault("asset", row["key"], f"{suffix} names {name}, which is not in the store")
+        """Files that an export names, and those that MJCF files of the store name, are there, and in the row."""
+        left = set(names)
+        while left:
+            name = left.pop()
+            if name not in self._there:
+                if not name.startswith("assets/") or ".." in name or not (self.root / name).is_file():
+                    found.fault("asset", row["key"], f"{suffix} names {name}, which is not in the store")
+                    continue
+                self._there[name] = frozenset()
+                if name.endswith(".xml"):
+                    tree = exports.mjcf_tree((self.root / name).read_bytes())
+                    self._there[name] = frozenset(exports.mjcf_files(tree))
+            left |= self._there[name] - names
+            names |= self._there[name]
         if row.get("assets") is not None and (more := names.difference(row["assets"])):
             found.fault("asset", row["key"], f"{suffix} names {min(more)}, which the index does not list")
 
