@@ -64,11 +64,13 @@ class Floor:
         inside = set(np.unique(regions[self.door_cells]).tolist()) - {0}
         return np.isin(regions, list(inside)) if inside else np.zeros(regions.shape, dtype=bool)
 
-    def comes_near(self, body: Body, cells: np.ndarray, reach: float) -> bool:
-        """Whether some of the cells are at most ``reach`` metres from a footprint."""
-        parts = self.facts.placed.parts.xy[self.facts.placed.part_rows(body)]
-        near = self.grid.spans(self.grid.to_grid(parts), reach)
-        return bool(self.grid.touches(cells, near, len(parts)).any())
+    def near(self, bodies: list[Body], cells: np.ndarray, reach: float) -> set[str]:
+        """Ids of the bodies whose footprint is at most ``reach`` metres from some of the cells."""
+        placed = self.facts.placed
+        rows = np.concatenate([np.arange(*placed.part_rows(b).indices(len(placed.parts))) for b in bodies])
+        spans = self.grid.spans(self.grid.to_grid(placed.parts.xy[rows]), reach)
+        touched = self.grid.touches(cells, spans, len(rows))
+        return {placed.bodies[int(k)].id for k in placed.parts.owner[rows[touched]]}
 
     def positions(self, cells: np.ndarray) -> np.ndarray:
         """World positions [n, 2] of the centres of cells."""
@@ -88,22 +90,20 @@ def robot_reaches(asker: Asker) -> Question | None:
     floor = _floor(asker)
     if floor is None:
         return None
-    entered = {
-        radius: (floor.entered(radius + ERROR), floor.entered(radius - ERROR)) for radius in asker.shuffled(RADII)[:2]
-    }
+    radius = RADII[int(asker.rng.integers(len(RADII)))]
+    surely, perhaps = floor.entered(radius + ERROR), floor.entered(radius - ERROR)
+    if not surely.any() or not asker.standing:
+        return None
+    reached = floor.near(asker.standing, surely, radius + STOP - ERROR)
+    reachable = floor.near(asker.standing, perhaps, radius + STOP + ERROR)
 
-    def answer(pair: tuple[Body, float]) -> tuple[bool | None, None]:
-        body, radius = pair
-        surely, perhaps = entered[radius]
-        if surely.any() and floor.comes_near(body, surely, radius + STOP - ERROR):
-            return True, None
-        return (None if floor.comes_near(body, perhaps, radius + STOP + ERROR) or not surely.any() else False), None
+    def answer(body: Body) -> tuple[bool | None, None]:
+        return (True if body.id in reached else None if body.id in reachable else False), None
 
-    pairs = asker.shuffled((b, r) for b in asker.standing for r in entered)[:10]
-    found = asker.balanced(pairs, answer)
+    found = asker.balanced(asker.shuffled(asker.standing), answer)
     if found is None:
         return None
-    (body, radius), said, _ = found
+    body, said, _ = found
     return Question(
         "robot_reaches",
         "yes_no",
