@@ -1,5 +1,6 @@
 """Specifications that ship with the library, and their schema."""
 
+import re
 from pathlib import Path
 
 import jsonschema
@@ -7,7 +8,9 @@ import pytest
 import yaml
 
 from sceneweaver.datasets import Requests, load_spec
-from sceneweaver.datasets.spec import EXAMPLES, spec_file, spec_schema
+from sceneweaver.datasets.columns import index_schema
+from sceneweaver.datasets.spec import EXAMPLES, Gates, Rooms, Spec, Views, spec_file, spec_schema
+from sceneweaver.datasets.spec import Requests as SpecRequests
 from sceneweaver.knowledge import room_types
 from sceneweaver.scene import InputError
 from tests.test_repository import ROOT, code_blocks
@@ -42,3 +45,23 @@ def test_the_schema_takes_what_the_reader_takes():
         jsonschema.validate(yaml.safe_load(text), schema)
     with pytest.raises(jsonschema.ValidationError):
         jsonschema.validate({**yaml.safe_load(texts[0]), "colour": "red"}, schema)
+
+
+def test_the_guide_names_every_field_and_column():
+    text = (ROOT / "docs" / "datasets.md").read_text()
+    named = set(re.findall(r"`\.?(?:\w+\.)?(\w+)`", text))
+    fields = {field.alias or name for name, field in Spec.model_fields.items()}
+    for part in (SpecRequests, Rooms, Views, Gates):
+        fields |= set(part.model_fields)
+    assert fields - named == {"rooms"}  # which is named by its fields
+    assert set(index_schema().names) - named == set()
+
+
+def test_the_guide_says_the_defaults():
+    text = (ROOT / "docs" / "datasets.md").read_text()
+    rows = dict(re.findall(r"^\| `([\w.]+)` \| .* \| (\d[\d.]*) \|$", text, re.MULTILINE))
+    defaults = {**{f"rooms.{k}": v for k, v in Rooms().model_dump().items()}, **Spec.model_fields}
+    assert {"variants", "rooms.candidates", "time_limit", "block", "shard"} <= set(rows)
+    for name, value in rows.items():
+        default = defaults[name]
+        assert float(value) == (default if isinstance(default, int) else default.default), name
