@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import math
+from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 
 from sceneweaver.agent.choice import choice_terms
 from sceneweaver.agent.executor import Outcome, Variant, remaining, with_relations
-from sceneweaver.agent.relaxation import relaxed
+from sceneweaver.agent.relaxation import lightened
 from sceneweaver.agent.riders import searched, with_riders
 from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.layout import QualityTerm, Solution, refine_many
-from sceneweaver.scene import Room, Scene
+from sceneweaver.scene import PRIORITIES, Room, Scene
 from sceneweaver.verify import check
 
 from .drafts import Draft
@@ -27,17 +30,20 @@ LEAST = 4
 STEPS = 1
 """Times that a layout is begun: of a room that holds it, one of a few will do."""
 
-ROUNDS = 4
-"""Searches: in the room that was drawn, in other rooms, and then with less in it."""
+GROWN = ((1.12, 1.25), (1.12, 1.25, 1.4), (1.25, 1.4, 1.6))
+"""By round after the first, floors of other rooms, as multiples of the one that was drawn."""
 
-ROOMS = 3
-"""Other rooms that are tried."""
+ROUNDS = 2 + len(GROWN)
+"""Searches: in the room that was drawn, in others and with less in them, and once more where too little was found."""
+
+AGAIN = 0x68E31DA4
+"""What lies between the seeds of two searches for the same."""
 
 LESS = 3
 """Things that go at once where no room holds everything."""
 
 COMPARED = 4
-"""Layouts that the critic compares for each that is kept."""
+"""Layouts that the critic compares for each that is kept; where fewer are found, there is one search more."""
 
 LARGE = 0.35
 """Area [m2] of plan from which on a piece makes a layout another one."""
@@ -63,65 +69,102 @@ class _Search:
 
     Attributes:
         draft: what is laid out.
-        scene: what is left of it; its room may be another than was drawn.
+        scene: what is left of it.
         variants: relations that line things up, of which the layouts of one are enough.
-        found: layouts with their quality.
+        found: layouts with minus their quality.
+        cases: what is searched for in this round.
+        fruitful: the cases of the round in which something was found.
+        nearest: where nothing is found, the layout that comes nearest to a valid one.
+        done: whether it is over.
     """
 
     draft: Draft
     scene: Scene
     variants: list[Variant]
-    found: list[tuple[float, Scene]]
-    cases: list[_Case]
+    found: list[tuple[float, Scene]] = field(default_factory=list)
+    cases: list[_Case] = field(default_factory=list)
+    fruitful: list[_Case] = field(default_factory=list)
     nearest: Scene | None = None
     done: bool = False
 
-    @property
-    def wanted(self) -> int:
-        return self.draft.request.layouts
-
     def prepare(self, round_: int) -> None:
         """Decide what to search for in a round."""
-        proposal, half = self.draft.proposal, -(-self.draft.executor.settings.layouts // 2)
-        if round_ > 1:
-            self.done = bool(self.found) or not self._lighter()
-        rooms, variants = [self.scene.room], self.variants or [()]
-        if round_ and not self.found:
-            others = proposal.larger or proposal.rooms
-            rooms, variants = [*rooms, *others][round_ == 1 :][:ROOMS], variants[:1]
-        self.cases = [] if self.done else [*self._cases(rooms, variants, half, round_)]
+        if self.found:  # too few: once more where they were
+            self.cases = [replace(case, seed=(case.seed + AGAIN) % 2**32) for case in self.fruitful]
+            return
+        scenes = [self.scene]
+        if round_:
+            scenes = [*self._elsewhere(round_)]
+            if self._lighter():
+                scenes = [self.scene, *scenes] if round_ == 1 else [*self._elsewhere(round_)]
+        self.cases = [*self._cases(scenes, self.variants if len(scenes) == 1 else self.variants[:1], round_)]
+
+    def _elsewhere(self, round_: int) -> Iterator[Scene]:
+        """The scene in other rooms: somewhat larger ones, or of the same size where that was asked for."""
+        proposal, room = self.draft.proposal, self.scene.room
+        sizes = GROWN[min(round_, len(GROWN)) - 1]
+        for other in [grown(room, size) for size in sizes] if proposal.larger else proposal.rooms[: len(sizes)]:
+            yield self.scene.model_copy(update={"room": other})
 
     def _lighter(self) -> bool:
-        """Leave out what is in the way of the nearest layout; whether there was anything that nobody asked for."""
+        """Leave out what is in the way of the nearest layout; whether there was anything that a room can do without."""
         if self.nearest is None:
             return False
         faults = [v for v in check(self.nearest, walkable=False).violations if v.hard]
-        lighter = relaxed(self.scene, faults, LESS)
-        if lighter is None or lighter.unmet:
-            return False
-        self.scene, self.variants = lighter.scene, remaining(lighter.scene, self.variants)
-        return True
+        for priority in PRIORITIES[:2]:
+            lighter = lightened(self.scene, faults, priority, LESS)
+            if lighter is not None:
+                self.scene, self.variants = lighter.scene, remaining(lighter.scene, self.variants)
+                return True
+        return False
 
-    def _cases(self, rooms: Sequence[Room], variants: Sequence[Variant], count: int, round_: int) -> Iterator[_Case]:
-        each = max(LEAST, count // (len(rooms) * len(variants)))
-        for room in rooms:
-            scene = self.scene.model_copy(update={"room": room})
-            for variant in variants:
+    def _cases(self, scenes: Sequence[Scene], variants: Sequence[Variant], round_: int) -> Iterator[_Case]:
+        half = -(-self.draft.executor.settings.layouts // 2)
+        each = max(LEAST, half // (len(scenes) * max(1, len(variants))))
+        for scene in scenes:
+            for variant in variants or ((),):
                 plain = searched(with_relations(scene, variant))
                 terms = choice_terms(plain, self.draft.context.room_type)
                 yield _Case(scene, plain, terms, each, (self.draft.seed + round_) % 2**32)
 
     def take(self, solutions: Sequence[Solution]) -> None:
         """Keep the valid layouts of a round; where there are none, the nearest to one."""
+        most, before = COMPARED * self.draft.request.layouts, len(self.found)
         for case, solution in zip(self.cases, solutions, strict=True):
-            for candidate in solution.best_candidates(COMPARED * self.wanted):
+            kept = solution.best_candidates(most)
+            if kept and not before:
+                self.fruitful.append(case)
+            for candidate in kept:
                 quality = float(solution.quality[candidate]) if solution.quality is not None else 0.0
                 self.found.append((-round(quality, 4), with_riders(case.scene, solution.scene(candidate))))
-        self.done = len(self.found) >= (1 if self.wanted == 1 else COMPARED * self.wanted)
+        self.done = before > 0 or len(self.found) >= most
         if not self.found and self.cases:
             k = min(range(len(self.cases)), key=lambda k: float(solutions[k].energy.min()))
             self.nearest = with_riders(self.cases[k].scene, solutions[k].best)
-            self.scene = self.scene.model_copy(update={"room": self.nearest.room})
+
+    @property
+    def layouts(self) -> list[Scene]:
+        """What was found, the best first; several scenes of a request are of one room."""
+        ranked = [scene for _, scene in sorted(self.found, key=lambda row: row[0])]
+        if self.draft.request.layouts == 1 or not ranked:
+            return ranked
+        outlines = Counter(scene.room.outline for scene in ranked)
+        return [scene for scene in ranked if scene.room.outline == outlines.most_common(1)[0][0]]
+
+
+def grown(room: Room, size: float) -> Room:
+    """A room with so many times the floor, of the same shape, doors and windows where they were in their walls."""
+    scale = math.sqrt(size)
+    outline = tuple((round(scale * x, 3), round(scale * y, 3)) for x, y in room.outline)
+
+    def moved(openings: Sequence[Any]) -> tuple[Any, ...]:
+        aside = (scale * (o.offset + o.width / 2) - o.width / 2 for o in openings)
+        return tuple(
+            o.model_copy(update={"offset": round(offset, 3)}) for o, offset in zip(openings, aside, strict=True)
+        )
+
+    update = {"outline": outline, "doors": moved(room.doors), "windows": moved(room.windows)}
+    return Room.model_validate(room.model_copy(update=update).model_dump())
 
 
 def laid_out(drafts: Sequence[Draft], device: str) -> list[list[Scene]]:
@@ -130,7 +173,7 @@ def laid_out(drafts: Sequence[Draft], device: str) -> list[list[Scene]]:
     What a room gets does not depend on the others. Where the room that was drawn does not hold everything, others are
     tried that are as good or larger, and then it holds less of what nobody asked for.
     """
-    searches = [_Search(d, d.scene, list(d.proposal.variants[:VARIANTS]), [], []) for d in drafts]
+    searches = [_Search(d, d.scene, [*d.proposal.variants[:VARIANTS]]) for d in drafts]
     for round_ in range(ROUNDS):
         for search in searches:
             if not search.done:
@@ -149,7 +192,7 @@ def laid_out(drafts: Sequence[Draft], device: str) -> list[list[Scene]]:
         for search in busy:
             search.take(solutions[: len(search.cases)])
             solutions = solutions[len(search.cases) :]
-    return [[scene for _, scene in sorted(search.found, key=lambda row: row[0])] for search in searches]
+    return [search.layouts for search in searches]
 
 
 def chosen(draft: Draft, layouts: Sequence[Scene], count: int) -> list[Outcome]:
