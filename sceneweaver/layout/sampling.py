@@ -32,28 +32,39 @@ class Drawn:
     energy: np.ndarray
     relations: np.ndarray
 
+    @property
+    def arrays(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """All of it."""
+        return self.poses, self.energy, self.relations
+
 
 def first_layouts(
-    scenes: Sequence[CompiledScene], candidates: int, attempts: int, seeds: Sequence[int], device: str
+    scenes: Sequence[CompiledScene], candidates: range, attempts: int, seeds: Sequence[int], device: str
 ) -> list[Drawn]:
-    """The valid ones of so many layouts that are searched for each scene, all in shared launches.
+    """The valid ones of some layouts that are searched for each scene, all in shared launches.
 
     Args:
         scenes: the scenes.
-        candidates: layouts that are begun for each.
+        candidates: numbers of the layouts that are begun for each; one is the same whatever others are.
         attempts: how often each is begun anew until it is valid.
         seeds: of each scene.
         device: a Warp device.
     """
-    jobs = [
-        Job(scene, np.broadcast_to(scene.room.home, (candidates, *scene.room.home.shape)), "sample", seed, walk=False)
-        for scene, seed in zip(scenes, seeds, strict=True)
-    ]
-    found = solve(jobs, "search", attempts, device, Monitor(candidates * len(jobs)), time.monotonic())
+    jobs = []
+    for scene, seed in zip(scenes, seeds, strict=True):
+        world = np.broadcast_to(scene.room.home, (len(candidates), *scene.room.home.shape))
+        jobs.append(Job(scene, world, "sample", seed, walk=False, first=candidates.start))
+    found = solve(jobs, "search", attempts, device, Monitor(len(candidates) * len(jobs)), time.monotonic())
     return [
         _inside(scene, Drawn(*(a[s.status == 0] for a in (s.poses, s.energy, s.relations))))
         for scene, s in zip(scenes, found, strict=True)
     ]
+
+
+def joined(first: Drawn, second: Drawn) -> Drawn:
+    """The layouts of two draws of one scene."""
+    pairs = zip(first.arrays, second.arrays, strict=True)
+    return Drawn(*(np.concatenate(pair) for pair in pairs))
 
 
 def _inside(scene: CompiledScene, drawn: Drawn) -> Drawn:
@@ -74,7 +85,7 @@ def _inside(scene: CompiledScene, drawn: Drawn) -> Drawn:
         for plan in room.footprints[i]:
             rings = _placed(plan[None], drawn.poses[:, i, None].astype(np.float64))
             good &= shapely.covers(walls, shapely.polygons(rings))
-    return Drawn(drawn.poses[good], drawn.energy[good], drawn.relations[good])
+    return Drawn(*(array[good] for array in drawn.arrays))
 
 
 def _placed(points: np.ndarray, pose: np.ndarray) -> np.ndarray:

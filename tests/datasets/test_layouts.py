@@ -180,6 +180,7 @@ def test_signatures_tell_cells_and_turns_apart():
     poses[3, free, 3] = poses[0, free, 3] + 2 * np.pi
     hashes = Signatures(scene).distinct(poses)
     assert hashes[0] == hashes[3] and len(set(hashes.tolist())) == 3
+    assert not len(Signatures(scene).distinct(poses[:0])) and not len(Signatures(scene).group(poses[:0]))
 
 
 def test_what_was_seen_counts_once():

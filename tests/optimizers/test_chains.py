@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from sceneweaver.layout.compile import CompiledScene, compile_scene
-from sceneweaver.layout.sampling import Sampler, first_layouts
+from sceneweaver.layout.sampling import Sampler, first_layouts, joined
 from sceneweaver.optimizers import chains as module
 from sceneweaver.scene import Pose, Room, Scene
 from sceneweaver.verify import check
@@ -91,6 +91,14 @@ def test_rugs_stay_inside_of_a_room_that_is_not_convex():
     rug = make("rug", 1).object("rug", pose=Pose.from_yaw(1.5, 1.0, 0.0, 0.0))
     assert rug.size[2] < 5e-4
     scene = Scene(id="rug", room=Room(outline=outline), objects=(rug,), relations=())
-    (found,) = first_layouts([compile_scene(scene)], 64, 4, [0], "cpu")
+    (found,) = first_layouts([compile_scene(scene)], range(64), 4, [0], "cpu")
     assert 0 < len(found.poses) < 64
     assert all(check(posed(scene, poses), walkable=False).valid for poses in found.poses)
+
+
+def test_a_first_layout_is_the_same_whatever_others_are():
+    scene = zoo("dining-round")
+    (whole,) = first_layouts([scene], range(6), 10, [4], "cpu")
+    parts = [first_layouts([scene], part, 10, [4], "cpu")[0] for part in (range(2), range(2, 6))]
+    assert len(whole.poses) == 6
+    np.testing.assert_array_equal(joined(*parts).poses, whole.poses)

@@ -15,7 +15,7 @@ import sceneweaver
 from sceneweaver.geometry.polygons import signed_area
 from sceneweaver.layout.compile import CompiledScene, compile_scene
 from sceneweaver.layout.devices import pick_devices
-from sceneweaver.layout.sampling import Drawn, first_layouts
+from sceneweaver.layout.sampling import Drawn, first_layouts, joined
 from sceneweaver.scene import Scene
 from sceneweaver.scene.files import temporary_folder
 
@@ -29,6 +29,9 @@ from .tables import Writers, row_groups, schema, tables
 
 ATTEMPTS = {"cpu": 4, "gpu": 20}
 """How often each of the first layouts is begun anew; attempts on a GPU are shorter."""
+
+PROBE = 12
+"""Layouts of a program that are searched on a CPU before all the others; one without a valid layout is given up."""
 
 LEAST_FIRST = 2
 """Valid layouts among the first ones that a program needs to be taken."""
@@ -159,7 +162,6 @@ def taken_programs(spec: Spec, block: Sequence[Request], device: str) -> tuple[d
     """The programs of a block by their room, and the last attempt at those that came to nothing."""
     taken: dict[int, Taken] = {}
     refused: dict[int, Program] = {}
-    kind = "cpu" if device == "cpu" else "gpu"
     for attempt in range(spec.rooms.attempts):
         left = [request for request in block if request.room not in taken]
         if not left:
@@ -168,7 +170,7 @@ def taken_programs(spec: Spec, block: Sequence[Request], device: str) -> tuple[d
         refused |= {p.request.room: p for p in programs if p.scene is None}
         good = [p for p in programs if p.scene is not None]
         scenes = [compile_scene(p.scene) for p in good if p.scene is not None]
-        first = first_layouts(scenes, spec.rooms.candidates, ATTEMPTS[kind], [p.seed for p in good], device)
+        first = _first(scenes, spec.rooms.candidates, [p.seed for p in good], device)
         for program, scene, layouts in zip(good, scenes, first, strict=True):
             if len(layouts.poses) < min(LEAST_FIRST, program.request.layouts):
                 reason = f"{len(layouts.poses)} of {spec.rooms.candidates} layouts are valid"
@@ -176,6 +178,19 @@ def taken_programs(spec: Spec, block: Sequence[Request], device: str) -> tuple[d
             else:
                 taken[program.request.room] = Taken(program, scene, layouts)
     return taken, refused
+
+
+def _first(scenes: Sequence[CompiledScene], candidates: int, seeds: Sequence[int], device: str) -> list[Drawn]:
+    """The first layouts of some programs; on a CPU the most are searched only where a few have led to a valid one."""
+    kind, probe = ("cpu", min(PROBE, candidates)) if device == "cpu" else ("gpu", candidates)
+    first = first_layouts(scenes, range(probe), ATTEMPTS[kind], seeds, device)
+    hopeful = [k for k, drawn in enumerate(first) if len(drawn.poses)]
+    if probe < candidates and hopeful:
+        chosen = [scenes[k] for k in hopeful], [seeds[k] for k in hopeful]
+        more = first_layouts(chosen[0], range(probe, candidates), ATTEMPTS[kind], chosen[1], device)
+        for k, drawn in zip(hopeful, more, strict=True):
+            first[k] = joined(first[k], drawn)
+    return first
 
 
 def _base(program: Program) -> dict[str, Any]:

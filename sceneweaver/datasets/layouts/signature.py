@@ -28,7 +28,7 @@ class Signatures:
         chosen = poses[:, self._objects]
         eighth = np.round(chosen[..., 3] / EIGHTH).astype(np.int64) % 8
         cells = np.floor(chosen[..., :2] / CELL).astype(np.int64)
-        return hashed(np.concatenate([cells.reshape(len(poses), -1), eighth], axis=1))
+        return hashed(np.concatenate([cells[..., 0], cells[..., 1], eighth], axis=1))
 
     def group(self, poses: np.ndarray) -> np.ndarray:
         """Hashes [K] of layouts: the wall and the eighth of a turn of the large pieces, see `layout.signatures`.
