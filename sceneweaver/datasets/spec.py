@@ -14,8 +14,6 @@ from sceneweaver.scene import InputError, read_bytes
 from sceneweaver.scene.base import FrozenModel
 from sceneweaver.scene.messages import suggest
 
-FORMAT = "sceneweaver.dataset/1"
-
 EXAMPLES = {path.stem: path for path in sorted((Path(__file__).parent / "examples").glob("*.yaml"))}
 """Specifications that ship with the library, by name."""
 
