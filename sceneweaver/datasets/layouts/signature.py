@@ -66,6 +66,6 @@ class Seen:
         inside = at < len(self._sorted)
         known[inside] = self._sorted[at[inside]] == values[inside]
         new = np.sort(first[~known])[:most]
-        taken = np.isin(first, new)
+        taken = ~known & (first <= (new[-1] if len(new) else -1))
         self._sorted = np.insert(self._sorted, at[taken], values[taken])
         return new
