@@ -30,6 +30,9 @@ SUNK = 0.05
 PUSHED, LIFTED = 0.15, 0.15
 """How far [m] a thing is pushed through a wall, or lifted off what it stands on."""
 
+PLAIN_PUSH = 0.06
+"""Least distance [m] by which a thing is pushed into another."""
+
 LEAST_MOVE, LEAST_TURN = 0.1, math.radians(25)
 """Distance [m] and angle [rad] from which a change is plain to see."""
 
@@ -195,6 +198,8 @@ class Changer:
                 if gap < 1e-3:
                     continue
                 step = (gap + min(SUNK, 0.4 * min(*body.size[:2], *other.size[:2]))) / gap
+                if gap * step < PLAIN_PUSH:
+                    continue
                 x, y, z = body.position
                 after = self._to(body, x + (x1 - x0) * step, y + (y1 - y0) * step, z, body.yaw)
                 yield Change("moved", body.id, after, "collision")
