@@ -6,7 +6,7 @@ Bodies have the names of their objects. Geoms of group 2 are what is seen, those
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -19,18 +19,16 @@ from sceneweaver.assets.placed import Load
 from sceneweaver.assets.room_looks import room_looks, wall_look
 from sceneweaver.assets.textures import maps
 from sceneweaver.assets.textures.relief import to_srgb
-from sceneweaver.geometry.hulls import hull_mesh
 from sceneweaver.physics import Model, build
-from sceneweaver.physics.hulls import Solid
-from sceneweaver.physics.model import ROOM, UNSET, mesh_stem
+from sceneweaver.physics.model import ROOM, UNSET, add_hulls, hull_name
 from sceneweaver.physics.things import RigidBody, Thing
 from sceneweaver.physics.xml import child
 from sceneweaver.scene import Room, Scene
 
-from .corners import indexed, texture_coordinates
 from .folder import write_folder
 from .images import file_stem, linear, png, tinted
 from .mjcf_clients import CLIENTS, sleeping_twin
+from .mjcf_meshes import Seen, hull_obj, mesh_elements, seen_obj, seen_of
 from .shared import SharedFiles
 
 _PIXELS = 256
@@ -93,7 +91,7 @@ def mjcf(
         if client is not None:
             CLIENTS[client](root)
 
-    return replace(build(scene, load, wardrobe, shape=wardrobe.shape, amend=amend), files=wardrobe.files)
+    return replace(build(scene, load, wardrobe, meshes=wardrobe.meshes, amend=amend), files=wardrobe.files)
 
 
 def _without_slashes(root: Xml.Element) -> None:
@@ -123,16 +121,13 @@ class _Wardrobe:
         self._textures: set[str] = set()
         self.files: dict[str, bytes] = {}
         self._materials: dict[Material, str] = {}
-        self._made: dict[tuple[str, int], list[tuple[str, Material]]] = {}
+        self._made: dict[str, Mapping[int, list[Seen]]] = {}
 
     def __call__(self, assets: Xml.Element, body: Xml.Element, thing: Thing, own: RigidBody) -> None:
         if thing.asset is None:
             return  # its collision parts are all there is to see
-        key = (thing.key, own.number)
-        if key not in self._made:
-            self._made[key] = self._add(assets, thing, own.number)
-        for k, (name, material) in enumerate(self._made[key]):
-            look = self._material(assets, material)
+        for k, (name, number) in enumerate(self._made[thing.key].get(own.number, ())):
+            look = self._material(assets, thing.asset.mesh.materials[number])
             seen = {"name": f"{own.name}:visual:{k}", "class": f"{ROOM}:visual"}
             child(body, "geom", seen, mesh=name, material=look)
 
@@ -154,44 +149,32 @@ class _Wardrobe:
                 if geom.get("rgba", "").endswith(" 1"):  # not a pane
                     geom.set("rgba", " ".join(f"{c:.4g}" for c in (*wall_look(room, k).color, 1)))
 
-    def shape(self, name: str, thing: Thing, solid: Solid) -> dict[str, str]:
-        """The hull of a collision part as a file, as some readers take no vertices."""
-        if self._shared is not None:
-            return {"file": self._shared.hull(thing.object.asset, solid, partial(_hull, solid))}
-        return {"file": self._file(f"meshes/{name}.obj", None, partial(_hull, solid))}
+    def meshes(self, assets: Xml.Element, thing: Thing) -> None:
+        """The meshes of a thing: one for each hull, and for each link and material that is seen."""
+        if thing.asset is None and self._shared is not None:
+            add_hulls(assets, thing)
+            return
+        if thing.asset is not None:
+            self._made[thing.key] = seen_of(thing)
+        if self._shared is not None and thing.asset is not None:
+            key = (thing.key, thing.welded, self._textured)
+            text = partial(mesh_elements, thing, self._textured)
+            child(assets, "include", file=self._shared.path(key, "xml", text, thing.asset.id))
+            return
+        for k, solid in enumerate(thing.solids):
+            if solid.box is None:
+                name = hull_name(thing, k)
+                file = self._file(f"meshes/{name}.obj", hull_obj(solid))
+                child(assets, "mesh", name=name, inertia="convex", file=file)
+        for link, found in self._made.get(thing.key, {}).items():
+            for name, number in found:
+                file = self._file(f"meshes/{name}.obj", seen_obj(thing, link, number, self._textured))
+                # Sheets and open pieces enclose no volume; as shells they have a frame all the same.
+                child(assets, "mesh", name=name, file=file, inertia="shell")
 
-    def _file(self, name: str, key: Hashable, make: Callable[[], bytes], asset: str | None = None) -> str:
-        """The path of a file of that name, or of a shared one of that key."""
-        if self._shared is not None:
-            return self._shared.path(key, name.rpartition(".")[2], make, asset)
-        self.files[name] = make()
+    def _file(self, name: str, content: bytes) -> str:
+        self.files[name] = content
         return name
-
-    def _add(self, assets: Xml.Element, thing: Thing, link: int) -> list[tuple[str, Material]]:
-        """One mesh for each material of a link."""
-        assert thing.asset is not None
-        mesh, face_body = thing.asset.mesh, thing.face_body
-        found = []
-        for number in np.unique(mesh.face_material[face_body == link]).tolist():
-            name = f"{mesh_stem(thing)}-{link}-{number}"
-            key = ("mjcf", thing.key, thing.welded, link, number, self._textured)
-            file = self._file(f"meshes/{name}.obj", key, partial(self._seen, thing, link, number), thing.object.asset)
-            # Sheets and open pieces enclose no volume; as shells they have a frame all the same.
-            child(assets, "mesh", name=name, file=file, inertia="shell")
-            found.append((name, mesh.materials[number]))
-        return found
-
-    def _seen(self, thing: Thing, link: int, number: int) -> bytes:
-        """The faces of a link that are of one material, as a file."""
-        assert thing.asset is not None
-        mesh = thing.asset.mesh
-        chosen = (thing.face_body == link) & (mesh.face_material == number)
-        used, packed = np.unique(mesh.faces[chosen], return_inverse=True)
-        places = None
-        if self._textured and maps(mesh.materials[number].texture) is not None:
-            uv = texture_coordinates(mesh)
-            places = None if uv is None else indexed(uv[chosen])
-        return _obj(mesh.vertices[used] * np.asarray(thing.scale), packed.reshape(-1, 3), places)
 
     def _material(self, assets: Xml.Element, material: Material, more: Mapping[str, str] | None = None) -> str:
         if material not in self._materials:
@@ -221,25 +204,11 @@ class _Wardrobe:
         name = file_stem(material.texture)
         if name not in self._textures:
             self._textures.add(name)
-            file = self._file(f"textures/{name}.png", name, lambda: png(found.tint, _PIXELS))
+            image = partial(png, found.tint, _PIXELS)
+            if self._shared is not None:
+                file = self._shared.path(name, "png", image)
+            else:
+                file = self._file(f"textures/{name}.png", image())
             child(assets, "texture", name=name, type="2d", file=file)
         color, _ = tinted(material, linear(material.color))
         return to_srgb(np.array(color)).tolist(), {"texture": name}
-
-
-def _hull(solid: Solid) -> bytes:
-    return _obj(*hull_mesh(solid.points), None)
-
-
-def _obj(points: np.ndarray, faces: np.ndarray, places: tuple[np.ndarray, np.ndarray] | None) -> bytes:
-    """Wavefront OBJ of triangles, with texture coordinates [N, 2] and which of them each corner has."""
-    text = _lines("v %.6g %.6g %.6g\n", points)
-    if places is None:
-        return (text + _lines("f %d %d %d\n", faces + 1)).encode()
-    corners = np.stack([faces, places[1].reshape(-1, 3)], axis=2) + 1
-    return (text + _lines("vt %.5g %.5g\n", places[0]) + _lines("f %d/%d %d/%d %d/%d\n", corners)).encode()
-
-
-def _lines(line: str, values: np.ndarray) -> str:
-    """A line for each row of an array."""
-    return line * len(values) % tuple(values.reshape(-1).tolist())

@@ -6,12 +6,10 @@ import json
 from collections.abc import Callable, Hashable
 from dataclasses import asdict
 from typing import Protocol
-from weakref import WeakKeyDictionary
 
 from sceneweaver.assets import Material
 from sceneweaver.assets.journal import Journal, journal_key
 from sceneweaver.assets.recent import Recent
-from sceneweaver.physics.hulls import Solid
 
 from .glb_mesh import PackedMesh, Primitive
 
@@ -44,7 +42,6 @@ class SharedFiles:
         self._store, self._used, self._journal = store, used, journal
         self._paths: Recent[Hashable, str] = Recent(16 * 2**20, lambda path: len(path) + 512)
         self._meshes: Recent[Hashable, tuple[PackedMesh, str]] = Recent(64 * 2**20, lambda kept: kept[0].nbytes)
-        self._hulls: WeakKeyDictionary[Solid, str] = WeakKeyDictionary()
 
     def path(self, key: Hashable, suffix: str, make: Callable[[], bytes], asset: str | None = None) -> str:
         """The path of a file of that key, perhaps of an asset."""
@@ -58,15 +55,6 @@ class SharedFiles:
         found = self._meshes.get(key, lambda: self._mesh(journal_key("mesh", key), make))
         self._used(asset, found[1])
         return found
-
-    def hull(self, asset: str | None, solid: Solid, make: Callable[[], bytes]) -> str:
-        """The path of the mesh of a collision part."""
-        if solid not in self._hulls:
-            key = journal_key("hull", solid.points.tobytes())
-            self._hulls[solid] = self._paths.get(key, lambda: self._path(key, "obj", make))
-        if asset is not None:
-            self._used(asset, self._hulls[solid])
-        return self._hulls[solid]
 
     def _path(self, key: bytes, suffix: str, make: Callable[[], bytes]) -> str:
         told = self._journal.get(key)

@@ -93,8 +93,8 @@ Dress = Callable[[Xml.Element, Xml.Element, Thing, RigidBody], None]
 """Adds what is seen of a thing's body: (assets, body, thing, which of its bodies)."""
 
 
-Shape = Callable[[str, Thing, Solid], dict[str, Any]]
-"""What a mesh element of a name says of the shape of a part of a thing: its vertices, or a file of them."""
+AddMeshes = Callable[[Xml.Element, Thing], None]
+"""Adds the meshes that geoms of a thing name, see `hull_name`: (assets, thing); once for all with equal bodies."""
 
 
 def build(
@@ -102,7 +102,7 @@ def build(
     load: Load | None = None,
     dress: Dress | None = None,
     *,
-    shape: Shape | None = None,
+    meshes: AddMeshes | None = None,
     loose: bool = True,
     amend: Callable[[Xml.Element], None] | None = None,
 ) -> Model:
@@ -112,7 +112,7 @@ def build(
         scene: The scene.
         load: From asset id to asset; None: the library of this user.
         dress: Adds visual meshes; None: only collision parts.
-        shape: Says what parts are that are no boxes; None: by their vertices.
+        meshes: Adds the meshes of parts that are no boxes; None: by their vertices.
         loose: Whether what lies in or on an object as part of it is a body of its own, as `things_of` says.
         amend: Changes the whole before it becomes text.
 
@@ -157,7 +157,7 @@ def build(
     _shell(world, scene.room)
     contact = child(root, "contact")
     covers = {k for k, _ in coverings(things)}
-    writer = _Bodies(world, assets, contact, dress, shape or _vertices)
+    writer = _Bodies(world, assets, contact, dress, meshes or add_hulls)
     for k, thing in enumerate(things):
         over = covers and thing.object.mount == "floor"
         writer.add(thing, "room:covering" if k in covers else "room:grounded" if over else ROOM)
@@ -266,13 +266,17 @@ class _Bodies:
     """Writes things: their bodies with collision parts, inertia and sites; each mesh once, however many use it."""
 
     def __init__(
-        self, world: Xml.Element, assets: Xml.Element, contact: Xml.Element, dress: Dress | None, shape: Shape
+        self, world: Xml.Element, assets: Xml.Element, contact: Xml.Element, dress: Dress | None, meshes: AddMeshes
     ) -> None:
-        self._world, self._assets, self._contact, self._dress, self._shape = world, assets, contact, dress, shape
-        self._meshes = set[str]()
+        self._world, self._assets, self._contact = world, assets, contact
+        self._dress, self._add_meshes = dress, meshes
+        self._meshed = set[str]()
 
     def add(self, thing: Thing, kind: str) -> None:
         """A thing, its geoms of the default class ``kind``."""
+        if thing.key not in self._meshed:
+            self._meshed.add(thing.key)
+            self._add_meshes(self._assets, thing)
         place = {"pos": thing.object.pose.position, "quat": wxyz(thing.object.pose.quaternion)}
         base, *moving = thing.bodies
         top = child(self._world, "body", {"name": base.name, **place, "childclass": kind})
@@ -320,15 +324,19 @@ class _Bodies:
         if solid.box is not None:
             child(frame, "geom", {"name": name, "type": "box", "pos": solid.box[0], "size": solid.box[1], **share})
             return
-        mesh = f"{mesh_stem(thing)}-hull-{k}"
-        if mesh not in self._meshes:
-            self._meshes.add(mesh)
-            child(self._assets, "mesh", {"name": mesh, "inertia": "convex", **self._shape(mesh, thing, solid)})
-        child(frame, "geom", {"name": name, "type": "mesh", "mesh": mesh, **share})
+        child(frame, "geom", {"name": name, "type": "mesh", "mesh": hull_name(thing, k), **share})
 
 
-def _vertices(_: str, __: Thing, solid: Solid) -> dict[str, Any]:
-    return {"vertex": solid.points.reshape(-1)}
+def hull_name(thing: Thing, number: int) -> str:
+    """The name of the mesh of a part of a thing that is no box."""
+    return f"{mesh_stem(thing)}-hull-{number}"
+
+
+def add_hulls(assets: Xml.Element, thing: Thing) -> None:
+    """The parts of a thing that are no boxes, as meshes by their vertices."""
+    for k, solid in enumerate(thing.solids):
+        if solid.box is None:
+            child(assets, "mesh", name=hull_name(thing, k), inertia="convex", vertex=solid.points.reshape(-1))
 
 
 def _inertial(frame: Xml.Element, body: RigidBody, masses: Sequence[float]) -> None:

@@ -1,0 +1,96 @@
+"""Meshes of an MJCF file: what is seen of a thing and the hulls of its parts, as OBJ files or as elements."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from sceneweaver.assets.textures import maps
+from sceneweaver.geometry.hulls import hull_mesh
+from sceneweaver.physics.hulls import Solid
+from sceneweaver.physics.model import hull_name, mesh_stem
+from sceneweaver.physics.things import Thing
+
+from .corners import indexed, texture_coordinates
+
+Seen = tuple[str, int]
+"""The name of a mesh, and the number of its material."""
+
+Arrays = tuple[np.ndarray, np.ndarray, tuple[np.ndarray, np.ndarray] | None]
+"""Points [V, 3], faces [F, 3], and texture coordinates [T, 2] with which of them each corner has [3 F]."""
+
+
+def seen_of(thing: Thing) -> Mapping[int, list[Seen]]:
+    """The meshes that are seen of a thing with an asset: one for each material, by the number of the body."""
+    assert thing.asset is not None
+    mesh, face_body = thing.asset.mesh, thing.face_body
+    return {
+        link: [
+            (f"{mesh_stem(thing)}-{link}-{number}", number)
+            for number in np.unique(mesh.face_material[face_body == link]).tolist()
+        ]
+        for link in np.unique(face_body).tolist()
+    }
+
+
+def hull_obj(solid: Solid) -> bytes:
+    """A collision part as Wavefront OBJ."""
+    return _obj(*hull_mesh(solid.points), None)
+
+
+def seen_obj(thing: Thing, link: int, number: int, textured: bool) -> bytes:
+    """What is seen of a body in the material of a number as Wavefront OBJ."""
+    return _obj(*_arrays(thing, link, number, textured))
+
+
+def mesh_elements(thing: Thing, textured: bool) -> bytes:
+    """All meshes of a thing as a file for ``include``: numbers in attributes, so that a thing is one file."""
+    lines = ["<mujoco>"]
+    for k, solid in enumerate(thing.solids):
+        if solid.box is None:
+            lines.append(f'<mesh name="{hull_name(thing, k)}" inertia="convex" vertex="{_row("%.6g", solid.points)}"/>')
+    for link, found in seen_of(thing).items():
+        for name, number in found:
+            points, faces, places = _arrays(thing, link, number, textured)
+            more = ""
+            if places is not None:  # one number for both: a vertex for each different corner
+                coordinates, index = places
+                pairs = np.column_stack([faces.reshape(-1), index])
+                corners, packed = np.unique(pairs, axis=0, return_inverse=True)
+                points, faces = points[corners[:, 0]], packed.reshape(-1, 3)
+                at = coordinates[corners[:, 1]] * (1.0, -1.0) + (0.0, 1.0)  # here v grows downward
+                more = f' texcoord="{_row("%.5g", at)}"'
+            shape = f'vertex="{_row("%.6g", points)}" face="{_row("%d", faces)}"'
+            lines.append(f'<mesh name="{name}" inertia="shell" {shape}{more}/>')
+    return ("\n".join([*lines, "</mujoco>"]) + "\n").encode()
+
+
+def _arrays(thing: Thing, link: int, number: int, textured: bool) -> Arrays:
+    assert thing.asset is not None
+    mesh = thing.asset.mesh
+    chosen = (thing.face_body == link) & (mesh.face_material == number)
+    used, packed = np.unique(mesh.faces[chosen], return_inverse=True)
+    places = None
+    if textured and maps(mesh.materials[number].texture) is not None:
+        uv = texture_coordinates(mesh)
+        places = None if uv is None else indexed(uv[chosen])
+    return mesh.vertices[used] * np.asarray(thing.scale), packed.reshape(-1, 3), places
+
+
+def _obj(points: np.ndarray, faces: np.ndarray, places: tuple[np.ndarray, np.ndarray] | None) -> bytes:
+    text = _lines("v %.6g %.6g %.6g\n", points)
+    if places is None:
+        return (text + _lines("f %d %d %d\n", faces + 1)).encode()
+    corners = np.stack([faces, places[1].reshape(-1, 3)], axis=2) + 1
+    return (text + _lines("vt %.5g %.5g\n", places[0]) + _lines("f %d/%d %d/%d %d/%d\n", corners)).encode()
+
+
+def _lines(line: str, values: np.ndarray) -> str:
+    """A line for each row of an array."""
+    return line * len(values) % tuple(values.reshape(-1).tolist())
+
+
+def _row(number: str, values: np.ndarray) -> str:
+    """All numbers of an array with blanks between."""
+    return _lines(f"{number} ", values.reshape(-1, 1)).rstrip()
