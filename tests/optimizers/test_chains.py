@@ -8,9 +8,13 @@ import pytest
 from sceneweaver.layout.compile import CompiledScene, compile_scene
 from sceneweaver.layout.sampling import Sampler, first_layouts, joined
 from sceneweaver.optimizers import chains as module
+from sceneweaver.optimizers import search, streams
+from sceneweaver.optimizers.launches import Launches
+from sceneweaver.optimizers.search import CPU, GPU
+from sceneweaver.optimizers.starts import new_run
 from sceneweaver.scene import Pose, Room, Scene
 from sceneweaver.verify import check
-from tests.optimizers.batches import zoo
+from tests.optimizers.batches import batch, zoo
 
 CHAINS, STEPS = 6, 4
 
@@ -102,3 +106,28 @@ def test_a_first_layout_is_the_same_whatever_others_are():
     parts = [first_layouts([scene], part, 10, [4], "cpu")[0] for part in (range(2), range(2, 6))]
     assert len(whole.poses) == 6
     np.testing.assert_array_equal(joined(*parts).poses, whole.poses)
+
+
+@pytest.mark.parametrize("effort", [CPU, GPU])
+def test_a_step_job_by_job_is_the_same_as_in_one_launch(effort):
+    plan, results = module.mixing_plan(effort), []
+    for in_one in (True, False):
+        what = batch(["bedroom-small"], 8, "cpu")
+        what.state.rng.assign(streams(5, np.arange(what.size)))
+        state, run, block = search.extend_state(what), new_run(what), Launches("cpu")
+        search.Rounds(what, state, plan, run, block, in_one)
+        for clock in range(plan.rounds):
+            run.clock.fill_(clock)
+            block.run()
+        results.append((what.state.poses.numpy(), run.total.numpy()))
+    for one, other in zip(*results, strict=True):
+        np.testing.assert_array_equal(one, other)
+
+
+def test_the_plan_of_a_gpu_leads_to_valid_layouts(monkeypatch):
+    monkeypatch.setattr(module, "CPU", GPU)
+    compiled = zoo("office-20")
+    (steps,) = walk([compiled], steps=2)
+    layouts = np.concatenate(steps)
+    assert len(layouts) >= CHAINS
+    assert all(check(posed(compiled.scene, poses), walkable=False).valid for poses in layouts)
