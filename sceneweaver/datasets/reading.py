@@ -6,7 +6,7 @@ A set that is packed is read from ``meta/`` and ``data/``; one that is still mad
 from __future__ import annotations
 
 import tarfile
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -96,8 +96,13 @@ def spans_of(path: Path, scenes: int) -> Iterator[Span]:
         yield Span(path, start, tuple(keys))
 
 
-def scenes_of(span: Span) -> Iterator[tuple[str, dict[str, bytes]]]:
-    """The key and the files (by suffix) of each scene of a span, one scene in memory at a time."""
+def scenes_of(span: Span, suffixes: Container[str] | None = None) -> Iterator[tuple[str, dict[str, bytes]]]:
+    """The key and the files (by suffix) of each scene of a span, one scene in memory at a time.
+
+    Args:
+        span: where they lie.
+        suffixes: which files are read; None: all. A scene without any of them is passed over.
+    """
     left, key, files = len(span.keys), "", {}
     with open(span.path, "rb") as file:
         file.seek(span.start)
@@ -109,8 +114,9 @@ def scenes_of(span: Span) -> Iterator[tuple[str, dict[str, bytes]]]:
                     files, left = {}, left - 1
                     if not left:
                         return
-                content = tar.extractfile(member)
-                key, files[suffix] = name, content.read() if content else b""
+                if suffixes is None or suffix in suffixes:
+                    content = tar.extractfile(member)
+                    key, files[suffix] = name, content.read() if content else b""
     if files:
         yield key, files
 

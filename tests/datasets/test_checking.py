@@ -24,6 +24,7 @@ from sceneweaver.datasets.engines.manifest import create
 from sceneweaver.datasets.files import fingerprint, pack
 from sceneweaver.datasets.files.checksums import write_checksums
 from sceneweaver.datasets.reading import rows_of, scenes_of, shards_of, spans_of
+from sceneweaver.datasets.statistics import statistics
 from sceneweaver.datasets.store.scene_files import SceneFiles, references
 from sceneweaver.scene import InputError, Pose, Room, Scene, Support
 from sceneweaver.verify import check
@@ -135,12 +136,14 @@ def _rehash(row, key: str, digest: str, size: int) -> None:
 
 
 def change_rows(root: Path, change: Callable[[dict], object]) -> None:
-    """Change the rows of the index, and write the checksums anew."""
+    """Change the rows of the index, and write statistics and checksums anew."""
     path = Folder(root).index
     rows = pq.read_table(path).to_pylist()
     for row in rows:
         change(row)
     pq.write_table(pa.Table.from_pylist(rows, schema=index_schema()), path)
+    numbers = statistics(rows_of(Folder(root)))
+    (root / "meta" / "statistics.json").write_text(json.dumps(numbers))
     write_checksums(Folder(root))
 
 
@@ -269,6 +272,13 @@ def test_rows_without_reason_licence_or_gate(root):
     change_rows(root, change)
     licences = {"00000000", "00000003"}
     assert faults(root) == {"index": {"00000006", "00000002"}, "licence": licences, "gate": {"00000001"}}
+
+
+def test_statistics_of_other_rows(root):
+    path = root / "meta" / "statistics.json"
+    path.write_text(json.dumps(json.loads(path.read_bytes()) | {"scenes": 7}))
+    write_checksums(Folder(root))
+    assert faults(root) == {"record": {"meta/statistics.json"}}
 
 
 def test_scenes_that_the_index_does_not_know_and_files_that_are_not_listed(root):

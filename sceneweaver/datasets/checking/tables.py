@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import json
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
@@ -11,11 +12,14 @@ from ..columns import arrow, index_schema
 from ..folder import Folder
 from ..reading import INDEX, Span
 from ..spec import Spec
+from ..statistics import statistics
 from ..store.content import DIGITS
 from .findings import Findings
 
 UNCHECKED = {"meta/seconds.parquet"}
 """Files that need no line in the list of checksums: no two runs agree on them."""
+
+_NEEDED = ("index", "key", "status", "reason", "split", "shard", "room", "content_hash", "bytes")
 
 _EXCLUSIVE = ("room", "near_duplicate_group", "content_hash")
 """Columns of which no value may be in two splits."""
@@ -120,14 +124,26 @@ def gates_failed(row: Mapping[str, Any], spec: Spec) -> Iterator[str]:
 
 
 def check_schema(folder: Folder, found: Findings) -> None:
-    """The columns of the index."""
-    arrow()
-    from pyarrow import parquet
-
-    there = {field.name: field.type for field in parquet.read_schema(folder.meta / INDEX)}
+    """The types of the columns of the index. Only those that all else needs have to be there: versions add some."""
+    there = {field.name: field.type for field in arrow().parquet.read_schema(folder.index)}
     for field in index_schema():
-        if there.get(field.name) != field.type:
+        if there.get(field.name, None if field.name in _NEEDED else field.type) != field.type:
             found.fault("index", INDEX, f"column {field.name} is {there.get(field.name)}, not {field.type}")
+
+
+def check_statistics(folder: Folder, rows: Iterable[Mapping[str, Any]], found: Findings) -> None:
+    """Whether the statistics are those of the rows."""
+    path = folder.meta / "statistics.json"
+    name = path.relative_to(folder.path).as_posix()
+    try:
+        said = json.loads(path.read_bytes())
+    except (OSError, ValueError) as error:
+        return found.fault("record", name, f"cannot be read: {error}")
+    measured = statistics(rows)
+    for key in measured.keys() | said.keys():
+        if measured.get(key) != said.get(key):
+            found.fault("record", name, f"{key} is not what the rows of the index give")
+    return None
 
 
 def check_spans(spans: Iterable[Span], shards: Mapping[str, str], found: Findings) -> None:

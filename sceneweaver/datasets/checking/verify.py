@@ -116,6 +116,7 @@ def verify_dataset(
     else:
         tables.check_schema(folder, found)
         tables.check_rows(rows_of(folder), spec, found, tables.asset_licences(folder))
+        tables.check_statistics(folder, rows_of(folder), found)
         work = _scenes(folder, spec, found, sample, stability)
     done = 0
     for result in results(chain(_digests(folder, found), work), workers):

@@ -137,6 +137,4 @@ def turned(point: Sequence[float], turn: int) -> tuple[float, float]:
 def _scene_texts(folder: Folder) -> Iterator[tuple[str, bytes]]:
     for shard in shards_of(folder):
         for span in spans_of(shard, _TOGETHER):
-            for key, files in scenes_of(span):
-                if "scene.json" in files:
-                    yield key, files["scene.json"]
+            yield from ((key, files["scene.json"]) for key, files in scenes_of(span, ("scene.json",)))

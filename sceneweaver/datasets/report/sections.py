@@ -57,7 +57,7 @@ def header(name: str, numbers: Mapping[str, Any], verification: Mapping[str, Any
         (f"{numbers['objects']:,}", "objects in programs" if layouts else "objects"),
         (_percent(numbers["served"]), "of requests served"),
         (f"{numbers['invalid']:,}", "of these not valid"),
-        (_percent(variety["near_duplicate_share"]), "near-duplicates"),
+        (_percent(variety["near_duplicate_share"]) if whole else "\u2013", "near-duplicates"),
         (f"{variety['categories']:,}", "categories"),
         (_size(numbers["bytes"]), f"of {noun}"),
     ]
