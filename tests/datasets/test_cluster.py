@@ -8,7 +8,7 @@ import pytest
 
 from sceneweaver.datasets.engines import Listener, Options, begin, open_dataset, resume
 from sceneweaver.scene import MissingDependencyError
-from tests.datasets import fake, torture
+from tests.datasets import fake
 from tests.datasets.test_engines import content, made, rows, spec_file
 
 
@@ -50,9 +50,3 @@ def test_a_cluster_that_loses_a_node_makes_the_same_bytes(tmp_path):
     for name in here:
         assert there[name].replace(b"worker killed", b"worker killed by signal 9") == here[name] or name.endswith("tar")
     assert open_dataset(tmp_path / "out").folder.complete.exists()
-
-
-@pytest.mark.slow
-def test_killed_again_and_again_it_ends_in_the_same_bytes(capsys):
-    assert torture.main(["--scenes", "200", "--kills", "20", "--others", "1,4,shards", "--easy"]) == 0
-    assert "killed: equal (20 kills" in capsys.readouterr().out

@@ -28,9 +28,8 @@ from sceneweaver.datasets.engines import (
 )
 from sceneweaver.datasets.engines.estimate import grown
 from sceneweaver.datasets.engines.locks import run_lock
-from sceneweaver.datasets.reading import rows_of
 from sceneweaver.scene import InputError, write_atomic
-from tests.datasets import fake, torture
+from tests.datasets import fake
 
 SPEC = """
 schema: sceneweaver.dataset/1
@@ -48,12 +47,12 @@ def spec_file(folder: Path, *prompts: str, more: str = "") -> Path:
     return path
 
 
-def made(source: Path, out: Path, **options: object) -> list[str]:
+def made(source: Path, out: Path, workers: int = 1, **options: object) -> list[str]:
     """Make a data set; what was noticed on the way."""
     notices: list[str] = []
     dataset = begin(source, out, "cpu")
     listener = Listener(lambda record: None, notices.append)
-    resume(dataset, Options(**options), listener, produce=fake.produce, pack=lambda dataset: None)
+    resume(dataset, Options(workers=workers, **options), listener, produce=fake.produce, pack=lambda dataset: None)
     return notices
 
 
@@ -68,47 +67,38 @@ def rows(out: Path) -> list[dict]:
     return [row for n in range(dataset.requests.blocks) for row in read_rows(dataset.folder.block(n))]
 
 
-def test_any_number_of_workers_and_shards_makes_the_same_bytes(tmp_path):
+def test_workers_and_shares_on_other_disks_make_the_same_bytes(tmp_path):
     source = spec_file(tmp_path, "a room", "a hopeless room", "b room")
     made(source, tmp_path / "one", workers=1)
     made(source, tmp_path / "two", workers=2)
-    for shard in ((2, 3), (0, 3), (1, 3)):
-        made(source, tmp_path / "shards", workers=1, shard=shard)
-    assert not (tmp_path / "shards" / "work" / "complete").exists()
-    made(source, tmp_path / "shards", workers=1)
+    for shard in ((0, 2), (1, 2)):
+        made(source, tmp_path / f"disk{shard[0]}", workers=1, shard=shard)
+    assert not (tmp_path / "disk0" / "work" / "complete").exists()
+    assert missing(merge([tmp_path / "disk0", tmp_path / "disk1"], tmp_path / "merged")) == []
+    made(source, tmp_path / "merged", workers=1)
     expected = content(tmp_path / "one")
-    assert content(tmp_path / "two") == expected == content(tmp_path / "shards")
+    assert content(tmp_path / "two") == expected == content(tmp_path / "merged")
     assert [row["status"] for row in rows(tmp_path / "one")] == ["ok", "rejected", "ok"] * 4
+    with pytest.raises(InputError, match="is whole: there is nothing to merge"):
+        merge([tmp_path / "one", tmp_path / "disk0"], tmp_path / "more")
 
 
-def test_rooms_that_crash_hang_or_raise_are_rows_and_the_others_are_served(tmp_path):
-    prompts = ["a room", "crash", "b room", "flaky", "hang", "fault"]
-    notices = made(spec_file(tmp_path, *prompts, more="time_limit: 0.5"), tmp_path / "out", workers=2)
-    found = {row["prompt"]: (row["status"], row.get("reason")) for row in rows(tmp_path / "out")[:6]}
-    assert found == {
-        "a room": ("ok", None),
-        "crash": ("failed", "worker killed by signal 9"),
-        "b room": ("ok", None),
-        "flaky": ("ok", None),
-        "hang": ("failed", "worker hung: no scene for too long"),
-        "fault": ("failed", "ValueError: no such wall"),
-    }
-    assert any("room 1: worker killed by signal 9; it has failed" in text for text in notices)
+def test_a_room_that_crashes_is_a_row_and_the_others_are_served(tmp_path):
+    notices = made(spec_file(tmp_path, "a room", "b room", "c room", "d room", "crash", "e room"), tmp_path / "out")
+    assert [row["status"] for row in rows(tmp_path / "out")] == 2 * ["ok", "ok", "ok", "ok", "failed", "ok"]
+    assert {row.get("reason") for row in rows(tmp_path / "out")} == {None, "worker killed by signal 9"}
+    assert "room 4: worker killed by signal 9; it has failed" in notices
 
 
-def test_a_block_made_room_by_room_is_the_block_made_at_once(tmp_path):
-    source = spec_file(tmp_path, "a room", "flaky", "a hopeless room", "b room")
-    made(source, tmp_path / "out", workers=1)
-    for n in range(6):
-        (tmp_path / "out" / "work" / f"trouble-{n}").touch()
-    made(source, tmp_path / "out", workers=1)
-    calm = tmp_path / "calm"
-    (calm / "work").mkdir(parents=True)
-    before = content(tmp_path / "out")
-    assert b"flaky" in before["work/blocks/00000/00000000/rows.jsonl"]
-    made(spec_file(tmp_path / "b", "a room", "flakx", "a hopeless room", "b room"), tmp_path / "other", workers=1)
-    changed = content(tmp_path / "other")["work/blocks/00000/00000000/rows.jsonl"].replace(b"flakx", b"flaky")
-    assert changed == before["work/blocks/00000/00000000/rows.jsonl"]
+def test_state_and_records_of_a_run_whose_workers_take_too_much_memory(tmp_path):
+    made(spec_file(tmp_path, "a room", "hopeless"), tmp_path / "out", workers=1, shard=(1, 3), memory=1)
+    found = status(open_dataset(tmp_path / "out"))
+    assert (found.blocks, found.made, found.whole, found.running) == (6, 2, False, True)
+    assert found.rows == {"ok": 2, "rejected": 2, "failed": 0} and found.reasons == {"gate grade": 2}
+    assert found.seconds_left == pytest.approx(8 / found.rate)
+    records = read_records(open_dataset(tmp_path / "out").folder)
+    assert [record["block"] for record in records] == [1, 4] and len({record["pid"] for record in records}) == 2
+    assert all(r["start"] <= r["end"] and 10**7 < r["rss"] <= r["peak_rss"] * 1.01 and r["ok"] == 1 for r in records)
 
 
 def test_a_full_disk_is_waited_for(tmp_path, monkeypatch):
@@ -169,14 +159,6 @@ def test_places_that_will_not_do_are_one_line(tmp_path, place):
         open_dataset(tmp_path / "full")
 
 
-def test_the_state_of_a_run_and_why_scenes_are_missing(tmp_path):
-    made(spec_file(tmp_path, "a room", "hopeless"), tmp_path / "out", workers=1, shard=(1, 3))
-    found = status(open_dataset(tmp_path / "out"))
-    assert (found.blocks, found.made, found.whole, found.running) == (6, 2, False, True)
-    assert found.rows == {"ok": 2, "rejected": 2, "failed": 0} and found.reasons == {"gate grade": 2}
-    assert found.seconds_left == pytest.approx(8 / found.rate)
-
-
 def test_a_plan_is_for_the_whole_from_a_sample(tmp_path):
     source = spec_file(tmp_path, "a room", "hopeless")
     source.write_text(source.read_text().replace("12", "1000"))
@@ -198,27 +180,14 @@ def test_one_run_at_a_time_or_several_of_different_shards(tmp_path):
         pass
 
 
-def test_records_say_who_made_a_block_and_with_how_much_memory(tmp_path):
-    made(spec_file(tmp_path), tmp_path / "out", workers=1)
-    records = read_records(open_dataset(tmp_path / "out").folder)
-    assert sorted(record["block"] for record in records) == list(range(6))
-    assert all(r["start"] <= r["end"] and 10**7 < r["rss"] <= r["peak_rss"] and r["ok"] == 2 for r in records)
-
-
-def test_a_worker_with_too_much_memory_is_replaced(tmp_path):
-    made(spec_file(tmp_path), tmp_path / "out", workers=1, memory=1)
-    assert len({record["pid"] for record in read_records(open_dataset(tmp_path / "out").folder)}) == 6
-
-
 RUN = """
 import sys
 from pathlib import Path
 from sceneweaver.datasets.engines import Listener, Options, begin, resume
-from sceneweaver.datasets.reading import rows_of
-from tests.datasets import fake, torture
+from tests.datasets import fake
 if __name__ == "__main__":
     dataset = begin(Path(sys.argv[1]), Path(sys.argv[2]), "cpu")
-    resume(dataset, Options(workers=2), Listener(lambda r: None, print), produce=fake.produce,
+    resume(dataset, Options(workers=1), Listener(lambda r: None, print), produce=fake.produce,
         pack=lambda dataset: None)
 """
 
@@ -236,38 +205,7 @@ def test_a_killed_run_goes_on_to_the_same_bytes(tmp_path):
     os.killpg(process.pid, signal.SIGKILL)
     process.wait()
     assert 0 < len(missing(open_dataset(tmp_path / "out"))) < 6
-    made(source, tmp_path / "out", workers=2)
+    made(source, tmp_path / "out", workers=1)
     made(source, tmp_path / "unbroken", workers=1)
     assert content(tmp_path / "out") == content(tmp_path / "unbroken")
     assert json.loads((tmp_path / "out" / "dataset.json").read_text())["device"] == "cpu"
-
-
-def test_shares_that_were_made_apart_are_one_data_set(tmp_path):
-    source = spec_file(tmp_path, "a room", "b room")
-    for shard in ((0, 2), (1, 2)):
-        made(source, tmp_path / f"disk{shard[0]}", workers=1, shard=shard)
-    dataset = merge([tmp_path / "disk0", tmp_path / "disk1"], tmp_path / "out")
-    assert missing(dataset) == []
-    made(source, tmp_path / "out", workers=1)
-    made(source, tmp_path / "one", workers=1)
-    assert content(tmp_path / "out") == content(tmp_path / "one")
-    with pytest.raises(InputError, match="is whole: there is nothing to merge"):
-        merge([tmp_path / "one", tmp_path / "disk0"], tmp_path / "more")
-
-
-def test_whole_data_sets_are_joined_with_new_numbers_and_their_names(tmp_path):
-    for name, count in (("first", 5), ("second", 3)):
-        source = spec_file(tmp_path / f"{name}-spec")
-        source.write_text(source.read_text().replace("tiny", name).replace("12", str(count)))
-        dataset = begin(source, tmp_path / name, "cpu")
-        resume(dataset, Options(workers=1), Listener(print, print), produce=torture.fake)
-    parts = [tmp_path / "first", tmp_path / "second"]
-    joined = merge(parts, tmp_path / "both")
-    resume(merge(parts, tmp_path / "both"), Options(workers=1), Listener(print, print))
-    found = list(rows_of(joined.folder))
-    assert [(row["index"], row["room"], row["source"]) for row in found] == [
-        *((n, n, "first") for n in range(5)),
-        *((n, n, "second") for n in range(5, 8)),
-    ]
-    hashes = [row["content_hash"] for part in parts for row in rows_of(open_dataset(part).folder)]
-    assert [row["content_hash"] for row in found] == hashes
