@@ -170,7 +170,8 @@ def reduce(solids: Sequence[Solid], parts: Sequence[Part], most: int, rooms: Seq
     import heapq
 
     live: dict[int, Solid] = dict(enumerate(solids))
-    homes = {k: _homes(solid.points, parts) for k, solid in live.items()}
+    prisms = [_Home(part) for part in parts]
+    homes = {k: _homes(solid.points, prisms) for k, solid in live.items()}
     bounds = {k: np.stack([solid.points.min(axis=0), solid.points.max(axis=0)]) for k, solid in live.items()}
     spans = np.array([[solid.points.min(axis=0), solid.points.max(axis=0)] for solid in solids])
     links = np.array([solid.link for solid in solids])
@@ -231,7 +232,7 @@ def squared(solids: Sequence[Solid], parts: Sequence[Part]) -> list[Solid]:
     A box stays in a prism that holds the part, a little narrower than the part where need be, and out of what parts of
     other links stay out of. It is as high as the part and stands on the same level.
     """
-    found = list(solids)
+    found, prisms = list(solids), [_Home(part) for part in parts]
     for k, solid in enumerate(solids):
         low, high = solid.points.min(axis=0), solid.points.max(axis=0)
         if solid.box is not None or solid.volume < _NEARLY * float(np.prod(high - low)):
@@ -241,7 +242,7 @@ def squared(solids: Sequence[Solid], parts: Sequence[Part]) -> list[Solid]:
             if (1 - share) * half[:2].max() > _NARROWED:
                 break
             corners = middle + _CORNERS * half * [share, share, 1.0]
-            if _homes(corners, parts):
+            if _homes(corners, prisms):
                 box = _solid(corners, solid.link, solid.handle)
                 if not any(s.link != solid.link and _reaches(box, s) and not _reaches(solid, s) for s in found):
                     found[k] = box
@@ -306,18 +307,28 @@ def _reaches(one: Solid, two: Solid) -> bool:
     return True
 
 
-def _homes(points: np.ndarray, parts: Sequence[Part]) -> frozenset[int]:
-    """The prisms that contain all points."""
-    found = []
-    for k, part in enumerate(parts):
+class _Home:
+    """A prism that parts may lie in: the outward normals [2, E] of its sides with their offsets, and its heights."""
+
+    def __init__(self, part: Part):
         plan = np.asarray(part.polygon, dtype=float)
         edge = np.roll(plan, -1, axis=0) - plan
         normal = np.stack([edge[:, 1], -edge[:, 0]], axis=1)
         normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-12)
-        beyond = (points[:, :2] @ normal.T - (normal * plan).sum(axis=1)).max()
-        if max(beyond, part.z[0] - points[:, 2].min(), points[:, 2].max() - part.z[1]) <= _SLACK:
-            found.append(k)
-    return frozenset(found)
+        self.normals, self.offsets = normal.T, (normal * plan).sum(axis=1)
+        self.low, self.high = part.z
+
+    def holds(self, plan: np.ndarray, low: float, high: float) -> bool:
+        """Whether points [N, 2] between two heights lie in it."""
+        if max(self.low - low, high - self.high) > _SLACK:
+            return False
+        return bool((plan @ self.normals - self.offsets).max() <= _SLACK)
+
+
+def _homes(points: np.ndarray, prisms: Sequence[_Home]) -> frozenset[int]:
+    """Which prisms contain all points."""
+    plan, low, high = points[:, :2], float(points[:, 2].min()), float(points[:, 2].max())
+    return frozenset(k for k, prism in enumerate(prisms) if prism.holds(plan, low, high))
 
 
 def _solid(points: np.ndarray, link: int, handle: bool = False) -> Solid:
