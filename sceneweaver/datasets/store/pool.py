@@ -25,6 +25,9 @@ HEIGHTS = ((math.inf, 0.02),)
 HUNG = ((0.4, 0.02), (math.inf, 0.1))
 """Steps of all extents of what hangs on a wall."""
 
+NARROW = 4
+"""Steps that the usual range of an extent has at least."""
+
 MEMORY = 384 * 2**20
 """Drawings that a process keeps [bytes]."""
 
@@ -33,6 +36,9 @@ FITTED = frozenset(("curtain", "sheer_curtain", "window_blind"))
 
 
 Size = tuple[float | None, float | None, float | None]
+Range = tuple[float, float]
+Grid = Sequence[Range]
+"""Steps [m], each up to an extent [m]."""
 
 
 class PooledSource(ParametricSource):
@@ -78,17 +84,20 @@ def _is_fitted(category: str, wish: Wish) -> bool:
 
 
 def _snapped(category: str, size: Size) -> Size:
-    depth, width, height = size
-    if categories()[category].mount[0] == "wall":
-        return _floor(depth, HUNG), _floor(width, HUNG), _floor(height, HUNG)
-    return _floor(depth, GRID), _floor(width, GRID), _floor(height, HEIGHTS)
+    known = categories()[category]
+    grids = (HUNG, HUNG, HUNG) if known.mount[0] == "wall" else (GRID, GRID, HEIGHTS)
+    ranges = known.size.ranges if known.size is not None else ((0.0, math.inf),) * 3
+    depth, width, height = (_floor(*row) for row in zip(size, grids, ranges, strict=True))
+    return depth, width, height
 
 
-def _floor(extent: float | None, grid: Sequence[tuple[float, float]]) -> float | None:
-    """The next lower multiple of a step; thin things stay as they are."""
+def _floor(extent: float | None, grid: Grid, usual: Range) -> float | None:
+    """The next lower multiple of a step, of the finest one where the usual range is narrow; thin things stay."""
     if extent is None:
         return None
     step = next(step for most, step in grid if extent < most)
+    if usual[1] - usual[0] < NARROW * step:
+        step = grid[0][1]
     return extent if extent < 5 * step else round(math.floor(extent / step + 1e-6) * step, 3)
 
 
