@@ -176,9 +176,9 @@ def test_a_byte_of_a_shard(root):
 
 
 def test_an_asset_that_is_missing_and_one_that_is_another(root):
-    first, second = sorted((root / "assets").glob("??/*.obj"))[:2]
+    first, second = sorted((root / "assets").glob("??/*.xml"))[:2]
     first.unlink()
-    second.write_bytes(second.read_bytes() + b"# more\n")
+    second.write_bytes(second.read_bytes() + b"<!-- more -->\n")
     found = faults(root)
     assert found["checksum"] == {p.relative_to(root).as_posix() for p in (first, second)}
     assert found["asset"] and found["compile"]

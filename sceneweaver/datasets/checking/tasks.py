@@ -6,6 +6,7 @@ import multiprocessing
 import os
 from collections.abc import Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
@@ -78,11 +79,22 @@ class Scenes:
 
 
 def results(tasks: Iterable[Task], workers: int) -> Iterator[Findings]:
-    """What tasks find, as they end; no more than two a worker wait at a time."""
+    """What tasks find, as they end; no more than two a worker wait at a time.
+
+    Raises:
+        InputError: a process was killed, as where memory runs out.
+    """
     if workers <= 1:
         yield from (task.run() for task in tasks)
         return
     os.environ.setdefault("OMP_NUM_THREADS", "1")  # for the processes to come: each has one core
+    try:
+        yield from _shared_out(tasks, workers)
+    except BrokenProcessPool:
+        raise InputError("a process that judges was killed; is there memory for so many? use fewer --workers") from None
+
+
+def _shared_out(tasks: Iterable[Task], workers: int) -> Iterator[Findings]:
     context = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(workers, mp_context=context) as pool:
         waiting: set[Future[Findings]] = set()
