@@ -9,6 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from sceneweaver.assets import Library
 from sceneweaver.brief import SceneGraph, read_request
 from sceneweaver.critic import Review
 from sceneweaver.export import formats_named
@@ -64,6 +65,7 @@ def design(
     said: Callable[[Step], None] | None = None,
     began: float | None = None,
     stop: Stop | None = None,
+    library: Library | None = None,
     **switches: Any,
 ) -> Result:
     """Design a room from a request in words.
@@ -86,6 +88,7 @@ def design(
         said: called with each step as it ends.
         began: when the time began to run, by ``time.monotonic()``; None: now.
         stop: asks it to end before, with what is best then.
+        library: where assets come from; None: the library of this user.
         switches: other fields of `Settings`, such as ``reflect=False``.
 
     Raises:
@@ -118,7 +121,7 @@ def design(
     room_type, remarks = chosen_room(brief)
     folder = RunFolder(Path(out)) if out is not None else None
     tools = {name: tool for name, tool in registered().items() if usable(name, tool, settings, room_type)}
-    run = Run(brief, room_type, settings, tools, RulesPlanner(), folder=folder, said=said)
+    run = Run(brief, room_type, settings, tools, RulesPlanner(), library or Library(), folder=folder, said=said)
     limit = Deadline(began + (settings.seconds or math.inf), stop=stop or Stop())
     if folder is None:
         run.deadline = limit

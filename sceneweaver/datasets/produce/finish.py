@@ -9,6 +9,7 @@ from sceneweaver.agent.design import design
 from sceneweaver.agent.executor import Outcome
 from sceneweaver.agent.lived_in import lived_in
 from sceneweaver.agent.openability import opened
+from sceneweaver.assets import Library
 
 from ..requests import Request
 from ..spec import Gates, Spec
@@ -56,7 +57,7 @@ def finished(draft: Draft, layout: Outcome, seed: int, gates: Gates) -> Finished
     return _gated(outcome, draft.seed, (*draft.proposal.unmet, *outcome.unmet), gates)
 
 
-def designed(spec: Spec, request: Request, seed: int, device: str) -> Finished:
+def designed(spec: Spec, request: Request, seed: int, library: Library, device: str) -> Finished:
     """The scene that the agent makes of a request when it may reflect: slower by far, and seldom in vain."""
     made = design(
         request.prompt,
@@ -65,6 +66,7 @@ def designed(spec: Spec, request: Request, seed: int, device: str) -> Finished:
         clutter=request.clutter,
         device=device,
         time_limit=None,
+        library=library,
     )
     return _gated(Outcome(made.scene, made.report, made.review), seed, made.unmet, spec.gates)
 

@@ -161,7 +161,7 @@ def _made(
         return finished(room.draft, first, (room.draft.seed + aside) % 2**32, spec.gates)
     seed = (request.attempt(attempt) + aside) % 2**32
     if attempt >= FULL:
-        return designed(spec, request, seed, device)
+        return designed(spec, request, seed, library, device)
     draft = drafted(spec, request, seed, library, device)
     outcome = draft.executor.run(draft.context.scene, draft.proposal, seed)
     return finished(draft, outcome, seed, spec.gates)
