@@ -36,7 +36,7 @@ def ray_module():
         MissingDependencyError: when it is not installed.
     """
     os.environ["RAY_USAGE_STATS_ENABLED"] = "0"
-    os.environ.setdefault("RAY_ACCEL_ENV_VAR_OVERRIDE_ON_ZERO", "0")
+    os.environ.setdefault("RAY_ACCEL_ENV_VAR_OVERRIDE_ON_ZERO", "0")  # tasks without a GPU say nothing about it
     try:
         import ray
     except ModuleNotFoundError:
