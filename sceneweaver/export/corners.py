@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import hashlib
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from sceneweaver.assets import Material, Mesh
+from sceneweaver.assets.recent import Recent
 from sceneweaver.assets.textures import maps, uv_of
 
 _CREASE = math.radians(40)  # edges at most this sharp are shaded round
@@ -72,10 +75,8 @@ def _surface(
     # Whole repeats more or less show the same: coordinates stay near 0, where floats are fine.
     uv = uv - np.floor(uv.reshape(-1, 2).min(axis=0))
     along, side = _tangents(points[faces], uv)
-    steps = np.rint(uv / _UV_STEP).astype(np.int64)
-    rows = np.stack([corner.ravel(), *steps.reshape(-1, 2).T, np.repeat(side, 3)], 1)
-    _, first, packed = np.unique(rows, axis=0, return_index=True, return_inverse=True)
-    packed = packed.reshape(-1)
+    steps = np.rint(uv / _UV_STEP).astype(np.int64).reshape(-1, 2)
+    first, packed = first_of_each([corner.ravel(), *steps.T, np.repeat(side > 0, 3)])
     normal = normals[index.ravel()[first]]
     total = np.stack([np.bincount(packed, np.repeat(along[:, k], 3), len(first)) for k in range(3)], 1)
     total -= (total * normal).sum(1, keepdims=True) * normal
@@ -94,6 +95,22 @@ def _surface(
     )
 
 
+def first_of_each(columns: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    """Of rows of integers from 0, by columns [N]: where each different row stands first, and which of them each is.
+
+    They are in the order of their numbers, the first column before the others.
+    """
+    spans = [int(column.max(initial=0)) + 1 for column in columns]
+    if math.prod(spans) < 2**63:  # one number for each row: sorted many times quicker
+        rows = np.zeros(len(columns[0]), dtype=np.int64)
+        for column, span in zip(columns, spans, strict=True):
+            rows = rows * span + column
+        _, first, packed = np.unique(rows, return_index=True, return_inverse=True)
+    else:
+        _, first, packed = np.unique(np.stack(columns, 1), axis=0, return_index=True, return_inverse=True)
+    return first, packed.reshape(-1)
+
+
 def _tangents(corners: np.ndarray, uv: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """The way of u on each face, unit [F, 3], and 1 or -1 for the side on which v is [F]."""
     e1, e2 = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
@@ -110,6 +127,16 @@ def corner_normals(points: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, n
     Corners at one vertex share a normal where the edges between their faces are flat or rounded, so that a turned leg
     is round and a box keeps its edges.
     """
+    key = hashlib.blake2b(np.ascontiguousarray(points).tobytes(), digest_size=16)
+    key.update(np.ascontiguousarray(faces).tobytes())
+    return _NORMALS.get(key.digest(), lambda: _corner_normals(points, faces))
+
+
+_NORMALS: Recent[bytes, tuple[np.ndarray, np.ndarray]] = Recent(32 * 2**20, lambda found: sum(a.nbytes for a in found))
+"""Normals by content: furniture of one shape has the same in every finish."""
+
+
+def _corner_normals(points: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     from scipy.sparse import coo_matrix
     from scipy.sparse.csgraph import connected_components
 

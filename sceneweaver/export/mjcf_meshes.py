@@ -12,7 +12,7 @@ from sceneweaver.physics.hulls import Solid
 from sceneweaver.physics.model import hull_name, mesh_stem
 from sceneweaver.physics.things import Thing
 
-from .corners import indexed, texture_coordinates
+from .corners import first_of_each, indexed, texture_coordinates
 
 Seen = tuple[str, int]
 """The name of a mesh, and the number of its material."""
@@ -56,10 +56,9 @@ def mesh_elements(thing: Thing, textured: bool) -> bytes:
             more = ""
             if places is not None:  # one number for both: a vertex for each different corner
                 coordinates, index = places
-                pairs = np.column_stack([faces.reshape(-1), index])
-                corners, packed = np.unique(pairs, axis=0, return_inverse=True)
-                points, faces = points[corners[:, 0]], packed.reshape(-1, 3)
-                at = coordinates[corners[:, 1]] * (1.0, -1.0) + (0.0, 1.0)  # here v grows downward
+                first, packed = first_of_each([faces.reshape(-1), index])
+                points, faces = points[faces.reshape(-1)[first]], packed.reshape(-1, 3)
+                at = coordinates[index[first]] * (1.0, -1.0) + (0.0, 1.0)  # here v grows downward
                 more = f' texcoord="{_row("%.5g", at)}"'
             shape = f'vertex="{_row("%.6g", points)}" face="{_row("%d", faces)}"'
             lines.append(f'<mesh name="{name}" inertia="shell" {shape}{more}/>')
