@@ -26,7 +26,7 @@ from .verdict import add_verdict, new_device_verdict
 MODULES = ("chains", "bookkeeping", "verdict")
 MIXING = 1.0  # moves of each movable object in a step; half of it costs less, and leaves steps more alike
 ROUNDS = 2  # in which what a step broke is mended
-TEMPERATURE = 0.02  # [m]
+TEMPERATURE = 0.002  # [m]
 
 
 def mixing_plan(effort: Effort) -> Plan:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from sceneweaver.optimizers import OPTIMIZERS, Monitor, load_poses, streams
 from sceneweaver.optimizers.chains import MODULES, Chains, Step
 
 from .batch import make_batch, stacked
-from .compile import CompiledScene
+from .compile import CompiledScene, LayoutProblem
 from .engine import solve
 from .job import Job
 from .pack import MARGINS
@@ -21,6 +21,7 @@ from .pools import surface_pools
 from .surfaces import surfaces_hold
 
 CHAIN_SALT = 0xC4A1
+SOFT = 0.1  # of their weight is what soft relations have in chains, so that no step breaks a hard one for their sake
 
 
 @dataclass(frozen=True)
@@ -65,6 +66,12 @@ def joined(first: Drawn, second: Drawn) -> Drawn:
     """The layouts of two draws of one scene."""
     pairs = zip(first.arrays, second.arrays, strict=True)
     return Drawn(*(np.concatenate(pair) for pair in pairs))
+
+
+def _eased(problem: LayoutProblem) -> LayoutProblem:
+    """A problem whose soft relations weigh less."""
+    lighter = [rel if rel.fault else replace(rel, weight=SOFT * rel.weight) for rel in problem.relations]
+    return replace(problem, relations=lighter)
 
 
 def _inside(scene: CompiledScene, drawn: Drawn) -> Drawn:
@@ -123,7 +130,7 @@ class Sampler:
         load(device, *MODULES, *OPTIMIZERS["search"].modules_on(device))
         jobs = [Job(scene, poses, "given", seed) for scene, poses, seed in zip(scenes, first, seeds, strict=True)]
         which = np.repeat(np.arange(len(scenes)), chains)
-        self._batch = make_batch([s.room for s in scenes], which, device, surface_pools(jobs, device, None))
+        self._batch = make_batch([_eased(s.room) for s in scenes], which, device, surface_pools(jobs, device, None))
         begin = [poses[np.arange(chains) % len(poses)] for poses in first]
         load_poses(self._batch, stacked(begin, max(self._batch.objects, 1)))
         numbers = [streams(seed ^ CHAIN_SALT, np.arange(chains)) for seed in seeds]
