@@ -63,6 +63,7 @@ def run_design(
     with no_chatter(), stoppable() as stop:
         from sceneweaver.agent import design
 
+        some: dict[str, Any] = {} if clutter is None else {"clutter": clutter}
         result = design(
             prompt,
             seed=seed,
@@ -78,7 +79,7 @@ def run_design(
             said=None if as_json else _say,
             began=began,
             stop=stop,
-            **({} if clutter is None else {"clutter": clutter}),
+            **some,
         )
     code = 0 if result.satisfied else NOT_VALID
     if as_json:

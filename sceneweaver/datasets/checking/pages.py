@@ -53,5 +53,10 @@ def markdown(data: Mapping[str, Any]) -> str:
             lines += [f"| {row['key']} | {row['object']} | {row['shift_m']:.3f} |" for row in moved["farthest"]]
     if data["first"]:
         lines += ["", "## First faults", "", "| key | check | what |", "| --- | --- | --- |"]
-        lines += [f"| {f['key']} | {f['check']} | {f['detail'].replace('|', '/')} |" for f in data["first"]]
+        lines += [f"| {f['key']} | {f['check']} | {_cell(f['detail'])} |" for f in data["first"]]
     return "\n".join(lines) + "\n"
+
+
+def _cell(text: str) -> str:
+    """A text as a cell of a table."""
+    return text.replace("|", "/")
