@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sceneweaver.agent.executor import _without
+from sceneweaver.agent.executor import remaining
 from sceneweaver.scene import Relation, Room, Scene, SceneObject
 
 
@@ -15,4 +15,4 @@ def test_walls_of_a_variant_stay():
     pinned = Relation(type="against_wall", subject="a", target="wall:2")
     beside = Relation(type="run_on", subject="b", target="a")
     scene = Scene(id="s", room=room, objects=(box("a"),))
-    assert _without(scene, [(pinned, beside)]) == [(pinned,)]
+    assert remaining(scene, [(pinned, beside)]) == [(pinned,)]
