@@ -11,11 +11,11 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
+from scipy.cluster.hierarchy import DisjointSet
 from scipy.optimize import linear_sum_assignment
 from scipy.spatial import KDTree
 
 from .fingerprint import Layout
-from .union_find import UnionFind
 
 APART, TURNED = 0.10, math.radians(15.0)
 """How far two things of a pair may be apart [m] and turned against each other [rad]."""
@@ -49,7 +49,7 @@ def near_duplicates(a: Layout, b: Layout) -> bool:
     return False
 
 
-def join_near_duplicates(sets: UnionFind, layouts: Sequence[tuple[int, str, Layout]]) -> None:
+def join_near_duplicates(sets: DisjointSet, layouts: Sequence[tuple[int, str, Layout]]) -> None:
     """Join the scenes that are near-duplicates, and those that hang together by others that are.
 
     Args:
@@ -60,7 +60,7 @@ def join_near_duplicates(sets: UnionFind, layouts: Sequence[tuple[int, str, Layo
     kinds: dict[tuple[str, ...], list[tuple[int, Layout]]] = {}
     for number, signature, layout in layouts:
         if signature in first:  # in the same cells of 5 cm and 15 degrees
-            sets.join(first[signature], number)
+            sets.merge(first[signature], number)
         else:
             first[signature] = number
             kinds.setdefault(layout.categories, []).append((number, layout))
@@ -68,7 +68,15 @@ def join_near_duplicates(sets: UnionFind, layouts: Sequence[tuple[int, str, Layo
         _join_neighbours(sets, same)
 
 
-def _join_neighbours(sets: UnionFind, layouts: Sequence[tuple[int, Layout]]) -> None:
+def smallest(sets: DisjointSet) -> np.ndarray:
+    """The smallest number of the set of each of the numbers 0 to N - 1, shape [N]."""
+    names = np.empty(len(sets), dtype=np.int64)
+    for members in sets.subsets():
+        names[list(members)] = min(members)
+    return names
+
+
+def _join_neighbours(sets: DisjointSet, layouts: Sequence[tuple[int, Layout]]) -> None:
     """Join near-duplicates among layouts with the same categories; only near embeddings are compared."""
     if len(layouts) < 2:
         return
@@ -81,5 +89,5 @@ def _join_neighbours(sets: UnionFind, layouts: Sequence[tuple[int, Layout]]) -> 
         for i, candidates in enumerate(near, start):
             for j in sorted(candidates):
                 a, b = layouts[i], layouts[j]
-                if i < j and not sets.joined(a[0], b[0]) and near_duplicates(a[1], b[1]):
-                    sets.join(a[0], b[0])
+                if i < j and not sets.connected(a[0], b[0]) and near_duplicates(a[1], b[1]):
+                    sets.merge(a[0], b[0])

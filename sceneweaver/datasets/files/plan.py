@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from scipy.cluster.hierarchy import DisjointSet
 
 from sceneweaver.scene import InputError
 from sceneweaver.scene.files import temporary_folder
@@ -23,10 +24,9 @@ from ..requests import Requests
 from ..spec import Spec
 from ..store import AssetStore
 from .fingerprint import Layout
-from .near_duplicates import join_near_duplicates
+from .near_duplicates import join_near_duplicates, smallest
 from .splits import assign_splits
 from .tables import write_table
-from .union_find import UnionFind
 
 INDEX, SECONDS_TABLE, ASSETS = "index.parquet", "seconds.parquet", "assets.parquet"
 
@@ -64,15 +64,15 @@ def _placed(spec: Spec, blocks: list[Path]) -> Iterator[dict[str, Any]]:
         index.append(row["index"])
         rooms.append(row["room"])
         sizes.append(row["bytes"])
-    sets = UnionFind(len(rooms))
+    sets = DisjointSet(range(len(rooms)))
     join_near_duplicates(sets, layouts)
-    groups = np.array(index, dtype=np.int64)[sets.names()]
+    groups = np.array(index, dtype=np.int64)[smallest(sets)]
     first: dict[int, int] = {}
     for number, room in enumerate(rooms):
-        sets.join(first.setdefault(room, number), number)
+        sets.merge(first.setdefault(room, number), number)
     names = sorted(spec.splits)
     filled, shard = dict.fromkeys(names, 0), dict.fromkeys(names, 0)
-    for size, group, split in zip(sizes, groups, assign_splits(spec, sets.names()), strict=True):
+    for size, group, split in zip(sizes, groups, assign_splits(spec, smallest(sets)), strict=True):
         name = names[split]
         if filled[name] and filled[name] + size > spec.shard * 10**6:
             filled[name], shard[name] = 0, shard[name] + 1
