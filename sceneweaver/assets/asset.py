@@ -38,7 +38,8 @@ class Asset:
     cloth), and those lie inside the at most eight prisms ``parts`` that the engine moves. ``surfaces`` carry other
     things, ``zones`` are the room it needs to be used, ``sides`` the sides from which it is used. ``grasps`` are where
     a hand takes hold, ``interiors`` the rooms inside. ``masses`` [kg] are those of the base and of each link; empty:
-    ``mass`` is shared out by the volume of the hulls.
+    ``mass`` is shared out by the volume of the hulls. ``drawn_as`` names the drawing that it is a finish of; empty:
+    it is the only one, see `geometry`.
     """
 
     id: str
@@ -59,6 +60,16 @@ class Asset:
     masses: tuple[float, ...] = ()
     attributes: dict[str, Any] = field(default_factory=dict)
     description: str = ""
+    drawn_as: str = ""
+
+    @property
+    def geometry(self) -> str:
+        """A key of its geometry, never empty: assets of equal keys differ at most in finish.
+
+        The arrays of the mesh with its division into materials, hulls, parts, links, grasps, interiors, surfaces and
+        zones are equal; id, the materials themselves, masses, attributes and description may be others.
+        """
+        return self.drawn_as or self.id
 
     @cached_property
     def size(self) -> tuple[float, float, float]:

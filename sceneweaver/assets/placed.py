@@ -52,7 +52,10 @@ def welded_assets(load: Load | None = None) -> Load:
     def welded(asset_id: str) -> Asset:
         asset = inner(asset_id)
         loose = {number for number, link in enumerate(asset.links, 1) if link.joint == "free"}
-        return replace(asset, hulls=tuple(replace(h, link=0) if h.link in loose else h for h in asset.hulls))
+        if not loose:
+            return asset
+        hulls = tuple(replace(h, link=0) if h.link in loose else h for h in asset.hulls)
+        return replace(asset, hulls=hulls, drawn_as=f"{asset.geometry}#welded")
 
     return welded
 
