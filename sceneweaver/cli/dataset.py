@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from .options import Device, Json
+from .options import Device, Json, TimeLimit
 
 dataset = typer.Typer(name="dataset", help="Data sets: many rooms from one specification.")
 
@@ -88,12 +88,14 @@ def make(
     address: Address = None,
     worker_memory: Memory = None,
     patient: Patient = True,
+    time_limit: TimeLimit = None,
     as_json: JsonLines = False,
 ) -> int:
     """Make a data set; started again, it goes on where it ended."""
     from .dataset_runs import Run, run_make
 
-    settings = Run(workers, device, _parts(shard or ""), engine.value, address, _bytes(worker_memory), patient, as_json)
+    memory = _bytes(worker_memory)
+    settings = Run(workers, device, _parts(shard or ""), engine.value, address, memory, patient, as_json, time_limit)
     return run_make(source, out, settings)
 
 
@@ -107,12 +109,14 @@ def resume(
     address: Address = None,
     worker_memory: Memory = None,
     patient: Patient = True,
+    time_limit: TimeLimit = None,
     as_json: JsonLines = False,
 ) -> int:
     """Go on with a data set that is not whole; it needs no specification."""
     from .dataset_runs import Run, run_resume
 
-    settings = Run(workers, device, _parts(shard or ""), engine.value, address, _bytes(worker_memory), patient, as_json)
+    memory = _bytes(worker_memory)
+    settings = Run(workers, device, _parts(shard or ""), engine.value, address, memory, patient, as_json, time_limit)
     return run_resume(folder, settings)
 
 

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
 
+from .exit_codes import UNFINISHED
 from .output import no_chatter
 
 if TYPE_CHECKING:
@@ -36,6 +37,7 @@ class Run:
     memory: int | None
     patient: bool
     as_json: bool
+    time_limit: float | None = None
 
 
 def run_make(source: Path, out: Path, run: Run) -> int:
@@ -68,7 +70,9 @@ def _go_on(dataset: Dataset, run: Run, stdout: IO[str], stderr: IO[str]) -> int:
     path, begun = dataset.folder.path, time.monotonic()
     left = 0 if dataset.folder.complete.exists() else len(missing(dataset, run.shard))
     progress = Progress(left, stdout if run.as_json else None, stderr)
-    options = Options(run.workers, run.device, run.shard, run.engine, run.address, run.memory, run.patient)
+    options = Options(
+        run.workers, run.device, run.shard, run.engine, run.address, run.memory, run.patient, run.time_limit
+    )
     try:
         whole = resume(dataset, options, Listener(progress.block, progress.notice))
     except (KeyboardInterrupt, SystemExit):
@@ -77,15 +81,18 @@ def _go_on(dataset: Dataset, run: Run, stdout: IO[str], stderr: IO[str]) -> int:
     finally:
         progress.close()
     seconds = time.monotonic() - begun
+    over = not whole and (run.shard is None or bool(missing(dataset, run.shard)))
     if run.as_json:
         facts = {"folder": str(path), "whole": whole, "blocks": left, **progress.counts, "seconds": round(seconds, 3)}
         print(json.dumps(facts), file=stdout)
-        return 0
+        return UNFINISHED if over else 0
     scenes = ", ".join(f"{progress.counts[status]} {status}" for status in STATUSES)
     print(f"{path}: {left} blocks in {seconds:.1f} s: {scenes}", file=stdout)
-    if not whole:
+    if over:
+        print(f"the time is over; go on with: sceneweaver dataset resume {path}", file=stdout)
+    elif not whole:
         print(f"when all shards are made: sceneweaver dataset resume {path}", file=stdout)
-    return 0
+    return UNFINISHED if over else 0
 
 
 class Progress:

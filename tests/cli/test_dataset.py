@@ -21,6 +21,7 @@ def spec(tmp_path):
         (["--shard", "one"], "'one' is not i/N"),
         (["--worker-memory", "much"], "'much' is not a size; give bytes, or such as 800M or 2G"),
         (["--workers", "0"], "Invalid value for '--workers'"),
+        (["--time-limit", "0"], "0.0 is not a number of seconds above 0"),
         (["--device", "tpu"], "'tpu' is not a device"),
         (["--engine", "slurm"], "'slurm' is not one of 'local', 'ray'"),
     ],
@@ -59,3 +60,10 @@ def test_a_changed_specification_and_a_taken_folder_lose_nothing(run, spec, tmp_
     assert outcome.code == 2 and "spec: count is 4, but" in outcome.err and "was begun with 3" in outcome.err
     outcome = run("dataset", "status", tmp_path / "out", "--json")
     assert outcome.code == 0 and outcome.json["made"] == 0 and outcome.json["blocks"] == 1
+
+
+def test_a_time_limit_ends_with_a_code_of_its_own(run, spec, tmp_path):
+    outcome = run("dataset", "make", spec, "--out", tmp_path / "out", "--device", "cpu", "--time-limit", "1e-6")
+    assert outcome.code == 5 and "the time is over; go on with: sceneweaver dataset resume" in outcome.out
+    outcome = run("dataset", "resume", tmp_path / "out", "--shard", "0/2", "--time-limit", "1e-6", "--json")
+    assert outcome.code == 5 and '"whole": false' in outcome.out

@@ -28,6 +28,7 @@ from sceneweaver.datasets.engines import (
 )
 from sceneweaver.datasets.engines.estimate import grown
 from sceneweaver.datasets.engines.locks import run_lock
+from sceneweaver.datasets.engines.schedule import Schedule
 from sceneweaver.scene import InputError, write_atomic
 from tests.datasets import fake
 
@@ -178,6 +179,37 @@ def test_one_run_at_a_time_or_several_of_different_shards(tmp_path):
                 pass
     with run_lock(dataset.folder, None), pytest.raises(InputError, match=taken), run_lock(dataset.folder, None):
         pass
+
+
+def test_a_run_whose_time_is_over_leaves_whole_blocks_to_the_next(tmp_path):
+    source, records, packed = spec_file(tmp_path), [], []
+    dataset = begin(source, tmp_path / "out", "cpu")
+    listener = Listener(records.append, print)
+    options = Options(workers=1, time_limit=1e-9)
+    assert not resume(dataset, options, listener, produce=fake.produce, pack=packed.append)
+    assert not records and not packed and len(missing(dataset)) == 6
+    made(source, tmp_path / "out")
+    made(source, tmp_path / "unbroken")
+    assert content(tmp_path / "out") == content(tmp_path / "unbroken")
+
+
+def test_no_block_begins_that_would_not_be_made_in_time(tmp_path, monkeypatch):
+    clock = 0.0
+    monkeypatch.setattr("sceneweaver.datasets.engines.schedule.time.monotonic", lambda: clock)
+    dataset = begin(spec_file(tmp_path), tmp_path / "out", "cpu")
+    schedule = Schedule(dataset, range(6), Listener(lambda record: None, print), 1, True, until=100.0)
+    first = schedule.take()
+    schedule.heard(first, ("done", {"bytes": 1, "start": 0.0, "end": 40.0}), {})
+    clock = 59.0
+    second = schedule.take()
+    assert second is not None and not schedule.over
+    clock = 61.0
+    assert schedule.take() is None and not schedule.over  # the second block is in hand
+    clock = 101.0
+    assert schedule.over  # and dropped
+    clock = 61.0
+    schedule.heard(second, ("done", {"bytes": 1, "start": 59.0, "end": 61.0}), {})
+    assert schedule.take() is None and schedule.over and schedule.waiting == 4
 
 
 RUN = """

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import faulthandler
+import math
 import os
 import shutil
 import socket
@@ -54,6 +55,7 @@ class RayEngine:
         produce: what makes scenes, if not `produce`.
         listener: hears of blocks and troubles.
         patient: wait when the disk is full, or end.
+        until: when to end at the latest, by `time.monotonic` [s].
     """
 
     def __init__(
@@ -65,9 +67,10 @@ class RayEngine:
         listener: Listener,
         *,
         patient: bool = True,
+        until: float = math.inf,
     ):
         self._dataset, self._address, self._workers = dataset, address, workers
-        self._produce, self._listener, self._patient = produce, listener, patient
+        self._produce, self._listener, self._patient, self._until = produce, listener, patient, until
 
     def run(self, numbers: Iterable[int]) -> None:
         """Make these blocks.
@@ -78,7 +81,8 @@ class RayEngine:
         ray = ray_module()
         with _connected(self._address, self._workers):
             cores = int(ray.cluster_resources().get("CPU", 1))
-            schedule = Schedule(self._dataset, numbers, self._listener, self._workers or cores, self._patient)
+            workers = self._workers or cores
+            schedule = Schedule(self._dataset, numbers, self._listener, workers, self._patient, self._until)
             work: dict[Any, Task] = {}
             try:
                 while not schedule.over:

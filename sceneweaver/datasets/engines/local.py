@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import socket
 import time
 from collections.abc import Iterable, Sequence
@@ -33,6 +34,7 @@ class LocalEngine:
         listener: hears of blocks and troubles.
         memory: resident bytes above which a worker is replaced between two tasks; None: any number.
         patient: wait when the disk is full, or end.
+        until: when to end at the latest, by `time.monotonic` [s].
     """
 
     def __init__(
@@ -45,9 +47,10 @@ class LocalEngine:
         *,
         memory: int | None = None,
         patient: bool = True,
+        until: float = math.inf,
     ):
         self._dataset, self._devices, self._count, self._produce = dataset, devices, workers, produce
-        self._listener, self._memory, self._patient = listener, memory, patient
+        self._listener, self._memory, self._patient, self._until = listener, memory, patient, until
         self._workers: list[Worker] = []
         self._false_starts = 0
         self.began = 0.0
@@ -61,7 +64,7 @@ class LocalEngine:
             SceneWeaverError: workers do not even begin.
         """
         self.began = time.time()
-        schedule = Schedule(self._dataset, numbers, self._listener, self._count, self._patient)
+        schedule = Schedule(self._dataset, numbers, self._listener, self._count, self._patient, self._until)
         try:
             for index in range(min(self._count, schedule.waiting)):
                 self._workers.append(self._worker(index))

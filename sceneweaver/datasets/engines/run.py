@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import shutil
 import time
@@ -37,6 +38,7 @@ class Options:
         address: of the cluster; None: one of this machine.
         memory: resident bytes above which a worker is replaced between two blocks.
         patient: wait when the disk is full, or end.
+        time_limit: seconds after which a run ends with whole blocks and leaves the rest to another; None: none.
     """
 
     workers: int | None = None
@@ -46,6 +48,7 @@ class Options:
     address: str | None = None
     memory: int | None = None
     patient: bool = True
+    time_limit: float | None = None
 
 
 def resume(
@@ -74,22 +77,33 @@ def resume(
     """
     if whole(dataset):
         return True
+    until = math.inf if options.time_limit is None else time.monotonic() + options.time_limit
     device = agreed_device(dataset, options.device)
     with run_lock(dataset.folder, options.shard):
         clean(dataset)
         try:
             if not dataset.folder.complete.exists():
-                _make(dataset, options, device, listener, produce)
+                _make(dataset, options, device, listener, produce, until)
             clean(dataset)  # before what is there is counted
+            complete = dataset.folder.complete.exists()
             if options.shard is not None:
-                return dataset.folder.complete.exists()
+                return complete
+            if time.monotonic() >= until or (not complete and missing(dataset)):
+                return False
             finish(dataset, pack, listener, patient=options.patient)
         finally:  # also of processes that were still dying when this run began
             clean(dataset)
     return True
 
 
-def _make(dataset: Dataset, options: Options, device: str, listener: Listener, produce: work.Produce | None) -> None:
+def _make(
+    dataset: Dataset,
+    options: Options,
+    device: str,
+    listener: Listener,
+    produce: work.Produce | None,
+    until: float,
+) -> None:
     numbers = missing(dataset, options.shard)
     if not numbers:
         return
@@ -103,11 +117,12 @@ def _make(dataset: Dataset, options: Options, device: str, listener: Listener, p
     if options.engine == "ray":
         from .cluster import RayEngine
 
-        engine = RayEngine(dataset, options.address, options.workers, produce, told, patient=options.patient)
+        workers, patient = options.workers, options.patient
+        engine = RayEngine(dataset, options.address, workers, produce, told, patient=patient, until=until)
     else:
         workers, places = options.workers or cores(), devices(device)
         memory, patient = options.memory, options.patient
-        engine = LocalEngine(dataset, places, workers, produce, told, memory=memory, patient=patient)
+        engine = LocalEngine(dataset, places, workers, produce, told, memory=memory, patient=patient, until=until)
     engine.run(numbers)
 
 

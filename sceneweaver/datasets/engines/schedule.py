@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import time
 from collections import deque
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
@@ -15,6 +17,9 @@ from .tasks import Message, Task
 
 CHANCES = 2
 """How often a room may end its worker before it counts as failed."""
+
+RECENT = 64
+"""Of how many blocks made last the longest says how long the next may take."""
 
 
 @dataclass(frozen=True)
@@ -47,20 +52,38 @@ class Schedule:
         listener: hears of blocks and troubles.
         workers: how many there are, for the room on the disk that they need.
         patient: wait when the disk is full, or end.
+        until: when all has to end, by `time.monotonic` [s]; nothing begins that would not be made by then.
     """
 
-    def __init__(self, dataset: Dataset, numbers: Iterable[int], listener: Listener, workers: int, patient: bool):
+    def __init__(
+        self,
+        dataset: Dataset,
+        numbers: Iterable[int],
+        listener: Listener,
+        workers: int,
+        patient: bool,
+        until: float = math.inf,
+    ):
         self._dataset, self._listener, self._patient = dataset, listener, patient
         self._tasks = deque(Task(number) for number in numbers)
         self._apart: dict[int, _Apart] = {}
         self._taken = 0
         self._pause: Wait | None = None
         self._workers, self._largest = workers, 0
+        self._until = until
+        self._seconds: deque[float] = deque(maxlen=RECENT)
 
     @property
     def over(self) -> bool:
-        """Whether all is made."""
-        return not self._tasks and not self._taken
+        """Whether all is made, or the time is over: what is in hand then is dropped."""
+        if time.monotonic() >= self._until:
+            return True
+        return not self._taken and (not self._tasks or self._late)
+
+    @property
+    def _late(self) -> bool:
+        """Whether a block that begins now would not be made in time."""
+        return time.monotonic() + max(self._seconds, default=0.0) > self._until
 
     @property
     def waiting(self) -> int:
@@ -68,11 +91,11 @@ class Schedule:
         return len(self._tasks)
 
     def take(self) -> Task | None:
-        """The next task; None when there is none now."""
+        """The next task; None when there is none now, or no time for it."""
         if self._pause is not None and self._pause.over:
             self._pause = None
             self._listener.notice("trying again")
-        if self._pause is not None or not self._tasks:
+        if self._pause is not None or not self._tasks or self._late:
             return None
         self._taken += 1
         return self._tasks.popleft()
@@ -103,6 +126,7 @@ class Schedule:
             self._room_over(task)
         else:
             self._largest = max(self._largest, value["bytes"])
+            self._seconds.append(value["end"] - value["start"])
             self._listener.block({**value, **who})
 
     def died(self, task: Task, reason: str) -> None:
