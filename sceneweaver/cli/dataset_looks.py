@@ -53,7 +53,7 @@ def run_plan(source: Path, sample: int, workers: int | None, device: str, *, as_
 def run_verify(path: Path, workers: int | None, sample: int | None, stability: int, *, as_json: bool) -> int:
     """Judge a data set from its files alone."""
     from sceneweaver.datasets.checking import verify_dataset
-    from sceneweaver.datasets.engines.run import cores
+    from sceneweaver.datasets.processes import cores
 
     with progress_bar("judging", 1) as bar, no_chatter():
         found = verify_dataset(

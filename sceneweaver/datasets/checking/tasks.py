@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import multiprocessing
-import os
 from collections.abc import Iterable, Iterator
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures import FIRST_COMPLETED, Future, wait
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,6 +11,7 @@ from typing import Any, Protocol
 
 from sceneweaver.scene import InputError
 
+from ..processes import pool
 from ..reading import Span, scenes_of
 from .findings import Findings
 from .scene import Judge, content_of
@@ -87,7 +86,6 @@ def results(tasks: Iterable[Task], workers: int) -> Iterator[Findings]:
     if workers <= 1:
         yield from (task.run() for task in tasks)
         return
-    os.environ.setdefault("OMP_NUM_THREADS", "1")  # for the processes to come: each has one core
     try:
         yield from _shared_out(tasks, workers)
     except BrokenProcessPool:
@@ -95,11 +93,10 @@ def results(tasks: Iterable[Task], workers: int) -> Iterator[Findings]:
 
 
 def _shared_out(tasks: Iterable[Task], workers: int) -> Iterator[Findings]:
-    context = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(workers, mp_context=context) as pool:
+    with pool(workers) as processes:
         waiting: set[Future[Findings]] = set()
         for task in tasks:
-            waiting.add(pool.submit(task.run))
+            waiting.add(processes.submit(task.run))
             if len(waiting) >= 2 * workers:
                 done, waiting = wait(waiting, return_when=FIRST_COMPLETED)
                 yield from (future.result() for future in done)

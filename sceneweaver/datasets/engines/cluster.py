@@ -17,11 +17,12 @@ from typing import Any
 from sceneweaver.scene import MissingDependencyError, SceneWeaverError
 from sceneweaver.scene.files import reason
 
+from ..processes import THREADS
 from ..work import Produce
 from .manifest import Dataset, open_dataset
 from .schedule import Listener, Schedule
 from .tasks import Message, Task, attempt
-from .worker import START, THREADS
+from .worker import START
 
 RETRIES = 1
 """How often Ray begins a task anew whose worker or node is gone, before that counts as the fault of the task."""

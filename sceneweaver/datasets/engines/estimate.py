@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 
 from ..folder import Folder
+from ..processes import cores
 from ..work import Produce
 from .local import LocalEngine
 from .manifest import create, devices, load_source
-from .run import cores
 from .schedule import Listener
 
 

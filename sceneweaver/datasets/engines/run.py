@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
 import shutil
 import time
 from collections.abc import Callable, Iterator
@@ -16,6 +15,7 @@ from sceneweaver.scene import InputError, sweep, write_atomic
 
 from .. import work
 from ..disk import disk_full, waiting
+from ..processes import cores
 from .local import TICK, LocalEngine
 from .locks import run_lock
 from .manifest import Dataset, agreed_device, devices
@@ -165,11 +165,6 @@ def clean(dataset: Dataset) -> None:
     folder = dataset.folder
     for place in (folder.path, folder.work, *_folders(folder.blocks), *_folders(folder.assets)):
         sweep(place)
-
-
-def cores() -> int:
-    """How many cores this process may use; a worker has one thread, whatever OMP_NUM_THREADS says."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _folders(path: Path) -> Iterator[Path]:

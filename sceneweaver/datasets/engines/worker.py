@@ -3,29 +3,19 @@
 from __future__ import annotations
 
 import contextlib
-import ctypes
 import os
 import signal
-import sys
 import time
-from collections.abc import Iterator
-from multiprocessing import get_context
 from multiprocessing.connection import Connection
 from pathlib import Path
 
+from ..processes import SPAWN, end_with_parent, one_thread_each
 from ..work import Produce
 from .manifest import Dataset, open_dataset
 from .tasks import Task, attempt
 
-SPAWN = get_context("spawn")  # a fork of a process that has used CUDA or JAX is of no use
-
-THREADS = {name: "1" for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")}
-"""One thread a worker: there is one for each core, and sums of BLAS may differ with the number of threads."""
-
 START = 300.0
 """Seconds that a worker gets to load what it needs."""
-
-PR_SET_PDEATHSIG = 1
 
 
 class Worker:
@@ -36,7 +26,7 @@ class Worker:
         self.task: Task | None = None
         self._spec = dataset.spec
         self.end, theirs = SPAWN.Pipe()
-        with _environment(THREADS):
+        with one_thread_each():
             arguments = (theirs, dataset.folder.path, device, produce)
             self._process = SPAWN.Process(target=serve, args=arguments, daemon=True)
             self._process.start()
@@ -80,7 +70,7 @@ def serve(end: Connection, path: Path, device: str, produce: Produce | None) -> 
     """Make blocks until nobody asks any more."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches the whole group; the run ends its workers itself
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
-    _end_with_parent()
+    end_with_parent()
     _be_quiet()
     dataset = open_dataset(path)
 
@@ -94,26 +84,6 @@ def serve(end: Connection, path: Path, device: str, produce: Produce | None) -> 
         except EOFError:
             return
         end.send(attempt(dataset, task, device, produce, alive))
-
-
-@contextlib.contextmanager
-def _environment(values: dict[str, str]) -> Iterator[None]:
-    before = {name: os.environ.get(name) for name in values}
-    os.environ.update(values)
-    try:
-        yield
-    finally:
-        for name, value in before.items():
-            if value is None:
-                del os.environ[name]
-            else:
-                os.environ[name] = value
-
-
-def _end_with_parent() -> None:
-    """Ask Linux to kill this process when the run that started it is gone, also by SIGKILL."""
-    if sys.platform == "linux":
-        ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
 
 
 def _be_quiet() -> None:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import hashlib
-from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
+import os
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from sceneweaver.scene import write_atomic
 
+from ..digests import sha256_of
 from ..folder import Folder
 
 NAMED = ("LICENSES.md", "README.md", "croissant.json")
@@ -17,24 +17,29 @@ TIMES = "meta/seconds.parquet"
 """What no two runs agree on has no checksum, so that equal data sets have equal files of checksums."""
 
 
-def sha256(path: Path) -> str:
-    """SHA-256 of a file, in hex."""
-    with open(path, "rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()
-
-
-def write_checksums(folder: Folder) -> None:
-    """Write a line for each file: its checksum, two blanks, its path relative to the root."""
+def checksums_of(folder: Folder) -> dict[str, str]:
+    """SHA-256, in hex, of shards, tables and assets by their paths relative to the root."""
     names = sorted(_names(folder.path))
-    with ThreadPoolExecutor(4) as pool:
-        sums = pool.map(lambda name: sha256(folder.path / name), names)
-        write_atomic(folder.checksums, "".join(f"{digest}  {name}\n" for digest, name in zip(sums, names, strict=True)))
+    return dict(zip(names, sha256_of(folder.path, names), strict=True))
+
+
+def write_checksums(folder: Folder, known: Mapping[str, str] | None = None) -> None:
+    """Write a line for each file: its checksum, two blanks, its path relative to the root.
+
+    Args:
+        folder: the data set.
+        known: what `checksums_of` says of it; None: that is worked out.
+    """
+    texts = [name for name in NAMED if (folder.path / name).exists()]
+    sums = {**(checksums_of(folder) if known is None else known)}
+    sums.update(zip(texts, sha256_of(folder.path, texts), strict=True))
+    write_atomic(folder.checksums, "".join(f"{sums[name]}  {name}\n" for name in sorted(sums)))
 
 
 def _names(root: Path) -> Iterator[str]:
-    yield from (name for name in NAMED if (root / name).exists())
-    for folder in FOLDERS:
-        for path in (root / folder).rglob("*"):
-            name = path.relative_to(root).as_posix()
-            if path.is_file() and name != TIMES and not any(part.startswith(".") for part in name.split("/")):
-                yield name
+    for place in FOLDERS:
+        for path, folders, files in os.walk(root / place):
+            folders[:] = [name for name in folders if not name.startswith(".")]
+            below = Path(path).relative_to(root).as_posix()
+            names = (f"{below}/{name}" for name in files if not name.startswith("."))
+            yield from (name for name in names if name != TIMES)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -9,7 +10,6 @@ import sceneweaver
 
 from ..folder import Folder
 from ..spec import Spec
-from .checksums import sha256
 from .licences import TEXTS, Licence
 from .tables import read_schema, table_of
 
@@ -57,7 +57,9 @@ CONTEXT = {
 TYPES = {"bool": "sc:Boolean", "int32": "cr:Int32", "int64": "cr:Int64", "double": "cr:Float64", "string": "sc:Text"}
 
 
-def croissant(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Licence]) -> dict[str, Any]:
+def croissant(
+    folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Licence], sums: Mapping[str, str]
+) -> dict[str, Any]:
     """The content of ``croissant.json``.
 
     Args:
@@ -65,12 +67,13 @@ def croissant(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Li
         spec: what it was made from.
         numbers: its statistics.
         used: licences of its assets.
+        sums: SHA-256 of its files, by path.
     """
     from pyarrow.types import is_struct
 
     names = dict.fromkeys(one.name for one in used)
     table = table_of(folder, spec)
-    index = _file(folder, table, "application/x-parquet")
+    index = _file(folder, table, "application/x-parquet", sums)
     columns = [column for column in read_schema(table) if not is_struct(column.type)]
     key, made = columns[0].name, f"made with sceneweaver {sceneweaver.__version__}"
     shards = sorted(path for path in folder.data.iterdir() if path.suffix in KINDS) if folder.data.exists() else []
@@ -84,7 +87,7 @@ def croissant(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Li
         "version": "1.0.0",
         "citeAs": f"{spec.name}: {made}, specification {spec.hash}",
         "keywords": ["indoor scenes", "layout", "synthetic", "simulation"],
-        "distribution": [index, *(_file(folder, path, KINDS[path.suffix]) for path in shards)],
+        "distribution": [index, *(_file(folder, path, KINDS[path.suffix], sums) for path in shards)],
         "recordSet": [
             {
                 "@type": "cr:RecordSet",
@@ -102,7 +105,7 @@ KINDS = {".tar": "application/x-tar", ".parquet": "application/x-parquet"}
 """Media types of shards by suffix."""
 
 
-def _file(folder: Folder, path: Path, kind: str) -> dict[str, Any]:
+def _file(folder: Folder, path: Path, kind: str, sums: Mapping[str, str]) -> dict[str, Any]:
     name = path.relative_to(folder.path).as_posix()
     return {
         "@type": "cr:FileObject",
@@ -111,7 +114,7 @@ def _file(folder: Folder, path: Path, kind: str) -> dict[str, Any]:
         "contentUrl": name,
         "contentSize": f"{path.stat().st_size} B",
         "encodingFormat": kind,
-        "sha256": sha256(path),
+        "sha256": sums[name],
     }
 
 

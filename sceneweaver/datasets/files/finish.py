@@ -11,7 +11,7 @@ from ..folder import Folder
 from ..spec import Spec
 from ..statistics import statistics
 from .card import card
-from .checksums import write_checksums
+from .checksums import checksums_of, write_checksums
 from .croissant import croissant
 from .licences import licences, licences_text
 from .tables import read_schema, read_table, table_of
@@ -30,8 +30,9 @@ def finish(folder: Folder, spec: Spec) -> None:
     write_atomic(folder.meta / "statistics.json", _json(numbers))
     write_atomic(folder.path / "LICENSES.md", licences_text(spec, used))
     write_atomic(folder.path / "README.md", card(folder, spec, numbers, used))
-    write_atomic(folder.path / "croissant.json", _json(croissant(folder, spec, numbers, used)))
-    write_checksums(folder)
+    sums = checksums_of(folder)
+    write_atomic(folder.path / "croissant.json", _json(croissant(folder, spec, numbers, used, sums)))
+    write_checksums(folder, sums)
 
 
 def _numbers(folder: Folder, spec: Spec) -> dict[str, Any]:

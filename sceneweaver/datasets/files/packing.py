@@ -47,6 +47,7 @@ def _prune(folder: Folder) -> None:
     """Remove files from the store that no scene needs: what a run that was killed wrote for scenes that then failed."""
     columns = ((folder.index, "assets"), (folder.asset_table, "files"))
     used = {name for table, column in columns for row in read_table(table, [column]) for name in row[column] or ()}
-    for path in folder.assets.glob("*/*"):
-        if path.relative_to(folder.path).as_posix() not in used:
-            path.unlink()
+    for place in folder.assets.glob("*"):
+        for name in os.listdir(place) if place.is_dir() else ():
+            if f"{folder.assets.name}/{place.name}/{name}" not in used:
+                (place / name).unlink()
