@@ -210,14 +210,17 @@ def signatures(scene: Scene, poses: np.ndarray) -> np.ndarray:
         for i, o in enumerate(scene.objects)
         if o.mount == "floor" and not o.fixed and o.size[0] * o.size[1] >= LARGE and o.size[2] > 0.05
     ]
-    xy, yaw = poses[:, large, :2].astype(float), poses[:, large, 3].astype(float)
-    depth = np.array([scene.objects[i].size[0] for i in large])
-    back = xy - 0.5 * depth[:, None] * np.stack([np.cos(yaw), np.sin(yaw)], axis=-1)
+    chosen = poses[:, large].astype(float)
+    yaw, half = chosen[..., 3], np.array([scene.objects[i].size[0] / 2 for i in large])
+    back_x, back_y = chosen[..., 0] - half * np.cos(yaw), chosen[..., 1] - half * np.sin(yaw)
+    gap, wall = np.full(yaw.shape, np.inf), np.full(yaw.shape, -1)
     start = np.array(scene.room.outline)
-    along = np.roll(start, -1, axis=0) - start
-    share = np.clip(((back[..., None, :] - start) * along).sum(-1) / (along * along).sum(-1), 0.0, 1.0)
-    gap = np.linalg.norm(back[..., None, :] - (start + share[..., None] * along), axis=-1)
-    wall = np.where(gap.min(axis=-1) <= AT_WALL, gap.argmin(axis=-1), -1)
+    for number, ((x, y), (u, v)) in enumerate(zip(start, np.roll(start, -1, axis=0) - start, strict=True)):
+        share = np.clip(((back_x - x) * u + (back_y - y) * v) / (u * u + v * v), 0.0, 1.0)
+        own = np.sqrt((back_x - (x + share * u)) ** 2 + (back_y - (y + share * v)) ** 2)
+        nearer = own < gap
+        gap[nearer], wall[nearer] = own[nearer], number
+    wall[gap > AT_WALL] = -1
     eighth = np.round(yaw / (np.pi / 4)).astype(int) % 8
     return np.concatenate([wall, eighth], axis=-1)
 

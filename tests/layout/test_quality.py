@@ -6,12 +6,16 @@ import dataclasses
 
 import numpy as np
 import pytest
+import shapely
 
 import sceneweaver as sw
 from sceneweaver.layout import QualityTerm, engine, rate
-from sceneweaver.layout.solution import ALL_SOFT, missing_points, signatures
+from sceneweaver.layout.solution import ALL_SOFT, AT_WALL, LARGE, missing_points, signatures
 from sceneweaver.scene import InputError
 from tests.layout.made import relation, room, scene, thing
+from tests.test_repository import ROOT
+
+ZOO = ROOT / "tests" / "zoo"
 
 BED, BOX, OTHER = thing("bed", (2.0, 1.5, 0.5)), thing("box"), thing("other", (0.6, 1.0, 0.7))
 ROOM = scene([BED, BOX, OTHER], [relation("against_wall", "bed"), relation("against_wall", "other")])
@@ -130,3 +134,30 @@ def test_a_signature_ignores_small_things_and_small_moves():
     turned = home + np.array([[[0.0, 0.0, 0.0, np.pi], [0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0]]])
     first, second, third = signatures(ROOM, np.concatenate([home, moved, turned]))
     assert (first == second).all() and (first != third).any()
+
+
+@pytest.mark.parametrize("name", ["living-dining-L", "office-dense", "studio-U"])
+def test_signatures_name_the_nearest_wall_and_the_eighth_of_a_turn(name):
+    scene, rng = sw.Scene.load(ZOO / f"{name}.json"), np.random.default_rng(1)
+    home = np.array([(*o.pose.position, o.pose.yaw) for o in scene.objects])
+    poses = home + rng.normal(0.0, (0.4, 0.4, 0.0, 0.8), (50, *home.shape))
+    walls, eighths = np.split(signatures(scene, poses), 2, axis=1)
+    large = [k for k, o in enumerate(scene.objects) if _is_large(o)]
+    corners = scene.room.outline
+    sides = [shapely.LineString([a, b]) for a, b in zip(corners, [*corners[1:], corners[0]], strict=True)]
+    depth = np.array([scene.objects[k].size[0] for k in large])
+    turned = np.stack([np.cos(poses[:, large, 3]), np.sin(poses[:, large, 3])], axis=-1)
+    backs = shapely.points(poses[:, large, :2] - depth[:, None] / 2 * turned)
+    gaps = np.stack([shapely.distance(side, backs) for side in sides], axis=-1)
+    np.testing.assert_array_equal(walls >= 0, gaps.min(axis=-1) <= AT_WALL)
+    named = np.take_along_axis(gaps, np.maximum(walls, 0)[..., None], axis=-1)[..., 0]
+    np.testing.assert_allclose(named[walls >= 0], gaps.min(axis=-1)[walls >= 0], atol=1e-9)  # near corners two are one
+    np.testing.assert_array_equal(eighths, np.round(4 * poses[:, large, 3] / np.pi) % 8)
+    assert (walls >= 0).any() and (walls < 0).any()
+    assert signatures(scene, poses[:0]).shape == (0, 2 * len(large))
+
+
+def _is_large(thing) -> bool:
+    return (
+        thing.mount == "floor" and not thing.fixed and thing.size[0] * thing.size[1] >= LARGE and thing.size[2] > 0.05
+    )

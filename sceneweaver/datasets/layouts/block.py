@@ -24,7 +24,7 @@ from ..folder import Folder
 from ..requests import Request, Requests
 from ..spec import Spec
 from .collect import Collection, collect
-from .programs import Program, draw_all
+from .programs import Program, drawing
 from .tables import Writers, row_groups, schema, tables
 
 ATTEMPTS = {"cpu": 4, "gpu": 20}
@@ -162,21 +162,22 @@ def taken_programs(spec: Spec, block: Sequence[Request], device: str) -> tuple[d
     """The programs of a block by their room, and the last attempt at those that came to nothing."""
     taken: dict[int, Taken] = {}
     refused: dict[int, Program] = {}
-    for attempt in range(spec.rooms.attempts):
-        left = [request for request in block if request.room not in taken]
-        if not left:
-            break
-        programs = draw_all(spec, [(request, attempt) for request in left], device)
-        refused |= {p.request.room: p for p in programs if p.scene is None}
-        good = [p for p in programs if p.scene is not None]
-        scenes = [compile_scene(p.scene) for p in good if p.scene is not None]
-        first = _first(scenes, spec.rooms.candidates, [p.seed for p in good], device)
-        for program, scene, layouts in zip(good, scenes, first, strict=True):
-            if len(layouts.poses) < min(LEAST_FIRST, program.request.layouts):
-                reason = f"{len(layouts.poses)} of {spec.rooms.candidates} layouts are valid"
-                refused[program.request.room] = Program(program.request, attempt, None, reason)
-            else:
-                taken[program.request.room] = Taken(program, scene, layouts)
+    with drawing(spec, block) as draw:
+        for attempt in range(spec.rooms.attempts):
+            left = [(request, attempt) for request in block if request.room not in taken]
+            if not left:
+                break
+            programs = draw(left)
+            refused |= {p.request.room: p for p in programs if p.scene is None}
+            good = [p for p in programs if p.scene is not None]
+            scenes = [compile_scene(p.scene) for p in good if p.scene is not None]
+            first = _first(scenes, spec.rooms.candidates, [p.seed for p in good], device)
+            for program, scene, layouts in zip(good, scenes, first, strict=True):
+                if len(layouts.poses) < min(LEAST_FIRST, program.request.layouts):
+                    reason = f"{len(layouts.poses)} of {spec.rooms.candidates} layouts are valid"
+                    refused[program.request.room] = Program(program.request, attempt, None, reason)
+                else:
+                    taken[program.request.room] = Taken(program, scene, layouts)
     return taken, refused
 
 

@@ -92,7 +92,7 @@ def _write(folder: Folder, requests: Requests) -> None:
             for row in read_rows(block):
                 row |= {"program": row["room"], "shards": [], "layouts": row.get("layouts", 0), "split": None}
                 if row["layouts"]:
-                    row["near_duplicate_group"] = groups.setdefault(_furniture(row["scene"]), row["room"])
+                    row["near_duplicate_group"] = groups.setdefault(furniture(row["scene"]), row["room"])
                     row["split"] = split_of(requests.spec, row["near_duplicate_group"])
                     row["shards"] = shards.add(row["split"], groups_of[row["room"]])
                 rows.append(row)
@@ -115,7 +115,7 @@ def split_of(spec: Spec, group: int) -> str:
     return names[min(int(np.searchsorted(ends, share * ends[-1], side="right")), len(names) - 1)]
 
 
-def _furniture(scene: str) -> str:
+def furniture(scene: str) -> str:
     """What near-duplicates of programs share: sizes of room and furniture on a grid, and categories."""
     data = json.loads(scene)
     corners = np.array(data["room"]["outline"])

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache, partial
-from multiprocessing import current_process, get_context
+from multiprocessing import current_process
 
 from sceneweaver.agent.design import chosen_room
 from sceneweaver.agent.loop import empty_scene
@@ -19,11 +20,12 @@ from sceneweaver.scene.threads import cores
 from sceneweaver.tools.base import Context
 from sceneweaver.tools.registry import tools
 
+from ..processes import SPAWN, end_with_parent, one_thread_each
 from ..requests import Request
 from ..spec import Spec
 
-AT_ONCE = 4
-"""Programs from which on other processes help to draw them, where a GPU waits for them."""
+AT_ONCE = 8
+"""Programs from which on other processes draw them."""
 
 
 @dataclass(frozen=True)
@@ -59,13 +61,25 @@ def draw(spec: Spec, attempt: int, request: Request) -> Program:
     return Program(request, attempt, scene)
 
 
-def draw_all(spec: Spec, attempts: Sequence[tuple[Request, int]], device: str) -> list[Program]:
-    """The programs of some attempts, drawn by other processes as well where a GPU would wait for them."""
-    helpers = min(cores(), len(attempts))
-    if device == "cpu" or len(attempts) < AT_ONCE or helpers < 2 or current_process().daemon:
-        return [draw(spec, attempt, request) for request, attempt in attempts]
-    with ProcessPoolExecutor(helpers, mp_context=get_context("spawn")) as pool:
-        return list(pool.map(partial(_draw_one, spec), attempts, chunksize=2))
+Draw = Callable[[Sequence[tuple[Request, int]]], list[Program]]
+"""What draws the programs of some attempts, in their order."""
+
+
+@contextmanager
+def drawing(spec: Spec, requests: Sequence[Request]) -> Iterator[Draw]:
+    """What draws programs of some requests, attempt after attempt.
+
+    Other processes do it where there are many and this is not one of several workers; they stay until the end, since
+    to begin one costs as much as to draw ten programs.
+    """
+    helpers = min(cores(), sum(request.scene is None for request in requests))
+    if len(requests) < AT_ONCE or helpers < 2 or current_process().daemon:
+        yield lambda attempts: [draw(spec, attempt, request) for request, attempt in attempts]
+        return
+    with ProcessPoolExecutor(helpers, mp_context=SPAWN, initializer=end_with_parent) as pool:
+        with one_thread_each():
+            pool.submit(int)  # begins all of them
+        yield lambda attempts: list(pool.map(partial(_draw_one, spec), attempts))
 
 
 def _draw_one(spec: Spec, one: tuple[Request, int]) -> Program:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 FILES = 4
 """Files of a block, each written by a thread of its own; the program's number says which."""
 
-GROUP = 16384
+GROUP = 4096
 """Rows of a row group, which holds layouts of one program only."""
 
 COMPRESSION: dict[str, Any] = {
@@ -81,6 +81,10 @@ class Writers:
     def write(self, program: int, rows: pa.Table) -> None:
         """The same for rows as they stand in files."""
         self._submit(program, lambda: rows)
+
+    def path(self, program: int) -> Path:
+        """The file of the program at a position in the block."""
+        return self.paths[program % FILES]
 
     def _submit(self, program: int, rows: Callable[[], pa.Table]) -> None:
         for future in [future for future in self._pending if future.done()]:
