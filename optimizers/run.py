@@ -41,6 +41,8 @@ def run(batch: Batch, optimizer: str, start: Start, budget: int | None, monitor:
         with wp.ScopedDevice(batch.device):
             return solve(batch, start, budget, monitor)
     parts = pieces(batch)
+    if cpu_threads() == 1:
+        return OptimizerResult(np.concatenate([solve(part, start, budget, monitor).energy for part in parts]))
     if len(parts) == 1:
         return solve(parts[0], start, budget, monitor)
     outcomes = [solve(parts[0], start, budget, monitor)]  # the first alone: it compiles what is not compiled yet

@@ -39,8 +39,9 @@ def snap_batch(batch: Batch, orders: np.ndarray) -> None:
         wp.launch(keep_valid, shape, [poses, active, after.status], [part.state], device=device)
 
     parts = pieces(batch)
-    if len(parts) == 1:
-        work(parts[0])
+    if len(parts) == 1 or cpu_threads() == 1:
+        for part in parts:
+            work(part)
         return
     with ThreadPoolExecutor(cpu_threads()) as pool:
         list(pool.map(work, parts))

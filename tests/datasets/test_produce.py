@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from importlib import import_module
 
 import pytest
@@ -107,3 +108,10 @@ def test_layouts_of_a_room_differ_in_more_than_small_things():
     desk = kept[0].object("desk-0").pose
     beside = Pose.from_yaw(desk.position[0] + 0.1, desk.position[1], 0.0, desk.yaw)
     assert alike(kept[0], kept[0].replace_poses({"desk-0": beside}))
+
+
+def test_a_room_that_holds_nothing_and_that_there_is_no_other_of_has_no_layouts():
+    wanted = spec("a bathroom of 2 by 2 m with a bathtub, a shower, a toilet and a sink", rooms={"candidates": 1})
+    draft = drafted(wanted, Requests(wanted)[0], 3, Library(), "cpu")
+    alone = replace(draft, proposal=replace(draft.proposal, rooms=(), larger=()))
+    assert laid_out([alone], "cpu") == [[]]

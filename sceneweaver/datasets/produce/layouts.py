@@ -25,13 +25,14 @@ from .drafts import Draft
 VARIANTS = 3
 """Ways to line up furniture that are tried in a room, the first that the tool proposes."""
 
-LEAST = 4
-"""Layouts of each case that are searched for at least."""
+SHARE, LEAST = 4, 2
+"""Part of a room's candidates that one round begins, and the least of each case: many a room is soon done, and where
+nothing fits, the next round with less in the room or more of it finds more than further tries in this one."""
 
 STEPS, STEPS_GPU = 1, 20
 """Times that a layout is begun: of a room that holds it, one of a few will do. On a GPU they are shorter by far."""
 
-GROWN = ((1.12, 1.25), (1.12, 1.25, 1.4), (1.25, 1.4, 1.6))
+GROWN = ((1.12, 1.25), (1.12, 1.25, 1.4), (1.25, 1.4, 1.6), (1.4, 1.6), (1.6, 1.8), (1.8, 2.0))
 """By round after the first, floors of other rooms, as multiples of the one that was drawn."""
 
 ROUNDS = 2 + len(GROWN)
@@ -44,7 +45,10 @@ LESS = 3
 """Things that go at once where no room holds everything."""
 
 COMPARED = 4
-"""Layouts that the critic compares for each that is kept; where fewer are found, there is one search more."""
+"""Layouts that the critic compares for each that is kept. Several of one room have to differ, which takes as many."""
+
+ENOUGH = 2
+"""Layouts of a room that is wanted once, with fewer of which there is one search more: the critic should choose."""
 
 LARGE = 0.35
 """Area [m2] of plan from which on a piece makes a layout another one."""
@@ -98,6 +102,7 @@ class _Search:
             scenes = [*self._elsewhere(round_)]
             if self._lighter():
                 scenes = [self.scene, *scenes] if round_ == 1 else [*self._elsewhere(round_)]
+            scenes = scenes or [self.scene]  # of some there is no other
         self.cases = [*self._cases(scenes, self.variants if len(scenes) == 1 else self.variants[:1], round_)]
 
     def _elsewhere(self, round_: int) -> Iterator[Scene]:
@@ -120,8 +125,8 @@ class _Search:
         return False
 
     def _cases(self, scenes: Sequence[Scene], variants: Sequence[Variant], round_: int) -> Iterator[_Case]:
-        half = -(-self.draft.executor.settings.layouts // 2)
-        each = max(LEAST, half // (len(scenes) * max(1, len(variants))))
+        share = -(-self.draft.executor.settings.layouts // SHARE)
+        each = max(LEAST, share // (len(scenes) * max(1, len(variants))))
         for scene in scenes:
             for variant in variants or ((),):
                 plain = searched(with_relations(scene, variant))
@@ -138,7 +143,7 @@ class _Search:
             for candidate in kept:
                 quality = float(solution.quality[candidate]) if solution.quality is not None else 0.0
                 self.found.append((-round(quality, 4), with_riders(case.scene, solution.scene(candidate))))
-        self.done = before > 0 or len(self.found) >= most
+        self.done = before > 0 or len(self.found) >= (ENOUGH if self.draft.request.layouts == 1 else most)
         if not self.found and self.cases:
             k = min(range(len(self.cases)), key=lambda k: float(solutions[k].energy.min()))
             self.nearest = with_riders(self.cases[k].scene, solutions[k].best)
