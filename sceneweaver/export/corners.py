@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import hashlib
 import math
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from sceneweaver.assets import Material, Mesh
+from sceneweaver.assets import Mesh
 from sceneweaver.assets.recent import Recent
 from sceneweaver.assets.textures import maps, uv_of
+from sceneweaver.assets.textures.catalogue import found as pattern
 
 _CREASE = math.radians(40)  # edges at most this sharp are shaded round
 _FINE = 10_000  # steps of a normal's coordinates: equal ones are stored once
@@ -22,11 +23,12 @@ _UV_STEP = 2e-5  # texture coordinates [repeats] this close are one
 class Surface:
     """The faces of a mesh that are of one material, with a vertex for each different corner.
 
-    ``points``, ``normals`` float [N, 3]; ``uv`` float [N, 2] in repeats of the maps, v up, or None where the material
-    has none; ``tangents`` float [N, 4]: the way of u, and 1 or -1 for the side on which v is; ``faces`` int [F, 3].
+    ``number`` is that of the material; ``points``, ``normals`` float [N, 3]; ``uv`` float [N, 2] in repeats of the
+    maps, v up, or None where the material has none; ``tangents`` float [N, 4]: the way of u, and 1 or -1 for the side
+    on which v is; ``faces`` int [F, 3].
     """
 
-    material: Material
+    number: int
     points: np.ndarray
     normals: np.ndarray
     uv: np.ndarray | None
@@ -34,9 +36,21 @@ class Surface:
     faces: np.ndarray
 
 
+def map_sizes(mesh: Mesh) -> tuple[tuple[float, float] | None, ...]:
+    """Width and height of one repeat of the maps of each material [m]; None for those without."""
+    return tuple(None if (found := maps(m.texture)) is None else found.size for m in mesh.materials)
+
+
+def laid_by(mesh: Mesh) -> Hashable:
+    """What of its materials the texture coordinates of a mesh follow from: sizes of maps, and grain where it has none
+    of its own."""
+    own = mesh.uv is not None
+    return map_sizes(mesh), None if own else tuple((p := pattern(m.texture)) and p.grain for m in mesh.materials)
+
+
 def texture_coordinates(mesh: Mesh) -> np.ndarray | None:
     """Coordinates of each corner in repeats of its material's maps, v up, [F, 3, 2]; None when no material has maps."""
-    sizes = [None if (found := maps(m.texture)) is None else found.size for m in mesh.materials]
+    sizes = map_sizes(mesh)
     if not any(sizes[int(k)] for k in np.unique(mesh.face_material)):
         return None
     return uv_of(mesh) / np.array([size or (1.0, 1.0) for size in sizes])[mesh.face_material][:, None, :]
@@ -60,18 +74,16 @@ def surfaces(mesh: Mesh, plain: bool = False) -> list[Surface]:
     for number in np.unique(mesh.face_material):
         chosen, material = mesh.face_material == number, mesh.materials[int(number)]
         own = None if uv is None or maps(material.texture) is None else uv[chosen]
-        found.append(_surface(material, mesh.vertices, mesh.faces[chosen], normals, index[chosen], own))
+        found.append(_surface(int(number), mesh.vertices, mesh.faces[chosen], normals, index[chosen], own))
     return found
 
 
-def _surface(
-    material: Material, points: np.ndarray, faces: np.ndarray, normals: np.ndarray, index: np.ndarray, uv
-) -> Surface:
+def _surface(number: int, points: np.ndarray, faces: np.ndarray, normals: np.ndarray, index: np.ndarray, uv) -> Surface:
     corner = faces.astype(np.int64) * len(normals) + index
     if uv is None:
         kept, packed = np.unique(corner, return_inverse=True)
         vertex, normal = kept // len(normals), normals[kept % len(normals)]
-        return Surface(material, points[vertex], normal, None, None, packed.reshape(-1, 3))
+        return Surface(number, points[vertex], normal, None, None, packed.reshape(-1, 3))
     # Whole repeats more or less show the same: coordinates stay near 0, where floats are fine.
     uv = uv - np.floor(uv.reshape(-1, 2).min(axis=0))
     along, side = _tangents(points[faces], uv)
@@ -86,7 +98,7 @@ def _surface(
     tangent = np.where(length > 1e-9, total / np.maximum(length, 1e-9), other)
     hand = np.repeat(side, 3)[first].astype(float)
     return Surface(
-        material,
+        number,
         points[faces.ravel()[first]],
         normal,
         uv.reshape(-1, 2)[first],

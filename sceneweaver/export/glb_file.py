@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import json
 import struct
-from collections.abc import Callable
+from collections.abc import Callable, Hashable, Sequence
 from typing import Any
 
-from sceneweaver.assets import Material, Mesh
+from sceneweaver.assets import Asset, Material, Mesh
 
-from .glb_mesh import PackedMesh, packed
+from .glb_mesh import PackedMesh, layout, packed
 from .images import images, linear, tinted
 from .shared import SharedFiles
 
@@ -41,7 +41,9 @@ class GlbFile:
         self._json["nodes"].append({"name": name, **node})
         return len(self._json["nodes"]) - 1
 
-    def mesh(self, key: str, make: Callable[[], Mesh], name: str = "", asset: str | None = None) -> int:
+    def mesh(
+        self, key: str, make: Callable[[], Mesh], name: str = "", asset: Asset | None = None, part: Hashable = None
+    ) -> int:
         """Add a mesh, unless one of this key is there.
 
         Args:
@@ -49,17 +51,22 @@ class GlbFile:
             make: Gives the mesh when it is needed.
             name: Its name; the key where it has none.
             asset: What it is of, if others may have it: its data go to the shared files, where there are some.
+            part: Which part of the asset, in which size; its materials are those of the asset.
         """
         if key not in self._meshes:
             if self._shared is None or asset is None:
-                found = packed(make(), self._textured)
+                mesh = make()
+                materials, found = mesh.materials, packed(mesh, self._textured)
                 buffer, start = 0, self._append(found.data)
             else:
-                found, path = self._shared.mesh(asset, (key, self._textured), lambda: packed(make(), self._textured))
+                materials = asset.mesh.materials
+                shape = (asset.geometry, part, layout(asset.mesh, self._textured))
+                found, path = self._shared.mesh(asset.id, shape, lambda: packed(make(), self._textured))
                 length = max(view["byteOffset"] + view["byteLength"] for view in found.views)
                 buffer, start = self._buffer(path, length), 0
             self._meshes[key] = len(self._json["meshes"])
-            self._json["meshes"].append({"name": name or key, "primitives": self._primitives(found, buffer, start)})
+            primitives = self._primitives(found, materials, buffer, start)
+            self._json["meshes"].append({"name": name or key, "primitives": primitives})
         return self._meshes[key]
 
     def bytes(self, root: int, scene: dict[str, Any]) -> bytes:
@@ -82,8 +89,10 @@ class GlbFile:
         head = struct.pack("<4sII", b"glTF", 2, 12 + 8 + len(text) + 8 + len(data))
         return head + struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(data), b"BIN\0") + data
 
-    def _primitives(self, mesh: PackedMesh, buffer: int, start: int) -> list[dict[str, Any]]:
-        """The primitives of a mesh whose data begin at an offset of a buffer."""
+    def _primitives(
+        self, mesh: PackedMesh, materials: Sequence[Material], buffer: int, start: int
+    ) -> list[dict[str, Any]]:
+        """The primitives of a mesh of those materials whose data begin at an offset of a buffer."""
         views, accessors = self._json["bufferViews"], self._json["accessors"]
         view, first = len(views), len(accessors)
         views += [{"buffer": buffer, **v, "byteOffset": start + v["byteOffset"]} for v in mesh.views]
@@ -92,7 +101,7 @@ class GlbFile:
             {
                 "attributes": {name: first + k for name, k in primitive.attributes.items()},
                 "indices": first + primitive.indices,
-                "material": self._material(primitive.material),
+                "material": self._material(materials[primitive.material]),
                 "mode": 4,
             }
             for primitive in mesh.primitives

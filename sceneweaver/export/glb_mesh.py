@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
-from sceneweaver.assets import Material, Mesh
+from sceneweaver.assets import Mesh
 
-from .corners import Surface, surfaces
+from .corners import Surface, laid_by, surfaces
 from .images import images
 
 _FLOAT, _SHORT, _INT = 5126, 5123, 5125
@@ -19,9 +19,10 @@ _VERTICES, _INDICES = 34962, 34963
 
 @dataclass(frozen=True)
 class Primitive:
-    """The part of a mesh that is of one material: the numbers of its accessors, by attribute, and of its indices."""
+    """The part of a mesh that is of one material: the number of that in the mesh, those of its accessors, by attribute,
+    and that of its indices."""
 
-    material: Material
+    material: int
     attributes: Mapping[str, int]
     indices: int
 
@@ -51,13 +52,26 @@ class PackedMesh:
 
 def packed(mesh: Mesh, textured: bool) -> PackedMesh:
     """A mesh as glTF has it, a primitive for each material; not ``textured``: without texture coordinates."""
-    pack = _Pack()
+    pack = _Pack([textured and _has_relief(material.texture) for material in mesh.materials])
     primitives = tuple(pack.primitive(surface) for surface in surfaces(mesh, not textured))
     return PackedMesh(bytes(pack.data), tuple(pack.views), tuple(pack.accessors), primitives)
 
 
+def layout(mesh: Mesh, textured: bool) -> Hashable:
+    """What of its materials `packed` follows from: how their maps lie, and which of them have normals."""
+    if not textured:
+        return None
+    return laid_by(mesh), tuple(_has_relief(material.texture) for material in mesh.materials)
+
+
+def _has_relief(texture: str) -> bool:
+    files = images(texture)
+    return files is not None and files.normal is not None
+
+
 class _Pack:
-    def __init__(self) -> None:
+    def __init__(self, relief: Sequence[bool]) -> None:
+        self.relief = relief
         self.data = bytearray()
         self.views: list[dict[str, int]] = []
         self.accessors: list[dict[str, Any]] = []
@@ -66,8 +80,7 @@ class _Pack:
         vectors = {"POSITION": (surface.points, "VEC3"), "NORMAL": (surface.normals, "VEC3")}
         if surface.uv is not None:
             vectors["TEXCOORD_0"] = (surface.uv * (1.0, -1.0) + (0.0, 1.0), "VEC2")  # here v grows downward
-            files = images(surface.material.texture)
-            if files is not None and files.normal is not None and surface.tangents is not None:
+            if self.relief[surface.number] and surface.tangents is not None:
                 vectors["TANGENT"] = (surface.tangents, "VEC4")
         attributes = {
             name: self._accessor(values.astype("<f4"), kind, _FLOAT, _VERTICES, bounds=name == "POSITION")
@@ -76,7 +89,7 @@ class _Pack:
         wide = len(surface.points) > 0xFFFF  # 0xFFFF itself is the mark for a restart, and no index
         order = surface.faces.reshape(-1).astype("<u4" if wide else "<u2")
         indices = self._accessor(order, "SCALAR", _INT if wide else _SHORT, _INDICES)
-        return Primitive(surface.material, attributes, indices)
+        return Primitive(surface.number, attributes, indices)
 
     def _accessor(self, values: np.ndarray, kind: str, component: int, target: int, bounds: bool = False) -> int:
         self.data += b"\0" * (-len(self.data) % 4)

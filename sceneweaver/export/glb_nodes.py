@@ -49,9 +49,8 @@ def add_object(file: GlbFile, body: Body, taken: set[str]) -> int:
     if not moving:
         if body.scale != _SAME:
             node["scale"] = list(body.scale)
-        return file.node(
-            thing.id, {"mesh": file.mesh(body.key, lambda: body.mesh, asset=thing.asset), **node, "extras": extras}
-        )
+        mesh = file.mesh(body.key, lambda: body.mesh, asset=body.asset)
+        return file.node(thing.id, {"mesh": mesh, **node, "extras": extras})
     assert body.asset is not None
     # The scale goes into the meshes: a door that turns below a node of uneven scale would be sheared.
     key = body.key if body.scale == _SAME else f"{body.key}*{body.scale}"
@@ -63,10 +62,12 @@ def add_object(file: GlbFile, body: Body, taken: set[str]) -> int:
         below = {"translation": anchor.tolist(), "extras": {"joint": _joint(link, body.scale)}}
         if (link_of == number).any():
             part = partial(_part, body, link_of == number, anchor)
-            below["mesh"] = file.mesh(f"{key}.{number}", part, f"{key}.{link.name}", thing.asset)
+            place = (number, body.scale)
+            below["mesh"] = file.mesh(f"{key}.{number}", part, f"{key}.{link.name}", body.asset, place)
         children.append(file.node(free_name(f"{thing.id}.{link.name}", taken), below))
     if (link_of == 0).any():
-        node["mesh"] = file.mesh(f"{key}.0", partial(_part, body, link_of == 0, np.zeros(3)), key, thing.asset)
+        base = partial(_part, body, link_of == 0, np.zeros(3))
+        node["mesh"] = file.mesh(f"{key}.0", base, key, body.asset, (0, body.scale))
     return file.node(thing.id, {**node, "children": children, "extras": extras})
 
 

@@ -25,6 +25,7 @@ from sceneweaver.physics.things import RigidBody, Thing
 from sceneweaver.physics.xml import child
 from sceneweaver.scene import Room, Scene
 
+from .corners import laid_by
 from .folder import write_folder
 from .images import file_stem, linear, png, tinted
 from .mjcf_clients import CLIENTS, sleeping_twin
@@ -91,7 +92,8 @@ def mjcf(
         if client is not None:
             CLIENTS[client](root)
 
-    return replace(build(scene, load, wardrobe, meshes=wardrobe.meshes, amend=amend), files=wardrobe.files)
+    model = build(scene, load, wardrobe, meshes=wardrobe.meshes, shape=wardrobe.shape, amend=amend)
+    return replace(model, files=wardrobe.files)
 
 
 def _without_slashes(root: Xml.Element) -> None:
@@ -122,11 +124,14 @@ class _Wardrobe:
         self.files: dict[str, bytes] = {}
         self._materials: dict[Material, str] = {}
         self._made: dict[str, Mapping[int, list[Seen]]] = {}
+        self._included: dict[str, str] = {}
 
     def __call__(self, assets: Xml.Element, body: Xml.Element, thing: Thing, own: RigidBody) -> None:
         if thing.asset is None:
             return  # its collision parts are all there is to see
-        for k, (name, number) in enumerate(self._made[thing.key].get(own.number, ())):
+        if self._shared is not None:
+            self._shared.uses(thing.asset.id, self._included[thing.shape])
+        for k, (name, number) in enumerate(self._made[thing.shape].get(own.number, ())):
             look = self._material(assets, thing.asset.mesh.materials[number])
             seen = {"name": f"{own.name}:visual:{k}", "class": f"{ROOM}:visual"}
             child(body, "geom", seen, mesh=name, material=look)
@@ -149,24 +154,31 @@ class _Wardrobe:
                 if geom.get("rgba", "").endswith(" 1"):  # not a pane
                     geom.set("rgba", " ".join(f"{c:.4g}" for c in (*wall_look(room, k).color, 1)))
 
+    def shape(self, thing: Thing) -> str:
+        """Equal for things with the same meshes: in two finishes, where their images have the same sizes."""
+        if thing.asset is None or not self._textured:
+            return thing.shape
+        return f"{thing.shape}|{laid_by(thing.asset.mesh)}"
+
     def meshes(self, assets: Xml.Element, thing: Thing) -> None:
         """The meshes of a thing: one for each hull, and for each link and material that is seen."""
         if thing.asset is None and self._shared is not None:
             add_hulls(assets, thing)
             return
         if thing.asset is not None:
-            self._made[thing.key] = seen_of(thing)
+            self._made[thing.shape] = seen_of(thing)
         if self._shared is not None and thing.asset is not None:
-            key = (thing.key, thing.welded, self._textured)
+            key = (thing.shape, thing.welded, self._textured)
             text = partial(mesh_elements, thing, self._textured)
-            child(assets, "include", file=self._shared.path(key, "xml", text, thing.asset.id))
+            self._included[thing.shape] = self._shared.path(key, "xml", text)
+            child(assets, "include", file=self._included[thing.shape])
             return
         for k, solid in enumerate(thing.solids):
             if solid.box is None:
                 name = hull_name(thing, k)
                 file = self._file(f"meshes/{name}.obj", hull_obj(solid))
                 child(assets, "mesh", name=name, inertia="convex", file=file)
-        for link, found in self._made.get(thing.key, {}).items():
+        for link, found in self._made.get(thing.shape, {}).items():
             for name, number in found:
                 file = self._file(f"meshes/{name}.obj", seen_obj(thing, link, number, self._textured))
                 # Sheets and open pieces enclose no volume; as shells they have a frame all the same.

@@ -41,7 +41,7 @@ def hull_obj(solid: Solid) -> bytes:
 
 def seen_obj(thing: Thing, link: int, number: int, textured: bool) -> bytes:
     """What is seen of a body in the material of a number as Wavefront OBJ."""
-    return _obj(*_arrays(thing, link, number, textured))
+    return _obj(*_arrays(thing, link, number, _coordinates(thing, textured)))
 
 
 def mesh_elements(thing: Thing, textured: bool) -> bytes:
@@ -50,9 +50,10 @@ def mesh_elements(thing: Thing, textured: bool) -> bytes:
     for k, solid in enumerate(thing.solids):
         if solid.box is None:
             lines.append(f'<mesh name="{hull_name(thing, k)}" inertia="convex" vertex="{_row("%.6g", solid.points)}"/>')
+    uv = _coordinates(thing, textured)
     for link, found in seen_of(thing).items():
         for name, number in found:
-            points, faces, places = _arrays(thing, link, number, textured)
+            points, faces, places = _arrays(thing, link, number, uv)
             more = ""
             if places is not None:  # one number for both: a vertex for each different corner
                 coordinates, index = places
@@ -65,15 +66,18 @@ def mesh_elements(thing: Thing, textured: bool) -> bytes:
     return ("\n".join([*lines, "</mujoco>"]) + "\n").encode()
 
 
-def _arrays(thing: Thing, link: int, number: int, textured: bool) -> Arrays:
+def _coordinates(thing: Thing, textured: bool) -> np.ndarray | None:
+    """Of each corner of what is seen, as `texture_coordinates` has them, [F, 3, 2]."""
+    return texture_coordinates(thing.asset.mesh) if textured and thing.asset is not None else None
+
+
+def _arrays(thing: Thing, link: int, number: int, uv: np.ndarray | None) -> Arrays:
     assert thing.asset is not None
     mesh = thing.asset.mesh
     chosen = (thing.face_body == link) & (mesh.face_material == number)
     used, packed = np.unique(mesh.faces[chosen], return_inverse=True)
-    places = None
-    if textured and maps(mesh.materials[number].texture) is not None:
-        uv = texture_coordinates(mesh)
-        places = None if uv is None else indexed(uv[chosen])
+    mapped = maps(mesh.materials[number].texture) is not None
+    places = indexed(uv[chosen]) if uv is not None and mapped else None
     return mesh.vertices[used] * np.asarray(thing.scale), packed.reshape(-1, 3), places
 
 

@@ -7,7 +7,6 @@ from collections.abc import Callable, Hashable
 from dataclasses import asdict
 from typing import Protocol
 
-from sceneweaver.assets import Material
 from sceneweaver.assets.journal import Journal, journal_key
 from sceneweaver.assets.recent import Recent
 
@@ -30,7 +29,7 @@ class SharedFiles:
     """The meshes and images of many scenes in a store.
 
     What was put there once is known by its key from then on, so that it is neither made nor written again. Keys hold
-    ids of assets: all scenes must have their assets from one library.
+    those of the geometry of assets: all scenes must have their assets from one library.
 
     Args:
         store: Keeps the files.
@@ -43,12 +42,13 @@ class SharedFiles:
         self._paths: Recent[Hashable, str] = Recent(16 * 2**20, lambda path: len(path) + 512)
         self._meshes: Recent[Hashable, tuple[PackedMesh, str]] = Recent(64 * 2**20, lambda kept: kept[0].nbytes)
 
-    def path(self, key: Hashable, suffix: str, make: Callable[[], bytes], asset: str | None = None) -> str:
-        """The path of a file of that key, perhaps of an asset."""
-        path = self._paths.get((suffix, key), lambda: self._path(journal_key(suffix, key), suffix, make))
-        if asset is not None:
-            self._used(asset, path)
-        return path
+    def path(self, key: Hashable, suffix: str, make: Callable[[], bytes]) -> str:
+        """The path of a file of that key; where it is of an asset, `uses` tells."""
+        return self._paths.get((suffix, key), lambda: self._path(journal_key(suffix, key), suffix, make))
+
+    def uses(self, asset: str, path: str) -> None:
+        """Note that a file is one of those of an asset."""
+        self._used(asset, path)
 
     def mesh(self, asset: str, key: Hashable, make: Callable[[], PackedMesh]) -> tuple[PackedMesh, str]:
         """A mesh of an asset without its data, and the path of these."""
@@ -83,8 +83,5 @@ class SharedFiles:
 
 def _mesh_of(row: dict) -> PackedMesh:
     """The mesh of a row in a journal."""
-    primitives = (
-        Primitive(Material(**{**p["material"], "color": tuple(p["material"]["color"])}), p["attributes"], p["indices"])
-        for p in row["primitives"]
-    )
-    return PackedMesh(b"", tuple(row["views"]), tuple(row["accessors"]), tuple(primitives))
+    primitives = tuple(Primitive(**primitive) for primitive in row["primitives"])
+    return PackedMesh(b"", tuple(row["views"]), tuple(row["accessors"]), primitives)

@@ -36,7 +36,7 @@ import re
 import zlib
 from collections import Counter
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 from xml.etree import ElementTree as Xml
 
@@ -94,7 +94,7 @@ Dress = Callable[[Xml.Element, Xml.Element, Thing, RigidBody], None]
 
 
 AddMeshes = Callable[[Xml.Element, Thing], None]
-"""Adds the meshes that geoms of a thing name, see `hull_name`: (assets, thing); once for all with equal bodies."""
+"""Adds the meshes that geoms of a thing name, see `hull_name`: (assets, thing); once for all of equal shape."""
 
 
 def build(
@@ -103,6 +103,7 @@ def build(
     dress: Dress | None = None,
     *,
     meshes: AddMeshes | None = None,
+    shape: Callable[[Thing], str] | None = None,
     loose: bool = True,
     amend: Callable[[Xml.Element], None] | None = None,
 ) -> Model:
@@ -113,6 +114,7 @@ def build(
         load: From asset id to asset; None: the library of this user.
         dress: Adds visual meshes; None: only collision parts.
         meshes: Adds the meshes of parts that are no boxes; None: by their vertices.
+        shape: Equal for things that have the same meshes; None: their ``shape``.
         loose: Whether what lies in or on an object as part of it is a body of its own, as `things_of` says.
         amend: Changes the whole before it becomes text.
 
@@ -120,6 +122,8 @@ def build(
         InputError: when an asset cannot be loaded.
     """
     things = things_of(scene, load, loose=loose)
+    if shape is not None:
+        things = [replace(thing, shape=shape(thing)) for thing in things]
     root = Xml.Element("mujoco", model=scene.id)
     # No noslip pass: its cost grows with the square of the contacts, and over 3 s nothing creeps without it.
     option = child(root, "option", timestep=STEP, integrator="implicitfast", cone="elliptic", impratio="10")
@@ -179,9 +183,9 @@ def build(
 
 
 def mesh_stem(thing: Thing) -> str:
-    """What the names of a thing's meshes begin with: letters, digits and dashes; equal for things of equal bodies."""
+    """What the names of a thing's meshes begin with: letters, digits and dashes; equal for things of equal shape."""
     category = re.sub(r"[^A-Za-z0-9_]+", "-", thing.object.category if thing.asset is None else thing.asset.category)
-    return f"{category}-{zlib.crc32(thing.key.encode()):08x}"
+    return f"{category}-{zlib.crc32(thing.shape.encode()):08x}"
 
 
 def _defaults(root: Xml.Element) -> None:
@@ -274,8 +278,8 @@ class _Bodies:
 
     def add(self, thing: Thing, kind: str) -> None:
         """A thing, its geoms of the default class ``kind``."""
-        if thing.key not in self._meshed:
-            self._meshed.add(thing.key)
+        if thing.shape not in self._meshed:
+            self._meshed.add(thing.shape)
             self._add_meshes(self._assets, thing)
         place = {"pos": thing.object.pose.position, "quat": wxyz(thing.object.pose.quaternion)}
         base, *moving = thing.bodies

@@ -50,13 +50,14 @@ class RigidBody:
 class Thing:
     """An object with what a simulator needs: its parts (in its frame), mass [kg], friction, and whether it may move.
 
-    ``key`` is equal for things with equal bodies; ``scale`` [3] brings the asset to the object's size. ``welded`` says
-    that what could be taken off it is part of its base.
+    ``key`` is equal for things with equal bodies, ``shape`` for those that differ at most in finish; ``scale`` [3]
+    brings the asset to the object's size. ``welded`` says that what could be taken off it is part of its base.
     """
 
     object: SceneObject
     asset: Asset | None
     key: str
+    shape: str
     scale: tuple[float, float, float]
     solids: tuple[Solid, ...]
     mass: float
@@ -162,11 +163,12 @@ def _thing(index: int, thing: SceneObject, load: Load, bodies: dict[str, tuple[S
     asset, scale = scaled_asset(index, thing, load)
     size = "" if scale == (1, 1, 1) else f"*{' '.join(f'{v:.9g}' for v in scale)}"
     key = f"parts:{thing.id}" if thing.asset is None else f"{thing.asset}{size}"
-    if key not in bodies:
-        bodies[key] = tuple(solids_of(thing, asset, np.asarray(scale)))
-    solids = bodies[key]
+    shape = key if asset is None else f"{asset.geometry}{size}"
+    if shape not in bodies:
+        bodies[shape] = tuple(solids_of(thing, asset, np.asarray(scale)))
+    solids = bodies[shape]
     mass, friction = _weight(thing, asset, float(np.prod(scale)), sum(s.volume for s in solids))
-    return Thing(thing, asset, key, scale, solids, mass, friction, not is_fixture(thing))
+    return Thing(thing, asset, key, shape, scale, solids, mass, friction, not is_fixture(thing))
 
 
 @cache

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import struct
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ import numpy as np
 import pytest
 
 from sceneweaver.assets import Library
+from sceneweaver.assets.textures import maps, patterns
 from sceneweaver.datasets import Folder, Sample
 from sceneweaver.datasets.blocks import write_block
 from sceneweaver.datasets.extract import extract
@@ -166,6 +168,48 @@ def test_a_store_finds_what_is_damaged_and_mends_what_is_short(tmp_path: Path) -
     assert list(AssetStore(tmp_path).wrong()) == [bad]
     assert AssetStore(tmp_path).put(b"bad", "bin") == bad
     assert list(AssetStore(tmp_path).wrong()) == [] and (tmp_path / good).read_bytes() == b"good"
+
+
+def test_finishes_of_one_drawing_share_their_meshes(tmp_path: Path) -> None:
+    """A desk as drawn, one in other colours, and one whose images have another size: that one's lie otherwise."""
+    import trimesh
+
+    mujoco: Any = pytest.importorskip("mujoco")
+    first = next(k for k, m in enumerate(DESK.mesh.materials) if m.texture != "plain" and k in DESK.mesh.face_material)
+    sizes = maps(DESK.mesh.materials[first].texture).size  # type: ignore[union-attr]
+    other = next(name for name in patterns() if (found := maps(name)) is not None and found.size != sizes)
+    looks = [replace(m, name=f"{m.name} 2", color=(0.1, 0.2, 0.3)) for m in DESK.mesh.materials]
+    changed = [replace(m, texture=other) if k == first else m for k, m in enumerate(looks)]
+    assets = {"desk": DESK} | {
+        name: replace(DESK, id=name, drawn_as=DESK.geometry, mesh=replace(DESK.mesh, materials=tuple(materials)))
+        for name, materials in (("blue", looks), ("stone", changed))
+    }
+    things = [a.object(n, pose=Pose.from_yaw(1.0 + k, 2.0, 0.0, 0.0)) for k, (n, a) in enumerate(assets.items())]
+    load = {a.id: a for a in assets.values()}.__getitem__
+    store, scene = AssetStore(tmp_path), Scene(id="s", room=ROOM, objects=tuple(things))
+    for suffix, content in SceneFiles(store, load).of(scene, ("glb", "mjcf")).items():
+        (tmp_path / f"scene.{suffix}").write_bytes(content)
+    rows = {row["asset"]: row["files"] for row in asset_rows(store)}
+    drawn, blue, stone = (set(rows[load(i).id]) for i in (DESK.id, "blue", "stone"))
+    assert drawn == blue and not drawn & stone
+    alone = SceneFiles(AssetStore(tmp_path / "alone"), load)
+    alone.of(scene.model_copy(update={"objects": tuple(things[2:])}), ("glb", "mjcf"))
+    names = {path.name for path in (tmp_path / "alone").glob("assets/*/*") if path.suffix in (".xml", ".bin")}
+    assert names == {Path(name).name for name in stone}
+
+    model = mujoco.MjModel.from_xml_path(str(tmp_path / "scene.xml"))
+    seen, usual = (
+        trimesh.load_scene(file, file_type="glb").geometry
+        for file in (tmp_path / "scene.glb", io.BytesIO(glb_bytes(scene, load)))
+    )
+    assert seen.keys() == usual.keys()
+    for name in seen:
+        assert seen[name].visual.material.main_color.tolist() == usual[name].visual.material.main_color.tolist()
+    twin = mujoco.MjModel.from_xml_path(str(write_mjcf(scene, tmp_path / "out", load)))
+    for field in ("body_mass", "geom_size", "mat_rgba"):
+        np.testing.assert_allclose(getattr(model, field), getattr(twin, field), atol=1e-6, err_msg=field)
+    for g in range(model.ngeom):
+        np.testing.assert_allclose(_seen(model, g), _seen(twin, g), atol=1e-4)
 
 
 def test_another_process_makes_nothing_anew(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
