@@ -178,11 +178,12 @@ def report(
         Path | None,
         typer.Option("--out", "-o", metavar="HTML", help="The page (default: report.html there).", show_default=False),
     ] = None,
+    pictures: Annotated[int, typer.Option(min=0, max=100_000, help="Scenes that are drawn, at most.")] = 400,
 ) -> int:
     """Write a page about a data set, also of one that is still made: figures, variety, samples, troubles."""
     from .dataset_looks import run_report
 
-    return run_report(folder, out)
+    return run_report(folder, out, pictures)
 
 
 @dataset.command()

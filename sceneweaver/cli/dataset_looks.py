@@ -71,12 +71,13 @@ def run_verify(path: Path, workers: int | None, sample: int | None, stability: i
     return 0 if found.ok else NOT_VALID
 
 
-def run_report(path: Path, out: Path | None) -> int:
+def run_report(path: Path, out: Path | None, pictures: int) -> int:
     """Write the page about a data set."""
     with no_chatter():
+        from sceneweaver.datasets.processes import cores
         from sceneweaver.datasets.report import write_report
 
-        page = write_report(path, out)
+        page = write_report(path, out, pictures=pictures, workers=cores())
     list_files([page])
     return 0
 

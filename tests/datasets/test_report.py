@@ -14,7 +14,7 @@ import sceneweaver as sw
 from sceneweaver.datasets import Folder
 from sceneweaver.datasets.engines.manifest import create
 from sceneweaver.datasets.files import pack
-from sceneweaver.datasets.report import memory_svg, write_report
+from sceneweaver.datasets.report import collect, memory_svg, write_report
 from sceneweaver.datasets.report.charts import histogram, nice
 from sceneweaver.datasets.report.collect import CELLS, gather, shell_signature, turn_of, turned
 from sceneweaver.datasets.report.plan import plan
@@ -57,6 +57,19 @@ def test_a_run_half_way_has_a_page_and_a_whole_one_the_same_scenes(half_way, tmp
     assert before.plans == after.plans and before.relations == after.relations and after.read == COUNT - 1
     assert all(np.array_equal(before.heat[name], cells) for name, cells in after.heat.items())
     assert "still being made" not in write_report(half_way).read_text()
+
+
+def test_many_processes_gather_what_one_does(tmp_path, monkeypatch):
+    folder = Folder(tmp_path)
+    pack(folder, make_small(tmp_path, COUNT))
+    monkeypatch.setattr(collect, "_TOGETHER", 2)
+    one = gather(folder, pictures=4)
+    monkeypatch.setattr(collect, "MANY", 2)
+    two = gather(folder, pictures=4, workers=2)
+    assert len(one.plans) == len(one.wall) == 4 and one.read == two.read == COUNT
+    for name in ("numbers", "wall", "pairs", "together", "present", "relations", "shells", "palettes", "plans"):
+        assert getattr(two, name) == getattr(one, name), name
+    assert one.heat and all(np.array_equal(two.heat[name], cells) for name, cells in one.heat.items())
 
 
 def test_nothing_made_is_said(tmp_path):

@@ -6,7 +6,7 @@ import hashlib
 import json
 import math
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import combinations
 from typing import Any
@@ -14,11 +14,12 @@ from typing import Any
 import numpy as np
 
 from ..folder import Folder
-from ..reading import rows_of, scenes_of, shards_of, spans_of
+from ..processes import pool
+from ..reading import Span, rows_of, scenes_of, shards_of, spans_of
 from ..statistics import statistics
 from .layouts import layout_files, program_layouts, program_rows
 from .plan import box_of, plan
-from .sampling import Sampler
+from .sampling import PICTURES, Sampler
 
 CELLS = 24
 """Cells of a heat map along each side of a room."""
@@ -26,7 +27,10 @@ CELLS = 24
 SCENES = 20000
 """How many scenes are read at most; of more, evenly chosen ones."""
 
-_TOGETHER = 64  # scenes between two looks at the headers of a shard
+_TOGETHER = 64  # scenes that are read at a time
+
+MANY = 16
+"""How often so many scenes there are when processes are worth their start."""
 
 
 @dataclass
@@ -75,6 +79,20 @@ class Gathered:
         self.shells[signature] = (outline, self.shells.get(signature, (outline, 0))[1] + 1)
         self._heat(scene)
 
+    def take_over(self, other: Gathered) -> None:
+        """Add what was gathered of scenes that follow."""
+        self.plans = other.plans | self.plans
+        for category, cells in other.heat.items():
+            self.heat[category] = self.heat[category] + cells if category in self.heat else cells
+        self.together.update(other.together)
+        self.present.update(other.present)
+        self.palettes.update(other.palettes)
+        for name, counts in other.relations.items():
+            self.relations[name] = [a + b for a, b in zip(self.relations.get(name, (0, 0)), counts, strict=True)]
+        for signature, (outline, count) in other.shells.items():
+            self.shells[signature] = (outline, self.shells.get(signature, (outline, 0))[1] + count)
+        self.read += other.read
+
     def _heat(self, scene: Mapping[str, Any]) -> None:
         turn = turn_of(scene["room"])
         left, low, right, high = box_of([turned(p, turn) for p in scene["room"]["outline"]])
@@ -87,16 +105,65 @@ class Gathered:
             cells[min(max(row, 0), CELLS - 1), min(max(column, 0), CELLS - 1)] += 1
 
 
-def gather(folder: Folder, product: str = "scenes") -> Gathered:
-    """Gather all that the report shows of rows and scenes; of layouts, a row is a program."""
-    sampler, layouts = Sampler(), product == "layouts"
+def gather(folder: Folder, product: str = "scenes", *, pictures: int = PICTURES, workers: int = 1) -> Gathered:
+    """Gather all that the report shows of rows and scenes; of layouts, a row is a program.
+
+    Args:
+        folder: the data set.
+        product: "scenes" or "layouts".
+        pictures: scenes that are drawn, at most.
+        workers: processes that read scenes, where there are many.
+    """
+    sampler, layouts = Sampler(pictures), product == "layouts"
     numbers = statistics(sampler.watch(program_rows(folder) if layouts else rows_of(folder)))
     if layouts:
         numbers["bytes"] = sum(path.stat().st_size for path in layout_files(folder))
     found = Gathered(numbers, sampler.wall(), sampler.pairs)
     drawn = {*found.wall, *(key for pair in found.pairs for key in pair)}
     step = max(1, math.ceil(numbers["scenes"] / SCENES))
-    for number, (key, content) in enumerate(program_layouts(folder) if layouts else _scene_texts(folder)):
+    if layouts:
+        _look_at(found, enumerate(program_layouts(folder)), step, drawn)
+        return found
+    tasks = list(_tasks(folder, step, drawn))
+    if workers == 1 or len(tasks) < MANY:
+        for task in tasks:
+            found.take_over(task.gather())
+    else:
+        with pool(workers) as processes:
+            for part in processes.map(_Scenes.gather, tasks, chunksize=4):
+                found.take_over(part)
+    return found
+
+
+@dataclass(frozen=True)
+class _Scenes:
+    """Scenes of a shard to look at, and the number of the first of them."""
+
+    span: Span
+    first: int
+    step: int
+    drawn: frozenset[str]
+
+    def gather(self) -> Gathered:
+        found, scenes = Gathered({}, {}, []), scenes_of(self.span, ("scene.json",))
+        texts = ((number, (key, files["scene.json"])) for number, (key, files) in enumerate(scenes, self.first))
+        _look_at(found, texts, self.step, self.drawn)
+        return found
+
+
+def _tasks(folder: Folder, step: int, drawn: Collection[str]) -> Iterator[_Scenes]:
+    first = 0
+    for shard in shards_of(folder):
+        for span in spans_of(shard, _TOGETHER):
+            yield _Scenes(span, first, step, frozenset(drawn).intersection(span.keys))
+            first += len(span.keys)
+
+
+def _look_at(
+    found: Gathered, scenes: Iterable[tuple[int, tuple[str, str | bytes]]], step: int, drawn: Collection[str]
+) -> None:
+    """Gather every so-manieth of some numbered scenes, and draw those that are shown."""
+    for number, (key, content) in scenes:
         if number % step and key not in drawn:
             continue
         scene = json.loads(content)
@@ -104,7 +171,6 @@ def gather(folder: Folder, product: str = "scenes") -> Gathered:
             found.plans[key] = plan(scene)
         if number % step == 0:
             found.add(scene)
-    return found
 
 
 def shell_signature(outline: Iterable[Iterable[float]]) -> str:
@@ -132,9 +198,3 @@ def turned(point: Sequence[float], turn: int) -> tuple[float, float]:
     """A point turned by right angles about the origin."""
     x, y = point[0], point[1]
     return ((x, y), (-y, x), (-x, -y), (y, -x))[turn]
-
-
-def _scene_texts(folder: Folder) -> Iterator[tuple[str, bytes]]:
-    for shard in shards_of(folder):
-        for span in spans_of(shard, _TOGETHER):
-            yield from ((key, files["scene.json"]) for key, files in scenes_of(span, ("scene.json",)))

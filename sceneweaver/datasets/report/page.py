@@ -19,16 +19,25 @@ from ..reading import packed
 from . import sections
 from .collect import Gathered, gather
 from .layouts import programs_packed
+from .sampling import PICTURES
 
 NAME = "report.html"
 
 
-def write_report(path: str | os.PathLike[str], out: str | os.PathLike[str] | None = None) -> Path:
+def write_report(
+    path: str | os.PathLike[str],
+    out: str | os.PathLike[str] | None = None,
+    *,
+    pictures: int = PICTURES,
+    workers: int = 1,
+) -> Path:
     """Write the report of a data set, packed or still being made.
 
     Args:
         path: the data set.
         out: the file; None: ``report.html`` in the data set.
+        pictures: scenes that are drawn, at most; each takes about 12 kB.
+        workers: processes that read scenes, where there are many.
 
     Returns:
         Where it was written.
@@ -40,7 +49,7 @@ def write_report(path: str | os.PathLike[str], out: str | os.PathLike[str] | Non
     dataset = open_dataset(Path(path))
     folder = dataset.folder
     layouts = dataset.spec.product == "layouts"
-    found = gather(folder, dataset.spec.product)
+    found = gather(folder, dataset.spec.product, pictures=pictures, workers=workers)
     if not found.numbers["requests"]:
         raise InputError(f"{folder.path}: nothing is made yet; try again when the first block is there")
     verification = folder.path / "verification.json"

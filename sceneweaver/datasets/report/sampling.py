@@ -17,11 +17,15 @@ _SHOWN = ("key", "prompt", "room_type", "grade", "object_count", "area", "split"
 class Sampler:
     """Of each kind of room equally many scenes, spread over the set; and the first near-duplicates.
 
+    Args:
+        pictures: scenes on the wall, at most.
+
     Attributes:
         pairs: keys of near-duplicates, two and two.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, pictures: int = PICTURES) -> None:
+        self._most = pictures
         self.pairs: list[tuple[str, str]] = []
         self._kept: dict[str, list[dict[str, Any]]] = {}
         self._seen: Counter[str] = Counter()
@@ -41,21 +45,21 @@ class Sampler:
         order = np.random.default_rng(0).permutation
         left = {kind: [rows[k] for k in order(len(rows))] for kind, rows in sorted(self._kept.items())}
         chosen: dict[str, dict[str, Any]] = {}
-        while left and len(chosen) < PICTURES:
+        while left and len(chosen) < self._most:
             for kind in list(left):
                 row = left[kind].pop(0)
                 chosen[row["key"]] = row
                 if not left[kind]:
                     del left[kind]
-        return dict(list(chosen.items())[:PICTURES])
+        return dict(list(chosen.items())[: self._most])
 
     def _choose(self, row: dict[str, Any]) -> None:
         """Reservoir sampling within a kind of room."""
         kind = row.get("room_type") or ""
         kept = self._kept.setdefault(kind, [])
         self._seen[kind] += 1
-        place = len(kept) if len(kept) < PICTURES else int(self._rng.integers(self._seen[kind]))
-        if place < PICTURES:
+        place = len(kept) if len(kept) < self._most else int(self._rng.integers(self._seen[kind]))
+        if place < self._most:
             kept[place : place + 1] = [{name: row.get(name) for name in _SHOWN}]
 
     def _group(self, row: dict[str, Any]) -> None:
