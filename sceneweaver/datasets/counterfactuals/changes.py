@@ -136,9 +136,10 @@ class Changer:
                 continue
             if new.attributes.get("color") != wanted or new.size != old.size or new.parts != old.parts:
                 continue
+            changed = {name: value for name, value in new.attributes.items() if old.attributes.get(name) != value}
             update = {
                 "asset": new.id,
-                "attributes": {**body.item.attributes, **new.attributes},
+                "attributes": {**body.item.attributes, **changed},
                 "description": new.description,
             }
             yield Change("recoloured", body.id, self._replaced(body.item.model_copy(update=update)))
@@ -167,7 +168,9 @@ class Changer:
         made = asset.object(item.id, pose=item.pose, mount=item.mount, support=item.support)
         if made.parts == item.parts or made.category != item.category:
             return None
-        return made.model_copy(update={"intent": item.intent, "fixed": item.fixed})
+        said = {name: item.attributes[name] for name in ("style",) if name in item.attributes}
+        update = {"intent": item.intent, "fixed": item.fixed, "attributes": {**made.attributes, **said}}
+        return made.model_copy(update=update)
 
     def _replaced(self, item: SceneObject) -> Scene:
         objects = tuple(item if o.id == item.id else o for o in self.scene.objects)

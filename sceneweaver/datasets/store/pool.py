@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import replace
+from functools import cache
 
-from sceneweaver.assets import Library, categories
-from sceneweaver.assets.materials import own_look
+from sceneweaver.assets import Asset, Library, categories
+from sceneweaver.assets.materials import STYLES, own_look
 from sceneweaver.assets.sources import Card, ParametricSource
 from sceneweaver.assets.sources.base import Wish
 from sceneweaver.assets.sources.parametric import keep_drawings
@@ -16,17 +17,11 @@ from sceneweaver.assets.taxonomy import resolve
 SUITES = 4
 """Designs of fronts, handles and worktops."""
 
-GRID = ((0.4, 0.02), (2.0, 0.05), (math.inf, 0.1))
-"""Steps of depths and widths [m] up to a length [m]; what is asked in words may differ by 15 %."""
+RATIOS = {"surface": (1.25, 1.25), "wall": (1.2, 1.2), "floor": (1.15, 1.03), "ceiling": (1.15, 1.03)}
+"""About how much larger a size of a category is than the next smaller one, by what holds it: depth and width; height.
 
-HEIGHTS = ((math.inf, 0.02),)
-"""Steps of heights [m]: a seat goes under a table."""
-
-HUNG = ((0.4, 0.02), (math.inf, 0.1))
-"""Steps of all extents of what hangs on a wall."""
-
-NARROW = 4
-"""Steps that the usual range of an extent has at least."""
+Heights of furniture are fine: a seat goes under a table, a lamp hangs close above it.
+"""
 
 MEMORY = 384 * 2**20
 """Drawings that a process keeps [bytes]."""
@@ -34,15 +29,41 @@ MEMORY = 384 * 2**20
 FITTED = frozenset(("curtain", "sheer_curtain", "window_blind"))
 """What is as wide as something else: it keeps its size."""
 
+ALONE = frozenset(("bath_mat", "vanity", "double_vanity", "linen_cabinet"))
+"""Pieces of a suite that match it in look alone; others stand in a row with it and keep their size."""
+
+STYLED = frozenset(
+    (
+        "bar_cabinet",
+        "bar_counter",
+        "bookcase",
+        "buffet_table",
+        "canopy_bed",
+        "coffee_station",
+        "corner_cabinet",
+        "corner_wall_cabinet",
+        "display_cabinet",
+        "double_vanity",
+        "freestanding_bathtub",
+        "kitchen_cabinet",
+        "kitchen_counter",
+        "kitchen_island",
+        "sink_cabinet",
+        "tall_cabinet",
+        "toilet",
+        "vanity",
+        "waiting_bench",
+        "wall_cabinet",
+        "wardrobe",
+    )
+)
+"""What is drawn otherwise in another style; in a palette all else looks the same in each."""
 
 Size = tuple[float | None, float | None, float | None]
-Range = tuple[float, float]
-Grid = Sequence[Range]
-"""Steps [m], each up to an extent [m]."""
 
 
 class PooledSource(ParametricSource):
-    """Draws a category in few variants and on a grid of sizes.
+    """Draws a category in few variants and sizes, as a shop has them.
 
     Sizes become smaller, never larger, so that what fits still fits. Those that words ask for, and those of fitted
     pieces such as kitchen units, stay exact.
@@ -58,16 +79,26 @@ class PooledSource(ParametricSource):
     def find(self, category: str, wish: Wish) -> Iterator[Card]:
         """As `ParametricSource.find`, of the pool."""
         body = resolve(category, wish.mount).body
-        size = wish.size if _is_fitted(body, wish) else _snapped(body, wish.size)
         pooled = replace(
             wish,
-            size=size,
+            size=wish.size if _is_fitted(body, wish) else offered(body, wish.size),
             palette=_pooled_palette(body, wish.palette),
+            style=wish.style if _shows_style(body, wish) else None,
             suite=None if wish.suite is None else wish.suite % SUITES,
             count=1,
         )
         for k in range(wish.count):
             yield from super().find(category, replace(pooled, seed=(wish.seed + k) % self.variants))
+
+
+class PooledLibrary(Library):
+    """A library of a pool, whose things are of the style that they are chosen for where they look alike in all."""
+
+    def choose(self, noun: str, count: int = 1, wish: Wish | None = None, same: bool = True) -> list[Asset]:
+        """As `Library.choose`; what is drawn once for all styles says the wanted one of itself."""
+        made = super().choose(noun, count, wish, same)
+        style = wish.style if wish is not None and wish.style in STYLES else None
+        return made if style is None else [_of_style(asset, style) for asset in made]
 
 
 def dataset_library(variants: int) -> Library:
@@ -76,29 +107,58 @@ def dataset_library(variants: int) -> Library:
     Args:
         variants: Drawings of a category in one size and look.
     """
-    return Library([PooledSource(variants)])
+    return PooledLibrary([PooledSource(variants)])
 
 
 def _is_fitted(category: str, wish: Wish) -> bool:
-    return wish.beyond or wish.suite is not None or category in FITTED
+    return wish.beyond or category in FITTED or (wish.suite is not None and category not in ALONE)
 
 
-def _snapped(category: str, size: Size) -> Size:
-    known = categories()[category]
-    grids = (HUNG, HUNG, HUNG) if known.mount[0] == "wall" else (GRID, GRID, HEIGHTS)
-    ranges = known.size.ranges if known.size is not None else ((0.0, math.inf),) * 3
-    depth, width, height = (_floor(*row) for row in zip(size, grids, ranges, strict=True))
+def _shows_style(category: str, wish: Wish) -> bool:
+    """Whether a drawing depends on the style: by its form, or by finishes that are asked for and not the palette's."""
+    if category in STYLED or wish.color is not None or wish.material is not None:
+        return True
+    return wish.palette is None and category not in own_look()
+
+
+def _of_style(asset: Asset, style: str) -> Asset:
+    if asset.attributes.get("style") == style:
+        return asset
+    return replace(asset, attributes=asset.attributes | {"style": style})
+
+
+def offered(category: str, size: Size) -> Size:
+    """The largest size [m] that a category comes in that is above none of the wanted extents.
+
+    None stays None; what is less than usual becomes the least usual; what is as deep as wide is so in all its sizes.
+    """
+    found = [None if extent is None else _floor(extent, sizes_of(category, k)) for k, extent in enumerate(size)]
+    depth, width, height = found
+    if depth is not None and width is not None and sizes_of(category, 0) == sizes_of(category, 1):
+        depth = width = min(depth, width)
     return depth, width, height
 
 
-def _floor(extent: float | None, grid: Grid, usual: Range) -> float | None:
-    """The next lower multiple of a step, of the finest one where the usual range is narrow; thin things stay."""
-    if extent is None:
-        return None
-    step = next(step for most, step in grid if extent < most)
-    if usual[1] - usual[0] < NARROW * step:
-        step = grid[0][1]
-    return extent if extent < 5 * step else round(math.floor(extent / step + 1e-6) * step, 3)
+def _floor(extent: float, sizes: tuple[float, ...]) -> float:
+    return max((one for one in sizes if one <= extent + 1e-6), default=sizes[0])
+
+
+@cache
+def sizes_of(category: str, axis: int) -> tuple[float, ...]:
+    """The extents [m] along an axis (depth, width, height) that a category comes in, over its usual range."""
+    known = categories()[category]
+    if known.size is None:
+        raise ValueError(f"{category} is a group of others")
+    low, high = known.size.ranges[axis]
+    steps = round(math.log(high / low) / math.log(RATIOS[known.mount[0]][axis == 2]))
+    between = (low * (high / low) ** (k / steps) for k in range(1, steps))
+    return tuple(sorted({low, *(max(low, _round(extent, fine=axis == 2)) for extent in between), high}))
+
+
+def _round(extent: float, fine: bool) -> float:
+    """A number as makers like them [m]: 1.4 rather than 1.407."""
+    unit = 0.05 if extent >= 0.5 and not fine else 0.01 if extent >= 0.1 else 0.001
+    return round(math.floor(extent / unit + 1e-6) * unit, 3)
 
 
 def _pooled_palette(category: str, code: str | None) -> str | None:
