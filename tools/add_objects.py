@@ -140,7 +140,7 @@ def _bodies(
         twin = next((o for o in draft.objects.values() if o.category == category and o.asset is not None), None)
         if twin is not None and twin.asset is not None and twin.mount == mount:
             try:
-                return [context.library.load(twin.asset)] * count
+                return [context.library.load(twin.asset).of_style(twin.attributes.get("style"))] * count
             except InputError:
                 pass  # the asset came from a source that is not there now; another one has to do
     wish = replace(_wish(context, row, item, seed), mount=mount)

@@ -109,7 +109,7 @@ def _body(library: Library, obj: SceneObject, size: Size, seed: int) -> Asset | 
     if obj.asset.startswith(PARAMETRIC):
         name, _, query = obj.asset.partition("?")
         recipe = {**dict(parse_qsl(query, keep_blank_values=True)), "size": ",".join(f"{s:.6g}" for s in size)}
-        return library.load(f"{name}?{urlencode(recipe, safe=',')}")
+        return library.load(f"{name}?{urlencode(recipe, safe=',')}").of_style(obj.attributes.get("style"))
     color, material, style = (
         v if isinstance(v := obj.attributes.get(k), str) else None for k in ("color", "material", "style")
     )

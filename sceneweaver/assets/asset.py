@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, Literal
 
@@ -91,6 +91,12 @@ class Asset:
         ]
         arrays += [array for hull in self.hulls for array in (hull.vertices, hull.faces)]
         return sum(array.nbytes + 128 for array in arrays) + 2**14  # prisms, zones, words
+
+    def of_style(self, style: object) -> Asset:
+        """The asset, said to be of a style; what looks alike in all styles is of the one that it is chosen for."""
+        if not style or self.attributes.get("style") == style:
+            return self
+        return replace(self, attributes=self.attributes | {"style": style})
 
     def object(
         self, asset_id: str, *, pose: Pose | None = None, mount: Mount | None = None, support: Support | None = None

@@ -80,6 +80,8 @@ def test_one_drawing_serves_all_styles_where_they_look_alike() -> None:
     for category in ("vase", "desk", "book"):
         first, second = chosen(category)
         assert first.id == second.id and "style" not in first.id
+    said = library.choose("vase", 1, Wish(words="rustic", palette=PALETTES[0], count=1))[0]
+    assert said.attributes["style"] == "rustic" and "style" not in said.id
     first, second = chosen("wardrobe")
     assert first.id != second.id and len(first.mesh.vertices) != len(second.mesh.vertices)
     first, second = chosen("armchair", color="red")

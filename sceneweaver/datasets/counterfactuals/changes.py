@@ -165,12 +165,11 @@ class Changer:
             asset = self.drawn.load(head + "?" + "&".join(f"{name}={value}" for name, value in given.items()))
         except InputError:
             return None
+        asset = asset.of_style(item.attributes.get("style"))
         made = asset.object(item.id, pose=item.pose, mount=item.mount, support=item.support)
         if made.parts == item.parts or made.category != item.category:
             return None
-        said = {name: item.attributes[name] for name in ("style",) if name in item.attributes}
-        update = {"intent": item.intent, "fixed": item.fixed, "attributes": {**made.attributes, **said}}
-        return made.model_copy(update=update)
+        return made.model_copy(update={"intent": item.intent, "fixed": item.fixed})
 
     def _replaced(self, item: SceneObject) -> Scene:
         objects = tuple(item if o.id == item.id else o for o in self.scene.objects)

@@ -8,6 +8,7 @@ from dataclasses import replace
 from functools import cache
 
 from sceneweaver.assets import Asset, Library, categories
+from sceneweaver.assets.looks import read_words
 from sceneweaver.assets.materials import STYLES, own_look
 from sceneweaver.assets.sources import Card, ParametricSource
 from sceneweaver.assets.sources.base import Wish
@@ -97,8 +98,8 @@ class PooledLibrary(Library):
     def choose(self, noun: str, count: int = 1, wish: Wish | None = None, same: bool = True) -> list[Asset]:
         """As `Library.choose`; what is drawn once for all styles says the wanted one of itself."""
         made = super().choose(noun, count, wish, same)
-        style = wish.style if wish is not None and wish.style in STYLES else None
-        return made if style is None else [_of_style(asset, style) for asset in made]
+        style = None if wish is None else wish.style or read_words(wish.words).style
+        return [asset.of_style(style) for asset in made] if style in STYLES else made
 
 
 def dataset_library(variants: int) -> Library:
@@ -119,12 +120,6 @@ def _shows_style(category: str, wish: Wish) -> bool:
     if category in STYLED or wish.color is not None or wish.material is not None:
         return True
     return wish.palette is None and category not in own_look()
-
-
-def _of_style(asset: Asset, style: str) -> Asset:
-    if asset.attributes.get("style") == style:
-        return asset
-    return replace(asset, attributes=asset.attributes | {"style": style})
 
 
 def offered(category: str, size: Size) -> Size:
