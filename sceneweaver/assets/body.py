@@ -29,6 +29,23 @@ class Material:
     emission: float = 0.0
     texture: str = "plain"
 
+    def called(self, *names: str) -> bool:
+        """Whether its name is one of some."""
+        return self.name in names
+
+    @property
+    def kind(self) -> str:
+        """What it is in whatever colour, the last word of its name: "fabric" of "blue fabric"."""
+        return self.name.rpartition(" ")[2]
+
+    def darker(self, than: float) -> bool:
+        """Whether the largest channel of its colour is below a value in 0..1."""
+        return max(self.color) < than
+
+    def near(self, color: tuple[float, float, float], within: float) -> bool:
+        """Whether no channel of its colour is further than that from another colour."""
+        return max(abs(a - c) for a, c in zip(color, self.color, strict=True)) <= within
+
 
 @dataclass(frozen=True)
 class Mesh:

@@ -30,7 +30,7 @@ class Journal:
 
     def __init__(self, folder: Path):
         self.folder = folder
-        self._places: dict[bytes, tuple[Path, int, int]] = {}
+        self._places: dict[bytes, tuple[Path, int, int, int]] = {}
         self._read: dict[Path, int] = {}
         self._own: Path | None = None
         self._process = 0
@@ -44,9 +44,11 @@ class Journal:
                 self._look()
             if key not in self._places:
                 return None
-            path, start, length = self._places[key]
-        with contextlib.suppress(OSError), open(path, "rb") as file:
-            return os.pread(file.fileno(), length, start)
+            path, start, length, check = self._places[key]
+        with contextlib.suppress(OSError), open(path, "rb", buffering=0) as file:
+            value = os.pread(file.fileno(), length, start)
+            if len(value) == length and zlib.crc32(value) == check:
+                return value
         return None
 
     def put(self, key: bytes, value: bytes) -> None:
@@ -59,26 +61,25 @@ class Journal:
                 file.write(_HEAD.pack(key, len(value), zlib.crc32(value)) + value)
 
     def _look(self) -> None:
-        """Read what was written since the last look."""
+        """Note where things stand that were written since the last look."""
         if time.monotonic() - self._looked < _LOOK:
             return
         self._looked = time.monotonic()
         for path in self.folder.glob("*.journal"):
-            with contextlib.suppress(OSError), open(path, "rb") as file:
-                file.seek(self._read.get(path, 0))
-                self._read[path] = self._index(path, file.tell(), file.read())
+            with contextlib.suppress(OSError), open(path, "rb", buffering=0) as file:
+                self._read[path] = self._index(path, file.fileno(), self._read.get(path, 0))
 
-    def _index(self, path: Path, start: int, content: bytes) -> int:
-        """Note the whole records of a part of a file that starts there; returns where they end."""
-        at = 0
-        while at + _HEAD.size <= len(content):
-            key, length, check = _HEAD.unpack_from(content, at)
-            value = content[at + _HEAD.size : at + _HEAD.size + length]
-            if len(value) < length or zlib.crc32(value) != check:
+    def _index(self, path: Path, file: int, at: int) -> int:
+        """Note the whole records of a file from there on, by their heads; returns where they end."""
+        end = os.fstat(file).st_size
+        while at + _HEAD.size <= end:
+            key, length, check = _HEAD.unpack(os.pread(file, _HEAD.size, at))
+            start = at + _HEAD.size
+            if start + length > end:
                 break
-            self._places[key] = path, start + at + _HEAD.size, length
-            at += _HEAD.size + length
-        return start + at
+            self._places[key] = path, start, length, check
+            at = start + length
+        return at
 
 
 def journal_key(*parts: Hashable) -> bytes:

@@ -33,6 +33,20 @@ class Recent(Generic[Key, Value]):
                 self._values.move_to_end(key)
                 return self._values[key][0]
         value = make()
+        self.put(key, value)
+        return value
+
+    def peek(self, key: Key) -> Value | None:
+        """The value of a key; None: it is not kept."""
+        with self._lock:
+            if key not in self._values:
+                return None
+            self.hits += 1
+            self._values.move_to_end(key)
+            return self._values[key][0]
+
+    def put(self, key: Key, value: Value) -> None:
+        """Keep a value, unless there is one of that key."""
         with self._lock:
             self.misses += 1
             if key not in self._values:
@@ -40,7 +54,6 @@ class Recent(Generic[Key, Value]):
                 self.nbytes += self._values[key][1]
             while self.nbytes > self.most and len(self._values) > 1:
                 self.nbytes -= self._values.popitem(last=False)[1][1]
-        return value
 
     def clear(self) -> None:
         """Forget all."""

@@ -11,23 +11,32 @@ import numpy as np
 from sceneweaver.scene import Part, Surface, Zone
 
 from ..asset import Asset, Origin
-from ..body import Hull, Material, Mesh
-from ..materials import color_name
+from ..body import Hull, Mesh
+from ..mirror import mirrored
 from ..prisms import prisms_of
 from ..zones import access_zones, opening_zones
+from .bare import Bare, Slot
 from .box import Interval
 from .drawing import Drawing
 from .layout import texture_coordinates
-from .masses import masses_of
+from .masses import bulk_of
 from .tree import Piece, vec3
+from .watched import Watched
 
 Bounds = tuple[Interval, Interval, Interval]
 
 
 def asset_of(drawing: Drawing) -> Asset:
     """All that was drawn, as an asset with its origin at the bottom centre of its box."""
+    return bare_of(drawing).finished(drawing.trace.given, drawing.finishes)
+
+
+def bare_of(drawing: Drawing) -> Bare:
+    """All that was drawn, without its finishes."""
     drawn, category, request = drawing.drawn, drawing.category, drawing.request
-    mesh = _mesh(drawn.pieces)
+    slots: dict[Slot, int] = {}
+    slot = np.array([slots.setdefault(_slot(piece), len(slots)) for piece in drawn.pieces], dtype=np.int32)
+    mesh = _mesh(drawn.pieces, slot)
     low, high = mesh.bounds
     shift = np.array([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]])
     mesh.vertices[:] -= shift
@@ -42,52 +51,54 @@ def asset_of(drawing: Drawing) -> Asset:
     links = tuple(replace(k, anchor=vec3(np.array(k.anchor) - shift)) for k in drawn.links)
     if "surface" not in category.mount:
         zones += opening_zones(hulls, links, zones, (d, w, h), laden=bool(surfaces))
-    main, name = drawing.main_material, request.label or category.name
-    attributes: dict[str, Any] = {"style": drawing.style}
-    if main is not None:
-        attributes |= {"color": color_name(main.color), "material": main.name}
-    attributes |= {key: value for key, value in drawing.shown.items() if key != "material"}
-    attributes |= _counted(drawing)
+    shown: dict[str, Any] = dict(_counted(drawing))
     parts = prisms_of(hulls, drawn.groups, clear)
     if request.shape and outline_shape(hulls, drawing.outline_axes) == request.shape:
-        attributes["shape"] = request.shape
-    words = name.replace("_", " ")
-    masses = masses_of(drawn.pieces, len(drawn.links), category.mass)
-    return Asset(
-        id=f"parametric:{category.name}?seed={drawing.seed}{request.suffix}",
-        category=name,
+        shown["shape"] = request.shape
+    asset = Asset(
+        id="",
+        category=request.label or category.name,
         mesh=mesh,
         hulls=hulls,
         parts=parts,
         mount=category.mount[0],
-        mass=round(sum(masses), 5),
+        mass=0.0,
         friction=category.friction,
         origin=Origin(source="parametric", licence="Apache-2.0", attribution="sceneweaver"),
         surfaces=tuple(_on_parts(s, parts) for s in surfaces),
         zones=tuple(zones),
         sides=category.sides,
-        masses=masses,
         links=links,
         grasps=tuple(replace(k, position=vec3(np.array(k.position) - shift)) for k in drawn.grasps),
         interiors=tuple(
             replace(k, low=vec3(np.array(k.low) - shift), high=vec3(np.array(k.high) - shift)) for k in drawn.interiors
         ),
-        attributes=attributes,
-        description=f"{main.name} {words}" if main is not None else words,
+    )
+    return Bare(
+        asset=mirrored(asset) if request.mirrored else asset,
+        slots=tuple(slots),
+        slot=slot,
+        faces=np.array([len(piece.faces) for piece in drawn.pieces], dtype=np.int32),
+        bulk=bulk_of(drawn.pieces, len(drawn.links)),
+        mass=category.mass,
+        shown=shown,
     )
 
 
-def _mesh(pieces: Sequence[Piece]) -> Mesh:
-    numbers: dict[Material, int] = {}
-    material = [numbers.setdefault(piece.material, len(numbers)) for piece in pieces]
+def _slot(piece: Piece) -> Slot:
+    material = piece.material
+    return material.number if isinstance(material, Watched) else material
+
+
+def _mesh(pieces: Sequence[Piece], slot: np.ndarray) -> Mesh:
     starts = np.cumsum([0] + [len(piece.vertices) for piece in pieces])
     count = [len(piece.faces) for piece in pieces]
     return Mesh(
         vertices=np.concatenate([piece.placed for piece in pieces]),
         faces=np.concatenate([p.faces + s for p, s in zip(pieces, starts[:-1], strict=True)]).astype(np.int32),
-        face_material=np.repeat(material, count).astype(np.int32),
+        face_material=np.repeat(slot, count),
         face_link=np.repeat([piece.link for piece in pieces], count).astype(np.int32),
-        materials=tuple(numbers),
+        materials=(),
         uv=texture_coordinates(pieces),
     )
 

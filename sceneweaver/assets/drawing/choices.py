@@ -11,8 +11,6 @@ import numpy as np
 from sceneweaver.scene import InputError
 
 from ..category import Category
-from ..materials import STYLES
-from ..scheme import scheme_for
 from .box import Box
 from .request import Request, Size
 
@@ -31,10 +29,6 @@ class Choices:
         self.category = category
         self.request = request or Request()
         self.seed = seed
-        self._scheme = scheme_for(category.name, self.request.palette)
-        self.style = self.request.style or self.pick("style", STYLES)
-        if self.style not in STYLES:
-            raise InputError(f"style: '{self.style}' is unknown; use one of {', '.join(STYLES)}")
         self.size = self._even(Size(*(self._extent(k) for k in range(3))))
 
     @property

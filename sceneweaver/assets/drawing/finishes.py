@@ -4,22 +4,41 @@ from __future__ import annotations
 
 from typing import Any
 
+from sceneweaver.scene import InputError
+
 from ..body import Material
 from ..category import Category
-from ..materials import Finish, alike, color_name, color_named, expand, finish, finishes_named, tinted
+from ..materials import STYLES, Finish, alike, color_name, color_named, expand, finish, finishes_named, tinted
+from ..scheme import scheme_for
 from .choices import Choices
 from .request import Request
 
 
 class Finishes(Choices):
-    """Choices with materials."""
+    """Which finishes the request and the palette give to roles that are named one after the other.
+
+    Args:
+        category: What is drawn.
+        seed: Its seed.
+        request: All that is asked of it.
+        any_material: Whether the asked material is given up, as no role can have it.
+    """
 
     def __init__(self, category: Category, seed: int, request: Request | None = None, *, any_material: bool = False):
         super().__init__(category, seed, request)
+        self.style = self.request.style or self.pick("style", STYLES)
+        if self.style not in STYLES:
+            raise InputError(f"style: '{self.style}' is unknown; use one of {', '.join(STYLES)}")
+        self._scheme = scheme_for(category.name, self.request.palette)
         self.roles: dict[str, Material] = {}
         self.shown: dict[str, Any] = {}
         self._wanted = None if any_material else self.request.material
         self._main: str | None = None
+
+    @property
+    def in_room(self) -> bool:
+        """Whether it is for a room with a palette."""
+        return self.request.palette is not None
 
     @property
     def main_material(self) -> Material | None:
@@ -94,8 +113,6 @@ class Finishes(Choices):
         looks = self._scheme.replaced(options, large)
         return looks[int(self._scheme.share(role) * len(looks))] if large else self.pick(f"material {role}", looks)
 
-    def named(self, name: Material | str) -> Material:
+    def named(self, name: str) -> Material:
         """A finish without alternative, as the room's palette has it."""
-        if isinstance(name, Material):
-            return name
         return finish(name).material if self._scheme is None else self._scheme.alone(name)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 from urllib.parse import quote
 
@@ -36,6 +36,11 @@ class Request:
     palette: str | None = None
     suite: int | None = None
     mirrored: bool = False
+
+    @property
+    def bare(self) -> Request:
+        """What of it a drawing sees: size, shape, parts, label and hand."""
+        return replace(self, color=None, material=None, style=None, palette=None, suite=None)
 
     @property
     def suffix(self) -> str:

@@ -14,8 +14,8 @@ from sceneweaver.scene import Surface, Zone
 from ..body import Grasp, Hull, Interior, Link, Material, Role
 from ..category import Category
 from .box import Box, Interval, Vec3
-from .finishes import Finishes
 from .request import Request
+from .watched import Watching
 
 
 @dataclass
@@ -65,7 +65,7 @@ class Drawn:
     interiors: list[Interior] = field(default_factory=list)
 
 
-class Tree(Finishes):
+class Tree(Watching):
     """Finishes with frames, parts, links and copies."""
 
     def __init__(self, category: Category, seed: int, request: Request | None = None, *, any_material: bool = False):

@@ -12,7 +12,6 @@ from sceneweaver.scene.messages import suggest
 from ..asset import Asset
 from ..category import categories
 from ..drawing import MAKERS, Drawing, Maker, Request, asset_of
-from ..mirror import mirrored
 from . import families
 
 
@@ -32,13 +31,27 @@ def make(category: str, seed: int = 0, request: Request | None = None) -> Asset:
     Raises:
         InputError: for a category that is not drawn, or a request outside the category's range.
     """
+    for any_material in (False, True):
+        drawing = draw(category, seed, request, any_material)
+        if not drawing.finishes.lacks_material:  # else draw again, as its colour waited for it
+            break
+    return asset_of(drawing)
+
+
+def draw(category: str, seed: int, request: Request | None, any_material: bool) -> Drawing:
+    """A finished drawing.
+
+    Raises:
+        InputError: as of `make`.
+    """
+    check(category)
+    drawing = Drawing(categories()[category], seed, request, any_material=any_material)
+    makers()[category](drawing)
+    return drawing
+
+
+def check(category: str) -> None:
+    """Raise InputError for a category that is not drawn."""
     known = makers()
     if category not in known:
         raise InputError(f"category: '{category}' is unknown{suggest(category, known)}")
-    drawing = Drawing(categories()[category], seed, request)
-    known[category](drawing)
-    if drawing.lacks_material:  # its colour waited for it
-        drawing = Drawing(categories()[category], seed, request, any_material=True)
-        known[category](drawing)
-    asset = asset_of(drawing)
-    return mirrored(asset) if drawing.request.mirrored else asset

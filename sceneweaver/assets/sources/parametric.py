@@ -11,10 +11,11 @@ from sceneweaver.scene import InputError
 
 from ..asset import Asset
 from ..category import categories
+from ..journal import Journal
 from ..looks import Words, shows
 from ..materials import STYLES
-from ..parametric import Request, make
-from ..recent import Recent
+from ..parametric import Request
+from ..parametric.drawings import Drawings
 from ..taxonomy import Match, resolve
 from .base import Card, Wish
 
@@ -110,7 +111,7 @@ def _that_show(category: str, seed: int, request: Request, words: Words, tries: 
     return (made for made in drawn if all(shows(made.attributes, words).values()))
 
 
-_DRAWN: Recent[tuple[str, int, Request], Asset] = Recent(128 * 2**20, lambda asset: asset.nbytes)
+_DRAWN = Drawings(128 * 2**20)
 
 
 def keep_drawings(nbytes: int) -> None:
@@ -118,8 +119,13 @@ def keep_drawings(nbytes: int) -> None:
     _DRAWN.most = max(_DRAWN.most, nbytes)
 
 
+def share_drawings(journal: Journal | None) -> None:
+    """Tell other processes what is drawn, and ask them, from now on; None: no longer."""
+    _DRAWN.share(journal)
+
+
 def _draw(category: str, seed: int, request: Request) -> Asset:
-    return _DRAWN.get((category, seed, request), lambda: make(category, seed, request))
+    return _DRAWN.get(category, seed, request)
 
 
 def _size(text: str) -> tuple[float | None, float | None, float | None]:

@@ -10,6 +10,7 @@ from typing import Any
 
 from sceneweaver.assets.journal import Journal
 from sceneweaver.assets.placed import Load
+from sceneweaver.assets.sources.parametric import share_drawings
 from sceneweaver.export.glb import glb_bytes
 from sceneweaver.export.mjcf import mjcf
 from sceneweaver.export.shared import SharedFiles
@@ -55,6 +56,7 @@ class SceneFiles:
         self._store, self._load = store, load
         journal = Journal(store.root / JOURNAL)
         share_parts(journal)
+        share_drawings(Journal(journal.folder / "drawings"))
         self._shared = SharedFiles(store, self._used, journal)
         self._recorded: set[str] = set()
         self._fresh: dict[str, set[str]] = {}

@@ -26,7 +26,7 @@ SWING = math.radians(95.0)
 def pulls(d: Drawing, body: Material, *styles: str) -> tuple[str, Material, float]:
     """A style of handle, a metal that shows on the body, and how far it stands out [m]."""
     style = d.pick("pull style", styles or ("bar", "knob", "cup"))
-    dark = max(body.color) < 0.25
+    dark = body.darker(0.25)
     metals = ("brass", "brushed steel", "steel") if dark else ("black steel", "brass", "brushed steel")
     return style, d.material("pulls", *metals), REACH[style]
 

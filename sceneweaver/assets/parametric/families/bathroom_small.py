@@ -26,7 +26,7 @@ def _hung_towel(d: Drawing, bar: Vec3, radius: float, width: float, front: float
     grid = np.stack(np.broadcast_arrays(x, bar[1] + across, bar[2] + path[:, 1:]), axis=-1)
     d.sheet(grid, 0.008, cloth, (5, 1))
     stripe = grid[-3:-1] + (0.004, 0.0, 0.0)
-    d.sheet(stripe, 0.002, "white fabric" if cloth.name != "white fabric" else "grey fabric")
+    d.sheet(stripe, 0.002, "white fabric" if not cloth.called("white fabric") else "grey fabric")
 
 
 def _rosette(d: Drawing, at: Vec3, radius: float, metal: Look, thick: float = 0.009) -> None:
@@ -87,7 +87,7 @@ def medicine_cabinet(d: Drawing) -> None:
     for level in rooms[1:]:
         d.box(level.bottom(-0.006), "glass", bevel=0.0)
     compartments(d, rooms)
-    rim = 0.016 if shell.name in ("oak", "walnut") else 0.003
+    rim = 0.016 if shell.called("oak", "walnut") else 0.003
     cells = case.front(-0.018).columns(1 if box.width < 0.55 else 2 if box.width < 0.78 else 3)
     for k, leaf in enumerate(cell.inset(y=0.0015, z=0.0015) for cell in cells):
         last = k == len(cells) - 1
@@ -142,7 +142,7 @@ def bathroom_shelf(d: Drawing) -> None:
     """Two or three glass or wooden boards with rails, between wall strips."""
     metal, box = d.material("metal", _METALS), d.bounds
     look = d.material("board", "glass, oak, bamboo, white paint, frosted glass")
-    thick, count = 0.008 if "glass" in look.name else 0.015, 2 if box.height < 0.42 else 3
+    thick, count = 0.008 if look.kind == "glass" else 0.015, 2 if box.height < 0.42 else 3
     with d.part("wall"), d.mirror("y"):
         d.box(box.back(0.01).left(0.02).move(y=-0.03), metal, bevel=0.002)
     levels = np.linspace(0.02, box.z[1] - thick - 0.045, count).tolist()
@@ -229,7 +229,7 @@ def laundry_hamper(d: Drawing) -> None:
             d.slab(lid.top(0.014).inset(x=0.012, y=0.012), weave, 0.03, 0.006)
             lip(d, lid.front(-0.022).place(width=0.06).bottom(0.008).move(z=0.004), "brown leather", bevel=0.001)
         with d.mirror("y"):
-            y, z, rope = body.y[1] - 0.012, body.z[1] - 0.1, "rattan" if weave.name == "wicker" else "wicker"
+            y, z, rope = body.y[1] - 0.012, body.z[1] - 0.1, "rattan" if weave.called("wicker") else "wicker"
             d.arch((-0.07, y, z), (0.07, y, z), (0.0, 0.018, 0.03), 0.008, rope)
     d.fit()
 

@@ -109,7 +109,7 @@ def bed(d: Drawing) -> None:
 def canopy_bed(d: Drawing) -> None:
     """Four posts and a rail around their heads; curtains of thin cloth at the posts in some."""
     wood = d.material("frame", "oak, walnut, mahogany, black steel, white paint, black paint")
-    metal = wood.name == "black steel"
+    metal = wood.called("black steel")
     box, post, rail = d.bounds, 0.04 if metal else 0.07, 0.3
     curtains = d.chance("curtains", 0.65)
     tie = 0.45  # of the height: where a curtain is drawn to its post
@@ -152,7 +152,7 @@ def canopy_bed(d: Drawing) -> None:
 def daybed(d: Drawing) -> None:
     """A bed along the wall like a sofa: a barred back and two ends, bolsters, square cushions, a folded throw."""
     wood = d.material("frame", "white paint, oak, walnut, black steel, pine")
-    metal = wood.name == "black steel"
+    metal = wood.called("black steel")
     box, t, rail, top = d.bounds, 0.03 if metal else 0.05, 0.24, 0.43
     fill = "rods" if metal else "panel" if d.chance("panels", 0.5) else "slats"
     with d.part("bed"):

@@ -144,7 +144,7 @@ def hospital_bed(d: Drawing) -> None:
             own = d.cushion(board.inset(y=0.03, bottom=0.4), panel, 0.022)
             d.box(own.top(0.05).move(z=-0.1).place(width=0.48), "grey plastic", bevel=0.002)
     rails = {"head rail": (box.x[0] + 0.16, box.x[0] + 0.86, 0.88), "foot rail": (box.x[0] + 1.0, box.x[0] + 1.6, 0.8)}
-    tube = panel if panel.name == "white plastic" else metal
+    tube = panel if panel.called("white plastic") else metal
     for name, (x0, x1, high) in rails.items():
         with d.mirror("y"), d.part(name), d.at(y=box.y[1] - 0.038):
             low = base - 0.03

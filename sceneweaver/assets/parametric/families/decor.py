@@ -32,7 +32,7 @@ def _vessel(d: Drawing, box: Box, floor: float = 0.06) -> None:
     lip = profile[-1][0] - max(0.008 / box.width, 0.04)
     with d.part("vase"):
         d.turned(box, [*profile, (lip, 1.0), (bore, 0.97), (bore, floor)], look, 32, hollow=True, holds=floor < 0.5)
-        if d.chance("band", 0.35) and look.name != "glass":
+        if d.chance("band", 0.35) and not look.called("glass"):
             ring = [(r + 0.0008 / box.width, z) for r, z in profile[1:3]]
             d.turned(box, ring, d.material("band", "brass, white ceramic, ink pigment"), 32)
 

@@ -161,7 +161,7 @@ def desk_globe(d: Drawing) -> None:
     """A globe with continents, tilted in a half ring on a turned foot."""
     metal = d.material("stand", "brass, walnut, oak, black steel, chrome")
     sea = d.material("sea", "sea pigment, sky pigment, night pigment, sand pigment")
-    old = sea.name == "sand pigment"
+    old = sea.called("sand pigment")
     land = d.named("wicker") if old else d.material("land", "moss pigment, ochre pigment, forest pigment")
     r = min(d.bounds.width / 2 - 0.012, (d.bounds.height - 0.07) / 2.14)
     z, tilt = d.bounds.height - r - 0.012, 0.41

@@ -114,8 +114,8 @@ def dressing_table(d: Drawing) -> None:
     with d.part("top"):
         tabletop(d, plate, wood, 0.02, name=None)
         drawer_case(d, case, wood, wood, metal, style, columns=2 if bounds.width < 0.95 else 3)
-    look = metal if metal.name != "chrome" and d.chance("metal legs", 0.35) else wood
-    styles = ["tapered", "splayed", "turned"] if look is wood else ["round"]
+    look = metal if not metal.called("chrome") and d.chance("metal legs", 0.35) else wood
+    styles = ["tapered", "splayed", "turned"] if look == wood else ["round"]
     legs(d, case.inset(x=0.01, y=0.01).to(z=(0.0, case.z[0])), look, d.pick("legs", styles), 0.042)
     d.surface("top", plate.inset(back=0.08), inset=0.01)
     kind = d.pick("mirror", ["round", "arch", "oval", "three"])

@@ -124,7 +124,7 @@ def drafting_table(d: Drawing) -> None:
             d.box(end.inset(x=-0.01, bottom=-0.002, top=-0.005), "black plastic")
         square = [(0.05, 0.33 * width), (0.05, 0.45 * width), (-0.12, 0.45 * width)]
         d.hull([(x, y, z) for x, y in square for z in (0.0, 0.003)], "clear plastic")
-    bar = 0.05 if steel.name in ("oak", "walnut") else 0.035
+    bar = 0.05 if steel.called("oak", "walnut") else 0.035
     at, hold = min(0.36 * width, width / 2 - 0.1), middle - 0.05
     foot = d.bounds.inset(x=0.04).to(y=(at - bar / 2, at + bar / 2))
     with d.mirror("y"), d.part("end"):

@@ -184,7 +184,7 @@ def vending_machine(d: Drawing) -> None:
 def coffee_station(d: Drawing) -> None:
     """A cabinet with a counter, over it an open shelf with mugs and jars against a panelled back."""
     leaf = d.material("fronts", "sage paint, white paint, oak, navy paint, walnut, black paint, cream paint, light oak")
-    shell = d.material("body", "white paint, oak, walnut") if leaf.name.endswith("paint") else leaf
+    shell = d.material("body", "white paint, oak, walnut") if leaf.kind == "paint" else leaf
     top = d.material("top", "oak, walnut, marble, beech, dark marble")
     style, metal, reach = pulls(d, leaf)
     box, panel = d.bounds, leaf if d.style in ("classic", "rustic") else None

@@ -33,7 +33,7 @@ def buffet_table(d: Drawing) -> None:
     """A clothed table with two or three food warmers in a row, and room for plates at both ends and in front."""
     cloth = d.material("cloth", "white fabric, navy fabric, black fabric, red fabric, beige fabric, green fabric")
     metal, white = d.material("warmers", "chrome, brushed steel, brass, steel"), "white fabric"
-    cover = d.material("runner", "red fabric, navy fabric, mustard fabric") if cloth.name == white else white
+    cover = d.material("runner", "red fabric, navy fabric, mustard fabric") if cloth.called(white) else white
     top, w = d.bounds.to(z=(0.78, 0.84)), d.size.width
     with d.part("table"):
         steps = np.arange(6 * round((top.depth + w) / 0.055))

@@ -104,7 +104,7 @@ def doll_house(d: Drawing) -> None:
     d.box(box.bottom(0.02), "moss pigment")
     house = box.inset(bottom=0.02, y=0.05).share(z=(0.0, 0.62)).inset(front=0.05)
     d.box(house.back(0.008), wall, 0.0)
-    trim = "white paint" if wall.name != "white paint" else "sky pigment"
+    trim = "white paint" if not wall.called("white paint") else "sky pigment"
     middle = house.share(y=(0.54, 0.54)).inset(y=-0.005)
     for side in (house.left(0.01), house.right(0.01), middle):
         d.box(side.inset(back=0.008), wall, 0.001)

@@ -122,7 +122,7 @@ def hob(d: Drawing) -> None:
             d.box(plate.inset(x=0.02, y=0.02, top=0.006), "black plastic", bevel=0.0)
         d.box(plate if gas else plate.top(0.007), look, bevel=0.002)
         burners(d, plate.inset(back=0.02, front=0.105 if gas else 0.08, y=0.02), gas, count)
-        plate_dark = look.name == "black glass"
+        plate_dark = look.called("black glass")
         row = plate.top(0.0).front(0.09).place(width=(count + 1) * 0.065 if gas else 0.28)
         for k, place in enumerate(row.columns(count + 1 if gas else 8)):
             if gas:
@@ -177,7 +177,7 @@ def range_hood(d: Drawing) -> None:
 def dishwasher(d: Drawing) -> None:
     """A steel tub with two racks behind a front that falls open, under a worktop or a lid of its own."""
     coat = coat_of(d)
-    own_lid = coat if coat.name == "black paint" else "white paint"
+    own_lid = coat if coat.called("black paint") else "white paint"
     lid, thick = worktop_of(d) if d.in_suite else (own_lid, 0.03)
     bounds = d.bounds
     front = bounds.inset(front=SETBACK, bottom=PLINTH, top=thick)

@@ -78,7 +78,7 @@ def fridge(d: Drawing) -> None:
     """A cabinet with two doors, the freezer below or above, upright handles and a small badge."""
     coat = coat_of(d, "cream paint", "red paint", "sage paint")
     pull = d.material("handles", "chrome", "brushed steel", "black steel")
-    retro = coat.name in ("cream paint", "red paint", "sage paint")
+    retro = coat.called("cream paint", "red paint", "sage paint")
     body = d.bounds.inset(front=LEAF + REACH + 0.004)
     hung: Literal["left", "right"] = d.pick("hung", ["left", "right"])
     low = d.chance("freezer below", 0.6) and not retro

@@ -53,7 +53,7 @@ def coat_of(d: Drawing, *more: str) -> Material:
 
     It is a choice of its own, so that a room's paint or copper does not become that of its hood.
     """
-    alone = not d.in_suite and d.request.palette is None
+    alone = not d.in_suite and not d.in_room
     return d.material("body", d.pick("coat", (*COATS, *more) if alone else COATS, matched=True))
 
 

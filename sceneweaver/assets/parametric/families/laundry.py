@@ -32,7 +32,7 @@ def washing_machine(d: Drawing) -> None:
     """A box with a drum behind a round glass door, a panel with dial and display, a drawer or a filter flap."""
     coat = d.material("body", "white paint, white paint, white paint, grey paint, black paint")
     rim = d.material("rim", "chrome, black plastic, grey plastic, white plastic")
-    trim = "light grey paint" if coat.name == "white paint" else "black plastic"
+    trim = "light grey paint" if coat.called("white paint") else "black plastic"
     box = d.bounds.inset(front=0.062)
     feet(d, box.bottom(0.015), "black plastic")
     case = box.inset(bottom=0.012, top=0.028, y=0.002)
@@ -174,7 +174,7 @@ def laundry_basket(d: Drawing) -> None:
     rim = box.z[1]
     outer = ((0.78, 0.78, 0.0), (0.95, 0.95, rim - 0.03), (1.0, 1.0, rim - 0.025), (1.0, 1.0, rim))
     bowl(d, box, outer, ((0.95, 0.95, rim), (0.92, 0.92, rim - 0.03), (0.75, 0.75, 0.012)), look, 7.0, inside=None)
-    dark = "grey plastic" if look.name == "white plastic" else "black plastic"
+    dark = "grey plastic" if look.called("white plastic") else "black plastic"
     lean = math.atan2(0.17 * box.depth / 2, rim - 0.03)
     with d.mirror("x"), d.at(0.39 * box.depth, pitch=lean):
         face = Box((0.0, 0.0), (-0.3 * box.width, 0.3 * box.width), (0.25 * rim, 0.75 * rim))

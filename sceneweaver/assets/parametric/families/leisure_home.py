@@ -211,7 +211,7 @@ def fan(d: Drawing) -> None:
         blade = [(0.03, -0.02, 0.06), (0.03, 0.02, 0.08), (0.6 * r, -0.07, 0.045), (0.7 * r, 0.07, 0.09)]
         with d.ring(4, 0.0, 0.3):
             thick = [(x, y, zz + e) for x, y, zz in blade for e in (-0.003, 0.003)]
-            d.hull(thick, "blue plastic" if metal.name == "white plastic" else "grey plastic")
+            d.hull(thick, "blue plastic" if metal.called("white plastic") else "grey plastic")
 
 
 @draws("sewing_machine_table", whole=True)

@@ -144,7 +144,7 @@ def shredder(d: Drawing) -> None:
     box = d.bounds.inset(top=0.06)
     bin_box, head = box.rows([0.78, 0.22])
     d.sections(bin_box, [(0.86, 0.86, 0.0), (0.95, 0.95, 1.0)], body, 0.05, convex=True)
-    dark = "black plastic" if body.name != "black plastic" else "grey plastic"
+    dark = "black plastic" if not body.called("black plastic") else "grey plastic"
     top = d.box(head, dark, 0.015)
     d.print(top.top(0.0).place(0.016, 0.68 * box.width), "black glass")
     d.box(Box.sized(0.003, 0.21, d.bounds.z[1] - top.z[1] + 0.02, (0.0, 0.0, top.z[1] - 0.02)), "paper", bevel=0.0)

@@ -24,7 +24,7 @@ from functools import partial
 from importlib import resources
 
 from ...category import read_yaml
-from ...drawing import MAKERS, PROUD, Axis, Box, Drawing, Look
+from ...drawing import MAKERS, PROUD, Axis, Box, Drawing, Look, Maker
 from ...drawing.components import tub
 from ...drawing.tree import pose
 from .small_parts import filling, open_vessel, wrap
@@ -255,7 +255,14 @@ def _register() -> None:
             for name, text in read_yaml(file).items():
                 if name in MAKERS:
                     raise ValueError(f"{file.name}: two drawings of {name}")
-                MAKERS[name] = partial(draw, text=text)
+                MAKERS[name] = _maker(text)
+
+
+def _maker(text: str) -> Maker:
+    def drawn(d: Drawing) -> None:
+        draw(d, text)
+
+    return drawn
 
 
 _register()

@@ -17,7 +17,7 @@ def dining_chair(d: Drawing) -> None:
     wood = d.material("frame", WOODS)
     cover = d.material("cover", COVERS) if d.chance("padded", 0.7) else wood
     style = d.pick("back", ["spindles", "ladder", "cross", "panel", "upholstered", "upholstered"])
-    if style == "upholstered" and cover is wood:
+    if style == "upholstered" and cover == wood:
         style = "ladder"
     seat, lean, h = d.uniform("seat height", 0.44, 0.47), 0.08, d.size.height
     box = d.bounds.inset(back=lean, front=0.01)
@@ -30,7 +30,7 @@ def dining_chair(d: Drawing) -> None:
             d.box(Box((x + 0.01, front - 0.01), (y - 0.009, y + 0.009), (seat - 0.085, seat - 0.02)), wood)
         for at in (x, front):
             d.box(Box((at - 0.009, at + 0.009), (-inner, inner), (seat - 0.085, seat - 0.02)), wood)
-        if cover is wood:
+        if cover == wood:
             d.box(d.bounds.to(x=(x - 0.005, d.bounds.x[1]), z=(seat - 0.022, seat)), wood, bevel=0.006)
         else:
             pad = d.bounds.to(x=(x - 0.015, d.bounds.x[1]), z=(seat - 0.035, seat + 0.025))

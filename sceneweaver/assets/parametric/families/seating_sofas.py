@@ -19,11 +19,7 @@ _ARMS = {"block": 0.17, "round": 0.19, "slim": 0.09, "flared": 0.13, "wood": 0.0
 
 def contrasting(cover: Material) -> list[str]:
     """Cloths for loose things that do not vanish on the cover."""
-
-    def far(name: str) -> bool:
-        return max(abs(a - c) for a, c in zip(finish(name).material.color, cover.color, strict=True)) > 0.2
-
-    return [name for name in _THROWS if far(name)]
+    return [name for name in _THROWS if not cover.near(finish(name).material.color, 0.2)]
 
 
 def throw_pillow(d: Drawing, role: str, cover: Material, x: float, y: float, z: float, yaw: float = 0.25) -> None:

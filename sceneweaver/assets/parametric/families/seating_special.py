@@ -21,7 +21,7 @@ def waiting_bench(d: Drawing) -> None:
     count = 3 if w < 2.05 else 4 if w < 2.5 else 5
     table = d.integer("table", 0, count - 1) if count > 3 and d.chance("with table", 0.4) else None
     seat, rail, x0, x1 = 0.43, 0.33, -depth / 2, depth / 2
-    padded = body.name == "black leather"
+    padded = body.called("black leather")
     with d.part("beam"):
         d.box(Box((-0.06, 0.0), box.inset(y=0.06).y, (rail - 0.04, rail + 0.02)), metal, bevel=0.006)
         with d.mirror("y"), d.at(y=w / 2 - w / count / 2):

@@ -34,7 +34,7 @@ def stool(d: Drawing) -> None:
             d.turned(seat, [(0.84, 0.0), (0.99, 0.34), (1.0, 0.78), (0.96, 1.0)], wood, 28)
         turn = np.arange(8) * (math.pi / 4)
         d.surface("top", seat, polygon=0.15 * np.c_[np.cos(turn), np.sin(turn)])
-    level, metal = 0.38, under is not wood
+    level, metal = 0.38, under != wood
     at, top = foot + (head - foot) * level, seat.z[0]
     next_leg = (at * math.cos(2 * math.pi / count), at * math.sin(2 * math.pi / count), level * top)
     with d.ring(count, 0.0, start):
@@ -207,7 +207,7 @@ def pouf(d: Drawing) -> None:
     """A round, stuffed seat: gores of cloth or leather that swell between seams, or courses of thick knitted rope."""
     cover, box = d.material("cover", "@fabric", "tan leather, brown leather, wicker"), d.bounds
     depth, width, h = box.size
-    if cover.name.endswith("fabric") and d.chance("knitted", 0.5):
+    if cover.kind == "fabric" and d.chance("knitted", 0.5):
         rope = h / 16
         z = np.linspace(rope, h - rope, 9)
         r = np.interp(z / h, [s for _, s in _POUF], [s for s, _ in _POUF]) - 2 * rope / width
@@ -230,7 +230,7 @@ def pouf(d: Drawing) -> None:
             rings.append(np.c_[own * np.cos(turn) * depth / 2, own * np.sin(turn) * width / 2, z * h - drop])
         skin = shapes.lofted(rings)
         d.add(skin, cover, [shapes.containing_hull(skin[0])])
-        trim = "white fabric" if max(cover.color) < 0.8 else "charcoal fabric"
+        trim = "white fabric" if cover.darker(0.8) else "charcoal fabric"
         cord = trim if d.chance("trim", 0.4) else cover
         with d.no_colliders():
             for k in range(0, gores * steps, steps):  # piping in the seams

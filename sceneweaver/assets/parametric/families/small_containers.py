@@ -96,7 +96,7 @@ def shopping_bag(d: Drawing) -> None:
     """A paper bag with cord handles; bread and leeks stick out of some."""
     names = "cardboard, paper, red paint, navy paint, black paint, sage paint, blush pigment"
     look = d.material("body", names)
-    plain = look.name in ("cardboard", "paper")
+    plain = look.called("cardboard", "paper")
     bag = d.bounds.share(z=(0.0, 0.78))
     depth, width, top, high = bag.depth, bag.width, bag.z[1], d.bounds.height - bag.z[1]
     d.sections(bag, [(1, 1, 0.0), (0.92, 1, 1.0)], look, radius=0.0, convex=True)

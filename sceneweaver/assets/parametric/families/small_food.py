@@ -95,8 +95,7 @@ def banana_bunch(d: Drawing) -> None:
 @draws("orange", whole=True, even="cube")
 def orange(d: Drawing) -> None:
     """An orange."""
-    d.material("body", "orange peel")
-    citrus(d, d.even("cube"), d.roles["body"], 20)
+    citrus(d, d.even("cube"), d.material("body", "orange peel"), 20)
 
 
 def loaf_section(box: Box, y: float) -> np.ndarray:

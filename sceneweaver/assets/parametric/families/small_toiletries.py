@@ -66,7 +66,7 @@ def tissue_box(d: Drawing) -> None:
     names = "sky pigment, blush pigment, sage paint, sand pigment, oak, white paint, bamboo, navy paint"
     look = d.material("body", names)
     box = d.box(d.bounds.share(z=(0.0, 0.58)), look, bevel=0.0015)
-    dots = "sky pigment" if look.name == "white paint" else "chalk pigment"
+    dots = "sky pigment" if look.called("white paint") else "chalk pigment"
     with d.no_colliders():
         d.cylinder(Box.around(box.anchor("top"), 0.44 * box.depth, 0.66 * box.width, 0.0006), "charcoal fabric")
         for k, cell in enumerate(box.front(-0.0003).share(y=(0.02, 0.98)).columns(6)):
@@ -198,7 +198,7 @@ def sponge(d: Drawing) -> None:
     body = d.cushion(d.bounds.share(z=(0.0, 0.74)), look, radius=0.006)
     pad = d.pick("pad", ["dark leaf", "green fabric", "navy fabric"])
     d.slab(d.bounds.share(z=(0.72, 1.0)).inset(x=0.0005, y=0.0005), pad, 0.006)
-    hole = "ochre pigment" if look.name == "foam" else "grey paint"
+    hole = "ochre pigment" if look.called("foam") else "grey paint"
     with d.no_colliders():
         for k in range(28):
             side = (body.front(0.0), body.left(0.0))[k % 2]
@@ -271,7 +271,7 @@ def detergent_bottle(d: Drawing) -> None:
     d.cylinder(mouth, cap, ends=(1.0, 0.93), bevel=0.003)
     front = low.front(0.0)
     d.print(
-        front.share(y=(0.3, 0.7), z=(0.2, 0.84)), "blue plastic" if look.name == "white plastic" else "white plastic"
+        front.share(y=(0.3, 0.7), z=(0.2, 0.84)), "blue plastic" if look.called("white plastic") else "white plastic"
     )
     sun = d.pick("sun", ["yellow plastic", "pink plastic", "green plastic"])
     with d.no_colliders():

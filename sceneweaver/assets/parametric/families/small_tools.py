@@ -101,7 +101,7 @@ def spray_bottle(d: Drawing) -> None:
     nose = [(0.08, 0.9), (0.2, 0.82), (0.8, 0.87), (0.86, 0.9), (0.86, 0.97), (0.4, 1.0), (0.14, 0.98)]
     d.silhouette(box.share(y=(0.33, 0.67)), nose, head, bevel=0.002)
     d.box(box.share((0.84, 1.0), (0.37, 0.63), (0.885, 0.975)), head)
-    trigger = "grey plastic" if head.name != "grey plastic" else "red plastic"
+    trigger = "grey plastic" if not head.called("grey plastic") else "red plastic"
     d.silhouette(box.share(y=(0.4, 0.6)), [(0.56, 0.87), (0.68, 0.88), (0.8, 0.72), (0.74, 0.71), (0.58, 0.8)], trigger)
 
 
@@ -135,7 +135,7 @@ def bucket(d: Drawing) -> None:
 def extension_cord(d: Drawing) -> None:
     """A strip of four or five sockets with a switch and its cord."""
     look = d.material("body", "white plastic, black plastic, grey plastic")
-    dark = "grey plastic" if look.name != "grey plastic" else "black plastic"
+    dark = "grey plastic" if not look.called("grey plastic") else "black plastic"
     box = d.bounds
     strip = d.slab(box.share(x=(0.14, 0.86)).inset(left=0.07), look, 0.012, 0.004)
     face = strip.top(0.0).inset(right=0.012, left=0.038)
@@ -231,6 +231,6 @@ def flashlight(d: Drawing) -> None:
             d.revolve([(0.66 * r, low), (0.66 * r, low + 0.03 * deep)], "rubber", 16)
         with d.no_colliders():
             d.revolve([(0.8 * r, 0.46 * deep), (0.82 * r, 0.475 * deep)], "lamp glow", 20)
-    switch = "red plastic" if look.name != "red plastic" else "black plastic"
+    switch = "red plastic" if not look.called("red plastic") else "black plastic"
     d.box(Box((0.06 * deep, 0.14 * deep), (-0.2 * r, 0.2 * r), (1.5 * r, 1.75 * r)), switch, 0.001)
     d.box(Box((-0.49 * deep, -0.46 * deep), (-0.5 * r, 0.5 * r), (0.0, 0.6 * r)), look, 0.001)

@@ -152,11 +152,11 @@ def table(d: Drawing) -> None:
     top = look = d.material("top", *kind.top.split(", "))
     if kind.look:
         look = d.material("legs", *kind.look.split(", "))
-    elif top.name in ("marble", "dark marble", "glass"):
+    elif top.called("marble", "dark marble", "glass"):
         look = d.material("legs", "oak", "walnut", "black paint")
     elif kind.base not in ("waterfall", "slats", "half moon") and d.chance("painted", 0.3):
         look = d.material("legs", "white paint", "cream paint", "black paint")
-    thick = 0.012 if top.name == "glass" else 0.036 if kind.edge == "slats" else d.uniform("thickness", 0.022, 0.034)
+    thick = 0.012 if top.called("glass") else 0.036 if kind.edge == "slats" else d.uniform("thickness", 0.022, 0.034)
     plate, under = bounds.top(thick), bounds.inset(top=thick)
     if kind.base == "half moon":
         _half_moon(d, bounds, under.height, top)
@@ -201,7 +201,7 @@ def _top(d: Drawing, plate: Box, kind: Kind, look: Look) -> None:
         rim, pitch, gap = (0.06, 0.085, 0.007) if kind.base == "tapered" else (0.035, 0.05, 0.005)
         inner = walls(d, plate, look, rim).inset(x=rim, y=rim)
         # What shows between the slats; the whole field is one flat part.
-        d.box(inner.top(0.024), "grey plastic" if d.named(look).name == "black steel" else "black plastic", bevel=0.0)
+        d.box(inner.top(0.024), "grey plastic" if d.named(look).called("black steel") else "black plastic", bevel=0.0)
         for slat in inner.inset(y=gap / 2).columns(round(inner.width / pitch) | 1, gap=gap):
             d.box(slat.top(0.018).inset(bottom=0.0047, top=-0.0013), look, bevel=0.0013)
         d.surface("top", plate.inset(top=-0.0013), inset=0.01)

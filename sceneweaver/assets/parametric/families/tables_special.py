@@ -19,14 +19,14 @@ def nesting_tables(d: Drawing) -> None:
     round_tops = d.chance("round", 0.5)
     top = d.material("top", "oak", "walnut", "marble", "white paint", "light oak", "glass")
     metal = d.material("legs", "brass", "black steel", "oak", "white steel")
-    bar, bounds = 0.03 if metal.name == "oak" else 0.018, d.bounds
+    bar, bounds = 0.03 if metal.called("oak") else 0.018, d.bounds
     depth, width, _ = bounds.size
     big = depth if round_tops else min(depth, 0.74 * width)
     small = max(0.62 * big, min(0.78 * big, width - 0.5 * big)) if round_tops else 0.78 * big
     larger, smaller = bounds.right(big), bounds.left(small).inset(top=0.09)
     smaller = smaller.place(depth=small if round_tops else 0.8 * depth)
     for name, own in (("large", larger), ("small", smaller)):
-        plate = own.top(0.012 if top.name == "glass" else 0.02)
+        plate = own.top(0.012 if top.called("glass") else 0.02)
         under = own.to(z=(0.0, plate.z[0]))
         with d.part(name):
             tabletop(d, plate, top, 0.015, 2.0 if round_tops else None, name="top" if name == "large" else None)
@@ -131,7 +131,7 @@ def plant_stand(d: Drawing) -> None:
         with d.part("foot"):
             d.revolve([*foot, *((r, z * height) for r, z in (*shaft, *rings)), *head], top)
         return
-    plain = top.name in ("black steel", "brass", "white paint") or d.chance("plain", 0.33)
+    plain = top.called("black steel", "brass", "white paint") or d.chance("plain", 0.33)
     metal = top if plain else d.material("legs", "black steel", "brass")
     tiers = kind == "two tiers"
     count, foot, head = (4, 0.82, 0.82) if tiers else (3, 0.93, 0.62)

@@ -86,7 +86,7 @@ def rug(d: Drawing) -> None:
     field = d.material("field", CLOTHS)
     second = d.material("second", "white fabric, navy fabric, beige fabric, rust fabric, charcoal fabric")
     if second.name == field.name:
-        second = d.material("other second", "mustard fabric" if field.name != "mustard fabric" else "navy fabric")
+        second = d.material("other second", "mustard fabric" if not field.called("mustard fabric") else "navy fabric")
     third = d.material("third", "mustard fabric, rose fabric, green fabric, red fabric, blue fabric, white fabric")
     fringe = (0.04 if d.category.name == "runner_rug" else 0.05) if d.chance("fringe", 0.5) else 0.0
     box, h = d.bounds, d.size.height
@@ -130,7 +130,7 @@ def doormat(d: Drawing) -> None:
     """A coir mat with a dark rim and a simple pattern of bars."""
     box, h = d.bounds, d.size.height
     coir = d.material("mat", "wicker, cork, charcoal fabric, grey fabric")
-    dark = "charcoal fabric" if coir.name != "charcoal fabric" else "grey fabric"
+    dark = "charcoal fabric" if not coir.called("charcoal fabric") else "grey fabric"
     slant = d.uniform("slant", -0.08, 0.08)
     mat = shapes.box(box.x, box.y, (0.0, h - 0.0014), 0.002)
     d.add(mat, coir, [shapes.box(box.x, box.y, box.z)])

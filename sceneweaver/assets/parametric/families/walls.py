@@ -132,7 +132,7 @@ def wall_clock(d: Drawing) -> None:
     """A round clock with marks and hands."""
     rim = d.material("rim", "black steel, oak, walnut, brass, white plastic, red plastic, copper")
     dial = d.material("dial", "white paint, cream paint, black paint, navy paint")
-    hands = "white paint" if dial.name in ("black paint", "navy paint") else "black steel"
+    hands = "white paint" if dial.called("black paint", "navy paint") else "black steel"
     box, deep = d.even("round"), d.size.depth
     r = box.width / 2
     with d.at(box.x[0], 0.0, r, pitch=math.pi / 2):

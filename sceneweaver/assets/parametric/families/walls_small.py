@@ -203,7 +203,7 @@ def window_blind(d: Drawing) -> None:
     """Slats on cords under a head rail, or a roller blind let down."""
     look = d.material("blind", "white paint, beige fabric, oak, grey fabric, light grey paint, walnut, sage paint")
     box, h, deep = d.bounds, d.size.height, d.size.depth
-    if look.name.endswith("fabric"):
+    if look.kind == "fabric":
         roll = d.cylinder(box.top(deep).inset(x=0.003, y=0.012, top=0.003, bottom=0.003), look, "y", segments=16)
         with d.mirror("y"):
             d.box(box.top(deep).left(0.012), "white steel")

@@ -128,7 +128,7 @@ def ladder(d: Drawing) -> None:
     for share in np.arange(1, steps) / steps:
         x, y = front[0] + share * (front[1] - front[0])
         d.box(Box.around((x, 0.0, share * top), 0.095, 2 * y, 0.024), rail)
-    d.box(d.bounds.top(0.035).place(0.26, 0.76 * w), rail if rail.name == "pine" else "black plastic", 0.008)
+    d.box(d.bounds.top(0.035).place(0.26, 0.76 * w), rail if rail.called("pine") else "black plastic", 0.008)
     for share in (0.25, 0.6):
         x, y = rear[0] + share * (rear[1] - rear[0])
         d.bar((x, -y, share * top), (x, y, share * top), 0.01, rail, 8)
