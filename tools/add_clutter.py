@@ -84,8 +84,9 @@ class _Floor:
         for o in context.scene.objects:
             low = [p.polygon for p in o.solids if o.pose.position[2] + p.z[0] < 0.6 and p.z[1] > 0.025]
             low += [z.polygon for z in o.zones if z.hard]
-            shapes += [shapely.Polygon(o.pose.frame.to_world(_array(p))) for p in low]
-        self._taken: Any = union(s if s.is_valid else s.buffer(0) for s in shapes)
+            shapes += [shapely.polygons(o.pose.frame.to_world(_array(p))) for p in low]
+        valid = shapely.is_valid(shapes).tolist() if shapes else []
+        self._taken: Any = union(s if good else s.buffer(0) for s, good in zip(shapes, valid, strict=True))
 
     def strewn(self, trace: Trace, clutter: float) -> Iterator[AnyEdit]:
         """Things of one kind of trace, each beside another piece of furniture as far as there are enough."""

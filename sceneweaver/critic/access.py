@@ -180,7 +180,7 @@ def _hung(survey: Survey) -> Iterator[Finding]:
 def _before(opening: Opening, depth: float) -> Any:
     import shapely
 
-    return shapely.Polygon(opening.wall.strip(opening.item.offset, opening.item.width, 0.0, depth))
+    return shapely.polygons(opening.wall.strip(opening.item.offset, opening.item.width, 0.0, depth))
 
 
 def _inside(survey: Survey, area: Any, own: Body | None, head: float = HEAD) -> Iterator[tuple[Body, float]]:

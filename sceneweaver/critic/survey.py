@@ -197,7 +197,7 @@ class Survey:
         """Other objects whose box is within ``distance`` [m] of a body's, with their distances, nearest first."""
         import shapely
 
-        rows = self._meeting(self.boxes[body.index], distance)
+        rows = self._meeting(self._bounds[:, body.index].tolist(), distance)
         rows = rows[rows != body.index]
         gaps = shapely.distance(self.boxes[rows], self.boxes[body.index])
         rows, gaps = rows[gaps <= distance], gaps[gaps <= distance]
@@ -208,7 +208,7 @@ class Survey:
         """The objects whose box meets an area (a shapely geometry), in the order of the scene."""
         import shapely
 
-        rows = self._meeting(area)
+        rows = self._meeting(area.bounds)
         return [self.bodies[int(k)] for k in rows[shapely.intersects(self.boxes[rows], area)]]
 
     def taken(self, area: Any, bodies: Sequence[Body]) -> list[float]:
@@ -227,13 +227,13 @@ class Survey:
 
         return np.ascontiguousarray(shapely.bounds(self.boxes).T)
 
-    def _meeting(self, shape: Any, distance: float = 0.0) -> NDArray[np.intp]:
-        """The boxes whose bounds come within a distance [m] of those of a shape."""
+    def _meeting(self, bounds: Sequence[float], distance: float = 0.0) -> NDArray[np.intp]:
+        """The boxes whose bounds come within a distance [m] of some bounds x0, y0, x1, y1."""
         low_x, low_y, high_x, high_y = self._bounds
-        x0, y0, x1, y1 = shape.bounds
+        x0, y0, x1, y1 = bounds
         apart = distance + 1e-9
         near = (low_x <= x1 + apart) & (low_y <= y1 + apart) & (high_x >= x0 - apart) & (high_y >= y0 - apart)
-        return np.flatnonzero(near)
+        return near.nonzero()[0]
 
     def back_wall(self, body: Body) -> tuple[Wall, float, float] | None:
         """The wall that the back of a body looks at, the gap [m] and the angle [rad] between them; None: none."""

@@ -40,10 +40,11 @@ def normals(points: Points) -> Points:
     """Outward unit normals [m, 2] of a counter-clockwise polygon's edges, those of no length left out."""
     import numpy as np
 
-    edge = np.roll(points, -1, axis=0) - points
+    edge = np.concatenate((points[1:], points[:1])) - points
     length = np.hypot(edge[:, 0], edge[:, 1])
-    keep = length > 1e-9
-    return np.column_stack([edge[keep, 1], -edge[keep, 0]]) / length[keep, None]
+    if length.min() <= 1e-9:
+        edge, length = edge[length > 1e-9], length[length > 1e-9]
+    return edge[:, ::-1] * (1.0, -1.0) / length[:, None]
 
 
 def tidy(points: Points, tolerance: float = 1e-9) -> Points:

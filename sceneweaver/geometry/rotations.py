@@ -1,7 +1,7 @@
 """Rotations of space as unit quaternions (x, y, z, w); MuJoCo and USD have w first, see `wxyz`.
 
-What an upright object needs is plain arithmetic. All else is scipy's ``Rotation``, which takes quaternions of any
-length above zero and costs about 20 us a call, so many of them go in as one array.
+One quaternion is plain arithmetic, in the order of scipy's ``Rotation`` so that both agree in every bit; that takes
+about 20 us a call, so arrays of them and all else are left to it. Quaternions may be of any length above zero.
 """
 
 from __future__ import annotations
@@ -51,7 +51,10 @@ def xyzw(quaternions: Any) -> Any:
 
 def multiply(a: Sequence[float], b: Sequence[float]) -> Quaternion:
     """The rotation b followed by a."""
-    return _four(_rotation(a) * _rotation(b))
+    (ax, ay, az, aw), (bx, by, bz, bw) = _unit(a), _unit(b)
+    cx, cy, cz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+    x, y, z = aw * bx + bw * ax + cx, aw * by + bw * ay + cy, aw * bz + bw * az + cz
+    return _unit((x, y, z, aw * bw - ax * bx - ay * by - az * bz))
 
 
 def inverse(quaternion: Sequence[float]) -> Quaternion:
@@ -62,7 +65,9 @@ def inverse(quaternion: Sequence[float]) -> Quaternion:
 
 def rotate(quaternion: Sequence[float], vector: Sequence[float]) -> Vector:
     """A vector [3] turned."""
-    x, y, z = _rotation(quaternion).apply(vector).tolist()
+    import numpy as np
+
+    x, y, z = (_matrix(quaternion) @ np.asarray(vector, dtype=float)).tolist()
     return x, y, z
 
 
@@ -71,6 +76,8 @@ def matrix(quaternions: Any) -> Any:
     import numpy as np
 
     given = np.asarray(quaternions, dtype=float)
+    if given.ndim == 1:
+        return _matrix(given.tolist())
     return _rotation(given.reshape(-1, 4)).as_matrix().reshape(*given.shape[:-1], 3, 3)
 
 
@@ -98,6 +105,30 @@ def transform(poses: Any, points: Any) -> Any:
     axis, w = poses[..., 3:6], poses[..., 6:7]
     turned = np.cross(axis, np.cross(axis, points) + w * points)
     return points + 2 * turned / (poses[..., 3:] ** 2).sum(-1, keepdims=True) + poses[..., :3]
+
+
+def _unit(quaternion: Sequence[float]) -> Quaternion:
+    x, y, z, w = map(float, quaternion)
+    length = math.sqrt(x * x + y * y + z * z + w * w)
+    if length == 0.0:
+        raise ValueError("a quaternion of length 0 is no rotation")
+    return x / length, y / length, z / length, w / length
+
+
+def _matrix(quaternion: Sequence[float]) -> Any:
+    """The rotation matrix [3, 3] of one quaternion."""
+    import numpy as np
+
+    x, y, z, w = _unit(quaternion)
+    xx, yy, zz, ww = x * x, y * y, z * z, w * w
+    xy, zw, xz, yw, yz, xw = x * y, z * w, x * z, y * w, y * z, x * w
+    return np.array(
+        (
+            (xx - yy - zz + ww, 2 * (xy - zw), 2 * (xz + yw)),
+            (2 * (xy + zw), -xx + yy - zz + ww, 2 * (yz - xw)),
+            (2 * (xz - yw), 2 * (yz + xw), -xx - yy + zz + ww),
+        )
+    )
 
 
 def _rotation(quaternion: Any) -> Any:

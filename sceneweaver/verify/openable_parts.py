@@ -78,11 +78,16 @@ class Bodies(NamedTuple):
 
     def _add_thing(self, index: int, thing: Thing) -> None:
         turn, shift = matrix(thing.object.pose.quaternion), np.asarray(thing.object.pose.position)
-        yields = _yields(thing)
+        yields, opens = _yields(thing), any(_opens(body) for body in thing.bodies)
         for body in thing.bodies:
             number = self._number(Body(thing.object.id, index, body.number, yields))
-            self.blocks.extend(Block(solid.points @ turn.T + shift, number) for solid in body.solids)
-            if body.link is not None and body.link.role in ROLES and body.link.joint != "free":
+            if (yields and not opens) or not body.solids:  # in the way of nothing
+                continue
+            points = np.concatenate([solid.points for solid in body.solids]) @ turn.T + shift
+            ends = np.cumsum([len(solid.points) for solid in body.solids])
+            self.blocks.extend(Block(part, number) for part in np.split(points, ends[:-1]))
+            if _opens(body):
+                assert body.link is not None
                 motion = _motion(thing, body, turn, shift)
                 self.openings.append(Opening(number, body.link.name, body.link.role, motion))
 
@@ -94,6 +99,10 @@ class Bodies(NamedTuple):
             self.blocks.append(Block(points @ turn.T + shift, number))
         motion = Motion(leaf.joint, turn @ np.asarray(leaf.axis), shift, leaf.full)
         self.openings.append(Opening(number, "leaf", "door", motion, min(1.0, leaf.limits[1] / leaf.full)))
+
+
+def _opens(body: RigidBody) -> bool:
+    return body.link is not None and body.link.role in ROLES and body.link.joint != "free"
 
 
 def _motion(thing: Thing, body: RigidBody, turn: Array, shift: Array) -> Motion:

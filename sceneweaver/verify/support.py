@@ -170,8 +170,7 @@ def _overhang(board: Any, feet: Any) -> float:
     """How far ``feet`` reach out of ``board`` [m]; 0.0 when they lie inside it widened by 1 mm."""
     import shapely
 
-    wide = shapely.buffer(board, DEPTH, quad_segs=16)
-    if shapely.covers(wide, feet).all():
+    if shapely.covers(board, feet).all() or shapely.covers(shapely.buffer(board, DEPTH, quad_segs=16), feet).all():
         return 0.0
     outside = shapely.distance(board, shapely.points(shapely.get_coordinates(feet)))
     return max(float(outside.max()), DEPTH)

@@ -78,8 +78,9 @@ class Scenery:
     def __init__(self, blocks: Sequence[Block]) -> None:
         """``blocks`` in any order."""
         self.blocks = blocks
-        self._low = np.array([b.points.min(axis=0) for b in blocks]).reshape(-1, 3)
-        self._high = np.array([b.points.max(axis=0) for b in blocks]).reshape(-1, 3)
+        points = np.concatenate([b.points for b in blocks]) if blocks else np.empty((0, 3))
+        starts = np.cumsum([0, *(len(b.points) for b in blocks)])[:-1]
+        self._low, self._high = np.minimum.reduceat(points, starts), np.maximum.reduceat(points, starts)
         self._body = np.array([b.body for b in blocks], dtype=int)
 
     def first_met(self, moving: Sequence[Block], motion: Motion, skip: Any) -> tuple[int, int | None]:

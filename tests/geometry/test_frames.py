@@ -114,6 +114,22 @@ def test_products_are_hamiltons(a, b):
 
 
 @settings(deadline=None)  # the first call loads scipy
+@given(quaternions, quaternions, st.floats(0.1, 9))
+def test_one_rotation_is_scipys_in_every_bit(a, b, long):
+    from scipy.spatial.transform import Rotation
+
+    a = tuple((long * np.array(a)).tolist())
+    assert rotations.matrix(a).tolist() == Rotation.from_quat(a).as_matrix().tolist()
+    product = Rotation.from_quat(a) * Rotation.from_quat(b)
+    assert list(rotations.multiply(a, b)) == product.as_quat().tolist()
+
+
+def test_no_quaternion_of_length_0_is_a_rotation():
+    with pytest.raises(ValueError, match="length 0"):
+        rotations.matrix((0.0, 0.0, 0.0, 0.0))
+
+
+@settings(deadline=None)  # the first call loads scipy
 @given(quaternions, axes)
 def test_vectors_turn_as_the_product_with_both_sides_of_a_quaternion(turn, vector):
     expected = hamilton(hamilton(turn, (*vector, 0.0)), rotations.inverse(turn))[:3]

@@ -41,7 +41,8 @@ def strip(body: Body, side: str, depth: float, width: float = 0.95) -> Any:
     (x, y), (nx, ny), half = body.face(side)
     half *= width
     a, b = (x - ny * half, y + nx * half), (x + ny * half, y - nx * half)
-    return shapely.Polygon([a, b, (b[0] + nx * depth, b[1] + ny * depth), (a[0] + nx * depth, a[1] + ny * depth)])
+    far = (b[0] + nx * depth, b[1] + ny * depth), (a[0] + nx * depth, a[1] + ny * depth)
+    return shapely.polygons((a, b, *far))
 
 
 def inside(

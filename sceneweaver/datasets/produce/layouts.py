@@ -210,9 +210,13 @@ def chosen(draft: Draft, layouts: Sequence[Scene], count: int) -> list[Outcome]:
         layouts: the layouts, the most promising first.
         count: how many are wanted; fewer come where there are no more.
     """
-    judged = [draft.executor.judged(layout) for layout in layouts[: COMPARED * count]]
+    judged = [
+        draft.executor.judged(layout, report)
+        for layout in layouts[: COMPARED * count]
+        if (report := check(layout)).valid
+    ]
     kept: list[Outcome] = []
-    for outcome in sorted((o for o in judged if o.report.valid), key=lambda o: o.key):
+    for outcome in sorted(judged, key=lambda o: o.key):
         if len(kept) < count and not any(alike(outcome.scene, other.scene) for other in kept):
             kept.append(outcome)
     return kept
