@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import warp as wp
 
 from benchmarks.layout_rows import Written, examine_all
 from sceneweaver.datasets import Requests, Spec
@@ -88,7 +89,7 @@ def spec_of(programs: int, candidates: int, seed: int, scenes: list[str] | None 
             "count": programs * MOST,
             "seed": seed,
             "requests": asked,
-            "rooms": {"layouts": MOST, "objects": [15, 40], "candidates": candidates, "attempts": 4},
+            "rooms": {"layouts": MOST, "objects": [15, 40], "candidates": candidates, "attempts": 2},
             "block": 4096,
         }
     )
@@ -104,11 +105,11 @@ def save(folder: Path, taken: list[Taken]) -> None:
 
 def _prepared(asked: argparse.Namespace, device: str, figures: Figures) -> tuple[list[Taken], float]:
     """The programs with their first layouts, and how many seconds that took."""
-    if asked.scenes is None:
-        spec, folder = spec_of(asked.programs + int(SPARE * asked.programs) + 1, asked.candidates, asked.seed), Path()
-    else:
-        names, folder = sorted(path.name for path in asked.scenes.glob("*.json")), asked.scenes
-        spec = spec_of(len(names), asked.candidates, asked.seed, names)
+    count, names, folder = asked.programs + int(SPARE * asked.programs) + 1, None, Path()
+    if asked.scenes is not None:
+        folder, names = asked.scenes, sorted(path.name for path in asked.scenes.glob("*.json"))[:count]
+        count = len(names)
+    spec = spec_of(count, asked.candidates, asked.seed, names)
     began, cpu = time.perf_counter(), _cpu()
     found, refused = taken_programs(spec, Requests(spec, folder).block(0), device)
     ready, cpu = time.perf_counter() - began, _cpu() - cpu
@@ -152,8 +153,11 @@ def _collected(
     each = [c.count for c in collections]
     chains = chains_for(MOST, len(taken), device)
     memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 2**20
+    pooled = wp.get_device(device).is_mempool_enabled
+    on_device = wp.get_mempool_used_mem_high(device) / 2**30 if pooled else 0.0
     _say(f"{rows:,} different valid layouts written in {seconds:.1f} s on {device}: {rows / seconds:,.0f} a second")
-    _say(f"  {cpu:.1f} CPU seconds: {rows / cpu:,.0f} a CPU second; {memory:.1f} GiB of memory")
+    _say(f"  {cpu:.1f} CPU seconds: {rows / cpu:,.0f} a CPU second")
+    _say(f"  {memory:.1f} GiB of memory, {on_device:.1f} GiB on the GPU")
     _say(f"  {steps} steps of {chains:,} chains a program, {min(each):,} to {max(each):,} layouts a program")
     _say(f"  {size / rows:.0f} bytes a layout, {size / seconds / 1e6:.0f} MB/s; {seconds - stepped:.1f} s to end files")
     _say(f"  with the preparation: {rows / (seconds + ready):,.0f} a second")
@@ -165,6 +169,7 @@ def _collected(
         cpu_seconds=round(cpu, 2),
         layouts_a_cpu_second=round(rows / cpu),
         memory_gib=round(memory, 2),
+        gpu_memory_gib=round(on_device, 2),
         steps=steps,
         chains_a_program=chains,
         layouts_a_program=[min(each), int(np.median(each)), max(each)],

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import hashlib
 import shutil
+import sys
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +18,7 @@ from sceneweaver.datasets.engines.manifest import create
 from sceneweaver.datasets.files.checksums import write_checksums
 from sceneweaver.datasets.layouts import join, load_layout, load_program, make_block, pack, write_programs
 from sceneweaver.datasets.layouts.signature import Seen, Signatures
+from sceneweaver.datasets.layouts.tables import Writers, row_groups
 from sceneweaver.scene import InputError, Scene
 from sceneweaver.verify import check
 from tests.test_repository import ROOT, code_blocks
@@ -224,3 +227,16 @@ def test_verification_finds_a_moved_object_a_lost_layout_and_a_wrong_split(datas
     named = {(fault["check"], fault["key"]) for fault in verify_dataset(root).data["first"]}
     assert {("checksum", f"data/{shard.name}"), ("checksum", "meta/programs.parquet")} <= named
     assert {("judge", f"{program}/0"), ("shard", str(program)), ("index", str(program))} <= named
+
+
+def test_many_threads_hand_over_layouts(tmp_path):
+    import pyarrow as pa
+
+    rows, before = pa.table({"program": [0]}), sys.getswitchinterval()
+    sys.setswitchinterval(1e-6)
+    try:
+        with Writers(tmp_path, rows.schema) as writers, ThreadPoolExecutor(16) as pool:
+            list(pool.map(lambda program: writers.write(program, rows), range(400)))
+    finally:
+        sys.setswitchinterval(before)
+    assert len(row_groups(tmp_path)) == 400

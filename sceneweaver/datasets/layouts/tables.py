@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
+from threading import Lock
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -65,7 +66,10 @@ def table(schema: pa.Schema, columns: dict[str, np.ndarray]) -> pa.Table:
 
 
 class Writers:
-    """The files of a block, `FILES` of them, in a folder. What is handed over is written later, in order."""
+    """The files of a block, `FILES` of them, in a folder.
+
+    What is handed over, by any thread, is written later, each program's in order.
+    """
 
     def __init__(self, folder: Path, schema: pa.Schema):
         self._schema = schema
@@ -73,6 +77,7 @@ class Writers:
         self._files = [arrow().parquet.ParquetWriter(path, schema, **COMPRESSION) for path in self.paths]
         self._threads = [ThreadPoolExecutor(1) for _ in range(FILES)]
         self._pending: list[Future[None]] = []
+        self._lock = Lock()
 
     def add(self, program: int, columns: dict[str, np.ndarray]) -> None:
         """Hand over layouts of the program at a position in the block: a row group."""
@@ -87,11 +92,13 @@ class Writers:
         return self.paths[program % FILES]
 
     def _submit(self, program: int, rows: Callable[[], pa.Table]) -> None:
-        for future in [future for future in self._pending if future.done()]:
-            future.result()
-            self._pending.remove(future)
         which = program % FILES
-        self._pending.append(self._threads[which].submit(self._write, which, rows))
+        with self._lock:
+            done = [future for future in self._pending if future.done()]
+            self._pending = [future for future in self._pending if future not in done]
+            self._pending.append(self._threads[which].submit(self._write, which, rows))
+        for future in done:
+            future.result()
 
     def _write(self, which: int, rows: Callable[[], pa.Table]) -> None:
         found = rows()
