@@ -16,6 +16,7 @@ import pytest
 from sceneweaver.assets import Library
 from sceneweaver.datasets import AssetStore, Folder, Requests, Sample, Spec, write_block
 from sceneweaver.datasets.checking import verify_dataset
+from sceneweaver.datasets.checking.exports import included_files, mjcf_files, mjcf_tree
 from sceneweaver.datasets.checking.findings import KEPT, Findings
 from sceneweaver.datasets.checking.scene import Judge, content_of
 from sceneweaver.datasets.columns import index_schema
@@ -338,3 +339,18 @@ def test_findings_add_up_in_any_order_and_keep_few():
     assert one == other and one.faults["judge"] == 90
     assert [fault.key for fault in one.first["judge"]] == [f"{key:08d}" for key in range(KEPT)]
     assert (one.stability() or {})["moved_over_0_01m"] == pytest.approx(89 / 180)
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        b'<mujoco><asset><mesh name="a" vertex="0 0 0 1 0 0 0 1 0 0 0 1"/></asset></mujoco>\n',
+        b'<mujoco><asset><mesh file="assets/aa/b.obj"/><texture file="c.png"/></asset></mujoco>',
+        b'<mujocoinclude><mesh name="filed"/></mujocoinclude>',
+    ],
+)
+def test_what_an_included_file_names_is_what_its_tree_does(content):
+    assert included_files(content) == set(mjcf_files(mjcf_tree(content)))
+    for damaged in (content[: len(content) // 2], content.strip()[:-1], b""):
+        with pytest.raises(InputError):
+            included_files(damaged)

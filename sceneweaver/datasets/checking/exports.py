@@ -97,6 +97,18 @@ def mjcf_files(root: ElementTree.Element) -> Iterator[str]:
                 yield f"{folder}/{name}" if folder else name
 
 
+def included_files(content: bytes) -> frozenset[str]:
+    """The files that an MJCF file of the store names; one that speaks of none holds numbers alone, and is not parsed.
+
+    Raises:
+        InputError: no MJCF, or cut off.
+    """
+    text = content.strip()
+    if b"file" not in text and text.startswith(b"<mujoco") and text.endswith((b"</mujoco>", b"</mujocoinclude>")):
+        return frozenset()
+    return frozenset(mjcf_files(mjcf_tree(content)))
+
+
 def mjcf_frames(root: ElementTree.Element) -> dict[str, np.ndarray]:
     """Matrices [4, 4] of the bodies of the world by their names."""
     bodies = [body for world in root.iter("worldbody") for body in world.findall("body")]

@@ -128,8 +128,7 @@ class Judge:
                     continue
                 self._there[name] = frozenset()
                 if name.endswith(".xml"):
-                    tree = exports.mjcf_tree((self.root / name).read_bytes())
-                    self._there[name] = frozenset(exports.mjcf_files(tree))
+                    self._there[name] = exports.included_files((self.root / name).read_bytes())
             left |= self._there[name] - names
             names |= self._there[name]
         if row.get("assets") is not None and (more := names.difference(row["assets"])):
