@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from sceneweaver.datasets.engines import Listener, Options, begin, merge, open_dataset, resume
+from sceneweaver.datasets.files.tables import read_table
 from sceneweaver.datasets.reading import rows_of
 from tests.datasets import torture
 from tests.datasets.test_engines import content, made, rows, spec_file
@@ -52,6 +53,10 @@ def test_whole_data_sets_are_joined_with_new_numbers_and_their_names(tmp_path):
     ]
     hashes = [row["content_hash"] for part in parts for row in rows_of(open_dataset(part).folder)]
     assert [row["content_hash"] for row in found] == hashes
+    times = [row for part in parts for row in read_table(open_dataset(part).folder.meta / "seconds.parquet")]
+    joined_times = list(read_table(joined.folder.meta / "seconds.parquet"))
+    assert times and [row["seconds"] for row in joined_times] == [row["seconds"] for row in times]
+    assert {row["index"] for row in joined_times} == set(range(8))
 
 
 def test_killed_again_and_again_it_ends_in_the_same_bytes(capsys):

@@ -143,6 +143,7 @@ def _of_part(part: Dataset, first: int, first_room: int) -> Iterator[Sample]:
     from ..files import fingerprint
 
     places = {span.keys[0]: span for path in shards_of(part.folder) for span in spans_of(path, 1)}
+    times = _times(part.folder)
     for row in rows_of(part.folder):
         index, status = first + row["index"], row["status"]
         kept: dict[str, Any] = {name: value for name, value in row.items() if name not in PACKED and value is not None}
@@ -151,7 +152,18 @@ def _of_part(part: Dataset, first: int, first_room: int) -> Iterator[Sample]:
         if status == "ok":
             _, files = next(scenes_of(places[row["key"]]))
             kept |= fingerprint(Scene.loads(files["scene.json"].decode()))
-        yield Sample(index, f"{index:08d}", status, kept, files)
+        yield Sample(index, f"{index:08d}", status, kept, files, times.get(row["index"], {}))
+
+
+def _times(folder: Folder) -> dict[int, dict[str, float]]:
+    """How long each stage of each scene took [s], by its number."""
+    from ..files.tables import read_table
+
+    found: dict[int, dict[str, float]] = {}
+    path = folder.meta / "seconds.parquet"
+    for row in read_table(path) if path.exists() else ():
+        found.setdefault(row["index"], {})[row["stage"]] = row["seconds"]
+    return found
 
 
 def _take_assets(source: Folder, target: Folder, number: int) -> None:
