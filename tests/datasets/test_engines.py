@@ -188,6 +188,10 @@ def test_a_run_whose_time_is_over_leaves_whole_blocks_to_the_next(tmp_path):
     options = Options(workers=1, time_limit=1e-9)
     assert not resume(dataset, options, listener, produce=fake.produce, pack=packed.append)
     assert not records and not packed and len(missing(dataset)) == 6
+    (tmp_path / "out" / "work" / "journal").mkdir(
+        parents=True
+    )  # what processes tell each other, which goes with the last block
+    (tmp_path / "out" / "work" / "journal" / "1.journal").write_bytes(bytes(9))
     made(source, tmp_path / "out")
     made(source, tmp_path / "unbroken")
     assert content(tmp_path / "out") == content(tmp_path / "unbroken")

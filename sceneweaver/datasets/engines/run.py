@@ -22,6 +22,9 @@ from .manifest import Dataset, agreed_device, devices
 from .records import Records
 from .schedule import Listener
 
+ONLY_MAKING = ("rooms", "journal")
+"""What lies in ``work/`` and is of no use once all blocks are made: gigabytes, where there are many scenes."""
+
 Pack = Callable[[Dataset], None]
 """What makes the files of a data set of its blocks; killed at any moment, it goes on when called again."""
 
@@ -142,7 +145,8 @@ def finish(dataset: Dataset, pack: Pack | None, listener: Listener, *, patient: 
     while True:
         try:
             if not dataset.folder.complete.exists():
-                shutil.rmtree(dataset.folder.work / "rooms", ignore_errors=True)
+                for name in ONLY_MAKING:
+                    shutil.rmtree(dataset.folder.work / name, ignore_errors=True)
                 write_atomic(dataset.folder.complete, "")
             (pack or _pack)(dataset)
             write_atomic(dataset.folder.packed, "")
