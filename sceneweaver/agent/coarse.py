@@ -7,6 +7,8 @@ anyway. What others reach under (tables, desks) or around (corner sofas) keeps a
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import lru_cache
+from typing import Any
 
 from sceneweaver.geometry.polygons import union
 from sceneweaver.scene import CATALOGUE, Part, Relation, Scene, SceneObject
@@ -20,6 +22,9 @@ SOLID = 0.8
 
 DISTANCES = ("near", "distance")
 """Types of relations with a most distance between footprints: larger ones are nearer than the true ones."""
+
+Shapes = tuple[tuple[Any, Any], ...]
+"""Plan and heights of each part of an object. The same things stand in many scenes and are made plainer once."""
 
 LEAST_MAX = 0.5
 """Share of its most distance that such a relation keeps at least."""
@@ -39,9 +44,9 @@ def coarse(scene: Scene) -> Scene:
         elif not o.parts or o.id in carrying:
             objects.append(o)
         elif o.id in seats or o.id in tables:
-            objects.append(o.model_copy(update={"parts": tuple(_box(part) for part in o.parts)}))
+            objects.append(o.model_copy(update={"parts": tuple(_box(part.polygon, part.z) for part in o.parts)}))
         else:
-            objects.append(o.model_copy(update={"parts": _merged(o)}))
+            objects.append(o.model_copy(update={"parts": _merged(_shapes(o), o.size[0] * o.size[1])}))
     pairs = {true.id: (true, rough) for true, rough in zip(scene.objects, objects, strict=True)}
     relations = tuple(_nearer(r, pairs) if r.type in DISTANCES else r for r in scene.relations)
     return scene.model_copy(update={"objects": tuple(objects), "relations": relations})
@@ -60,11 +65,14 @@ def _nearer(relation: Relation, pairs: Mapping[str, tuple[SceneObject, SceneObje
 
 def _growth(true: SceneObject, rough: SceneObject) -> float:
     """The largest distance [m] of a point of the rough footprint from the true one."""
+    return 0.0 if true is rough else _grown(_shapes(true), _shapes(rough))
+
+
+@lru_cache(maxsize=4096)
+def _grown(true: Shapes, rough: Shapes) -> float:
     import shapely
 
-    if true is rough:
-        return 0.0
-    plans = [union(shapely.Polygon(part.polygon) for part in o.solids) for o in (true, rough)]
+    plans = [union(shapely.Polygon(polygon) for polygon, _ in shapes) for shapes in (true, rough)]
     return max(float(shapely.distance(plans[0], point)) for point in shapely.points(shapely.get_coordinates(plans[1])))
 
 
@@ -74,25 +82,31 @@ def _hanging(obj: SceneObject) -> Part:
     return _prism(-depth / 2, -width / 2, HANGING - depth / 2, width / 2, (0.0, height))
 
 
-def _box(part: Part) -> Part:
-    xs, ys = [p[0] for p in part.polygon], [p[1] for p in part.polygon]
-    return _prism(min(xs), min(ys), max(xs), max(ys), part.z)
+def _shapes(obj: SceneObject) -> Shapes:
+    return tuple((part.polygon, part.z) for part in obj.solids)
+
+
+def _box(polygon: Any, z: Any) -> Part:
+    xs, ys = [p[0] for p in polygon], [p[1] for p in polygon]
+    return _prism(min(xs), min(ys), max(xs), max(ys), z)
 
 
 def _prism(x0: float, y0: float, x1: float, y1: float, z: tuple[float, float]) -> Part:
     return Part.model_construct(polygon=((x0, y0), (x1, y0), (x1, y1), (x0, y1)), z=z)
 
 
-def _merged(obj: SceneObject) -> tuple[Part, ...]:
-    """One box around all parts where their boxes fill most of it, or most of the object's own; else those boxes.
+@lru_cache(maxsize=4096)
+def _merged(shapes: Shapes, area: float) -> tuple[Part, ...]:
+    """One box around all parts where their boxes fill most of it, or most of the object's own (of an ``area`` [m2]);
+    else those boxes.
 
     What is high above the floor, such as the shade of an arched lamp, stays apart from what stands below it.
     """
     import shapely
 
-    boxes = [_box(part) for part in obj.parts or ()]
+    boxes = [_box(polygon, z) for polygon, z in shapes]
     plan = union(shapely.Polygon(b.polygon) for b in boxes)
-    if plan.area >= SOLID * min(obj.size[0] * obj.size[1], plan.envelope.area):
+    if plan.area >= SOLID * min(area, plan.envelope.area):
         x0, y0, x1, y1 = plan.bounds
         return (_prism(x0, y0, x1, y1, (min(b.z[0] for b in boxes), max(b.z[1] for b in boxes))),)
     return tuple(boxes)

@@ -40,8 +40,8 @@ class LayoutProblem:
 
     ``home`` holds the scene's poses [object, 4] (x, y, z, yaw) in the problem's frame; ``relations`` the scene's
     relations first (``relation_ids`` names them), then what the engine adds: riders (conditions that belong to a
-    relation before them), the mountings of wall objects, and terms of the user's own. ``packed`` keeps its tables by
-    device, see `make_batch`.
+    relation before them), the mountings of wall objects, and terms of the user's own. ``packed`` keeps by device
+    tables with it and its number there, see `make_batch`.
     """
 
     ids: list[str]

@@ -37,6 +37,9 @@ from .surfaces import BROKEN, surfaces_hold
 
 INITS = ("sample", "random", "current")
 DIVERGED = 3
+SIDE_BY_SIDE = (
+    4096  # candidates that a GPU searches at once, whatever the sizes of their rooms: one wait instead of four
+)
 DOMAIN_STRIDE = 2**24  # candidates of one surface, for the numbers of their random streams
 ROUNDING = 2.0e-6  # [m] and [rad] that a pose loses on the way into a surface's frame and back
 
@@ -178,9 +181,11 @@ def solve(
     load(device, *_modules(jobs, optimizer, device), *(SNAP_MODULES if snap else ()))
     pools = surface_pools(jobs, device, monitor.deadline)
     buckets: dict[tuple[str, int, bool], list[int]] = {}
+    few = device != "cpu" and sum(len(job.world) for job in jobs) <= SIDE_BY_SIDE
     for i, job in enumerate(jobs):
         size = job.compiled.room.size  # a crowd is searched in another way than a few
-        buckets.setdefault((job.start, int(math.log2(max(size, 1))), size > CROWD), []).append(i)
+        like = 0 if few else int(math.log2(max(size, 1)))
+        buckets.setdefault((job.start, like, size > CROWD), []).append(i)
     solutions: dict[int, Solution] = {}
     for (start, *_), members in buckets.items():
         group = [jobs[i] for i in members]

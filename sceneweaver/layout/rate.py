@@ -17,7 +17,7 @@ from sceneweaver.optimizers import Batch, load_poses
 from sceneweaver.scene import Scene
 
 from .access import walkable_shares
-from .batch import make_batch
+from .batch import first_object, make_batch
 from .compile import CompiledScene, LayoutProblem, compile_scene
 from .devices import WALKED
 from .quality import QualityTerm, check_terms, pack_terms
@@ -116,6 +116,7 @@ def _points(
     """
     device, count = batch.device, batch.size
     packed, rows = pack_terms(scene, terms, device)
+    packed.first = first_object(room, device)
     value = wp.zeros((count, len(rows)), dtype=wp.float32, device=device)
     points = wp.zeros(count, dtype=wp.float32, device=device)
     every = wp.array(np.arange(count, dtype=np.int32), dtype=wp.int32, device=device)

@@ -10,8 +10,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
-from typing import Any
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -44,8 +44,7 @@ OPEN: Vector = (-INF, INF)
 SIDES: dict[str, Vector] = {"front": (1.0, 0.0), "back": (-1.0, 0.0), "left": (0.0, 1.0), "right": (0.0, -1.0)}
 
 
-@dataclass(frozen=True)
-class Row:
+class Row(NamedTuple):
     """One feature and its intervals; see ``kernels.features`` for what point, normal and offset mean to each."""
 
     feature: int
@@ -74,11 +73,10 @@ class Row:
         else:
             value = exact.value * unit
         alike = value if exact.alike is None else exact.alike * unit
-        return replace(self, exact=Snap(value, alike, (low * unit, high * unit)))
+        return self._replace(exact=Snap(value, alike, (low * unit, high * unit)))
 
 
-@dataclass(frozen=True)
-class Snap:
+class Snap(NamedTuple):
     """The exact value of a row, brought about from within an interval only.
 
     Where ``alike`` is another value, the subjects of a group take the same value, as near to the exact one as all can.
@@ -741,6 +739,6 @@ def mounting(frame: Frame, obj: int) -> CompiledRelation:
     if hung is not None:
         # The judge knows no such limit. What hangs where nobody looks for it is no less valid, only ugly.
         middle = 0.5 * (hung[0] + hung[1])
-        level = replace(height(0.0, *hung), exact=Snap(middle, middle, (hung[0] - HUNG, hung[1] + HUNG)))
+        level = height(0.0, *hung)._replace(exact=Snap(middle, middle, (hung[0] - HUNG, hung[1] + HUNG)))
         options = [[*rows, level] for rows in options]
     return CompiledRelation((obj, -1, -1), options or [[NEVER]], 1.0, 1, True)

@@ -118,6 +118,17 @@ def test_many_scenes_are_rated_each_by_its_own_terms():
     assert found[1].quality is None
 
 
+def test_a_scene_is_rated_among_others_as_alone():
+    """The terms look at all objects of a scene, whose tables are among those of the others."""
+    other = ROOM.model_copy(update={"room": room(6.0, 4.0)})
+    terms = [OFF_DOOR, QualityTerm("clear", ("bed",), low=2.0, span=2.0), QualityTerm("empty", high=0.5)]
+    found = sw.refine_many([ROOM, other], candidates=16, seed=1, quality=[terms, terms])
+    for one, solution in zip([ROOM, other], found, strict=True):
+        valid = solution.status == 0
+        assert valid.any()
+        np.testing.assert_array_equal(solution.quality[valid], rate(one, solution.poses[valid], terms))
+
+
 def test_the_best_that_differ_have_signatures_of_their_own():
     found = sw.refine(ROOM, candidates=64, seed=3, quality=[OFF_DOOR])
     layouts = found.distinct(6)

@@ -29,6 +29,9 @@ SHARE, LEAST = 4, 2
 """Part of a room's candidates that one round begins, and the least of each case: many a room is soon done, and where
 nothing fits, the next round with less in the room or more of it finds more than further tries in this one."""
 
+LEAST_GPU = 16
+"""The same on a GPU, which does as many side by side in the time of one: fewer rounds are left to wait for."""
+
 STEPS, STEPS_GPU = 1, 20
 """Times that a layout is begun: of a room that holds it, one of a few will do. On a GPU they are shorter by far."""
 
@@ -76,6 +79,7 @@ class _Search:
         draft: what is laid out.
         scene: what is left of it.
         variants: relations that line things up, of which the layouts of one are enough.
+        least: layouts of each case that a round begins at least.
         found: layouts with minus their quality.
         cases: what is searched for in this round.
         fruitful: the cases of the round in which something was found.
@@ -86,6 +90,7 @@ class _Search:
     draft: Draft
     scene: Scene
     variants: list[Variant]
+    least: int
     found: list[tuple[float, Scene]] = field(default_factory=list)
     cases: list[_Case] = field(default_factory=list)
     fruitful: list[_Case] = field(default_factory=list)
@@ -126,7 +131,7 @@ class _Search:
 
     def _cases(self, scenes: Sequence[Scene], variants: Sequence[Variant], round_: int) -> Iterator[_Case]:
         share = -(-self.draft.executor.settings.layouts // SHARE)
-        each = max(LEAST, share // (len(scenes) * max(1, len(variants))))
+        each = max(self.least, share // (len(scenes) * max(1, len(variants))))
         for scene in scenes:
             for variant in variants or ((),):
                 plain = searched(with_relations(scene, variant))
@@ -179,8 +184,8 @@ def laid_out(drafts: Sequence[Draft], device: str) -> list[list[Scene]]:
     What a room gets does not depend on the others. Where the room that was drawn does not hold everything, others are
     tried that are as good or larger, and then it holds less of what nobody asked for.
     """
-    searches = [_Search(d, d.scene, [*d.proposal.variants[:VARIANTS]]) for d in drafts]
-    steps = STEPS if pick_devices(device)[0] == "cpu" else STEPS_GPU
+    least, steps = (LEAST, STEPS) if pick_devices(device)[0] == "cpu" else (LEAST_GPU, STEPS_GPU)
+    searches = [_Search(d, d.scene, [*d.proposal.variants[:VARIANTS]], least) for d in drafts]
     for round_ in range(ROUNDS):
         for search in searches:
             if not search.done:

@@ -29,6 +29,9 @@ from .layouts import chosen, laid_out
 LAYOUT_SEED = 0x85EBCA6B
 """What lies between the seeds of two layouts of a room."""
 
+ALONE = "cpu"
+"""Where a room is searched for by itself: too few layouts for a GPU, whose searches are made for thousands."""
+
 FULL = 2
 """Attempt from which on the agent makes the room, with reflection."""
 
@@ -63,7 +66,7 @@ def produce(spec: Spec, requests: Sequence[Request], store: AssetStore, device: 
     for room in rooms:
         try:
             with _lap(room.spent, "draft"), _limit(spec.time_limit).enforced():
-                room.draft = drafted(spec, room.request, room.request.attempt(0), library, device)
+                room.draft = drafted(spec, room.request, room.request.attempt(0), library, ALONE)
         except (Exception, TimeUp) as error:
             room.reason = _reason(error)
     _lay_out([room for room in rooms if room.draft is not None], device)
@@ -130,7 +133,7 @@ def _scene(
             for attempt in range(spec.rooms.attempts):
                 try:
                     with _lap(seconds, "finish" if attempt == 0 else "again"):
-                        made = _made(spec, room, layout, attempt, first, library, device)
+                        made = _made(spec, room, layout, attempt, first, library)
                     if made is None:
                         continue
                     done, reason = made, made.reason
@@ -151,7 +154,7 @@ def _scene(
 
 
 def _made(
-    spec: Spec, room: _Room, layout: int, attempt: int, first: Outcome | None, library: Library, device: str
+    spec: Spec, room: _Room, layout: int, attempt: int, first: Outcome | None, library: Library
 ) -> Finished | None:
     """What an attempt at a scene leads to; None where the first found no layout."""
     request, aside = room.request, layout * LAYOUT_SEED
@@ -161,8 +164,8 @@ def _made(
         return finished(room.draft, first, (room.draft.seed + aside) % 2**32, spec.gates)
     seed = (request.attempt(attempt) + aside) % 2**32
     if attempt >= FULL:
-        return designed(spec, request, seed, library, device)
-    draft = drafted(spec, request, seed, library, device)
+        return designed(spec, request, seed, library, ALONE)
+    draft = drafted(spec, request, seed, library, ALONE)
     outcome = draft.executor.run(draft.context.scene, draft.proposal, seed)
     return finished(draft, outcome, seed, spec.gates)
 
