@@ -99,10 +99,14 @@ def mjcf(
 def _without_slashes(root: Xml.Element) -> None:
     """Names without "/", which other readers keep for themselves; no two of one kind alike."""
     renamed: dict[str, str] = {}
-    taken = {value for element in root.iter() if "/" not in (value := element.get("name", ""))}
-    for element in root.iter():
+    elements = [element.attrib for element in root.iter()]
+    names = [given["name"] for given in elements if "name" in given]
+    taken = {name for name in names if "/" not in name}
+    if len(taken) == len(names):
+        return
+    for given in elements:
         for key in ("name", "body1", "body2", "mesh", "material", "texture"):
-            old = element.get(key, "")
+            old = given.get(key, "")
             if "/" not in old:
                 continue
             if old not in renamed:
@@ -112,7 +116,7 @@ def _without_slashes(root: Xml.Element) -> None:
                     new, number = f"{stem}-{number}", number + 1
                 taken.add(new)
                 renamed[old] = new
-            element.set(key, renamed[old])
+            given[key] = renamed[old]
 
 
 class _Wardrobe:

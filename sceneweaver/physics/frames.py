@@ -12,7 +12,7 @@ from typing import Literal
 import numpy as np
 
 from sceneweaver.assets import Grasp
-from sceneweaver.geometry.rotations import Quaternion, from_matrix, from_yaw, inverse, rotate
+from sceneweaver.geometry.rotations import Quaternion, from_matrix, from_yaw, matrix
 from sceneweaver.scene import Room, SceneObject
 
 from .leaves import Leaf
@@ -122,7 +122,8 @@ def views(room: Room, objects: Sequence[SceneObject]) -> list[View]:
         toward = middle - corner
         corners.append(corner + toward * min(1.0, 0.35 / max(float(np.linalg.norm(toward)), 1e-9)))
     corners.sort(key=lambda corner: -float(np.linalg.norm(corner - door)))
-    free = [corner for corner in corners if not any(_within(o, (*corner, _EYE)) for o in objects)]
+    taken = _within(np.array([(*corner, _EYE) for corner in corners]), objects)
+    free = [corner for corner, within in zip(corners, taken, strict=True) if not within]
     first, second = [*free, *corners][:2]
     places = {"door": door, "corner": first, "corner2": second}
     return [*found, *(_eye(f"room:eye-{name}", place, middle) for name, place in places.items())]
@@ -137,12 +138,15 @@ def _eye(name: str, place: np.ndarray, middle: np.ndarray) -> View:
     return View(name, (float(place[0]), float(place[1]), _EYE), turn, _WIDE)
 
 
-def _within(thing: SceneObject, point: tuple[float, float, float]) -> bool:
-    """Whether a point is in the box of an object."""
-    off = np.asarray(point) - np.asarray(thing.pose.position)
-    own = rotate(inverse(thing.pose.quaternion), off.tolist())
-    depth, width, height = thing.size
-    return abs(own[0]) <= depth / 2 and abs(own[1]) <= width / 2 and 0 <= own[2] <= height
+def _within(points: np.ndarray, objects: Sequence[SceneObject]) -> np.ndarray:
+    """Whether points [N, 3] are in the box of some object, [N]."""
+    if not objects:
+        return np.zeros(len(points), dtype=bool)
+    off = points[:, None] - np.array([o.pose.position for o in objects])
+    own = np.einsum("nok,okj->noj", off, matrix([o.pose.quaternion for o in objects]))
+    depth, width, height = np.array([o.size for o in objects]).T
+    plan = (np.abs(own[..., 0]) <= depth / 2) & (np.abs(own[..., 1]) <= width / 2)
+    return (plan & (own[..., 2] >= 0) & (own[..., 2] <= height)).any(axis=1)
 
 
 def _vector(values: np.ndarray) -> Vector:

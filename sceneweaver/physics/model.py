@@ -35,7 +35,7 @@ import math
 import re
 import zlib
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 from xml.etree import ElementTree as Xml
@@ -43,6 +43,7 @@ from xml.etree import ElementTree as Xml
 import numpy as np
 
 from sceneweaver.assets.placed import Load
+from sceneweaver.assets.recent import Recent
 from sceneweaver.geometry.rotations import from_yaw, wxyz
 from sceneweaver.geometry.shell import PANE_THICKNESS, WALL_THICKNESS, wall_pieces
 from sceneweaver.scene import Room, Scene, SceneObject, Window
@@ -52,7 +53,7 @@ from .inertia import inertia_of
 from .leaves import Leaf, leaves, wall_ends
 from .sites import add_cameras, add_leaf_sites, add_sites, add_spawns
 from .things import RigidBody, Thing, joint_of, things_of
-from .xml import child
+from .xml import attributes, child, document
 
 COVERING = 0.03
 """Things on the floor that are at most this thick [m] lie under what stands over them: rugs and mats."""
@@ -175,11 +176,10 @@ def build(
     child(child(root, "keyframe"), "key", name="start")  # without numbers: those of the bodies, whatever joins them
     if amend is not None:
         amend(root)
-    Xml.indent(root, " ")
     free = tuple(t.object.id for t in things if t.free)
     fixed = tuple(t.object.id for t in things if not t.free)
     items = tuple(body.name for t in things for body in t.bodies if body.loose)
-    return Model(Xml.tostring(root, encoding="unicode") + "\n", {}, free, fixed, items)
+    return Model(document(root), {}, free, fixed, items)
 
 
 def mesh_stem(thing: Thing) -> str:
@@ -305,30 +305,55 @@ class _Bodies:
 
     def _fill(self, frame: Xml.Element, thing: Thing, body: RigidBody) -> None:
         """The collision parts of a body, its mass spread over them by volume, its sites and what is seen of it."""
-        volume = sum(solid.volume for solid in body.solids)
-        masses = [max(body.mass * solid.volume / volume, 1e-7) for solid in body.solids]
-        _inertial(frame, body, masses)
-        count = Counter[str]()
-        shares = iter(masses)
-        for k, solid in enumerate(thing.solids):
-            if thing.body_of(solid.link) != body.number:
-                continue
-            kind = "handle" if solid.handle else "part"
-            name = f"{body.name}:{kind}:{count[kind]}"
-            count[kind] += 1
-            self._geom(frame, name, thing, k, solid, next(shares))
+        key = (thing.solids, thing.shape, thing.welded, thing.friction, body.number, body.mass)
+        recurs = thing.asset is not None
+        written = _WRITTEN.get(key, lambda: _written(thing, body)) if recurs else _written(thing, body)
+        Xml.SubElement(frame, "inertial", written.inertial)
+        for name, given in written.geoms:
+            Xml.SubElement(frame, "geom", {"name": body.name + name, **given})
         add_sites(frame, thing, body)
         if self._dress is not None:
             self._dress(self._assets, frame, thing, body)
 
-    def _geom(self, frame: Xml.Element, name: str, thing: Thing, k: int, solid: Solid, mass: float) -> None:
-        share: dict[str, Any] = {"mass": mass, "friction": thing.friction}
-        if thing.asset is None:
-            share["group"] = "0"  # nothing else of it is to be seen
-        if solid.box is not None:
-            child(frame, "geom", {"name": name, "type": "box", "pos": solid.box[0], "size": solid.box[1], **share})
-            return
-        child(frame, "geom", {"name": name, "type": "mesh", "mesh": hull_name(thing, k), **share})
+
+@dataclass(frozen=True)
+class _Written:
+    """The collision parts of a body in attributes of their elements: its inertia, and each geom with what its name ends
+    in."""
+
+    inertial: dict[str, str]
+    geoms: tuple[tuple[str, dict[str, str]], ...]
+
+    @property
+    def nbytes(self) -> int:
+        return 2**10 * (1 + 2 * len(self.geoms))
+
+
+_WRITTEN: Recent[Hashable, _Written] = Recent(32 * 2**20, lambda written: written.nbytes)
+"""By parts and weights: things recur from room to room."""
+
+
+def _written(thing: Thing, body: RigidBody) -> _Written:
+    """A body of a thing, its mass spread over its parts by volume."""
+    volume = sum(solid.volume for solid in body.solids)
+    masses = [max(body.mass * solid.volume / volume, 1e-7) for solid in body.solids]
+    count, shares, geoms = Counter[str](), iter(masses), []
+    for k, solid in enumerate(thing.solids):
+        if thing.body_of(solid.link) != body.number:
+            continue
+        kind = "handle" if solid.handle else "part"
+        geoms.append((f":{kind}:{count[kind]}", attributes(_geom(thing, k, solid, next(shares)))))
+        count[kind] += 1
+    return _Written(attributes(_inertial(body, masses)), tuple(geoms))
+
+
+def _geom(thing: Thing, k: int, solid: Solid, mass: float) -> dict[str, Any]:
+    share: dict[str, Any] = {"mass": mass, "friction": thing.friction}
+    if thing.asset is None:
+        share["group"] = "0"  # nothing else of it is to be seen
+    if solid.box is not None:
+        return {"type": "box", "pos": solid.box[0], "size": solid.box[1], **share}
+    return {"type": "mesh", "mesh": hull_name(thing, k), **share}
 
 
 def hull_name(thing: Thing, number: int) -> str:
@@ -343,13 +368,13 @@ def add_hulls(assets: Xml.Element, thing: Thing) -> None:
             child(assets, "mesh", name=hull_name(thing, k), inertia="convex", vertex=solid.points.reshape(-1))
 
 
-def _inertial(frame: Xml.Element, body: RigidBody, masses: Sequence[float]) -> None:
+def _inertial(body: RigidBody, masses: Sequence[float]) -> dict[str, Any]:
     """Mass, centre and inertia of a body of those parts, the inertia bounded from below."""
     found = inertia_of(body.solids, masses)
     least, turn = np.linalg.eigh(found.tensor)
     tensor = turn @ np.diag(np.maximum(least, _LEAST_INERTIA)) @ turn.T
     six = (*np.diag(tensor), tensor[0, 1], tensor[0, 2], tensor[1, 2])
-    child(frame, "inertial", pos=found.centre, mass=found.mass, fullinertia=six)
+    return {"pos": found.centre, "mass": found.mass, "fullinertia": six}
 
 
 def coverings(things: Sequence[Thing]) -> list[tuple[int, list[int]]]:
