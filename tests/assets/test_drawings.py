@@ -36,7 +36,8 @@ SAMPLE = ("armchair", "kitchen_cabinet", "mug", "wall_clock", "dining_chair", "b
 def same(a: Any, b: Any) -> bool:
     """Whether two assets, or what they are made of, are equal to the bit."""
     if isinstance(a, np.ndarray):
-        return a.dtype == b.dtype and a.shape == b.shape and a.tobytes() == b.tobytes()
+        alike = a.dtype == b.dtype and a.shape == b.shape and a.flags.c_contiguous == b.flags.c_contiguous
+        return alike and a.tobytes() == b.tobytes()
     if isinstance(a, tuple):
         return len(a) == len(b) and all(map(same, a, b))
     if is_dataclass(a):

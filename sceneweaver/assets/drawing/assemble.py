@@ -40,7 +40,8 @@ def bare_of(drawing: Drawing) -> Bare:
     low, high = mesh.bounds
     shift = np.array([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]])
     mesh.vertices[:] -= shift
-    hulls = tuple(replace(h, vertices=h.vertices - shift) for h in drawn.hulls)
+    # In one order in memory, as they come back from other processes.
+    hulls = tuple(replace(h, vertices=h.vertices - shift, faces=np.ascontiguousarray(h.faces)) for h in drawn.hulls)
     surfaces = tuple(_moved(s, shift) for s in drawn.surfaces)
     d, w, h = (float(v) for v in high - low)
     x, y, z = vec3(shift)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import zlib
 from collections.abc import Sequence
+from functools import cached_property
 from typing import TypeVar
 
 import numpy as np
@@ -29,7 +30,15 @@ class Choices:
         self.category = category
         self.request = request or Request()
         self.seed = seed
-        self.size = self._even(Size(*(self._extent(k) for k in range(3))))
+
+    @cached_property
+    def size(self) -> Size:
+        """Depth along the front, width, height [m].
+
+        Raises:
+            InputError: one is asked for that the category cannot have.
+        """
+        return self._even(Size(*(self._extent(k) for k in range(3))))
 
     @property
     def bounds(self) -> Box:

@@ -54,7 +54,7 @@ def packed(bare: Bare) -> tuple[dict[str, Any], bytes]:
 
 
 def unpacked(row: dict[str, Any], data: bytes | memoryview) -> Bare:
-    """The bare drawing of a row and its numbers."""
+    """The bare drawing of a row and its numbers; nothing is checked again, as all comes from `packed`."""
     pieces, vertices, faces = row["counts"]
     hulls = row["hulls"]
     a, b, _ = row["blocks"]
@@ -73,11 +73,17 @@ def unpacked(row: dict[str, Any], data: bytes | memoryview) -> Bare:
             Hull(own.reshape(-1, 3), side.reshape(-1, 3), number, handle)
             for own, side, (_, _, number, handle) in zip(corners, sides, hulls, strict=True)
         ),
-        parts=tuple(Part(polygon=polygon, z=z) for polygon, z in row["parts"]),
+        parts=tuple(Part.model_construct(polygon=_polygon(plan), z=tuple(z)) for plan, z in row["parts"]),
         mass=0.0,
         origin=Origin(**_tuples(row["origin"])),
-        surfaces=tuple(Surface(name=n, polygon=p, z=z, headroom=room) for n, p, z, room in row["surfaces"]),
-        zones=tuple(Zone(name=n, polygon=p, z=z, hard=hard) for n, p, z, hard in row["zones"]),
+        surfaces=tuple(
+            Surface.model_construct(name=name, polygon=_polygon(plan), z=z, headroom=headroom)
+            for name, plan, z, headroom in row["surfaces"]
+        ),
+        zones=tuple(
+            Zone.model_construct(name=name, polygon=_polygon(plan), z=tuple(z), hard=hard)
+            for name, plan, z, hard in row["zones"]
+        ),
         links=tuple(Link(*map(_tuple, values)) for values in row["moves"]),
         grasps=tuple(Grasp(*map(_tuple, values)) for values in row["grasps"]),
         interiors=tuple(Interior(*map(_tuple, values)) for values in row["interiors"]),
@@ -106,6 +112,10 @@ def _cut(block: np.ndarray, counts: Iterable[int]) -> Iterator[np.ndarray]:
     for count in counts:
         yield block[at : at + count]
         at += count
+
+
+def _polygon(rows: list[list[float]]) -> Any:
+    return tuple(map(tuple, rows))
 
 
 def _tuple(value: Any) -> Any:
