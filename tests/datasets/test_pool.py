@@ -12,7 +12,7 @@ import pytest
 from sceneweaver.assets import Library, categories
 from sceneweaver.assets.parametric import makers
 from sceneweaver.assets.sources.base import Wish
-from sceneweaver.datasets.store.pool import RATIOS, STYLED, dataset_library, offered, sizes_of
+from sceneweaver.datasets.store.pool import STYLED, dataset_library, offered, ratio_of, sizes_of
 
 PALETTES = [f"oak/white paint/brass/cream,navy,mustard/{seed}" for seed in (5, 77, 123456)]
 
@@ -49,7 +49,7 @@ def test_books_have_their_own_look_in_every_palette() -> None:
 def test_a_category_comes_in_few_sizes_over_its_whole_range() -> None:
     for name, known in categories().items():
         for axis, (low, high) in enumerate(known.size.ranges if known.size is not None else ()):
-            ratio = RATIOS[known.mount[0]][axis == 2]
+            ratio = ratio_of(name, axis)
             sizes = sizes_of(name, axis)
             assert (sizes[0], sizes[-1]) == (low, high) and sizes == tuple(sorted(set(sizes))), name
             assert len(sizes) <= 2 + math.log(high / low) / math.log(ratio), name

@@ -24,6 +24,12 @@ RATIOS = {"surface": (1.25, 1.25), "wall": (1.2, 1.2), "floor": (1.15, 1.03), "c
 Heights of furniture are fine: a seat goes under a table, a lamp hangs close above it.
 """
 
+FINE = frozenset(("rug", "round_rug", "runner_rug", "standing_books", "binder_row", "basket", "storage_box"))
+"""What has to reach so far: under furniture, or along a shelf."""
+
+FINE_RATIO = 1.1
+"""How much larger a size of these is than the next smaller one, in depth and width."""
+
 MEMORY = 384 * 2**20
 """Drawings that a process keeps [bytes]."""
 
@@ -138,6 +144,13 @@ def _floor(extent: float, sizes: tuple[float, ...]) -> float:
     return max((one for one in sizes if one <= extent + 1e-6), default=sizes[0])
 
 
+def ratio_of(category: str, axis: int) -> float:
+    """About how much larger a size of a category is along an axis (depth, width, height) than the next smaller one."""
+    if axis < 2 and category in FINE:
+        return FINE_RATIO
+    return RATIOS[categories()[category].mount[0]][axis == 2]
+
+
 @cache
 def sizes_of(category: str, axis: int) -> tuple[float, ...]:
     """The extents [m] along an axis (depth, width, height) that a category comes in, over its usual range."""
@@ -145,7 +158,7 @@ def sizes_of(category: str, axis: int) -> tuple[float, ...]:
     if known.size is None:
         raise ValueError(f"{category} is a group of others")
     low, high = known.size.ranges[axis]
-    steps = round(math.log(high / low) / math.log(RATIOS[known.mount[0]][axis == 2]))
+    steps = round(math.log(high / low) / math.log(ratio_of(category, axis)))
     between = (low * (high / low) ** (k / steps) for k in range(1, steps))
     return tuple(sorted({low, *(max(low, _round(extent, fine=axis == 2)) for extent in between), high}))
 
