@@ -16,6 +16,9 @@ from sceneweaver.geometry.se2 import SE2
 
 Array = NDArray[np.float64]
 
+LEAST = 1e-8
+"""Area [m2] up to which a notch in a surface is none."""
+
 GAP = 0.006
 """Free space [m] kept between things on one surface."""
 
@@ -58,10 +61,12 @@ class Prism:
 
 
 class Turned(NamedTuple):
-    """The prisms of a shape that is turned, and all their corners [n, 2]."""
+    """The prisms of a shape that is turned, all their corners [n, 2], and the least and largest x, y of these [m]."""
 
     prisms: tuple[Prism, ...]
     points: Array
+    low: Array
+    high: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,13 +82,14 @@ class Shape:
         found = self._turned.get(yaw)
         if found is None:
             prisms = tuple(Prism(turned(p.polygon, yaw), p.low, p.high) for p in self.prisms)
-            found = self._turned[yaw] = Turned(prisms, np.concatenate([p.polygon for p in prisms]))
+            points = np.concatenate([p.polygon for p in prisms])
+            found = self._turned[yaw] = Turned(prisms, points, points.min(axis=0), points.max(axis=0))
         return found
 
     def extent(self, yaw: float) -> tuple[Array, Array]:
         """Least and largest x, y [m] about the origin when turned by ``yaw``."""
-        points = self.turned(yaw).points
-        return points.min(axis=0), points.max(axis=0)
+        placed = self.turned(yaw)
+        return placed.low, placed.high
 
     @property
     def area(self) -> float:
@@ -126,7 +132,8 @@ class Field:
         ring = counter_clockwise(np.asarray(hull.exterior.coords)[:-1])
         self._normals = normals(ring)
         self._limit = (ring @ self._normals.T).max(axis=0)
-        self._notches = [Prism(t, 0.0, 0.0) for t in _triangles(hull.difference(inner))]
+        notched = hull.area - inner.area > LEAST
+        self._notches = [Prism(t, 0.0, 0.0) for t in _triangles(hull.difference(inner))] if notched else []
         self.low, self.high = ring.min(axis=0), ring.max(axis=0)
         self.centre = np.asarray(inner.centroid.coords[0])
 
@@ -140,8 +147,8 @@ class Field:
         good = (at @ self._normals.T <= self._limit - reach).all(axis=1)
         if not good.any():
             return good
-        low = placed.points.min(axis=0) + at.min(axis=0) - gap
-        high = placed.points.max(axis=0) + at.max(axis=0) + gap
+        first, last = (at[0], at[0]) if len(at) == 1 else (at.min(axis=0), at.max(axis=0))
+        low, high = placed.low + first - gap, placed.high + last + gap
         box = (*low.tolist(), *high.tolist())
         for prism in placed.prisms:
             near = [(other, gap) for other in self.taken if other.meets(box, prism)]
@@ -218,5 +225,5 @@ def _triangles(region: Any) -> list[Array]:
     return [
         counter_clockwise(np.asarray(t.exterior.coords)[:-1])
         for t in pieces
-        if t.geom_type == "Polygon" and t.area > 1e-8
+        if t.geom_type == "Polygon" and t.area > LEAST
     ]

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sceneweaver.assets import Asset, categories
+from sceneweaver.assets import Asset, Link, categories
 from sceneweaver.geometry.polygons import rectangle
 from sceneweaver.geometry.prisms import prism_vertices
 from sceneweaver.geometry.rotations import from_yaw, matrix
@@ -77,17 +77,19 @@ class Bodies(NamedTuple):
         return len(self.bodies) - 1
 
     def _add_thing(self, index: int, thing: Thing) -> None:
+        links = thing.asset.links if thing.asset is not None else ()
+        yields = _yields(thing)
+        if yields and not any(map(_opens, links)):  # in the way of nothing
+            return
         turn, shift = matrix(thing.object.pose.quaternion), np.asarray(thing.object.pose.position)
-        yields, opens = _yields(thing), any(_opens(body) for body in thing.bodies)
         for body in thing.bodies:
             number = self._number(Body(thing.object.id, index, body.number, yields))
-            if (yields and not opens) or not body.solids:  # in the way of nothing
+            if not body.solids:
                 continue
             points = np.concatenate([solid.points for solid in body.solids]) @ turn.T + shift
             ends = np.cumsum([len(solid.points) for solid in body.solids])
             self.blocks.extend(Block(part, number) for part in np.split(points, ends[:-1]))
-            if _opens(body):
-                assert body.link is not None
+            if body.link is not None and _opens(body.link):
                 motion = _motion(thing, body, turn, shift)
                 self.openings.append(Opening(number, body.link.name, body.link.role, motion))
 
@@ -101,8 +103,8 @@ class Bodies(NamedTuple):
         self.openings.append(Opening(number, "leaf", "door", motion, min(1.0, leaf.limits[1] / leaf.full)))
 
 
-def _opens(body: RigidBody) -> bool:
-    return body.link is not None and body.link.role in ROLES and body.link.joint != "free"
+def _opens(link: Link) -> bool:
+    return link.role in ROLES and link.joint != "free"
 
 
 def _motion(thing: Thing, body: RigidBody, turn: Array, shift: Array) -> Motion:

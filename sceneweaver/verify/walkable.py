@@ -79,24 +79,10 @@ def _measure(placed: Placed) -> Access | None:
 
 def _free(placed: Placed, grid: Grid) -> np.ndarray:
     parts = placed.parts
-    solid = _outermost(parts.xy[(parts.z[:, 0] < CLEARANCE) & (parts.z[:, 1] > STEP)])
+    solid = (parts.z[:, 0] < CLEARANCE) & (parts.z[:, 1] > STEP)
     walls = np.stack([grid.outline, np.roll(grid.outline, -1, axis=0)], axis=1)
-    hindered = grid.covered(grid.spans(walls, RADIUS)) | grid.covered(grid.spans(grid.to_grid(solid), RADIUS))
+    hindered = grid.covered(grid.spans(walls, RADIUS)) | grid.covered(grid.spans(grid.to_grid(parts.xy[solid]), RADIUS))
     return grid.inside() & ~hindered
-
-
-def _outermost(polygons: Array) -> Array:
-    """Of convex polygons [n, v, 2] those that lie within no other, of equal ones the first: they cover all cells that
-    all of them cover. What stands on a table is within it in plan."""
-    low, high = polygons.min(axis=1), polygons.max(axis=1)
-    boxed = (low[:, None] <= low).all(axis=2) & (high[:, None] >= high).all(axis=2)
-    np.fill_diagonal(boxed, False)
-    outer, inner = np.nonzero(boxed)
-    holds = _left_of_all(polygons[outer], polygons[inner])
-    within = np.zeros(boxed.shape, dtype=bool)
-    within[outer[holds], inner[holds]] = True
-    earlier = np.arange(len(polygons))[:, None] < np.arange(len(polygons))
-    return polygons[~(within & (~within.T | earlier)).any(axis=0)]
 
 
 def _entered(placed: Placed, grid: Grid, free: np.ndarray, regions: np.ndarray) -> set[int]:
@@ -116,29 +102,22 @@ def _unreached(placed: Placed, grid: Grid, reached: np.ndarray) -> tuple[int, tu
     standing = [body for body in placed.bodies if body.item.mount == "floor"]
     if not standing:
         return 0, ()
-    shapes: list[Array] = []
-    owner: list[int] = []
-    zones: dict[int, list[Array]] = {}
-    rings = placed.zones.xy
-    for body_index, ring, convex in zip(placed.zones.owner.tolist(), rings, _left_of_all(rings, rings), strict=True):
-        zones.setdefault(body_index, []).append(ring if convex else convex_hull(ring))
-    for index, body in enumerate(standing):
-        found = [_front(body), *zones.get(body.index, ())]
+    fronts = grid.to_grid(np.array([_front(body) for body in standing]))
+    near = grid.touches(reached, grid.spans(fronts, RADIUS + ARM), len(standing))
+    left = [body for body, touched in zip(standing, near.tolist(), strict=True) if not touched]
+    shapes: list[Array] = []  # the others of what has not been reached by its front
+    owner: list[str] = []
+    for body in left:
+        found = [convex_hull(placed.zones.xy[row]) for row in np.flatnonzero(placed.zones.owner == body.index)]
         if body.id in tied or body.z[1] <= STEP:
             found += list(placed.parts.xy[placed.part_rows(body)])
         shapes += found
-        owner += [index] * len(found)
-    spans = grid.spans(grid.to_grid(padded(shapes)), RADIUS + ARM)
-    near = grid.touches(reached, spans, len(shapes))
-    touched = {owner[k] for k in np.flatnonzero(near)}
-    return len(standing), tuple(body.id for k, body in enumerate(standing) if k not in touched)
-
-
-def _left_of_all(outlines: Array, points: Array) -> np.ndarray:
-    """Whether the points [n, p, 2] of each row lie left of, or on, all edges of its outline [n, v, 2]."""
-    start = outlines[:, :, None]
-    edge, away = np.roll(outlines, -1, axis=1)[:, :, None] - start, points[:, None] - start
-    return (edge[..., 0] * away[..., 1] >= edge[..., 1] * away[..., 0]).all(axis=(1, 2))
+        owner += [body.id] * len(found)
+    held: set[str] = set()
+    if shapes:
+        spans = grid.spans(grid.to_grid(padded(shapes)), RADIUS + ARM)
+        held = {owner[k] for k in np.flatnonzero(grid.touches(reached, spans, len(shapes)))}
+    return len(standing), tuple(body.id for body in left if body.id not in held)
 
 
 def _ends(relation: Relation) -> tuple[str, ...]:

@@ -158,20 +158,3 @@ def test_left_out_and_too_large():
     assert (report.walkable_share, report.reachable_share) == (None, None)
     assert "too large" in report.warnings[0]
     assert report.valid
-
-
-@pytest.mark.parametrize("seed", range(8))
-def test_what_lies_within_another_covers_no_cell_of_its_own(seed):
-    """The polygons that are left cover what all cover, by shapely's word; of equal ones the first is left."""
-    rng = np.random.default_rng(seed)
-    many = []
-    for low in rng.integers(0, 8, (30, 2)):
-        w, d = rng.integers(1, 5, 2)
-        many.append([low, low + (w, 0), low + (w, d), low + (0, d) if rng.random() < 0.6 else low + (w, d)])
-    many = np.array([*many, many[0]], dtype=float)
-    left = walkable._outermost(many)
-    shapes, kept = ([shapely.Polygon(ring) for ring in rings] for rings in (many, left))
-    assert shapely.symmetric_difference(shapely.union_all(kept), shapely.union_all(shapes)).area < 1e-9
-    outer = [one for one in shapes if not any(a.covers(one) and not a.equals(one) for a in shapes)]
-    singles = {one.normalize().wkt for one in outer}
-    assert len(left) == len(singles) and {one.normalize().wkt for one in kept} == singles

@@ -50,19 +50,7 @@ class ParametricSource:
 
     def load(self, asset_id: str) -> Asset:
         """Draw the asset of an id again."""
-        category, _, query = asset_id.removeprefix(PREFIX).partition("?")
-        given = dict(parse_qsl(query, keep_blank_values=True))
-        words = {k: given.pop(k) for k in ("color", "material", "style", "shape", "label", "palette") if k in given}
-        try:
-            seed = int(given.pop("seed", "0"))
-            size, parts = _size(given.pop("size", ",,")), _parts(given.pop("parts", ""))
-            suite = int(given.pop("suite")) if "suite" in given else None
-            flipped = int(given.pop("mirrored", "0"))
-        except ValueError as error:
-            raise InputError(f"asset: '{asset_id}' is no parametric id; write parametric:CATEGORY?seed=N") from error
-        if given or seed < 0 or (suite or 0) < 0 or flipped not in (0, 1):
-            raise InputError(f"asset: '{asset_id}' is no parametric id; write parametric:CATEGORY?seed=N")
-        return _draw(category, seed, Request(size=size, parts=parts, suite=suite, mirrored=bool(flipped), **words))
+        return _draw(*_read(asset_id))
 
     @staticmethod
     def _request(match: Match, wish: Wish) -> Request:
@@ -126,6 +114,24 @@ def share_drawings(journal: Journal | None) -> None:
 
 def _draw(category: str, seed: int, request: Request) -> Asset:
     return _DRAWN.get(category, seed, request)
+
+
+@lru_cache(maxsize=4096)
+def _read(asset_id: str) -> tuple[str, int, Request]:
+    """What an id says: category, seed and request; the things of a scene are loaded many times."""
+    category, _, query = asset_id.removeprefix(PREFIX).partition("?")
+    given = dict(parse_qsl(query, keep_blank_values=True))
+    words = {k: given.pop(k) for k in ("color", "material", "style", "shape", "label", "palette") if k in given}
+    try:
+        seed = int(given.pop("seed", "0"))
+        size, parts = _size(given.pop("size", ",,")), _parts(given.pop("parts", ""))
+        suite = int(given.pop("suite")) if "suite" in given else None
+        flipped = int(given.pop("mirrored", "0"))
+    except ValueError as error:
+        raise InputError(f"asset: '{asset_id}' is no parametric id; write parametric:CATEGORY?seed=N") from error
+    if given or seed < 0 or (suite or 0) < 0 or flipped not in (0, 1):
+        raise InputError(f"asset: '{asset_id}' is no parametric id; write parametric:CATEGORY?seed=N")
+    return category, seed, Request(size=size, parts=parts, suite=suite, mirrored=bool(flipped), **words)
 
 
 def _size(text: str) -> tuple[float | None, float | None, float | None]:
