@@ -354,3 +354,10 @@ def test_what_an_included_file_names_is_what_its_tree_does(content):
     for damaged in (content[: len(content) // 2], content.strip()[:-1], b""):
         with pytest.raises(InputError):
             included_files(damaged)
+
+
+def test_an_export_that_is_asked_for_and_not_there(root):
+    key, files = next(scenes_of(next(spans_of(shards_of(Folder(root))[0], 1))))
+    row, found = next(row for row in rows_of(Folder(root)) if row["key"] == key), Findings()
+    Judge(root, ("glb", "mjcf", "usd")).judge(row, files, found)
+    assert [fault.detail for fault in found.first["export"]] == ["has no usdc"] and not found.faults["judge"]

@@ -20,7 +20,7 @@ from . import exports
 from .findings import Findings
 from .twins import twin_faults, twin_names
 
-SUFFIXES = {"glb": "glb", "mjcf": "xml"}
+SUFFIXES = {"glb": "glb", "mjcf": "xml", "usd": "usdc"}
 """The file of a scene in which an export is."""
 
 _COUNTS = ("valid", "collisions", "out_of_bounds", "unsupported", "blocked_zones", "blocked_openings")
