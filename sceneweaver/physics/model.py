@@ -326,10 +326,11 @@ class _Written:
 
     @property
     def nbytes(self) -> int:
-        return 2**10 * (1 + 2 * len(self.geoms))
+        """About the memory that it takes."""
+        return 2**9 + 3 * 2**8 * len(self.geoms)
 
 
-_WRITTEN: Recent[Hashable, _Written] = Recent(32 * 2**20, lambda written: written.nbytes)
+_WRITTEN: Recent[Hashable, _Written] = Recent(48 * 2**20, lambda written: written.nbytes)
 """By parts and weights: things recur from room to room."""
 
 
