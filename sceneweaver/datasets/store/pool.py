@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import replace
-from functools import cache
+from functools import cache, lru_cache
 
 from sceneweaver.assets import Asset, Library, categories
 from sceneweaver.assets.looks import read_words
@@ -66,6 +66,9 @@ STYLED = frozenset(
 )
 """What is drawn otherwise in another style; in a palette all else looks the same in each."""
 
+CHOICES = 2**15
+"""Wishes of which a process remembers what was chosen."""
+
 Size = tuple[float | None, float | None, float | None]
 
 
@@ -101,20 +104,32 @@ class PooledSource(ParametricSource):
 class PooledLibrary(Library):
     """A library of a pool, whose things are of the style that they are chosen for where they look alike in all."""
 
+    def __init__(self, source: PooledSource):
+        super().__init__([source])
+        self._first = lru_cache(maxsize=CHOICES)(self._first_choice)
+
     def choose(self, noun: str, count: int = 1, wish: Wish | None = None, same: bool = True) -> list[Asset]:
         """As `Library.choose`; what is drawn once for all styles says the wanted one of itself."""
-        made = super().choose(noun, count, wish, same)
+        if same:
+            made = [self.load(self._first(noun, wish or Wish()))] * count
+        else:
+            made = super().choose(noun, count, wish, same)
         style = None if wish is None else wish.style or read_words(wish.words).style
         return [asset.of_style(style) for asset in made] if style in STYLES else made
 
+    def _first_choice(self, noun: str, wish: Wish) -> str:
+        """The id of what suits a wish best: a pool always has the same for it."""
+        return super().choose(noun, 1, wish)[0].id
 
+
+@cache
 def dataset_library(variants: int) -> Library:
-    """The library that the scenes of a data set draw on; nothing of this user's own is in it.
+    """The library that the scenes of a data set draw on; nothing of this user's own is in it. A process has one.
 
     Args:
         variants: Drawings of a category in one size and look.
     """
-    return PooledLibrary([PooledSource(variants)])
+    return PooledLibrary(PooledSource(variants))
 
 
 def _is_fitted(category: str, wish: Wish) -> bool:
