@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import json
 import shutil
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -17,8 +18,12 @@ from sceneweaver.datasets.checking import verify_dataset
 from sceneweaver.datasets.engines.manifest import create
 from sceneweaver.datasets.files.checksums import write_checksums
 from sceneweaver.datasets.layouts import join, load_layout, load_program, make_block, pack, write_programs
+from sceneweaver.datasets.layouts.programs import as_tall_as_it_stands
+from sceneweaver.datasets.layouts.read import posed
 from sceneweaver.datasets.layouts.signature import Seen, Signatures
 from sceneweaver.datasets.layouts.tables import Writers, row_groups
+from sceneweaver.layout.compile import compile_scene
+from sceneweaver.layout.sampling import first_layouts
 from sceneweaver.scene import InputError, Scene
 from sceneweaver.verify import check
 from tests.test_repository import ROOT, code_blocks
@@ -27,6 +32,7 @@ GUIDE = (ROOT / "docs" / "datasets_layouts.md").read_text()
 ZOO = ROOT / "tests" / "zoo"
 NAMES = ("bedroom-small.json", "living.json", "dining-round.json", "children-twin.json")
 LAYOUTS = 40
+PARTS = ((-1.0, 2.0, [0.0, 0.9]), (-0.2, 0.4, [0.9, 1.5]))  # along y, depth and height [m]
 
 
 def spec_of(**changes) -> Spec:
@@ -240,3 +246,29 @@ def test_many_threads_hand_over_layouts(tmp_path):
     finally:
         sys.setswitchinterval(before)
     assert len(row_groups(tmp_path)) == 400
+
+
+def test_a_shelf_above_a_counter_is_above_what_stands_on_it():
+    box = {"category": "counter", "mount": "floor", "size": [0.6, 2.0, 0.9], "pose": {"position": [2, 0.31, 0]}}
+    machine = [{"polygon": [[-0.3, y], [0.3, y], [0.3, y + w], [-0.3, y + w]], "z": z} for y, w, z in PARTS]
+    shelf = {"id": "shelf", "category": "wall_shelf", "mount": "wall", "size": [0.2, 1.0, 0.2]}
+    scene = Scene.loads(
+        json.dumps(
+            {
+                "schema": "sceneweaver.scene/1",
+                "id": "counter",
+                "room": {"outline": [[0, 0], [4, 0], [4, 3], [0, 3]]},
+                "objects": [{"id": "counter", "parts": machine, **box}, shelf],
+                "relations": [
+                    {"type": "against_wall", "subject": "counter"},
+                    {"type": "against_wall", "subject": "shelf"},
+                    {"type": "above", "subject": "shelf", "target": "counter"},
+                ],
+            }
+        )
+    )
+    taller = as_tall_as_it_stands(scene)
+    assert taller.object("counter").size == (0.6, 2.0, 1.5) and taller.object("shelf") == scene.object("shelf")
+    (found,) = first_layouts([compile_scene(taller)], range(8), 4, [0], "cpu")
+    assert len(found.poses) >= 2
+    assert all(check(posed(taller, poses), walkable=False).valid for poses in found.poses)

@@ -103,4 +103,20 @@ def _furnished(request: Request, seed: int) -> Scene:
     if proposal.variants:
         chosen = proposal.variants[seed % len(proposal.variants)]
         scene = scene.model_copy(update={"relations": (*scene.relations, *chosen)})
-    return searched(scene)
+    return as_tall_as_it_stands(searched(scene))
+
+
+def as_tall_as_it_stands(scene: Scene) -> Scene:
+    """The scene with sizes that reach up to what stands on things, which is part of them.
+
+    By these sizes a search keeps a shelf above a counter; the judge keeps it above all parts of the counter.
+    """
+    tops = [max(part.z[1] for part in o.solids) for o in scene.objects]
+    return scene.model_copy(
+        update={
+            "objects": tuple(
+                o.model_copy(update={"size": (*o.size[:2], top)}) if top > o.size[2] else o
+                for o, top in zip(scene.objects, tops, strict=True)
+            )
+        }
+    )
