@@ -194,3 +194,18 @@ def test_those_that_never_come_close_leave_with_their_best_layout() -> None:
     np.testing.assert_array_equal(after[[0, 3]], before[[0, 3]])
     assert np.all(after[[1, 2, 4], :objects] == progress.best.numpy()[[1, 2, 4], :objects])
     np.testing.assert_allclose(what.state.turns.numpy()[1, 0], [np.cos(0.5), np.sin(0.5)], rtol=1e-6)
+
+
+def test_a_single_attempt_gives_up_what_is_far_from_valid_and_changes_nothing_else(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def one_attempt(hopeful: float) -> sw.Solution:
+        monkeypatch.setattr(search, "HOPEFUL", hopeful)
+        return sw.refine(sw.Scene.example("bedroom"), candidates=48, seed=1, steps=1, device="cpu")
+
+    whole, cut = one_attempt(np.inf), one_attempt(0.1)
+    followed = (cut.poses == whole.poses).all(axis=(1, 2))
+    assert not followed.all()
+    assert (cut.status == 0).any()
+    assert followed[cut.status == 0].all()
+    assert (cut.energy[~followed] > 0.1).all()

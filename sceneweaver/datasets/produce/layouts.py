@@ -38,7 +38,7 @@ STEPS, STEPS_GPU = 1, 20
 GROWN = ((1.12, 1.25), (1.12, 1.25, 1.4), (1.25, 1.4, 1.6), (1.4, 1.6), (1.6, 1.8), (1.8, 2.0))
 """By round after the first, floors of other rooms, as multiples of the one that was drawn."""
 
-ROUNDS = 2 + len(GROWN)
+ROUNDS = 4 + len(GROWN)
 """Searches: in the room that was drawn, in others and with less in them, and once more where too little was found."""
 
 AGAIN = 0x68E31DA4
