@@ -13,9 +13,20 @@ from .compile import LayoutProblem
 from .pack import Packed, margins, pack, weights
 
 
-def make_batch(problems: Sequence[LayoutProblem], which: np.ndarray, device: str, pools=None) -> Batch:
-    """A batch with one candidate for every entry of ``which`` (the index of its problem)."""
-    packed, first = _packed(problems, device, pools)
+def make_batch(
+    problems: Sequence[LayoutProblem], which: np.ndarray, device: str, pools=None, *, shared: bool = False
+) -> Batch:
+    """A batch with one candidate for every entry of ``which`` (the index of its problem).
+
+    Args:
+        problems: the problems.
+        which: problem of each candidate [B].
+        device: where the batch lives.
+        pools: starts for things on surfaces, by problem.
+        shared: of one problem, whether tables do that it has with others, where its number and that of its first
+            object are not 0 (see `first_object`): enough for rating, and packed already by the search.
+    """
+    packed, first = _packed(problems, device, pools, shared)
     return Batch(
         packed.tables,
         packed.keep,
@@ -30,16 +41,18 @@ def make_batch(problems: Sequence[LayoutProblem], which: np.ndarray, device: str
     )
 
 
-def _packed(problems: Sequence[LayoutProblem], device: str, pools) -> tuple[Packed, int]:
-    """The tables of some problems, and the number of the first there. Tables without pools are kept with each problem
-    for when it comes alone: rating reads those of the search."""
+def _packed(problems: Sequence[LayoutProblem], device: str, pools, shared: bool) -> tuple[Packed, int]:
+    """The tables of some problems, and the number of the first there; those without pools are kept with the problems,
+    for when one comes alone."""
     if any(pools or ()):
         return pack(problems, device, pools), 0
     if len(problems) == 1 and device in problems[0].packed:
-        return problems[0].packed[device]
+        kept = problems[0].packed[device]
+        if shared or len(kept[0].problems) == 1:
+            return kept
     packed = pack(problems, device, None)
     for number, problem in enumerate(problems):
-        problem.packed.setdefault(device, (packed, number))
+        problem.packed[device] = packed, number
     return packed, 0
 
 

@@ -97,7 +97,7 @@ def walked(solution: Solution, compiled: CompiledScene) -> Solution:
 def _loaded(room: LayoutProblem, poses: np.ndarray, device: str) -> Batch:
     """A batch of layouts [B, N, 4] of one problem."""
     load(device, *MODULES)
-    batch = make_batch([room], np.zeros(len(poses), dtype=np.int32), device)
+    batch = make_batch([room], np.zeros(len(poses), dtype=np.int32), device, shared=True)
     load_poses(batch, np.ascontiguousarray(poses, dtype=np.float32))
     return batch
 

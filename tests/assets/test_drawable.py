@@ -127,8 +127,9 @@ def test_a_material_alone_makes_no_other_thing_of_a_basket() -> None:
     assert drawable("basket", "wicker").category == "basket"
 
 
-def test_what_was_asked_in_vain_before_does_not_matter() -> None:
+def test_what_was_asked_in_vain_before_does_not_matter(monkeypatch) -> None:
     """The same wish gives the same drawing, whatever was asked before it and of what size."""
+    from sceneweaver.assets.parametric.drawings import Drawings
     from sceneweaver.assets.sources import parametric
     from sceneweaver.assets.sources.base import Wish
 
@@ -136,7 +137,7 @@ def test_what_was_asked_in_vain_before_does_not_matter() -> None:
 
     def found(order):
         parametric._can_show.cache_clear()
-        parametric._DRAWN.clear()
+        monkeypatch.setattr(parametric, "_DRAWN", Drawings(2**24))
         return {wish: [card.id for card in parametric.ParametricSource().find("desk", wish)] for wish in order}
 
     assert found(wishes) == found(wishes[::-1])

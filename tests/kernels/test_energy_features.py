@@ -55,13 +55,13 @@ def blank(name: str, rng: np.random.Generator) -> Row:
     point = tuple(rng.uniform(-1.0, 1.0, 2).tolist())
     row = Row(feature, free, free, point, normal, float(rng.uniform(-2.0, 2.0)), scale=float(rng.uniform(0.3, 1.5)))
     if feature == k.FEATURE_YAW:
-        return replace(row, normal=(float(rng.choice([np.pi / 2, np.pi, 2 * np.pi])), 0.0))
+        return row._replace(normal=(float(rng.choice([np.pi / 2, np.pi, 2 * np.pi])), 0.0))
     if feature == k.FEATURE_WINDOW:
-        return replace(row, point=(float(rng.uniform(0.1, 0.6)), float(rng.uniform(0.2, 1.0))))
+        return row._replace(point=(float(rng.uniform(0.1, 0.6)), float(rng.uniform(0.2, 1.0))))
     if name == "distance to a polygon":
-        return replace(row, polygon=np.array([[2.0, 2.0], [3.0, 2.2], [3.1, 2.9], [2.2, 3.1]]))
+        return row._replace(polygon=np.array([[2.0, 2.0], [3.0, 2.2], [3.1, 2.9], [2.2, 3.1]]))
     if name == "distance to a point":
-        return replace(row, polygon=np.array([[2.6, 2.7]]))
+        return row._replace(polygon=np.array([[2.6, 2.7]]))
     return row
 
 
@@ -75,7 +75,7 @@ def asked(
     aim = (-INF, edge) if above else (edge, INF)
     if abs(edge) < INF and excess < 0:  # closed at both ends where the value lies inside
         aim = (edge - 2 * abs(excess) / row.scale, edge) if above else (edge, edge + 2 * abs(excess) / row.scale)
-    relation = CompiledRelation(ids, [[replace(row, aim=aim, hold=aim)]], 0.7, 2, True)
+    relation = CompiledRelation(ids, [[row._replace(aim=aim, hold=aim)]], 0.7, 2, True)
     return replace(problem, relations=[relation], relation_ids=[0])
 
 
