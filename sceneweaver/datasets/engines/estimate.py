@@ -108,7 +108,7 @@ def estimate(
                 listener.block(record)
 
         notice = listener.notice if listener is not None else lambda text: None
-        names = devices(device)
+        names = devices(device, spec)
         engine = LocalEngine(dataset, names, workers, produce, Listener(block_done, notice), patient=False)
         engine.run(range(dataset.requests.blocks))
     made = growth[-1][0]

@@ -134,7 +134,7 @@ def create(
         "warp-lang": version("warp-lang"),
         "python": platform.python_version(),
     }
-    kind = devices(device)[0].partition(":")[0]
+    kind = devices(device, spec)[0].partition(":")[0]
     dataset = Dataset(folder, spec, kind, versions, digests(inputs))
     try:
         _require_empty(folder.path, files)
@@ -149,10 +149,14 @@ def create(
     return dataset
 
 
-def devices(name: str) -> list[str]:
-    """The devices that a name stands for, see `pick_devices`; the CPU without looking for a GPU."""
-    if name == "cpu":
-        return [name]
+def devices(name: str, spec: Spec) -> list[str]:
+    """The devices that a name stands for, see `pick_devices`; the CPU without looking for a GPU.
+
+    "auto" is the CPU for furnished scenes: the workers of a machine, one for each core, have many small searches, for
+    which they would stand in line at a GPU (on one H200, sixteen of them made no block in a minute).
+    """
+    if name == "cpu" or (name == "auto" and spec.product == "scenes"):
+        return ["cpu"]
     from sceneweaver.layout.devices import pick_devices
 
     return pick_devices(name)

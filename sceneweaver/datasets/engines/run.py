@@ -123,7 +123,7 @@ def _make(
         workers, patient = options.workers, options.patient
         engine = RayEngine(dataset, options.address, workers, produce, told, patient=patient, until=until)
     else:
-        workers, places = options.workers or cores(), devices(device)
+        workers, places = options.workers or cores(), devices(device, dataset.spec)
         memory, patient = options.memory, options.patient
         engine = LocalEngine(dataset, places, workers, produce, told, memory=memory, patient=patient, until=until)
     engine.run(numbers)
