@@ -49,8 +49,8 @@ def settings(tmp_path):
     return Settings(rooms=("bedroom-small",), device="cpu", quick=True, most=4, rivals=rivals, out=tmp_path)
 
 
-SLOW = ("openable",)
-"""Families whose design is one that another family makes as well."""
+SLOW = ("openable", "odd", "cold")
+"""Families whose design is one that another family makes as well, and what takes longest."""
 
 
 @pytest.mark.parametrize("name", [pytest.param(n, marks=[pytest.mark.slow] if n in SLOW else []) for n in FAMILIES])
