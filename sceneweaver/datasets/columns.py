@@ -29,7 +29,7 @@ def arrow():
 GRADES = ("realism", "functionality", "layout", "completion", "alignment")
 """The critic's grades of a scene, from 0 to 10."""
 
-GATES = ("valid", "grade", "unmet", "openable", "still")
+GATES = ("valid", "grade", "unmet", "openable", "walkable", "still")
 """What a specification asks of a scene; one that it does not ask for is null."""
 
 

@@ -73,6 +73,7 @@ class Gates(FrozenModel):
     grade: float = Field(default=0.0, ge=0, le=10, description="Least mean grade of the critic")
     unmet: int | None = Field(default=None, ge=0, description="Most wishes that are not met; None: any number")
     openable: Share = Field(default=0.0, description="Least share of doors and drawers that open")
+    walkable: Share = Field(default=0.0, description="Least share of the free floor within reach of the door")
     still: float | None = Field(default=None, gt=0, description="Farthest that a thing may move in physics [m]")
 
 

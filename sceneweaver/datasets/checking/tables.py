@@ -121,6 +121,8 @@ def gates_failed(row: Mapping[str, Any], spec: Spec) -> Iterator[str]:
         yield f"leaves {len(row['unmet'])} wishes unmet; {gates.unmet} are allowed"
     if row.get("openable_share") is not None and row["openable_share"] < gates.openable - 1e-9:
         yield f"has {row['openable_share']:.2f} of its doors and drawers open; at least {gates.openable:g} is asked"
+    if row.get("walkable_share") is not None and row["walkable_share"] < gates.walkable - 1e-9:
+        yield f"has {row['walkable_share']:.2f} of its floor within reach; at least {gates.walkable:g} is asked"
 
 
 def check_schema(folder: Folder, found: Findings) -> None:

@@ -87,6 +87,9 @@ def _passed(outcome: Outcome, unmet: Sequence[str], gates: Gates) -> dict[str, b
     if gates.openable > 0:
         share = outcome.report.openable_share
         found["openable"] = share is None or share >= gates.openable
+    if gates.walkable > 0:
+        share = outcome.report.walkable_share
+        found["walkable"] = share is None or share >= gates.walkable
     if gates.still is not None and outcome.report.valid:
         from sceneweaver.physics import stability
 
