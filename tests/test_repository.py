@@ -16,6 +16,8 @@ LOCKED = {package["name"]: package for package in tomllib.loads((ROOT / "uv.lock
 TEXTS = ("README.md", "CONTRIBUTING.md", "CHANGELOG.md", "docs/README.md")
 
 # Files that come from elsewhere or that nobody writes by hand.
+FOLDED = (".py", ".json", ".ipynb", ".svg")  # ruff measures .py
+MADE = "docs/datasets_10k/"  # what commands wrote, as they wrote it
 NOT_OURS = ("uv.lock", "LICENSE", "tests/oracle/", "tests/zoo/")
 
 
@@ -99,7 +101,7 @@ def test_texts_are_tidy():
     untidy = []
     for name, text in our_texts():
         for number, line in enumerate(text.splitlines(), 1):
-            if len(line) > 120 and not name.endswith((".py", ".json", ".ipynb", ".svg")):  # ruff measures .py
+            if len(line) > 120 and not name.endswith(FOLDED) and not name.startswith(MADE):
                 untidy.append(f"{name}:{number}: {len(line)} characters")
             if line != line.rstrip() and name.endswith((".py", ".md", ".toml", ".yaml", "Makefile")):
                 untidy.append(f"{name}:{number}: blanks at the end")
