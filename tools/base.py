@@ -9,6 +9,7 @@ from typing import Any, Protocol
 from sceneweaver.assets import Library
 from sceneweaver.brief import SceneGraph
 from sceneweaver.knowledge import RoomType
+from sceneweaver.llm import ModelClient
 from sceneweaver.scene import Relation, Room, Scene
 from sceneweaver.scene.edits import AnyEdit
 
@@ -23,7 +24,7 @@ class Context:
     ``scene`` is the scene so far (for an initialiser an empty one, whose room may be replaced); ``seed`` decides all
     that is drawn; ``instruction`` is a sentence, ``inputs`` what the tool's card asks for. ``hurried`` says whether
     much of the time is over: what could be drawn once more is then left as it is. ``clutter`` in 0..1 is how lived-in
-    the room should look.
+    the room should look. ``client`` asks a model; None: there is none, and a tool that needs one says so.
     """
 
     brief: SceneGraph
@@ -35,6 +36,7 @@ class Context:
     inputs: Mapping[str, Any] = field(default_factory=dict)
     hurried: Callable[[], bool] = bool
     clutter: float = CLUTTER
+    client: ModelClient | None = None
 
 
 @dataclass(frozen=True)
