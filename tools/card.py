@@ -28,7 +28,9 @@ class Example(FrozenModel):
 class ToolCard(FrozenModel):
     """What is known about a tool.
 
-    ``inputs`` is a JSON schema; ``confidence`` in 0..1 is how far it is trusted before it was ever called.
+    ``inputs`` is a JSON schema; ``confidence`` in 0..1 is how far it is trusted before it was ever called. ``needs``
+    says what the tool cannot do without: a language model. ``withheld`` names inputs that a model may not give, such as
+    paths and angles.
     """
 
     name: Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]*$")]
@@ -41,12 +43,17 @@ class ToolCard(FrozenModel):
     rooms: Literal["all"] | tuple[str, ...] = "all"
     inputs: dict[str, Any]
     example: Example
+    needs: Literal["model"] | None = None
+    withheld: tuple[str, ...] = ()
     confidence: Annotated[float, Field(ge=0.0, le=1.0)] = 0.5
 
     @model_validator(mode="after")
     def _check(self) -> ToolCard:
         check_schema(self.inputs, "inputs")
         check_inputs(self.inputs, self.example.inputs, "example.inputs")
+        for name in self.withheld:
+            if name not in self.inputs.get("properties", {}):
+                raise ValueError(f"withheld names {name}, which is no input")
         return self
 
     def suits(self, room: str) -> bool:
