@@ -64,7 +64,7 @@ class ModelServer:
         return f"{self.root}/v1"
 
     def __enter__(self) -> Self:
-        threading.Thread(target=self._http.serve_forever, args=(0.05,), daemon=True).start()
+        threading.Thread(target=self._http.serve_forever, args=(0.01,), daemon=True).start()
         return self
 
     def __exit__(
@@ -162,8 +162,12 @@ class _Handler(BaseHTTPRequestHandler):
         except Exception as error:
             owner.failed(error)
             return wire.error(400, f"the script failed: {error!r}")
-        with contextlib.suppress(OSError):
+        try:
             said.raw(wire) if said.raw else wire.reply(said)
+        except OSError:
+            return  # the client went away
+        except Exception as error:
+            owner.failed(error)
 
     def _stray(self) -> None:
         self.server.owner.strays.append(f"{self.command} {self.path}")

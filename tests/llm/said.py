@@ -36,7 +36,7 @@ class Asked:
     """
 
     api: str
-    headers: dict[str, str]
+    headers: dict[str, str] = field(repr=False)
     model: str
     messages: list[dict[str, Any]]
     instructions: str

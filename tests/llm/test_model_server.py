@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
+import json
+import socket
 from typing import Any
 
 import pytest
@@ -23,6 +26,7 @@ from pydantic_ai.providers.anthropic import AnthropicProvider
 from pydantic_ai.providers.openai import OpenAIProvider
 
 from sceneweaver.llm import Reply
+from tests.llm.misbehaviour import Misbehaviour, always, catalogue, misbehaving
 from tests.llm.model_server import MODEL, Asked, ModelServer, Said, answering
 
 PNG = b"\x89PNG\r\n\x1a\n not much of a picture"
@@ -132,3 +136,19 @@ def test_a_script_that_fails_is_raised_when_the_server_is_left() -> None:
         pytest.raises(ModelHTTPError, match="400"),
     ):
         ran(Agent(model(server, "chat")), ["anything"], streamed=False)
+
+
+@pytest.mark.parametrize("misbehaviour", catalogue(), ids=lambda one: one.name)
+@pytest.mark.parametrize(("path", "streamed"), [("chat/completions", False), ("messages", True)])
+def test_misbehaves_as_it_is_told(misbehaviour: Misbehaviour, path: str, streamed: bool) -> None:
+    """Each writes something, or waits, for whoever asks; none fails on its own."""
+    tool = {"name": "answer", "parameters": Grades.model_json_schema(), "input_schema": Grades.model_json_schema()}
+    body = {"model": MODEL, "max_tokens": 9, "messages": [{"role": "user", "content": "hi"}], "stream": streamed}
+    data = json.dumps(body | {"tools": [tool | {"function": tool}]}).encode()
+    with ModelServer(misbehaving(answering({Grades: {"grades": [1, 2]}}), always(misbehaviour.name))) as server:
+        with socket.create_connection(("127.0.0.1", int(server.root.rpartition(":")[2])), timeout=0.2) as connection:
+            head = f"POST /v1/{path} HTTP/1.1\r\nHost: x\r\nx-api-key: k\r\nContent-Length: {len(data)}\r\n\r\n"
+            connection.sendall(head.encode() + data)
+            with contextlib.suppress(OSError):
+                connection.recv(1000)
+        assert len(server.requests) == 1
