@@ -2,13 +2,23 @@
 
 from __future__ import annotations
 
+import math
+import time
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, TypeVar
 
-from sceneweaver.scene import InputError, MissingDependencyError
+from sceneweaver.scene import MissingDependencyError
 
-from .errors import ModelError, ModelFailed
+from .attempts import Account
+from .budget import Limits, Usage
+from .conversation import ERRORS, Conversation, error_of
+from .endpoint import Endpoint
+from .errors import BudgetSpent, ModelError, ModelFailed, ModelUnreachable
+from .prices import Prices
+from .records import Asked, Record, Recorder
 from .reply import Picture, Reply
+from .secrets import redact
+from .waiting import Desk, Waiting
 
 if TYPE_CHECKING:
     from pydantic_ai.models import Model
@@ -18,16 +28,52 @@ Answer = TypeVar("Answer", bound=Reply)
 RETRIES = 3
 """Times that a model is told what is wrong with its answer, and asked again."""
 
+STRIKES = 3
+"""Questions in a row without any reply that can be read, after which the model counts as lost."""
+
 
 class ModelClient:
     """Asks one model.
 
     Args:
-        model: a model of pydantic-ai, such as a `FunctionModel` in tests.
+        model: a model of pydantic-ai, such as a `FunctionModel` in tests; `open_client` makes one of an `Endpoint`.
+        endpoint: how it is asked; None for a model without a network.
+        limits: what the run may spend.
+        prices: what tokens cost; see `Prices`.
+        recorder: where questions and answers are written.
+        left: seconds until the run has to end.
+        stopped: whether the run is to stop; looked at while waiting.
+
+    Attributes:
+        usage: what is spent.
+        lost: why no further question is asked; "" while they are.
+        pictures: whether the model takes pictures.
+        name: of the model, for reports.
     """
 
-    def __init__(self, model: Model) -> None:
+    def __init__(
+        self,
+        model: Model | None,
+        *,
+        endpoint: Endpoint | None = None,
+        limits: Limits | None = None,
+        prices: Prices | None = None,
+        recorder: Recorder | None = None,
+        left: Callable[[], float] | None = None,
+        stopped: Callable[[], bool] | None = None,
+    ) -> None:
         self._model = model
+        self.name = endpoint.title if endpoint else redact(str(getattr(model, "model_name", "model")))
+        self.pictures = endpoint.pictures if endpoint else True
+        self.lost = ""
+        price = prices.of(self.name) if prices else None
+        self.usage = Usage(price, price is not None, prices.currency if prices else "")
+        self._account = Account(self.usage, limits or Limits(), endpoint, left or _forever)
+        self._recorder, self._stopped = recorder, stopped or _never
+        self._loss: type[ModelError] = ModelUnreachable
+        self._strikes = 0
+        if recorder and recorder.usage:
+            self.usage.restore(recorder.usage)
 
     def ask(
         self,
@@ -47,37 +93,16 @@ class ModelClient:
             instructions: what the model is and how it is to answer.
             content: text and pictures, in order. Equal for equal runs: no clock, no paths.
             check: refuses an answer by an `InputError`, whose words the model is told; may give back a mended answer.
+                Called in the thread of the caller; has no effects, as a replay calls it for accepted answers only.
             retries: times that it is asked again after an answer that is refused.
 
         Raises:
             ModelError: when there is no answer that passes.
         """
-        try:
-            from pydantic_ai import Agent, BinaryContent, ModelRetry, ToolOutput
-            from pydantic_ai.exceptions import AgentRunError
-        except ImportError:
-            raise MissingDependencyError("models need pydantic-ai; pip install 'sceneweaver[llm]'") from None
-        agent = Agent(
-            self._model,
-            output_type=ToolOutput(kind, name="answer", max_retries=retries),
-            instructions=instructions,
-            retries=retries,
-        )
-
-        @agent.output_validator
-        def checked(answer: Answer) -> Answer:
-            try:
-                return (check(answer) if check else None) or answer
-            except InputError as error:
-                raise ModelRetry(str(error)) from None
-
-        prompt = [
-            BinaryContent(part.png, media_type="image/png") if isinstance(part, Picture) else part for part in content
-        ]
-        try:
-            return agent.run_sync(prompt).output
-        except AgentRunError as error:
-            raise ModelFailed(f"{purpose}: {error}") from None
+        found = self.ask_many(purpose, kind, instructions, content, samples=1, check=check, retries=retries)[0]
+        if isinstance(found, ModelError):
+            raise found
+        return found
 
     def ask_many(
         self,
@@ -91,10 +116,113 @@ class ModelClient:
         retries: int = RETRIES,
     ) -> list[Answer | ModelError]:
         """Several independent answers to the same question, side by side; an error in the place of one that failed."""
-        found: list[Answer | ModelError] = []
-        for _ in range(samples):
-            try:
-                found.append(self.ask(purpose, kind, instructions, content, check=check, retries=retries))
-            except ModelError as error:
-                found.append(error)
-        return found
+        if self.lost:
+            return [self._lost_error(purpose) for _ in range(samples)]
+        asked = Asked(purpose, kind.__name__, redact(instructions), tuple(_clean(part) for part in content))
+        records = [Record(asked, number=self._next_number()) for _ in range(samples)]
+        return self._answers(records, kind, check, retries)
+
+    def keep(self) -> None:
+        """Mark that what was asked so far is part of what the run has saved; for runs that are resumed."""
+        if self._recorder:
+            self._recorder.keep(self.usage.to_dict())
+
+    def _answers(
+        self,
+        records: Sequence[Record],
+        kind: type[Answer],
+        check: Callable[[Answer], Answer | None] | None,
+        retries: int,
+    ) -> list[Answer | ModelError]:
+        """Ask, side by side, and write what came of it."""
+        import asyncio
+
+        try:
+            import pydantic_ai  # noqa: F401  # pyright: ignore[reportUnusedImport]
+        except ImportError:
+            raise MissingDependencyError("models need pydantic-ai; pip install 'sceneweaver[llm]'") from None
+        assert self._model is not None
+        endpoint = self._account.endpoint
+        stream = endpoint.stream if endpoint else getattr(self._model, "function", True) is None
+        desk = Desk()
+        conversations = [
+            Conversation(
+                self._model,
+                self._account,
+                record,
+                kind,
+                check,
+                retries=retries,
+                answers=endpoint.answers if endpoint else "tool",
+                stream=stream,
+                pictures=self.pictures,
+                desk=desk,
+            )
+            for record in records
+        ]
+
+        async def all_of_them() -> list[Answer | None]:
+            return await asyncio.gather(*(conversation.run() for conversation in conversations))
+
+        began = time.monotonic()
+        self._account.started[id(desk)] = began
+        answers: list[Answer | None] | None = None
+        ended = "the run was interrupted before the answer was there"
+        try:
+            with Waiting(all_of_them(), desk) as waiting:
+                answers = waiting.result(self._stopped)
+                ended = "" if answers is not None else "the run was stopped before the answer was there"
+        finally:
+            del self._account.started[id(desk)]
+            self._finish(records, time.monotonic() - began, ended)
+        told = answers if answers is not None else [None for _ in records]
+        return [error_of(record) if answer is None else answer for answer, record in zip(told, records, strict=True)]
+
+    def _finish(self, records: Sequence[Record], seconds: float, ended: str) -> None:
+        """Count a question, see whether the model is lost, write the records."""
+        self.usage.add(records[0].asked.purpose, {"seconds": seconds})
+        for record in records:
+            self.usage.add(record.asked.purpose, {"asks": 1})
+            record.usage = {"asks": 1, **record.usage, "seconds": round(seconds / len(records), 3)}
+            if ended:
+                record.answer = None
+                record.failure = {"class": BudgetSpent.__name__, "words": f"{record.asked.purpose}: {ended}"}
+            self._see(record)
+            self._note(record)
+
+    def _note(self, record: Record) -> None:
+        """Lose the model where a record says so; write the record."""
+        if record.lost and not self.lost:
+            self.lost, self._loss = record.lost, ERRORS.get(record.failure.get("class", ""), ModelUnreachable)
+        if self._recorder:
+            self._recorder.write(record, self.usage.to_dict())
+
+    def _see(self, record: Record) -> None:
+        """Say that the model is lost after an error that the next question would meet as well."""
+        kind = ERRORS.get(record.failure.get("class", ""))
+        unread = kind is ModelFailed and not any("reply" in attempt for attempt in record.attempts)
+        self._strikes = self._strikes + 1 if unread else 0
+        if self.lost:
+            record.lost = self.lost
+        elif kind in (ModelUnreachable, BudgetSpent):
+            record.lost = record.failure["words"]
+        elif self._strikes >= STRIKES:
+            record.lost = f"{record.failure['words']} ({STRIKES} questions in a row without a reply)"
+
+    def _lost_error(self, purpose: str) -> ModelError:
+        return self._loss(f"{purpose}: not asked, as the model was given up: {self.lost}")
+
+    def _next_number(self) -> int:
+        return self._recorder.next_number() if self._recorder else 0
+
+
+def _clean(part: str | Picture) -> str | Picture:
+    return redact(part) if isinstance(part, str) else Picture(part.png, redact(part.title))
+
+
+def _forever() -> float:
+    return math.inf
+
+
+def _never() -> bool:
+    return False

@@ -1,0 +1,256 @@
+"""One request of a question: within the budget, made again after errors that pass, its reply without secrets."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import math
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
+
+from .budget import Limits, Usage
+from .endpoint import Endpoint
+from .errors import BudgetSpent, ModelError, ModelFailed, ModelUnreachable
+from .faults import Fault, fault
+from .records import Record
+from .secrets import line, redact
+
+if TYPE_CHECKING:
+    from pydantic_ai.messages import ModelMessage, ModelResponse
+    from pydantic_ai.models import Model, ModelRequestParameters
+    from pydantic_ai.settings import ModelSettings
+
+FIRST_WAIT = 0.5
+"""Seconds before a request is made again; twice as long before each further time."""
+
+LONGEST_WAIT = 30.0
+"""Seconds that we wait at most, also when the server asks for more."""
+
+SLOW_TRIES = 2
+"""Times that a request may take all its time: each costs the whole time-out."""
+
+CALL = "answer"
+"""Name of the function by which a model answers."""
+
+
+@dataclass
+class Account:
+    """What the questions of a client share.
+
+    Attributes:
+        usage: what is spent.
+        limits: what may be spent.
+        endpoint: what is asked; None for a model that was handed in.
+        left: seconds until the run has to end.
+        next_start: moment of `time.monotonic` before which no request may start.
+    """
+
+    usage: Usage
+    limits: Limits
+    endpoint: Endpoint | None
+    left: Callable[[], float]
+    next_start: float = -math.inf
+    started: dict[int, float] = field(default_factory=dict[int, float])
+
+    def seconds_left(self) -> float:
+        """Until the run ends or the seconds for models are spent."""
+        left = self.left()
+        if self.limits.seconds is not None:
+            left = min(left, self.limits.seconds - self.usage.total.seconds - self.waited())
+        return left
+
+    def waited(self) -> float:
+        """Seconds since the first question that still waits was asked."""
+        return time.monotonic() - min(self.started.values()) if self.started else 0.0
+
+    def refuse_if_spent(self) -> None:
+        """Raise `BudgetSpent` when nothing more may be asked."""
+        if spent := self.usage.spent(self.limits, self.waited()):
+            raise BudgetSpent(spent)
+        if self.left() <= 0:
+            raise BudgetSpent("the time of the run is over")
+
+
+class Requests:
+    """The requests of one question.
+
+    Args:
+        model: what is asked.
+        account: budget of the run.
+        record: gets every attempt.
+        stream: whether replies come in pieces.
+    """
+
+    def __init__(self, model: Model, account: Account, record: Record, stream: bool) -> None:
+        self._model, self._account, self._record, self._stream = model, account, record, stream
+
+    async def reply(
+        self, messages: list[ModelMessage], settings: ModelSettings | None, parameters: ModelRequestParameters
+    ) -> ModelResponse:
+        """A reply to messages.
+
+        Raises:
+            ModelError: when there is none.
+        """
+        told = _told(messages)
+        tries = self._account.endpoint.tries if self._account.endpoint else 1
+        tried = slow = refused = 0
+        while True:
+            await self._may_start()
+            attempt: dict[str, Any] = {"told": told} if told else {}
+            self._record.attempts.append(attempt)
+            self._spend(calls=1)
+            try:
+                response = await self._one(messages, settings, parameters)
+            except asyncio.CancelledError:
+                attempt["error"] = "cut off"
+                self._spend(failed=1)
+                raise
+            except ModelError as error:
+                attempt["error"] = str(error)
+                self._spend(failed=1)
+                raise
+            except Exception as error:
+                found = fault(error, self._account.endpoint)
+                attempt["error"] = found.words
+                self._spend(failed=1)
+                tried += 1
+                slow += isinstance(error, TimeoutError)
+                await self._wait_or_give_up(found, tried, tries if slow < SLOW_TRIES else tried)
+                continue
+            self._count(response, messages, attempt)
+            attempt.update(_raw(response))
+            if response.finish_reason != "content_filter":
+                return response
+            refused += 1
+            if refused == 2:
+                raise ModelFailed(f"the model refuses to answer{_refusal(response)}")
+
+    async def _may_start(self) -> None:
+        """Wait for the rate limit; raise when nothing more may be spent."""
+        account = self._account
+        account.refuse_if_spent()
+        pace = account.endpoint.per_minute if account.endpoint else None
+        if pace is None:
+            return
+        now = time.monotonic()
+        start = max(now, account.next_start)
+        account.next_start = start + 60.0 / pace
+        await self._sleep(start - now)
+
+    async def _sleep(self, seconds: float) -> None:
+        if seconds <= 0:
+            return
+        if seconds >= self._account.seconds_left():
+            raise BudgetSpent("the time of the run would be over before the next request may be made")
+        await asyncio.sleep(seconds)
+        self._account.refuse_if_spent()
+
+    async def _one(
+        self, messages: list[ModelMessage], settings: ModelSettings | None, parameters: ModelRequestParameters
+    ) -> ModelResponse:
+        endpoint = self._account.endpoint
+        left = self._account.seconds_left()
+        longest = min(endpoint.timeout if endpoint else math.inf, left)
+        try:
+            async with asyncio.timeout(longest if longest < math.inf else None):
+                if not self._stream:
+                    return _clean(await self._model.request(messages, settings, parameters))
+                async with self._model.request_stream(messages, settings, parameters) as pieces:
+                    async for _ in pieces:
+                        pass
+                    return _clean(pieces.get())
+        except TimeoutError:
+            if self._account.seconds_left() <= 0:
+                raise BudgetSpent("the time of the run was over before the reply was there") from None
+            raise
+
+    async def _wait_or_give_up(self, found: Fault, tried: int, tries: int) -> None:
+        if found.verdict == "unreachable":
+            raise ModelUnreachable(found.words)
+        if found.verdict == "failed":
+            raise ModelFailed(found.words)
+        if tried >= tries:
+            kind = ModelUnreachable if found.verdict == "again" else ModelFailed
+            raise kind(found.words + (f" ({tried} tries)" if tried > 1 else ""))
+        wait = FIRST_WAIT * 2 ** (tried - 1) if found.wait is None else found.wait
+        await self._sleep(min(max(wait, 0.0), LONGEST_WAIT))
+
+    def _count(self, response: ModelResponse, messages: Sequence[ModelMessage], attempt: dict[str, Any]) -> None:
+        said = response.usage
+        tokens_in, tokens_out, cached = said.input_tokens, said.output_tokens, said.cache_read_tokens
+        estimated = int(not tokens_in and not tokens_out)
+        if estimated:
+            tokens_in = -(-sum(_length(message) for message in messages) // 4)
+            tokens_out = -(-_length(response) // 4)
+        price = self._account.usage.price
+        cost = price.cost(tokens_in, tokens_out, cached) if price else 0.0
+        spent = {"tokens_in": tokens_in, "tokens_out": tokens_out, "cached": cached, "estimated": estimated}
+        attempt["usage"] = spent
+        self._spend(**spent, cost=cost)
+
+    def _spend(self, **spent: float) -> None:
+        self._account.usage.add(self._record.asked.purpose, spent)
+        for name, value in spent.items():
+            self._record.usage[name] = self._record.usage.get(name, 0) + value
+
+
+def _clean(response: ModelResponse) -> ModelResponse:
+    """A reply without secrets, and without what it does not need: a server may echo a key anywhere."""
+    from pydantic_ai.messages import TextPart, ThinkingPart, ToolCallPart
+
+    parts: list[Any] = []
+    for part in response.parts:
+        if isinstance(part, TextPart | ThinkingPart):
+            parts.append(replace(part, content=redact(part.content)))
+        elif isinstance(part, ToolCallPart):
+            name, identity = redact(part.tool_name), redact(part.tool_call_id)
+            parts.append(replace(part, tool_name=name, args=redact(part.args), tool_call_id=identity))
+    return replace(response, parts=parts, provider_details=redact(response.provider_details))
+
+
+def _raw(response: ModelResponse) -> dict[str, Any]:
+    """A reply as JSON data."""
+    from pydantic_ai.messages import TextPart, ThinkingPart, ToolCallPart
+
+    said: list[dict[str, Any]] = []
+    for part in response.parts:
+        if isinstance(part, TextPart):
+            said.append({"text": part.content})
+        elif isinstance(part, ThinkingPart):
+            said.append({"thinking": part.content})
+        elif isinstance(part, ToolCallPart):
+            said.append({"tool": part.tool_name, "arguments": part.args})
+    raw: dict[str, Any] = {"reply": said, "finish": response.finish_reason}
+    if refusal := (response.provider_details or {}).get("refusal"):
+        raw["refusal"] = refusal
+    return raw
+
+
+def _refusal(response: ModelResponse) -> str:
+    words = line((response.provider_details or {}).get("refusal") or "", 150)
+    return f": {words}" if words else ""
+
+
+def _told(messages: Sequence[ModelMessage]) -> str:
+    """What the model is told about its last answer; "" for a first request."""
+    if len(messages) < 2:
+        return ""
+    words: list[str] = []
+    for part in messages[-1].parts:
+        content = getattr(part, "content", None)
+        if content is not None:
+            words.append(content if isinstance(content, str) else json.dumps(content, default=str))
+    return redact("\n".join(words))
+
+
+def _length(message: ModelMessage | ModelResponse) -> int:
+    """Characters of a message; a picture counts as 4000, about a thousand tokens."""
+    size = len(getattr(message, "instructions", None) or "")
+    for part in message.parts:
+        content = getattr(part, "content", None) or getattr(part, "args", None) or ""
+        items = content if isinstance(content, list | tuple) else [content]
+        size += sum(4000 if hasattr(item, "data") else len(str(item)) for item in items)
+    return size

@@ -1,0 +1,111 @@
+"""A client that answers from the records of a run, without a network and without pydantic-ai."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any, TypeVar
+
+from pydantic import ValidationError
+
+from sceneweaver.scene import InputError
+
+from .client import ModelClient
+from .conversation import accepted, error_of
+from .errors import ModelError
+from .records import Record, Recorder, read_folder, read_records
+from .reply import Reply
+
+Answer = TypeVar("Answer", bound=Reply)
+
+
+class ReplayClient(ModelClient):
+    """Gives the answers of a recorded run to the same questions, and its failures as well.
+
+    A question is the same when purpose, type of answer, instructions, text and titles of pictures are. What pictures
+    show is not compared: two machines may draw equal scenes with other last bits. Equal questions are answered in
+    the order in which they were asked.
+
+    Args:
+        folder: of the records.
+        recorder: where the replayed run writes records of its own.
+
+    Raises:
+        InputError: when the folder holds no records.
+    """
+
+    def __init__(self, folder: Path, recorder: Recorder | None = None) -> None:
+        super().__init__(None, recorder=recorder)
+        endpoint = read_folder(folder)
+        self._folder = folder
+        self._records = read_records(folder)
+        self._used: set[int] = set()
+        self.name = str(endpoint.get("title", "model"))
+        self.pictures = bool(endpoint.get("pictures", True))
+        self.usage.priced, self.usage.currency = bool(endpoint.get("priced")), str(endpoint.get("currency", ""))
+
+    def _answers(
+        self,
+        records: Sequence[Record],
+        kind: type[Answer],
+        check: Callable[[Answer], Answer | None] | None,
+        retries: int,
+    ) -> list[Answer | ModelError]:
+        found = [self._find(record) for record in records]
+        answers = [self._answer(record, kind, check, file) for record, file in zip(records, found, strict=True)]
+        for record in records:
+            self.usage.add(record.asked.purpose, record.usage)
+            self._note(record)
+        return answers
+
+    def _find(self, record: Record) -> str:
+        """Fill in what came of the same question in the recorded run; gives the file's name."""
+        asked = record.asked
+        same = [row for row in self._records if row["purpose"] == asked.purpose and row["number"] not in self._used]
+        for row in same:
+            if row["digest"] == asked.digest:
+                self._used.add(row["number"])
+                record.attempts, record.answer = row.get("attempts", []), row["answer"]
+                record.failure, record.lost, record.usage = row["failure"], row.get("lost", ""), row["usage"]
+                return str(row["file"])
+        if same:
+            raise InputError(f"replay: record {same[0]['file']} is of another request: {_difference(same[0], record)}")
+        asked_before = sum(row["purpose"] == asked.purpose for row in self._records)
+        raise InputError(
+            f"replay: {self._folder} has no record of request {asked_before + 1} for {asked.purpose!r}; "
+            "replay with the request, options and version of the recorded run"
+        )
+
+    def _answer(
+        self, record: Record, kind: type[Answer], check: Callable[[Answer], Answer | None] | None, file: str
+    ) -> Answer | ModelError:
+        if record.answer is None:
+            return error_of(record)
+        try:
+            passed, words = accepted(kind.model_validate(record.answer), kind, check)
+        except ValidationError as error:
+            passed, words = None, f"{error.error_count()} fields are wrong"
+        if passed is None:
+            raise InputError(f"replay: the answer of record {file} no longer passes: {words}")
+        return passed
+
+
+def _difference(row: dict[str, Any], record: Record) -> str:
+    """Where a question differs from a recorded one."""
+    asked = record.asked
+    if row.get("kind") != asked.kind:
+        return f"it asks for {row.get('kind')}, not {asked.kind}"
+    if row.get("instructions") != asked.instructions:
+        return f"its instructions differ {_place(str(row.get('instructions')), asked.instructions)}"
+    content = row.get("content", [])
+    for index, (old, new) in enumerate(zip(content, asked.content, strict=False)):
+        text = new if isinstance(new, str) else new.title
+        kept = old.get("text") if isinstance(new, str) else old.get("title")
+        if kept != text:
+            return f"part {index + 1} of its text differs {_place(str(kept), text)}"
+    return f"it has {len(content)} parts, not {len(asked.content)}"
+
+
+def _place(old: str, new: str) -> str:
+    same = next((i for i, (a, b) in enumerate(zip(old, new, strict=False)) if a != b), min(len(old), len(new)))
+    return f"from character {same + 1} on: {old[same : same + 40]!r}, now {new[same : same + 40]!r}"
