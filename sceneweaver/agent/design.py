@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 from sceneweaver.assets import Library
 from sceneweaver.brief import SceneGraph, read_request
@@ -15,12 +15,13 @@ from sceneweaver.critic import Review
 from sceneweaver.export import formats_named
 from sceneweaver.knowledge import RoomType, match_room, room_types
 from sceneweaver.knowledge.likely import likeliest_room
-from sceneweaver.scene import InputError, MissingDependencyError
+from sceneweaver.llm import ModelClient
 from sceneweaver.tools.base import CLUTTER
 from sceneweaver.tools.registry import Registered
 from sceneweaver.tools.registry import tools as registered
 from sceneweaver.verify import Report
 
+from .by_model.session import Session
 from .deadline import Deadline, Stop
 from .deliver import deliver
 from .executor import Executor
@@ -30,13 +31,16 @@ from .lived_in import lived_in
 from .loop import Run
 from .memory import Step
 from .openability import opened
-from .planner import RulesPlanner
 from .result import Result
+from .roles import Roles
 from .settings import Settings
 from .settling import settled
 
 LEAST_RESERVE, WRITING, EXIT = 2.0, 2.5, 0.25
 """Least time [s] that is kept for writing the results; what that and ending a process take, in times of starting up."""
+
+TIME, TIME_BY_MODEL = 120.0, 600.0
+"""Time limit [s] where none is given, without and with a model."""
 
 MOST_RESERVE = 0.4
 """Share of a time limit that is kept for writing the results at most."""
@@ -57,7 +61,7 @@ def design(
     steps: int = 10,
     candidates: int | None = None,
     device: str = "auto",
-    time_limit: float | None = 120.0,
+    time_limit: float | Literal["auto"] | None = "auto",
     pictures: bool = True,
     export: str | Iterable[str] = ("glb", "usd", "mjcf"),
     clutter: float = CLUTTER,
@@ -66,6 +70,11 @@ def design(
     began: float | None = None,
     stop: Stop | None = None,
     library: Library | None = None,
+    model: ModelClient | None = None,
+    reader: str | None = None,
+    critic: str | None = None,
+    samples: int = 1,
+    strict: bool = False,
     **switches: Any,
 ) -> Result:
     """Design a room from a request in words.
@@ -79,7 +88,7 @@ def design(
         candidates: layouts that are refined for each call of a tool; None decides by the kind of device.
         device: "auto", "cpu", "cuda" or "cuda:k".
         time_limit: seconds that all may take, files included; what is best then is kept, and ``finished`` says so.
-            None: as long as it takes.
+            None: as long as it takes. "auto": 120 without a model, 600 with one.
         pictures: whether pictures and the report are drawn into ``out``.
         export: formats that are written into ``out``: glb, usd, mjcf, scenestate; "all" or "none".
         clutter: how lived-in the room looks, from 0, a show room, to 1: things that lie about, askew, on the floor.
@@ -89,11 +98,16 @@ def design(
         began: when the time began to run, by ``time.monotonic()``; None: now.
         stop: asks it to end before, with what is best then.
         library: where assets come from; None: the library of this user.
+        model: what is asked where a model does something.
+        reader: who reads the request, "rules" or "llm"; None: who plans.
+        critic: who grades, "symbolic", or "vlm" for a critic that looks at pictures as well; None: as the planner.
+        samples: how often the critic that looks at pictures looks at a scene.
+        strict: whether to end where the model cannot be asked any more, instead of going on without it.
         switches: other fields of `Settings`, such as ``reflect=False``.
 
     Raises:
         InputError: for a request that says nothing, arguments out of range, or a folder that cannot be used.
-        MissingDependencyError: for a planner or device that is not there.
+        MissingDependencyError: for a model or device that is not there, or is there no more in a strict run.
 
     Examples:
         >>> import sceneweaver as sw
@@ -102,17 +116,15 @@ def design(
         (True, ())
     """
     began = time.monotonic() if began is None else began
-    if planner not in ("rules", "llm"):
-        raise InputError(f"planner: '{planner}' is unknown; use rules or llm")
-    if planner == "llm":
-        raise MissingDependencyError("planner llm needs a language model, and none is set up; use planner rules")
+    roles = Roles.of(planner, reader, critic, samples)
+    session = Session.opened(roles, model, strict=strict)
     formats = formats_named(export)
     settings = Settings(
         seed=seed,
         steps=steps,
         candidates=candidates,
         device=device,
-        seconds=time_limit,
+        seconds=(TIME_BY_MODEL if roles.by_model else TIME) if time_limit == "auto" else time_limit,
         clutter=clutter,
         settle=settle,
         **switches,
@@ -121,7 +133,7 @@ def design(
     room_type, remarks = chosen_room(brief)
     folder = RunFolder(Path(out)) if out is not None else None
     tools = {name: tool for name, tool in registered().items() if usable(name, tool, settings, room_type)}
-    run = Run(brief, room_type, settings, tools, RulesPlanner(), library or Library(), folder=folder, said=said)
+    run = Run(brief, room_type, settings, tools, session.planner(), library or Library(), folder=folder, said=said)
     limit = Deadline(began + (settings.seconds or math.inf), stop=stop or Stop())
     if folder is None:
         run.deadline = limit

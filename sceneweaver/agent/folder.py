@@ -38,6 +38,7 @@ RELEVANT = (
     "one_shot",
     "settle",
     "clutter",
+    "memory_length",
     "tools",
 )
 """Settings that must be the same for a run to go on; budgets may grow."""
@@ -121,7 +122,10 @@ class RunFolder:
         self._save(scene, folder / "scene.json")
         report.save(folder / "metrics.json")
         _write(folder / "review.json", review.model_dump(mode="json"))
-        _write(folder / "step.json", memory.steps[-1].model_dump(mode="json") if memory.steps else {})
+        last = memory.steps[-1] if memory.steps else None
+        _write(folder / "step.json", last.model_dump(mode="json", exclude={"plan"}) if last else {})
+        if last is not None and last.plan is not None:
+            _write(folder / "plan.json", last.plan.model_dump(mode="json"))
         self.state(f"{name}/scene.json", memory, brief, settings)
 
     def keep(self, scene: Scene, report: Report) -> None:

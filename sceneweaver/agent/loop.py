@@ -11,6 +11,7 @@ from sceneweaver.assets import Library
 from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import CRITERIA, Review
 from sceneweaver.knowledge import RoomType
+from sceneweaver.llm import ModelError
 from sceneweaver.scene import InputError, Room, Scene, SceneWeaverError
 from sceneweaver.tools.base import Context, Proposal, Tool
 from sceneweaver.tools.prior_shell import floor_area, shell
@@ -22,8 +23,8 @@ from .executor import Executor, Outcome
 from .faults import fault
 from .folder import RunFolder
 from .interrupt import TimeUp
-from .memory import Call, Memory, Step
-from .planner import LISTS, Planner, Situation
+from .memory import Call, Memory, Step, Thought
+from .planner import LISTS, Planner, Situation, Thinker
 from .relaxation import REASON, cleared
 from .settings import Settings
 
@@ -43,9 +44,18 @@ REVIEW = 0.5
 HURRY = 0.5
 """Share of the time left when a tool begins after which it has to hurry."""
 
+SEEN_WORSE = 0.75
+"""Points of the mean grade by vision that a step may lose; more than its samples differ anyway."""
+
 NOTHING_YET = "time was up before anything was placed"
 
 Said = Callable[[Step], None]
+
+Fill = Callable[[Registered, Context, Call], Call]
+"""Has a model write the inputs of a call; InputError or ModelError when it does not."""
+
+Look = Callable[[Outcome], Outcome]
+"""The outcome with what a critic by vision saw of it in its review, or as it was where that saw nothing."""
 
 GOOD = {"layout": 5.0, "functionality": 7.0}
 """Grades from which on a first layout that lacks nothing is taken without another draw; what is needed and out of reach
@@ -58,7 +68,7 @@ class Run:
 
     ``memory`` and ``best`` are what the steps led to. What the end of the run adds is apart from them, so that a run
     which goes on in its folder does not see it: ``notes``, ``unmet``, what cut it off (``cut_off``), and the tools that
-    broke down (``undone``).
+    broke down (``undone``). ``fill`` and ``look`` ask a model, where there is one; ``thought`` is the last plan.
     """
 
     brief: SceneGraph
@@ -70,6 +80,9 @@ class Run:
     folder: RunFolder | None = None
     deadline: Deadline = NEVER
     said: Said | None = None
+    fill: Fill | None = None
+    look: Look | None = None
+    thought: Thought | None = None
     memory: Memory = Memory()
     best: Outcome | None = None
     first: Outcome | None = None
@@ -102,7 +115,7 @@ class Run:
             started, executor.attempts = time.monotonic(), 0
             calls = self._calls()
             if not calls:
-                reason = "nothing is left that a tool can mend"
+                reason = self._stopped()
                 break
             outcomes, tried = self._tried(executor, calls)
             if tried:  # else time ran out before the first
@@ -172,8 +185,11 @@ class Run:
     def _done(self) -> str:
         """Why the scene is as good as it gets; empty to go on."""
         s, memory = self.settings, self.memory
-        if not s.reflect or s.one_shot:
+        if self._free:
             return ""
+        if isinstance(self.planner, Thinker) and self.planner.thinking:  # it says itself when to stop
+            vain = sum(not step.accepted for step in memory.steps)
+            return f"{vain} steps brought nothing" if self.best is not None and vain > s.replans else ""
         if memory.stale >= s.patience:
             return f"no progress in {memory.stale} steps"
         if self.best is not None and self.best.report.valid and self.best.review.total >= s.grade:
@@ -181,11 +197,17 @@ class Run:
             return "" if open_calls else f"grade {self.best.review.total:.1f}"
         return ""
 
+    def _stopped(self) -> str:
+        """Why there are no more calls."""
+        stop = self.thought.stop if self.thought is not None else ""
+        return f"the planner stopped: {stop}" if stop else "nothing is left that a tool can mend"
+
     def _calls(self) -> list[Call]:
         at = len(self.memory.steps)
+        self.thought = None
         if not self.settings.reflect:
-            plan = [name for name in BLIND_PLAN if name in self.tools]
-            return [Call(tool=plan[at], seed=self.settings.seed, reason="fixed plan")] if at < len(plan) else []
+            plan = self._blind_plan()
+            return [plan[at]] if at < len(plan) else []
         if not self.settings.one_shot:
             return self._planned(self.settings)
         if self.best is None:
@@ -194,14 +216,40 @@ class Run:
             self.memory = self.memory.model_copy(update={"plan": self._whole_plan()})
         return list((self.memory.plan or ())[at - 1 : at])
 
-    def _planned(self, settings: Settings) -> list[Call]:
-        scene, review = (self.best.scene, self.best.review) if self.best else (None, None)
+    def _planned(self, settings: Settings, whole: bool = False) -> list[Call]:
+        scene, review, report = (
+            (self.best.scene, self.best.review, self.best.report) if self.best else (None, None, None)
+        )
         cards = {name: tool.card for name, tool in self.tools.items()}
-        return self.planner.plan(Situation(self.brief, self.room_type, scene, review, self.memory, cards, settings))
+        brief, memory = self.brief, self.memory
+        situation = Situation(
+            brief, self.room_type, scene, review, memory, cards, settings, report, self.library, whole
+        )
+        if not isinstance(self.planner, Thinker):
+            return self.planner.plan(situation)
+        self.thought = self.planner.think(situation)
+        self.memory = self.memory.noted(self.thought.note)
+        return list(self.thought.ranked if whole else self.thought.ranked[: settings.side_by_side])
+
+    def _blind_plan(self) -> tuple[Call, ...]:
+        """What is to be done without ever looking at the scene."""
+        if isinstance(self.planner, Thinker):
+            if self.memory.plan is None:
+                plan = tuple(self._planned(self.settings, whole=True))
+                by_model = self.thought is not None and self.thought.by != "rules"
+                self.memory = self.memory.model_copy(update={"plan": plan if by_model else self._usual_plan()})
+            return self.memory.plan or ()
+        return self._usual_plan()
+
+    def _usual_plan(self) -> tuple[Call, ...]:
+        names = [name for name in BLIND_PLAN if name in self.tools]
+        return tuple(Call(tool=name, seed=self.settings.seed, reason="fixed plan") for name in names)
 
     def _whole_plan(self) -> tuple[Call, ...]:
         """What is to be done, by the first scene alone; of calls for all faults and for one of them, that for all."""
-        calls = self._planned(self.settings.model_copy(update={"side_by_side": WHOLE_PLAN}))
+        calls = self._planned(self.settings.model_copy(update={"side_by_side": WHOLE_PLAN}), whole=True)
+        if self.thought is not None and self.thought.by != "rules":
+            return tuple(calls)
         before = [{c.tool for c in calls[:k]} for k in range(len(calls))]
         return tuple(c for c, done in zip(calls, before, strict=True) if c.tool not in LISTS or c.tool not in done)
 
@@ -218,6 +266,8 @@ class Run:
                 tool = self.tools[call.tool].load()
                 with self.deadline.enforced(self._grace, (type(tool).__module__.partition(".")[0],)):
                     scene = self.best.scene if self.best else empty_scene(self.brief, self.room_type)
+                    if call.fill:
+                        call = calls[k] = self._filled(call, scene)
                     proposal = self._propose(tool, call, scene)
                     if self.best and not proposal.edits and not proposal.fresh and proposal.scene is None:
                         row["failed"] = "nothing to change" + (f": {proposal.unmet[0]}" if proposal.unmet else "")
@@ -225,7 +275,7 @@ class Run:
                         outcomes[k] = executor.run(scene, proposal, call.seed, self._rival(outcomes))
                         row["grades"] = {**outcomes[k].review.grades, "total": round(outcomes[k].review.total, 3)}
                         row["violations"] = int(outcomes[k].key[0])
-            except InputError as error:
+            except (InputError, ModelError) as error:
                 row["failed"] = str(error)
             except SceneWeaverError:
                 raise
@@ -252,6 +302,18 @@ class Run:
         known = [*outcomes.values(), *([self.best] if self.best is not None else [])]
         return min(known, key=lambda o: o.key, default=None)
 
+    def _filled(self, call: Call, scene: Scene) -> Call:
+        """A call with its inputs, written by a model or, without one, as empty as the card allows."""
+        if self.fill is None:
+            call = call.model_copy(update={"fill": False})
+            self.tools[call.tool].card.check(call.inputs)
+        else:
+            context = replace(self.context(scene, call.seed), instruction=call.instruction)
+            call = self.fill(self.tools[call.tool], context, call).model_copy(update={"fill": False})
+        if call.signature in self.memory.failed and not self._free:
+            raise InputError(f"tool {call.tool}: a call with these inputs brought nothing before")
+        return call
+
     def _propose(self, tool: Tool, call: Call, scene: Scene) -> Proposal:
         left = self.deadline.left
 
@@ -277,10 +339,18 @@ class Run:
         old = self.best
         vain = [k for k in range(len(calls)) if k not in outcomes or (old and outcomes[k].key >= old.key)]
         losers = [] if free else [calls[k] for k in vain]
+        worse = ""
+        if accepted and winner is not None and self.look is not None and not (free and old is not None):
+            outcomes[winner] = self.look(outcomes[winner])
+            worse = _seen_worse(old, outcomes[winner]) if old is not None else ""
+        if worse and winner is not None:
+            accepted = False
+            losers.append(calls[winner])
         if accepted and winner is not None:
             self.best = outcomes[winner]
         current = self.best
-        note = "" if accepted else next((row["failed"] for row in tried if "failed" in row), "no better than before")
+        failed = next((row["failed"] for row in tried if "failed" in row), "no better than before")
+        note = "" if accepted else worse or failed
         step = Step(
             number=len(self.memory.steps) + 1,
             call=calls[winner] if winner is not None else calls[0],
@@ -292,6 +362,7 @@ class Run:
             seconds=round(spent, 3),
             tried=tuple(tried),
             note=note,
+            plan=self.thought,
         )
         new: tuple[tuple[str, ...], tuple[str, ...]] = ((), ())
         if accepted and winner is not None:
@@ -306,6 +377,17 @@ class Run:
             self._keep(current)
         if self.said is not None:
             self.said(step)
+
+
+def _seen_worse(old: Outcome, new: Outcome) -> str:
+    """Why a scene that is better by measure is taken back by sight; empty where it is not."""
+    before, after = getattr(old.review, "seen", None), getattr(new.review, "seen", None)
+    if before is None or after is None:
+        return ""
+    fall = before.mean - after.mean
+    if fall <= max(SEEN_WORSE, before.spread, after.spread):
+        return ""
+    return f"the critic by vision gave {after.mean:.1f} after {before.mean:.1f}"
 
 
 def _complete(outcome: Outcome) -> bool:

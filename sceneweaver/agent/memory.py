@@ -12,7 +12,10 @@ FORGIVING = 0.6
 
 
 class Call(FrozenModel):
-    """One use of a tool; ``confidence`` in 0..1 and ``reason`` say why it was chosen."""
+    """One use of a tool; ``confidence`` in 0..1 and ``reason`` say why it was chosen.
+
+    With ``fill`` a model writes the inputs when the call is carried out, from the instruction and the scene then.
+    """
 
     tool: str
     instruction: str = ""
@@ -20,13 +23,15 @@ class Call(FrozenModel):
     seed: int = 0
     confidence: float = 1.0
     reason: str = ""
+    fill: bool = False
 
     @property
     def signature(self) -> str:
         """Equal for calls that ask for the same."""
         import json
 
-        return f"{self.tool} {json.dumps(self.inputs, sort_keys=True)}"
+        inputs = {"instruction": self.instruction} if self.fill else self.inputs
+        return f"{self.tool} {json.dumps(inputs, sort_keys=True)}"
 
     @classmethod
     def of(cls, signature: str) -> Call:
@@ -37,8 +42,28 @@ class Call(FrozenModel):
         return cls(tool=tool, inputs=json.loads(inputs))
 
 
+class Thought(FrozenModel):
+    """What a planner said before a step.
+
+    ``ranked`` are all the calls that it named, the best first, with its confidence times the record of their tools; the
+    first few are carried out. ``stop`` says why to end here instead, empty to go on.
+    """
+
+    by: str = Field(default="rules", description="rules, or the name of the model")
+    last_step: str = Field(default="", description="What the step before did")
+    solved: str = Field(default="", description="Which earlier problems are solved")
+    problem: str = Field(default="", description="The most serious problem now")
+    ranked: tuple[Call, ...] = ()
+    stop: str = ""
+    overruled: str = Field(default="", description="Why the model would have stopped, where it was not allowed to")
+    note: str = Field(default="", description="Why the rules planned in the model's place")
+
+
 class Step(FrozenModel):
-    """What one step did. ``tried`` holds every call of it with what it reached or why it failed."""
+    """What one step did. ``tried`` holds every call of it with what it reached or why it failed.
+
+    ``plan`` is what a model thought before it; None where none was asked.
+    """
 
     number: int
     call: Call | None
@@ -50,6 +75,7 @@ class Step(FrozenModel):
     seconds: float = 0.0
     tried: tuple[JsonDict, ...] = ()
     note: str = ""
+    plan: Thought | None = None
 
 
 class Memory(FrozenModel):
@@ -92,6 +118,10 @@ class Memory(FrozenModel):
                 "unmet": _more(self.unmet, unmet),
             }
         )
+
+    def noted(self, *notes: str) -> Memory:
+        """The memory with some more notes."""
+        return self.model_copy(update={"notes": _more(self.notes, tuple(note for note in notes if note))})
 
 
 def _more(old: tuple[str, ...], new: tuple[str, ...]) -> tuple[str, ...]:

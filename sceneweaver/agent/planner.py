@@ -5,17 +5,18 @@ from __future__ import annotations
 import random
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any, Protocol, runtime_checkable
 
-from sceneweaver.assets import resolve
+from sceneweaver.assets import Library, resolve
 from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import Fault, Review
 from sceneweaver.knowledge import RoomType
 from sceneweaver.scene import Scene
 from sceneweaver.tools.card import ToolCard
 from sceneweaver.tools.prior_program import named_kinds
+from sceneweaver.verify import Report
 
-from .memory import Call, Memory
+from .memory import Call, Memory, Thought
 from .settings import Settings
 
 LISTS = {
@@ -44,7 +45,10 @@ LEAST = 0.15
 
 @dataclass(frozen=True)
 class Situation:
-    """What a planner knows; ``scene`` and ``review`` are None before the first step."""
+    """What a planner knows; ``scene``, ``review`` and ``report`` are None before the first step.
+
+    ``whole`` asks for all calls from here to the end, which are carried out in order without looking again.
+    """
 
     brief: SceneGraph
     room_type: RoomType
@@ -53,6 +57,9 @@ class Situation:
     memory: Memory
     cards: Mapping[str, ToolCard]
     settings: Settings
+    report: Report | None = None
+    library: Library | None = None
+    whole: bool = False
 
 
 class Planner(Protocol):
@@ -65,6 +72,22 @@ class Planner(Protocol):
         ...
 
 
+@runtime_checkable
+class Thinker(Protocol):
+    """A planner that says why, and may say that it is time to stop."""
+
+    name: str
+
+    def think(self, situation: Situation) -> Thought:
+        """What it makes of a situation; ``ranked`` may have more calls than are carried out."""
+        ...
+
+    @property
+    def thinking(self) -> bool:
+        """Whether it still decides itself when to stop; False: it has to be told, as the rules are."""
+        ...
+
+
 class RulesPlanner:
     """Ranks tools by what the critic says they would mend, their cards' confidence and their record."""
 
@@ -73,7 +96,7 @@ class RulesPlanner:
     def plan(self, situation: Situation) -> list[Call]:
         """As `Planner.plan`."""
         if situation.scene is None or situation.review is None:
-            return _beginnings(situation)
+            return beginnings(situation)
         settings, memory = situation.settings, situation.memory
         calls: dict[str, Call] = {}
         for tool, faults in _by_tool(_sorted_out(_wanted(situation))).items():
@@ -87,7 +110,7 @@ class RulesPlanner:
                     tool=tool,
                     instruction=" ".join(f.suggestion for f in chosen[:4] if f.suggestion),
                     inputs=_merged(tool, chosen),
-                    seed=_seed(settings.seed, len(memory.steps), tool),
+                    seed=seed_of(settings.seed, len(memory.steps), tool),
                     confidence=round(min(1.0, trust), 4),
                     reason=f"{points:.1f} points: " + "; ".join(f.reason for f in chosen[:3]),
                 )
@@ -101,7 +124,7 @@ class RulesPlanner:
         return [c.model_copy(update={"confidence": min(1.0, c.confidence)}) for c in ranked[: settings.side_by_side]]
 
 
-def _beginnings(situation: Situation) -> list[Call]:
+def beginnings(situation: Situation) -> list[Call]:
     """The initialisers that suit the request, best first; then the best again with other seeds and more floor."""
     settings, memory = situation.settings, situation.memory
     found = []
@@ -121,7 +144,7 @@ def _beginnings(situation: Situation) -> list[Call]:
         inputs = {} if fixed else {"roomier": round(1.0 + ROOMIER * (k - len(found)), 2)}
         reason = "another draw" if fixed or k == len(found) else "another draw, with more floor"
         calls.append(
-            calls[0].model_copy(update={"seed": _seed(settings.seed, k, "init"), "inputs": inputs, "reason": reason})
+            calls[0].model_copy(update={"seed": seed_of(settings.seed, k, "init"), "inputs": inputs, "reason": reason})
         )
     first, *others = [c for c in calls if c.signature not in memory.failed or fixed]
     again = [c for c in others if c.tool == first.tool]
@@ -204,5 +227,6 @@ def _merged(tool: str, faults: Sequence[Fault]) -> dict[str, Any]:
     return {key: items, "objects": things} if things else {key: items}
 
 
-def _seed(seed: int, step: int, tool: str) -> int:
+def seed_of(seed: int, step: int, tool: str) -> int:
+    """The seed of a call."""
     return random.Random(f"{seed} {step} {tool}").randrange(2**32)

@@ -20,6 +20,7 @@ class Settings(FrozenModel):
     nor the critic that the agent hears knows the design rules. Without ``reflect`` the plan is fixed
     beforehand and nothing is taken back; with ``one_shot`` the critic is heard once, after the first step, and what it
     asks for is done without looking again; without ``physics`` layouts are drawn from the relations and not optimised.
+    ``memory_length`` and ``replans`` matter where a model plans.
     """
 
     seed: int = Field(default=0, ge=0, le=2**32 - 1)
@@ -40,6 +41,10 @@ class Settings(FrozenModel):
     work: int = Field(default=240, ge=1, description="Attempts at a layout after which no step begins")
     grade: float = Field(default=7.4, description="Mean grade at which to stop; with no fault it is 7.8")
     patience: int = Field(default=2, ge=1, description="Steps without progress after which to stop")
+    memory_length: int = Field(default=1, ge=0, le=100, description="Last steps that a model is told of")
+    replans: int = Field(
+        default=3, ge=0, le=100, description="Times in a run that a model is asked again after a step in vain"
+    )
     clutter: float = Field(
         default=CLUTTER, ge=0, le=1, description="How lived-in the room looks, from 0, a show room, to 1"
     )

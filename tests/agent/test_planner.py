@@ -124,7 +124,7 @@ def test_every_setting_is_read_somewhere():
     folder = Path(agent.__file__).parent
     read = {
         node.attr
-        for file in folder.glob("*.py")
+        for file in folder.rglob("*.py")
         for node in ast.walk(ast.parse(file.read_text()))
         if isinstance(node, ast.Attribute) and isinstance(node.ctx, ast.Load)
     }

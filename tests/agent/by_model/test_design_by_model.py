@@ -1,0 +1,162 @@
+"""From a request to a room with a model at work: ablations, fall-backs, what is kept, what the folder tells."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import pytest
+from pydantic_ai.messages import ModelMessage, ModelResponse, ToolCallPart
+from pydantic_ai.models.function import AgentInfo, FunctionModel
+from pydantic_ai.models.test import TestModel
+
+from sceneweaver.agent import Result, design
+from sceneweaver.llm import BudgetSpent, ModelClient, ModelUnreachable
+from sceneweaver.scene import InputError, MissingDependencyError
+
+SHELF = "a store room with one shelf"
+QUICK = {"candidates": 8, "device": "cpu", "pictures": False, "export": "none", "side_by_side": 1}
+BEGIN = {"problem": "no room", "calls": [{"tool": "init_prior", "confidence": 0.9, "instruction": "Begin."}]}
+STOP = {"stop": True, "stop_reason": "all is there"}
+FILL = {
+    "problem": "the shelf is bare",
+    "calls": [{"tool": "add_crowd", "confidence": 0.8, "instruction": "Fill it.", "inputs": {"supports": []}}],
+}
+
+
+def says(*answers: dict[str, Any]) -> tuple[ModelClient, list[str]]:
+    """A client whose model gives some answers in turn, the last for ever; and the text that it was told each time."""
+    left, told = list(answers), list[str]()
+
+    def say(messages: list[ModelMessage], info: AgentInfo) -> ModelResponse:
+        told.append(str([part.content for part in messages[-1].parts if hasattr(part, "content")]))
+        answer = left.pop(0) if len(left) > 1 else left[0]
+        return ModelResponse(parts=[ToolCallPart(info.output_tools[0].name, answer)])
+
+    return ModelClient(FunctionModel(say)), told
+
+
+def run(model: ModelClient, prompt: str = SHELF, **more: Any) -> Result:
+    given = {"seed": 1, "steps": 4, "reader": "rules", "critic": "symbolic", **QUICK, **more}
+    return design(prompt, planner="llm", model=model, **given)
+
+
+def tools_of(result: Result) -> list[str]:
+    return [step.call.tool for step in result.steps if step.call]
+
+
+def test_the_model_plans_and_says_when_it_is_done(tmp_path):
+    client, told = says(BEGIN, FILL, STOP)
+    result = run(client, out=tmp_path)
+    assert result.report.valid and tools_of(result) == ["init_prior", "add_crowd"]
+    assert result.finished == "the planner stopped: all is there" and len(told) == 3
+    plan = json.loads((tmp_path / "steps/02/plan.json").read_text())
+    assert plan["problem"] == "the shelf is bare" and plan["ranked"][0]["tool"] == "add_crowd"
+    assert "the shelf is bare" in told[2] and "plan" not in json.loads((tmp_path / "steps/02/step.json").read_text())
+
+
+def test_any_answers_end_in_a_valid_scene_and_an_honest_report():
+    result = run(ModelClient(TestModel()), steps=2)
+    assert result.report.valid and len([n for n in result.notes if "the rules planned, not the model" in n]) == 2
+
+
+@pytest.mark.parametrize(
+    ("switches", "plans", "expected"),
+    [
+        ({"reflect": False}, [{"calls": [*BEGIN["calls"], *FILL["calls"]]}], ["init_prior", "add_crowd"]),
+        ({"one_shot": True}, [BEGIN, FILL], ["init_prior", "add_crowd"]),
+        ({"physics": False}, [BEGIN, FILL, STOP], ["init_prior", "add_crowd"]),
+    ],
+)
+def test_ablations(switches, plans, expected):
+    client, told = says(*plans)
+    result = run(client, **switches)
+    assert tools_of(result)[: len(expected)] == expected
+    assert len(told) == len(plans) + (not result.report.valid)  # a stop is not heard while the scene is not valid
+
+
+def test_without_reflection_the_rules_have_their_fixed_plan():
+    result = run(ModelClient(TestModel()), steps=2, reflect=False)
+    assert tools_of(result) == ["init_prior", "add_tabletop"]
+
+
+def test_only_the_tools_that_are_named():
+    client, told = says(BEGIN, FILL, STOP)
+    result = run(client, tools=("init_prior", "update_layout"), steps=2)
+    assert set(tools_of(result)) <= {"init_prior", "update_layout"}
+    assert "'add_crowd' is unknown" in told[2]
+
+
+def test_a_step_in_vain_lowers_the_trust_is_told_and_counts():
+    vain = [
+        {"calls": [{**FILL["calls"][0], "tool": "remove_objects", "inputs": {"ids": [f"nothing-{k}"]}}]}
+        for k in range(9)
+    ]
+    client, told = says(BEGIN, *vain)
+    result = run(client, steps=10, replans=2)
+    assert [s.accepted for s in result.steps] == [True, False, False, False]
+    assert result.finished == "3 steps brought nothing" and len(told) == 4
+    assert "nothing-0" in told[2] and "failed_calls" in told[2] and '"kept":false' in told[2]
+
+
+class Leaves(ModelClient):
+    """Answers some times; then an error comes for ever."""
+
+    def __init__(self, client: ModelClient, times: int, error: Exception) -> None:
+        self.client, self.times, self.error = client, times, error
+
+    def ask(self, *given: Any, **more: Any) -> Any:
+        self.times -= 1
+        if self.times < 0:
+            raise self.error
+        return self.client.ask(*given, **more)
+
+
+@pytest.mark.parametrize("times", [0, 1])
+def test_without_the_model_the_rules_go_on_or_a_strict_run_ends(tmp_path, times):
+    def leaves(error: Exception) -> ModelClient:
+        return Leaves(says(BEGIN, FILL)[0], times, error)
+
+    result = run(leaves(ModelUnreachable("no connection")), steps=2)
+    note = f"planned by rules from step {times + 1}, without the model (no connection)"
+    assert result.report.valid and note in result.notes
+    with pytest.raises(MissingDependencyError, match="spent"):
+        run(leaves(BudgetSpent("10 calls are spent")), strict=True, out=tmp_path, steps=2)
+    kept = json.loads((tmp_path / "state.json").read_text())["memory"]["steps"] if times else []
+    assert len(kept) == times
+    assert (tmp_path / "scene.json").exists()
+
+
+def test_a_killed_run_goes_on_and_ends_with_the_same_scene(tmp_path):
+    def stopping(step: Any) -> None:
+        raise KeyboardInterrupt
+
+    answers = (BEGIN, FILL, STOP)
+    whole = run(says(*answers)[0], out=tmp_path / "whole")
+    with pytest.raises(KeyboardInterrupt):
+        run(says(*answers)[0], out=tmp_path / "cut", said=stopping)
+    client, told = says(*answers[1:])
+    again = run(client, out=tmp_path / "cut")
+    assert len(told) == 2
+    assert (tmp_path / "cut/scene.json").read_bytes() == (tmp_path / "whole/scene.json").read_bytes()
+    assert tools_of(again) == tools_of(whole)
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ({"planner": "oracle"}, "planner: 'oracle'"),
+        ({"reader": "oracle"}, "reader: 'oracle'"),
+        ({"critic": "oracle"}, "critic: 'oracle'"),
+        ({"samples": 0}, "samples: 0"),
+    ],
+)
+def test_words_that_are_no_roles(given, words):
+    with pytest.raises(InputError, match=words):
+        design(SHELF, **given)
+
+
+def test_a_planner_without_a_model_says_so(monkeypatch):
+    monkeypatch.delenv("SCENEWEAVER_MODEL", raising=False)
+    with pytest.raises(MissingDependencyError, match="model"):
+        design(SHELF, planner="llm")
