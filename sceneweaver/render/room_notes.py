@@ -34,12 +34,13 @@ class Overlay(Canvas):
         self._image.paste(picture.resize(size, Image.Resampling.NEAREST), (left * self._s, 0))
 
 
-def annotated(picture: Image.Image, scene: Scene, view: View) -> Image.Image:
+def annotated(picture: Image.Image, scene: Scene, view: View, text: float = 1.0) -> Image.Image:
     """The picture with its notes; ``view`` brings metres to pixels of the picture.
 
-    Things on the floor carry their id; small and hanging ones a number that the key at the right explains.
+    Things on the floor carry their id; small and hanging ones a number that the key at the right explains. ``text``
+    makes what is written larger.
     """
-    unit = picture.height / 960
+    unit = text * picture.height / 960
     size = max(9, round(13 * unit))
     large = [o for o in scene.objects if o.mount == "floor"]
     small = sorted((o for o in scene.objects if o.mount != "floor"), key=lambda o: (o.mount, _support(o), o.id))

@@ -93,6 +93,43 @@ def draw_rooms(
     return {view: done[view] for view in views}
 
 
+def draw_marked(
+    scene: Scene,
+    load: Callable[[str], Asset] | None = None,
+    side: int = 1280,
+    *,
+    most: int | None = None,
+    text: float = 1.0,
+    quality: Quality | None = None,
+    device: str = "cpu",
+) -> Image.Image:
+    """The room from above with axes, grid, boxes, ids and arrows to the front, in the shape of the room.
+
+    Args:
+        scene: The scene.
+        load: Gives the asset of an id; None: ``Library().load``.
+        side: Longest side of the plan in pixels; axes and the key of small things come on top.
+        most: Things that are not on the floor and are marked; where there are more, those on supports are not marked.
+            None: all are.
+        text: How much larger than usual what is written is.
+        quality: How carefully it is drawn.
+        device: Where it is drawn: "cpu" or "cuda:0".
+
+    Raises:
+        InputError: for an asset that cannot be loaded, or a finish that nobody knows.
+    """
+    low, high = _bounds(scene)
+    wide, deep = (high - low) / max(high - low)
+    width, height = (max(16, round(side * share)) for share in (wide, deep))
+    things = instances_of(scene, load)
+    picture = _top(scene, things, width, height, quality or Quality.normal(), device)
+    marked = scene.objects
+    if most is not None and sum(o.mount != "floor" for o in marked) > most:
+        marked = tuple(o for o in marked if o.mount != "surface")
+    plain = scene.model_copy(update={"objects": marked, "relations": ()})
+    return annotated(picture, plain, _plan(scene, width, height), text * 0.75 * side / height)
+
+
 def _corner(
     scene: Scene, things: list[Instance], across: bool, width: int, height: int, quality: Quality | None, device: str
 ) -> Image.Image:
