@@ -25,6 +25,7 @@ GROUP = "sceneweaver.tools"
 OWN: Mapping[str, str] = {
     "init_prior": "InitPrior",
     "init_library": "InitLibrary",
+    "init_llm": "InitLlm",
     "add_objects": "AddObjects",
     "add_tabletop": "AddTabletop",
     "add_crowd": "AddCrowd",

@@ -202,8 +202,9 @@ def _result(run: Run, remarks: Sequence[str], began: float) -> Result:
 
 
 def usable(name: str, tool: Registered, settings: Settings, room_type: RoomType) -> bool:
-    """Whether a tool may be called: the settings name it or none, and its card is for such a room."""
-    return (settings.tools is None or name in settings.tools) and tool.card.suits(room_type.name)
+    """Whether a tool may be called: it needs no model, settings name it or none, and its card is for such a room."""
+    chosen = settings.tools is None or name in settings.tools
+    return tool.card.needs is None and chosen and tool.card.suits(room_type.name)
 
 
 def chosen_room(brief: SceneGraph) -> tuple[RoomType, tuple[str, ...]]:

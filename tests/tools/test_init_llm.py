@@ -1,0 +1,176 @@
+"""A room that a model writes down: drawn when it holds together, refused in words that mend it when not."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from pydantic_ai.models.test import TestModel
+
+from sceneweaver.agent.executor import Executor
+from sceneweaver.agent.loop import empty_scene
+from sceneweaver.agent.settings import Settings
+from sceneweaver.brief import read_request
+from sceneweaver.knowledge import room_type
+from sceneweaver.llm import ModelClient
+from sceneweaver.scene import InputError
+from sceneweaver.tools.base import Context
+from sceneweaver.tools.init_llm import programme, vocabulary
+from sceneweaver.tools.registry import tool
+from sceneweaver.tools.room_reply import ProgrammeReply
+from sceneweaver.tools.room_rules import check_room
+from tests.agent.by_model.scripted import Script
+from tests.tools.programmes import PROGRAMME, changed, item, place
+
+DORMITORY = "a dormitory with two bunk beds and a dining table for four"
+
+
+def context(library, client: ModelClient | None, text: str = DORMITORY, room: str = "dormitory") -> Context:
+    brief = read_request(text)
+    kind = room_type(room)
+    return Context(brief, kind, empty_scene(brief, kind), library, 1, text, client=client)
+
+
+def proposed(library, script: Script, **more: Any):
+    return tool("init_llm").load().propose(context(library, script.client, **more))
+
+
+HELD = [
+    *PROGRAMME["items"],
+    item("locker", "locker", need="needed", place=[place("against_wall")]),
+    item("wardrobe", "wardrobe", need="needed", place=[place("against_wall")], fill="wardrobe"),
+    item("desk", "desk", need="needed", place=[place("against_wall")]),
+    item("bed", "single_bed", place=[place("against_wall")]),
+]
+GOOD = {**PROGRAMME, "area": 34, "items": HELD}
+
+
+def test_a_room_that_holds_together_is_drawn(library):
+    script = Script(GOOD)
+    made = proposed(library, script)
+    assert script.refusals == [] and made.scene is not None and made.fresh
+    assert "a model wrote down what the room holds" in made.notes[0]
+    assert made.scene.provenance["tool"] == "init_llm" and made.scene.room.type == "dormitory"
+    kinds = [o.category for o in made.scene.objects]
+    assert kinds.count("bunk_bed") == 2 and kinds.count("chair") == 4 and "wood_stove" in kinds
+
+
+def test_it_is_valid_when_it_is_laid_out(library):
+    items = [
+        item("shelf", "metal shelf", need="needed", place=[place("against_wall")], fill="storage"),
+        item("bin", "plastic_bin", need="needed", on=["shelf"]),
+        item("box", "cardboard_box", need="needed", on=["shelf"]),
+        item("bench", "workbench", need="needed", place=[place("against_wall")]),
+        item("light", "ceiling_light", place=[place("on_grid")]),
+    ]
+    script = Script({"kind": "bicycle workshop", "area": 14, "items": items})
+    made = proposed(library, script, text="a store room with one shelf", room="storage_room")
+    within = context(library, None, "a store room with one shelf", "storage_room")
+    executor = Executor(within.room_type, within.brief, Settings(device="cpu", candidates=8, generations=0))
+    outcome = executor.run(within.scene, made, seed=1)
+    assert outcome.report.valid, outcome.report.violations
+    assert script.refusals == []
+
+
+def test_equal_answers_make_equal_rooms(library):
+    scenes = [proposed(library, Script(GOOD)).scene for _ in range(2)]
+    assert scenes[0] == scenes[1]
+
+
+WRONG: list[tuple[Any, str]] = [
+    (changed(GOOD, 1, what=["frobnicator"]), "table.what names frobnicator, which nothing draws"),
+    (changed(GOOD, 0, what=["bunkbedd"], id="bunk"), ""),
+    (changed(GOOD, 0, place=[place("by_wall")]), "by_wall"),
+    (changed(GOOD, 0, place=[place("near", "sofa")]), "bunk: near names sofa, which is no item"),
+    (changed(GOOD, 0, place=[place("near", "bunk")]), "bunk.place near: `to` is bunk; give the id of another item"),
+    (changed(GOOD, 0, place=[place("near", "table", max="far")]), "bunk.place near: params.max"),
+    (changed(GOOD, 0, place=[place("near", "table", distance=2)]), "unknown param"),
+    (changed(GOOD, 0, place=[place("between", "table")]), "between needs two targets"),
+    (changed(GOOD, 1, width=[9.0, 9.5]), "table.width is [9, 9.5]; a dining_table has"),
+    (changed(GOOD, 1, width=[1.6, 1.4]), "the first must not be more than the second"),
+    (changed(GOOD, 1, top="feast"), "table.top is feast"),
+    (changed(GOOD, 4, fill="boks"), 'shelf.fill is boks; did you mean "books"?'),
+    (changed(GOOD, 0, count=[5, 2]), "bunk.count is [5, 2]; give [least, most]"),
+    (changed(GOOD, 0, count=[900, 900]), "objects; at most 150"),
+    (changed(GOOD, 2, **{"with": "stool"}), "stool is no item before it"),
+    (changed(GOOD, 3, id="table"), "two items are called table"),
+    (changed(GOOD, 3, what=["mug"], place=[]), "say with `on` which items carry it"),
+    (changed(GOOD, 3, what=["mug"], place=[], mount="ceiling"), "a mug is not held by a ceiling"),
+    ({**GOOD, "area": 6}, "m2 of floor; name less, or give a larger area"),
+    ({**GOOD, "area": 1e9}, "area"),
+    ({**GOOD, "groups": [{"use": "beds"}]}, 'group "beds" is unknown; did you mean "bed"?'),
+    ({**GOOD, "groups": [{"use": "bed", "drop": ["sofa"]}]}, 'there is no item "sofa"'),
+    ({**GOOD, "items": [one for one in HELD if one["id"] != "desk"]}, "such a room needs desk"),
+    ({**GOOD, "items": [one for one in HELD if one["id"] not in ("table", "chair")]}, "asks for dining table"),
+    ({**GOOD, "items": []}, "items"),
+    ({**GOOD, "pose": [1, 2, 3]}, "pose"),
+    (changed(GOOD, 0, position=[1, 2]), "position"),
+    (changed(GOOD, 0, id="../../etc"), "id"),
+    (changed(GOOD, 0, what=["x" * 5000]), "which nothing draws"),
+    ("a mountain hut, surely", ""),
+]
+
+
+@pytest.mark.parametrize(("wrong", "words"), WRONG, ids=range(len(WRONG)))
+def test_what_is_wrong_is_told_to_the_model(wrong, words, library):
+    script = Script(wrong, GOOD)
+    proposed(library, script)
+    assert not words or any(words in line for line in script.refusals), script.refusals
+
+
+def test_what_the_request_does_not_want_is_refused(library):
+    more = {**GOOD, "items": [*HELD, item("tv", "television", place=[place("against_wall")])]}
+    script = Script(more, GOOD)
+    proposed(library, script, text=DORMITORY + ", without a television")
+    assert "tv: the request wants no" in script.refusals[0]
+
+
+def test_it_needs_a_model_and_says_so(library):
+    with pytest.raises(InputError, match="tool init_llm needs a language model, and there is none; use init_prior"):
+        tool("init_llm").load().propose(context(library, None))
+
+
+def test_a_model_that_never_gets_it_right_is_one_line(library):
+    with pytest.raises(InputError, match="^tool init_llm: ") as caught:
+        proposed(library, Script({**GOOD, "area": 6}))
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("seed", [0, 1, 2])
+def test_arbitrary_data_is_refused(seed, library):
+    with pytest.raises(InputError, match="init_llm"):
+        tool("init_llm").load().propose(context(library, ModelClient(TestModel(seed=seed))))
+
+
+def test_the_question_holds_request_and_words_and_is_the_same_for_equal_runs(library):
+    one, two = Script(GOOD), Script(GOOD)
+    proposed(library, one)
+    proposed(library, two)
+    assert one.prompts == two.prompts
+    assert DORMITORY in one.prompts[0] and "against_wall" in one.prompts[0] and "bunk_bed" in one.prompts[0]
+    assert len(vocabulary()) < 40_000
+
+
+def test_items_are_put_in_order_and_nouns_become_categories():
+    turned = {**PROGRAMME, "items": PROGRAMME["items"][::-1]}
+    room = programme(ProgrammeReply.model_validate(turned), room_type("dormitory"))
+    ids = [one.id for one in room.items]
+    assert ids.index("table") < ids.index("chair")
+    assert room.item("stove").what == ("wood_stove",)
+    check_room(room)
+
+
+def test_a_group_brings_its_items():
+    with_group = {**PROGRAMME, "area": 40, "groups": [{"use": "bed", "as": "guest", "drop": ["bench"]}]}
+    room = programme(ProgrammeReply.model_validate(with_group), room_type("bedroom"))
+    assert {"guest_bed", "guest_nightstand"} <= {one.id for one in room.items}
+    assert "guest_bench" not in {one.id for one in room.items}
+    check_room(room)
+
+
+def test_rules_never_offer_it():
+    from sceneweaver.agent.design import usable
+    from sceneweaver.tools.registry import tools
+
+    offered = [n for n, t in tools().items() if usable(n, t, Settings(), room_type("bedroom"))]
+    assert "init_llm" not in offered and "init_prior" in offered

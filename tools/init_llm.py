@@ -1,0 +1,158 @@
+"""Begin with what a language model writes for this very request; it is then drawn as known kinds of rooms are."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from functools import cache
+from importlib import resources
+from typing import Any
+
+from sceneweaver.assets import categories
+from sceneweaver.brief import SceneGraph
+from sceneweaver.knowledge import RoomType
+from sceneweaver.knowledge.load import group_templates
+from sceneweaver.knowledge.surfaces import arrangements, crowds
+from sceneweaver.llm import ModelError
+from sceneweaver.scene import CATALOGUE, InputError
+from sceneweaver.scene.messages import shorten
+
+from .base import Context, Proposal
+from .card import checked
+from .init_prior import InitPrior
+from .room_reply import ProgrammeReply, room_of
+from .room_rules import check_room, missing, refuse
+
+RETRIES = 4
+"""Times that a model is told what is wrong with a room."""
+
+LONGEST = 4000
+"""Characters of a request that are told."""
+
+
+class InitLlm:
+    """Draws the room that a model wrote down for the request."""
+
+    name = "init_llm"
+
+    def propose(self, context: Context) -> Proposal:
+        """A whole scene; InputError without a model, or when it writes nothing that can be drawn."""
+        inputs = checked(self.name, context.inputs)
+        if context.client is None:
+            raise InputError(f"tool {self.name} needs a language model, and there is none; use init_prior")
+
+        def check(reply: ProgrammeReply) -> None:
+            room = programme(reply, context.room_type)
+            check_room(room)
+            refuse(missing(room, context.room_type, context.brief))
+            drawn(context, room, inputs)
+
+        try:
+            reply = context.client.ask(
+                "programme", ProgrammeReply, instructions(), [_question(context)], check=check, retries=RETRIES
+            )
+        except ModelError as error:
+            raise InputError(f"tool {self.name}: {error}") from error
+        room = programme(reply, context.room_type)
+        if reply.style and "style" not in inputs:
+            inputs = {**inputs, "style": reply.style}
+        made = drawn(context, room, inputs)
+        said = (
+            f"a model wrote down what the room holds: {len(room.items)} kinds of things for {shorten(reply.kind, 60)}"
+        )
+        scene = made.scene
+        if scene is not None:
+            scene = scene.model_copy(update={"provenance": {**scene.provenance, "tool": self.name}})
+        return replace(made, scene=scene, notes=(said, *made.notes))
+
+
+def programme(reply: ProgrammeReply, usual: RoomType) -> RoomType:
+    """The kind of room that was asked for, holding what a model says; InputError where that cannot be."""
+    least, _, largest = usual.area
+    own = usual.model_dump(exclude={"items", "area", "people", "made_of"})
+    area = (min(least, reply.area), reply.area, max(largest, reply.area))
+    people = usual.people if reply.people is None else reply.people
+    return room_of(reply, **{**own, "area": area, "people": people})
+
+
+def drawn(context: Context, room: RoomType, inputs: Any) -> Proposal:
+    """A room of that kind, drawn; what goes wrong is a reason for another one."""
+    try:
+        return InitPrior().propose(replace(context, room_type=room, inputs=inputs, client=None))
+    except InputError:
+        raise
+    except Exception as error:  # anything may stand in what a model wrote
+        raise InputError(f"the room cannot be drawn ({type(error).__name__}); write it more simply") from error
+
+
+@cache
+def instructions() -> str:
+    """What a model is told of its part."""
+    return resources.files(__package__ or "").joinpath("prompts", "room.md").read_text(encoding="utf-8")
+
+
+@cache
+def vocabulary() -> str:
+    """The words that a room may be written in, as JSON: relations, groups, arrangements, themes, categories."""
+    groups = {
+        name: {
+            "is": one.description,
+            "items": {row["id"]: row["what"] if isinstance(row["what"], str) else row["what"][0] for row in one.items},
+        }
+        for name, one in group_templates().items()
+    }
+    data = {
+        "relations": {
+            name: {"means": spec.description, "target": spec.target, "params": sorted(spec.params)}
+            for name, spec in CATALOGUE.items()
+            if spec.target != "objects"
+        },
+        "groups": groups,
+        "arrangements": {name: one.description for name, one in arrangements().items()},
+        "themes": {name: one.description for name, one in crowds().items()},
+        "categories": " ".join(name for name, one in categories().items() if one.size is not None),
+    }
+    return compact(data)
+
+
+def compact(data: object) -> str:
+    """JSON without spaces, in letters as they are."""
+    return json.dumps(data, ensure_ascii=False, separators=(",", ":"))
+
+
+def _question(context: Context) -> str:
+    """Request, the kind of room as it is known, and the words to write in, as JSON."""
+    rows = {
+        "task": compact("Write down what this very room holds."),
+        "request": compact(request_data(context.brief)),
+        "such_a_room": compact(room_data(context.room_type)),
+        "words": vocabulary(),
+    }
+    return "{" + ",\n".join(f'"{key}":{text}' for key, text in rows.items()) + "}"
+
+
+def request_data(brief: SceneGraph) -> dict[str, Any]:
+    """What was asked for, as it was understood."""
+    data: dict[str, Any] = {
+        "text": shorten(brief.text, LONGEST),
+        "asks_for": [
+            {"noun": shorten(e.noun), "category": e.category, "count": list(e.count or (1, 1))} for e in brief.entities
+        ],
+        "does_not_want": [shorten(e.words) for e in brief.exclusions],
+        "sides": list(brief.size) if brief.size else None,
+        "area": brief.area,
+        "people": brief.people,
+        "style": brief.style,
+        "only_what_it_names": brief.only or None,
+    }
+    return {key: value for key, value in data.items() if value not in (None, [])}
+
+
+def room_data(room: RoomType) -> dict[str, Any]:
+    """A kind of room as it is known."""
+    return {
+        "name": room.name,
+        "is": shorten(room.description, 200),
+        "area": list(room.area),
+        "items": {item.id: {"what": item.what[0], "need": item.need} for item in room.items},
+    }

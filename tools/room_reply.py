@@ -1,0 +1,166 @@
+"""A room as a model writes it down: floor, groups and items, in the words of the knowledge base."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, Literal
+
+from pydantic import ConfigDict, Field
+
+from sceneweaver.assets import categories, resolve
+from sceneweaver.knowledge import RoomType
+from sceneweaver.knowledge.groups import expanded
+from sceneweaver.knowledge.load import group_templates
+from sceneweaver.llm import Reply
+
+NAME = r"^[a-z][a-z0-9_]{0,39}$"
+Pair = list[float]
+
+SIDES = ("depth", "width", "height")
+
+
+class PlaceReply(Reply):
+    """One relation of an item."""
+
+    type: str = Field(max_length=40, description="A relation of the catalogue")
+    to: str | None = Field(default=None, max_length=40, description="Id of an item; wall, wall:far, window or door")
+    soft: bool = Field(default=False, description="A wish, not a condition")
+    params: dict[str, Any] = Field(default={}, max_length=8, description="Numbers of the relation, such as max [m]")
+
+
+class ItemReply(Reply):
+    """One kind of object in the room."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, populate_by_name=True)
+
+    id: str = Field(pattern=NAME, description="A short name; relations use it")
+    what: list[str] = Field(min_length=1, max_length=8, description="Categories, the usual one first")
+    need: Literal["needed", "usual", "optional"] = "usual"
+    count: list[int] = Field(default=[1, 1], min_length=2, max_length=2, description="[least, most]")
+    with_: str | None = Field(default=None, alias="with", max_length=40, description="Item that it goes with")
+    depth: Pair | None = Field(default=None, min_length=2, max_length=2, description="[least, most] in m")
+    width: Pair | None = Field(default=None, min_length=2, max_length=2, description="[least, most] in m")
+    height: Pair | None = Field(default=None, min_length=2, max_length=2, description="[least, most] in m")
+    mount: Literal["floor", "wall", "ceiling", "surface"] | None = Field(
+        default=None, description="What holds it, where that is not as usual"
+    )
+    place: list[PlaceReply] = Field(default=[], max_length=8)
+    on: list[str] = Field(default=[], max_length=8, description="Items that may carry it")
+    top: str | None = Field(default=None, max_length=40, description="Arrangement on its top")
+    fill: str | None = Field(default=None, max_length=40, description="Theme that fills its shelves")
+    row: Literal["grid"] | None = Field(default=None, description="grid: several are set out in rows")
+
+
+class GroupReply(Reply):
+    """A group of furniture that is known by name."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, populate_by_name=True)
+
+    use: str = Field(max_length=40, description="Name of the group")
+    as_: str = Field(default="", alias="as", max_length=20, description="Prefix of its ids, for a second use")
+    drop: list[str] = Field(default=[], max_length=20, description="Items of it that are not wanted")
+
+
+class OpeningReply(Reply):
+    """Doors or windows."""
+
+    count: list[int] = Field(default=[1, 1], min_length=2, max_length=2, description="[least, most]")
+    width: Pair = Field(min_length=2, max_length=2, description="[least, most] in m")
+    height: Pair = Field(min_length=2, max_length=2, description="[least, most] in m")
+    sill: Pair | None = Field(default=None, min_length=2, max_length=2, description="[least, most] in m; windows only")
+
+
+class FurnitureReply(Reply):
+    """What a room holds."""
+
+    groups: list[GroupReply] = Field(default=[], max_length=12)
+    items: list[ItemReply] = Field(min_length=1, max_length=40)
+
+
+class ProgrammeReply(FurnitureReply):
+    """What one room holds that was asked for in words."""
+
+    kind: str = Field(max_length=60, description="What kind of room it is")
+    area: float = Field(ge=2, le=400, description="Floor in m2")
+    people: int | None = Field(default=None, ge=0, le=200, description="For how many people")
+    style: str | None = Field(default=None, max_length=40, description="Style, where the request names none")
+
+
+class RoomReply(FurnitureReply):
+    """What rooms of a kind are like."""
+
+    words: list[str] = Field(default=[], max_length=8, description="Other names of such a room")
+    description: str = Field(min_length=1, max_length=200, description="One sentence: what it is for")
+    area: list[float] = Field(min_length=3, max_length=3, description="Least, usual and largest floor in m2")
+    aspect: Pair = Field(default=[1.0, 1.5], min_length=2, max_length=2, description="Length by width, [least, most]")
+    height: float = Field(default=2.6, ge=2.0, le=8.0, description="Ceiling in m")
+    people: int = Field(default=2, ge=0, le=200)
+    doors: OpeningReply
+    windows: OpeningReply
+    styles: list[str] = Field(default=["modern", "rustic"], min_length=1, max_length=6)
+    floor: Literal["wood", "tile", "carpet", "concrete", "stone"] = "wood"
+    fill: float = Field(default=0.33, ge=0.1, le=0.45, description="Share of the floor under furniture")
+
+
+def room_of(reply: FurnitureReply, **fields: Any) -> RoomType:
+    """A kind of room with what a reply says it holds.
+
+    Args:
+        reply: groups and items.
+        fields: all other fields of `RoomType`.
+
+    Raises:
+        InputError: where it names what is not there, with the line for the model.
+    """
+    data = {
+        **fields,
+        "groups": [{"use": g.use, "as": g.as_, "drop": tuple(g.drop)} for g in reply.groups],
+        "items": [_item(item) for item in _in_order(reply.items)],
+    }
+    return RoomType(**expanded(data, group_templates()))
+
+
+def _item(item: ItemReply) -> dict[str, Any]:
+    """An item as the files of rooms have it."""
+    places = [{"type": p.type, "to": _target(p.to), "soft": p.soft, "params": p.params} for p in item.place]
+    data: dict[str, Any] = {
+        "id": item.id,
+        "what": tuple(dict.fromkeys(named(noun) for noun in item.what)),
+        "need": item.need,
+        "count": tuple(item.count),
+        "place": tuple(places),
+        "on": tuple(item.on),
+    }
+    sizes = [getattr(item, side) for side in SIDES]
+    if any(sizes):
+        data["size"] = tuple(tuple(size) if size else None for size in sizes)
+    optional = {"with": item.with_, "mount": item.mount, "top": item.top, "fill": item.fill, "row": item.row}
+    return data | {key: value for key, value in optional.items() if value is not None}
+
+
+def named(noun: str) -> str:
+    """The category with a body that a noun means; the noun itself where none does."""
+    match = resolve(noun[:60])
+    return noun if match.generic or match.body not in categories() else match.body
+
+
+def _target(to: str | None) -> str | None:
+    return {"any": None, "none": None, "": None}.get(to, to) if to is not None else None
+
+
+def _in_order(items: Sequence[ItemReply]) -> Iterable[ItemReply]:
+    """The items, each after what it goes with and what it stands on, else as they came."""
+    by_id: Mapping[str, ItemReply] = {item.id: item for item in items}
+    done: dict[int, ItemReply] = {}
+
+    def put(item: ItemReply, above: tuple[str, ...]) -> None:
+        if id(item) in done:
+            return
+        for name in (item.with_, *item.on):
+            if name in by_id and name not in above and name is not None:
+                put(by_id[name], (*above, item.id))
+        done[id(item)] = item
+
+    for item in items:
+        put(item, (item.id,))
+    return done.values()
