@@ -240,6 +240,7 @@ def _relations(said: Said, ids: dict[int, str], notes: list[str]) -> list[Stated
             count=said.count,
             each=said.each,
             side=said.side,  # type: ignore[arg-type]
+            params=dict(said.params),
             implied=said.implied,
             span=said.span,
         )

@@ -51,6 +51,7 @@ class Said:
     side: str | None = None
     implied: bool = False
     span: Span | None = None
+    params: dict[str, float] = field(default_factory=dict)
 
 
 @dataclass

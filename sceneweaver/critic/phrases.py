@@ -56,7 +56,8 @@ def _of_room(graph: SceneGraph, item: str) -> tuple[str, Span | None]:
     """Facts about the room have no span of their own: the kind of room stands where its words do."""
     name = item.partition(".")[2]
     if name == "room_type" and graph.room_words:
-        found = re.search(rf"\b{re.escape(graph.room_words)}\b", graph.text, re.IGNORECASE)
+        words = re.escape(graph.room_words)  # some scripts have no blanks between words
+        found = re.search(rf"\b{words}\b", graph.text, re.IGNORECASE) or re.search(words, graph.text, re.IGNORECASE)
         return graph.room_words, Span(*found.span()) if found else None
     return name.replace("_", " "), None
 

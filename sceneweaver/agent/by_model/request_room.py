@@ -1,0 +1,112 @@
+"""What a model's reading says of the room, checked."""
+
+from __future__ import annotations
+
+from sceneweaver.brief import Span
+from sceneweaver.brief.parsed import Left
+from sceneweaver.brief.source import check_measures
+from sceneweaver.brief.vocabulary import words
+from sceneweaver.knowledge import room_types
+from sceneweaver.knowledge.load import match_room
+from sceneweaver.scene.messages import quote as shown
+
+from .quotes import Quotes
+from .request_draft import SCALES, Draft
+from .request_reply import RoomReply
+from .request_words import LONGEST, cut, english, is_color
+
+MOST_PEOPLE, MOST_OPENINGS, MOST_WORDS = 400, 40, 12
+
+
+def add_room(room: RoomReply, quotes: Quotes, draft: Draft) -> None:
+    """Puts the room of a reply into a draft."""
+    _kind(room, quotes, draft)
+    parsed, problems = draft.parsed, draft.problems
+    parsed.shape, parsed.style = room.shape, room.style
+    parsed.density = room.density
+    if room.scale is not None:
+        if SCALES[0] <= room.scale <= SCALES[1]:
+            parsed.room_scale = room.scale
+        else:
+            problems.append(f"room: scale {room.scale:g} cannot be; 1 is usual, 1.3 large, 0.75 small")
+    parsed.people = _whole(room.people, (1, MOST_PEOPLE), "people", problems)
+    for name in ("window", "door"):
+        number = _whole(getattr(room, f"{name}s"), (0, MOST_OPENINGS), f"{name}s", problems)
+        if number is not None:
+            parsed.openings[name] = number
+    parsed.for_whom = [cut(who) for who in room.for_whom[:MOST_WORDS] if who]
+    _colors(room, draft)
+    _measures(room, draft)
+
+
+def _kind(room: RoomReply, quotes: Quotes, draft: Draft) -> None:
+    """The kind of room by its English name, and further rooms."""
+    parsed = draft.parsed
+    span: Span | None = quotes.nearest(room.quote, None) if room.quote else None
+    if span is not None:
+        draft.marked.append(span)
+        parsed.room_words = cut(draft.text[span.start : span.end], 2 * LONGEST)
+    elif room.quote:
+        draft.problems.append(f"room: {shown(cut(room.quote))} is not in the request; copy the words for its kind")
+    if name := english(room.kind):
+        parsed.room_words = parsed.room_words or name
+        parsed.room_type = known_room(name)
+        if parsed.room_type is None and name not in ("room", "space"):
+            draft.doubts.append(
+                f"room: no kind of room is known as {shown(name)}; if one of these means the same give that, else say "
+                f"it again: {', '.join(room_types()).replace('_', ' ')}"
+            )
+            parsed.note(f"'{name}' is no kind of room that is known")
+            if span is not None:
+                parsed.unread.append(Left(parsed.room_words, *span))
+    elif room.kind:
+        draft.problems.append(f"room: kind {shown(cut(room.kind))} is not English; say it in English")
+    for other in room.others[:MOST_WORDS]:
+        kind = known_room(english(other))
+        if kind is not None and kind != parsed.room_type and kind not in parsed.other_rooms:
+            parsed.other_rooms.append(kind)
+            parsed.note(f"'{cut(other)}' is another room; only the {parsed.room_words or 'first'} is made")
+
+
+def known_room(name: str) -> str | None:
+    """The kind of room that an English name means; None when none is known."""
+    found = match_room(name) if name else None
+    return found[0] if found is not None else None
+
+
+def _colors(room: RoomReply, draft: Draft) -> None:
+    for given in room.colors[:MOST_WORDS]:
+        color = english(given)
+        if is_color(color) or color in words()["materials"]:
+            draft.parsed.colors.append(color)
+        else:
+            draft.problems.append(f"room: color {shown(cut(given))} is unknown; use a plain English colour")
+
+
+def _measures(room: RoomReply, draft: Draft) -> None:
+    """Sides, floor and ceiling [m], as far as a room can have them."""
+    source = draft.source
+    if len(room.sides) >= 2:
+        source.size = (max(room.sides[:2]), min(room.sides[:2]))
+    elif room.sides:
+        draft.problems.append("room: sides are two numbers of metres")
+    source.area, source.height = room.area, room.height
+    if source.height is None and len(room.sides) > 2:
+        source.height = room.sides[2]
+    before = len(source.notes)
+    check_measures(source)
+    draft.problems += [f"room: {note}" for note in source.notes[before:]]
+    del source.notes[before:]
+
+
+def _whole(value: int | None, bounds: tuple[int, int], name: str, problems: list[str]) -> int | None:
+    if value is None or bounds[0] <= value <= bounds[1]:
+        return value
+    problems.append(
+        f"room: {name} {value if abs(value) < 10**9 else 'that many'} cannot be; it is {bounds[0]} to "
+        f"{bounds[1]}, or null"
+    )
+    return None
+
+
+__all__ = ["add_room", "known_room"]
