@@ -6,6 +6,8 @@ from .model import Alignment as Alignment
 from .model import Fault as Fault
 from .model import ItemOutcome as ItemOutcome
 from .model import Review as Review
+from .model import VisualFault as VisualFault
+from .model import VisualReview as VisualReview
 from .own import define_check as define_check
 from .own import undefine_check as undefine_check
 from .phrases import Phrase as Phrase
@@ -20,6 +22,8 @@ __all__ = [
     "ItemOutcome",
     "Phrase",
     "Review",
+    "VisualFault",
+    "VisualReview",
     "define_check",
     "phrases",
     "review_scene",

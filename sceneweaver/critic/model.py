@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from typing import Any, Literal
 
-from pydantic import Field
+from pydantic import Field, SerializerFunctionWrapHandler, model_serializer
 
 from sceneweaver.scene.base import FrozenModel
 
@@ -84,14 +84,80 @@ class Fault(FrozenModel):
     )
 
 
+class VisualFault(Fault):
+    """A fault that a model saw; ``points`` is its severity times the share of the answers that saw it."""
+
+    severity: float = Field(description="1: a blemish, 2: a flaw, 3: the room fails at it; mean of those that saw it")
+    share: float = Field(description="Share of the answers that saw it, above 0 to 1")
+
+
+class VisualReview(FrozenModel):
+    """What a vision model says about a scene, from one or several answers. Beside `Review`, it decides no validity.
+
+    Examples:
+        >>> from sceneweaver.critic import VisualReview
+        >>> grades, off = {"realism": 6.0, "layout": 5.0}, {"realism": 1.0, "layout": 0.0}
+        >>> seen = VisualReview(model="m", samples=2, grades=grades, deviation=off)
+        >>> seen.mean, seen.spread
+        (5.5, 0.5)
+    """
+
+    model: str = Field(description="Name of the model")
+    samples: int = Field(description="Answers that are averaged")
+    failed: tuple[str, ...] = Field(default=(), description="Why the other answers are left out, one line each")
+    pictures: tuple[str, ...] = Field(default=(), description="Titles of the pictures that it was shown")
+    grades: dict[str, float] = Field(description="Mean grade 0 to 10 by criterion")
+    deviation: dict[str, float] = Field(default={}, description="Standard deviation of the answers' grades")
+    ranges: dict[str, tuple[float, float]] = Field(default={}, description="Lowest and highest grade")
+    comments: dict[str, tuple[str, ...]] = Field(default={}, description="What each answer says, by criterion")
+    faults: tuple[VisualFault, ...] = Field(default=(), description="Merged over the answers, the gravest first")
+
+    @property
+    def mean(self) -> float:
+        """Mean of the grades; of two scenes the one that the model likes better has more."""
+        return sum(self.grades.values()) / max(1, len(self.grades))
+
+    @property
+    def spread(self) -> float:
+        """Mean over the criteria of the standard deviation of the answers; 0 for one answer."""
+        return sum(self.deviation.values()) / max(1, len(self.deviation))
+
+    @property
+    def summary(self) -> dict[str, Any]:
+        """For ``scores.seen`` of ``metrics.json``: model, number of answers, grades with mean and spread."""
+        return {
+            "critic": "vlm",
+            "model": self.model,
+            "samples": self.samples,
+            "grades": {name: round(grade, 2) for name, grade in self.grades.items()},
+            "deviation": {name: round(value, 2) for name, value in self.deviation.items()},
+            "mean": round(self.mean, 2),
+            "spread": round(self.spread, 2),
+        }
+
+
 class Review(FrozenModel):
-    """Grades 0 to 10 for each criterion, with every fault that was found, the gravest first."""
+    """Grades 0 to 10 for each criterion, with every fault that was found, the gravest first.
+
+    ``seen`` is what a vision model says, where one was asked: it changes neither grades nor ``total``.
+    """
 
     critic: Literal["symbolic", "vlm"] = "symbolic"
     grades: dict[str, float]
     faults: tuple[Fault, ...] = ()
     measures: dict[str, float] = Field(default={}, description="What was measured: shares, counts, metres")
     alignment: Alignment = Field(default=Alignment(), description="What became of each item of the request")
+    seen: VisualReview | None = Field(
+        default=None, description="What a vision model says; left out where none was asked"
+    )
+
+    @model_serializer(mode="wrap")
+    def _without_none(self, write: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        """A review without a vision model is written as it always was."""
+        data = write(self)
+        if data.get("seen", self) is None:
+            del data["seen"]
+        return data
 
     @property
     def unmet(self) -> float:

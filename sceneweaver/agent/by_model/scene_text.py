@@ -66,18 +66,6 @@ def scene_text(scene: Scene, *, most: int = MOST) -> str:
 
 def facts_text(report: Report, review: Review) -> str:
     """What the judge measured and the symbolic critic found, as JSON; the gravest first, at most `MOST_FACTS` each."""
-    hard = sorted(report.violations, key=lambda v: not v.hard)
-    judge: dict[str, Any] = {
-        "valid": report.valid,
-        **{k: getattr(report, k) for k in (*_COUNTS, *_BLOCKED) if getattr(report, k)},
-    }
-    judge |= {k: round(getattr(report, k), 3) for k in _SHARES if getattr(report, k) is not None}
-    for kind, tally in (("hard", report.relations.hard), ("soft", report.relations.soft)):
-        judge[f"{kind}_relations"] = f"{tally.satisfied} of {tally.total} hold"
-    judge["violations"] = [
-        {"kind": v.kind, "objects": _names(v.objects), "detail": shorten(v.detail, SENTENCE), "hard": v.hard}
-        for v in hard[:MOST_FACTS]
-    ]
     critic: dict[str, Any] = {"grades": {name: round(value, 1) for name, value in review.grades.items()}}
     critic["faults"] = [
         {
@@ -91,10 +79,26 @@ def facts_text(report: Report, review: Review) -> str:
         }
         for fault in review.faults[:MOST_FACTS]
     ]
-    for side, all_of_it in ((judge, hard), (critic, review.faults)):
-        if len(all_of_it) > MOST_FACTS:
-            side["not_listed"] = len(all_of_it) - MOST_FACTS
-    return compact({"judge": judge, "critic": critic})
+    if len(review.faults) > MOST_FACTS:
+        critic["not_listed"] = len(review.faults) - MOST_FACTS
+    return compact({"judge": judge_facts(report), "critic": critic})
+
+
+def judge_facts(report: Report) -> dict[str, Any]:
+    """What the judge measured, as plain data; hard violations first, at most `MOST_FACTS`."""
+    hard = sorted(report.violations, key=lambda v: not v.hard)
+    judge: dict[str, Any] = {"valid": report.valid}
+    judge |= {k: getattr(report, k) for k in (*_COUNTS, *_BLOCKED) if getattr(report, k)}
+    judge |= {k: round(getattr(report, k), 3) for k in _SHARES if getattr(report, k) is not None}
+    for kind, tally in (("hard", report.relations.hard), ("soft", report.relations.soft)):
+        judge[f"{kind}_relations"] = f"{tally.satisfied} of {tally.total} hold"
+    judge["violations"] = [
+        {"kind": v.kind, "objects": _names(v.objects), "detail": shorten(v.detail, SENTENCE), "hard": v.hard}
+        for v in hard[:MOST_FACTS]
+    ]
+    if len(hard) > MOST_FACTS:
+        judge["not_listed"] = len(hard) - MOST_FACTS
+    return judge
 
 
 def compact(data: object) -> str:
