@@ -32,6 +32,9 @@ ERRORS: dict[str, type[ModelError]] = {
 }
 """Errors by the names that records give them."""
 
+UNFIT = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069\ud800-\udfff\ufff0-\uffff]")
+"""Characters that are taken out of answers."""
+
 TEMPLATE = (
     "Answer with one JSON object that follows this JSON schema, and with nothing else: no words, no code fence.\n\n"
     "{schema}"
@@ -107,7 +110,7 @@ class Conversation(Generic[Answer]):
             if passed is None:
                 self._refused = words
                 raise ModelRetry(words)
-            self._record.answer = redact(answer.model_dump(mode="json", by_alias=True))
+            self._record.answer = plain(redact(answer.model_dump(mode="json", by_alias=True)))
             return passed
 
         return agent
@@ -158,12 +161,21 @@ def accepted(
     It goes through JSON first, as one from a record does, so that both are equal.
     """
     try:
-        read = kind.model_validate(redact(answer.model_dump(mode="json", by_alias=True)))
+        read = kind.model_validate(plain(redact(answer.model_dump(mode="json", by_alias=True))))
         return (check(read) if check else None) or read, ""
     except ValidationError as error:
         return None, "; ".join(f"{'.'.join(map(str, row['loc']))}: {row['msg']}" for row in error.errors()[:5])
     except InputError as error:
         return None, redact(str(error))
+
+
+def plain(value: Any) -> Any:
+    """JSON data without characters that no text should have: halves of pairs, nulls, escapes, changes of direction."""
+    if isinstance(value, str):
+        return UNFIT.sub("", value)
+    if isinstance(value, dict):
+        return {plain(key): plain(held) for key, held in value.items()}
+    return [plain(held) for held in value] if isinstance(value, list) else value
 
 
 def _metered(model: Model, requests: Requests, mend: bool) -> Any:
@@ -186,7 +198,8 @@ def _as_call(response: ModelResponse) -> ModelResponse:
     if len(texts) != 1 or any(isinstance(part, ToolCallPart) for part in response.parts):
         return response
     text = texts[0].content.strip()
-    text = found[1] if (found := re.fullmatch(r"```(?:json)?\s*(.*?)\s*```", text, re.DOTALL)) else text
+    fenced = re.findall(r"```(?:json)?\s*(\{.*?\})\s*```", text, re.DOTALL)
+    text = fenced[0] if len(fenced) == 1 else text
     try:
         data = json.loads(text)
     except (ValueError, RecursionError):

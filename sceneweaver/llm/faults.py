@@ -49,6 +49,9 @@ def fault(error: Exception, endpoint: Endpoint | None) -> Fault:
         return Fault("again", "no whole reply in time")
     if isinstance(error, ModelHTTPError):
         return _status(error.status_code, error, endpoint)
+    for item in chain:  # those below 400 are no errors to every library
+        if isinstance(status := getattr(item, "status_code", None), int) and status >= 300:
+            return _status(status, item, endpoint)
     if isinstance(error, ModelConnectionError) or _is_transport(chain):
         where = f" to {endpoint.url}" if endpoint else ""
         return Fault("again", line(f"no connection{where}, or it broke off ({_innermost(chain)})"))
@@ -69,13 +72,22 @@ def _status(status: int, error: object, endpoint: Endpoint | None) -> Fault:
             f"the endpoint has no such model or path (status 404{f': {endpoint.name}' if endpoint else ''}); "
             "set SCENEWEAVER_MODEL or SCENEWEAVER_BASE_URL",
         )
-    said = line(getattr(error, "body", None) or "", 200)
+    said = line(_message(getattr(error, "body", None)), 200)
     words = f"the endpoint answers with status {status}" + (f": {said}" if said else "")
     if status in PASSING or status >= 500:
         return Fault("again", words, getattr(error, "retry_after", None))
     if 300 <= status < 400:
         return Fault("unreachable", f"{words}; set SCENEWEAVER_BASE_URL to where it leads")
     return Fault("unreachable" if status == 402 else "failed", words)
+
+
+def _message(body: object) -> str:
+    """What an error document says."""
+    for _ in range(3):
+        if not isinstance(body, dict):
+            break
+        body = next((body[key] for key in ("error", "message", "detail") if body.get(key)), "")
+    return "" if body is None else str(body)
 
 
 def _is_transport(chain: list[BaseException]) -> bool:
