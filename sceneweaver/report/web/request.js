@@ -1,11 +1,10 @@
-// A section with phrases or items that show their objects in the view and in the list: the request, where each tells
-// what became of it, and what a model saw.
-class Mentions {
-  constructor(section, items, show) {
+// The request: a phrase or item tells what became of it, and shows its objects in the view and in the list.
+class RequestText {
+  constructor(items, show) {
     this.items = items;
     this.show = show;
-    this.detail = byId(`${section}-detail`);
-    this.marks = [...document.querySelectorAll(`#${section} [data-items]`)];
+    this.detail = byId("request-detail");
+    this.marks = [...document.querySelectorAll("#request [data-items]")];
     for (const mark of this.marks) {
       const tell = () => this.tell(mark);
       const rest = () => this.tell(this.pressed() || null);
@@ -46,7 +45,7 @@ class Mentions {
     mark.setAttribute("aria-pressed", String(on));
     this.tell(on ? mark : null);
     const found = on ? this.of(mark).find((item) => item.objects.length) : null;
-    this.show(found ? found.objects : [], this);
+    this.show(found ? found.objects : []);
   }
 
   release() {
