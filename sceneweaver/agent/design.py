@@ -4,37 +4,34 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
+from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, Literal
 
 from sceneweaver.assets import Library
 from sceneweaver.brief import SceneGraph, read_request
-from sceneweaver.critic import Review
 from sceneweaver.export import formats_named
 from sceneweaver.knowledge import RoomType, match_room, room_types
 from sceneweaver.knowledge.likely import likeliest_room
-from sceneweaver.llm import ModelClient
+from sceneweaver.llm import Limits, ModelClient, Prices
 from sceneweaver.tools.base import CLUTTER
 from sceneweaver.tools.registry import Registered
 from sceneweaver.tools.registry import tools as registered
-from sceneweaver.verify import Report
 
-from .by_model.session import Session
+from .by_model.session import RECORDS, Asking, Session
+from .closing import closed
 from .deadline import Deadline, Stop
 from .deliver import deliver
 from .executor import Executor
 from .folder import RunFolder
-from .interrupt import TimeUp
-from .lived_in import lived_in
 from .loop import Run
 from .memory import Step
-from .openability import opened
+from .replayed import prompt_of, recorded, roles_of, settings_of
 from .result import Result
 from .roles import Roles
 from .settings import Settings
-from .settling import settled
 
 LEAST_RESERVE, WRITING, EXIT = 2.0, 2.5, 0.25
 """Least time [s] that is kept for writing the results; what that and ending a process take, in times of starting up."""
@@ -53,7 +50,7 @@ LIKELY = "living_room"
 
 
 def design(
-    prompt: str,
+    prompt: str = "",
     *,
     seed: int = 0,
     planner: str = "rules",
@@ -70,10 +67,15 @@ def design(
     began: float | None = None,
     stop: Stop | None = None,
     library: Library | None = None,
-    model: ModelClient | None = None,
+    model: str | ModelClient | Any | None = None,
+    base_url: str | None = None,
     reader: str | None = None,
     critic: str | None = None,
     samples: int = 1,
+    limits: Limits | None = None,
+    prices: Prices | None = None,
+    stream: bool | None = None,
+    replay: str | Path | None = None,
     strict: bool = False,
     **switches: Any,
 ) -> Result:
@@ -98,11 +100,18 @@ def design(
         began: when the time began to run, by ``time.monotonic()``; None: now.
         stop: asks it to end before, with what is best then.
         library: where assets come from; None: the library of this user.
-        model: what is asked where a model does something.
-        reader: who reads the request, "rules" or "llm"; None: who plans.
+        model: what is asked where a model does something: "openai:NAME", "anthropic:NAME", a name at ``base_url``, a
+            client, or a model of pydantic-ai; None: what the environment names (SCENEWEAVER_MODEL).
+        base_url: where the model is, such as "http://127.0.0.1:11434/v1"; None: as the environment says.
+        reader: who reads the request, "rules" or "llm"; None: as the planner.
         critic: who grades, "symbolic", or "vlm" for a critic that looks at pictures as well; None: as the planner.
         samples: how often the critic that looks at pictures looks at a scene.
-        strict: whether to end where the model cannot be asked any more, instead of going on without it.
+        limits: calls, tokens, cost and seconds that may be spent on the model.
+        prices: what its tokens cost.
+        stream: whether its replies come in pieces; None: as the environment says.
+        replay: the folder of a run whose records answer in the model's place. The request, roles and settings are those
+            of that run; what is given and not at its default has to be the same there.
+        strict: whether to end where the model cannot be asked any more, instead of going on by rules.
         switches: other fields of `Settings`, such as ``reflect=False``.
 
     Raises:
@@ -116,35 +125,37 @@ def design(
         (True, ())
     """
     began = time.monotonic() if began is None else began
-    roles = Roles.of(planner, reader, critic, samples)
-    session = Session.opened(roles, model, strict=strict)
+    asking = Asking(model, base_url, limits, prices, stream, strict, Path(replay) if replay is not None else None)
     formats = formats_named(export)
-    settings = Settings(
-        seed=seed,
-        steps=steps,
-        candidates=candidates,
-        device=device,
-        seconds=(TIME_BY_MODEL if roles.by_model else TIME) if time_limit == "auto" else time_limit,
-        clutter=clutter,
-        settle=settle,
-        **switches,
-    )
-    brief = read_request(prompt[:LONGEST])
-    room_type, remarks = chosen_room(brief)
+    given = {"seed": seed, "steps": steps, "candidates": candidates, "device": device, "clutter": clutter}
+    given |= {"settle": settle, **switches}
+    if asking.replay is None:
+        roles = Roles.of(planner, reader, critic, samples)
+        usual = TIME_BY_MODEL if roles.by_model else TIME
+        settings = Settings(seconds=usual if time_limit == "auto" else time_limit, **given)
+        asking.check(roles)
+    else:
+        state = recorded(asking.replay)
+        prompt, roles = prompt_of(state, prompt), roles_of(state, planner, reader, critic, samples)
+        settings = settings_of(state, given if time_limit == "auto" else {**given, "seconds": time_limit})
+    offline = read_request(prompt[:LONGEST])
     folder = RunFolder(Path(out)) if out is not None else None
-    tools = {name: tool for name, tool in registered().items() if usable(name, tool, settings, room_type)}
-    run = Run(brief, room_type, settings, tools, session.planner(), library or Library(), folder=folder, said=said)
     limit = Deadline(began + (settings.seconds or math.inf), stop=stop or Stop())
-    if folder is None:
-        run.deadline = limit
-        return _result(run, remarks, began)
-    with folder.held():
+    with folder.held() if folder is not None else nullcontext():
+        session = Session.opened(roles, asking, limit, folder.path / RECORDS if folder is not None else None)
+        brief = session.read(offline, folder)
+        room_type, remarks = chosen_room(brief)
+        tools = {n: tool for n, tool in registered().items() if usable(n, tool, settings, room_type, session.plans)}
+        run = Run(brief, room_type, settings, tools, session.planner, library or Library(), folder=folder, said=said)
+        session.serve(run)
+        if folder is None:
+            return closed(run, (*session.notes, *remarks), began, session.use)
         _resume(run, folder)
-        started = time.monotonic() - began
+        started = time.monotonic() - began - session.waited
         limit.stop.allowance = max(LEAST_RESERVE, WRITING * started)
         kept = reserve(settings.seconds, started) if settings.seconds else limit.stop.allowance
-        run.deadline = replace(limit, end=limit.end - run.memory.seconds).before(kept)
-        result = _result(run, remarks, began)
+        run.deadline = session.deadline = replace(limit, end=limit.end - run.memory.seconds).before(kept)
+        result = closed(run, (*session.notes, *remarks), began, session.use)
         return deliver(result, folder.path, run.library, device, pictures, formats, limit.before(EXIT * started))
 
 
@@ -161,50 +172,12 @@ def reserve(limit: float, started: float) -> float:
     return min(MOST_RESERVE * limit, max(LEAST_RESERVE, 0.12 * limit, WRITING * started))
 
 
-def _result(run: Run, remarks: Sequence[str], began: float) -> Result:
-    brief, settings = run.brief, run.settings
-    best = run.go()
-    stopped = run.deadline.stop.reason
-    said = [f"the work was cut off: {run.cut_off}"] if run.cut_off else []
-    if not run.cut_off:
-        try:
-            with run.deadline.enforced():
-                best = lived_in(best, Executor(run.room_type, brief, settings), run.context(best.scene, settings.seed))
-        except TimeUp:
-            said.append("the room is tidier than usual: time was up")
-    try:
-        with run.deadline.enforced():
-            best, mended = opened(best, Executor(run.room_type, brief, settings))
-        said += mended
-    except TimeUp:
-        said.append("whether doors and drawers open was not looked at: time was up")
-    if settings.settle:
-        try:
-            with run.deadline.enforced():
-                best, moved = settled(best, Executor(run.room_type, brief, settings))
-            said += moved
-        except TimeUp:
-            said.append("things have not settled: time was up")
-    unmet = tuple(dict.fromkeys((*run.memory.unmet, *run.unmet, *_unmet(best.review))))
-    return Result(
-        scene=best.scene,
-        report=_complete(best.report, best.review, settings, run, began),
-        review=best.review,
-        brief=brief,
-        steps=run.memory.steps,
-        notes=tuple(dict.fromkeys((*brief.notes, *remarks, *run.memory.notes, *run.notes, *said))),
-        unmet=unmet,
-        seconds=time.monotonic() - began,
-        finished=run.memory.finished,
-        undone=run.undone + ((f"what would have come after {stopped}",) if run.cut_off and stopped else ()),
-        out=run.folder.path if run.folder else None,
-    )
-
-
-def usable(name: str, tool: Registered, settings: Settings, room_type: RoomType) -> bool:
-    """Whether a tool may be called: it needs no model, settings name it or none, and its card is for such a room."""
-    chosen = settings.tools is None or name in settings.tools
-    return tool.card.needs is None and chosen and tool.card.suits(room_type.name)
+def usable(name: str, tool: Registered, settings: Settings, room_type: RoomType, by_model: bool = False) -> bool:
+    """Whether a tool may be called: the settings name it or none, its card is for such a room, and it needs no model
+    where none works in tools."""
+    if tool.card.needs == "model" and not by_model:
+        return False
+    return (settings.tools is None or name in settings.tools) and tool.card.suits(room_type.name)
 
 
 def chosen_room(brief: SceneGraph) -> tuple[RoomType, tuple[str, ...]]:
@@ -229,26 +202,3 @@ def _resume(run: Run, folder: RunFolder) -> None:
             memory = memory.model_copy(update={"finished": "", "spent": False})
         run.memory = memory
         run.best = Executor(run.room_type, run.brief, run.settings).judged(kept[1])
-
-
-def _unmet(review: Review) -> list[str]:
-    """What the critic finds missing of the request."""
-    return [fault.reason for fault in review.faults if fault.criterion == "alignment"]
-
-
-def _complete(report: Report, review: Review, settings: Settings, run: Run, began: float) -> Report:
-    from importlib.metadata import version
-
-    scores = {"critic": review.critic, **{k: round(v, 2) for k, v in review.grades.items()}}
-    steps = {f"step {s.number}": s.seconds for s in run.memory.steps}
-    return replace(
-        report,
-        scores=scores,
-        alignment=review.alignment.summary,
-        seed=settings.seed,
-        device=settings.device,
-        candidates=settings.layouts,
-        cut_off=run.cut_off or None,
-        seconds={"total": round(time.monotonic() - began, 3), **steps},
-        versions={**report.versions, "warp-lang": version("warp-lang")},
-    )

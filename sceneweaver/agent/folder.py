@@ -19,6 +19,7 @@ from sceneweaver.scene.io import parse
 from sceneweaver.verify import Report
 
 from .memory import Memory
+from .roles import Roles
 from .settings import Settings
 
 STATE, SCENE = "state.json", "scene.json"
@@ -58,13 +59,20 @@ class State(FrozenModel):
         description="Path of the scene, inside the folder; of one that no step led to the run does not go on",
     )
     memory: Memory
+    roles: Roles = Roles()
+    read_by: str = Field(default="rules", description="Who read the request: rules, or the name of a model")
+    disagreements: tuple[str, ...] = Field(default=(), description="Where a model read the request otherwise")
 
 
 class RunFolder:
-    """Writes a run step by step; what is in ``state.json`` is always a whole state."""
+    """Writes a run step by step; what is in ``state.json`` is always a whole state.
+
+    ``roles``, ``read_by`` and ``disagreements`` are written into it as well.
+    """
 
     def __init__(self, path: Path):
         self.path = path
+        self.roles, self.read_by, self.disagreements = Roles(), "rules", tuple[str, ...]()
         self._dumped: tuple[Scene, str] | None = None
 
     @contextmanager
@@ -89,7 +97,7 @@ class RunFolder:
         Raises:
             InputError: when the folder holds a run of another request or other settings, or a damaged state.
         """
-        kept = self._state()
+        kept = self.kept()
         if kept is None:
             return None
         if kept.prompt != brief.text:
@@ -148,15 +156,18 @@ class RunFolder:
             settings=settings,
             scene=scene,
             memory=memory,
+            roles=self.roles,
+            read_by=self.read_by,
+            disagreements=self.disagreements,
         )
         _write(self.path / STATE, state.model_dump(mode="json"))
 
     def kept_scene(self) -> str:
         """The path, inside the folder, of the scene that the state points to; without a state the folder's own."""
-        kept = self._state()
+        kept = self.kept()
         return kept.scene if kept else SCENE
 
-    def _state(self) -> State | None:
+    def kept(self) -> State | None:
         """The state that is there, if any; InputError names the file, the field and the fix."""
         path = self.path / STATE
         if not path.exists() and not path.is_symlink():

@@ -11,7 +11,7 @@ from sceneweaver.assets import Library
 from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import CRITERIA, Review
 from sceneweaver.knowledge import RoomType
-from sceneweaver.llm import ModelError
+from sceneweaver.llm import ModelClient, ModelError
 from sceneweaver.scene import InputError, Room, Scene, SceneWeaverError
 from sceneweaver.tools.base import Context, Proposal, Tool
 from sceneweaver.tools.prior_shell import floor_area, shell
@@ -68,7 +68,8 @@ class Run:
 
     ``memory`` and ``best`` are what the steps led to. What the end of the run adds is apart from them, so that a run
     which goes on in its folder does not see it: ``notes``, ``unmet``, what cut it off (``cut_off``), and the tools that
-    broke down (``undone``). ``fill`` and ``look`` ask a model, where there is one; ``thought`` is the last plan.
+    broke down (``undone``). ``client`` is for tools that ask a model, ``fill`` and
+    ``look`` ask one; None where there is none. ``thought`` is the last plan.
     """
 
     brief: SceneGraph
@@ -80,6 +81,7 @@ class Run:
     folder: RunFolder | None = None
     deadline: Deadline = NEVER
     said: Said | None = None
+    client: ModelClient | None = None
     fill: Fill | None = None
     look: Look | None = None
     thought: Thought | None = None
@@ -266,8 +268,7 @@ class Run:
                 tool = self.tools[call.tool].load()
                 with self.deadline.enforced(self._grace, (type(tool).__module__.partition(".")[0],)):
                     scene = self.best.scene if self.best else empty_scene(self.brief, self.room_type)
-                    if call.fill:
-                        call = calls[k] = self._filled(call, scene)
+                    call = calls[k] = self._filled(call, scene)
                     proposal = self._propose(tool, call, scene)
                     if self.best and not proposal.edits and not proposal.fresh and proposal.scene is None:
                         row["failed"] = "nothing to change" + (f": {proposal.unmet[0]}" if proposal.unmet else "")
@@ -303,15 +304,12 @@ class Run:
         return min(known, key=lambda o: o.key, default=None)
 
     def _filled(self, call: Call, scene: Scene) -> Call:
-        """A call with its inputs, written by a model or, without one, as empty as the card allows."""
-        if self.fill is None:
-            call = call.model_copy(update={"fill": False})
-            self.tools[call.tool].card.check(call.inputs)
-        else:
-            context = replace(self.context(scene, call.seed), instruction=call.instruction)
+        """A call with its inputs: where a model chose it, tried out or written by it."""
+        if self.fill is not None and call.by_model:
+            context = replace(self.context(scene, call.seed), instruction=call.instruction, inputs=call.inputs)
             call = self.fill(self.tools[call.tool], context, call).model_copy(update={"fill": False})
-        if call.signature in self.memory.failed and not self._free:
-            raise InputError(f"tool {call.tool}: a call with these inputs brought nothing before")
+            if call.signature in self.memory.failed and not self._free:
+                raise InputError(f"tool {call.tool}: a call with these inputs brought nothing before")
         return call
 
     def _propose(self, tool: Tool, call: Call, scene: Scene) -> Proposal:
@@ -326,7 +324,8 @@ class Run:
 
     def context(self, scene: Scene, seed: int) -> Context:
         """What a tool may look at."""
-        return Context(self.brief, self.room_type, scene, self.library, seed, clutter=self.settings.clutter)
+        clutter = self.settings.clutter
+        return Context(self.brief, self.room_type, scene, self.library, seed, clutter=clutter, client=self.client)
 
     def _take(
         self, outcomes: dict[int, Outcome], tried: list[dict[str, Any]], calls: list[Call], spent: float, attempts: int
@@ -375,6 +374,8 @@ class Run:
                 step.number, current.scene, current.report, current.review, self.memory, self.brief, self.settings
             )
             self._keep(current)
+            if self.client is not None:
+                self.client.keep()
         if self.said is not None:
             self.said(step)
 

@@ -14,7 +14,8 @@ FORGIVING = 0.6
 class Call(FrozenModel):
     """One use of a tool; ``confidence`` in 0..1 and ``reason`` say why it was chosen.
 
-    With ``fill`` a model writes the inputs when the call is carried out, from the instruction and the scene then.
+    With ``fill`` a model writes the inputs when the call is carried out, from the instruction and the scene then. Those
+    of a call that is ``by_model`` are tried out first.
     """
 
     tool: str
@@ -24,6 +25,7 @@ class Call(FrozenModel):
     confidence: float = 1.0
     reason: str = ""
     fill: bool = False
+    by_model: bool = False
 
     @property
     def signature(self) -> str:

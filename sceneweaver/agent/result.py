@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import Review
@@ -11,6 +13,42 @@ from sceneweaver.scene import Scene
 from sceneweaver.verify import Report
 
 from .memory import Step
+from .roles import Roles
+
+
+@dataclass(frozen=True)
+class ModelUse:
+    """What a model did in a design.
+
+    Attributes:
+        name: of the model.
+        roles: who was to plan, to read the request and to grade.
+        planned: who planned each step, in order: the name of a model, or "rules".
+        read: who read the request: the name of a model, or "rules".
+        lost: why the model was not asked any more; empty when it was there to the end.
+        disagreements: where the model read the request in another way than the rules.
+        usage: calls, tokens, cost and seconds, in all and by purpose.
+    """
+
+    name: str
+    roles: Roles
+    planned: tuple[str, ...] = ()
+    read: str = "rules"
+    lost: str = ""
+    disagreements: tuple[str, ...] = ()
+    usage: Mapping[str, Any] = field(default_factory=dict)
+
+    def to_dict(self) -> dict[str, Any]:
+        """As JSON data: the key ``models`` of ``metrics.json``."""
+        return {
+            "name": self.name,
+            "roles": self.roles.model_dump(mode="json"),
+            "planned": list(self.planned),
+            "read": self.read,
+            "lost": self.lost or None,
+            "disagreements": list(self.disagreements),
+            "usage": dict(self.usage),
+        }
 
 
 @dataclass(frozen=True)
@@ -29,6 +67,7 @@ class Result:
         finished: why the agent ended.
         undone: files that there was no time for, what a signal cut off, and parts of the program that broke down.
         out: the folder that was written; None: none.
+        models: what a model did; None: none had anything to do.
 
     Examples:
         >>> import sceneweaver as sw
@@ -48,6 +87,7 @@ class Result:
     finished: str
     undone: tuple[str, ...] = ()
     out: Path | None = None
+    models: ModelUse | None = None
 
     @property
     def satisfied(self) -> bool:

@@ -14,7 +14,6 @@ from .budget import Limits, Usage
 from .endpoint import Endpoint
 from .errors import BudgetSpent, ModelError, ModelFailed, ModelUnreachable
 from .faults import Fault, fault
-from .plain import sendable
 from .records import Record
 from .secrets import line, redact
 
@@ -26,8 +25,8 @@ if TYPE_CHECKING:
 FIRST_WAIT = 0.5
 """Seconds before a request is made again; twice as long before each further time."""
 
-LONGEST_WAIT = 30.0
-"""Seconds that we wait at most, also when the server asks for more."""
+LONGEST_WAIT = 60.0
+"""Seconds that we wait at most. A server that asks for more is given up."""
 
 SLOW_TRIES = 2
 """Times that a request may take all its time: each costs the whole time-out."""
@@ -176,12 +175,14 @@ class Requests:
         if tried >= tries:
             kind = ModelUnreachable if found.verdict == "again" else ModelFailed
             raise kind(found.words + (f" ({tried} tries)" if tried > 1 else ""))
-        wait = FIRST_WAIT * 2 ** (tried - 1) if found.wait is None else found.wait
-        await self._sleep(min(max(wait, 0.0), LONGEST_WAIT))
+        wait = FIRST_WAIT * 2 ** (tried - 1) if found.wait is None else max(found.wait, 0.0)
+        if not wait <= LONGEST_WAIT:
+            raise ModelUnreachable(f"{found.words}, and asks to wait for {wait:g} s")
+        await self._sleep(wait)
 
     def _count(self, response: ModelResponse, messages: Sequence[ModelMessage], attempt: dict[str, Any]) -> None:
         said = response.usage
-        tokens_in, tokens_out, cached = said.input_tokens, said.output_tokens, said.cache_read_tokens
+        tokens_in, tokens_out, cached = map(_natural, (said.input_tokens, said.output_tokens, said.cache_read_tokens))
         estimated = int(not tokens_in and not tokens_out)
         if estimated:
             tokens_in = -(-sum(_length(message) for message in messages) // 4)
@@ -198,6 +199,11 @@ class Requests:
             self._record.usage[name] = self._record.usage.get(name, 0) + value
 
 
+def _natural(value: object) -> int:
+    """A number of tokens that a server tells; one below zero would buy back what is spent."""
+    return value if isinstance(value, int) and value > 0 else 0
+
+
 def _clean(response: ModelResponse) -> ModelResponse:
     """A reply without secrets, and without what it does not need: a server may echo a key anywhere."""
     from pydantic_ai.messages import TextPart, ThinkingPart, ToolCallPart
@@ -208,7 +214,7 @@ def _clean(response: ModelResponse) -> ModelResponse:
             parts.append(replace(part, content=redact(part.content)))
         elif isinstance(part, ToolCallPart):
             name, identity = redact(part.tool_name), redact(part.tool_call_id)
-            parts.append(replace(part, tool_name=name, args=sendable(redact(part.args)), tool_call_id=identity))
+            parts.append(replace(part, tool_name=name, args=redact(part.args), tool_call_id=identity))
     return replace(response, parts=parts, provider_details=redact(response.provider_details))
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import threading
 import time
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, TypeVar
@@ -72,6 +73,7 @@ class ModelClient:
         self._recorder, self._stopped = recorder, stopped or _never
         self._loss: type[ModelError] = ModelUnreachable
         self._strikes = 0
+        self._lock = threading.RLock()
         if recorder and recorder.usage:
             self.usage.restore(recorder.usage)
 
@@ -118,8 +120,10 @@ class ModelClient:
         """Several independent answers to the same question, side by side; an error in the place of one that failed."""
         if self.lost:
             return [self._lost_error(purpose) for _ in range(samples)]
-        asked = Asked(purpose, kind.__name__, redact(instructions), tuple(_clean(part) for part in content))
-        records = [Record(asked, number=self._next_number()) for _ in range(samples)]
+        parts = tuple(_clean(part) for part in content)
+        asked = Asked(purpose, kind.__name__, redact(instructions), parts, kind.model_json_schema())
+        with self._lock:  # threads may ask side by side
+            records = [Record(asked, number=self._next_number()) for _ in range(samples)]
         return self._answers(records, kind, check, retries)
 
     def keep(self) -> None:
@@ -174,16 +178,17 @@ class ModelClient:
                 ended = "" if answers is not None else "the run was stopped before the answer was there"
         finally:
             del self._account.started[id(desk)]
-            self._finish(records, time.monotonic() - began, ended)
+            with self._lock:
+                self._finish(records, time.monotonic() - began, ended)
         told = answers if answers is not None else [None for _ in records]
         return [error_of(record) if answer is None else answer for answer, record in zip(told, records, strict=True)]
 
     def _finish(self, records: Sequence[Record], seconds: float, ended: str) -> None:
         """Count a question, see whether the model is lost, write the records."""
-        self.usage.add(records[0].asked.purpose, {"seconds": seconds})
+        share: dict[str, float] = {"asks": 1, "seconds": round(seconds / len(records), 3)}
         for record in records:
-            self.usage.add(record.asked.purpose, {"asks": 1})
-            record.usage = {"asks": 1, **record.usage, "seconds": round(seconds / len(records), 3)}
+            self.usage.add(record.asked.purpose, share)
+            record.usage |= share
             if ended:
                 record.answer = None
                 record.failure = {"class": BudgetSpent.__name__, "words": f"{record.asked.purpose}: {ended}"}

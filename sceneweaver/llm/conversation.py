@@ -15,7 +15,6 @@ from .attempts import CALL, Account, Requests
 from .endpoint import Answers
 from .errors import BudgetSpent, ModelError, ModelFailed, ModelUnreachable
 from .faults import fault
-from .plain import plain
 from .records import Record
 from .reply import Reply
 from .secrets import line, redact
@@ -32,6 +31,9 @@ ERRORS: dict[str, type[ModelError]] = {
     error.__name__: error for error in (ModelError, ModelFailed, ModelUnreachable, BudgetSpent)
 }
 """Errors by the names that records give them."""
+
+UNFIT = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069\ud800-\udfff\ufff0-\uffff]")
+"""Characters that are taken out of answers."""
 
 TEMPLATE = (
     "Answer with one JSON object that follows this JSON schema, and with nothing else: no words, no code fence.\n\n"
@@ -165,6 +167,15 @@ def accepted(
         return None, "; ".join(f"{'.'.join(map(str, row['loc']))}: {row['msg']}" for row in error.errors()[:5])
     except InputError as error:
         return None, redact(str(error))
+
+
+def plain(value: Any) -> Any:
+    """JSON data without characters that no text should have: halves of pairs, nulls, escapes, changes of direction."""
+    if isinstance(value, str):
+        return UNFIT.sub("", value)
+    if isinstance(value, dict):
+        return {plain(key): plain(held) for key, held in value.items()}
+    return [plain(held) for held in value] if isinstance(value, list) else value
 
 
 def _metered(model: Model, requests: Requests, mend: bool) -> Any:

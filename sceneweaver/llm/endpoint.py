@@ -75,7 +75,7 @@ class Endpoint:
     temperature: float | None = None
     max_tokens: int | None = None
     per_minute: float | None = None
-    tries: int = 4
+    tries: int = 5
     max_bytes: int = 512 * 1024
 
     def __post_init__(self) -> None:

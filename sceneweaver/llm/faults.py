@@ -39,7 +39,7 @@ class Fault:
 
 def fault(error: Exception, endpoint: Endpoint | None) -> Fault:
     """What an error that a request ended with means."""
-    from pydantic_ai.exceptions import ModelAPIError, ModelConnectionError, UserError
+    from pydantic_ai.exceptions import ModelAPIError, ModelConnectionError, ModelHTTPError, UserError
 
     chain = list(_chain(error))
     for item in chain:
@@ -47,9 +47,11 @@ def fault(error: Exception, endpoint: Endpoint | None) -> Fault:
             return Fault("failed", line(item))
     if isinstance(error, TimeoutError):
         return Fault("again", "no whole reply in time")
-    statuses = [status for item in chain if isinstance(status := getattr(item, "status_code", None), int)]
-    if statuses:
-        return _status(statuses[0], error, endpoint)
+    if isinstance(error, ModelHTTPError):
+        return _status(error.status_code, error, endpoint)
+    for item in chain:  # those below 400 are no errors to every library
+        if isinstance(status := getattr(item, "status_code", None), int) and status >= 300:
+            return _status(status, item, endpoint)
     if isinstance(error, ModelConnectionError) or _is_transport(chain):
         where = f" to {endpoint.url}" if endpoint else ""
         return Fault("again", line(f"no connection{where}, or it broke off ({_innermost(chain)})"))
@@ -79,11 +81,13 @@ def _status(status: int, error: object, endpoint: Endpoint | None) -> Fault:
     return Fault("unreachable" if status == 402 else "failed", words)
 
 
-def _message(body: object) -> object:
-    """What a server says in the body of an error: its message where there is one."""
-    while isinstance(body, dict):
-        body = body.get("error") or body.get("message") or body.get("detail") or ""
-    return body or ""
+def _message(body: object) -> str:
+    """What an error document says."""
+    for _ in range(3):
+        if not isinstance(body, dict):
+            break
+        body = next((body[key] for key in ("error", "message", "detail") if body.get(key)), "")
+    return "" if body is None else str(body)
 
 
 def _is_transport(chain: list[BaseException]) -> bool:

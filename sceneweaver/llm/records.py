@@ -4,6 +4,7 @@ endpoint.json      which model was asked, and the sessions of the folder
 usage.json         what was spent
 0001-plan.json     one question: text, every reply, what the validator said, the outcome
 pictures/          what was shown, once each, by SHA-256
+kinds/             JSON schemas of the answers, which go along with a question
 """
 
 from __future__ import annotations
@@ -36,12 +37,14 @@ class Asked:
         kind: name of the type of the answer.
         instructions: how to answer.
         content: text and pictures, in order.
+        schema: JSON schema of the answer.
     """
 
     purpose: str
     kind: str
     instructions: str
     content: tuple[str | Picture, ...]
+    schema: Mapping[str, Any] = field(default_factory=dict[str, Any])
 
     @property
     def digest(self) -> str:
@@ -136,7 +139,7 @@ class Recorder:
         return self._number
 
     def write(self, record: Record, usage: Mapping[str, Any]) -> None:
-        """Write a record, its pictures and what is spent by now."""
+        """Write a record, its pictures, the schema of its answer and what is spent by now."""
         names: list[str] = []
         for part in record.asked.content:
             if isinstance(part, Picture):
@@ -145,11 +148,21 @@ class Recorder:
                     write_atomic(place, part.png)
                 names.append(name)
         data = redact(record.to_dict(names, self.session))
+        data["kind"] = self._kind(record.asked)
         place = self.folder / f"{record.number:04d}-{_slug(record.asked.purpose)}.json"
         if place.exists():
             raise InputError(f"{place}: is there already; two runs write records into one folder")
         write_atomic(place, _text(data))
         self._write_usage(usage)
+
+    def _kind(self, asked: Asked) -> str:
+        """Name of the file of a schema, below `kinds`, without its ending."""
+        text = _text(asked.schema)
+        name = f"{asked.kind}-{hashlib.sha256(text).hexdigest()[:8]}"
+        if not (place := self.folder / "kinds" / f"{name}.json").exists():
+            place.parent.mkdir(exist_ok=True)
+            write_atomic(place, text)
+        return name
 
     def keep(self, usage: Mapping[str, Any]) -> None:
         """Mark all calls so far as part of what the run has saved."""
@@ -210,8 +223,9 @@ def _read(place: Path) -> dict[str, Any]:
     return data
 
 
-def _text(data: Mapping[str, Any]) -> str:
-    return json.dumps(data, indent=1, ensure_ascii=False) + "\n"
+def _text(data: Mapping[str, Any]) -> bytes:
+    """JSON in UTF-8; halves of pairs, which no UTF-8 has, as JSON escapes them."""
+    return (json.dumps(data, indent=1, ensure_ascii=False) + "\n").encode("utf-8", "backslashreplace")
 
 
 def _slug(purpose: str) -> str:

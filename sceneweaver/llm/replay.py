@@ -51,11 +51,13 @@ class ReplayClient(ModelClient):
         check: Callable[[Answer], Answer | None] | None,
         retries: int,
     ) -> list[Answer | ModelError]:
-        found = [self._find(record) for record in records]
+        with self._lock:
+            found = [self._find(record) for record in records]
         answers = [self._answer(record, kind, check, file) for record, file in zip(records, found, strict=True)]
-        for record in records:
-            self.usage.add(record.asked.purpose, record.usage)
-            self._note(record)
+        with self._lock:
+            for record in records:
+                self.usage.add(record.asked.purpose, record.usage)
+                self._note(record)
         return answers
 
     def _find(self, record: Record) -> str:
@@ -93,8 +95,8 @@ class ReplayClient(ModelClient):
 def _difference(row: dict[str, Any], record: Record) -> str:
     """Where a question differs from a recorded one."""
     asked = record.asked
-    if row.get("kind") != asked.kind:
-        return f"it asks for {row.get('kind')}, not {asked.kind}"
+    if (kind := str(row.get("kind")).rpartition("-")[0]) != asked.kind:
+        return f"it asks for {kind}, not {asked.kind}"
     if row.get("instructions") != asked.instructions:
         return f"its instructions differ {_place(str(row.get('instructions')), asked.instructions)}"
     content = row.get("content", [])

@@ -8,10 +8,9 @@ from pydantic import BaseModel, ConfigDict
 
 
 class Reply(BaseModel):
-    """Base of all structured answers: fields that are not asked for are an error, which the model is told, and so are
-    numbers that are not finite."""
+    """Base of all structured answers: fields that are not asked for are an error, which the model is told."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+    model_config = ConfigDict(extra="forbid", frozen=True)
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,8 @@ import logging
 import os
 import re
 from collections.abc import Iterable, Iterator
+from itertools import groupby
+from operator import itemgetter
 from typing import Any, TypeVar
 from urllib.parse import quote, quote_plus, unquote, urlsplit
 
@@ -20,9 +22,6 @@ HIDDEN = "[secret]"
 
 SHORTEST = 8
 """Characters from which on a value is taken for a secret: local servers are given keys such as "EMPTY"."""
-
-PART = 12
-"""Characters in a row of a secret that are taken out as well where not all of it is there."""
 
 SECRET_NAMES = re.compile(r"(API_?KEY|_TOKEN|_SECRET|PASSWORD|PASSWD|(ADMIN|ACCESS|SECRET|SIGNING|PRIVATE)_KEY)$", re.I)
 """Variables of the environment that hold secrets."""
@@ -33,41 +32,41 @@ PROXY_NAMES = re.compile(r"_proxy$", re.I)
 LOGGERS = ("httpx2", "httpcore2", "httpx", "httpcore", "openai", "anthropic", "pydantic_ai", "sceneweaver")
 """Libraries whose log records are looked at, with all that is below them."""
 
-BREAKS = r"(?:\s|\\[nrt]|\\u000[ad9]|[\u00ad\u200b-\u200d\u2060\ufeff])*"
+PIECE = 12
+"""Characters of a key in a row that are hidden as well: half of one in one field, and half in the next."""
+
+BREAKS = r"(?:\s|\x00|\\[nrt]|\\u000[0ad9]|[\u00ad\u200b-\u200d\u2060\ufeff])*"
 """What may stand between two characters of a secret that is still to be read: white space, plain or escaped."""
 
 Value = TypeVar("Value")
+
+_first = itemgetter(0)
 
 
 class _Cleaner:
     """Takes certain secrets out of text. Shows none of them, wherever it is printed."""
 
-    __slots__ = ("_parts", "_pattern")
+    __slots__ = ("_pattern", "_pieces")
 
     def __init__(self, secrets: Iterable[str]) -> None:
-        secrets = tuple(secrets)
-        forms = sorted({form for secret in secrets for form in _forms(secret)}, key=len, reverse=True)
+        kept = list(secrets)
+        forms = sorted({form for secret in kept for form in _forms(secret)}, key=len, reverse=True)
         self._pattern = re.compile("|".join(forms)) if forms else None
-        self._parts = {secret[i : i + PART] for secret in secrets for i in range(len(secret) - PART)}
+        self._pieces = frozenset(piece for secret in kept for piece in _pieces(secret))
 
     def clean(self, text: str) -> str:
-        if not text.isascii():
-            text = text.encode(errors="replace").decode()  # a half of a pair of UTF-16 fits into no file
-        text = text if self._pattern is None else self._pattern.sub(HIDDEN, text)
-        return _without(text, [part for part in self._parts if part in text])
-
-
-def _without(text: str, parts: list[str]) -> str:
-    """Text without any of these, which may overlap."""
-    spans = sorted(
-        (found.start(), found.start() + PART) for part in parts for found in re.finditer(re.escape(part), text)
-    )
-    kept, end = list[str](), 0
-    for start, stop in spans:
-        if start > end or not kept:
-            kept += [text[end:start], HIDDEN]
-        end = stop
-    return "".join(kept) + text[end:]
+        if self._pattern is None:
+            return text
+        text = self._pattern.sub(HIDDEN, text)
+        if not any(text[at : at + PIECE] in self._pieces for at in range(len(text) - PIECE + 1)):
+            return text
+        hidden = bytearray(len(text))
+        for at in range(len(text) - PIECE + 1):
+            if text[at : at + PIECE] in self._pieces:
+                hidden[at : at + PIECE] = b"\x01" * PIECE
+        runs = groupby(zip(hidden, text, strict=True), _first)
+        parts = ((bool(flag), "".join(letter for _, letter in run)) for flag, run in runs)
+        return "".join(HIDDEN if flag else part for flag, part in parts)
 
 
 _cleaners: dict[int, _Cleaner] = {}
@@ -76,7 +75,7 @@ _cleaners: dict[int, _Cleaner] = {}
 def redact(value: Value) -> Value:
     """A value without any secret of the environment: text, or lists, tuples and dictionaries of such.
 
-    Found as they stand, with white space in between, in parts, and in URLs, JSON, HTML, base64 and hexadecimal form.
+    Found as they stand, with white space in between, and in URLs, JSON, HTML, base64 and hexadecimal form.
     """
     return _redacted(value, _cleaner())
 
@@ -132,10 +131,17 @@ def _passwords(name: str) -> Iterator[str]:
         yield os.environ[name]
 
 
+def _pieces(secret: str) -> Iterator[str]:
+    """Parts that give a key away. Paths and sentences, which some such variables hold, are words of others as well."""
+    if not secret.startswith(("/", ".", "~")) and not re.search(r"\s", secret):
+        yield from (secret[at : at + PIECE] for at in range(len(secret) - PIECE + 1))
+
+
 def _forms(secret: str) -> Iterator[str]:
     """Regular expressions of the ways in which a secret may be written."""
     yield BREAKS.join(re.escape(character) for character in secret)
-    raw = secret.encode()
+    yield re.escape(secret[::-1])
+    raw = secret.encode(errors="surrogateescape")
     escaped = json.dumps(secret)[1:-1]
     yield from map(re.escape, (quote(secret, safe=""), quote_plus(secret), html.escape(secret)))
     yield from map(re.escape, (escaped, escaped.replace("/", "\\/"), json.dumps(escaped)[1:-1]))

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import os
+import re
+import warnings
 from collections.abc import AsyncIterator
 from typing import TYPE_CHECKING, Any
 
-from sceneweaver.scene import MissingDependencyError
+from sceneweaver.scene import InputError, MissingDependencyError
 
 from .endpoint import Endpoint
 from .faults import TooLong
@@ -30,12 +32,17 @@ def model_of(endpoint: Endpoint) -> Model:
 
     Raises:
         MissingDependencyError: when the libraries are not installed.
+        InputError: when the key is none that can be sent.
     """
+    name = endpoint.key_name
+    if name is not None and not re.fullmatch(r"[!-~]+", os.environ[name].strip()):
+        raise InputError(f"{name}: holds characters that no key has, such as a space; set it to the key alone")
     try:
         import httpx2
         from pydantic_ai.settings import ModelSettings
     except ImportError:
         raise MissingDependencyError("models need pydantic-ai; pip install 'sceneweaver[llm]'") from None
+    _silence_usage()
     http = httpx2.AsyncClient(
         timeout=httpx2.Timeout(endpoint.timeout, connect=min(endpoint.timeout, 10.0)),
         limits=httpx2.Limits(max_connections=16, max_keepalive_connections=0),
@@ -70,6 +77,14 @@ def model_of(endpoint: Endpoint) -> Model:
         else OpenAICompatibleProvider("openai", openai_client=openai)
     )
     return OpenAIChatModel(endpoint.name, provider=provider, settings=settings)
+
+
+def _silence_usage() -> None:
+    """Let pydantic-ai not print what a server says about tokens and its own guess of a cost: we count ourselves."""
+    from pydantic_ai.exceptions import CostCalculationFailedWarning, CostNotFoundWarning, UsageExtractionFailedWarning
+
+    for category in (CostCalculationFailedWarning, CostNotFoundWarning, UsageExtractionFailedWarning):
+        warnings.filterwarnings("ignore", category=category)
 
 
 def _dressed(endpoint: Endpoint) -> Any:

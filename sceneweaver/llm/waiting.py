@@ -18,6 +18,9 @@ from typing import Any, Generic, Self, TypeVar
 LOOK = 0.05
 """Seconds between two looks at whether to go on waiting."""
 
+LEAVE = 0.3
+"""Seconds that requests which are cancelled get to close what they have open."""
+
 Result = TypeVar("Result")
 
 
@@ -60,17 +63,24 @@ class Waiting(Generic[Result]):
     def __init__(self, work: Coroutine[Any, Any, Result], desk: Desk) -> None:
         self._work, self._desk = work, desk
         self._future: concurrent.futures.Future[Result] | None = None
+        self._ended = threading.Event()
 
     def __enter__(self) -> Self:
-        self._future = asyncio.run_coroutine_threadsafe(self._work, _loop())
+        self._future = asyncio.run_coroutine_threadsafe(self._to_its_end(), _loop())
         self._future.add_done_callback(lambda _: self._desk.close())
         return self
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        if self._future is not None:
-            self._future.cancel()
+        if self._future is not None and self._future.cancel():
+            self._ended.wait(LEAVE)
+
+    async def _to_its_end(self) -> Result:
+        try:
+            return await self._work
+        finally:
+            self._ended.set()
 
     def result(self, stopped: Callable[[], bool]) -> Result | None:
         """What the coroutine gives back; None when ``stopped`` says so before."""

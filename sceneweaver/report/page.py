@@ -11,7 +11,7 @@ from importlib import resources
 
 from sceneweaver.scene import write_atomic
 
-from . import request, sections
+from . import request, sections, seen
 from .data import ReportData
 from .facts import faults_of, relation_rows
 from .html import esc, json_block, picture_url
@@ -57,6 +57,7 @@ def report_html(data: ReportData) -> str:
             request.section(data),
             _view(data),
             sections.scores(data.review, data.metrics),
+            seen.section(data),
             sections.findings(data, faults),
             sections.pictures(data),
             sections.steps(data.steps),
@@ -86,7 +87,7 @@ def _document(data: ReportData, packed: Packed, body: str) -> str:
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
         '<meta name="color-scheme" content="light dark"><meta name="generator" content="sceneweaver">'
         f"<title>{esc(data.title or data.scene.id)}</title><style>{_style()}</style></head><body>{body}"
-        f"{json_block('scene-data', {**packed.data, 'request': request.items(data)})}"
+        f"{json_block('scene-data', {**packed.data, 'request': request.items(data), 'seen': seen.items(data)})}"
         f'<script type="text/plain" id="scene-meshes">{packed.meshes}</script>'
         f"<script>{script}</script></body></html>\n"
     )

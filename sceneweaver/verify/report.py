@@ -166,7 +166,8 @@ class Report(Displayed):
     and how many are met, unmet, assumed and not_understood; ``seed``, ``device`` and ``candidates`` to the run that
     made the scene: fill them in with ``dataclasses.replace``. So does ``cut_off``, what ended that run before it was
     done (None: nothing did). ``seconds`` is wall time, in all and by step. ``warnings`` say where meshes or measures
-    had to be done without.
+    had to be done without. ``models`` says what a language or vision model did in the run that made the scene, as
+    docs/agent.md has it (None: no model was asked).
 
     Examples:
         >>> import sceneweaver as sw
@@ -202,9 +203,10 @@ class Report(Displayed):
     cut_off: str | None = None
     versions: Mapping[str, str] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
+    models: Mapping[str, Any] | None = None
 
     def to_dict(self) -> dict[str, Any]:
-        """Return plain JSON data; ``warnings`` is there only when there are any."""
+        """Return plain JSON data; ``warnings`` and ``models`` are there only when there are any."""
         data: dict[str, Any] = {"schema": SCHEMA, **asdict(self)}
         data["violations"] = [v.to_dict() for v in self.violations]
         if self.blocked_links is not None:
@@ -212,6 +214,8 @@ class Report(Displayed):
         data["warnings"] = list(self.warnings)
         if not self.warnings:
             del data["warnings"]
+        if self.models is None:
+            del data["models"]
         return data
 
     def to_json(self, indent: int | None = 1) -> str:

@@ -87,7 +87,7 @@ def test_found_in_the_local_variables_of_a_traceback(raising: Callable[[str], No
 
 def test_found_in_logs_and_output() -> None:
     with planted() as key:
-        logging.getLogger("somebody.else").debug("headers: %s", {"authorization": f"Bearer {KEY}"})
+        logging.getLogger("some.library").debug("headers: %s", {"authorization": f"Bearer {KEY}"})
     with pytest.raises(AssertionError, match="in what was said"):
         key.assert_nowhere()
     with pytest.raises(AssertionError, match="part 1 of the output"):

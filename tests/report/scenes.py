@@ -9,7 +9,7 @@ from PIL import Image
 
 from sceneweaver.assets import Asset, make
 from sceneweaver.brief import Span
-from sceneweaver.critic import ItemOutcome, Phrase, Review
+from sceneweaver.critic import ItemOutcome, Phrase, Review, VisualFault, VisualReview
 from sceneweaver.critic.model import Fault, ItemKind, Status
 from sceneweaver.report import ReportData, StepRow
 from sceneweaver.scene import Door, Dropped, Pose, Relation, Room, Scene, Support, Window
@@ -80,6 +80,26 @@ def asked(text: str) -> tuple[str, tuple[Phrase, ...]]:
     )
 
 
+def seen(text: str) -> VisualReview:
+    """What a model says, from two answers that are not of one mind."""
+
+    def fault(objects: tuple[str, ...], severity: float, share: float) -> VisualFault:
+        about: dict[str, Any] = {"criterion": "layout", "kind": "seen", "reason": text, "suggestion": text}
+        return VisualFault(objects=objects, severity=severity, share=share, points=severity * share, **about)
+
+    return VisualReview(
+        model=text,
+        samples=2,
+        failed=(text,),
+        pictures=("top view",),
+        grades={"realism": 6.5, "layout": 3.0},
+        deviation={"realism": 0.5, "layout": 0.0},
+        ranges={"realism": (6.0, 7.0), "layout": (3.0, 3.0)},
+        comments={"realism": (text, "more words"), "layout": (text,)},
+        faults=(fault(("armchair-0", "nobody"), 3.0, 1.0), fault((), 1.0, 0.5)),
+    )
+
+
 def full(text: str = "words") -> ReportData:
     """A report with something in every section; ``text`` stands wherever free text can."""
     from sceneweaver.verify import check
@@ -90,6 +110,7 @@ def full(text: str = "words") -> ReportData:
     review = Review(
         grades={"realism": 8.0, "layout": 4.0},
         faults=(Fault(criterion="layout", kind="empty_area", reason=text, suggestion=text),),
+        seen=seen(text),
     )
     steps = (
         StepRow(1, "init_prior", text, True, 2.5, {"realism": 6.0}, text, picture),

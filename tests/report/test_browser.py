@@ -107,6 +107,18 @@ def test_a_click_on_a_phrase_shows_its_objects(page: Browser) -> None:
     page.wait(f"{SHOWN}.length === 0 && {detail} === ''")
 
 
+def test_a_fault_that_a_model_saw_shows_its_objects(page: Browser) -> None:
+    page.click(*_phrase(page, "near the armchair"))
+    page.wait(f"{SHOWN}.length === 3")
+    fault = "document.querySelector('#seen .item')"
+    page.js(f"{fault}.click()")
+    page.wait(f"{SHOWN}.length === 1")
+    assert page.js(SHOWN) == ["armchair-0"]
+    assert page.js("document.querySelectorAll('#request [aria-pressed=true]').length") == 0
+    page.key("Escape")
+    page.wait(f"{SHOWN}.length === 0 && {fault}.getAttribute('aria-pressed') === 'false'")
+
+
 def test_the_outline_of_what_a_phrase_names_is_drawn(page: Browser, tmp_path: Path) -> None:
     around = "document.getElementById('room').scrollIntoView()"
     page.js(around)

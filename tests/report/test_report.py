@@ -171,7 +171,7 @@ def test_each_phrase_bears_what_became_of_it(page) -> None:
     assert marks[2]["title"] == "unmet: mug-0 is white\nmet: words"
     assert marks[4]["title"] == "unmet: words (gap 1.82 m, allowed 0 to 1.5 m)\nassumed: words"
     rows = [a["data-items"] for t, a in parsed.tags if t == "button" and "data-items" in a]
-    assert rows == ["2", "4", "5", "6"], "what is not met, and what stands nowhere"
+    assert rows == ["2", "4", "5", "6", "0", "1"], "what is not met, what stands nowhere, and what a model saw"
     data = json.loads(next(code for attrs, code in parsed.scripts if attrs.get("id") == "scene-data"))
     assert [item["objects"] for item in data["request"]][-3:] == [["lamp-0", "lamp-1", "armchair-0"], [], []]
 
@@ -186,11 +186,22 @@ def test_the_words_of_the_request_stay_as_they_were() -> None:
 def test_an_old_graph_without_spans_is_a_list_under_the_text() -> None:
     request, phrases = asked("words")
     old = tuple(replace(phrase, span=None) for phrase in phrases)
-    parsed = Page(report_html(replace(full(), request=request, phrases=old)))
+    parsed = Page(report_html(replace(full(), request=request, phrases=old, review=None)))
     assert not [a for t, a in parsed.tags if "phrase" in (a.get("class") or "").split()]
     assert [a["data-items"] for t, a in parsed.tags if t == "button" and "data-items" in a] == list("0123456")
     assert request in parsed.text
     assert 'id="request"' not in report_html(replace(full(), phrases=()))
+
+
+def test_what_a_model_saw_stands_beside_the_scores(page) -> None:
+    text, parsed = page
+    part = text[text.index('id="seen"') : text.index('id="findings"')]
+    assert "symbolic critic 8.0; 6 to 7, deviation 0.5" in part and "mean 4.8 of 10, standard deviation 0.2" in part
+    assert "armchair-0, nobody" in part and "(layout, in 2 of 2 answers)" in part and 'class="tag bad">grave' in part
+    data = json.loads(next(code for attrs, code in parsed.scripts if attrs.get("id") == "scene-data"))
+    assert [item["objects"] for item in data["seen"]] == [["armchair-0"], []]
+    without = full().review.model_copy(update={"seen": None})
+    assert 'id="seen"' not in report_html(replace(full(), review=without))
 
 
 def test_steps_show_what_changed(page) -> None:

@@ -14,6 +14,8 @@ from sceneweaver.llm import Reply
 from sceneweaver.scene import InputError
 from sceneweaver.scene.messages import quote, shorten, suggest
 
+from .input_rules import check_extent
+
 MOST_CALLS = 8
 """Calls that a plan may name."""
 
@@ -104,6 +106,9 @@ def _allowed(planned: PlannedCall, situation: Situation, first: bool) -> None:
         why = "there is no room yet" if beginning else "there is a room already, which it would throw away"
         raise InputError(f"tool {card.name} cannot be used now: {why}; use one of {known}")
     if planned.inputs is not None:
+        if withheld := sorted(set(card.withheld) & set(planned.inputs)):
+            raise InputError(f"tool {card.name}: inputs.{withheld[0]} is not for you to give; leave it out")
+        check_extent(planned.inputs)
         card.check(planned.inputs)
         if len(json.dumps(planned.inputs)) > MOST_INPUTS:
             raise InputError(f"tool {card.name}: inputs are longer than {MOST_INPUTS} characters; say less")
@@ -122,4 +127,5 @@ def _call(planned: PlannedCall, situation: Situation) -> Call:
         confidence=planned.confidence,
         reason="chosen by the model",
         fill=planned.inputs is None and not beginning,  # initializers read the request themselves
+        by_model=True,
     )

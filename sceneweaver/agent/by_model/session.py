@@ -2,38 +2,185 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Self
+from pathlib import Path
+from typing import Any, Self
 
+from sceneweaver.agent.deadline import NEVER, Deadline
+from sceneweaver.agent.folder import RunFolder
+from sceneweaver.agent.loop import Run
+from sceneweaver.agent.memory import Call
 from sceneweaver.agent.planner import Planner, RulesPlanner
+from sceneweaver.agent.result import ModelUse
 from sceneweaver.agent.roles import Roles
-from sceneweaver.llm import ModelClient
-from sceneweaver.scene import MissingDependencyError
+from sceneweaver.brief import SceneGraph
+from sceneweaver.llm import Endpoint, Limits, ModelClient, Prices, open_client
+from sceneweaver.tools.base import Context
+from sceneweaver.tools.registry import Registered
 
+from .inputs import filled
 from .planner import ModelPlanner
 from .strict import StrictClient
+
+RECORDS = "llm"
+"""Folder of what was asked, in that of a run."""
+
+
+@dataclass(frozen=True)
+class Asking:
+    """Which model is asked and how, as the arguments of a design say it.
+
+    Attributes:
+        model: "openai:NAME", "anthropic:NAME", a name at ``base_url``, a client, or a model of pydantic-ai; None: what
+            the environment names.
+        base_url: where, for a server of one's own.
+        limits: what may be spent.
+        prices: what tokens cost.
+        stream: whether replies come in pieces; None: as the environment says.
+        strict: whether a run ends where the model cannot be asked any more.
+        replay: the folder of a recorded run that answers in the model's place.
+    """
+
+    model: str | ModelClient | Any | None = None
+    base_url: str | None = None
+    limits: Limits | None = None
+    prices: Prices | None = None
+    stream: bool | None = None
+    strict: bool = False
+    replay: Path | None = None
+
+    def check(self, roles: Roles) -> None:
+        """Find what is wrong before anything is written.
+
+        Raises:
+            InputError: when something is wrong with an argument.
+            MissingDependencyError: when the roles ask for a model and none is configured, or its key is missing.
+        """
+        if roles.by_model and self.replay is None and (self.model is None or isinstance(self.model, str)):
+            Endpoint.of(self.model, self.base_url, stream=self.stream)
+
+    def client(self, records: Path | None, left: Callable[[], float], stopped: Callable[[], bool]) -> ModelClient:
+        """What asks; questions and answers go to ``records``.
+
+        Raises:
+            MissingDependencyError: when no model is configured, its key is missing, or pydantic-ai is not installed.
+        """
+        if self.replay is not None:
+            client = open_client(replay=self.replay, records=records)
+        elif isinstance(self.model, ModelClient):
+            client = self.model
+        elif self.model is None or isinstance(self.model, str):
+            client = open_client(
+                Endpoint.of(self.model, self.base_url, stream=self.stream),
+                limits=self.limits,
+                prices=self.prices,
+                records=records,
+                left=left,
+                stopped=stopped,
+            )
+        else:
+            from sceneweaver.llm.records import Recorder
+
+            facts = {"title": str(self.model.model_name), "pictures": True}
+            client = ModelClient(
+                self.model,
+                limits=self.limits,
+                prices=self.prices,
+                recorder=Recorder(records, facts) if records is not None else None,
+                left=left,
+                stopped=stopped,
+            )
+        return StrictClient(client) if self.strict else client
 
 
 @dataclass
 class Session:
-    """Who does what in one run. ``client`` is None where no model has anything to do."""
+    """Who does what in one run. ``client`` is None where no model has anything to do.
+
+    The client is told how much time is left by ``deadline``, and whether its stop is asked for. ``waited`` are the
+    seconds that it took to read the request.
+    """
 
     roles: Roles
     client: ModelClient | None = None
+    deadline: Deadline = NEVER
+    read_by: str = "rules"
+    disagreements: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    waited: float = 0.0
+    run: Run | None = None
 
     @classmethod
-    def opened(cls, roles: Roles, model: ModelClient | None, *, strict: bool = False) -> Self:
+    def opened(cls, roles: Roles, asking: Asking, deadline: Deadline, records: Path | None) -> Self:
         """A session with a model, if the roles ask for one.
 
         Raises:
-            MissingDependencyError: when they do and there is none.
+            InputError: when something is wrong with an argument.
+            MissingDependencyError: when a model is needed and none is there.
         """
-        if not roles.by_model:
-            return cls(roles)
-        if model is None:
-            raise MissingDependencyError("planner llm needs a language model, and none is set up; use planner rules")
-        return cls(roles, StrictClient(model) if strict else model)
+        session = cls(roles, deadline=deadline)
+        if roles.by_model:
+            session.client = asking.client(
+                records, lambda: session.deadline.left, lambda: bool(session.deadline.stop.reason)
+            )
+        return session
 
+    def read(self, offline: SceneGraph, folder: RunFolder | None) -> SceneGraph:
+        """The request as a model reads it, or as the rules read it where none is to, or gives no reading.
+
+        A run goes on with the reading that it began with.
+        """
+        kept = folder.kept() if folder is not None else None
+        brief = offline
+        if kept is not None and kept.memory.steps and kept.roles.reader == "llm":
+            brief, self.read_by, self.disagreements = (
+                SceneGraph.model_validate(kept.brief),
+                kept.read_by,
+                kept.disagreements,
+            )
+        if folder is not None:
+            folder.roles, folder.read_by, folder.disagreements = self.roles, self.read_by, self.disagreements
+        return brief
+
+    def serve(self, run: Run) -> None:
+        """Give a run what asks the model in it."""
+        self.run = run
+        if self.plans:
+            run.client, run.fill = self.client, self.fill
+
+    @property
     def planner(self) -> Planner:
         """Who plans."""
-        return ModelPlanner(self.client) if self.client is not None and self.roles.planner == "llm" else RulesPlanner()
+        return ModelPlanner(self.client) if self.plans and self.client is not None else RulesPlanner()
+
+    @property
+    def plans(self) -> bool:
+        """Whether a model plans, and so works in tools as well."""
+        return self.roles.planner == "llm"
+
+    def fill(self, tool: Registered, context: Context, call: Call) -> Call:
+        """A call that a model chose, with inputs that were tried out.
+
+        Raises:
+            ModelError: when the model gives none.
+            InputError: when the tool does not load.
+        """
+        assert self.client is not None
+        if not call.fill:
+            return call
+        return filled(self.client, tool, context, call)
+
+    def use(self) -> ModelUse | None:
+        """What the model did; None where it had nothing to do."""
+        if self.client is None or self.run is None:
+            return None
+        return ModelUse(
+            name=self.client.name,
+            roles=self.roles,
+            planned=tuple(step.plan.by if step.plan is not None else "rules" for step in self.run.memory.steps),
+            read=self.read_by,
+            lost=self.client.lost,
+            disagreements=self.disagreements,
+            usage=self.client.usage.to_dict(),
+        )

@@ -1,6 +1,9 @@
 const data = JSON.parse(byId("scene-data").textContent);
 let showObjects = () => {};
-const request = new RequestText(data.request, (ids) => showObjects(ids));
+const mentions = ["request", "seen"].map((section) => new Mentions(section, data[section], (ids, one) => {
+  for (const other of mentions) if (other !== one) other.release();
+  showObjects(ids);
+}));
 
 // Starts the view. When anything fails, the picture that is already on the page stays, with a line that says why.
 async function start() {
@@ -36,7 +39,7 @@ async function start() {
     ask();
   };
   const select = (id) => {
-    request.release();
+    for (const one of mentions) one.release();
     show(id === null ? [] : [id], id, "selected");
   };
   // Several objects at once, without the details of one.

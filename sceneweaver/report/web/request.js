@@ -1,10 +1,11 @@
-// The request: a phrase or item tells what became of it, and shows its objects in the view and in the list.
-class RequestText {
-  constructor(items, show) {
+// A section with phrases or items that show their objects in the view and in the list: the request, where each tells
+// what became of it, and what a model saw.
+class Mentions {
+  constructor(section, items, show) {
     this.items = items;
     this.show = show;
-    this.detail = byId("request-detail");
-    this.marks = [...document.querySelectorAll("#request [data-items]")];
+    this.detail = byId(`${section}-detail`);
+    this.marks = [...document.querySelectorAll(`#${section} [data-items]`)];
     for (const mark of this.marks) {
       const tell = () => this.tell(mark);
       const rest = () => this.tell(this.pressed() || null);
@@ -45,7 +46,7 @@ class RequestText {
     mark.setAttribute("aria-pressed", String(on));
     this.tell(on ? mark : null);
     const found = on ? this.of(mark).find((item) => item.objects.length) : null;
-    this.show(found ? found.objects : []);
+    this.show(found ? found.objects : [], this);
   }
 
   release() {

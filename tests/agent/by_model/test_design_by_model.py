@@ -10,8 +10,11 @@ from pydantic_ai.messages import ModelMessage, ModelResponse, ToolCallPart
 from pydantic_ai.models.function import AgentInfo, FunctionModel
 from pydantic_ai.models.test import TestModel
 
-from sceneweaver.agent import Result, design
-from sceneweaver.llm import BudgetSpent, ModelClient, ModelUnreachable
+from sceneweaver.agent import Result, Settings, design
+from sceneweaver.agent.folder import State
+from sceneweaver.agent.memory import Memory
+from sceneweaver.agent.roles import Roles
+from sceneweaver.llm import BudgetSpent, Limits, ModelClient, ModelUnreachable
 from sceneweaver.scene import InputError, MissingDependencyError
 
 SHELF = "a store room with one shelf"
@@ -24,8 +27,8 @@ FILL = {
 }
 
 
-def says(*answers: dict[str, Any]) -> tuple[ModelClient, list[str]]:
-    """A client whose model gives some answers in turn, the last for ever; and the text that it was told each time."""
+def says(*answers: dict[str, Any]) -> tuple[FunctionModel, list[str]]:
+    """A model that gives some answers in turn, the last for ever; and the text that it was told each time."""
     left, told = list(answers), list[str]()
 
     def say(messages: list[ModelMessage], info: AgentInfo) -> ModelResponse:
@@ -33,10 +36,10 @@ def says(*answers: dict[str, Any]) -> tuple[ModelClient, list[str]]:
         answer = left.pop(0) if len(left) > 1 else left[0]
         return ModelResponse(parts=[ToolCallPart(info.output_tools[0].name, answer)])
 
-    return ModelClient(FunctionModel(say)), told
+    return FunctionModel(say, model_name="scripted"), told
 
 
-def run(model: ModelClient, prompt: str = SHELF, **more: Any) -> Result:
+def run(model: Any, prompt: str = SHELF, **more: Any) -> Result:
     given = {"seed": 1, "steps": 4, "reader": "rules", "critic": "symbolic", **QUICK, **more}
     return design(prompt, planner="llm", model=model, **given)
 
@@ -56,7 +59,7 @@ def test_the_model_plans_and_says_when_it_is_done(tmp_path):
 
 
 def test_any_answers_end_in_a_valid_scene_and_an_honest_report():
-    result = run(ModelClient(TestModel()), steps=2)
+    result = run(TestModel(), steps=2)
     assert result.report.valid and len([n for n in result.notes if "the rules planned, not the model" in n]) == 2
 
 
@@ -76,7 +79,7 @@ def test_ablations(switches, plans, expected):
 
 
 def test_without_reflection_the_rules_have_their_fixed_plan():
-    result = run(ModelClient(TestModel()), steps=2, reflect=False)
+    result = run(TestModel(), steps=2, reflect=False)
     assert tools_of(result) == ["init_prior", "add_tabletop"]
 
 
@@ -102,14 +105,15 @@ def test_a_step_in_vain_lowers_the_trust_is_told_and_counts():
 class Leaves(ModelClient):
     """Answers some times; then an error comes for ever."""
 
-    def __init__(self, client: ModelClient, times: int, error: Exception) -> None:
-        self.client, self.times, self.error = client, times, error
+    def __init__(self, model: FunctionModel, times: int, error: Exception) -> None:
+        super().__init__(model)
+        self.times, self.error = times, error
 
     def ask(self, *given: Any, **more: Any) -> Any:
         self.times -= 1
         if self.times < 0:
             raise self.error
-        return self.client.ask(*given, **more)
+        return super().ask(*given, **more)
 
 
 @pytest.mark.parametrize("times", [0, 1])
@@ -154,6 +158,53 @@ def test_a_killed_run_goes_on_and_ends_with_the_same_scene(tmp_path):
 def test_words_that_are_no_roles(given, words):
     with pytest.raises(InputError, match=words):
         design(SHELF, **given)
+
+
+def test_a_recorded_run_is_made_again_to_the_bit(tmp_path):
+    record, again = tmp_path / "record", tmp_path / "again"
+    model, told = says(BEGIN, {**FILL, "calls": [{**FILL["calls"][0], "tool": "teleport"}]}, FILL, STOP)
+    first = run(model, out=record)
+    result = design(out=again, replay=record, pictures=False, export="none")
+    assert (again / "scene.json").read_bytes() == (record / "scene.json").read_bytes()
+    assert tools_of(first) == tools_of(result) and result.notes == first.notes
+    assert len(told) == 4 and result.models.usage["calls"] == first.models.usage["calls"] == 4
+    assert result.models.name == first.models.name
+
+
+def test_a_run_that_fell_back_is_made_again_as_well(tmp_path):
+    record, again = tmp_path / "record", tmp_path / "again"
+    first = run(says(BEGIN, FILL, STOP)[0], out=record, limits=Limits(calls=1), steps=3)
+    assert first.models.lost and first.models.planned[:2] == ("scripted", "rules")
+    result = design(out=again, replay=record, pictures=False, export="none")
+    assert (again / "scene.json").read_bytes() == (record / "scene.json").read_bytes()
+    assert result.notes == first.notes and result.models.lost == first.models.lost
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ({"prompt": "a kitchen"}, "another request"),
+        ({"seed": 9}, "seed 1, not 9"),
+        ({"steps": 9}, "steps 4, not 9"),
+        ({"reader": "llm"}, "reader rules, not llm"),
+        ({"reflect": False}, "reflect True, not False"),
+        ({"replay": "nowhere"}, "holds no run"),
+    ],
+)
+def test_what_differs_from_a_recorded_run_is_said(tmp_path, given, words):
+    record = tmp_path / "record"
+    state = State(
+        schema="sceneweaver.run/1",
+        prompt=SHELF,
+        settings=Settings(seed=1, steps=4),
+        scene="scene.json",
+        memory=Memory(),
+        roles=Roles(planner="llm"),
+    )
+    record.mkdir()
+    (record / "state.json").write_text(state.model_dump_json(by_alias=True))
+    with pytest.raises(InputError, match=words):
+        design(**{"replay": record, **given})
 
 
 def test_a_planner_without_a_model_says_so(monkeypatch):

@@ -95,7 +95,7 @@ def test_calls_are_ranked_by_confidence_times_the_record_of_their_tool():
         ({**ADD, "inputs": {"objects": []}}, "at least 1"),
         ({**ADD, "inputs": {"things": 1}}, "objects is missing"),
         ({**TURN, "confidence": 1.5}, "less than or equal to 1"),
-        ({**ADD, "inputs": {"objects": [{"category": "lamp", "words": "y" * 30_000}]}}, "longer than"),
+        ({**ADD, "inputs": {"objects": [{"category": "lamp", "words": "y" * 30_000}]}}, "at most 200 characters"),
     ],
 )
 def test_a_call_that_cannot_be_goes_back_with_the_reason(call, words):

@@ -1,0 +1,101 @@
+"""The end of a run: the last touch, what physics and doors say, and the result with its numbers."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from sceneweaver.critic import Review
+from sceneweaver.verify import Report
+
+from .executor import Executor, Outcome
+from .interrupt import TimeUp
+from .lived_in import lived_in
+from .loop import Run
+from .openability import opened
+from .result import ModelUse, Result
+from .settling import settled
+
+
+def closed(run: Run, remarks: Sequence[str], began: float, use: Callable[[], ModelUse | None]) -> Result:
+    """Take the run to its end, and its best scene to a result.
+
+    Args:
+        run: before its first step, or where it stopped.
+        remarks: what was assumed of the request.
+        began: when the design began, by ``time.monotonic()`` [s].
+        use: what a model did in it, told when all is done; None where none had anything to do.
+    """
+    brief, settings = run.brief, run.settings
+    best = run.go()
+    stopped = run.deadline.stop.reason
+    said = [f"the work was cut off: {run.cut_off}"] if run.cut_off else []
+    if not run.cut_off:
+        try:
+            with run.deadline.enforced():
+                best = lived_in(best, Executor(run.room_type, brief, settings), run.context(best.scene, settings.seed))
+        except TimeUp:
+            said.append("the room is tidier than usual: time was up")
+    try:
+        with run.deadline.enforced():
+            best, mended = opened(best, Executor(run.room_type, brief, settings))
+        said += mended
+    except TimeUp:
+        said.append("whether doors and drawers open was not looked at: time was up")
+    if settings.settle:
+        try:
+            with run.deadline.enforced():
+                best, moved = settled(best, Executor(run.room_type, brief, settings))
+            said += moved
+        except TimeUp:
+            said.append("things have not settled: time was up")
+    best = _seen(run, best)
+    unmet = tuple(dict.fromkeys((*run.memory.unmet, *run.unmet, *_unmet(best.review))))
+    models = use()
+    return Result(
+        scene=best.scene,
+        report=_complete(best.report, best.review, run, began, models),
+        review=best.review,
+        brief=brief,
+        steps=run.memory.steps,
+        notes=tuple(dict.fromkeys((*brief.notes, *remarks, *run.memory.notes, *run.notes, *said))),
+        unmet=unmet,
+        seconds=time.monotonic() - began,
+        finished=run.memory.finished,
+        undone=run.undone + ((f"what would have come after {stopped}",) if run.cut_off and stopped else ()),
+        out=run.folder.path if run.folder else None,
+        models=models,
+    )
+
+
+def _seen(run: Run, best: Outcome) -> Outcome:
+    """The last scene with what a critic by vision sees of it, where it has changed since that looked."""
+    if run.look is None or run.cut_off or getattr(best.review, "seen", None) is not None or run.deadline.passed:
+        return best
+    return run.look(best)
+
+
+def _unmet(review: Review) -> list[str]:
+    """What the critic finds missing of the request."""
+    return [fault.reason for fault in review.faults if fault.criterion == "alignment"]
+
+
+def _complete(report: Report, review: Review, run: Run, began: float, models: ModelUse | None) -> Report:
+    from importlib.metadata import version
+
+    settings = run.settings
+    scores = {"critic": review.critic, **{k: round(v, 2) for k, v in review.grades.items()}}
+    steps = {f"step {s.number}": s.seconds for s in run.memory.steps}
+    return replace(
+        report,
+        scores=scores,
+        alignment=review.alignment.summary,
+        seed=settings.seed,
+        device=settings.device,
+        candidates=settings.layouts,
+        cut_off=run.cut_off or None,
+        seconds={"total": round(time.monotonic() - began, 3), **steps},
+        versions={**report.versions, "warp-lang": version("warp-lang")},
+        models=models.to_dict() if models is not None else None,
+    )

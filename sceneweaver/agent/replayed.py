@@ -1,0 +1,67 @@
+"""A design that is made again from the records of one: its request, roles and settings, unless they are given."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from sceneweaver.scene import InputError
+
+from .folder import RunFolder, State
+from .roles import Roles
+from .settings import Settings
+
+FREE = ("device", "seconds")
+"""Settings that may differ from those of the recorded run."""
+
+
+def recorded(folder: Path) -> State:
+    """The state of a recorded run.
+
+    Raises:
+        InputError: when the folder holds none, or one in which no model was asked.
+    """
+    state = RunFolder(folder).kept()
+    if state is None:
+        raise InputError(f"replay: {folder} holds no run; give the folder of a design that asked a model")
+    if not state.roles.by_model:
+        raise InputError(f"replay: no model was asked in the run in {folder}; it needs none to be made again")
+    return state
+
+
+def prompt_of(state: State, prompt: str) -> str:
+    """The request; one that is given has to be that of the record."""
+    if prompt and prompt != state.prompt:
+        raise InputError(
+            f"replay: the recorded run is of another request ({state.prompt[:60]!r}); leave the request out"
+        )
+    return state.prompt
+
+
+def settings_of(state: State, given: Mapping[str, Any]) -> Settings:
+    """The settings of the record; one that is given and not at its default has to be the same there."""
+    wanted = Settings(**given)
+    update: dict[str, Any] = {}
+    for name, field in Settings.model_fields.items():
+        value, kept = getattr(wanted, name), getattr(state.settings, name)
+        if value == field.get_default():
+            update[name] = kept
+        elif name not in FREE and value != kept:
+            raise InputError(f"replay: the recorded run has {name} {kept!r}, not {value!r}; leave it out")
+    return wanted.model_copy(update=update)
+
+
+def roles_of(state: State, planner: str, reader: str | None, critic: str | None, samples: int) -> Roles:
+    """The roles of the record; those that are given have to be the same there."""
+    kept = state.roles
+    given = {
+        "planner": None if planner == "rules" else planner,
+        "reader": reader,
+        "critic": critic,
+        "samples": None if samples == 1 else samples,
+    }
+    for name, value in given.items():
+        if value is not None and value != getattr(kept, name):
+            raise InputError(f"replay: the recorded run has {name} {getattr(kept, name)}, not {value}; leave it out")
+    return kept

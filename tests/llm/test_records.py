@@ -1,0 +1,210 @@
+"""Questions and answers as files, and runs that are answered from them."""
+
+import json
+import subprocess
+import sys
+
+import pytest
+from pydantic_ai.messages import ModelResponse, ToolCallPart
+from pydantic_ai.models.function import FunctionModel
+
+from sceneweaver.llm import BudgetSpent, Limits, ModelClient, ModelFailed, Picture, Prices, Reply, open_client
+from sceneweaver.llm.records import Recorder
+from sceneweaver.scene import InputError
+
+ROOM = "a room with a bed"
+
+
+class Plan(Reply):
+    """What to do."""
+
+    steps: int
+
+
+def says(*replies):
+    left = list(replies)
+    return FunctionModel(
+        lambda messages, info: ModelResponse(parts=[ToolCallPart("answer", left.pop(0) if len(left) > 1 else left[0])])
+    )
+
+
+def client(folder, *replies, **options):
+    recorder = Recorder(folder, {"title": "openai:small", "pictures": True, **options.pop("facts", {})})
+    return ModelClient(says(*replies), recorder=recorder, **options)
+
+
+def ask(client, text=ROOM, check=None, purpose="plan", **options):
+    return client.ask(purpose, Plan, "Plan.", [text, Picture(b"\x89PNG1", "from above")], check=check, **options)
+
+
+def positive(plan):
+    if plan.steps < 1:
+        raise InputError("steps: has to be one or more")
+    return plan.model_copy(update={"steps": plan.steps + 100})
+
+
+def record(folder, name):
+    return json.loads((folder / name).read_text())
+
+
+def test_record(tmp_path):
+    ask(client(tmp_path / "llm", {"steps": 0}, {"steps": 2}), check=positive)
+    found = record(tmp_path / "llm", "0001-plan.json")
+    assert found["schema"] == "sceneweaver.llm_record/1"
+    assert (found["instructions"], found["content"][0]) == ("Plan.", {"text": ROOM})
+    assert (tmp_path / "llm" / "pictures" / found["content"][1]["picture"]).read_bytes() == b"\x89PNG1"
+    assert found["attempts"][0]["reply"] == [{"tool": "answer", "arguments": {"steps": 0}}]
+    assert found["attempts"][1]["told"] == "steps: has to be one or more"
+    assert (found["answer"], found["failure"]) == ({"steps": 2}, {})
+    assert found["usage"]["calls"] == 2
+    schema = record(tmp_path / "llm" / "kinds", f"{found['kind']}.json")
+    assert schema["properties"]["steps"]["type"] == "integer"
+    assert record(tmp_path / "llm", "usage.json")["usage"]["by_purpose"]["plan"]["calls"] == 2
+
+
+def test_pictures_are_stored_once(tmp_path):
+    asked = client(tmp_path / "llm", {"steps": 2})
+    ask(asked), ask(asked)
+    assert len(list((tmp_path / "llm" / "pictures").iterdir())) == 1
+
+
+def test_replay(tmp_path):
+    first = client(tmp_path / "llm", {"steps": 0}, {"steps": 2}, {"steps": 3}, {"steps": 0})
+    told = [ask(first, check=positive), ask(first, check=positive)]
+    with pytest.raises(ModelFailed) as failed:
+        ask(first, check=positive)
+    again = open_client(replay=tmp_path, records=tmp_path / "again")
+    assert [ask(again, check=positive), ask(again, check=positive)] == told
+    with pytest.raises(ModelFailed) as failed_again:
+        ask(again, check=positive)
+    assert str(failed_again.value) == str(failed.value)
+    assert again.usage.to_dict() == first.usage.to_dict()
+    assert (again.name, again.pictures) == ("openai:small", True)
+    for name in ("0001-plan.json", "0002-plan.json", "0003-plan.json"):
+        assert (tmp_path / "again" / name).read_bytes() == (tmp_path / "llm" / name).read_bytes()
+
+
+def test_replay_needs_no_library(tmp_path):
+    ask(client(tmp_path / "llm", {"steps": 2}))
+    code = f"""
+import sys
+from sceneweaver.llm import Picture, Reply, open_client
+class Plan(Reply):
+    steps: int
+print(open_client(replay={str(tmp_path)!r}).ask("plan", Plan, "Plan.", [{ROOM!r}, Picture(b"other", "from above")]))
+assert not {{"pydantic_ai", "httpx2", "openai", "asyncio.events"}} & set(sys.modules) - {{"asyncio.events"}}
+"""
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120, check=False)
+    assert ran.stdout.strip() == "steps=2", ran.stderr
+
+
+@pytest.mark.parametrize(
+    ("change", "says"),
+    [
+        (lambda c: ask(c, "a room with a bad"), "0001-plan.json is of another request: part 1 of its text differs"),
+        (lambda c: ask(c, purpose="judge"), "no record of request 1 for 'judge'"),
+        (lambda c: c.ask("plan", Plan, "Plan!", [ROOM]), "its instructions differ from character 5 on: '.', now '!'"),
+        (lambda c: c.ask("plan", Plan, "Plan.", [ROOM]), "it has 2 parts, not 1"),
+    ],
+)
+def test_replay_of_another_request(tmp_path, change, says):
+    ask(client(tmp_path / "llm", {"steps": 2}))
+    with pytest.raises(InputError, match=says):
+        change(open_client(replay=tmp_path))
+
+
+def test_replay_of_too_many_requests(tmp_path):
+    ask(client(tmp_path / "llm", {"steps": 2}))
+    again = open_client(replay=tmp_path)
+    ask(again)
+    with pytest.raises(InputError, match="no record of request 2 for 'plan'"):
+        ask(again)
+
+
+def test_replay_with_another_check(tmp_path):
+    ask(client(tmp_path / "llm", {"steps": 0}))
+    with pytest.raises(InputError, match="the answer of record 0001-plan.json no longer passes: steps"):
+        ask(open_client(replay=tmp_path), check=positive)
+
+
+def test_replay_of_a_spent_budget(tmp_path):
+    first = client(tmp_path / "llm", {"steps": 2}, limits=Limits(calls=1))
+    ask(first)
+    for _ in range(2):
+        with pytest.raises(BudgetSpent):
+            ask(first)
+    again = open_client(replay=tmp_path)
+    ask(again)
+    with pytest.raises(BudgetSpent):
+        ask(again)
+    assert again.lost == first.lost
+    with pytest.raises(BudgetSpent, match="not asked"):
+        ask(again)
+
+
+def test_replay_of_samples(tmp_path):
+    first = client(tmp_path / "llm", *({"steps": i} for i in range(4)))
+    told = first.ask_many("plan", Plan, "Plan.", [ROOM], samples=4)
+    assert open_client(replay=tmp_path).ask_many("plan", Plan, "Plan.", [ROOM], samples=4) == told
+
+
+def test_cost_is_replayed(tmp_path):
+    prices = Prices.from_dict({"currency": "EUR", "models": {"function:m": {"input": 1, "output": 2}}})
+    recorder = Recorder(tmp_path / "llm", {"title": "m", "priced": True, "currency": "EUR"})
+    first = ModelClient(
+        FunctionModel(says({"steps": 1}).function, model_name="function:m"), prices=prices, recorder=recorder
+    )
+    ask(first)
+    again = open_client(replay=tmp_path)
+    ask(again)
+    assert first.usage.total.cost > 0
+    assert again.usage.to_dict() == first.usage.to_dict()
+
+
+def test_next_session_goes_on(tmp_path):
+    ask(client(tmp_path / "llm", {"steps": 1}))
+    second = client(tmp_path / "llm", {"steps": 2})
+    assert second.usage.total.calls == 1
+    ask(second)
+    assert record(tmp_path / "llm", "0001-plan.json")["answer"] == {"steps": 1}
+    assert record(tmp_path / "llm", "0002-plan.json")["answer"] == {"steps": 2}
+    again = open_client(replay=tmp_path)
+    assert [ask(again).steps, ask(again).steps] == [1, 2]
+
+
+def test_steps_that_were_not_saved_are_left_out_of_a_replay(tmp_path):
+    first = client(tmp_path / "llm", {"steps": 1}, {"steps": 2})
+    ask(first)
+    first.keep()
+    ask(first)  # of a step that was killed
+    second = client(tmp_path / "llm", {"steps": 3}, {"steps": 4})
+    ask(second), second.keep(), ask(second)
+    again = open_client(replay=tmp_path)
+    assert [ask(again).steps for _ in range(3)] == [1, 3, 4]
+
+
+def test_two_runs_in_one_folder(tmp_path):
+    first, second = client(tmp_path / "llm", {"steps": 1}), client(tmp_path / "llm", {"steps": 2})
+    ask(first)
+    with pytest.raises(InputError, match="two runs"):
+        ask(second)
+
+
+@pytest.mark.parametrize("text", ["", "[]", '{"schema": "other"}', "{"])
+def test_folder_without_records(tmp_path, text):
+    (tmp_path / "endpoint.json").write_text(text)
+    with pytest.raises(InputError, match="endpoint.json"):
+        open_client(replay=tmp_path)
+
+
+def test_no_folder(tmp_path):
+    with pytest.raises(InputError, match="holds no records"):
+        open_client(replay=tmp_path / "none")
+
+
+@pytest.mark.parametrize("text", ["{}", "[1]", "null", '{"schema": "sceneweaver.llm_record/1"}'])
+def test_broken_record(tmp_path, text):
+    ask(client(tmp_path / "llm", {"steps": 1}))
+    (tmp_path / "llm" / "0001-plan.json").write_text(text)
+    with pytest.raises(InputError, match="0001-plan.json"):
+        open_client(replay=tmp_path)
