@@ -8,6 +8,7 @@ from .errors import BudgetSpent as BudgetSpent
 from .errors import ModelError as ModelError
 from .errors import ModelFailed as ModelFailed
 from .errors import ModelUnreachable as ModelUnreachable
+from .errors import ReplayError as ReplayError
 from .opening import open_client as open_client
 from .prices import Prices as Prices
 from .reply import Picture as Picture
@@ -24,6 +25,7 @@ __all__ = [
     "ModelUnreachable",
     "Picture",
     "Prices",
+    "ReplayError",
     "Reply",
     "Usage",
     "open_client",

@@ -14,6 +14,7 @@ from .budget import Limits, Usage
 from .endpoint import Endpoint
 from .errors import BudgetSpent, ModelError, ModelFailed, ModelUnreachable
 from .faults import Fault, fault
+from .plain import sendable
 from .records import Record
 from .secrets import line, redact
 
@@ -211,10 +212,10 @@ def _clean(response: ModelResponse) -> ModelResponse:
     parts: list[Any] = []
     for part in response.parts:
         if isinstance(part, TextPart | ThinkingPart):
-            parts.append(replace(part, content=redact(part.content)))
+            parts.append(replace(part, content=sendable(redact(part.content))))
         elif isinstance(part, ToolCallPart):
-            name, identity = redact(part.tool_name), redact(part.tool_call_id)
-            parts.append(replace(part, tool_name=name, args=redact(part.args), tool_call_id=identity))
+            name, identity = sendable(redact(part.tool_name)), sendable(redact(part.tool_call_id))
+            parts.append(replace(part, tool_name=name, args=sendable(redact(part.args)), tool_call_id=identity))
     return replace(response, parts=parts, provider_details=redact(response.provider_details))
 
 

@@ -15,6 +15,7 @@ from .attempts import CALL, Account, Requests
 from .endpoint import Answers
 from .errors import BudgetSpent, ModelError, ModelFailed, ModelUnreachable
 from .faults import fault
+from .plain import plain
 from .records import Record
 from .reply import Reply
 from .secrets import line, redact
@@ -31,9 +32,6 @@ ERRORS: dict[str, type[ModelError]] = {
     error.__name__: error for error in (ModelError, ModelFailed, ModelUnreachable, BudgetSpent)
 }
 """Errors by the names that records give them."""
-
-UNFIT = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069\ud800-\udfff\ufff0-\uffff]")
-"""Characters that are taken out of answers."""
 
 TEMPLATE = (
     "Answer with one JSON object that follows this JSON schema, and with nothing else: no words, no code fence.\n\n"
@@ -106,11 +104,12 @@ class Conversation(Generic[Answer]):
 
         @agent.output_validator
         async def checked(answer: Answer) -> Answer:
-            passed, words = await self._desk.call(lambda: accepted(answer, self._kind, self._check))
+            data, passed, words = await self._desk.call(lambda: accepted(answer, self._kind, self._check))
+            self._record.attempts[-1]["answer"] = data
             if passed is None:
-                self._refused = words
+                self._refused = self._record.attempts[-1]["refused"] = words
                 raise ModelRetry(words)
-            self._record.answer = plain(redact(answer.model_dump(mode="json", by_alias=True)))
+            self._record.answer = data
             return passed
 
         return agent
@@ -155,27 +154,20 @@ def error_of(record: Record) -> ModelError:
 
 def accepted(
     answer: Reply, kind: type[Answer], check: Callable[[Answer], Answer | None] | None
-) -> tuple[Answer | None, str]:
-    """An answer as the caller's check leaves it, or None and what is wrong with it.
+) -> tuple[dict[str, Any] | None, Answer | None, str]:
+    """An answer as JSON data, and as the caller's check leaves it; or None and what is wrong with it.
 
     It goes through JSON first, as one from a record does, so that both are equal.
     """
+    data: dict[str, Any] | None = None
     try:
-        read = kind.model_validate(plain(redact(answer.model_dump(mode="json", by_alias=True))))
-        return (check(read) if check else None) or read, ""
+        data = plain(redact(answer.model_dump(mode="json", by_alias=True)))
+        read = kind.model_validate(data)
+        return data, (check(read) if check else None) or read, ""
     except ValidationError as error:
-        return None, "; ".join(f"{'.'.join(map(str, row['loc']))}: {row['msg']}" for row in error.errors()[:5])
+        return data, None, "; ".join(f"{'.'.join(map(str, row['loc']))}: {row['msg']}" for row in error.errors()[:5])
     except InputError as error:
-        return None, redact(str(error))
-
-
-def plain(value: Any) -> Any:
-    """JSON data without characters that no text should have: halves of pairs, nulls, escapes, changes of direction."""
-    if isinstance(value, str):
-        return UNFIT.sub("", value)
-    if isinstance(value, dict):
-        return {plain(key): plain(held) for key, held in value.items()}
-    return [plain(held) for held in value] if isinstance(value, list) else value
+        return data, None, redact(str(error))
 
 
 def _metered(model: Model, requests: Requests, mend: bool) -> Any:

@@ -20,3 +20,9 @@ class ModelUnreachable(ModelError):
 
 class BudgetSpent(ModelError):
     """The calls, tokens, cost or seconds that a run may spend on models are spent."""
+
+
+class ReplayError(SceneWeaverError):
+    """A recorded run does not fit the run that is to be made from it. No `ModelError`: nothing may go on without."""
+
+    exit_code = 2

@@ -8,11 +8,9 @@ from typing import Any, TypeVar
 
 from pydantic import ValidationError
 
-from sceneweaver.scene import InputError
-
 from .client import ModelClient
 from .conversation import accepted, error_of
-from .errors import ModelError
+from .errors import ModelError, ReplayError
 from .records import Record, Recorder, read_folder, read_records
 from .reply import Reply
 
@@ -71,9 +69,9 @@ class ReplayClient(ModelClient):
                 record.failure, record.lost, record.usage = row["failure"], row.get("lost", ""), row["usage"]
                 return str(row["file"])
         if same:
-            raise InputError(f"replay: record {same[0]['file']} is of another request: {_difference(same[0], record)}")
+            raise ReplayError(f"replay: record {same[0]['file']} is of another request: {_difference(same[0], record)}")
         asked_before = sum(row["purpose"] == asked.purpose for row in self._records)
-        raise InputError(
+        raise ReplayError(
             f"replay: {self._folder} has no record of request {asked_before + 1} for {asked.purpose!r}; "
             "replay with the request, options and version of the recorded run"
         )
@@ -81,15 +79,28 @@ class ReplayClient(ModelClient):
     def _answer(
         self, record: Record, kind: type[Answer], check: Callable[[Answer], Answer | None] | None, file: str
     ) -> Answer | ModelError:
+        passed: Answer | None = None
+        for attempt in record.attempts:  # a check may keep the best of what it refuses, so it sees all of them
+            if "answer" not in attempt:
+                continue
+            passed, words = _checked(attempt["answer"], kind, check)
+            if (passed is None) != ("refused" in attempt):
+                now = f"no longer passes: {words}" if passed is None else "is no longer refused"
+                raise ReplayError(f"replay: an answer of record {file} {now}")
         if record.answer is None:
             return error_of(record)
-        try:
-            passed, words = accepted(kind.model_validate(record.answer), kind, check)
-        except ValidationError as error:
-            passed, words = None, f"{error.error_count()} fields are wrong"
         if passed is None:
-            raise InputError(f"replay: the answer of record {file} no longer passes: {words}")
+            raise ReplayError(f"replay: record {file} has no answer that passes")
         return passed
+
+
+def _checked(
+    data: Any, kind: type[Answer], check: Callable[[Answer], Answer | None] | None
+) -> tuple[Answer | None, str]:
+    try:
+        return accepted(kind.model_validate(data), kind, check)[1:]
+    except ValidationError as error:
+        return None, f"{error.error_count()} fields are wrong"
 
 
 def _difference(row: dict[str, Any], record: Record) -> str:

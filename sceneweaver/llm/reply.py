@@ -8,9 +8,10 @@ from pydantic import BaseModel, ConfigDict
 
 
 class Reply(BaseModel):
-    """Base of all structured answers: fields that are not asked for are an error, which the model is told."""
+    """Base of all structured answers: fields that are not asked for are an error, which the model is told, and so are
+    numbers that are not finite."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True)
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
 
 @dataclass(frozen=True)

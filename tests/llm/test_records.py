@@ -8,7 +8,17 @@ import pytest
 from pydantic_ai.messages import ModelResponse, ToolCallPart
 from pydantic_ai.models.function import FunctionModel
 
-from sceneweaver.llm import BudgetSpent, Limits, ModelClient, ModelFailed, Picture, Prices, Reply, open_client
+from sceneweaver.llm import (
+    BudgetSpent,
+    Limits,
+    ModelClient,
+    ModelFailed,
+    Picture,
+    Prices,
+    ReplayError,
+    Reply,
+    open_client,
+)
 from sceneweaver.llm.records import Recorder
 from sceneweaver.scene import InputError
 
@@ -109,7 +119,7 @@ assert not {{"pydantic_ai", "httpx2", "openai", "asyncio.events"}} & set(sys.mod
 )
 def test_replay_of_another_request(tmp_path, change, says):
     ask(client(tmp_path / "llm", {"steps": 2}))
-    with pytest.raises(InputError, match=says):
+    with pytest.raises(ReplayError, match=says):
         change(open_client(replay=tmp_path))
 
 
@@ -117,14 +127,30 @@ def test_replay_of_too_many_requests(tmp_path):
     ask(client(tmp_path / "llm", {"steps": 2}))
     again = open_client(replay=tmp_path)
     ask(again)
-    with pytest.raises(InputError, match="no record of request 2 for 'plan'"):
+    with pytest.raises(ReplayError, match="no record of request 2 for 'plan'"):
         ask(again)
 
 
 def test_replay_with_another_check(tmp_path):
     ask(client(tmp_path / "llm", {"steps": 0}))
-    with pytest.raises(InputError, match="the answer of record 0001-plan.json no longer passes: steps"):
+    with pytest.raises(ReplayError, match="an answer of record 0001-plan.json no longer passes: steps"):
         ask(open_client(replay=tmp_path), check=positive)
+
+
+def test_replay_hands_refused_answers_to_the_check(tmp_path):
+    def keeping(seen):
+        def check(plan):
+            seen.append(plan.steps)
+            return positive(plan)
+
+        return check
+
+    seen, again = [], []
+    with pytest.raises(ModelFailed):
+        ask(client(tmp_path / "llm", {"steps": 0}, {"steps": -1}), check=keeping(seen), retries=2)
+    with pytest.raises(ModelFailed):
+        ask(open_client(replay=tmp_path), check=keeping(again), retries=2)
+    assert again == seen == [0, -1, -1]
 
 
 def test_replay_of_a_spent_budget(tmp_path):
