@@ -112,28 +112,48 @@ def room_of(reply: FurnitureReply, **fields: Any) -> RoomType:
     Raises:
         InputError: where it names what is not there, with the line for the model.
     """
-    data = {
-        **fields,
-        "groups": [{"use": g.use, "as": g.as_, "drop": tuple(g.drop)} for g in reply.groups],
-        "items": [_item(item) for item in _in_order(reply.items)],
+    return RoomType(**expanded({**fields, **furniture(reply)}, group_templates()))
+
+
+def furniture(reply: FurnitureReply) -> dict[str, Any]:
+    """Groups and items as the files of rooms have them."""
+    groups = [{"use": g.use, **({"as": g.as_} if g.as_ else {}), "drop": list(g.drop)} for g in reply.groups]
+    return {"groups": groups, "items": [_item(item) for item in _in_order(reply.items)]}
+
+
+def kind_data(reply: RoomReply, name: str, words: Sequence[str], source: str) -> dict[str, Any]:
+    """The data of a file for a kind of room.
+
+    Args:
+        reply: what a model wrote.
+        name: of the room.
+        words: its other names.
+        source: where it comes from.
+    """
+    openings = {
+        kind: {k: v for k, v in getattr(reply, kind).model_dump().items() if v is not None}
+        for kind in ("doors", "windows")
     }
-    return RoomType(**expanded(data, group_templates()))
+    openings["doors"].pop("sill", None)
+    plain = ("description", "area", "aspect", "height", "people", "styles", "floor", "fill")
+    own = {field: getattr(reply, field) for field in plain}
+    return {"name": name, "words": list(words), "sources": [source], **own, **openings, **furniture(reply)}
 
 
 def _item(item: ItemReply) -> dict[str, Any]:
     """An item as the files of rooms have it."""
-    places = [{"type": p.type, "to": _target(p.to), "soft": p.soft, "params": p.params} for p in item.place]
     data: dict[str, Any] = {
         "id": item.id,
-        "what": tuple(dict.fromkeys(named(noun) for noun in item.what)),
+        "what": [*dict.fromkeys(named(noun) for noun in item.what)],
         "need": item.need,
-        "count": tuple(item.count),
-        "place": tuple(places),
-        "on": tuple(item.on),
+        "count": list(item.count),
+        "place": [_place(place) for place in item.place],
     }
+    if item.on:
+        data["on"] = list(item.on)
     sizes = [getattr(item, side) for side in SIDES]
     if any(sizes):
-        data["size"] = tuple(tuple(size) if size else None for size in sizes)
+        data["size"] = sizes
     optional = {"with": item.with_, "mount": item.mount, "top": item.top, "fill": item.fill, "row": item.row}
     return data | {key: value for key, value in optional.items() if value is not None}
 
@@ -144,8 +164,14 @@ def named(noun: str) -> str:
     return noun if match.generic or match.body not in categories() else match.body
 
 
-def _target(to: str | None) -> str | None:
-    return {"any": None, "none": None, "": None}.get(to, to) if to is not None else None
+def _place(place: PlaceReply) -> dict[str, Any]:
+    """A relation as the files of rooms have it."""
+    said: dict[str, Any] = {"type": place.type}
+    if place.to not in (None, "", "any", "none"):
+        said["to"] = place.to
+    if place.soft:
+        said["soft"] = True
+    return said | ({"params": dict(place.params)} if place.params else {})
 
 
 def _in_order(items: Sequence[ItemReply]) -> Iterable[ItemReply]:

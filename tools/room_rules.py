@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 
 from sceneweaver.assets import categories
@@ -78,6 +79,7 @@ def missing(room: RoomType, usual: RoomType | None, brief: SceneGraph) -> list[s
 def _wrong_items(room: RoomType) -> Iterator[str]:
     ids = {item.id for item in room.items}
     known = [name for name, one in categories().items() if one.size is not None]
+    longest = math.sqrt(room.area[2] * max(room.aspect)) if room.area[2] > 0 < max(room.aspect) else 0.0
     for item in room.items:
         if item.group is not None:  # ours
             continue
@@ -92,6 +94,9 @@ def _wrong_items(room: RoomType) -> Iterator[str]:
         yield from _wrong_support(item)
         for place in item.place:
             yield from _wrong_place(item, place, ids)
+            least = place.params.get("min")
+            if isinstance(least, int | float) and not place.soft and least > longest:
+                yield f"{item.id}.place {place.type} wants {least:g} m, and such a room is {longest:.1f} m long at most"
         for field, name, table in (("top", item.top, arrangements()), ("fill", item.fill, crowds())):
             if name is not None and name not in table:
                 yield f"{item.id}.{field} is {shorten(name)}{suggest(name, table)}"
@@ -145,6 +150,9 @@ def _wrong_floor(room: RoomType) -> Iterator[str]:
     if not 2 <= least <= usual <= largest <= 500:
         yield f"area is [{least:g}, {usual:g}, {largest:g}]; give least, usual and largest floor of 2 to 500 m2"
         return
+    low, high = room.aspect
+    if not 1.0 <= low <= high <= 6.0:
+        yield f"aspect is [{low:g}, {high:g}]; give length by width, least and most, from 1 to 6"
     counts = _counts(room, usual)
     if len(room.items) < LEAST:
         yield f"there are {len(room.items)} items; name at least {LEAST}"

@@ -14,6 +14,7 @@ from sceneweaver.assets import Library
 from sceneweaver.brief import SceneGraph, read_request
 from sceneweaver.export import formats_named
 from sceneweaver.knowledge import RoomType, match_room, room_types
+from sceneweaver.knowledge.learned import learned_rooms
 from sceneweaver.knowledge.likely import likeliest_room
 from sceneweaver.llm import Limits, ModelClient, Prices
 from sceneweaver.tools.base import CLUTTER
@@ -182,7 +183,7 @@ def usable(name: str, tool: Registered, settings: Settings, room_type: RoomType,
 
 def chosen_room(brief: SceneGraph) -> tuple[RoomType, tuple[str, ...]]:
     """The kind of room that a request means, and what was assumed where it does not say."""
-    known = room_types()
+    known = {**learned_rooms(), **room_types()}
     if brief.room_type is not None and brief.room_type in known:
         return known[brief.room_type], ()
     if brief.room_words:

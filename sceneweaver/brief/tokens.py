@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
+
+from sceneweaver.knowledge.learned import learned_words
 
 from .source import Source, metres
 from .spelling import mended
@@ -53,7 +55,7 @@ class _Raw:
 
 def tokens(source: Source, notes: list[str]) -> list[Token]:
     """The tokens of a source; corrected spellings are noted."""
-    raw = _raw(source.text)
+    raw, learned = _raw(source.text), learned_words()
     found: list[Token] = []
     at = 0
     while at < len(raw):
@@ -67,7 +69,7 @@ def tokens(source: Source, notes: list[str]) -> list[Token]:
         elif not word.text[0].isalnum() and word.text != "&":
             at += 1
         else:
-            token, at = _number(raw, at) if word.text[0].isdigit() else _phrase(raw, at, notes)
+            token, at = _number(raw, at) if word.text[0].isdigit() else _phrase(raw, at, notes, learned)
             found.append(token)
     return list(_tens(_cut(found)))
 
@@ -111,12 +113,17 @@ def _number(raw: list[_Raw], at: int) -> tuple[Token, int]:
     return Token(word.text, word.start, word.end, kinds), at + 1
 
 
-def _phrase(raw: list[_Raw], at: int, notes: list[str]) -> tuple[Token, int]:
-    """The longest known phrase, which ends in the middle of a compound with hyphens only where a number does."""
+def _phrase(raw: list[_Raw], at: int, notes: list[str], learned: Mapping[str, str]) -> tuple[Token, int]:
+    """The longest known phrase, which ends in the middle of a compound with hyphens only where a number does.
+
+    ``learned`` are names of rooms that the user has learned: known where the vocabulary does not know them.
+    """
     table = vocabulary()
     for length in range(min(LONGEST, len(raw) - at), 0, -1):
         end = at + length
         phrase = _joined(raw, at, end)
+        if phrase in learned and phrase not in table:
+            return Token(phrase, raw[at].start, raw[end - 1].end, {"room": learned[phrase]}), end
         if phrase not in table or (length > 1 and "place_adverb" in table[phrase] and _noun_begins(raw, end - 1)):
             continue
         if raw[end - 1].glued and not (length == 1 and phrase in NUMBERS and _tens_follow(raw, end)):

@@ -26,6 +26,7 @@ from .clock import process_began
 from .dataset import dataset
 from .exit_codes import BAD_INPUT, INTERRUPTED, MISSING
 from .extensions import load_extensions
+from .knowledge import knowledge
 from .options import Candidates, Device, Input, Json, Out, Picture, Png, Seed, TimeLimit, positive_seconds
 
 # The base of typer's usage errors, which lives in click or, with newer versions of typer, in typer itself.
@@ -368,6 +369,7 @@ def examples(as_json: Json = False) -> int:
 assets = typer.Typer(name="assets", help="Furniture: draw it, show it, import other people's.")
 app.add_typer(assets)
 app.add_typer(dataset)
+app.add_typer(knowledge)
 
 StorePath = Annotated[
     Path | None,

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Mapping
 from functools import cache
 from importlib import resources
 from types import MappingProxyType
 from typing import Any
-
-from sceneweaver.scene import InputError
-from sceneweaver.scene.messages import suggest
 
 from .groups import GroupTemplate, expanded
 from .model import RoomType
@@ -47,14 +43,6 @@ def _files(folder: str) -> list[dict[str, Any]]:
     return [read_yaml(f.read_text(encoding="utf-8")) for f in files if f.name.endswith(".yaml")]
 
 
-def room_type(name: str) -> RoomType:
-    """The kind of room of that name; InputError when there is none."""
-    known = room_types()
-    if name not in known:
-        raise InputError(f"room: '{name}' is unknown{suggest(name, known)}")
-    return known[name]
-
-
 @cache
 def room_words() -> Mapping[str, str]:
     """Every phrase that names a kind of room, lower case, to its name; longer phrases should be tried first."""
@@ -63,23 +51,3 @@ def room_words() -> Mapping[str, str]:
         for word in room.words:
             table.setdefault(word.lower(), name)
     return MappingProxyType(table)
-
-
-def match_room(words: str) -> tuple[str, float] | None:
-    """The kind of room that words name, and how surely (1 exact, less for a misspelt name); None when unknown."""
-    asked = " ".join(words.lower().replace("_", " ").replace("-", " ").split())
-    table = room_words()
-    for form in (asked, asked.removesuffix("s")):
-        if form in table:
-            return table[form], 1.0
-    alike = [form for form in difflib.get_close_matches(asked, table, n=5, cutoff=0.8) if _word_by_word(asked, form)]
-    near = alike[:1]
-    return (table[near[0]], difflib.SequenceMatcher(None, asked, near[0]).ratio()) if near else None
-
-
-def _word_by_word(asked: str, known: str) -> bool:
-    """Whether each word is a misspelling of its counterpart: a "boiler room" is no "toilet room"."""
-    mine, theirs = asked.split(), known.split()
-    return len(mine) != len(theirs) or all(
-        difflib.SequenceMatcher(None, a, b).ratio() >= 0.75 for a, b in zip(mine, theirs, strict=True)
-    )

@@ -6,7 +6,7 @@ import pytest
 
 from sceneweaver.brief import read_request
 from sceneweaver.geometry.spread import even_count
-from sceneweaver.knowledge.load import room_type, room_types
+from sceneweaver.knowledge import room_type, room_types
 from sceneweaver.scene import Scene
 from sceneweaver.tools.base import Context
 from sceneweaver.tools.init_prior import InitPrior

@@ -1,0 +1,179 @@
+"""Kinds of rooms that nobody described: a model writes one down, it is tried out, and kept for offline use after."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, nullcontext
+from dataclasses import dataclass
+from pathlib import Path
+
+from sceneweaver.agent.executor import Executor
+from sceneweaver.agent.loop import empty_scene
+from sceneweaver.agent.settings import Settings
+from sceneweaver.assets import Library
+from sceneweaver.assets.sources.parametric import ParametricSource
+from sceneweaver.brief import SceneGraph
+from sceneweaver.brief.vocabulary import vocabulary as known_phrases
+from sceneweaver.knowledge import RoomType, match_room, room_type
+from sceneweaver.knowledge.learned import (
+    keep_room,
+    named_in,
+    plain,
+    read_room,
+    room_file,
+    room_text,
+    rooms_of,
+    slug,
+)
+from sceneweaver.knowledge.load import room_words
+from sceneweaver.llm import ModelClient
+from sceneweaver.scene import InputError, Scene, write_atomic
+from sceneweaver.scene.messages import shorten
+from sceneweaver.tools.base import Context
+from sceneweaver.tools.init_llm import compact, drawn, instructions, vocabulary
+from sceneweaver.tools.room_reply import RoomReply, kind_data
+from sceneweaver.tools.room_rules import check_room
+
+from .scene_text import prompt
+
+RETRIES = 5
+"""Times that a model is told what is wrong with a room."""
+
+TRIAL = Settings(device="cpu", candidates=16, generations=0, choice=False, attempts=(1, 2))
+"""How the example of a room is laid out."""
+
+PROBLEMS = 5
+"""Problems of an example that are told."""
+
+ROOMS, ROOM = "rooms", "room.yaml"
+"""In the records of a run: what was known of rooms that it names when it began, and what it learned."""
+
+
+@dataclass(frozen=True)
+class Learned:
+    """A kind of room, with the text of its file."""
+
+    room: RoomType
+    text: str
+
+
+def learned_room(client: ModelClient, words: str, folder: Path | None = None, *, keep: bool = True) -> RoomType:
+    """The kind of room that words name: a known one, else one that a model writes down.
+
+    Args:
+        client: whom to ask.
+        words: such as "mountain hut".
+        folder: of the run's records; gets a copy of what is learned.
+        keep: whether it is kept for later.
+
+    Raises:
+        ModelError: when the model writes nothing that can be drawn, laid out and judged valid.
+        InputError: for words that are no name.
+    """
+    found = match_room(words)
+    if found is not None:
+        return room_type(found[0])
+    made = learn(client, words)
+    if folder is not None:
+        folder.mkdir(parents=True, exist_ok=True)
+        write_atomic(folder / ROOM, made.text)
+    if keep:
+        keep_room(made.text)
+    return made.room
+
+
+def learn(client: ModelClient, words: str) -> Learned:
+    """What a model writes down of a kind of room; an example of it was drawn, laid out and judged valid.
+
+    Raises:
+        ModelError: when it writes nothing such.
+        InputError: for words that are no name, or that name something already.
+    """
+    name = slug(words)
+    if meant := _known(plain(words)):
+        raise InputError(f"room: '{shorten(words)}' is known already, as {meant}; give it another name")
+
+    def learned(reply: RoomReply) -> Learned:
+        said = kind_data(reply, name, _words(reply.words, name), f"written by the language model {client.name}"[:120])
+        text = room_text(said)
+        return Learned(read_room(text), text)
+
+    def check(reply: RoomReply) -> None:
+        room = learned(reply).room
+        check_room(room)
+        check_example(room)
+
+    task = {"kind_of_room": shorten(words, 60)}
+    said = client.ask(
+        "room",
+        RoomReply,
+        f"{instructions()}\n{prompt('room_kind')}",
+        [f'{{"task":{compact(task)},\n"words":{vocabulary()}}}'],
+        check=check,
+        retries=RETRIES,
+    )
+    return learned(said)
+
+
+def check_example(room: RoomType) -> None:
+    """Draw a room of the kind, lay it out on the CPU and judge it.
+
+    Raises:
+        InputError: with what is wrong with the example, in words that mend the room.
+    """
+    brief = SceneGraph(text=f"a {room.name.replace('_', ' ')}", room_type=room.name)
+    empty = empty_scene(brief, room)
+    context = Context(brief, room, empty, Library(sources=[ParametricSource()]), 0, brief.text)
+    proposal = drawn(context, room, {})
+    if proposal.unmet:
+        raise InputError(f"the room cannot be drawn in full: {'; '.join(proposal.unmet[:PROBLEMS])}")
+    outcome = Executor(room, brief, TRIAL).run(empty, proposal, seed=0)
+    lost = _lost(room, proposal.scene or empty, outcome.scene)
+    if outcome.report.valid and not lost:
+        return
+    area = room.area[1]
+    said = [f"{name} has no place" for name in lost]
+    said += [shorten(v.detail, 160) for v in outcome.report.violations if v.hard][:PROBLEMS]
+    said += [f"{d.id}: {d.reason}" for d in outcome.scene.dropped][: PROBLEMS - len(said)]
+    raise InputError(
+        f"an example of it with {area:g} m2 cannot be laid out: {'; '.join(said)}; "
+        "name less, make relations soft, or give a larger area"
+    )
+
+
+def _lost(room: RoomType, before: Scene, after: Scene) -> list[str]:
+    """Items that are more than optional and of which nothing is left."""
+    drawn_, left = ({o.intent.program_item for o in scene.objects} for scene in (before, after))
+    return [i.id for i in room.items if i.need != "optional" and i.id in drawn_ - left]
+
+
+@contextmanager
+def rooms_of_run(text: str, own: Path | None, replayed: Path | None = None) -> Iterator[None]:
+    """Within it a run knows the learned rooms that it knew when it began, whatever was learned or forgotten since.
+
+    Args:
+        text: the request.
+        own: folder of the run's records; those of its rooms that the request names are copied there when it begins.
+        replayed: folder of the records of a run that is replayed.
+    """
+    began = replayed or (own if own is not None and (own / ROOMS).is_dir() else None)
+    with rooms_of(began / ROOMS) if began is not None else nullcontext():
+        if own is not None and own != began:
+            (own / ROOMS).mkdir(parents=True, exist_ok=True)
+            for room in named_in(text):
+                write_atomic(own / ROOMS / f"{room.name}.yaml", room_file(room.name))
+        yield
+
+
+def _known(word: str) -> str:
+    """What a phrase means already, a kind of room or a thing; empty where it means nothing."""
+    if word in room_words():
+        return room_words()[word]
+    kinds = known_phrases().get(word, {})
+    return "/".join(sorted(kinds)) if kinds else ""
+
+
+def _words(words: Sequence[str], name: str) -> list[str]:
+    """The other names of a room that mean nothing else."""
+    found = [plain(word)[:40] for word in words]
+    return [w for w in dict.fromkeys(found) if w and w != name.replace("_", " ") and not _known(w) and w.isascii()]

@@ -1,0 +1,236 @@
+"""Kinds of rooms that were learned: files of the user, read beside those that ship with the library.
+
+A learned room is meant where a request says its name or one of its words, and nowhere else: it takes no word that is
+known already, and no part in telling which room is meant by things. A file that is damaged is left out with a warning.
+"""
+
+from __future__ import annotations
+
+import logging
+import os
+import re
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
+from functools import lru_cache
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any
+
+from sceneweaver.scene import InputError, read_bytes, write_atomic
+from sceneweaver.scene.messages import shorten, suggest
+
+from .groups import expanded
+from .load import group_templates, read_yaml, room_types, room_words
+from .model import RoomType
+
+SCHEMA = "sceneweaver.room/1"
+
+LARGEST = 64 * 1024
+"""Bytes of a file at most."""
+
+MOST = 500
+"""Rooms that are read of a folder at most."""
+
+LONGEST = 40
+"""Characters of a name at most."""
+
+log = logging.getLogger(__name__)
+
+_only: ContextVar[Path | None | bool] = ContextVar("only", default=False)
+
+
+def rooms_folder() -> Path:
+    """Where learned rooms are kept: ``$SCENEWEAVER_ROOMS``, or the user's data folder."""
+    given = os.environ.get("SCENEWEAVER_ROOMS")
+    if given:
+        return Path(given).expanduser()
+    base = os.environ.get("XDG_DATA_HOME") or "~/.local/share"
+    return Path(base).expanduser() / "sceneweaver" / "rooms"
+
+
+@contextmanager
+def rooms_of(folder: Path | None) -> Iterator[None]:
+    """Within it the learned rooms are those of a folder, not the user's; with None there are none."""
+    token = _only.set(folder)
+    try:
+        yield
+    finally:
+        _only.reset(token)
+
+
+def learned_rooms() -> Mapping[str, RoomType]:
+    """The learned rooms by name, as their files are now."""
+    folder = _only.get()
+    place = rooms_folder() if isinstance(folder, bool) else folder
+    return _rooms(_state(place)) if place is not None else MappingProxyType({})
+
+
+def learned_words() -> Mapping[str, str]:
+    """Every phrase that names a learned room, lower case, to its name; none of them is known otherwise."""
+    rooms = learned_rooms()
+    if not rooms:
+        return {}
+    table = {plain(name): name for name in rooms}
+    for name, room in rooms.items():
+        for word in room.words:
+            table.setdefault(plain(word), name)
+    return (
+        MappingProxyType({word: name for word, name in table.items() if word not in room_words()}) if table else table
+    )
+
+
+def named_in(text: str) -> list[RoomType]:
+    """The learned rooms that a text names."""
+    low = f" {plain(text)} "
+    found = {name for word, name in learned_words().items() if f" {word} " in low}
+    return [room for name, room in learned_rooms().items() if name in found]
+
+
+def plain(words: str) -> str:
+    """Words as requests are searched for them: lower case, with single blanks."""
+    return " ".join(re.findall(r"[^\W_]+", words.lower()))
+
+
+def slug(words: str) -> str:
+    """The name of a room that words call so, fit for a file: "Mountain hut" is mountain_hut.
+
+    Raises:
+        InputError: where no Latin letters are in them, or too many.
+    """
+    name = "_".join(re.findall(r"[a-z0-9]+", words.lower()))
+    if not re.match(r"[a-z]", name) or len(name) > LONGEST:
+        raise InputError(f"room: '{shorten(words)}' is no name; give one to {LONGEST} letters, such as mountain hut")
+    return name
+
+
+def read_room(text: str) -> RoomType:
+    """A kind of room from the text of a file.
+
+    Raises:
+        InputError: one line, for what is no room.
+    """
+    import yaml
+
+    try:
+        if any(isinstance(token, yaml.tokens.AliasToken | yaml.tokens.TagToken) for token in yaml.scan(text)):
+            raise InputError("aliases and tags are not read; write all of it out")
+        data = read_yaml(text)
+    except yaml.YAMLError as error:
+        raise InputError(f"not YAML: {shorten(' '.join(str(error).split()), 120)}") from None
+    except RecursionError:
+        raise InputError("nested too deeply") from None
+    if not isinstance(data, dict) or data.pop("schema", None) != SCHEMA:
+        raise InputError(f"give a mapping with schema: {SCHEMA}")
+    return room_from(data)
+
+
+def room_from(data: Mapping[str, Any]) -> RoomType:
+    """A kind of room from the data of a file; InputError with one line for what is none."""
+    try:
+        room = RoomType(**expanded(data, group_templates()))
+    except InputError:
+        raise
+    except (TypeError, ValueError, KeyError, AttributeError, RecursionError) as error:
+        raise InputError(shorten(" ".join(str(error).split()) or type(error).__name__, 200)) from None
+    if slug(room.name) != room.name:
+        raise InputError(f"name is '{shorten(room.name)}'; give it as {slug(room.name)}")
+    return room
+
+
+def room_text(data: Mapping[str, Any]) -> str:
+    """The text of a file with the data of a room; equal data give equal text."""
+    import json
+
+    import yaml
+
+    plain_data = json.loads(json.dumps({"schema": SCHEMA, **data}))
+    return yaml.safe_dump(plain_data, sort_keys=False, allow_unicode=True, width=110, default_flow_style=None)
+
+
+def keep_room(text: str, folder: Path | None = None) -> Path:
+    """Keep a room for later; in the place of one of the same name.
+
+    Args:
+        text: of its file.
+        folder: where; None: with the user's.
+
+    Raises:
+        InputError: when it is no room, has a name or a word that is known already, or cannot be written.
+    """
+    room = read_room(text)
+    if taken := _taken(room):
+        raise InputError(f"room: {taken}")
+    if len(text.encode()) > LARGEST:
+        raise InputError(f"room: {room.name} has more than {LARGEST // 1024} kB; write it shorter")
+    place = folder or rooms_folder()
+    try:
+        place.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError(f"{place}: cannot be made ({error.strerror}); set SCENEWEAVER_ROOMS to another") from None
+    path = place / f"{room.name}.yaml"
+    write_atomic(path, text)
+    return path
+
+
+def forget_room(words: str) -> Path:
+    """Remove a learned room for good; InputError when there is none of that name."""
+    name, place = slug(words), rooms_folder()
+    path = place / f"{name}.yaml"
+    if name not in learned_rooms() and not path.is_file():
+        if name in room_types():
+            raise InputError(f"room: {name} comes with sceneweaver and cannot be forgotten")
+        raise InputError(f"room: '{name}' was never learned{suggest(name, learned_rooms(), what='learned')}")
+    path.unlink(missing_ok=True)
+    return path
+
+
+def room_file(name: str) -> str:
+    """The text of the file of a learned room; InputError when there is none."""
+    folder = _only.get()
+    place = rooms_folder() if isinstance(folder, bool) else folder
+    if place is None or name not in learned_rooms():
+        raise InputError(f"room: '{shorten(name)}' was never learned{suggest(name, learned_rooms(), what='learned')}")
+    return read_bytes(place / f"{name}.yaml", max_bytes=LARGEST).decode()
+
+
+State = tuple[tuple[str, int, int], ...]
+
+
+def _state(folder: Path) -> State:
+    """Path, time and length of each file of a folder."""
+    found = []
+    try:
+        with os.scandir(folder) as entries:
+            for entry in entries:
+                if entry.name.endswith(".yaml") and not entry.name.startswith(".") and entry.is_file():
+                    stat = entry.stat()
+                    found.append((entry.path, stat.st_mtime_ns, stat.st_size))
+    except OSError:
+        return ()
+    return tuple(sorted(found))
+
+
+@lru_cache(maxsize=8)
+def _rooms(state: State) -> Mapping[str, RoomType]:
+    found: dict[str, RoomType] = {}
+    for path, _, _ in state[:MOST]:
+        try:
+            room = read_room(read_bytes(path, max_bytes=LARGEST).decode())
+            if room.name != Path(path).stem:
+                raise InputError(f"name is {shorten(room.name)}; name the file and the room alike")
+            if taken := _taken(room):
+                raise InputError(taken)
+        except (InputError, UnicodeDecodeError) as error:
+            log.warning("learned room %s is left out: %s", path, shorten(" ".join(str(error).split()), 200))
+            continue
+        found[room.name] = room
+    return MappingProxyType(found)
+
+
+def _taken(room: RoomType) -> str:
+    """Which of a room's names is known already; empty when none is."""
+    for word in (room.name, *room.words):
+        if plain(word) in room_words():
+            return f"'{shorten(word)}' is known already, as {room_words()[plain(word)]}; give it another name"
+    return ""

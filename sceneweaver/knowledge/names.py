@@ -1,0 +1,41 @@
+"""Kinds of rooms by what people call them: those that ship with the library, then those that were learned."""
+
+from __future__ import annotations
+
+import difflib
+
+from sceneweaver.scene import InputError
+from sceneweaver.scene.messages import suggest
+
+from .learned import learned_rooms, learned_words
+from .load import room_types, room_words
+from .model import RoomType
+
+
+def room_type(name: str) -> RoomType:
+    """The kind of room of that name, one that was learned included; InputError when there is none."""
+    known = {**learned_rooms(), **room_types()}
+    if name not in known:
+        raise InputError(f"room: '{name}' is unknown{suggest(name, known)}")
+    return known[name]
+
+
+def match_room(words: str) -> tuple[str, float] | None:
+    """The kind of room that words name, and how surely (1 exact, less for a misspelt name); None when unknown."""
+    asked = " ".join(words.lower().replace("_", " ").replace("-", " ").split())
+    table = room_words()
+    for known in (table, learned_words()):
+        for form in (asked, asked.removesuffix("s")):
+            if form in known:
+                return known[form], 1.0
+    alike = [form for form in difflib.get_close_matches(asked, table, n=5, cutoff=0.8) if _word_by_word(asked, form)]
+    near = alike[:1]
+    return (table[near[0]], difflib.SequenceMatcher(None, asked, near[0]).ratio()) if near else None
+
+
+def _word_by_word(asked: str, known: str) -> bool:
+    """Whether each word is a misspelling of its counterpart: a "boiler room" is no "toilet room"."""
+    mine, theirs = asked.split(), known.split()
+    return len(mine) != len(theirs) or all(
+        difflib.SequenceMatcher(None, a, b).ratio() >= 0.75 for a, b in zip(mine, theirs, strict=True)
+    )

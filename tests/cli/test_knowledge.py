@@ -1,0 +1,87 @@
+"""``sceneweaver knowledge``: learn from a server, keep, list, show, replay, forget."""
+
+from __future__ import annotations
+
+import logging
+
+import pytest
+
+from sceneweaver.knowledge.learned import read_room
+from sceneweaver.tools.room_reply import RoomReply
+from tests.agent.by_model.test_rooms import SHED
+from tests.llm.model_server import ModelServer, answering
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path, monkeypatch):
+    """A user's folder of its own, and no model in the environment."""
+    monkeypatch.setenv("SCENEWEAVER_ROOMS", str(tmp_path / "rooms"))
+    for name in ("MODEL", "BASE_URL", "API_KEY"):
+        monkeypatch.delenv(f"SCENEWEAVER_{name}", raising=False)
+    return tmp_path / "rooms"
+
+
+def test_learn_list_show_replay_forget(run, tmp_path, folder):
+    learn = ("knowledge", "learn", "Sky hut")
+    with ModelServer(answering({RoomReply: SHED})) as server:
+        endpoint = ("--model", "openai:scripted-1", "--base-url", server.url)
+        done = run(*learn, *endpoint, "--record", tmp_path / "records", "--out", tmp_path / "hut.yaml")
+        assert (done.code, done.err) == (0, "")
+        assert "sky_hut: learned, 3 kinds of things (1 needed) on 6 to 16 m2" in done.out
+        assert 'sceneweaver design "a sky hut"' in done.out
+        assert len(server.requests) == 1 and "Sky hut" in server.requests[0].text
+        again = run(*learn, *endpoint)
+        assert again.code == 2 and "sky_hut is learned already; forget it first" in again.err
+    text = (tmp_path / "hut.yaml").read_text()
+    assert text == (folder / "sky_hut.yaml").read_text() and read_room(text).name == "sky_hut"
+    listed = run("knowledge", "list", "--json").json["rooms"]
+    assert [r["name"] for r in listed if r["learned"]] == ["sky_hut"] and len(listed) > 50
+    assert run("knowledge", "list").out.startswith("sky_hut")
+    assert run("knowledge", "show", "sky hut").out.strip() == text.strip()
+    shown = run("knowledge", "show", "potting shed", "--json").json
+    assert shown["learned"] and [i["id"] for i in shown["items"]] == ["bench", "shelf", "light"]
+    assert run("knowledge", "forget", "sky hut").out == "sky_hut: forgotten\n"
+    replayed = run(*learn, "--replay", tmp_path / "records", "--json")
+    assert replayed.code == 0 and replayed.json["learned"] == "sky_hut"
+    assert (folder / "sky_hut.yaml").read_text() == text
+    assert run("knowledge", "forget", "sky hut", "--json").json["forgotten"] == "sky_hut"
+    assert list(folder.glob("*.yaml")) == []
+
+
+def test_a_model_that_writes_nonsense(run, folder):
+    with ModelServer(answering({RoomReply: {**SHED, "area": [2, 2, 2]}})) as server:
+        args = ("knowledge", "learn", "sky hut", "--model", "openai:scripted-1", "--base-url", server.url)
+        done = run(*args, "--json")
+    assert done.code == 3 and "the model wrote no sky hut that can be drawn" in done.json["error"]
+    assert not folder.exists()
+
+
+@pytest.mark.parametrize(
+    ("args", "code", "words"),
+    [
+        (("learn", "sky hut"), 4, "model"),
+        (("learn", "sky hut", "--model", "openai:x", "--base-url", "http://127.0.0.1:9/v1"), 4, "room: "),
+        (("learn", "bedroom", "--model", "x", "--base-url", "http://127.0.0.1:9/v1"), 2, "is known already"),
+        (("learn", "../..", "--model", "x", "--base-url", "http://127.0.0.1:9/v1"), 2, "is no name"),
+        (("learn", "sky hut", "--replay", "nowhere"), 2, "nowhere"),
+        (("show", "sky hut"), 2, "'sky hut' is unknown"),
+        (("forget", "sky hut"), 2, "was never learned"),
+        (("forget", "bedroom"), 2, "cannot be forgotten"),
+    ],
+)
+def test_what_can_go_wrong_is_one_line(args, code, words, run):
+    done = run("knowledge", *args)
+    assert done.code == code and words in done.err and done.err.count("\n") == 1, done.err
+
+
+def test_known_rooms_are_shown(run):
+    shown = run("knowledge", "show", "bed room")
+    assert shown.code == 0 and "bedroom: A room to sleep" in shown.out and "nightstand" in shown.out
+
+
+def test_a_damaged_file_is_a_warning(run, folder, caplog):
+    folder.mkdir()
+    (folder / "hut.yaml").write_text("name: [")
+    with caplog.at_level(logging.WARNING):
+        assert run("knowledge", "list").code == 0
+    assert "learned room" in caplog.text and "is left out" in caplog.text
