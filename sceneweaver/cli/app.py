@@ -63,6 +63,13 @@ class Planner(StrEnum):
     LLM = "llm"
 
 
+class Transport(StrEnum):
+    """How the MCP server is reached."""
+
+    STDIO = "stdio"
+    HTTP = "http"
+
+
 def _version(wanted: bool) -> None:
     if wanted:
         import sceneweaver
@@ -328,6 +335,36 @@ def view(
     from .view import run_view
 
     return run_view(source, port, browser)
+
+
+@app.command()
+def mcp(
+    folder: Annotated[
+        Path, typer.Option(metavar="DIR", help="All files are read and written below it; it must be there.")
+    ] = Path("."),
+    transport: Annotated[
+        Transport, typer.Option(help="stdio, as assistants start it; http: for clients of this computer.")
+    ] = Transport.STDIO,
+    port: Annotated[int, typer.Option(min=0, max=65535, help="Port of http; 0 takes any that is free.")] = 8643,
+    device: Device = "auto",
+    time_limit: Annotated[
+        float, typer.Option(callback=positive_seconds, help="Seconds that one call may take at most.")
+    ] = 300.0,
+    scenes: Annotated[int, typer.Option(min=1, max=1000, help="Scenes that may be open at once.")] = 16,
+    versions: Annotated[int, typer.Option(min=2, max=10_000, help="Versions that are kept of a scene.")] = 100,
+) -> int:
+    """Serve rooms to assistants over the Model Context Protocol: design, edit, check, render, export."""
+    from .mcp import run_mcp
+
+    return run_mcp(
+        folder,
+        transport=transport.value,
+        port=port,
+        device=device,
+        time_limit=time_limit,
+        scenes=scenes,
+        versions=versions,
+    )
 
 
 @app.command()

@@ -1,0 +1,33 @@
+"""Types of the tools' arguments, with their bounds."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from pydantic import Field, FiniteFloat
+
+from .limits import LEAST_SIDE, MOST_PROMPT, MOST_SIDE
+
+SceneId = Annotated[str, Field(min_length=1, max_length=40, description="Handle of an open scene, such as s1")]
+ObjectId = Annotated[str, Field(min_length=1, max_length=200, description="Id of an object, such as desk-0")]
+Name = Annotated[str, Field(min_length=1, max_length=400, description="Name below the server's folder")]
+Prompt = Annotated[str, Field(min_length=1, max_length=MOST_PROMPT, description="The room, in plain English")]
+Words = Annotated[str, Field(min_length=1, max_length=400)]
+Point = Annotated[list[FiniteFloat], Field(min_length=2, max_length=3, description="x, y or x, y, z [m]")]
+Degrees = Annotated[FiniteFloat, Field(description="Counter-clockwise [degrees]")]
+Metres = Annotated[FiniteFloat, Field(gt=0, le=100, description="[m]")]
+Seed = Annotated[int, Field(ge=0, lt=2**32, description="Equal seeds give equal results")]
+Seconds = Annotated[FiniteFloat, Field(gt=0, description="Seconds that it may take")]
+VersionNumber = Annotated[int, Field(ge=1, description="Number of a version")]
+Side = Annotated[int, Field(ge=LEAST_SIDE, le=MOST_SIDE, description="Pixels")]
+Exact = Annotated[
+    bool,
+    Field(description="Leave everything just as edited; otherwise things make way so that the scene stays valid"),
+]
+Target = Annotated[
+    str | list[str] | bool | None,
+    Field(
+        description='Id of an object, door or window; a wall ("north", "wall:2", "wall" for any); two ids for between; '
+        "null where the type needs none"
+    ),
+]

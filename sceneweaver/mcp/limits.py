@@ -1,0 +1,49 @@
+"""How much the server keeps, reads and waits for. Each bound has an error that says so."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+MOST_PROMPT = 4_000
+"""Characters of a request for a design."""
+
+MOST_SCENE = 8 * 2**20
+"""Bytes of a scene file that is opened."""
+
+MOST_LISTED = 60
+"""Violations, moves and the like in one answer; the report has them all."""
+
+MOST_OBJECTS = 300
+"""Objects in one answer; the scene's resource has them all."""
+
+MOST_FOUND = 200
+"""Scene files that are listed."""
+
+MOST_VIEWS = 4
+"""Pictures of one call."""
+
+LEAST_SIDE, MOST_SIDE = 200, 2048
+"""Pixels of a side of a picture."""
+
+GRACE = 6.0
+"""Seconds that cancelled work has to end in good order, and work that is late to say so."""
+
+CLOSING = 0.8
+"""Seconds that running work has when the server ends."""
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Bounds that whoever starts the server may set.
+
+    Attributes:
+        seconds: of one call.
+        scenes: open at once.
+        versions: kept of a scene.
+        waiting: calls that may wait for a process to be free.
+    """
+
+    seconds: float = 300.0
+    scenes: int = 16
+    versions: int = 100
+    waiting: int = 8

@@ -1,0 +1,178 @@
+"""Tools that open, design, list and close scenes."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Annotated, Literal
+
+from mcp.server.mcpserver import Context
+from mcp_types import CallToolResult
+from pydantic import Field
+
+from sceneweaver.scene import InputError, Scene, read_bytes
+from sceneweaver.scene.io import EXAMPLES
+
+from .answers import Closed, DesignedScene, OpenedScene, OpenScene, SceneList, state_text
+from .handles import Handles
+from .inputs import Name, Prompt, SceneId, Seconds, Seed
+from .limits import MOST_FOUND, MOST_SCENE
+from .paths import Folder
+from .service import Progress, Service, answer
+
+STARTING = 20.0
+"""Seconds that the process of a design may take beyond its time limit: it starts up, and writes the results."""
+
+DEEPEST = 6
+"""Folders below the server's in which scene files are looked for."""
+
+
+class SceneTools:
+    """Design, open, list and close."""
+
+    def __init__(self, service: Service) -> None:
+        self.service = service
+
+    async def design(
+        self,
+        prompt: Prompt,
+        context: Context,
+        seed: Seed = 0,
+        steps: Annotated[int, Field(ge=1, le=100, description="Steps of the agent at most")] = 10,
+        candidates: Annotated[
+            int | None, Field(ge=1, le=65536, description="Layouts for each call of a tool; null: by the device")
+        ] = None,
+        time_limit: Seconds = 120.0,
+        folder: Annotated[
+            Name | None, Field(description="Where its files go; a run that was cut off there goes on; null: a new one")
+        ] = None,
+        pictures: Annotated[bool, Field(description="Draw pictures and a report into the folder")] = False,
+        formats: Annotated[
+            list[Literal["glb", "usd", "mjcf", "scenestate"]], Field(max_length=4, description="Files for other tools")
+        ] = [],  # noqa: B006 - the default of a schema, which nothing changes
+        clutter: Annotated[
+            float, Field(ge=0, le=1, description="How lived-in: 0 a show room, 1 much lies about")
+        ] = 0.4,
+        planner: Annotated[Literal["rules", "llm"], Field(description="llm: if the server has a model")] = "rules",
+    ) -> Annotated[CallToolResult, DesignedScene]:
+        """Design a furnished room from a request in words. Takes from seconds to minutes; reports each step.
+
+        The scene is opened under a handle, and kept in a folder with its report and every step.
+        """
+        service = self.service
+        service.handles.require_room()
+        seconds = service.seconds(time_limit, time_limit)
+        if planner == "llm" and service.llm is None:
+            raise InputError("planner: llm needs a model, and this server was started without one; use rules")
+        name = folder or service.files.free_name("room")
+        out = service.files.run_folder(name, "folder")
+        made = await service.workers.long.run(
+            "design",
+            {
+                "prompt": prompt,
+                "out": str(out),
+                "seed": seed,
+                "steps": steps,
+                "candidates": candidates,
+                "time_limit": seconds,
+                "pictures": pictures,
+                "export": list(formats) or "none",
+                "clutter": clutter,
+                "planner": planner,
+                **(service.llm or {} if planner == "llm" else {}),
+            },
+            Progress(context),
+            seconds=seconds + STARTING,
+            folder=out,
+        )
+        handle = service.handles.open(made["scene"], made["report"], "designed", made["review"])
+        await context.notify_resources_changed()
+        state = DesignedScene(
+            **service.opened(handle, made["notes"]),
+            folder=name,
+            grades={key: round(value, 2) for key, value in made["review"]["grades"].items()},
+            unmet=made["unmet"],
+            steps=made["steps"],
+            finished=made["finished"],
+            undone=[service.folder.without_paths(each) for each in made["undone"]],
+        )
+        return answer(state, state_text(state))
+
+    async def open(self, name: Name, context: Context) -> Annotated[CallToolResult, OpenedScene]:
+        """Open a scene file below the server's folder (or a folder with a scene.json), or an example by its name."""
+        service = self.service
+        service.handles.require_room()
+        scene, source = read_scene(service.folder, name)
+        report = await service.quick(context, "check", scene=scene)
+        handle = service.handles.open(scene, report, f"opened {source}")
+        await context.notify_resources_changed()
+        state = OpenedScene(**service.opened(handle, []))
+        return answer(state, state_text(state))
+
+    async def list_scenes(self) -> Annotated[CallToolResult, SceneList]:
+        """List the scenes that are open, and the files and examples that can be opened."""
+        listed = SceneList(
+            open=open_scenes(self.service.handles), files=scene_files(self.service.folder), examples=list(EXAMPLES)
+        )
+        lines = [
+            f"{each.scene}: {each.name}, version {each.version}, {each.objects} objects, "
+            f"{'valid' if each.valid else 'NOT valid'}"
+            for each in listed.open
+        ]
+        lines = ["open: " + ("; ".join(lines) or "none"), "files: " + (", ".join(listed.files) or "none")]
+        return answer(listed, "\n".join([*lines, "examples: " + ", ".join(listed.examples)]))
+
+    async def close(self, scene: SceneId, context: Context) -> Annotated[CallToolResult, Closed]:
+        """Forget an open scene with all its versions. Files stay; export first what is to be kept."""
+        handle = self.service.handles.close(scene)
+        await context.notify_resources_changed()
+        closed = Closed(scene=handle.id, versions=len(handle.versions))
+        return answer(closed, f"{handle.id} is closed, with {closed.versions} versions")
+
+
+def read_scene(folder: Folder, name: str) -> tuple[Scene, str]:
+    """A scene by the name of a file, of a folder that holds one, or of an example, and where it is from.
+
+    Raises:
+        InputError: for a name that is refused, or what is no scene.
+    """
+    path = folder.place(name, "name")
+    if name in EXAMPLES and not path.exists():
+        return Scene.example(name), f"the example {name}"
+    if path.is_dir():
+        path = folder.place(f"{name}/scene.json", "name")
+    shown = folder.shown(path)
+    if path.suffix.lower() != ".json":
+        raise InputError(f"name: '{shown}' is no scene file; give one that ends in .json, or an example")
+    try:
+        return Scene.loads(read_bytes(path, max_bytes=MOST_SCENE)), shown
+    except InputError as error:
+        raise InputError(f"name: {shown}: {str(error).removeprefix(f'{path}: ')}") from None
+
+
+def open_scenes(handles: Handles) -> list[OpenScene]:
+    """All open scenes."""
+    return [
+        OpenScene(
+            scene=handle.id,
+            name=handle.current.scene.id,
+            version=handle.current.number,
+            versions=sorted(handle.versions),
+            objects=len(handle.current.scene.objects),
+            valid=handle.current.report["valid"],
+        )
+        for handle in handles
+    ]
+
+
+def scene_files(folder: Folder) -> list[str]:
+    """Names of the files called scene.json below a folder, and of other JSON files right in it; links are left out."""
+    found = []
+    for at, folders, names in os.walk(folder.root):
+        deep = len(Path(at).relative_to(folder.root).parts)
+        folders[:] = sorted(n for n in folders if not n.startswith(".") and deep < DEEPEST and n != "steps")
+        wanted = [n for n in sorted(names) if n == "scene.json" or (not deep and n.endswith(".json"))]
+        found += [folder.shown(Path(at, n)) for n in wanted if not n.startswith(".") and not Path(at, n).is_symlink()]
+        if len(found) >= MOST_FOUND:
+            return found[:MOST_FOUND]
+    return found
