@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import base64
+import itertools
+from urllib.parse import quote
+
 from tests.llm.bad_answers import arguments, mapped, with_arguments
 from tests.llm.bad_statuses import status
 from tests.llm.misbehaviour import bad
@@ -70,3 +74,30 @@ def key_in_broken_json(asked: Asked, good: Said) -> Said:
 def key_in_html(asked: Asked, good: Said) -> Said:
     page = f"<p>{key_of(asked)}</p>".encode()
     return Said(raw=lambda wire: wire.document(200, page, "text/html"))
+
+
+@bad("echoes")
+def key_in_halves(asked: Asked, good: Said) -> Said:
+    """One half in each text, in turns."""
+    key = key_of(asked)
+    halves = itertools.cycle([key[: len(key) // 2], key[len(key) // 2 :]])
+    return with_arguments(
+        asked, good, mapped(arguments(good), lambda value: next(halves) if isinstance(value, str) else value)
+    )
+
+
+@bad("echoes")
+def key_in_codes(asked: Asked, good: Said) -> Said:
+    """As base64 of a header, for URLs, in hexadecimal, with blanks."""
+    key = key_of(asked)
+    header = base64.b64encode(f"Authorization: Bearer {key}".encode()).decode()
+    codes = itertools.cycle([header, quote(key, safe=""), key.encode().hex(), " ".join(key)])
+    return with_arguments(
+        asked, good, mapped(arguments(good), lambda value: next(codes) if isinstance(value, str) else value)
+    )
+
+
+@bad("echoes")
+def key_in_codes_of_errors(asked: Asked, good: Said) -> Said:
+    key = key_of(asked)
+    return status(500, f"{base64.b64encode(b'x' + key.encode()).decode()} {quote(key, safe='')} {key[:20]} {key[20:]}")

@@ -6,6 +6,7 @@ import functools
 import json
 import zlib
 from collections.abc import Iterator
+from typing import Any
 
 from tests.llm.bad_answers import arguments, with_arguments
 from tests.llm.bad_shapes import document
@@ -15,8 +16,8 @@ from tests.llm.wire import Wire
 
 MEGABYTE = 1 << 20
 LEVELS = 10_000
-BOMB = 1 << 30
-"""Bytes that a compressed reply of one megabyte unfolds to."""
+BOMB = 1 << 28
+"""Bytes that a compressed reply of a quarter of a megabyte unfolds to."""
 
 
 @bad("large")
@@ -48,6 +49,16 @@ def lists_of_10000(asked: Asked, good: Said) -> Said:
 def deep_arguments(asked: Asked, good: Said) -> Said:
     first = json.dumps(next(iter(arguments(good)), "text"))
     return with_arguments(asked, good, f"{{{first}: {'[' * LEVELS}{']' * LEVELS}}}")
+
+
+@bad("large")
+def deep_in_every_field(asked: Asked, good: Said) -> Said:
+    """Not so deep that a parser minds."""
+    deep: dict[str, Any] = {}
+    for _ in range(150):
+        deep = {"in": deep}
+    changed = {key: deep if isinstance(value, dict) else value for key, value in arguments(good).items()}
+    return with_arguments(asked, good, changed)
 
 
 @bad("large")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import json
+from collections.abc import Iterator
 from typing import Any
 
 from tests.llm.said import ANSWER, Asked, Said, schema_of
@@ -80,23 +81,31 @@ def whole(said: Said, asked: Asked) -> dict[str, Any]:
     }
 
 
-def events(said: Said, asked: Asked) -> list[bytes]:
+def events(said: Said, asked: Asked) -> Iterator[bytes]:
     """The events of a reply that is streamed, `[DONE]` the last."""
-    deltas: list[dict[str, Any]] = [{"role": "assistant", "content": "" if said.text else None}]
-    deltas += [{"content": piece} for piece in pieces(said.text)]
-    deltas += [{"refusal": piece} for piece in pieces(said.refusal)]
+    frame = _frame("chat.completion.chunk", asked)
+    for delta in _deltas(said, asked):
+        yield _event(frame | {"choices": [{"index": 0, "delta": delta, "finish_reason": None}]})
+    yield _event(frame | {"choices": [{"index": 0, "delta": {}, "finish_reason": _finish(said)}]})
+    if (asked.body.get("stream_options") or {}).get("include_usage"):
+        yield _event(frame | {"choices": [], "usage": _usage(said)})
+    yield b"data: [DONE]\n\n"
+
+
+def _deltas(said: Said, asked: Asked) -> Iterator[dict[str, Any]]:
+    yield {"role": "assistant", "content": "" if said.text else None}
+    yield from ({"content": piece} for piece in pieces(said.text))
+    yield from ({"refusal": piece} for piece in pieces(said.refusal))
     for i, (name, arguments) in enumerate(said.calls):
         call = _call(i, name, arguments, asked)
         words = call["function"]["arguments"]
         call["function"]["arguments"] = ""
-        deltas.append({"tool_calls": [call | {"index": i}]})
-        deltas += [{"tool_calls": [{"index": i, "function": {"arguments": piece}}]} for piece in pieces(words)]
-    frame = _frame("chat.completion.chunk", asked)
-    chunks = [frame | {"choices": [{"index": 0, "delta": delta, "finish_reason": None}]} for delta in deltas]
-    chunks.append(frame | {"choices": [{"index": 0, "delta": {}, "finish_reason": _finish(said)}]})
-    if (asked.body.get("stream_options") or {}).get("include_usage"):
-        chunks.append(frame | {"choices": [], "usage": _usage(said)})
-    return [b"data: " + json.dumps(chunk).encode() + b"\n\n" for chunk in chunks] + [b"data: [DONE]\n\n"]
+        yield {"tool_calls": [call | {"index": i}]}
+        yield from ({"tool_calls": [{"index": i, "function": {"arguments": piece}}]} for piece in pieces(words))
+
+
+def _event(data: dict[str, Any]) -> bytes:
+    return b"data: " + json.dumps(data).encode() + b"\n\n"
 
 
 def error(status: int, message: str) -> dict[str, Any]:

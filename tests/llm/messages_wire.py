@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import json
+from collections.abc import Iterator
 from typing import Any
 
 from tests.llm.chat_wire import pieces
@@ -52,29 +53,28 @@ def whole(said: Said, asked: Asked) -> dict[str, Any]:
     }
 
 
-def events(said: Said, asked: Asked) -> list[bytes]:
+def events(said: Said, asked: Asked) -> Iterator[bytes]:
     """The events of a reply that is streamed, `message_stop` the last."""
+    for event in _events(said, asked):
+        yield f"event: {event['type']}\ndata: {json.dumps(event)}\n\n".encode()
+
+
+def _events(said: Said, asked: Asked) -> Iterator[dict[str, Any]]:
     start = _frame(asked) | {"content": [], "usage": {"input_tokens": said.tokens[0], "output_tokens": 1}}
-    found: list[dict[str, Any]] = [{"type": "message_start", "message": start}, {"type": "ping"}]
+    yield {"type": "message_start", "message": start}
+    yield {"type": "ping"}
     for i, block in enumerate(_blocks(said, asked, raw=True)):
         if block["type"] == "text":
             empty, key, kind, words = block | {"text": ""}, "text", "text_delta", block["text"]
         else:
             empty, key, kind, words = block | {"input": {}}, "partial_json", "input_json_delta", block["input"]
-        found.append({"type": "content_block_start", "index": i, "content_block": empty})
-        found += [
-            {"type": "content_block_delta", "index": i, "delta": {"type": kind, key: piece}} for piece in pieces(words)
-        ]
-        found.append({"type": "content_block_stop", "index": i})
-    found.append(
-        {
-            "type": "message_delta",
-            "delta": {"stop_reason": _stop(said), "stop_sequence": None},
-            "usage": {"output_tokens": said.tokens[1]},
-        }
-    )
-    found.append({"type": "message_stop"})
-    return [f"event: {event['type']}\ndata: {json.dumps(event)}\n\n".encode() for event in found]
+        yield {"type": "content_block_start", "index": i, "content_block": empty}
+        for piece in pieces(words):
+            yield {"type": "content_block_delta", "index": i, "delta": {"type": kind, key: piece}}
+        yield {"type": "content_block_stop", "index": i}
+    delta = {"stop_reason": _stop(said), "stop_sequence": None}
+    yield {"type": "message_delta", "delta": delta, "usage": {"output_tokens": said.tokens[1]}}
+    yield {"type": "message_stop"}
 
 
 def error(status: int, message: str) -> dict[str, Any]:

@@ -138,8 +138,13 @@ def test_a_script_that_fails_is_raised_when_the_server_is_left() -> None:
         ran(Agent(model(server, "chat")), ["anything"], streamed=False)
 
 
-@pytest.mark.parametrize("misbehaviour", catalogue(), ids=lambda one: one.name)
-@pytest.mark.parametrize(("path", "streamed"), [("chat/completions", False), ("messages", True)])
+@pytest.mark.parametrize(
+    ("misbehaviour", "path", "streamed"),
+    [
+        pytest.param(one, ["chat/completions", "messages"][k % 2], k % 4 > 1, id=one.name)
+        for k, one in enumerate(catalogue())
+    ],
+)
 def test_misbehaves_as_it_is_told(misbehaviour: Misbehaviour, path: str, streamed: bool) -> None:
     """Each writes something, or waits, for whoever asks; none fails on its own."""
     tool = {"name": "answer", "parameters": Grades.model_json_schema(), "input_schema": Grades.model_json_schema()}

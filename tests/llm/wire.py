@@ -36,7 +36,7 @@ class Wire:
 
     def events(self, said: Said) -> list[bytes]:
         """The events of a streamed reply."""
-        return self._protocol.events(said, self.asked)
+        return list(self._protocol.events(said, self.asked))
 
     def send(self, data: bytes) -> None:
         """Bytes as they are.
@@ -59,7 +59,7 @@ class Wire:
     def reply(self, said: Said) -> None:
         """A reply as it should be, streamed if asked for."""
         if self.asked.stream:
-            self.stream(self.events(said))
+            self.stream(self._protocol.events(said, self.asked))
         else:
             self.document(200, self.body(said))
 
