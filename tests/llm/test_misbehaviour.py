@@ -85,7 +85,9 @@ OUTCOMES: dict[type, str] = {
 @pytest.mark.parametrize(("kind", "name"), [(kind, name) for kind, names in OUTCOMES.items() for name in names.split()])
 def test_what_becomes_of_it(kind: type, name: str) -> None:
     with planted(), ModelServer(misbehaving(GOOD, always(name))) as server:
-        found = in_time(lambda: asked(client_of(server, "chat", False, 0.3 if name == "silence" or "drip" in name else 2.0)))
+        found = in_time(
+            lambda: asked(client_of(server, "chat", False, 0.3 if name == "silence" or "drip" in name else 2.0))
+        )
     assert type(found) is kind, found
 
 
