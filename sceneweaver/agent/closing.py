@@ -71,7 +71,7 @@ def closed(run: Run, remarks: Sequence[str], began: float, use: Callable[[], Mod
 
 def _seen(run: Run, best: Outcome) -> Outcome:
     """The last scene with what a critic by vision sees of it, where it has changed since that looked."""
-    if run.look is None or run.cut_off or getattr(best.review, "seen", None) is not None or run.deadline.passed:
+    if run.look is None or run.cut_off or best.review.seen is not None or run.deadline.passed:
         return best
     return run.look(best)
 
@@ -86,6 +86,8 @@ def _complete(report: Report, review: Review, run: Run, began: float, models: Mo
 
     settings = run.settings
     scores = {"critic": review.critic, **{k: round(v, 2) for k, v in review.grades.items()}}
+    if review.seen is not None:
+        scores["seen"] = review.seen.summary
     steps = {f"step {s.number}": s.seconds for s in run.memory.steps}
     return replace(
         report,

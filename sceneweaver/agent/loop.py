@@ -382,7 +382,7 @@ class Run:
 
 def _seen_worse(old: Outcome, new: Outcome) -> str:
     """Why a scene that is better by measure is taken back by sight; empty where it is not."""
-    before, after = getattr(old.review, "seen", None), getattr(new.review, "seen", None)
+    before, after = old.review.seen, new.review.seen
     if before is None or after is None:
         return ""
     fall = before.mean - after.mean

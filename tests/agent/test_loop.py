@@ -426,3 +426,14 @@ def test_when_the_first_tool_breaks_down_there_is_the_empty_room(go):
     with pytest.warns(RuntimeWarning, match="unexpected"):
         run, best, _, _ = go({"init_prior": [KeyError("x")]}, [BEGIN])
     assert not best.scene.objects and best.report.valid and run.undone and not run.cut_off
+
+
+def test_what_is_worse_by_measure_is_not_even_looked_at(go):
+    def look(outcome: Outcome) -> Outcome:
+        seen.append(outcome.scene.ids)
+        return outcome
+
+    seen: list[tuple[str, ...]] = []
+    answers = {"init_prior": [adds("a", 5)], "add_objects": [adds("b", 4, 1.0), adds("c", 6, 1.0)]}
+    _, best, *_ = go(answers, [BEGIN, calls("add_objects", n=1), calls("add_objects", n=2)], look=look)
+    assert seen == [("a",), ("a", "c")] and best.scene.ids == ("a", "c")

@@ -6,6 +6,7 @@ from typing import Any
 
 from sceneweaver.agent.memory import Call, Step
 from sceneweaver.agent.planner import Situation
+from sceneweaver.critic import VisualReview
 from sceneweaver.scene.messages import shorten
 from sceneweaver.tools.card import ToolCard
 
@@ -13,6 +14,9 @@ from .scene_text import compact, facts_text, prompt, rounded, scene_format, scen
 
 REQUEST, SENTENCE = 8000, 300
 """Characters of the request, and of each sentence of the memory, that are told."""
+
+MOST_SEEN = 10
+"""Faults of the critic by vision that are told, the gravest first."""
 
 MOST_FAILED = 20
 """Calls in vain that are told, the last ones."""
@@ -51,10 +55,28 @@ def content(situation: Situation) -> str:
         return "\n\n".join((*parts, "There is no room yet."))
     if situation.report is not None and situation.review is not None:
         parts.append(f"Measured: {facts_text(situation.report, situation.review)}")
-        seen = getattr(situation.review, "seen", None)
-        if seen is not None:
-            parts.append(f"Critic by vision: {compact(seen.model_dump(mode='json'))}")
+        if situation.review.seen is not None:
+            parts.append(f"Critic by vision: {compact(_seen(situation.review.seen))}")
     return "\n\n".join((*parts, f"Scene: {scene_text(situation.scene)}"))
+
+
+def _seen(seen: VisualReview) -> dict[str, Any]:
+    """What a critic by vision said, cut to what helps to plan."""
+    return {
+        "grades": {name: rounded(grade, 1) for name, grade in seen.grades.items()},
+        "spread": rounded(seen.spread, 1),
+        "comments": {name: [shorten(text, SENTENCE) for text in said[:2]] for name, said in seen.comments.items()},
+        "faults": [
+            {
+                "criterion": fault.criterion,
+                "objects": [shorten(name, 60) for name in fault.objects],
+                "reason": shorten(fault.reason, SENTENCE),
+                "suggestion": shorten(fault.suggestion, SENTENCE),
+                **({"tool": fault.tool} if fault.tool else {}),
+            }
+            for fault in seen.faults[:MOST_SEEN]
+        ],
+    }
 
 
 def _card(card: ToolCard) -> dict[str, Any]:

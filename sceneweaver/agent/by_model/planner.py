@@ -6,9 +6,12 @@ from dataclasses import dataclass, field
 
 from sceneweaver.agent.memory import Call, Thought
 from sceneweaver.agent.planner import RulesPlanner, Situation, beginnings
+from sceneweaver.layout.devices import pick_devices
 from sceneweaver.llm import BudgetSpent, ModelClient, ModelError, ModelUnreachable, Picture
+from sceneweaver.scene import SceneWeaverError
 from sceneweaver.scene.messages import shorten
 
+from .pictures import top_picture
 from .plan_reply import SENTENCE, Plan, calls_of, checker
 from .plan_text import content, instructions
 
@@ -59,13 +62,13 @@ class ModelPlanner:
                 retries=RETRIES,
             )
         except ModelError as error:
-            gone = isinstance(error, ModelUnreachable | BudgetSpent) or bool(getattr(self.client, "lost", ""))
+            gone = isinstance(error, ModelUnreachable | BudgetSpent) or bool(self.client.lost)
             if not gone:
                 return self._by_rules(situation, f"step {number}: the rules planned, not the model ({error})")
             self.lost = str(error)
             return self._by_rules(situation, f"planned by rules from step {number}, without the model ({error})")
         said = Thought(
-            by=str(getattr(self.client, "name", "") or self.name),
+            by=self.client.name,
             last_step=shorten(plan.last_step, SENTENCE),
             solved=shorten(plan.solved, SENTENCE),
             problem=shorten(plan.problem, SENTENCE),
@@ -101,7 +104,14 @@ class ModelPlanner:
         return Thought(ranked=tuple(self.rules.plan(situation)), note=note)
 
     def _pictures(self, situation: Situation) -> list[Picture]:
-        return []
+        """The top view with its marks, where the model takes pictures and it can be drawn."""
+        if situation.scene is None or not self.client.pictures:
+            return []
+        load = situation.library.load if situation.library is not None else None
+        try:
+            return [top_picture(situation.scene, load, device=pick_devices(situation.settings.device)[0])]
+        except SceneWeaverError:
+            return []
 
 
 def _drawn_again(calls: tuple[Call, ...], situation: Situation) -> tuple[Call, ...]:

@@ -2,25 +2,31 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Self
 
 from sceneweaver.agent.deadline import NEVER, Deadline
+from sceneweaver.agent.executor import Outcome
 from sceneweaver.agent.folder import RunFolder
+from sceneweaver.agent.interrupt import TimeUp
 from sceneweaver.agent.loop import Run
 from sceneweaver.agent.memory import Call
 from sceneweaver.agent.planner import Planner, RulesPlanner
 from sceneweaver.agent.result import ModelUse
 from sceneweaver.agent.roles import Roles
 from sceneweaver.brief import SceneGraph
-from sceneweaver.llm import Endpoint, Limits, ModelClient, Prices, open_client
+from sceneweaver.layout.devices import pick_devices
+from sceneweaver.llm import Endpoint, Limits, ModelClient, ModelError, Prices, open_client
 from sceneweaver.tools.base import Context
 from sceneweaver.tools.registry import Registered
 
+from .critic import look
 from .inputs import filled
 from .planner import ModelPlanner
+from .reader import read_by_model
 from .strict import StrictClient
 
 RECORDS = "llm"
@@ -99,7 +105,7 @@ class Session:
     """Who does what in one run. ``client`` is None where no model has anything to do.
 
     The client is told how much time is left by ``deadline``, and whether its stop is asked for. ``waited`` are the
-    seconds that it took to read the request.
+    seconds that it took to read the request, ``room_words`` the kind of room in it as the model named it.
     """
 
     roles: Roles
@@ -109,6 +115,8 @@ class Session:
     disagreements: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     waited: float = 0.0
+    room_words: str = ""
+    unseen: int = 0
     run: Run | None = None
 
     @classmethod
@@ -132,13 +140,19 @@ class Session:
         A run goes on with the reading that it began with.
         """
         kept = folder.kept() if folder is not None else None
-        brief = offline
+        brief, began = offline, time.monotonic()
         if kept is not None and kept.memory.steps and kept.roles.reader == "llm":
-            brief, self.read_by, self.disagreements = (
-                SceneGraph.model_validate(kept.brief),
-                kept.read_by,
-                kept.disagreements,
-            )
+            brief = SceneGraph.model_validate(kept.brief)
+            self.read_by, self.disagreements = kept.read_by, kept.disagreements
+        elif self.client is not None and self.roles.reader == "llm":
+            try:
+                reading = read_by_model(self.client, offline.text, offline)
+                brief, self.room_words = reading.graph, reading.room
+                self.read_by = self.client.name
+                self.disagreements = tuple(str(row) for row in reading.disagreements)
+            except ModelError as error:
+                self.notes = (*self.notes, f"the request was read by rules, not by the model ({error})")
+        self.waited = time.monotonic() - began
         if folder is not None:
             folder.roles, folder.read_by, folder.disagreements = self.roles, self.read_by, self.disagreements
         return brief
@@ -148,6 +162,8 @@ class Session:
         self.run = run
         if self.plans:
             run.client, run.fill = self.client, self.fill
+        if self.roles.critic == "vlm":
+            run.look = self.look
 
     @property
     def planner(self) -> Planner:
@@ -170,6 +186,30 @@ class Session:
         if not call.fill:
             return call
         return filled(self.client, tool, context, call)
+
+    def look(self, outcome: Outcome) -> Outcome:
+        """An outcome with what a critic by vision sees of it in its review, or as it was where it gives no answer."""
+        assert self.client is not None and self.run is not None
+        run = self.run
+        if self.client.lost or run.deadline.passed:
+            return outcome
+        try:
+            with run.deadline.enforced():
+                seen = look(
+                    self.client,
+                    outcome.scene,
+                    outcome.report,
+                    run.brief,
+                    run.room_type,
+                    run.library,
+                    samples=self.roles.samples,
+                    device=pick_devices(run.settings.device)[0],
+                    deadline=run.deadline,
+                )
+        except (ModelError, TimeUp):
+            self.unseen += 1
+            return outcome
+        return replace(outcome, review=outcome.review.model_copy(update={"seen": seen}))
 
     def use(self) -> ModelUse | None:
         """What the model did; None where it had nothing to do."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import json
 from typing import Any
 
@@ -11,12 +12,16 @@ from pydantic_ai.models.function import AgentInfo, FunctionModel
 from pydantic_ai.models.test import TestModel
 
 from sceneweaver.agent import Result, Settings, design
+from sceneweaver.agent.by_model import critic, planner
 from sceneweaver.agent.folder import State
 from sceneweaver.agent.memory import Memory
 from sceneweaver.agent.roles import Roles
-from sceneweaver.llm import BudgetSpent, Limits, ModelClient, ModelUnreachable
+from sceneweaver.llm import BudgetSpent, Limits, ModelClient, ModelUnreachable, Picture
 from sceneweaver.scene import InputError, MissingDependencyError
 
+PIXEL = base64.b64decode(
+    "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="
+)
 SHELF = "a store room with one shelf"
 QUICK = {"candidates": 8, "device": "cpu", "pictures": False, "export": "none", "side_by_side": 1}
 BEGIN = {"problem": "no room", "calls": [{"tool": "init_prior", "confidence": 0.9, "instruction": "Begin."}]}
@@ -27,16 +32,31 @@ FILL = {
 }
 
 
-def says(*answers: dict[str, Any]) -> tuple[FunctionModel, list[str]]:
-    """A model that gives some answers in turn, the last for ever; and the text that it was told each time."""
-    left, told = list(answers), list[str]()
+KINDS = {"calls": "plan", "inputs": "inputs", "realism": "look", "things": "read"}
+"""What an answer is for, by a field of it that no other has."""
+
+
+def says(*plans: dict[str, Any], **others: list[dict[str, Any]]) -> tuple[FunctionModel, list[str]]:
+    """A model that gives some plans in turn, the last for ever, and so the answers to what else it is asked; and the
+    text that it was told each time."""
+    left, told = {"plan": list(plans), **others}, list[str]()
 
     def say(messages: list[ModelMessage], info: AgentInfo) -> ModelResponse:
-        told.append(str([part.content for part in messages[-1].parts if hasattr(part, "content")]))
-        answer = left.pop(0) if len(left) > 1 else left[0]
-        return ModelResponse(parts=[ToolCallPart(info.output_tools[0].name, answer)])
+        tool = info.output_tools[0]
+        kind = next(kind for field, kind in KINDS.items() if field in tool.parameters_json_schema["properties"])
+        told.append(f"{kind}: {[part.content for part in messages[-1].parts if hasattr(part, 'content')]}")
+        rows = left[kind]
+        return ModelResponse(parts=[ToolCallPart(tool.name, rows.pop(0) if len(rows) > 1 else rows[0])])
 
     return FunctionModel(say, model_name="scripted"), told
+
+
+@pytest.fixture(autouse=True)
+def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Pictures of one pixel: no test here draws."""
+    picture = Picture(PIXEL, "top view")
+    monkeypatch.setattr(planner, "top_picture", lambda *_, **__: picture)
+    monkeypatch.setattr(critic, "room_pictures", lambda *_, **__: (picture, picture))
 
 
 def run(model: Any, prompt: str = SHELF, **more: Any) -> Result:
@@ -146,6 +166,54 @@ def test_a_killed_run_goes_on_and_ends_with_the_same_scene(tmp_path):
     assert tools_of(again) == tools_of(whole)
 
 
+def looks(grade: float, comment: str = "fine") -> dict[str, Any]:
+    graded = {"comment": comment, "grade": grade}
+    return {name: graded for name in ("realism", "functionality", "layout", "completion")}
+
+
+def test_what_looks_worse_is_taken_back_and_told(tmp_path):
+    look = [looks(8), looks(4, "crammed"), looks(8), looks(8)]
+    model, told = says(BEGIN, FILL, STOP, look=look)
+    result = run(model, out=tmp_path, critic="vlm")
+    assert [s.accepted for s in result.steps] == [True, False]
+    assert result.steps[1].note == "the critic by vision gave 4.0 after 8.0"
+    plans = [text for text in told if text.startswith("plan")]
+    assert "Critic by vision" in plans[1] and "the critic by vision gave 4.0" in plans[2]
+    metrics = json.loads((tmp_path / "metrics.json").read_text())
+    assert metrics["scores"]["critic"] == "symbolic" and metrics["scores"]["seen"]["mean"] == 8.0
+    assert metrics["models"]["planned"] == ["scripted", "scripted"] and metrics["models"]["usage"]["calls"] == len(told)
+
+
+def test_what_looks_a_little_worse_stays():
+    look = [looks(8), looks(7.5), looks(7.5)]
+    result = run(says(BEGIN, FILL, STOP, look=look)[0], critic="vlm")
+    assert [s.accepted for s in result.steps] == [True, True] and result.review.seen.mean == 7.5
+
+
+READ = {
+    "room": {"kind": "storage room", "quote": "store room"},
+    "things": [{"id": "shelf", "name": "shelf", "quote": "one shelf", "count": [1, 1]}],
+}
+
+
+def test_the_model_reads_the_request_and_a_reader_that_fails_is_replaced(tmp_path):
+    model, told = says(BEGIN, STOP, read=[READ])
+    result = run(model, reader="llm", out=tmp_path, steps=2)
+    assert result.models.read == "scripted" and result.report.valid and told[0].startswith("read")
+    again = run(says(STOP)[0], reader="llm", out=tmp_path, steps=3)  # the reading is that of the run
+    assert again.models.read == "scripted" and again.brief == result.brief
+    result = design(SHELF, reader="llm", model=TestModel(), seed=1, steps=1, **QUICK)
+    assert result.report.valid and result.models.planned == ("rules",)
+
+
+def test_inputs_that_are_left_out_are_asked_for(tmp_path):
+    plan = {"problem": "bare", "calls": [{**FILL["calls"][0], "inputs": None}]}
+    model, told = says(BEGIN, plan, STOP, inputs=[{"inputs": {"supports": ["nothing"]}}, {"inputs": {"supports": []}}])
+    result = run(model)
+    assert [text.partition(":")[0] for text in told] == ["plan", "plan", "inputs", "inputs", "plan"]
+    assert result.steps[1].call.inputs == {"supports": []} and not result.steps[1].call.fill
+
+
 @pytest.mark.parametrize(
     ("given", "words"),
     [
@@ -162,13 +230,14 @@ def test_words_that_are_no_roles(given, words):
 
 def test_a_recorded_run_is_made_again_to_the_bit(tmp_path):
     record, again = tmp_path / "record", tmp_path / "again"
-    model, told = says(BEGIN, {**FILL, "calls": [{**FILL["calls"][0], "tool": "teleport"}]}, FILL, STOP)
-    first = run(model, out=record)
+    wrong = {**FILL, "calls": [{**FILL["calls"][0], "tool": "teleport"}]}
+    model, told = says(BEGIN, wrong, FILL, STOP, look=[looks(7)], read=[READ])
+    first = run(model, out=record, reader="llm", critic="vlm", samples=2)
     result = design(out=again, replay=record, pictures=False, export="none")
     assert (again / "scene.json").read_bytes() == (record / "scene.json").read_bytes()
     assert tools_of(first) == tools_of(result) and result.notes == first.notes
-    assert len(told) == 4 and result.models.usage["calls"] == first.models.usage["calls"] == 4
-    assert result.models.name == first.models.name
+    assert result.models.usage["calls"] == first.models.usage["calls"] == len(told)
+    assert result.models.name == first.models.name and result.review.seen == first.review.seen
 
 
 def test_a_run_that_fell_back_is_made_again_as_well(tmp_path):

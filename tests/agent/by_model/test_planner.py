@@ -10,6 +10,7 @@ from pydantic_ai.messages import ModelMessage, ModelResponse, ToolCallPart
 from pydantic_ai.models.function import AgentInfo, FunctionModel
 from pydantic_ai.models.test import TestModel
 
+from sceneweaver.agent.by_model import planner as planner_module
 from sceneweaver.agent.by_model.plan_text import content, instructions
 from sceneweaver.agent.by_model.planner import RETRIES, ModelPlanner
 from sceneweaver.agent.by_model.strict import StrictClient
@@ -20,13 +21,25 @@ from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import CRITERIA, Fault, Review
 from sceneweaver.knowledge import room_type
 from sceneweaver.llm import BudgetSpent, ModelClient, ModelFailed, ModelUnreachable
-from sceneweaver.scene import MissingDependencyError, Scene
+from sceneweaver.scene import InputError, MissingDependencyError, Scene
 from sceneweaver.tools.registry import tools
 from sceneweaver.verify import check
 
 CARDS = {name: tool.card for name, tool in tools().items()}
 SCENE = Scene.example("bedroom")
 REPORT = check(SCENE)
+
+
+@pytest.fixture(autouse=True)
+def undrawn(monkeypatch: pytest.MonkeyPatch) -> None:
+    """No test here draws."""
+
+    def nothing(*_: Any, **__: Any) -> None:
+        raise InputError("no picture")
+
+    monkeypatch.setattr(planner_module, "top_picture", nothing)
+
+
 TURN = {"tool": "update_rotation", "confidence": 0.9, "instruction": "Turn the chair to the desk."}
 
 
