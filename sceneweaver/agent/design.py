@@ -144,19 +144,23 @@ def design(
     limit = Deadline(began + (settings.seconds or math.inf), stop=stop or Stop())
     with folder.held() if folder is not None else nullcontext():
         session = Session.opened(roles, asking, limit, folder.path / RECORDS if folder is not None else None)
-        brief = session.read(offline, folder)
-        room_type, remarks = chosen_room(brief)
-        tools = {n: tool for n, tool in registered().items() if usable(n, tool, settings, room_type, session.plans)}
-        run = Run(brief, room_type, settings, tools, session.planner, library or Library(), folder=folder, said=said)
-        session.serve(run)
-        if folder is None:
-            return closed(run, (*session.notes, *remarks), began, session.use)
-        _resume(run, folder)
-        started = time.monotonic() - began - session.waited
-        limit.stop.allowance = max(LEAST_RESERVE, WRITING * started)
-        kept = reserve(settings.seconds, started) if settings.seconds else limit.stop.allowance
-        run.deadline = session.deadline = replace(limit, end=limit.end - run.memory.seconds).before(kept)
-        result = closed(run, (*session.notes, *remarks), began, session.use)
+        with session.known_rooms(prompt):
+            brief = session.read(offline, folder)
+            room_type, remarks = chosen_room(brief)
+            tools = {n: tool for n, tool in registered().items() if usable(n, tool, settings, room_type, session.plans)}
+            run = Run(
+                brief, room_type, settings, tools, session.planner, library or Library(), folder=folder, said=said
+            )
+            run.deadline = limit
+            session.serve(run)
+            if folder is None:
+                return closed(run, (*session.notes, *remarks), began, session.use)
+            _resume(run, folder)
+            started = time.monotonic() - began - session.waited
+            limit.stop.allowance = max(LEAST_RESERVE, WRITING * started)
+            kept = reserve(settings.seconds, started) if settings.seconds else limit.stop.allowance
+            run.deadline = session.deadline = replace(limit, end=limit.end - run.memory.seconds).before(kept)
+            result = closed(run, (*session.notes, *remarks), began, session.use)
         return deliver(result, folder.path, run.library, device, pictures, formats, limit.before(EXIT * started))
 
 

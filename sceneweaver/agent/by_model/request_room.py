@@ -6,8 +6,7 @@ from sceneweaver.brief import Span
 from sceneweaver.brief.parsed import Left
 from sceneweaver.brief.source import check_measures
 from sceneweaver.brief.vocabulary import words
-from sceneweaver.knowledge import room_types
-from sceneweaver.knowledge.load import match_room
+from sceneweaver.knowledge import match_room, room_types
 from sceneweaver.scene.messages import quote as shown
 
 from .quotes import Quotes

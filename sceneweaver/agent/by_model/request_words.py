@@ -11,7 +11,7 @@ from sceneweaver.assets.materials import color_named
 from sceneweaver.brief.model import PLACES
 from sceneweaver.brief.things import match_of
 from sceneweaver.brief.vocabulary import vocabulary, words
-from sceneweaver.knowledge.load import match_room
+from sceneweaver.knowledge import match_room
 from sceneweaver.scene import InputError
 
 LONGEST = 60

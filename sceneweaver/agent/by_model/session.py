@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Self
@@ -17,9 +18,11 @@ from sceneweaver.agent.memory import Call
 from sceneweaver.agent.planner import Planner, RulesPlanner
 from sceneweaver.agent.result import ModelUse
 from sceneweaver.agent.roles import Roles
-from sceneweaver.brief import SceneGraph
+from sceneweaver.brief import SceneGraph, read_request
 from sceneweaver.layout.devices import pick_devices
 from sceneweaver.llm import Endpoint, Limits, ModelClient, ModelError, Prices, open_client
+from sceneweaver.llm.opening import records_of
+from sceneweaver.scene import InputError
 from sceneweaver.tools.base import Context
 from sceneweaver.tools.registry import Registered
 
@@ -27,6 +30,7 @@ from .critic import look
 from .inputs import filled
 from .planner import ModelPlanner
 from .reader import read_by_model
+from .rooms import learned_room, rooms_of_run
 from .strict import StrictClient
 
 RECORDS = "llm"
@@ -105,17 +109,18 @@ class Session:
     """Who does what in one run. ``client`` is None where no model has anything to do.
 
     The client is told how much time is left by ``deadline``, and whether its stop is asked for. ``waited`` are the
-    seconds that it took to read the request, ``room_words`` the kind of room in it as the model named it.
+    seconds that it took to read the request.
     """
 
     roles: Roles
     client: ModelClient | None = None
     deadline: Deadline = NEVER
+    records: Path | None = None
+    replay: Path | None = None
     read_by: str = "rules"
     disagreements: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     waited: float = 0.0
-    room_words: str = ""
     unseen: int = 0
     run: Run | None = None
 
@@ -129,33 +134,59 @@ class Session:
         """
         session = cls(roles, deadline=deadline)
         if roles.by_model:
+            session.records, session.replay = records, records_of(asking.replay) if asking.replay else None
             session.client = asking.client(
                 records, lambda: session.deadline.left, lambda: bool(session.deadline.stop.reason)
             )
         return session
 
+    def known_rooms(self, prompt: str) -> AbstractContextManager[None]:
+        """Within it the run knows the kinds of rooms that it knew when it began."""
+        return rooms_of_run(prompt, self.records, self.replay) if self.client is not None else nullcontext()
+
     def read(self, offline: SceneGraph, folder: RunFolder | None) -> SceneGraph:
         """The request as a model reads it, or as the rules read it where none is to, or gives no reading.
 
-        A run goes on with the reading that it began with.
+        A kind of room that nobody knows is learned. A run goes on with the reading that it began with.
         """
         kept = folder.kept() if folder is not None else None
         brief, began = offline, time.monotonic()
-        if kept is not None and kept.memory.steps and kept.roles.reader == "llm":
-            brief = SceneGraph.model_validate(kept.brief)
-            self.read_by, self.disagreements = kept.read_by, kept.disagreements
-        elif self.client is not None and self.roles.reader == "llm":
-            try:
-                reading = read_by_model(self.client, offline.text, offline)
-                brief, self.room_words = reading.graph, reading.room
-                self.read_by = self.client.name
-                self.disagreements = tuple(str(row) for row in reading.disagreements)
-            except ModelError as error:
-                self.notes = (*self.notes, f"the request was read by rules, not by the model ({error})")
+        if self.client is not None:
+            offline = read_request(offline.text)  # with the rooms of the run
+            if kept is not None and kept.memory.steps and kept.roles.by_model:
+                brief = SceneGraph.model_validate(kept.brief)
+                self.read_by, self.disagreements = kept.read_by, kept.disagreements
+            else:
+                brief = self._learned(*self._read(self.client, offline))
         self.waited = time.monotonic() - began
         if folder is not None:
             folder.roles, folder.read_by, folder.disagreements = self.roles, self.read_by, self.disagreements
         return brief
+
+    def _read(self, client: ModelClient, offline: SceneGraph) -> tuple[SceneGraph, str]:
+        """A reading, and the kind of room in it, in words."""
+        if self.roles.reader != "llm":
+            return offline, offline.room_words
+        try:
+            reading = read_by_model(client, offline.text, offline)
+        except ModelError as error:
+            self.notes = (*self.notes, f"the request was read by rules, not by the model ({error})")
+            return offline, offline.room_words
+        self.read_by, self.disagreements = client.name, tuple(str(row) for row in reading.disagreements)
+        return reading.graph, reading.room or reading.graph.room_words
+
+    def _learned(self, brief: SceneGraph, words: str) -> SceneGraph:
+        """A reading with the kind of room that its words name; where they name none, nobody learns any."""
+        if self.client is None or self.client.lost or brief.room_type is not None or not words.strip():
+            return brief
+        try:
+            room = learned_room(self.client, words, self.records, keep=self.replay is None)
+        except InputError:
+            return brief
+        except ModelError as error:
+            self.notes = (*self.notes, f"'{words}' was not learned as a kind of room ({error})")
+            return brief
+        return brief.model_copy(update={"room_type": room.name})
 
     def serve(self, run: Run) -> None:
         """Give a run what asks the model in it."""
