@@ -157,7 +157,7 @@ def _by_attribute(parsed: Parsed, mentions: list[Mention]) -> None:
     beds = [m for m in mentions if m.category.endswith("bed") and m.noun != "flower bed"]
     related = {id(m) for s in parsed.said for m in s.subjects if not s.implied}
     for mention in mentions:
-        spoken = [a.words for a in mention.attributes] + [
+        spoken = [word for a in mention.attributes for word in (a.words, a.value)] + [
             word for word in rules if f"{mention.noun} ".startswith(f"{word} ")
         ]
         for phrase in dict.fromkeys(spoken):

@@ -41,9 +41,12 @@ class Disagreement(FrozenModel):
 
 def is_foreign(offline: SceneGraph, language: str) -> bool:
     """Whether the offline reader's graph says nothing because the request is in another language than English."""
+    nothing = offline.room_type is None and all(entity.generic for entity in offline.entities)
+    if nothing and any("only English" in note for note in offline.notes):
+        return True
     if language.strip().lower()[:2] in ("", "en"):
         return False
-    if not offline.entities and offline.room_type is None:
+    if nothing:
         return True
     unread = sum(len(left.words) for left in offline.unread)
     return unread >= FOREIGN * len(offline.text)

@@ -78,7 +78,7 @@ def read_by_model(client: ModelClient, text: str, offline: SceneGraph) -> Readin
             raise
         reply, failure = read.best, str(error)
     draft = read.draft(reply)
-    notes = [f"{problem}; it was left out" for problem in dict.fromkeys(draft.problems)]
+    notes = [f"{problem}: {then}" for problem, then in draft.problems.items()]
     if len(text) > LONGEST:
         notes.append(f"only the first {LONGEST} of {len(text)} characters were read")
     if failure:
@@ -109,7 +109,7 @@ class _Reader:
         add_room(reply.room, self._quotes, draft)
         draft.parsed.only = bool(reply.only)
         if not (reply.things or reply.exclusions or reply.unread or reply.room != RoomReply()):
-            draft.problems.append("nothing of the request is in the answer")
+            draft.problems["nothing of the request is in the answer"] = "nothing was read"
         return draft
 
     def check(self, reply: RequestReply) -> RequestReply | None:

@@ -26,6 +26,9 @@ ROOM = (
 )
 """Facts about the room of which there is one."""
 
+MUTUAL = ("next_to", "near", "far_from", "side_by_side", "opposite", "parallel", "aligned", "back_to_back")
+"""Types that say the same of the target and the subject."""
+
 LISTS = ("other_rooms", "for_whom", "colors")
 """Facts about the room of which there are several."""
 
@@ -73,18 +76,19 @@ class _Union(UnionThings):
         for mine in self.offline.relations:
             targets = tuple(self._there(name) for name in mine.targets)
             subject = self._there(mine.subject)
-            if mine.implied or subject not in here or not all(targets):
+            if subject not in here or not all(targets):
                 continue
             between = [r for r in self.model.relations if r.subject == subject and _meet(r.targets, targets)]
+            between += [r for r in self.model.relations if mine.type in MUTUAL and _swapped(r, subject, targets)]
             said |= {r.id for r in between}
-            if any(r.type == mine.type for r in between):
+            if mine.implied or any(r.type == mine.type for r in between):
                 continue
             spoken = f"{mine.type} {', '.join(targets)}"
             if between:
                 theirs = f"{between[0].type} {', '.join(between[0].targets)}"
                 self.row(between[0].id, "relation", f"{subject} {spoken}", f"{subject} {theirs}", "model", mine.span)
                 continue
-            elsewhere = [r for r in self.model.relations if r.span is not None and overlap(mine.span, r.span)]
+            elsewhere = [r for r in self.model.relations if _may_say(r, subject, mine.span)]
             copy = mine.model_copy(update={"subject": subject, "targets": targets})
             keep = not elsewhere and mine.span is not None and not self._circular(copy)
             if keep:
@@ -174,6 +178,16 @@ class _Union(UnionThings):
                 ),
             }
         )
+
+
+def _may_say(said: StatedRelation, subject: str, span: Span | None) -> bool:
+    """Whether a relation is the model's reading of some words: quoted from there or, of that thing, from nowhere."""
+    return overlap(said.span, span) if said.span is not None else said.subject == subject
+
+
+def _swapped(said: StatedRelation, subject: str, targets: Sequence[str]) -> bool:
+    """Whether a relation of the same two things says it the other way about."""
+    return said.type in MUTUAL and said.subject in targets and subject in said.targets
 
 
 def _meet(ones: Iterable[str], others: Iterable[str]) -> bool:

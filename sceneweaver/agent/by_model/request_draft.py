@@ -6,6 +6,7 @@ that the same pass tells a model what to mend and takes what is left once it is 
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field
 
 from sceneweaver.assets.taxonomy import narrower
@@ -30,15 +31,25 @@ SIZES = (0.005, 20.0)
 SCALES = (0.3, 2.0)
 """Least and most factor on a usual size."""
 
+ENDLESS = 10**6
+"""A count that stands for all that are larger: what is made of it is far less."""
+
+OUT, OPEN = "it was left out", "it was left open"
+NOWHERE = "it is kept without its place in the text"
+"""What becomes of what stays wrong."""
+
 OPENINGS = ("window", "door")
+
+MADE_OF = {"wooden": "wood", "woolen": "wool", "metallic": "metal"}
+"""Adjectives of materials that have a noun of their own."""
 
 
 @dataclass
 class Draft:
     """A reply in the form of the offline reader.
 
-    ``places`` are ids that the model gave to parts of the room, ``problems`` what is wrong, ``doubts`` what may be,
-    ``marked`` where the words stand of which the model said what they are.
+    ``places`` are ids that the model gave to parts of the room, ``problems`` what is wrong with what becomes of it,
+    ``doubts`` what may be wrong, ``marked`` where the words stand of which the model said what they are.
     """
 
     text: str
@@ -47,7 +58,7 @@ class Draft:
     things: dict[str, Mention] = field(default_factory=dict)
     names: dict[str, list[str]] = field(default_factory=dict)
     places: dict[str, str] = field(default_factory=dict)
-    problems: list[str] = field(default_factory=list)
+    problems: dict[str, str] = field(default_factory=dict)
     doubts: list[str] = field(default_factory=list)
     marked: list[Span] = field(default_factory=list)
 
@@ -65,7 +76,9 @@ class Things:
         for thing in reply.things[:MOST]:
             self._thing(thing)
         if len(reply.things) > MOST:
-            draft.problems.append(f"things: there are {len(reply.things)}; name at most {MOST} kinds")
+            draft.problems[f"things: there are {len(reply.things)}; name at most {MOST} kinds"] = (
+                "the rest was left out"
+            )
             for thing in reply.things[MOST : 2 * MOST]:
                 draft.parsed.unread.append(Left(cut(thing.quote or thing.name)))
         for number, excluded in enumerate(reply.exclusions[:MOST]):
@@ -79,17 +92,18 @@ class Things:
         draft, name = self._draft, english(thing.name)
         where = f"thing {shown(cut(thing.id))}"
         if not thing.id or not (name or thing.quote):
-            draft.problems.append(f"{where}: give it an id, a name in English and its words in the request")
+            draft.problems[f"{where}: give it an id, a name in English and its words in the request"] = OUT
             return
         if thing.id in draft.things or thing.id in draft.places:
-            draft.problems.append(f"{where}: the id is there already; each thing has its own")
+            draft.problems[f"{where}: the id is there already; each thing has its own"] = OUT
             return
         if (place := part_of_room(name)) is not None:
             draft.places[thing.id] = place
             self._opening(place, thing)
             return
         if not name:
-            draft.problems.append(f"{where}: name {shown(cut(thing.name))} is not English; say what it is in English")
+            problem = f"{where}: name {shown(cut(thing.name))} is not English; say what it is in English"
+            draft.problems[problem] = "it is kept under its own words"
         span = self._span(where, thing.quote)
         match = match_of(name or cut(thing.quote).lower())
         noun = cut(thing.quote, 2 * LONGEST) or name
@@ -123,9 +137,8 @@ class Things:
     def _span(self, where: str, quote: str) -> Span | None:
         span = self._quotes.next(quote, self._taken)
         if span is None:
-            self._draft.problems.append(
-                f"{where}: {shown(cut(quote))} is not in the request; copy its noun exactly as it stands there"
-            )
+            problem = f"{where}: {shown(cut(quote))} is not in the request; copy its noun exactly as it stands there"
+            self._draft.problems[problem] = NOWHERE
             return None
         self._taken.add(span)
         if span.end - span.start <= LONGEST:  # who quotes a sentence did not say what each of its words is
@@ -138,16 +151,19 @@ class Things:
                 mention.size[axis] = _within(length, SIZES, f"{where}: {name}", self._draft.problems, " m")
 
     def _word(self, mention: Mention, word: WordReply, where: str) -> None:
-        value = " ".join(word.value.lower().replace("_", " ").split())[:LONGEST]
+        value = " ".join(re.sub(r"[_\-]+", " ", word.value.lower()[:LONGEST]).split())
+        value = MADE_OF.get(value, value)
         if not value:
             return
         kind, span = word.kind, self._quotes.nearest(word.quote, mention.span) if word.quote else None
         if word.quote and span is None:
-            self._draft.problems.append(
+            problem = (
                 f"{where}: {shown(cut(word.quote))} is not in the request; copy the word for {shown(value)} from it"
             )
+            self._draft.problems[problem] = NOWHERE
         if kind == "color" and not is_color(value):
-            self._draft.problems.append(f"{where}: color {shown(value)} is unknown; use a plain English colour")
+            problem = f"{where}: color {shown(value)} is unknown; use a plain English colour"
+            self._draft.problems[problem] = "it is kept as a plain word"
             kind = "other"
         count = counted(word.count, f"{where}, {value}", self._draft.problems)
         spoken = cut(word.quote, 2 * LONGEST) or value
@@ -172,12 +188,12 @@ class Things:
         draft, where = self._draft, f"exclusion {number}"
         span = self._quotes.nearest(excluded.quote, None)
         if span is None:
-            draft.problems.append(f"{where}: {shown(cut(excluded.quote))} is not in the request; copy its words")
+            draft.problems[f"{where}: {shown(cut(excluded.quote))} is not in the request; copy its words"] = NOWHERE
         else:
             draft.marked.append(span)
         names = [name for given in excluded.names[:WORDS] if (name := english(given))]
         if not names:
-            draft.problems.append(f"{where}: say in English what must not be there")
+            draft.problems[f"{where}: say in English what must not be there"] = OUT
             draft.parsed.unread.append(Left(cut(excluded.quote), *(span or (0, 0))))
             return
         for place in [name for name in names if part_of_room(name) in OPENINGS]:
@@ -188,23 +204,26 @@ class Things:
             draft.parsed.without.append((cut(excluded.quote, 2 * LONGEST) or names[0], found, span))
 
 
-def counted(count: tuple[int, ...] | None, where: str, problems: list[str]) -> tuple[int, int] | None:
+def counted(count: tuple[int, ...] | None, where: str, problems: dict[str, str]) -> tuple[int, int] | None:
     """Least and most; None where they make no sense. Too many are cut later, with a note."""
     if count is None:
         return None
     low, high = count
     if not 0 <= low <= high:
-        problems.append(f"{where}: count [{low}, {high}] is none; say [least, most] with 0 <= least <= most, or null")
+        problem = f"{where}: count [{low}, {high}] is none; say [least, most] with 0 <= least <= most, or null"
+        problems[problem] = OPEN
         return None
-    return low, high
+    return min(low, ENDLESS), min(high, ENDLESS)
 
 
-def _within(value: float, bounds: tuple[float, float], where: str, problems: list[str], unit: str = "") -> float | None:
+def _within(
+    value: float, bounds: tuple[float, float], where: str, problems: dict[str, str], unit: str = ""
+) -> float | None:
     low, high = bounds
     if low <= value <= high:
         return value
-    problems.append(f"{where} {value:g}{unit} cannot be; it is between {low:g} and {high:g}{unit}, or null")
+    problems[f"{where} {value:g}{unit} cannot be; it is between {low:g} and {high:g}{unit}, or null"] = OPEN
     return None
 
 
-__all__ = ["SCALES", "Draft", "Things", "counted"]
+__all__ = ["OPEN", "OUT", "SCALES", "Draft", "Things", "counted"]

@@ -14,7 +14,7 @@ from sceneweaver.scene.messages import quote as shown
 
 from .leniency import term
 from .quotes import Quotes
-from .request_draft import Draft, counted
+from .request_draft import OUT, Draft, counted
 from .request_reply import RelationReply
 from .request_words import LONGEST, cut
 
@@ -43,15 +43,15 @@ class Relations:
     def run(self, relations: tuple[RelationReply, ...]) -> None:
         """All of them, in the order of the reply."""
         for number, relation in enumerate(relations[: 4 * MOST]):
-            before = len(self._draft.problems)
-            self._relation(f"relation {number} ({relation.type})", relation)
-            if len(self._draft.problems) > before and relation.quote:
+            if not self._relation(f"relation {number} ({relation.type})", relation) and relation.quote:
                 span = self._quotes.nearest(relation.quote, None)
                 self._draft.parsed.unread.append(Left(cut(relation.quote, 2 * LONGEST), *(span or (0, 0))))
         if len(relations) > 4 * MOST:
-            self._draft.problems.append(f"relations: there are {len(relations)}; say at most {4 * MOST}")
+            problem = f"relations: there are {len(relations)}; say at most {4 * MOST}"
+            self._draft.problems[problem] = "the rest was left out"
 
-    def _relation(self, where: str, said: RelationReply) -> None:
+    def _relation(self, where: str, said: RelationReply) -> bool:
+        """Whether a relation could be said."""
         draft = self._draft
         subject = self._target(said.subject)
         if not isinstance(subject, Mention):
@@ -73,13 +73,11 @@ class Relations:
                 return self._wrong(f"{where}: {shown(said.subject)} cannot stand to itself; name another target")
             targets = targets or ["each other"]
         if not self._params(where, said):
-            return None
+            return False
         if said.type == "between" and not self._two(targets):
             return self._wrong(f"{where}: between needs two targets, or one of which there are two")
         count = counted(said.count, where, draft.problems)
-        for group in _grouped(said.type, targets):
-            self._say(where, said, subject, group, count)
-        return None
+        return all([self._say(where, said, subject, group, count) for group in _grouped(said.type, targets)])
 
     def _say(
         self,
@@ -88,7 +86,7 @@ class Relations:
         subject: Mention,
         targets: tuple[Target, ...],
         count: tuple[int, int] | None,
-    ) -> None:
+    ) -> bool:
         kind, first = said.type, targets[0]
         if kind in HOLDING and isinstance(first, Mention):
             if self._holds(subject, first):
@@ -119,7 +117,7 @@ class Relations:
                 params,
             )
         )
-        return None
+        return True
 
     def _target(self, name: str) -> Target | None:
         """A thing by its id or, where that tells one, by its name; a place by its own."""
@@ -139,8 +137,7 @@ class Relations:
         low, high = said.min or 0.0, FURTHEST if said.max is None else said.max
         if 0.0 <= low <= high <= FURTHEST:
             return True
-        self._wrong(f"{where}: min and max are metres, 0 <= min <= max <= {FURTHEST:g}, or null")
-        return False
+        return self._wrong(f"{where}: min and max are metres, 0 <= min <= max <= {FURTHEST:g}, or null")
 
     @staticmethod
     def _two(targets: list[Target]) -> bool:
@@ -165,8 +162,9 @@ class Relations:
         rest = f" and {len(known) - LISTED} more" if len(known) > LISTED else ""
         return f"things: {', '.join(known[:LISTED])}{rest}" if known else "there are no things"
 
-    def _wrong(self, problem: str) -> None:
-        self._draft.problems.append(problem)
+    def _wrong(self, problem: str) -> bool:
+        self._draft.problems[problem] = OUT
+        return False
 
 
 def _grouped(kind: str, targets: list[Target]) -> list[tuple[Target, ...]]:
@@ -184,7 +182,7 @@ def _as_usual(kind: str, subject: Mention, target: Target) -> str:
         if target == "ceiling" or target.startswith("wall") and kind in ("on", "hanging_from"):
             place = "ceiling" if target == "ceiling" else "wall"
             subject.category = hung[place].get(subject.category, subject.category)
-        return kind
+        return "on" if kind == "hanging_from" and target.startswith("wall") else kind
     if kind in ("on", "inside") and "rug" not in target.category:
         subject.category = SMALL.get(subject.category, subject.category)
     if kind == "hanging_from" and mounts(target.category)[0] not in ("ceiling", "wall") and _is_hung(subject):

@@ -10,7 +10,7 @@ from sceneweaver.knowledge import match_room, room_types
 from sceneweaver.scene.messages import quote as shown
 
 from .quotes import Quotes
-from .request_draft import SCALES, Draft
+from .request_draft import OPEN, OUT, SCALES, Draft
 from .request_reply import RoomReply
 from .request_words import LONGEST, cut, english, is_color
 
@@ -27,7 +27,7 @@ def add_room(room: RoomReply, quotes: Quotes, draft: Draft) -> None:
         if SCALES[0] <= room.scale <= SCALES[1]:
             parsed.room_scale = room.scale
         else:
-            problems.append(f"room: scale {room.scale:g} cannot be; 1 is usual, 1.3 large, 0.75 small")
+            problems[f"room: scale {room.scale:g} cannot be; 1 is usual, 1.3 large, 0.75 small"] = OPEN
     parsed.people = _whole(room.people, (1, MOST_PEOPLE), "people", problems)
     for name in ("window", "door"):
         number = _whole(getattr(room, f"{name}s"), (0, MOST_OPENINGS), f"{name}s", problems)
@@ -46,7 +46,8 @@ def _kind(room: RoomReply, quotes: Quotes, draft: Draft) -> None:
         draft.marked.append(span)
         parsed.room_words = cut(draft.text[span.start : span.end], 2 * LONGEST)
     elif room.quote:
-        draft.problems.append(f"room: {shown(cut(room.quote))} is not in the request; copy the words for its kind")
+        problem = f"room: {shown(cut(room.quote))} is not in the request; copy the words for its kind"
+        draft.problems[problem] = "the kind that the model named is kept"
     if name := english(room.kind):
         parsed.room_words = parsed.room_words or name
         parsed.room_type = known_room(name)
@@ -59,7 +60,7 @@ def _kind(room: RoomReply, quotes: Quotes, draft: Draft) -> None:
             if span is not None:
                 parsed.unread.append(Left(parsed.room_words, *span))
     elif room.kind:
-        draft.problems.append(f"room: kind {shown(cut(room.kind))} is not English; say it in English")
+        draft.problems[f"room: kind {shown(cut(room.kind))} is not English; say it in English"] = OPEN
     for other in room.others[:MOST_WORDS]:
         kind = known_room(english(other))
         if kind is not None and kind != parsed.room_type and kind not in parsed.other_rooms:
@@ -79,7 +80,7 @@ def _colors(room: RoomReply, draft: Draft) -> None:
         if is_color(color) or color in words()["materials"]:
             draft.parsed.colors.append(color)
         else:
-            draft.problems.append(f"room: color {shown(cut(given))} is unknown; use a plain English colour")
+            draft.problems[f"room: color {shown(cut(given))} is unknown; use a plain English colour"] = OUT
 
 
 def _measures(room: RoomReply, draft: Draft) -> None:
@@ -88,23 +89,21 @@ def _measures(room: RoomReply, draft: Draft) -> None:
     if len(room.sides) >= 2:
         source.size = (max(room.sides[:2]), min(room.sides[:2]))
     elif room.sides:
-        draft.problems.append("room: sides are two numbers of metres")
+        draft.problems["room: sides are two numbers of metres"] = OPEN
     source.area, source.height = room.area, room.height
     if source.height is None and len(room.sides) > 2:
         source.height = room.sides[2]
     before = len(source.notes)
     check_measures(source)
-    draft.problems += [f"room: {note}" for note in source.notes[before:]]
+    draft.problems |= {f"room: {note.partition(';')[0]}": OPEN for note in source.notes[before:]}
     del source.notes[before:]
 
 
-def _whole(value: int | None, bounds: tuple[int, int], name: str, problems: list[str]) -> int | None:
+def _whole(value: int | None, bounds: tuple[int, int], name: str, problems: dict[str, str]) -> int | None:
     if value is None or bounds[0] <= value <= bounds[1]:
         return value
-    problems.append(
-        f"room: {name} {value if abs(value) < 10**9 else 'that many'} cannot be; it is {bounds[0]} to "
-        f"{bounds[1]}, or null"
-    )
+    spoken = f"{name} {value if abs(value) < 10**9 else 'that many'}"
+    problems[f"room: {spoken} cannot be; it is {bounds[0]} to {bounds[1]}, or null"] = OPEN
     return None
 
 

@@ -34,7 +34,7 @@ def excluded_categories(name: str) -> Iterator[str]:
 
 def english(name: str) -> str:
     """A name in lower case, plain letters, without an article; nothing where it is not written in Latin letters."""
-    plain = "".join(c for c in unicodedata.normalize("NFKD", name) if not unicodedata.combining(c))
+    plain = "".join(c for c in unicodedata.normalize("NFKD", name[: 4 * LONGEST]) if not unicodedata.combining(c))
     if any(c.isalpha() and not c.isascii() for c in plain):
         return ""
     plain = "".join(c if c.isalnum() or c in " -'" else " " for c in plain.lower())
@@ -53,7 +53,6 @@ def is_color(value: str) -> bool:
         return False
 
 
-@cache
 def part_of_room(name: str) -> str | None:
     """The place that a name means, when it means no thing: windows, a wall, the bedroom itself."""
     meant = vocabulary().get(name, {})

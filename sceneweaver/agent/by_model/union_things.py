@@ -53,7 +53,8 @@ class UnionThings:
         before: dict[Span | None, int] = {}
         for mine in self.offline.entities:
             head = head_of(mine.span, self.offline.text)
-            over = [e for e in self.model.entities if head is not None and overlap(head, e.span)]
+            words = mine.span if mine.generic else head  # of a noun that is not known any word may be the noun
+            over = [e for e in self.model.entities if overlap(words, e.span)]
             alike = [e.id for e in over if e.category == mine.category]
             other = [e.id for e in over if e.span is not None and e.span.end - e.span.start <= LONGEST]
             if alike:  # the second of two that share their words is the second of the model's
