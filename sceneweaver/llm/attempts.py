@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 import asyncio
-import json
 import math
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from .budget import Limits, Usage
 from .endpoint import Endpoint
 from .errors import BudgetSpent, ModelError, ModelFailed, ModelUnreachable
 from .faults import Fault, fault
-from .plain import sendable
 from .records import Record
-from .secrets import line, redact
+from .responses import as_data, cleaned, length, natural, refusal, told
 
 if TYPE_CHECKING:
     from pydantic_ai.messages import ModelMessage, ModelResponse
@@ -95,12 +93,12 @@ class Requests:
         Raises:
             ModelError: when there is none.
         """
-        told = _told(messages)
+        words = told(messages)
         tries = self._account.endpoint.tries if self._account.endpoint else 1
         tried = slow = refused = 0
         while True:
             await self._may_start()
-            attempt: dict[str, Any] = {"told": told} if told else {}
+            attempt: dict[str, Any] = {"told": words} if words else {}
             self._record.attempts.append(attempt)
             self._spend(calls=1)
             try:
@@ -122,12 +120,12 @@ class Requests:
                 await self._wait_or_give_up(found, tried, tries if slow < SLOW_TRIES else tried)
                 continue
             self._count(response, messages, attempt)
-            attempt.update(_raw(response))
+            attempt.update(as_data(response))
             if response.finish_reason != "content_filter":
                 return response
             refused += 1
             if refused == 2:
-                raise ModelFailed(f"the model refuses to answer{_refusal(response)}")
+                raise ModelFailed(f"the model refuses to answer{refusal(response)}")
 
     async def _may_start(self) -> None:
         """Wait for the rate limit; raise when nothing more may be spent."""
@@ -158,11 +156,11 @@ class Requests:
         try:
             async with asyncio.timeout(longest if longest < math.inf else None):
                 if not self._stream:
-                    return _clean(await self._model.request(messages, settings, parameters))
+                    return cleaned(await self._model.request(messages, settings, parameters))
                 async with self._model.request_stream(messages, settings, parameters) as pieces:
                     async for _ in pieces:
                         pass
-                    return _clean(pieces.get())
+                    return cleaned(pieces.get())
         except TimeoutError:
             if self._account.seconds_left() <= 0:
                 raise BudgetSpent("the time of the run was over before the reply was there") from None
@@ -183,11 +181,11 @@ class Requests:
 
     def _count(self, response: ModelResponse, messages: Sequence[ModelMessage], attempt: dict[str, Any]) -> None:
         said = response.usage
-        tokens_in, tokens_out, cached = map(_natural, (said.input_tokens, said.output_tokens, said.cache_read_tokens))
+        tokens_in, tokens_out, cached = map(natural, (said.input_tokens, said.output_tokens, said.cache_read_tokens))
         estimated = int(not tokens_in and not tokens_out)
         if estimated:
-            tokens_in = -(-sum(_length(message) for message in messages) // 4)
-            tokens_out = -(-_length(response) // 4)
+            tokens_in = -(-sum(length(message) for message in messages) // 4)
+            tokens_out = -(-length(response) // 4)
         price = self._account.usage.price
         cost = price.cost(tokens_in, tokens_out, cached) if price else 0.0
         spent = {"tokens_in": tokens_in, "tokens_out": tokens_out, "cached": cached, "estimated": estimated}
@@ -198,67 +196,3 @@ class Requests:
         self._account.usage.add(self._record.asked.purpose, spent)
         for name, value in spent.items():
             self._record.usage[name] = self._record.usage.get(name, 0) + value
-
-
-def _natural(value: object) -> int:
-    """A number of tokens that a server tells; one below zero would buy back what is spent."""
-    return value if isinstance(value, int) and value > 0 else 0
-
-
-def _clean(response: ModelResponse) -> ModelResponse:
-    """A reply without secrets, and without what it does not need: a server may echo a key anywhere."""
-    from pydantic_ai.messages import TextPart, ThinkingPart, ToolCallPart
-
-    parts: list[Any] = []
-    for part in response.parts:
-        if isinstance(part, TextPart | ThinkingPart):
-            parts.append(replace(part, content=sendable(redact(part.content))))
-        elif isinstance(part, ToolCallPart):
-            name, identity = sendable(redact(part.tool_name)), sendable(redact(part.tool_call_id))
-            parts.append(replace(part, tool_name=name, args=sendable(redact(part.args)), tool_call_id=identity))
-    return replace(response, parts=parts, provider_details=redact(response.provider_details))
-
-
-def _raw(response: ModelResponse) -> dict[str, Any]:
-    """A reply as JSON data."""
-    from pydantic_ai.messages import TextPart, ThinkingPart, ToolCallPart
-
-    said: list[dict[str, Any]] = []
-    for part in response.parts:
-        if isinstance(part, TextPart):
-            said.append({"text": part.content})
-        elif isinstance(part, ThinkingPart):
-            said.append({"thinking": part.content})
-        elif isinstance(part, ToolCallPart):
-            said.append({"tool": part.tool_name, "arguments": part.args})
-    raw: dict[str, Any] = {"reply": said, "finish": response.finish_reason}
-    if refusal := (response.provider_details or {}).get("refusal"):
-        raw["refusal"] = refusal
-    return raw
-
-
-def _refusal(response: ModelResponse) -> str:
-    words = line((response.provider_details or {}).get("refusal") or "", 150)
-    return f": {words}" if words else ""
-
-
-def _told(messages: Sequence[ModelMessage]) -> str:
-    """What the model is told about its last answer; "" for a first request."""
-    if len(messages) < 2:
-        return ""
-    words: list[str] = []
-    for part in messages[-1].parts:
-        content = getattr(part, "content", None)
-        if content is not None:
-            words.append(content if isinstance(content, str) else json.dumps(content, default=str))
-    return redact("\n".join(words))
-
-
-def _length(message: ModelMessage | ModelResponse) -> int:
-    """Characters of a message; a picture counts as 4000, about a thousand tokens."""
-    size = len(getattr(message, "instructions", None) or "")
-    for part in message.parts:
-        content = getattr(part, "content", None) or getattr(part, "args", None) or ""
-        items = content if isinstance(content, list | tuple) else [content]
-        size += sum(4000 if hasattr(item, "data") else len(str(item)) for item in items)
-    return size

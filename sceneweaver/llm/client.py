@@ -19,7 +19,7 @@ from .prices import Prices
 from .records import Asked, Record, Recorder
 from .reply import Picture, Reply
 from .secrets import redact
-from .waiting import Desk, Waiting
+from .waiting import CallQueue, Waiting
 
 if TYPE_CHECKING:
     from pydantic_ai.models import Model
@@ -95,7 +95,7 @@ class ModelClient:
             instructions: what the model is and how it is to answer.
             content: text and pictures, in order. Equal for equal runs: no clock, no paths.
             check: refuses an answer by an `InputError`, whose words the model is told; may give back a mended answer.
-                Called in the thread of the caller; has no effects, as a replay calls it for accepted answers only.
+                Called in the thread of the caller. A replay calls it with the same answers in the same order.
             retries: times that it is asked again after an answer that is refused.
 
         Raises:
@@ -148,7 +148,7 @@ class ModelClient:
         assert self._model is not None
         endpoint = self._account.endpoint
         stream = endpoint.stream if endpoint else getattr(self._model, "function", True) is None
-        desk = Desk()
+        calls = CallQueue()
         conversations = [
             Conversation(
                 self._model,
@@ -160,7 +160,7 @@ class ModelClient:
                 answers=endpoint.answers if endpoint else "tool",
                 stream=stream,
                 pictures=self.pictures,
-                desk=desk,
+                calls=calls,
             )
             for record in records
         ]
@@ -169,15 +169,15 @@ class ModelClient:
             return await asyncio.gather(*(conversation.run() for conversation in conversations))
 
         began = time.monotonic()
-        self._account.started[id(desk)] = began
+        self._account.started[id(calls)] = began
         answers: list[Answer | None] | None = None
         ended = "the run was interrupted before the answer was there"
         try:
-            with Waiting(all_of_them(), desk) as waiting:
+            with Waiting(all_of_them(), calls) as waiting:
                 answers = waiting.result(self._stopped)
                 ended = "" if answers is not None else "the run was stopped before the answer was there"
         finally:
-            del self._account.started[id(desk)]
+            del self._account.started[id(calls)]
             with self._lock:
                 self._finish(records, time.monotonic() - began, ended)
         told = answers if answers is not None else [None for _ in records]

@@ -19,7 +19,7 @@ from .plain import plain
 from .records import Record
 from .reply import Reply
 from .secrets import line, redact
-from .waiting import Desk
+from .waiting import CallQueue
 
 if TYPE_CHECKING:
     from pydantic_ai import Agent
@@ -53,7 +53,7 @@ class Conversation(Generic[Answer]):
         answers: how structured answers are asked for.
         stream: whether replies come in pieces.
         pictures: whether pictures are sent.
-        desk: calls in the caller's thread.
+        calls: functions that the caller's thread is to call.
     """
 
     def __init__(
@@ -68,10 +68,10 @@ class Conversation(Generic[Answer]):
         answers: Answers,
         stream: bool,
         pictures: bool,
-        desk: Desk,
+        calls: CallQueue,
     ) -> None:
         self._account, self._record, self._kind, self._check = account, record, kind, check
-        self._retries, self._answers, self._pictures, self._desk = retries, answers, pictures, desk
+        self._retries, self._answers, self._pictures, self._calls = retries, answers, pictures, calls
         self._requests = Requests(model, account, record, stream)
         self._model = model
         self._refused = ""
@@ -104,7 +104,7 @@ class Conversation(Generic[Answer]):
 
         @agent.output_validator
         async def checked(answer: Answer) -> Answer:
-            data, passed, words = await self._desk.call(lambda: accepted(answer, self._kind, self._check))
+            data, passed, words = await self._calls.call(lambda: accepted(answer, self._kind, self._check))
             self._record.attempts[-1]["answer"] = data
             if passed is None:
                 self._refused = self._record.attempts[-1]["refused"] = words

@@ -24,7 +24,7 @@ LEAVE = 0.3
 Result = TypeVar("Result")
 
 
-class Desk:
+class CallQueue:
     """Calls from the thread of the requests that have to be made in the thread of the caller."""
 
     def __init__(self) -> None:
@@ -57,17 +57,17 @@ class Waiting(Generic[Result]):
 
     Args:
         work: the coroutine.
-        desk: where it makes calls of the caller.
+        calls: functions that it has the caller's thread call.
     """
 
-    def __init__(self, work: Coroutine[Any, Any, Result], desk: Desk) -> None:
-        self._work, self._desk = work, desk
+    def __init__(self, work: Coroutine[Any, Any, Result], calls: CallQueue) -> None:
+        self._work, self._calls = work, calls
         self._future: concurrent.futures.Future[Result] | None = None
         self._ended = threading.Event()
 
     def __enter__(self) -> Self:
         self._future = asyncio.run_coroutine_threadsafe(self._to_its_end(), _loop())
-        self._future.add_done_callback(lambda _: self._desk.close())
+        self._future.add_done_callback(lambda _: self._calls.close())
         return self
 
     def __exit__(
@@ -88,7 +88,7 @@ class Waiting(Generic[Result]):
         while not self._future.done():
             if stopped():
                 return None
-            self._desk.serve(LOOK)
+            self._calls.serve(LOOK)
         return self._future.result()
 
 
