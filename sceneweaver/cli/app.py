@@ -520,7 +520,17 @@ def assets_import(
     store: StorePath = None,
     category: Annotated[str | None, typer.Option(help="What they are.", show_default=False)] = None,
     up: Annotated[str | None, typer.Option(metavar="AXIS", help="Up axis, such as y.", show_default=False)] = None,
-    front: Annotated[str | None, typer.Option(metavar="AXIS", help="Front, such as -z.", show_default=False)] = None,
+    front: Annotated[
+        str | None,
+        typer.Option(metavar="AXIS|ask", help="Front, such as -z; ask lets a model look.", show_default=False),
+    ] = None,
+    model: Annotated[
+        str | None,
+        typer.Option(help="Model for --front ask (SCENEWEAVER_MODEL), such as openai:NAME.", show_default=False),
+    ] = None,
+    base_url: Annotated[
+        str | None, typer.Option(help="Where it is asked (SCENEWEAVER_BASE_URL).", show_default=False)
+    ] = None,
     unit: Annotated[
         float | None, typer.Option(metavar="METRES", help="Metres per unit, such as 0.01.", show_default=False)
     ] = None,
@@ -542,6 +552,8 @@ def assets_import(
         category=category,
         up=up,
         front=front,
+        model=model,
+        base_url=base_url,
         unit=unit,
         licence=licence,
         allow=license_allow or [],

@@ -19,6 +19,11 @@ if TYPE_CHECKING:
     from PIL.Image import Image
 
     from sceneweaver.assets import Asset
+    from sceneweaver.assets.imports.hints import Hints, SeenFront
+    from sceneweaver.llm import ModelClient
+
+ASK = "ask"
+"""Value of ``--front`` that lets a model look."""
 
 
 def run_sheet(
@@ -191,6 +196,8 @@ def run_import(
     category: str | None,
     up: str | None,
     front: str | None,
+    model: str | None,
+    base_url: str | None,
     unit: float | None,
     licence: str | None,
     allow: list[str],
@@ -198,22 +205,32 @@ def run_import(
     limit: int | None,
     as_json: bool,
 ) -> int:
-    """Bring mesh files into the store; what cannot be used is named, and the rest goes on."""
+    """Bring mesh files into the store; what cannot be used is named, and the rest goes on.
+
+    With ``front`` "ask" a model looks at those whose front no file states.
+    """
     from sceneweaver.assets.imports.prepare import content_hash, prepare
     from sceneweaver.assets.readers import entries
     from sceneweaver.assets.store import Store
 
     keep = Store(store)
+    asking = front == ASK
+    if not asking and (model or base_url):
+        raise InputError("--model and --base-url are for --front ask; add it, or leave them out")
+    client = _client(model, base_url) if asking else None
     made, refused, skipped = [], [], 0
     for hints in entries(source, kind):
         if limit is not None and len(made) >= limit:
             break
-        hints = hints.with_(category=category, up=up, front=front, metres=unit, licence=licence)
+        stated = None if asking else front
+        hints = hints.with_(category=category, up=up, front=stated, metres=unit, licence=licence)
         if allow and hints.licence not in allow:
             skipped += 1
             continue
         try:
             asset = prepare(hints, cache=keep.cache, seconds=time_limit)
+            if client is not None and (seen := _seen(client, hints, asset)) is not None:
+                asset = prepare(hints.with_(seen=seen), cache=keep.cache, seconds=time_limit)
             new = keep.add(asset, content_hash(asset))
         except InputError as error:
             refused.append(str(error))
@@ -241,6 +258,31 @@ def run_import(
     if not made and not refused and not skipped:
         raise InputError(f"{source}: there are no mesh files in it")
     return 0 if not refused else NOT_VALID if made else BAD_INPUT
+
+
+def _client(model: str | None, base_url: str | None) -> ModelClient:
+    from sceneweaver.llm import Endpoint, open_client
+
+    return open_client(Endpoint.of(model, base_url))
+
+
+def _seen(client: ModelClient, hints: Hints, asset: Asset) -> SeenFront | None:
+    """Where a model sees the front of an asset whose front nobody stated; None where it has none, or the model is not
+    sure or gives no answer."""
+    from sceneweaver.agent.by_model.fronts import front_by_views
+    from sceneweaver.assets import categories
+    from sceneweaver.assets.imports.hints import SeenFront
+    from sceneweaver.llm import ModelError
+
+    alike = asset.category in categories() and not asset.sides and asset.mount != "wall"
+    if hints.front is not None or alike:
+        return None
+    try:
+        found = front_by_views(client, asset)
+    except ModelError as error:
+        typer.echo(f"sceneweaver: {hints.name}: front found from the shape, as {error}", err=True)
+        return None
+    return SeenFront(found.quarters, found.confidence, found.by) if found.by == client.name else None
 
 
 def run_infinigen(names: list[str], *, seeds: int, store: Path | None, time_limit: float, as_json: bool) -> int:

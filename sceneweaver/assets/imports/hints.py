@@ -11,11 +11,22 @@ AXES = ("x", "-x", "y", "-y", "z", "-z")
 
 
 @dataclass(frozen=True)
+class SeenFront:
+    """Where someone who looked at a mesh sees its front: quarter turns counter-clockwise from where its shape says that
+    it is, how sure (0 to 1), and who looked."""
+
+    quarters: int
+    confidence: float
+    by: str
+
+
+@dataclass(frozen=True)
 class Hints:
     """Facts about one mesh file; None is "not known", and is then found out from the geometry.
 
     ``metres`` are metres per unit; ``size`` is the wanted (depth, width, height) [m] with None where free;
     ``yaw`` [rad] is turned on top of ``front``; ``transform`` is a 4x4 matrix applied to the file's vertices first.
+    ``seen`` counts only where there is no ``front``.
     """
 
     path: Path
@@ -36,6 +47,7 @@ class Hints:
     attribution: str = ""
     attributes: dict[str, Any] = field(default_factory=dict)
     hulls: tuple[Path, ...] = ()
+    seen: SeenFront | None = None
 
     def with_(self, **changes: Any) -> Hints:
         """The same with the changes that are not None."""

@@ -68,6 +68,10 @@ def normalise(raw: RawMesh, hints: Hints, category: Category | None) -> Normalis
         notes.append(f"front found from the shape, confidence {confidence:.2f}")
     else:
         confidence = 0.0
+    if front_axis is None and hints.seen is not None:
+        yaw -= hints.seen.quarters * math.pi / 2
+        confidence = hints.seen.confidence
+        notes.append(f"front seen by {hints.seen.by}, confidence {confidence:.2f}")
     points = _spin(points, yaw - hints.yaw)
     metres = _unit(raw, hints, category, np.ptp(points[used], axis=0), notes)
     points = points * metres
