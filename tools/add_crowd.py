@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Sequence
 from typing import Any
 
-from sceneweaver.assets import categories
+from sceneweaver.assets import categories, resolve
 from sceneweaver.knowledge.surfaces import Crowd, Unit, arrangement_of, crowd, crowd_of, crowds
 from sceneweaver.scene import InputError, SceneObject, Support, Surface
 from sceneweaver.scene.edits import Add, AnyEdit
@@ -37,6 +38,8 @@ class AddCrowd:
         chosen = around.supports(inputs.get("supports") or [])
         named = inputs.get("theme")
         theme = crowd(str(named), around.room) if named else None
+        if inputs.get("categories"):
+            theme = _of_kinds(inputs["categories"], theme)
         density = _density(inputs.get("density"), context)
         every = not inputs.get("supports")
         if every:
@@ -48,7 +51,11 @@ class AddCrowd:
         unmet: list[str] = []
         for support in chosen:
             dice = random.Random(f"{context.seed}/{support.id}/crowd")
-            plan = _unnamed(theme or _theme(around, support), named_already)
+            plan = (
+                theme
+                if inputs.get("categories") and theme
+                else _unnamed(theme or _theme(around, support), named_already)
+            )
             boards = [s for s in support.surfaces if (support.id, s.name) not in around.carried]
             if every and _dressed(around, support):
                 boards = [s for s in boards if s.headroom is not None]
@@ -107,6 +114,27 @@ def _fill(
         )
         for put in row.fill()
     ]
+
+
+def _of_kinds(given: Any, theme: Crowd | None) -> Crowd:
+    """A theme of such things alone, each as it stands in the theme that is named, else in any that has it.
+
+    Raises:
+        InputError: for what is no list of categories of small things.
+    """
+    if isinstance(given, str) or not isinstance(given, Sequence) or not all(isinstance(c, str) for c in given):
+        raise InputError('categories: give a list of nouns, such as ["book", "vase"]')
+    units: list[Unit] = []
+    for noun in given:
+        category = resolve(noun, "surface").category
+        if category not in categories() or "surface" not in categories()[category].mount:
+            raise InputError(f"categories: {show(noun)} is nothing that stands on shelves; name small things")
+        plans = [*([theme] if theme is not None else []), *crowds().values()]
+        known = next((unit for plan in plans for unit in plan.units if category in unit.what), None)
+        plain = Unit(what=(category,), most=4, loose=4)
+        units.append(known.model_copy(update={"what": (category,), "level": None}) if known is not None else plain)
+    base = theme or Crowd(name="named", description="What a call names", units=tuple(units))
+    return base.model_copy(update={"units": tuple(units), "top": None})
 
 
 def _seen_from_behind(support: SceneObject, board: Surface) -> bool:

@@ -27,6 +27,7 @@ from .surface_assets import Shelf
 from .surface_layout import Asked, Layer
 from .surface_places import surfaces_of
 from .surface_scene import Surroundings
+from .tabletop_said import Said, is_said, lost, said_rows, with_said
 
 PLACES = ((0.4, 0.7), (0.5, -0.6), (0.75, 0.1), (0.2, -0.1), (0.6, 0.4))
 """Where things stand that only the category table knows of: depth and side."""
@@ -44,33 +45,40 @@ class AddTabletop:
         """Adds, and soft relations between what belongs together; poses are free of collisions already."""
         inputs = context.inputs
         around = Surroundings(context.scene, context.room_type)
-        chosen = around.supports(inputs.get("supports") or [])
-        asked = _asked(inputs.get("objects") or [])
+        said = said_rows([row for row in _rows(inputs.get("objects") or []) if is_said(row)])
+        supports = [*(inputs.get("supports") or []), *(one.support for one in said if one.support is not None)]
+        chosen = around.supports(supports if said else inputs.get("supports") or [])
+        asked = _asked([row for row in _rows(inputs.get("objects") or []) if not is_said(row)])
         named = inputs.get("arrangement")
         plan = arrangement(str(named), around.room) if named else None
-        if not inputs.get("supports"):
+        if not supports:
             chosen = [o for o in chosen if _bare(around, o) and _worth(around, o, plan, named is not None)]
         if not chosen:
             why = "there is no table, desk or other support that lacks things"
-            lacking = [f"{a.category}: {why}" for a in asked] or ([] if inputs.get("supports") else [why])
+            lacking = [f"{a.category}: {why}" for a in asked] or ([] if supports else [why])
             return Proposal(unmet=tuple(lacking))
         shelf = Shelf(context.library, context.scene.palette, context.seed, context.brief.style)
         edits: list[AnyEdit] = []
         notes: list[str] = []
         unmet: list[str] = []
         open_asked = asked
+        told = _told(said, chosen)
         named_already = named_kinds(context.brief) - {a.category for a in asked}
         plans = [_unnamed(plan or plan_of(around, support), named_already) for support in chosen]
         for k, support in enumerate(chosen):
             dice = random.Random(f"{context.seed}/{support.id}/{zlib.crc32(b'tabletop')}")
-            layer = Layer(around, shelf, support, plans[k], dice, context.clutter)
+            here = told[support.id]
+            plan_here = with_said(plans[k], here, bool(inputs.get("only"))) if here or inputs.get("only") else plans[k]
+            looks = {one.slot.id: dict(one.look) for one in here if one.look}
+            layer = Layer(around, shelf, support, plan_here, dice, context.clutter, looks)
             share = _share(open_asked, plans[k:])
             done = layer.run(share)
             open_asked = [*done.unplaced, *(a for a in open_asked if not any(a is s for s in share))]
             edits += [Add(object=o) for o in done.objects]
             edits += [Relate(relation=r) for r in done.relations]
             unmet += [f"{support.id}: there is no room for {_words(name)}" for name in done.missing]
-            if not done.objects and not done.missing and inputs.get("supports"):
+            unmet += [f"{support.id}: there is no such place for {_words(name)}" for name in lost(here, done)]
+            if not done.objects and not done.missing and supports:
                 unmet.append(f"{support.id}: nothing of its arrangement fits on it")
             if done.objects:
                 notes.append(f"{support.id}: {_listed(done.objects)}")
@@ -93,14 +101,29 @@ def _share(asked: Sequence[Asked], plans: Sequence[Arrangement]) -> list[Asked]:
     return [a for a in asked if lays(plans[0], a.category) or any(a is e for e in even)]
 
 
-def _asked(given: Any) -> list[Asked]:
-    """The things asked for, one entry each; InputError for what cannot be read."""
+def _told(said: Sequence[Said], chosen: Sequence[SceneObject]) -> dict[str, list[Said]]:
+    """By support the rows that have a place on it; those that name none are on the first."""
+    ids = {o.id for o in chosen}
+    told: dict[str, list[Said]] = {o.id: [] for o in chosen}
+    for one in said:
+        told[one.support if one.support in ids and one.support is not None else chosen[0].id].append(one)
+    return told
+
+
+def _rows(given: Any) -> list[Mapping[str, Any]]:
+    """The rows of ``objects``; InputError for what is none."""
     if isinstance(given, str | Mapping) or not isinstance(given, Sequence):
         raise InputError('objects: give a list such as [{"category": "mug", "count": 2}]')
-    out: list[Asked] = []
     for k, row in enumerate(given):
         if not isinstance(row, Mapping) or not isinstance(row.get("category"), str) or not row["category"].strip():
             raise InputError(f'objects[{k}]: give a category, such as {{"category": "mug", "count": 2}}')
+    return list(given)
+
+
+def _asked(given: Sequence[Mapping[str, Any]]) -> list[Asked]:
+    """The things asked for, one entry each; InputError for what cannot be read."""
+    out: list[Asked] = []
+    for k, row in enumerate(given):
         count = row.get("count", 1)
         if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= MOST:
             raise InputError(f"objects[{k}].count: {count!r} is no whole number from 1 to {MOST}")

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -71,7 +72,10 @@ class Layer:
         arrangement: Arrangement,
         dice: random.Random,
         clutter: float = CLUTTER,
+        looks: Mapping[str, dict[str, str]] = MappingProxyType({}),
     ):
+        """``looks`` are colour, material, style and words of the things of some slots."""
+        self._looks = looks
         self._around, self._shelf, self._support = around, shelf, support
         self._plan, self._dice, self._clutter = arrangement, dice, clutter
         self._seats = around.seats(support)
@@ -168,7 +172,8 @@ class Layer:
             return not self._full(surface, like) and self._place(slot, like, surface, base, ground, spread)
         for name in names:
             for size in (slot.size, ((0.0, 0.0), (0.0, 0.0), slot.size[2])):  # as it should be, then the smallest
-                asset = self._shelf.draw(name, chances, size, limit, one.look if one else None)
+                look = one.look if one else self._looks.get(slot.id)
+                asset = self._shelf.draw(name, chances, size, limit, look)
                 if asset is None:
                     break
                 if one is None and slot.need != "needed" and not slot.on and self._full(surface, asset):

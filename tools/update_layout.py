@@ -18,6 +18,10 @@ TIED = CATALOGUE.with_role("tying")
 """Types by which an object belongs to its target and goes where that goes."""
 
 
+TOGETHER = 1.2
+"""Distance [m] within which the objects of a group are wanted."""
+
+
 class UpdateLayout:
     """Sets objects back, so that the engine finds a place for them anew."""
 
@@ -35,7 +39,14 @@ class UpdateLayout:
         if "near" in inputs:
             more, said, against = _near(scene, ids, inputs["near"])
             edits, notes, unmet = [*edits, *more], [*notes, *said], [*unmet, *against]
-        if ids and not rows and "near" not in inputs:  # what is laid out by itself would leave its row
+        for k, group in enumerate(inputs.get("groups", ())):
+            members = known_ids(scene, list(group), f"{where}.groups[{k}]")
+            more, said, against = _together(scene, members)
+            edits, notes, unmet = [*edits, *more], [*notes, *said], [*unmet, *against]
+            ids = list(dict.fromkeys([*ids, *members]))
+        if (
+            ids and not rows and "near" not in inputs and not inputs.get("groups")
+        ):  # what is laid out by itself would leave its row
             notes += [f"{id} stands in a row and stays there" for id in ids if id in _in_rows(scene)]
             ids = [id for id in ids if id not in _in_rows(scene)]
             if not ids:
@@ -85,6 +96,16 @@ def _base(scene: Scene, obj: SceneObject) -> SceneObject:
     while obj.support is not None:
         obj = scene.object(obj.support.object)
     return obj
+
+
+def _together(scene: Scene, ids: list[str]):
+    """Wishes by which objects stand together: each near the first."""
+    rows = [
+        {"type": "near", "subject": id, "target": ids[0], "params": {"max": TOGETHER}, "hard": False}
+        for id in ids[1:]
+        if scene.object(id).support is None
+    ]
+    return related(scene, rows, "tool update_layout: inputs.groups")
 
 
 def _near(scene: Scene, ids: list[str], word: str):

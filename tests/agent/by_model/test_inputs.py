@@ -43,6 +43,17 @@ def test_lounge_is_what_the_request_wants(lounge):
 GOOD = [
     ("add_objects", {"objects": [{"category": "floor lamp", "place": [{"type": "near", "to": "sofa-0", "max": 0.8}]}]}),
     ("add_tabletop", {"supports": ["sideboard-0"], "objects": [{"category": "table lamp"}]}),
+    (
+        "add_tabletop",
+        {
+            "objects": [
+                {"category": "table lamp", "on": "sideboard-0", "at": "left"},
+                {"category": "vase", "by": "table lamp", "side": "right"},
+            ],
+            "only": True,
+        },
+    ),
+    ("add_crowd", {"supports": ["bookcase-0"], "categories": ["book", "vase"]}),
     ("add_crowd", {"supports": ["bookcase-0"], "theme": "books", "density": 0.6}),
     ("remove_objects", {"ids": ["sideboard-0"]}),
     ("add_relation", {"relations": [{"type": "facing", "subject": "armchair-0", "target": "coffee_table-0"}]}),
@@ -50,6 +61,7 @@ GOOD = [
     ("update_rotation", {"ids": ["armchair-0"], "square": True}),
     ("update_size", {"sizes": {"sideboard-0": [0.45, 1.5, 0.8]}}),
     ("update_layout", {"ids": ["armchair-0"], "near": "sofa-0"}),
+    ("update_layout", {"groups": [["sideboard-0", "armchair-1"]]}),
     ("add_wall_objects", {"walls": [3]}),
 ]
 
@@ -92,6 +104,7 @@ REFUSED = [
     ("update_layout", {"ids": ["sofa-0"], "position": [1, 2]}, '"position" is unknown'),
     ("init_library", {"folder": "/etc"}, "inputs.folder is not for you to give"),
     ("add_crowd", {"supports": ["bookcase-0"], "theme": "bokos"}, 'did you mean "books"?'),
+    ("add_tabletop", {"objects": [{"category": "mug", "by": "plate"}]}, '"plate" is no row before it'),
     ("add_tabletop", {"supports": ["armchair-7"]}, "'armchair-7' is no object"),
     ("add_objects", {"objects": [{"category": "television"}]}, "the request wants no"),
     ("add_objects", {"objects": [{"category": "stool", "count": 99}]}, "inputs.objects names 99 things"),
@@ -151,7 +164,7 @@ def test_what_can_be_done_in_part_is_told_once_and_then_done(lounge, context_of)
 
 def test_inputs_that_change_nothing_are_refused(lounge, context_of):
     there = {"relations": [{"type": "against_wall", "subject": "sofa-0"}]}
-    script = Script({"inputs": there}, {"inputs": GOOD[4][1]})
+    script = Script({"inputs": there}, {"inputs": GOOD[6][1]})
     filled_by(script, "add_relation", context_of(lounge))
     assert "with these inputs nothing changes: against_wall of sofa-0 is there already" in script.refusals[0]
 
@@ -289,7 +302,7 @@ def test_a_tool_that_asks_by_itself_is_left_alone(lounge, context_of):
     assert script.calls == 0
 
 
-@pytest.mark.parametrize("at", [0, 4, 5, 7, 8])
+@pytest.mark.parametrize("at", [0, 2, 5, 6, 7, 9, 10])
 def test_the_scene_is_valid_in_the_end(at, lounge, context_of):
     name, inputs = GOOD[at]
     context = context_of(lounge)
