@@ -151,7 +151,7 @@ def _item(item: ItemReply) -> dict[str, Any]:
     }
     if item.on:
         data["on"] = list(item.on)
-    sizes = [getattr(item, side) for side in SIDES]
+    sizes = [_cut(getattr(item, side), data["what"], axis) for axis, side in enumerate(SIDES)]
     if any(sizes):
         data["size"] = sizes
     optional = {"with": item.with_, "mount": item.mount, "top": item.top, "fill": item.fill, "row": item.row}
@@ -162,6 +162,17 @@ def named(noun: str) -> str:
     """The category with a body that a noun means; the noun itself where none does."""
     match = resolve(noun[:60])
     return noun if match.generic or match.body not in categories() else match.body
+
+
+def _cut(given: Pair | None, what: Sequence[str], axis: int) -> Pair | None:
+    """A range of sizes [m] as far as such things have them; as it was given where none has."""
+    known = [size.ranges[axis] for name in what if name in categories() and (size := categories()[name].size)]
+    if given is None or not known or given[0] > given[1]:
+        return given
+    low, high = min(one[0] for one in known), max(one[1] for one in known)
+    if given[1] < low or given[0] > high:
+        return given
+    return [max(given[0], low), min(given[1], high)]
 
 
 def _place(place: PlaceReply) -> dict[str, Any]:

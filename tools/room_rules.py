@@ -65,11 +65,16 @@ def missing(room: RoomType, usual: RoomType | None, brief: SceneGraph) -> list[s
         if e.category not in held and not set(kin(e.category, e.noun)) & held
     ]
     banned = {name for word in brief.without for name in (*kin(word), *members(word))}
+    unwanted = {i.id for i in (usual.items if usual is not None else ()) if all(c in banned for c in i.what)}
     for item in usual.items if usual is not None else ():
-        names = [c for c in item.what if c not in banned]
-        served = not names or any(c in held for c in names)
-        if item.need == "needed" and item.with_ is None and not served and not brief.only:
-            found.append(f"such a room needs {names[0]}, and no item is one")
+        if item.need != "needed" or item.with_ is not None or item.id in unwanted or brief.only:
+            continue
+        served = any(c in held for c in item.what)
+        users = (
+            {other.id for other in usual.items if item.id in (other.with_, *other.on)} if usual is not None else set()
+        )
+        if not served and not users & unwanted:  # what is there for something unwanted is not needed, either
+            found.append(f"such a room needs {item.what[0]}, and no item is one")
     for item in room.items:
         if all(c in banned or groups_of(c) & set(brief.without) for c in item.what):
             found.append(f"{item.id}: the request wants no {item.what[0].replace('_', ' ')}; leave it out")
@@ -110,7 +115,7 @@ def _wrong_size(item: Item) -> Iterator[str]:
                 continue
             if given[0] > given[1]:
                 yield f"{item.id}.{axis} is [{given[0]:g}, {given[1]:g}]; the first must not be more than the second"
-            elif given[0] < low * (1 - TOLERANCE) or given[1] > high * (1 + TOLERANCE):
+            elif given[1] < low * (1 - TOLERANCE) or given[0] > high * (1 + TOLERANCE):
                 yield f"{item.id}.{axis} is [{given[0]:g}, {given[1]:g}]; a {category} has {low:g} to {high:g} m"
 
 

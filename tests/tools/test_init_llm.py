@@ -10,6 +10,7 @@ from pydantic_ai.models.test import TestModel
 from sceneweaver.agent.executor import Executor
 from sceneweaver.agent.loop import empty_scene
 from sceneweaver.agent.settings import Settings
+from sceneweaver.assets import categories
 from sceneweaver.brief import read_request
 from sceneweaver.knowledge import room_type
 from sceneweaver.llm import ModelClient
@@ -18,7 +19,7 @@ from sceneweaver.tools.base import Context
 from sceneweaver.tools.init_llm import programme, vocabulary
 from sceneweaver.tools.registry import tool
 from sceneweaver.tools.room_reply import ProgrammeReply
-from sceneweaver.tools.room_rules import check_room
+from sceneweaver.tools.room_rules import check_room, missing
 from tests.agent.by_model.scripted import Script
 from tests.tools.programmes import PROGRAMME, changed, item, place
 
@@ -123,6 +124,21 @@ def test_what_the_request_does_not_want_is_refused(library):
     script = Script(more, GOOD)
     proposed(library, script, text=DORMITORY + ", without a television")
     assert "tv: the request wants no" in script.refusals[0]
+
+
+def test_what_is_only_there_for_what_is_not_wanted_is_not_needed():
+    living, held = room_type("living_room"), programme(ProgrammeReply.model_validate(PROGRAMME), room_type("dormitory"))
+    said = "; ".join(missing(held, living, read_request("a living room without a television")))
+    assert "tv" not in said and "such a room needs sofa" in said
+    assert "such a room needs tv_stand" in "; ".join(missing(held, living, read_request("a living room")))
+
+
+def test_a_range_that_reaches_beyond_is_cut():
+    wide = programme(ProgrammeReply.model_validate(changed(PROGRAMME, 1, width=[0.2, 99])), room_type("dormitory"))
+    low, high = wide.item("table").size[1] or (0, 0)
+    known = categories()["dining_table"].size
+    assert known is not None and (low, high) == known.width
+    check_room(wide)
 
 
 def test_it_needs_a_model_and_says_so(library):
