@@ -8,6 +8,7 @@ from typing import Any
 from pydantic import BaseModel, Field
 
 from .differences import SOFT, Difference, Moved
+from .limits import MOST_LISTED
 
 Size = tuple[float, float, float]
 
@@ -217,7 +218,10 @@ def _opened_lines(state: OpenedScene) -> list[str]:
 def difference_lines(found: Difference) -> list[str]:
     """What changed, a line each."""
     lines = [f"- added: {name}" for name in found.added] + [f"- removed: {name}" for name in found.removed]
-    lines += [f"- moved: {move_words(move)}" for move in found.moved]
+    far = [move for move in found.moved if move_words(move)]
+    lines += [f"- moved: {move_words(move)}" for move in far[:MOST_LISTED]]
+    if len(far) < len(found.moved):
+        lines.append(f"- moved by less than 5 mm: {len(found.moved) - len(far)}")
     for each in found.resized:
         sizes = (" x ".join(f"{v:.2f}" for v in size) for size in (each.before, each.after))
         lines.append(f"- resized: {each.id} from {' to '.join(sizes)} m")
@@ -228,8 +232,8 @@ def difference_lines(found: Difference) -> list[str]:
 
 
 def move_words(move: Moved) -> str:
-    """How far something went, in words."""
+    """How far something went, in words; empty for less than 5 mm and half a degree."""
     words = [f"{move.distance:.2f} m"] if move.distance >= 0.005 else []
     words += [f"{abs(move.rise):.2f} m {'up' if move.rise > 0 else 'down'}"] if abs(move.rise) >= 0.005 else []
     words += [f"turned {move.turn:+.0f} deg"] if abs(move.turn) >= 0.5 else []
-    return f"{move.id} {', '.join(words) or 'less than 5 mm'}"
+    return f"{move.id} {', '.join(words)}" if words else ""

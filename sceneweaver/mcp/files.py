@@ -118,13 +118,13 @@ class Files:
         write_atomic(self.folder.root / LEDGER, json.dumps(kept, indent=0, ensure_ascii=False) + "\n")
 
 
-def tidy(run: Path) -> None:
-    """Clear away what a process that was ended in the middle of a design has left: temporary files, and its lock."""
-    if run.is_dir():
+def tidy(folder: Path) -> None:
+    """Clear away what a process that was ended in the middle has left in a folder: temporary files, and its lock."""
+    if folder.is_dir():
         with contextlib.suppress(OSError, InputError):
-            for folder in (run, run / "views", *run.glob("steps/*")):
-                sweep(folder)
-            with locked(run / "scene.json", "the folder"):
+            for each in (folder, folder / "views", *folder.glob("steps/*")):
+                sweep(each)
+            with locked(folder / "scene.json", "the folder"):
                 pass
 
 

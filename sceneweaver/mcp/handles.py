@@ -54,14 +54,18 @@ class Handle:
         return self.versions[self.line[self.at]]
 
     def add(self, scene: Scene, report: Mapping[str, Any], change: str, review: Any = None) -> Version:
-        """A new version after the current one. What was undone before is kept for `get`, but not for redo."""
+        """A new version after the current one. What was undone before is kept for `get`, but not for redo.
+
+        Where too many are kept, what was undone goes first, then the oldest.
+        """
         self.last += 1
         version = Version(self.last, scene, report, change, review)
         self.versions[version.number] = version
         self.line[self.at + 1 :] = [version.number]
         self.at = len(self.line) - 1
         while len(self.versions) > self.most:
-            oldest = min(self.versions)
+            undone = self.versions.keys() - set(self.line)
+            oldest = min(undone or self.versions)
             del self.versions[oldest]
             if oldest in self.line:
                 self.line.remove(oldest)

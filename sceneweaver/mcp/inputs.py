@@ -17,7 +17,7 @@ Point = Annotated[list[FiniteFloat], Field(min_length=2, max_length=3, descripti
 Degrees = Annotated[FiniteFloat, Field(description="Counter-clockwise [degrees]")]
 Metres = Annotated[FiniteFloat, Field(gt=0, le=100, description="[m]")]
 Seed = Annotated[int, Field(ge=0, lt=2**32, description="Equal seeds give equal results")]
-Seconds = Annotated[FiniteFloat, Field(gt=0, description="Seconds that it may take")]
+Seconds = Annotated[FiniteFloat, Field(gt=0, description="Seconds that it may take; null: as usual")]
 VersionNumber = Annotated[int, Field(ge=1, description="Number of a version")]
 Side = Annotated[int, Field(ge=LEAST_SIDE, le=MOST_SIDE, description="Pixels")]
 Exact = Annotated[

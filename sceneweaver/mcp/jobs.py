@@ -98,9 +98,7 @@ def explain(job: Job, *, scene: Scene, seed: int) -> dict[str, Any]:
     """Whether the scene has a valid layout at all, and if not, what stands against it."""
     from sceneweaver.explain import refine as lay_out
 
-    solution = lay_out(
-        scene, candidates=EXPLAINED_BY, seed=seed, device=job.device, time_limit=max(1.0, 0.8 * job.seconds - 10)
-    )
+    solution = lay_out(scene, candidates=EXPLAINED_BY, seed=seed, device=job.device, time_limit=0.8 * job.seconds)
     return {
         "found": int((solution.status == 0).sum()),
         "tried": int(solution.candidates),

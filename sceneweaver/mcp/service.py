@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
 from mcp.server.mcpserver import Context
@@ -57,9 +58,11 @@ class Service:
         """Do a job that takes seconds."""
         return await self.workers.quick.run(job, arguments, Progress(context), seconds=self.seconds(None, math.inf))
 
-    async def long(self, context: Context, job: str, seconds: float, **arguments: Any) -> Any:
-        """Do a job that may take minutes."""
-        return await self.workers.long.run(job, arguments, Progress(context), seconds=seconds)
+    async def long(
+        self, context: Context, job: str, seconds: float, folder: Path | None = None, /, **arguments: Any
+    ) -> Any:
+        """Do a job that may take minutes; ``folder`` is where it leaves temporary files when it is ended."""
+        return await self.workers.long.run(job, arguments, Progress(context), seconds=seconds, folder=folder)
 
     async def changed(
         self, context: Context, handle: Handle, before: Version, result: Mapping[str, Any], change: str

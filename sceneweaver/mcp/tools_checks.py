@@ -35,7 +35,7 @@ class CheckTools:
         ] = "current",
         candidates: Annotated[int, Field(ge=1, le=65536, description="Layouts to choose from")] = 64,
         seed: Seed = 0,
-        time_limit: Seconds = USUAL,
+        time_limit: Seconds | None = None,
     ) -> Annotated[CallToolResult, SceneState]:
         """Look for a better layout of the whole scene: nothing collides, all relations hold."""
         handle, seconds = self.service.handles.get(scene), self.service.seconds(time_limit, USUAL)
@@ -52,7 +52,7 @@ class CheckTools:
         context: Context,
         relations: Annotated[bool, Field(description="Whether hard relations are to hold afterwards, too")] = True,
         seed: Seed = 0,
-        time_limit: Seconds = USUAL,
+        time_limit: Seconds | None = None,
     ) -> Annotated[CallToolResult, SceneState]:
         """Move objects as little as makes the scene valid. Nothing is added, dropped or resized."""
         handle, seconds = self.service.handles.get(scene), self.service.seconds(time_limit, USUAL)
@@ -99,7 +99,7 @@ class CheckTools:
         context: Context,
         version: VersionNumber | None = None,
         seed: Seed = 0,
-        time_limit: Seconds = USUAL,
+        time_limit: Seconds | None = None,
     ) -> Annotated[CallToolResult, Explained]:
         """Say why a scene is not valid: what is wrong as it stands, which relations conflict, where room is short."""
         handle, seconds = self.service.handles.get(scene), self.service.seconds(time_limit, USUAL)

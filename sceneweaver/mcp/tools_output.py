@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import base64
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from mcp.server.mcpserver import Context
 from mcp_types import CallToolResult, ImageContent
@@ -47,7 +47,7 @@ class OutputTools:
             Name | None, Field(description="Save them as well: a name that ends in .png; of several, -VIEW is added")
         ] = None,
         version: VersionNumber | None = None,
-        time_limit: Seconds = USUAL,
+        time_limit: Seconds | None = None,
     ) -> Annotated[CallToolResult, Rendered]:
         """Draw a scene; the pictures are in the answer."""
         service = self.service
@@ -79,16 +79,17 @@ class OutputTools:
         folder: Annotated[Name | None, Field(description="Where the files go; null: a new folder")] = None,
         textures: Annotated[bool, Field(description="Materials with their maps, or plain and small")] = True,
         version: VersionNumber | None = None,
-        time_limit: Seconds = USUAL,
+        time_limit: Seconds | None = None,
     ) -> Annotated[CallToolResult, Exported]:
         """Write a scene into a folder below the server's, for other tools; an older export there is replaced."""
         service = self.service
         handle, seconds = service.handles.get(scene), service.seconds(time_limit, USUAL)
         one = handle.get(version)
         place = folder or service.files.free_name(f"export-{handle.id}-v{one.number}")
-        options = {"formats": list(dict.fromkeys(formats)), "textures": textures}
+        options: dict[str, Any] = {"formats": list(dict.fromkeys(formats)), "textures": textures}
         with service.files.new_folder(place, "folder") as new:
-            files = await service.long(context, "export", seconds, scene=one.scene, folder=str(new), **options)
+            options["folder"] = str(new)
+            files = await service.long(context, "export", seconds, new.parent.parent, scene=one.scene, **options)
         told = Exported(scene=handle.id, version=one.number, folder=place, files=files)
         lines = [f"{name}: {place}/{file}" for name, file in files.items()]
         return answer(told, "\n".join([f"{handle.id} version {one.number} in {place}", *lines]))

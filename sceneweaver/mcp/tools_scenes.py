@@ -6,6 +6,8 @@ import os
 from pathlib import Path
 from typing import Annotated, Literal
 
+import anyio
+import anyio.to_thread
 from mcp.server.mcpserver import Context
 from mcp_types import CallToolResult
 from pydantic import Field
@@ -19,6 +21,9 @@ from .inputs import Name, Prompt, SceneId, Seconds, Seed
 from .limits import MOST_FOUND, MOST_SCENE
 from .paths import Folder
 from .service import Progress, Service, answer
+
+USUAL = 120.0
+"""Seconds that a design may take unless the call says otherwise."""
 
 STARTING = 20.0
 """Seconds that the process of a design may take beyond its time limit: it starts up, and writes the results."""
@@ -42,7 +47,7 @@ class SceneTools:
         candidates: Annotated[
             int | None, Field(ge=1, le=65536, description="Layouts for each call of a tool; null: by the device")
         ] = None,
-        time_limit: Seconds = 120.0,
+        time_limit: Seconds | None = None,
         folder: Annotated[
             Name | None, Field(description="Where its files go; a run that was cut off there goes on; null: a new one")
         ] = None,
@@ -61,7 +66,7 @@ class SceneTools:
         """
         service = self.service
         service.handles.require_room()
-        seconds = service.seconds(time_limit, time_limit)
+        seconds = service.seconds(time_limit, USUAL)
         if planner == "llm" and service.llm is None:
             raise InputError("planner: llm needs a model, and this server was started without one; use rules")
         name = folder or service.files.free_name("room")
@@ -111,9 +116,8 @@ class SceneTools:
 
     async def list_scenes(self) -> Annotated[CallToolResult, SceneList]:
         """List the scenes that are open, and the files and examples that can be opened."""
-        listed = SceneList(
-            open=open_scenes(self.service.handles), files=scene_files(self.service.folder), examples=list(EXAMPLES)
-        )
+        files = await anyio.to_thread.run_sync(scene_files, self.service.folder)
+        listed = SceneList(open=open_scenes(self.service.handles), files=files, examples=list(EXAMPLES))
         lines = [
             f"{each.scene}: {each.name}, version {each.version}, {each.objects} objects, "
             f"{'valid' if each.valid else 'NOT valid'}"

@@ -1,9 +1,9 @@
 """A process that does one job after the other for the server, and can be asked to end one early.
 
-It is started as ``python -m sceneweaver.mcp.worker FD DEVICE`` with a connection on that descriptor. Jobs come as
-``("job", name, arguments, seconds)``, a wish to end the running one as ``("stop", reason)``; what goes back is
-``("progress", done, total, message)`` and at last ``("done", result)`` or ``("failed", kind, message)``. The jobs run
-in the main thread, where time limits work in the middle of anything. When the connection ends, so does the process.
+It is started with the descriptor of a connection and a device. Jobs come as ``("job", name, arguments, seconds)``, a
+wish to end the running one as ``("stop", reason)``; what goes back is ``("progress", done, total, message)`` and at
+last ``("done", result)`` or ``("failed", kind, message)``. The jobs run in the main thread, where time limits work in
+the middle of anything. When the connection ends, so does the process.
 """
 
 from __future__ import annotations
@@ -93,7 +93,3 @@ def main() -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the server, which ends us
     os.dup2(2, 1)
     run(Connection(int(sys.argv[1])), sys.argv[2])
-
-
-if __name__ == "__main__":
-    main()

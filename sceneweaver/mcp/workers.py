@@ -35,16 +35,13 @@ class Worker:
     def __init__(self, device: str) -> None:
         self.connection, theirs = Pipe()
         self.run: Path | None = None  # the folder that it writes to
-        package = os.path.dirname(os.path.dirname(os.path.abspath(sceneweaver.__file__)))
-        paths = [package, *filter(None, [os.environ.get("PYTHONPATH")])]
+        code = f"import sys; sys.path[:] = {_paths()!r}; from sceneweaver.mcp.worker import main; main()"
         with theirs:
             self.process = subprocess.Popen(
-                # -P: files in the folder of the scenes are no modules
-                [sys.executable, "-P", "-m", "sceneweaver.mcp.worker", str(theirs.fileno()), device],
+                [sys.executable, "-P", "-c", code, str(theirs.fileno()), device],
                 stdin=subprocess.DEVNULL,
                 stdout=2,
                 pass_fds=[theirs.fileno()],
-                env={**os.environ, "PYTHONPATH": os.pathsep.join(paths)},
             )
 
     def end(self, seconds: float) -> None:
@@ -73,15 +70,59 @@ class Worker:
         self.end(CLOSING)
 
 
-class Lane:
-    """One process at a time, and those who wait for it."""
+def _paths() -> list[str]:
+    """Where modules are found: as here, but not in the current folder, which may be that of the scenes."""
+    package = os.path.dirname(os.path.dirname(os.path.abspath(sceneweaver.__file__)))
+    here = os.path.realpath(os.curdir)
+    return [path for path in sys.path if path == package or os.path.realpath(path) != here]
 
-    def __init__(self, device: str, limits: Limits) -> None:
-        self._device, self._limits = device, limits
+
+class Pool:
+    """Processes that are free, and those that end in the background."""
+
+    def __init__(self, device: str) -> None:
+        self._device = device
+        self._all: list[Worker] = []
+        self._free: list[Worker] = []
+
+    def take(self, usual: Worker | None) -> Worker:
+        """The usual process if it is free, else one that is, else a new one."""
+        self._all = [worker for worker in self._all if worker.process.poll() is None]
+        free = [worker for worker in self._free if worker in self._all]
+        if not free:
+            worker = Worker(self._device)
+            self._all.append(worker)
+            return worker
+        worker = usual if usual in free else free[0]
+        self._free = [each for each in free if each is not worker]
+        return worker
+
+    def give_back(self, worker: Worker) -> None:
+        """A process is free again."""
+        self._free.append(worker)
+
+    def drop(self, worker: Worker, reason: str) -> None:
+        """Let a process end in the background; it is not taken again."""
+        threading.Thread(target=worker.retire, args=(reason,), daemon=True).start()
+
+    def close(self) -> None:
+        """End all processes within `CLOSING` seconds, and clear up after them."""
+        for worker in self._all:
+            with contextlib.suppress(OSError):
+                worker.connection.close()
+        until = time.monotonic() + CLOSING
+        for worker in self._all:
+            worker.end(max(0.0, until - time.monotonic()))
+
+
+class Lane:
+    """Calls that are done one after the other."""
+
+    def __init__(self, pool: Pool, limits: Limits) -> None:
+        self._pool, self._limits = pool, limits
         self._lock = anyio.Lock()
         self._waiting = 0
-        self._worker: Worker | None = None
-        self._retiring: list[tuple[Worker, threading.Thread]] = []
+        self._usual: Worker | None = None
 
     async def run(
         self, name: str, arguments: Mapping[str, Any], said: Said, *, seconds: float, folder: Path | None = None
@@ -114,24 +155,23 @@ class Lane:
             self._lock.release()
 
     async def _do(self, name: str, arguments: dict[str, Any], said: Said, seconds: float, folder: Path | None) -> Any:
-        if self._worker is None or self._worker.process.poll() is not None:
-            self._worker = Worker(self._device)
-        worker = self._worker
+        worker = self._usual = self._pool.take(self._usual)
         worker.run = folder
         try:
             with anyio.fail_after(seconds + GRACE):
                 worker.connection.send(("job", name, arguments, seconds))
                 answer = await self._answer(worker, said)
         except TimeoutError:
-            self._drop("time was up")
+            self._pool.drop(worker, "time was up")
             raise InputError(f"{name}: stopped after {seconds:g} s; ask for less, or give more time") from None
         except (EOFError, OSError):
-            self._drop("lost")
+            self._pool.drop(worker, "lost")
             raise WorkFailed(f"{name}: the process that did it has ended, perhaps for want of memory") from None
         except BaseException:
-            self._drop("the client has cancelled it")
+            self._pool.drop(worker, "the client has cancelled it")
             raise
         worker.run = None
+        self._pool.give_back(worker)
         match answer:
             case ("done", result):
                 return result
@@ -151,34 +191,11 @@ class Lane:
                 return answer
             await said(*answer[1:])
 
-    def _drop(self, reason: str) -> None:
-        """Let a process end in the background; the next job gets a new one."""
-        worker, self._worker = self._worker, None
-        self._retiring = [(each, thread) for each, thread in self._retiring if thread.is_alive()]
-        if worker is not None:
-            thread = threading.Thread(target=worker.retire, args=(reason,), daemon=True)
-            self._retiring.append((worker, thread))
-            thread.start()
-
-    def workers(self) -> list[Worker]:
-        """All processes that may still run."""
-        return [*([self._worker] if self._worker else []), *(worker for worker, _ in self._retiring)]
-
 
 class Workers:
-    """The processes of a server: one for what takes long, one for what does not."""
+    """The processes of a server: as many as work at once, which is one on what takes long and one on what does not."""
 
     def __init__(self, device: str, limits: Limits) -> None:
-        self.limits = limits
-        self.long = Lane(device, limits)
-        self.quick = Lane(device, limits)
-
-    def close(self) -> None:
-        """End all processes within `CLOSING` seconds, and clear up after them."""
-        workers = [*self.long.workers(), *self.quick.workers()]
-        for worker in workers:
-            with contextlib.suppress(OSError):
-                worker.connection.close()
-        until = time.monotonic() + CLOSING
-        for worker in workers:
-            worker.end(max(0.0, until - time.monotonic()))
+        pool = Pool(device)
+        self.long, self.quick = Lane(pool, limits), Lane(pool, limits)
+        self.close = pool.close

@@ -17,35 +17,49 @@ REQUEST = {"prompt": "a small store room with a desk and one shelf", "steps": 1,
 
 @dataclass
 class Site:
-    """A connected server, its folder, the room that was designed on it, and the progress of that."""
+    """A connected server, its folder, the room that was designed on it, and the progress of that.
+
+    ``address`` is None over stdio.
+    """
 
     driver: Driver
     folder: Path
     room: dict[str, Any]
     heard: Progress
+    address: str | None = None
 
     @property
     def desk(self) -> str:
         return next(o["id"] for o in self.room["objects"] if o["category"] == "desk")
 
 
+@pytest.fixture(scope="module")
+def stdio_site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Site]:
+    """A server over stdio."""
+    folder = tmp_path_factory.mktemp("stdio")
+    with over_stdio(folder) as driver:
+        yield _site(driver, folder)
+
+
+@pytest.fixture(scope="module")
+def http_site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Site]:
+    """A server over streamable HTTP."""
+    folder = tmp_path_factory.mktemp("http")
+    with http_server(folder) as (address, _), connected(address) as driver:
+        yield _site(driver, folder, address)
+
+
 @pytest.fixture(scope="module", params=["stdio", "http"])
-def site(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Site]:
+def site(request: pytest.FixtureRequest) -> Site:
     """A server reached over one of the transports."""
-    folder = tmp_path_factory.mktemp(request.param)
-    if request.param == "stdio":
-        with over_stdio(folder) as driver:
-            yield _site(driver, folder)
-    else:
-        with http_server(folder) as (address, _), connected(address) as driver:
-            yield _site(driver, folder)
+    return request.getfixturevalue(f"{request.param}_site")
 
 
-def _site(driver: Driver, folder: Path) -> Site:
+def _site(driver: Driver, folder: Path, address: str | None = None) -> Site:
     heard: Progress = []
     answer = driver.begin("design", lambda *each: heard.append(each), folder="rooms/store", **REQUEST).result(120)
     assert not answer.is_error, answer.content[0].text
-    return Site(driver, folder, answer.structured_content, heard)
+    return Site(driver, folder, answer.structured_content, heard, address)
 
 
 @pytest.fixture(scope="module")

@@ -6,6 +6,7 @@ import os
 import re
 import subprocess
 import sys
+import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future
 from contextlib import contextmanager
@@ -15,8 +16,18 @@ from typing import Any
 from anyio.from_thread import BlockingPortal, start_blocking_portal
 from mcp import Client, StdioServerParameters
 
+from sceneweaver.scene import Scene
+
 ROOT = Path(__file__).parents[2]
 ARGUMENTS = ["-m", "sceneweaver", "mcp", "--device", "cpu"]
+
+LONG: dict[str, Any] = {
+    "prompt": "a large restaurant for forty guests",
+    "steps": 50,
+    "candidates": 4096,
+    "time_limit": 200,
+}
+"""A design that takes long."""
 
 Progress = list[tuple[float, float | None, str | None]]
 
@@ -108,3 +119,23 @@ def children(pid: int) -> list[int]:
                 continue
             found += [int(entry)] if int(fields[1]) == pid and fields[0] != "Z" else []
     return found
+
+
+def wait_for(what: Callable[[], object], seconds: float = 60.0) -> None:
+    until = time.monotonic() + seconds
+    while not what():
+        assert time.monotonic() < until, "waited in vain"
+        time.sleep(0.05)
+
+
+def command(pid: int) -> bytes:
+    return Path(f"/proc/{pid}/cmdline").read_bytes()
+
+
+def in_good_order(folder: Path) -> bool:
+    """Whether nothing is left half written: no temporary files, and every scene loads."""
+    if any(folder.rglob(".sceneweaver-*.tmp")) or any(folder.rglob("*.lock")):
+        return False
+    for path in folder.rglob("scene.json"):
+        Scene.load(path)
+    return True

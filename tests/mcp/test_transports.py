@@ -6,11 +6,13 @@ import base64
 import io
 import json
 import re
+import threading
 
 import pytest
 from PIL import Image
 
 import sceneweaver as sw
+from tests.mcp.driving import LONG, connected, in_good_order, wait_for
 
 TOOLS = {
     *("design", "open", "list_scenes", "close", "move", "turn", "resize", "add", "remove", "relate", "unrelate"),
@@ -97,3 +99,28 @@ def test_an_error_is_one_line_and_the_server_goes_on(site):
     assert "no object of scene" in site.driver.refused("move", scene=site.room["scene"], object="throne", by=[1, 0])
     assert "unknown" in site.driver.refused("juggle").lower()
     assert site.driver.call("list_furniture", words="desk")["furniture"][0]["category"] == "desk"
+
+
+def test_a_cancelled_design_ends_and_the_server_goes_on(site):
+    begun = threading.Event()
+    before = site.driver.call("list_scenes")["open"]
+    call = site.driver.begin("design", lambda *_: begun.set(), folder="big", **LONG)
+    assert begun.wait(60)
+    assert site.driver.call("list_scenes")["open"] == before  # it answers meanwhile
+    call.cancel()
+    wait_for(lambda: (site.folder / "big/scene.json").exists() and in_good_order(site.folder))
+    assert site.driver.call("list_scenes")["open"] == before
+
+
+def test_two_clients_share_scenes_and_one_that_leaves_takes_its_work_along(http_site):
+    begun, stays, handle = threading.Event(), http_site.driver, http_site.room["scene"]
+    with connected(http_site.address) as leaves:
+        assert handle in [each["scene"] for each in leaves.call("list_scenes")["open"]]
+        last = max(stays.call("list_scenes")["open"][0]["versions"])
+        options = {"scene": handle, "object": http_site.desk, "degrees": 5, "exact": True}
+        turns = [driver.begin("turn", **options) for driver in (leaves, stays)]
+        assert sorted(turn.result(60).structured_content["version"] for turn in turns) == [last + 1, last + 2]
+        leaves.begin("design", lambda *_: begun.set(), folder="left", **LONG)
+        assert begun.wait(60)
+    wait_for(lambda: (http_site.folder / "left/scene.json").exists() and in_good_order(http_site.folder))
+    assert "bed" in stays.tell("list_furniture", words="bed").content[0].text
