@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import ConfigDict, Field
+from pydantic import BeforeValidator, ConfigDict, Field
 
 from sceneweaver.assets import categories, resolve
 from sceneweaver.knowledge import RoomType
@@ -14,7 +14,37 @@ from sceneweaver.knowledge.load import group_templates
 from sceneweaver.llm import Reply
 
 NAME = r"^[a-z][a-z0-9_]{0,39}$"
-Pair = list[float]
+
+
+def _listed(value: Any) -> Any:
+    """A list, of what small models write for one: null, or a single value."""
+    return [] if value is None else [value] if isinstance(value, str | Mapping) else value
+
+
+def _paired(value: Any) -> Any:
+    """A range, of a single number."""
+    plain = isinstance(value, int | float) and not isinstance(value, bool)
+    return [value, value] if plain else value * 2 if isinstance(value, list) and len(value) == 1 else value
+
+
+def _counted(value: Any) -> Any:
+    """A count, which is one where nothing is said."""
+    return [1, 1] if value is None else _paired(value)
+
+
+def _related(value: Any) -> Any:
+    """A relation, also as the files of rooms write it: "soft near bed"."""
+    if not isinstance(value, str):
+        return value
+    words = value.split()
+    soft = words[:1] == ["soft"]
+    words = words[soft:]
+    return {"type": words[0], "to": words[1] if len(words) > 1 else None, "soft": soft} if words else value
+
+
+Pair = Annotated[list[float], BeforeValidator(_paired), Field(min_length=2, max_length=2)]
+Counts = Annotated[list[int], BeforeValidator(_counted), Field(min_length=2, max_length=2)]
+Listed = BeforeValidator(_listed)
 
 SIDES = ("depth", "width", "height")
 
@@ -25,7 +55,9 @@ class PlaceReply(Reply):
     type: str = Field(max_length=40, description="A relation of the catalogue")
     to: str | None = Field(default=None, max_length=40, description="Id of an item; wall, wall:far, window or door")
     soft: bool = Field(default=False, description="A wish, not a condition")
-    params: dict[str, Any] = Field(default={}, max_length=8, description="Numbers of the relation, such as max [m]")
+    params: Annotated[dict[str, Any], BeforeValidator(lambda value: {} if value is None else value)] = Field(
+        default={}, max_length=8, description="Numbers of the relation, such as max [m]"
+    )
 
 
 class ItemReply(Reply):
@@ -34,18 +66,20 @@ class ItemReply(Reply):
     model_config = ConfigDict(extra="forbid", frozen=True, populate_by_name=True)
 
     id: str = Field(pattern=NAME, description="A short name; relations use it")
-    what: list[str] = Field(min_length=1, max_length=8, description="Categories, the usual one first")
+    what: Annotated[list[str], Listed] = Field(
+        min_length=1, max_length=8, description="Categories, the usual one first"
+    )
     need: Literal["needed", "usual", "optional"] = "usual"
-    count: list[int] = Field(default=[1, 1], min_length=2, max_length=2, description="[least, most]")
+    count: Counts = Field(default=[1, 1], description="[least, most]")
     with_: str | None = Field(default=None, alias="with", max_length=40, description="Item that it goes with")
-    depth: Pair | None = Field(default=None, min_length=2, max_length=2, description="[least, most] in m")
-    width: Pair | None = Field(default=None, min_length=2, max_length=2, description="[least, most] in m")
-    height: Pair | None = Field(default=None, min_length=2, max_length=2, description="[least, most] in m")
+    depth: Pair | None = Field(default=None, description="[least, most] in m")
+    width: Pair | None = Field(default=None, description="[least, most] in m")
+    height: Pair | None = Field(default=None, description="[least, most] in m")
     mount: Literal["floor", "wall", "ceiling", "surface"] | None = Field(
         default=None, description="What holds it, where that is not as usual"
     )
-    place: list[PlaceReply] = Field(default=[], max_length=8)
-    on: list[str] = Field(default=[], max_length=8, description="Items that may carry it")
+    place: Annotated[list[Annotated[PlaceReply, BeforeValidator(_related)]], Listed] = Field(default=[], max_length=8)
+    on: Annotated[list[str], Listed] = Field(default=[], max_length=8, description="Items that may carry it")
     top: str | None = Field(default=None, max_length=40, description="Arrangement on its top")
     fill: str | None = Field(default=None, max_length=40, description="Theme that fills its shelves")
     row: Literal["grid"] | None = Field(default=None, description="grid: several are set out in rows")
@@ -58,22 +92,22 @@ class GroupReply(Reply):
 
     use: str = Field(max_length=40, description="Name of the group")
     as_: str = Field(default="", alias="as", max_length=20, description="Prefix of its ids, for a second use")
-    drop: list[str] = Field(default=[], max_length=20, description="Items of it that are not wanted")
+    drop: Annotated[list[str], Listed] = Field(default=[], max_length=20, description="Items of it that are not wanted")
 
 
 class OpeningReply(Reply):
     """Doors or windows."""
 
-    count: list[int] = Field(default=[1, 1], min_length=2, max_length=2, description="[least, most]")
-    width: Pair = Field(min_length=2, max_length=2, description="[least, most] in m")
-    height: Pair = Field(min_length=2, max_length=2, description="[least, most] in m")
-    sill: Pair | None = Field(default=None, min_length=2, max_length=2, description="[least, most] in m; windows only")
+    count: Counts = Field(default=[1, 1], description="[least, most]")
+    width: Pair = Field(description="[least, most] in m")
+    height: Pair = Field(description="[least, most] in m")
+    sill: Pair | None = Field(default=None, description="[least, most] in m; windows only")
 
 
 class FurnitureReply(Reply):
     """What a room holds."""
 
-    groups: list[GroupReply] = Field(default=[], max_length=12)
+    groups: Annotated[list[GroupReply], Listed] = Field(default=[], max_length=12)
     items: list[ItemReply] = Field(min_length=1, max_length=40)
 
 
@@ -89,15 +123,15 @@ class ProgrammeReply(FurnitureReply):
 class RoomReply(FurnitureReply):
     """What rooms of a kind are like."""
 
-    words: list[str] = Field(default=[], max_length=8, description="Other names of such a room")
+    words: Annotated[list[str], Listed] = Field(default=[], max_length=8, description="Other names of such a room")
     description: str = Field(min_length=1, max_length=200, description="One sentence: what it is for")
     area: list[float] = Field(min_length=3, max_length=3, description="Least, usual and largest floor in m2")
-    aspect: Pair = Field(default=[1.0, 1.5], min_length=2, max_length=2, description="Length by width, [least, most]")
+    aspect: Pair = Field(default=[1.0, 1.5], description="Length by width, [least, most]")
     height: float = Field(default=2.6, ge=2.0, le=8.0, description="Ceiling in m")
     people: int = Field(default=2, ge=0, le=200)
     doors: OpeningReply
     windows: OpeningReply
-    styles: list[str] = Field(default=["modern", "rustic"], min_length=1, max_length=6)
+    styles: Annotated[list[str], Listed] = Field(default=["modern", "rustic"], min_length=1, max_length=6)
     floor: Literal["wood", "tile", "carpet", "concrete", "stone"] = "wood"
     fill: float = Field(default=0.33, ge=0.1, le=0.45, description="Share of the floor under furniture")
 

@@ -176,6 +176,16 @@ def test_items_are_put_in_order_and_nouns_become_categories():
     check_room(room)
 
 
+def test_what_small_models_write_is_understood():
+    loose = {"id": "stove", "what": "wood stove", "count": 1, "width": 0.6, "on": None, "place": "soft against_wall"}
+    items = [{**loose, "place": ["soft against_wall", {"type": "near", "to": "table", "params": None}]}, loose]
+    given = {**PROGRAMME, "groups": None, "items": [*PROGRAMME["items"][:3], {**items[0], "id": "fire"}, items[1]]}
+    room = programme(ProgrammeReply.model_validate(given), room_type("dormitory"))
+    fire, stove = room.item("fire"), room.item("stove")
+    assert [(p.type, p.to, p.soft) for p in fire.place] == [("against_wall", None, True), ("near", "table", False)]
+    assert (stove.count.least, stove.count.most, stove.size[1]) == (1, 1, (0.6, 0.6)) and stove.place[0].soft
+
+
 def test_a_group_brings_its_items():
     with_group = {**PROGRAMME, "area": 40, "groups": [{"use": "bed", "as": "guest", "drop": ["bench"]}]}
     room = programme(ProgrammeReply.model_validate(with_group), room_type("bedroom"))

@@ -69,17 +69,17 @@ def filled(client: ModelClient, registered: Registered, context: Context, call: 
     asked = question(card, context, call)
 
     def answer(*more: str) -> dict[str, Any]:
-        said = client.ask(
+        reply = client.ask(
             "inputs", answer_for(card), instructions(), [asked, *more], check=trial.check, retries=RETRIES
         )
-        return dict(said.inputs)  # pyright: ignore[reportAttributeAccessIssue]
+        return dict(reply.inputs)  # pyright: ignore[reportAttributeAccessIssue]
 
     inputs = answer()
     open_ = trial.unmet(inputs)
     if open_:
-        said = {"your_inputs": inputs, "what_cannot_be_done": open_}
+        told = {"your_inputs": inputs, "what_cannot_be_done": open_}
         with suppress(ModelError):  # then the rest of it is done
-            again = answer(f"{AGAIN}\n{compact(said)}")
+            again = answer(f"{AGAIN}\n{compact(told)}")
             inputs = again if len(trial.unmet(again)) <= len(open_) else inputs
     return call.model_copy(update={"inputs": inputs})
 
@@ -124,6 +124,22 @@ def plain_schema(schema: Mapping[str, Any]) -> dict[str, Any]:
             for t in types
         ]
     return made
+
+
+def said(schema: Mapping[str, Any], data: Any) -> Any:
+    """Data without the nulls that small models write for what they leave out, where a schema knows no null."""
+    if isinstance(data, Mapping):
+        inner, extra = schema.get("properties", {}), schema.get("additionalProperties")
+        of = {name: inner.get(name, extra if isinstance(extra, Mapping) else {}) for name in data}
+        return {name: said(of[name], value) for name, value in data.items() if value is not None or _nullable(of[name])}
+    if isinstance(data, list):
+        return [said(schema.get("items", {}), value) for value in data]
+    return data
+
+
+def _nullable(schema: Mapping[str, Any]) -> bool:
+    types = schema.get("type")
+    return types is None or "null" in ([types] if isinstance(types, str) else types)
 
 
 def question(card: ToolCard, context: Context, call: Call) -> str:
@@ -185,10 +201,15 @@ class _Trial:
     context: Context
     call: Call
 
-    def check(self, answer: Reply) -> None:
-        """Refuse an answer by an InputError that says what is wrong."""
-        inputs: Mapping[str, Any] = answer.inputs  # pyright: ignore[reportAttributeAccessIssue]
-        check_extent(inputs)
+    def check(self, answer: Reply) -> Reply:
+        """The answer without what says nothing; an InputError that says what is wrong refuses it."""
+        given: Mapping[str, Any] = answer.inputs  # pyright: ignore[reportAttributeAccessIssue]
+        check_extent(given)
+        inputs = said(self.card.inputs, given)
+        self._check(inputs)
+        return answer.model_copy(update={"inputs": inputs})
+
+    def _check(self, inputs: Mapping[str, Any]) -> None:
         for name in self.card.withheld:
             if name in inputs:
                 raise InputError(f"inputs.{name} is not for you to give; leave it out")
@@ -201,8 +222,8 @@ class _Trial:
             return
         _refuse(wrong_changes(scene, after, brief))
         if not proposal.edits and not proposal.fresh:
-            said = [shorten(text, SENTENCE) for text in (*proposal.unmet, *proposal.notes)][:PROBLEMS]
-            raise InputError("with these inputs nothing changes" + (f": {'; '.join(said)}" if said else ""))
+            why = [shorten(text, SENTENCE) for text in (*proposal.unmet, *proposal.notes)][:PROBLEMS]
+            raise InputError("with these inputs nothing changes" + (f": {'; '.join(why)}" if why else ""))
 
     def unmet(self, inputs: Mapping[str, Any]) -> list[str]:
         """What the tool cannot do of inputs that pass."""

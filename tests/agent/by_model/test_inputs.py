@@ -10,7 +10,7 @@ import pytest
 from pydantic_ai.models.test import TestModel
 
 from sceneweaver.agent.by_model.input_rules import check_extent
-from sceneweaver.agent.by_model.inputs import answer_for, filled, plain_schema, question
+from sceneweaver.agent.by_model.inputs import answer_for, filled, plain_schema, question, said
 from sceneweaver.agent.executor import Executor
 from sceneweaver.agent.memory import Call
 from sceneweaver.agent.settings import Settings
@@ -284,6 +284,14 @@ def test_the_schema_of_an_answer_is_that_of_the_card():
         "description": "x",
         "anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}, {"type": "null"}],
     }
+
+
+def test_nulls_for_what_is_left_out_say_nothing(lounge, context_of):
+    nulls = {"objects": [{"category": "stool", "count": None, "place": None, "color": None, "size": None}]}
+    script = Script({"inputs": nulls})
+    call = filled_by(script, "add_objects", context_of(lounge))
+    assert call.inputs == {"objects": [{"category": "stool", "color": None}]} and script.refusals == []
+    assert said({"type": "object"}, {"a": None, "b": [None]}) == {"a": None, "b": [None]}
 
 
 def test_deep_nesting_is_refused():
