@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 import threading
 import time
 from collections.abc import Callable, Sequence
@@ -141,6 +142,7 @@ class ModelClient:
         """Ask, side by side, and write what came of it."""
         import asyncio
 
+        os.environ.setdefault("PYDANTIC_AI_NO_BANNER", "1")  # it would greet our users
         try:
             import pydantic_ai  # noqa: F401  # pyright: ignore[reportUnusedImport]
         except ImportError:

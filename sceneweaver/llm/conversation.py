@@ -101,6 +101,7 @@ class Conversation(Generic[Answer]):
             retries=self._retries,
             name=CALL,
         )
+        agent.instrument = False  # no telemetry of prompts, whatever else in the process has turned it on
 
         @agent.output_validator
         async def checked(answer: Answer) -> Answer:

@@ -155,6 +155,11 @@ class Endpoint:
         return self.base_url or HOSTS[self.kind]
 
     @property
+    def local(self) -> bool:
+        """Whether it is a server on this machine."""
+        return urlsplit(self.url).hostname in ("localhost", "127.0.0.1", "::1")
+
+    @property
     def key_name(self) -> str | None:
         """The variable of the environment whose key goes along with requests."""
         vendors_own = urlsplit(self.url).netloc == urlsplit(HOSTS[self.kind]).netloc

@@ -46,6 +46,7 @@ def model_of(endpoint: Endpoint) -> Model:
     http = httpx2.AsyncClient(
         timeout=httpx2.Timeout(endpoint.timeout, connect=min(endpoint.timeout, 10.0)),
         limits=httpx2.Limits(max_connections=16, max_keepalive_connections=0),
+        trust_env=not endpoint.local,  # proxies of the environment, but not for a server on this machine
         event_hooks={"request": [_dressed(endpoint)], "response": [_bounded(endpoint)]},
         follow_redirects=False,  # a key goes to the host that was named, and to no other
     )
@@ -60,7 +61,12 @@ def model_of(endpoint: Endpoint) -> Model:
         from pydantic_ai.providers.anthropic import AnthropicProvider
 
         client = AsyncAnthropic(
-            api_key=NO_KEY, base_url=endpoint.url, max_retries=0, timeout=endpoint.timeout, http_client=http
+            api_key=NO_KEY,
+            base_url=endpoint.url.rstrip("/").removesuffix("/v1"),  # which it adds itself
+            max_retries=0,
+            timeout=endpoint.timeout,
+            http_client=http,
+            open_telemetry=False,
         )
         return AnthropicModel(endpoint.name, provider=AnthropicProvider(anthropic_client=client), settings=settings)
     from openai import AsyncOpenAI

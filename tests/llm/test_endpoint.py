@@ -167,3 +167,16 @@ def test_stream_makes_no_difference_to_records(tmp_path):
         record["usage"].pop("seconds")
         found.append(record)
     assert found[0] == found[1]
+
+
+def test_no_proxy_for_a_server_on_this_machine(monkeypatch):
+    monkeypatch.setenv("HTTP_PROXY", "http://127.0.0.1:9")
+    monkeypatch.setenv("ALL_PROXY", "http://127.0.0.1:9")
+    with ModelServer(answering({Plan: {"steps": 1}})) as server:
+        assert open_client(Endpoint.of("small", server.url)).ask("plan", Plan, "Plan.", ["a room"]).steps == 1
+
+
+def test_base_url_of_messages_with_a_version():
+    with ModelServer(answering({Plan: {"steps": 1}})) as server:
+        client = open_client(Endpoint.of("anthropic:small", server.url))
+        assert client.ask("plan", Plan, "Plan.", ["a room"]).steps == 1
