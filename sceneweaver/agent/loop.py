@@ -13,6 +13,7 @@ from sceneweaver.critic import CRITERIA, Review
 from sceneweaver.knowledge import RoomType
 from sceneweaver.llm import ModelClient, ModelError
 from sceneweaver.scene import InputError, Room, Scene, SceneWeaverError
+from sceneweaver.scene.messages import shorten
 from sceneweaver.tools.base import Context, Proposal, Tool
 from sceneweaver.tools.prior_shell import floor_area, shell
 from sceneweaver.tools.registry import Registered
@@ -44,6 +45,9 @@ REVIEW = 0.5
 HURRY = 0.5
 """Share of the time left when a tool begins after which it has to hurry."""
 
+MOST_LEFT, SAID = 4, 240
+"""Sentences that a step keeps of what gave way in an outcome, and characters of each."""
+
 SEEN_WORSE = 0.75
 """Points of the mean grade by vision that a step may lose; more than its samples differ anyway."""
 
@@ -68,8 +72,8 @@ class Run:
 
     ``memory`` and ``best`` are what the steps led to. What the end of the run adds is apart from them, so that a run
     which goes on in its folder does not see it: ``notes``, ``unmet``, what cut it off (``cut_off``), and the tools that
-    broke down (``undone``). ``client`` is for tools that ask a model, ``fill`` and
-    ``look`` ask one; None where there is none. ``thought`` is the last plan.
+    broke down (``undone``). ``client`` is for tools that ask a model, ``fill`` and ``look`` ask one; None where there
+    is none. ``kept`` is called when a step is over and written. ``thought`` is the last plan.
     """
 
     brief: SceneGraph
@@ -84,6 +88,7 @@ class Run:
     client: ModelClient | None = None
     fill: Fill | None = None
     look: Look | None = None
+    kept: Callable[[], None] | None = None
     thought: Thought | None = None
     memory: Memory = Memory()
     best: Outcome | None = None
@@ -276,6 +281,7 @@ class Run:
                         outcomes[k] = executor.run(scene, proposal, call.seed, self._rival(outcomes))
                         row["grades"] = {**outcomes[k].review.grades, "total": round(outcomes[k].review.total, 3)}
                         row["violations"] = int(outcomes[k].key[0])
+                        row |= _left(outcomes[k])
             except (InputError, ModelError) as error:
                 row["failed"] = str(error)
             except SceneWeaverError:
@@ -374,10 +380,17 @@ class Run:
                 step.number, current.scene, current.report, current.review, self.memory, self.brief, self.settings
             )
             self._keep(current)
-            if self.client is not None:
-                self.client.keep()
+        if self.kept is not None:
+            self.kept()
         if self.said is not None:
             self.said(step)
+
+
+def _left(outcome: Outcome) -> dict[str, list[str]]:
+    """What gave way in an outcome, for a planner to know why it is no better."""
+    dropped = (f"{gone.id} was dropped: {gone.reason}" for gone in outcome.scene.dropped)
+    left = [shorten(text, SAID) for text in (*outcome.unmet, *dropped, *outcome.notes)]
+    return {"left": list(dict.fromkeys(left))[:MOST_LEFT]} if left else {}
 
 
 def _seen_worse(old: Outcome, new: Outcome) -> str:

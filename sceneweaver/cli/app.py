@@ -27,6 +27,21 @@ from .dataset import dataset
 from .exit_codes import BAD_INPUT, INTERRUPTED, MISSING
 from .extensions import load_extensions
 from .knowledge import knowledge
+from .model_options import (
+    BaseUrl,
+    CriticOption,
+    MaxCalls,
+    MaxCost,
+    MaxTokens,
+    MemoryLength,
+    Model,
+    PriceFile,
+    ReaderOption,
+    Replay,
+    Samples,
+    Stream,
+    Strict,
+)
 from .options import Candidates, Device, Input, Json, Out, Picture, Png, Seed, TimeLimit, positive_seconds
 
 # The base of typer's usage errors, which lives in click or, with newer versions of typer, in typer itself.
@@ -270,10 +285,10 @@ def export(
 @app.command()
 def design(
     context: typer.Context,
-    prompt: Annotated[str, typer.Argument(metavar="PROMPT", help="The room, in words.", show_default=False)],
     out: Annotated[
         Path, typer.Option("--out", "-o", metavar="DIR", help="Folder for the results.", show_default=False)
     ],
+    prompt: Annotated[str, typer.Argument(metavar="PROMPT", help="The room, in words.", show_default=False)] = "",
     seed: Seed = 0,
     steps: Annotated[int, typer.Option(min=1, max=100, help="Steps of the agent at most.")] = 10,
     candidates: Annotated[
@@ -285,8 +300,13 @@ def design(
     planner: Annotated[Planner, typer.Option(help="Who chooses the tools.")] = Planner.RULES,
     device: Device = "auto",
     time_limit: Annotated[
-        float, typer.Option(callback=positive_seconds, help="Seconds that all may take, files included.")
-    ] = 120.0,
+        float | None,
+        typer.Option(
+            callback=positive_seconds,
+            help="Seconds that all may take, files included (default: 120, with a model 600).",
+            show_default=False,
+        ),
+    ] = None,
     pictures: Annotated[bool, typer.Option("--pictures/--no-pictures", help="Draw views and the report.")] = True,
     export: Annotated[
         str, typer.Option(metavar="FORMATS", help="Files for other tools: glb, usd, mjcf, scenestate, all or none.")
@@ -301,9 +321,23 @@ def design(
         bool, typer.Option("--settle/--no-settle", help="Prefer layouts that physics leaves alone; let things settle.")
     ] = False,
     as_json: Json = False,
+    model: Model = None,
+    base_url: BaseUrl = None,
+    reader: ReaderOption = None,
+    critic: CriticOption = None,
+    samples: Samples = 1,
+    stream: Stream = None,
+    max_calls: MaxCalls = None,
+    max_tokens: MaxTokens = None,
+    max_cost: MaxCost = None,
+    prices: PriceFile = None,
+    memory_length: MemoryLength = None,
+    replay: Replay = None,
+    strict: Strict = False,
 ) -> int:
     """Make a furnished room from a request in words. A run that was cut off goes on when started again."""
     from .design import run_design
+    from .model_options import model_arguments
 
     return run_design(
         prompt,
@@ -320,6 +354,21 @@ def design(
         settle=settle,
         as_json=as_json,
         began=context.obj,
+        models=model_arguments(
+            model=model,
+            base_url=base_url,
+            reader=reader,
+            critic=critic,
+            samples=samples,
+            stream=stream,
+            max_calls=max_calls,
+            max_tokens=max_tokens,
+            max_cost=max_cost,
+            prices=prices,
+            memory_length=memory_length,
+            replay=replay,
+            strict=strict,
+        ),
     )
 
 

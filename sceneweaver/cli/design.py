@@ -10,6 +10,7 @@ import typer
 from sceneweaver.scene import InputError
 
 from .exit_codes import NOT_VALID
+from .model_options import announce, request_of, told
 from .output import headline, list_files, list_violations, no_chatter, print_json, relations_line
 from .stopping import stoppable
 
@@ -34,6 +35,7 @@ FILES = (
     "scene.xml",
     "scenestate.json",
     "metrics.json",
+    "llm/transcript.md",
 )
 
 
@@ -53,13 +55,19 @@ def run_design(
     settle: bool,
     as_json: bool,
     began: float,
+    models: dict[str, Any] | None = None,
 ) -> int:
     """Design a room into a folder; 0 when all that was asked for is so, 3 when not.
 
-    The time limit counts from ``began``, a moment of ``time.monotonic()`` [s].
+    The time limit counts from ``began``, a moment of ``time.monotonic()`` [s]. ``models`` are the arguments of a design
+    that say which model is asked, and how.
     """
+    models = models or {}
+    prompt = request_of(prompt, models.get("replay"))
     if out.suffix in (".json", ".html", ".png", ".glb") or out.is_file():
         raise InputError(f"--out: {out} is no folder; give a folder")
+    if models and not as_json:
+        announce(planner, models)
     with no_chatter(), stoppable() as stop:
         from sceneweaver.agent import design
 
@@ -72,7 +80,7 @@ def run_design(
             steps=steps,
             candidates=candidates,
             device=device,
-            time_limit=time_limit,
+            time_limit="auto" if time_limit is None else time_limit,
             pictures=pictures,
             export=export,
             settle=settle,
@@ -80,6 +88,7 @@ def run_design(
             began=began,
             stop=stop,
             **some,
+            **models,
         )
     code = 0 if result.satisfied else NOT_VALID
     if as_json:
@@ -97,6 +106,7 @@ def run_design(
         typer.echo(f"  note    {text}")
     if result.brief.unread:
         typer.echo("  not understood: " + ", ".join(word.words for word in result.brief.unread))
+    told(result)
     typer.echo(f"  {len(result.steps)} steps, {result.seconds:.1f} s; ended: {result.finished}")
     list_files([out / name for name in FILES if (out / name).exists()])
     return code
@@ -107,10 +117,9 @@ def _say(step: Step) -> None:
     mean = sum(step.after.values()) / max(1, len(step.after))
     verb = "kept" if step.accepted else "rolled back"
     tool = step.call.tool if step.call else "-"
-    typer.echo(
-        f"step {step.number}: {tool:<16} {verb:<12} {step.objects:>3} objects, grade {mean:4.1f}, {step.seconds:.1f} s",
-        err=True,
-    )
+    by = f", planned by {step.plan.by}" if step.plan else ""
+    text = f"step {step.number}: {tool:<16} {verb:<12} {step.objects:>3} objects, grade {mean:4.1f}"
+    typer.echo(f"{text}, {step.seconds:.1f} s{by}", err=True)
 
 
 def _json(result: Result, out: Path, code: int) -> dict[str, Any]:
@@ -128,5 +137,6 @@ def _json(result: Result, out: Path, code: int) -> dict[str, Any]:
         "seconds": round(result.seconds, 3),
         "finished": result.finished,
         "files": [str(out / name) for name in FILES if (out / name).exists()],
+        "models": result.models.to_dict() if result.models is not None else None,
         "metrics": result.report.to_dict(),
     }

@@ -108,6 +108,7 @@ def _step(step: Step) -> dict[str, Any]:
     data["violations"], data["objects"] = step.violations, step.objects
     data["tried"] = [
         {key: shorten(str(row[key]), SENTENCE) for key in ("tool", "failed") if key in row}
+        | ({"left": row["left"]} if "left" in row else {})
         | ({"total_grade": rounded(row["grades"]["total"], 1)} if "total" in row.get("grades", {}) else {})
         for row in step.tried
     ]

@@ -18,11 +18,12 @@ from sceneweaver.agent.memory import Call
 from sceneweaver.agent.planner import Planner, RulesPlanner
 from sceneweaver.agent.result import ModelUse
 from sceneweaver.agent.roles import Roles
+from sceneweaver.agent.transcript import NAME, transcript
 from sceneweaver.brief import SceneGraph, read_request
 from sceneweaver.layout.devices import pick_devices
 from sceneweaver.llm import Endpoint, Limits, ModelClient, ModelError, Prices, open_client
 from sceneweaver.llm.opening import records_of
-from sceneweaver.scene import InputError
+from sceneweaver.scene import InputError, write_atomic
 from sceneweaver.tools.base import Context
 from sceneweaver.tools.registry import Registered
 
@@ -191,6 +192,8 @@ class Session:
     def serve(self, run: Run) -> None:
         """Give a run what asks the model in it."""
         self.run = run
+        if self.client is not None:
+            run.kept = self.keep
         if self.plans:
             run.client, run.fill = self.client, self.fill
         if self.roles.critic == "vlm":
@@ -242,10 +245,19 @@ class Session:
             return outcome
         return replace(outcome, review=outcome.review.model_copy(update={"seen": seen}))
 
+    def keep(self) -> None:
+        """Mark what was asked as part of what is saved, and write the transcript."""
+        assert self.client is not None and self.run is not None
+        self.client.keep()
+        if self.records is not None:
+            text = transcript(self.run.brief.text, self.run.memory, self.read_by, self.disagreements)
+            write_atomic(self.records / NAME, text)
+
     def use(self) -> ModelUse | None:
         """What the model did; None where it had nothing to do."""
         if self.client is None or self.run is None:
             return None
+        self.keep()
         return ModelUse(
             name=self.client.name,
             roles=self.roles,
