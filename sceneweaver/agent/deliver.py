@@ -67,7 +67,8 @@ def deliver(
     load = cache(library.load)
     result.scene.save(folder / "scene.json")
     result.report.save(folder / "metrics.json")
-    RequestFile.of(result.brief, result.review).save(folder / NAME)
+    differing = result.models.disagreements if result.models else ()
+    RequestFile.of(result.brief, result.review, differing).save(folder / NAME)
     album = _Album(result.scene, load, _drawing_device(device), deadline) if pictures else None
     if album is not None:
         album.smallest()

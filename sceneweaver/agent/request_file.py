@@ -29,12 +29,22 @@ class RequestFile(FrozenModel):
     graph: SceneGraph
     summary: dict[str, int] = Field(description="How many items there are (total), and how many of each status")
     outcomes: tuple[ItemOutcome, ...]
+    disagreements: tuple[str, ...] = Field(
+        default=(),
+        description="Where a model read it in another way than the offline reader; left out if empty",
+    )
 
     @classmethod
-    def of(cls, graph: SceneGraph, review: Review) -> RequestFile:
+    def of(cls, graph: SceneGraph, review: Review, disagreements: tuple[str, ...] = ()) -> RequestFile:
         """The file of a request and a review of the scene."""
         found = review.alignment
-        return cls(schema="sceneweaver.request/1", graph=graph, summary=found.summary, outcomes=found.items)
+        return cls(
+            schema="sceneweaver.request/1",
+            graph=graph,
+            summary=found.summary,
+            outcomes=found.items,
+            disagreements=disagreements,
+        )
 
     @classmethod
     def load(cls, path: Path) -> RequestFile:
@@ -47,5 +57,5 @@ class RequestFile(FrozenModel):
 
     def save(self, path: Path) -> None:
         """Write it under a temporary name beside the path and rename it."""
-        data = self.model_dump(mode="json", by_alias=True)
+        data = self.model_dump(mode="json", by_alias=True, exclude=None if self.disagreements else {"disagreements"})
         write_atomic(path, json.dumps(data, indent=1, ensure_ascii=False) + "\n")

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from sceneweaver.agent.by_model.disagreements import Disagreement
 from sceneweaver.agent.by_model.reader import Reading, read_by_model
+from sceneweaver.agent.request_file import RequestFile
 from sceneweaver.brief import SceneGraph, read_request
 from tests.agent.by_model.answering import Answering
 
@@ -229,3 +231,14 @@ def test_rows_are_data_and_one_line_each() -> None:
     for row in reading.disagreements:
         assert "\n" not in str(row)
         assert Disagreement.model_validate(json.loads(row.model_dump_json())) == row
+
+
+def test_the_file_of_a_request_names_them_and_is_as_before_without_any(tmp_path: Path) -> None:
+    graph, said = read_request(TEXT), ("room, people: 2 offline, 3 by the model; the model reading is used",)
+    plain = RequestFile(schema="sceneweaver.request/1", graph=graph, summary={"total": 0}, outcomes=())
+    plain.save(tmp_path / "plain.json")
+    assert "disagreements" not in json.loads((tmp_path / "plain.json").read_text())
+    other = plain.model_copy(update={"disagreements": said})
+    other.save(tmp_path / "other.json")
+    assert RequestFile.load(tmp_path / "other.json").disagreements == said
+    assert RequestFile.load(tmp_path / "plain.json") == plain
