@@ -17,6 +17,7 @@ from pydantic import ValidationError
 from sceneweaver.scene.errors import SceneWeaverError
 from sceneweaver.scene.messages import clean, shorten
 
+from .leaving import unless_left
 from .limits import Limits
 from .paths import Folder
 from .resources import add_resources, listed
@@ -60,8 +61,13 @@ class SceneServer(MCPServer[Any]):
         self, name: str, arguments: dict[str, Any], context: Context[Any, Any] | None = None
     ) -> CallToolResult | InputRequiredResult:
         """Call a tool; what goes wrong is a `ToolError` of one line."""
+        inner = super().call_tool
+        request = context.request_context.request if context is not None else None
         try:
-            return await super().call_tool(name, arguments, context)
+            result = await unless_left(request, lambda: inner(name, arguments, context))
+            if result is None:
+                raise ToolError(f"{name}: the client has left")
+            return result
         except UnexpectedToolError as error:
             cause = error.__cause__
             if isinstance(cause, SceneWeaverError):

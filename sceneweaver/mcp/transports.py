@@ -18,6 +18,7 @@ from starlette.applications import Starlette
 
 from sceneweaver.scene import InputError
 
+from .leaving import Watched
 from .server import SceneServer
 
 HOST = "127.0.0.1"
@@ -57,8 +58,14 @@ def serve_http(server: SceneServer, port: int) -> None:
         listener.close()
         raise InputError(f"--port: {port} is not free; give another, or 0 for any") from None
     port = listener.getsockname()[1]
-    app = http_app(server, port)
-    config = uvicorn.Config(app, log_level="warning", timeout_graceful_shutdown=CLOSED_AFTER, access_log=False)
+    config = uvicorn.Config(
+        Watched(http_app(server, port)),
+        log_level="warning",
+        timeout_graceful_shutdown=CLOSED_AFTER,
+        access_log=False,
+    )
+        Watched(http_app(server, port)), log_level="warning", timeout_graceful_shutdown=CLOSED_AFTER, access_log=False
+    )
     sys.stderr.write(f"sceneweaver: MCP at http://{HOST}:{port}{PATH}  (Ctrl-C ends)\n")
     sys.stderr.flush()
     with listener:

@@ -11,8 +11,9 @@ import pytest
 
 from sceneweaver.mcp import serve
 from sceneweaver.scene import InputError
-from tests.mcp.driving import http_server
+from tests.mcp.driving import LONG, children, http_server, in_good_order, wait_for
 
+HOST = "127.0.0.1"
 HELLO = {
     "jsonrpc": "2.0",
     "id": 1,
@@ -28,7 +29,7 @@ def port(tmp_path_factory):
 
 
 def status(port: int, headers: dict[str, str], body: bytes | None = None) -> int:
-    connection = http.client.HTTPConnection("127.0.0.1", port, timeout=20)
+    connection = http.client.HTTPConnection(HOST, port, timeout=20)
     base = {"Content-Type": "application/json", "Accept": "application/json, text/event-stream"}
     data = json.dumps(HELLO).encode() if body is None else body
     connection.request("POST", "/mcp", data, {**base, **headers})
@@ -78,3 +79,29 @@ def test_only_the_loopback_listens(port):
 def test_a_port_that_is_taken_is_refused(tmp_path, port):
     with pytest.raises(InputError, match=f"--port: {port} is not free"):
         serve(tmp_path, transport="http", port=port, device="cpu")
+
+
+@pytest.mark.slow
+def test_a_client_that_is_cut_off_takes_its_work_along(tmp_path):
+    """An older client, whose protocol has no other sign of it than the closed connection."""
+    with http_server(tmp_path) as (address, process):
+        place = (HOST, urlsplit(address).port)
+        headers = {"Content-Type": "application/json", "Accept": "application/json, text/event-stream"}
+        connection = http.client.HTTPConnection(*place, timeout=60)
+        connection.request("POST", "/mcp", json.dumps(HELLO), headers)
+        answer = connection.getresponse()
+        headers["Mcp-Session-Id"] = answer.getheader("mcp-session-id")
+        answer.read()
+        meta = {"_meta": {"progressToken": 1}}
+        call = {"name": "design", "arguments": {"folder": "big", **LONG}, **meta}
+        connection.request(
+            "POST", "/mcp", json.dumps({"jsonrpc": "2.0", "id": 2, "method": "tools/call", "params": call}), headers
+        )
+        answer = connection.getresponse()
+        while b"the request is read" not in answer.readline():
+            pass
+        assert len(children(process.pid)) == 1
+        answer.close()
+        connection.close()
+        wait_for(lambda: not children(process.pid) and in_good_order(tmp_path))
+        assert (tmp_path / "big/scene.json").exists()
