@@ -64,8 +64,6 @@ def serve_http(server: SceneServer, port: int) -> None:
         timeout_graceful_shutdown=CLOSED_AFTER,
         access_log=False,
     )
-        Watched(http_app(server, port)), log_level="warning", timeout_graceful_shutdown=CLOSED_AFTER, access_log=False
-    )
     sys.stderr.write(f"sceneweaver: MCP at http://{HOST}:{port}{PATH}  (Ctrl-C ends)\n")
     sys.stderr.flush()
     with listener:
