@@ -28,6 +28,7 @@ TABLES = {
     "projection": {"bodies": 1, "scenes": 2},
     "design": {"rooms": 1, "seeds": 1},
     "critic": {"grades": 5, "scenes": 3},
+    "looks": {"critics": 1, "grades": 5, "scenes": 3},
     "patterns": {"patterns": 29},
     "choice": {"curve": 2, "agreement": 0},
     "ablations": {"parts": 6, "tools": 4, "each": 9},
