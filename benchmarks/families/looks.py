@@ -99,8 +99,8 @@ def run(settings: Settings, judge: Judge) -> Result:
         "Thirty rooms that strict eyes graded 0 to 10, with every fault located. A labelled fault is found when a "
         "fault of the critic shares an object with it, each label by a fault of its own; one of the whole room, when "
         "the critic has one of the room under the same criterion. The symbolic critic is measured alike; by kinds of "
-        "faults it does better, see `critic`, and its points were fitted to these very grades. 'Only eyes' are faults of "
-        "drawing that were found, which are not among the labelled.",
+        "faults it does better, see `critic`, and its points were fitted to these very grades. 'Only eyes' are faults "
+        "of drawing that were found, which are not among the labelled.",
     )
     graded = labels()[: QUICK if settings.quick else None]
     try:
