@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from typing import Annotated, Any
 
 from pydantic import BeforeValidator, Field
@@ -41,7 +41,8 @@ def absent(value: Any) -> Any:
 
 
 def text(value: Any) -> Any:
-    """Text without blanks around it; null is none."""
+    """Text without blanks around it; null is none, a list of one text is that."""
+    value = value[0] if isinstance(value, list) and len(value) == 1 else value
     return "" if value is None else value.strip() if isinstance(value, str) else value
 
 
@@ -87,9 +88,12 @@ def count(value: Any) -> Any:
     return [value, value] if isinstance(value, (int, float)) else value
 
 
-def term(options: Iterable[str]) -> Callable[[Any], Any]:
-    """A word of a vocabulary, however its words are joined and spelt: "Next to" is next_to, "colour" is color."""
-    known = {_plain(option): option for option in options}
+def term(options: Iterable[str], also: Mapping[str, str] | None = None) -> Callable[[Any], Any]:
+    """A word of a vocabulary, however its words are joined and spelt: "Next to" is next_to, "colour" is color.
+
+    Other words for the same are in ``also``.
+    """
+    known = {**(also or {}), **{_plain(option): option for option in options}}
 
     def mended(value: Any) -> Any:
         value = absent(value)

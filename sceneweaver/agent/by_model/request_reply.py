@@ -19,6 +19,24 @@ Density = Literal["sparse", "normal", "full"]
 Side = Literal["long", "short", "left", "right"]
 
 
+SAME = {
+    "beside": "next_to",
+    "adjacent": "next_to",
+    "adjacent_to": "next_to",
+    "under": "below",
+    "underneath": "below",
+    "beneath": "below",
+    "in": "inside",
+    "within": "inside",
+    "left": "left_of",
+    "right": "right_of",
+    "front_of": "in_front_of",
+    "across_from": "opposite",
+    "surrounding": "around",
+}
+"""Other words for types of relations."""
+
+
 def _words(of: object) -> BeforeValidator:
     return BeforeValidator(term(get_args(of)))
 
@@ -57,7 +75,7 @@ class ThingReply(Reply):
 class RelationReply(Reply):
     """Where something is."""
 
-    type: Annotated[RelationType, _words(RelationType)]
+    type: Annotated[RelationType, BeforeValidator(term(get_args(RelationType), SAME))]
     subject: Text = Field(description="Id of a thing")
     targets: Annotated[tuple[Text, ...], Listed] = Field(default=(), description="Ids of things, or one place")
     count: Count = Field(default=None, description="Of how many of the subjects; null: of all")
@@ -83,6 +101,11 @@ class ExclusionReply(Reply):
 
 class RoomReply(Reply):
     """What is said of the room."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _bare(cls, data: object) -> object:
+        return {} if data is None else {"kind": data} if isinstance(data, str) else data
 
     kind: English = ""
     quote: Quote = Field(default="", description="The words that name the kind")

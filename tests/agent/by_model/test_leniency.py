@@ -8,8 +8,9 @@ import pytest
 from pydantic import BaseModel, BeforeValidator, ValidationError
 
 from sceneweaver.agent.by_model.leniency import Count, Flag, Listed, Metres, Number, Text, Whole, absent, term
-from sceneweaver.agent.by_model.request_reply import Style
+from sceneweaver.agent.by_model.request_reply import SAME, RelationReply, RequestReply, Style
 from sceneweaver.assets.materials import STYLES
+from sceneweaver.brief.model import RelationType
 
 Word = Literal["next_to", "color", "L"]
 
@@ -30,6 +31,7 @@ class Lenient(BaseModel):
         ("names", None, ()),
         ("names", "none", ()),
         ("names", " bed ", ("bed",)),
+        ("names", [["bed"]], ("bed",)),
         ("names", ["bed", None, "desk"], ("bed", "desk")),
         ("names", '["bed", "desk"]', ("bed", "desk")),
         ("number", "2.5", 2.5),
@@ -83,12 +85,21 @@ def test_what_can_mean_one_thing_is_taken_so(field: str, given: Any, meant: Any)
         ("count", {"a": 1, "b": 2, "c": 3}),
         ("flag", "perhaps"),
         ("word", "beside"),
-        ("names", [["bed"]]),
+        ("names", [["bed", "desk"]]),
     ],
 )
 def test_what_may_mean_several_things_is_refused(field: str, given: Any) -> None:
     with pytest.raises(ValidationError):
         Lenient.model_validate({field: given})
+
+
+def test_other_words_for_relations_and_a_room_in_a_word() -> None:
+    said = RelationReply.model_validate({"type": "Across from", "subject": ["a"], "targets": "b"})
+    assert (said.type, said.subject, said.targets) == ("opposite", "a", ("b",))
+    assert set(SAME.values()) <= set(get_args(RelationType))
+    assert not set(SAME) & set(get_args(RelationType))
+    assert RequestReply.model_validate({"room": "bedroom"}).room.kind == "bedroom"
+    assert RequestReply.model_validate({"room": None}).room == RequestReply().room
 
 
 def test_the_styles_of_a_reply_are_those_that_there_are() -> None:

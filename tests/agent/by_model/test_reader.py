@@ -251,7 +251,7 @@ def test_what_stays_wrong_is_left_out_and_said(case: str) -> None:
 
 
 def test_a_form_that_is_broken_is_told_by_the_type() -> None:
-    reading, model = read(TEXT, {"things": "some", "extra": 1}, bad(("relations", 0, "type"), "beside"), GOOD)
+    reading, model = read(TEXT, {"things": "some", "extra": 1}, bad(("relations", 0, "type"), "nearish"), GOOD)
     assert "extra" in model.told[0]
     assert "next_to" in model.told[1]
     assert reading == read(TEXT, GOOD)[0]
