@@ -28,6 +28,7 @@ from .memory import Call, Memory, Step, Thought
 from .planner import LISTS, Planner, Situation, Thinker
 from .relaxation import REASON, cleared
 from .settings import Settings
+from .sight import about_as_good, seen_better, seen_worse
 
 BLIND_PLAN = ("init_prior", "add_tabletop", "add_crowd", "add_wall_objects", "update_layout")
 """What is done, in this order, when there is no reflection: the tools that need not be told where to act."""
@@ -47,9 +48,6 @@ HURRY = 0.5
 
 MOST_LEFT, SAID = 4, 240
 """Sentences that a step keeps of what gave way in an outcome, and characters of each."""
-
-SEEN_WORSE = 0.75
-"""Points of the mean grade by vision that a step may lose; more than its samples differ anyway."""
 
 NOTHING_YET = "time was up before anything was placed"
 
@@ -333,29 +331,42 @@ class Run:
         clutter = self.settings.clutter
         return Context(self.brief, self.room_type, scene, self.library, seed, clutter=clutter, client=self.client)
 
+    def _looked(self, outcomes: dict[int, Outcome], winner: int, accepted: bool) -> tuple[bool, str]:
+        """Whether the winner of a step is kept once it was looked at, and why, where that is by sight."""
+        assert self.look is not None
+        old, new = self.best, outcomes[winner]
+        if not accepted and (old is None or old.review.seen is None or not about_as_good(old, new)):
+            return False, ""
+        outcomes[winner] = new = self.look(new)
+        if old is None:
+            return True, ""
+        if accepted:
+            worse = seen_worse(old, new)
+            return not worse, worse
+        better = seen_better(old, new)
+        return bool(better), better
+
     def _take(
         self, outcomes: dict[int, Outcome], tried: list[dict[str, Any]], calls: list[Call], spent: float, attempts: int
     ) -> None:
         """Keep the best outcome if it beats what there is; else roll back and trust the tools less."""
-        before = dict(self.best.review.grades) if self.best else {}
+        began, old, free = time.monotonic(), self.best, self._free
+        before = dict(old.review.grades) if old else {}
         winner = min(outcomes, key=lambda k: outcomes[k].key) if outcomes else None
-        free = self._free
-        accepted = winner is not None and (self.best is None or free or outcomes[winner].key < self.best.key)
-        old = self.best
+        accepted = winner is not None and (old is None or free or outcomes[winner].key < old.key)
+        seen = ""
+        if winner is not None and self.look is not None and not (free and old is not None):
+            accepted, seen = self._looked(outcomes, winner, accepted)
         vain = [k for k in range(len(calls)) if k not in outcomes or (old and outcomes[k].key >= old.key)]
+        if winner is not None and (winner in vain) == accepted and seen:
+            vain = [k for k in vain if k != winner] if accepted else [*vain, winner]
         losers = [] if free else [calls[k] for k in vain]
-        worse = ""
-        if accepted and winner is not None and self.look is not None and not (free and old is not None):
-            outcomes[winner] = self.look(outcomes[winner])
-            worse = _seen_worse(old, outcomes[winner]) if old is not None else ""
-        if worse and winner is not None:
-            accepted = False
-            losers.append(calls[winner])
         if accepted and winner is not None:
             self.best = outcomes[winner]
         current = self.best
         failed = next((row["failed"] for row in tried if "failed" in row), "no better than before")
-        note = "" if accepted else worse or failed
+        note = seen or ("" if accepted else failed)
+        spent += time.monotonic() - began
         step = Step(
             number=len(self.memory.steps) + 1,
             call=calls[winner] if winner is not None else calls[0],
@@ -391,17 +402,6 @@ def _left(outcome: Outcome) -> dict[str, list[str]]:
     dropped = (f"{gone.id} was dropped: {gone.reason}" for gone in outcome.scene.dropped)
     left = [shorten(text, SAID) for text in (*outcome.unmet, *dropped, *outcome.notes)]
     return {"left": list(dict.fromkeys(left))[:MOST_LEFT]} if left else {}
-
-
-def _seen_worse(old: Outcome, new: Outcome) -> str:
-    """Why a scene that is better by measure is taken back by sight; empty where it is not."""
-    before, after = old.review.seen, new.review.seen
-    if before is None or after is None:
-        return ""
-    fall = before.mean - after.mean
-    if fall <= max(SEEN_WORSE, before.spread, after.spread):
-        return ""
-    return f"the critic by vision gave {after.mean:.1f} after {before.mean:.1f}"
 
 
 def _complete(outcome: Outcome) -> bool:

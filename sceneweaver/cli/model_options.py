@@ -152,7 +152,7 @@ def request_of(prompt: str, replay: Path | None) -> str:
         InputError: when it is missing.
     """
     if not prompt and replay is None:
-        raise InputError("PROMPT is missing; say what room to make, as in: sceneweaver design 'a bedroom' --out out")
+        raise InputError("prompt: is missing; say what room to make, as in: sceneweaver design 'a bedroom' --out out")
     return prompt
 
 

@@ -6,7 +6,7 @@ import json
 import threading
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import pytest
@@ -21,7 +21,7 @@ from sceneweaver.agent.memory import Call, Memory
 from sceneweaver.agent.planner import Situation
 from sceneweaver.agent.settings import Settings
 from sceneweaver.brief import SceneGraph
-from sceneweaver.critic import CRITERIA, Fault, Review
+from sceneweaver.critic import CRITERIA, Fault, Review, VisualReview
 from sceneweaver.knowledge import room_type
 from sceneweaver.scene import InputError, Pose, Scene, SceneObject
 from sceneweaver.scene.edits import Add
@@ -437,3 +437,20 @@ def test_what_is_worse_by_measure_is_not_even_looked_at(go):
     answers = {"init_prior": [adds("a", 5)], "add_objects": [adds("b", 4, 1.0), adds("c", 6, 1.0)]}
     _, best, *_ = go(answers, [BEGIN, calls("add_objects", n=1), calls("add_objects", n=2)], look=look)
     assert seen == [("a",), ("a", "c")] and best.scene.ids == ("a", "c")
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "grade", "kept"),
+    [(6.0, 6.5, 4.9, True), (6.0, 6.2, 4.9, False), (6.0, 9.0, 4.5, False), (6.0, 5.0, 5.3, False)],
+)
+def test_sight_decides_between_what_is_about_as_good_by_measure(go, before, after, grade, kept):
+    def look(outcome: Outcome) -> Outcome:
+        grades = dict.fromkeys(CRITERIA, after if "b" in outcome.scene.ids else before)
+        seen = VisualReview(model="m", samples=1, grades=grades)
+        return replace(outcome, review=outcome.review.model_copy(update={"seen": seen}))
+
+    answers = {"init_prior": [adds("a", 5)], "add_objects": [adds("b", grade, 1.0)]}
+    run, best, *_ = go(answers, [BEGIN, calls("add_objects")], look=look)
+    assert ("b" in best.scene.ids) == kept == run.memory.steps[1].accepted
+    assert bool(run.memory.failed) != kept
+    assert ("by vision" in run.memory.steps[1].note) == (kept or grade > 5)

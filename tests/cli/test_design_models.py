@@ -98,4 +98,4 @@ def test_options_that_cannot_be(run, tmp_path, monkeypatch, options, words, code
 
 def test_a_request_is_needed_unless_a_run_is_made_again(run, tmp_path):
     done = run("design", "--out", tmp_path / "out")
-    assert done.code == 2 and "PROMPT is missing" in done.err
+    assert done.code == 2 and "prompt: is missing" in done.err
