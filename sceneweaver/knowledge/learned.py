@@ -38,6 +38,7 @@ LONGEST = 40
 log = logging.getLogger(__name__)
 
 _only: ContextVar[Path | None | bool] = ContextVar("only", default=False)
+_beside: ContextVar[tuple[RoomType, ...] | None] = ContextVar("beside", default=None)
 
 
 def rooms_folder() -> Path:
@@ -54,13 +55,36 @@ def rooms_of(folder: Path | None) -> Iterator[None]:
     """Within it the learned rooms are those of a folder, not the user's; with None there are none."""
     token = _only.set(folder)
     try:
-        yield
+        with rooms_apart():
+            yield
     finally:
         _only.reset(token)
 
 
+@contextmanager
+def rooms_apart() -> Iterator[None]:
+    """Within it rooms may be made known by `know`; after it they are not."""
+    token = _beside.set(_beside.get() or ())
+    try:
+        yield
+    finally:
+        _beside.reset(token)
+
+
+def know(room: RoomType) -> None:
+    """Within `rooms_of` or `rooms_apart`, make a room known by its name; no request is read otherwise for it."""
+    others = _beside.get()
+    if others is not None:
+        _beside.set((*others, room))
+
+
 def learned_rooms() -> Mapping[str, RoomType]:
     """The learned rooms by name, as their files are now."""
+    beside = {room.name: room for room in _beside.get() or ()}
+    return MappingProxyType({**beside, **_kept()}) if beside else _kept()
+
+
+def _kept() -> Mapping[str, RoomType]:
     folder = _only.get()
     place = rooms_folder() if isinstance(folder, bool) else folder
     return _rooms(_state(place)) if place is not None else MappingProxyType({})
@@ -68,7 +92,7 @@ def learned_rooms() -> Mapping[str, RoomType]:
 
 def learned_words() -> Mapping[str, str]:
     """Every phrase that names a learned room, lower case, to its name; none of them is known otherwise."""
-    rooms = learned_rooms()
+    rooms = _kept()
     if not rooms:
         return {}
     table = {plain(name): name for name in rooms}
@@ -84,7 +108,7 @@ def named_in(text: str) -> list[RoomType]:
     """The learned rooms that a text names."""
     low = f" {plain(text)} "
     found = {name for word, name in learned_words().items() if f" {word} " in low}
-    return [room for name, room in learned_rooms().items() if name in found]
+    return [room for name, room in _kept().items() if name in found]
 
 
 def plain(words: str) -> str:
@@ -189,7 +213,7 @@ def room_file(name: str) -> str:
     """The text of the file of a learned room; InputError when there is none."""
     folder = _only.get()
     place = rooms_folder() if isinstance(folder, bool) else folder
-    if place is None or name not in learned_rooms():
+    if place is None or name not in _kept():
         raise InputError(f"room: '{shorten(name)}' was never learned{suggest(name, learned_rooms(), what='learned')}")
     return read_bytes(place / f"{name}.yaml", max_bytes=LARGEST).decode()
 

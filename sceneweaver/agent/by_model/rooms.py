@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager, nullcontext
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -16,18 +16,21 @@ from sceneweaver.brief import SceneGraph
 from sceneweaver.brief.vocabulary import vocabulary as known_phrases
 from sceneweaver.knowledge import RoomType, match_room, room_type
 from sceneweaver.knowledge.learned import (
+    LARGEST,
     keep_room,
+    know,
     named_in,
     plain,
     read_room,
     room_file,
     room_text,
+    rooms_apart,
     rooms_of,
     slug,
 )
 from sceneweaver.knowledge.load import room_words
 from sceneweaver.llm import ModelClient
-from sceneweaver.scene import InputError, Scene, write_atomic
+from sceneweaver.scene import InputError, Scene, read_bytes, write_atomic
 from sceneweaver.scene.messages import shorten
 from sceneweaver.tools.base import Context
 from sceneweaver.tools.init_llm import compact, drawn, instructions, vocabulary
@@ -79,6 +82,7 @@ def learned_room(client: ModelClient, words: str, folder: Path | None = None, *,
         write_atomic(folder / ROOM, made.text)
     if keep:
         keep_room(made.text)
+    know(made.room)
     return made.room
 
 
@@ -157,12 +161,20 @@ def rooms_of_run(text: str, own: Path | None, replayed: Path | None = None) -> I
         replayed: folder of the records of a run that is replayed.
     """
     began = replayed or (own if own is not None and (own / ROOMS).is_dir() else None)
-    with rooms_of(began / ROOMS) if began is not None else nullcontext():
+    with rooms_of(began / ROOMS) if began is not None else rooms_apart():
+        if own is not None and began == own:
+            _known_again(own / ROOM)
         if own is not None and own != began:
             (own / ROOMS).mkdir(parents=True, exist_ok=True)
             for room in named_in(text):
                 write_atomic(own / ROOMS / f"{room.name}.yaml", room_file(room.name))
         yield
+
+
+def _known_again(file: Path) -> None:
+    """Know the room that a run learned before it was broken off."""
+    with suppress(InputError, UnicodeDecodeError, FileNotFoundError):
+        know(read_room(read_bytes(file, max_bytes=LARGEST).decode()))
 
 
 def _known(word: str) -> str:

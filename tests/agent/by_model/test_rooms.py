@@ -11,6 +11,7 @@ from sceneweaver.agent import design
 from sceneweaver.agent.by_model.rooms import ROOM as COPY
 from sceneweaver.agent.by_model.rooms import learn, learned_room, rooms_of_run
 from sceneweaver.brief import read_request
+from sceneweaver.knowledge import room_type
 from sceneweaver.knowledge.learned import forget_room, keep_room, learned_rooms, read_room, rooms_of
 from sceneweaver.llm import ModelClient, ModelError, ModelFailed
 from sceneweaver.scene import InputError
@@ -131,3 +132,18 @@ def test_a_run_knows_what_it_knew_when_it_began(tmp_path):
         assert not learned_rooms()
     with rooms_of(None), rooms_of_run("a sky hut", None):
         assert not learned_rooms()
+
+
+def test_what_a_run_learns_it_knows_when_it_goes_on_and_when_it_is_replayed(tmp_path):
+    llm, script = tmp_path / "run" / "llm", Script(SHED)
+    with rooms_of_run("a sky hut", llm):
+        room = learned_room(script.client, "sky hut", llm)
+        assert room_type("sky_hut") == room
+    forget_room("sky hut")
+    with rooms_of_run("a sky hut", llm):  # goes on: known by its name, and the request is read as before
+        assert room_type("sky_hut") == room and read_request("a sky hut").room_type is None
+    with rooms_of_run("a sky hut", tmp_path / "again" / "llm", llm):
+        assert "sky_hut" not in learned_rooms()
+        learned_room(Script(SHED).client, "sky hut", tmp_path / "again" / "llm", keep=False)
+        assert room_type("sky_hut") == room
+    assert not learned_rooms()
