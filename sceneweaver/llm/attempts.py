@@ -105,16 +105,16 @@ class Requests:
                 response = await self._one(messages, settings, parameters)
             except asyncio.CancelledError:
                 attempt["error"] = "cut off"
-                self._spend(failed=1)
+                self._spend(failed=1, **self._prompt(messages))
                 raise
             except ModelError as error:
                 attempt["error"] = str(error)
-                self._spend(failed=1)
+                self._spend(failed=1, **self._prompt(messages))
                 raise
             except Exception as error:
                 found = fault(error, self._account.endpoint)
                 attempt["error"] = found.words
-                self._spend(failed=1)
+                self._spend(failed=1, **(self._prompt(messages) if isinstance(error, TimeoutError) else {}))
                 tried += 1
                 slow += isinstance(error, TimeoutError)
                 await self._wait_or_give_up(found, tried, tries if slow < SLOW_TRIES else tried)
@@ -191,6 +191,12 @@ class Requests:
         spent = {"tokens_in": tokens_in, "tokens_out": tokens_out, "cached": cached, "estimated": estimated}
         attempt["usage"] = spent
         self._spend(**spent, cost=cost)
+
+    def _prompt(self, messages: Sequence[ModelMessage]) -> dict[str, float]:
+        """What a request costs that was cut off: its prompt was read, and vendors count it."""
+        tokens = -(-sum(length(message) for message in messages) // 4)
+        price = self._account.usage.price
+        return {"tokens_in": tokens, "estimated": 1, "cost": price.cost(tokens, 0) if price else 0.0}
 
     def _spend(self, **spent: float) -> None:
         self._account.usage.add(self._record.asked.purpose, spent)

@@ -200,7 +200,8 @@ class ModelClient:
     def _note(self, record: Record) -> None:
         """Lose the model where a record says so; write the record."""
         if record.lost and not self.lost:
-            self.lost, self._loss = record.lost, ERRORS.get(record.failure.get("class", ""), ModelUnreachable)
+            spent = ERRORS.get(record.failure.get("class", "")) is BudgetSpent
+            self.lost, self._loss = record.lost, BudgetSpent if spent else ModelUnreachable
         if self._recorder:
             self._recorder.write(record, self.usage.to_dict())
 

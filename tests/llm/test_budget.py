@@ -7,9 +7,19 @@ import pytest
 from pydantic_ai.messages import ModelResponse, ToolCallPart
 from pydantic_ai.models.function import FunctionModel
 
-from sceneweaver.llm import BudgetSpent, Endpoint, Limits, ModelClient, ModelUnreachable, Prices, Reply, open_client
+from sceneweaver.llm import (
+    BudgetSpent,
+    Endpoint,
+    Limits,
+    ModelClient,
+    ModelFailed,
+    ModelUnreachable,
+    Prices,
+    Reply,
+    open_client,
+)
 from sceneweaver.scene import InputError
-from tests.llm.misbehaviour import first, misbehaving
+from tests.llm.misbehaviour import always, first, misbehaving
 from tests.llm.model_server import ModelServer, Said, answering
 
 TABLE = """
@@ -98,7 +108,7 @@ def test_tokens():
             ask(client)
 
 
-@pytest.mark.parametrize("tokens", [(-1_000_000, -1_000_000), (0, 0)])
+@pytest.mark.parametrize("tokens", [(-1_000_000, -1_000_000), (0, 0), (10**18, 10**18)])
 def test_tokens_that_are_not_told_are_estimated(tokens):
     with serving(tokens) as server:
         client = open_client(Endpoint.of("small", server.url))
@@ -184,3 +194,23 @@ def test_errors_that_stay_are_not_tried_again(name, says):
             with pytest.raises(ModelUnreachable, match=words):
                 ask(client)
     assert len(server.requests) == 1 and client.lost
+
+
+def test_questions_in_a_row_without_a_reply_lose_the_model():
+    with ModelServer(misbehaving(answering({Plan: {"steps": 1}}), always("html"))) as server:
+        client = open_client(Endpoint.of("small", server.url, tries=1))
+        for _ in range(3):
+            with pytest.raises(ModelFailed):
+                ask(client)
+        with pytest.raises(ModelUnreachable, match="not asked"):
+            ask(client)
+    assert len(server.requests) == 3 and "in a row" in client.lost
+
+
+def test_prompts_of_requests_that_were_cut_off_count(tmp_path):
+    with ModelServer(misbehaving(answering({Plan: {"steps": 1}}), always("silence"))) as server:
+        client = open_client(Endpoint.of("small", server.url, timeout=0.2, tries=1), prices=prices(tmp_path))
+        with pytest.raises(ModelUnreachable, match="no whole reply in time"):
+            ask(client)
+    told = client.usage.total
+    assert told.tokens_in > 0 and told.cost > 0 and told.failed == 1
