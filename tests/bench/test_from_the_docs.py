@@ -109,7 +109,7 @@ class LevenbergMarquardt:
     [
         ("numpy", Momentum, 0.5),
         pytest.param("evosax", CmaEs, 0.25, marks=pytest.mark.slow),  # long to compile
-        ("optimistix", LevenbergMarquardt, 0.25),
+        pytest.param("optimistix", LevenbergMarquardt, 0.25, marks=pytest.mark.slow),  # the same
     ],
 )
 def test_it_runs_through_refine_and_the_harness(tmp_path, library, optimizer, least):

@@ -29,7 +29,7 @@ def made(library: str) -> StepOptimizer:
     return getattr(importlib.import_module(f"benchmarks.external.{module}"), name)()
 
 
-QUICK = ("optax", "optimistix ")  # the others take long to compile
+QUICK = ("optax",)  # the others take long to compile
 each = pytest.mark.parametrize(
     "library",
     [

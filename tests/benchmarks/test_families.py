@@ -50,7 +50,7 @@ def settings(tmp_path):
     return Settings(rooms=("bedroom-small",), device="cpu", quick=True, most=4, rivals=rivals, out=tmp_path)
 
 
-SLOW = ("openable", "odd", "cold")
+SLOW = ("openable", "odd", "cold", "pictures", "ablations")
 """Families whose design is one that another family makes as well, and what takes longest."""
 
 

@@ -90,6 +90,7 @@ def test_a_simulation_that_diverges_is_an_error(monkeypatch: pytest.MonkeyPatch)
             ask(_scene(_box("up", 1, 1, 1.0)))
 
 
+@pytest.mark.slow
 def test_a_thousand_objects() -> None:
     """They have room for their contacts, and stay where they are."""
     assets: dict[str, Asset] = {
