@@ -10,17 +10,13 @@ from typing import TYPE_CHECKING, Any
 from .plain import sendable
 from .secrets import line, redact
 
-MOST_TOKENS = 100_000_000
-"""Tokens of a request beyond which a server is not believed."""
-
 if TYPE_CHECKING:
     from pydantic_ai.messages import ModelMessage, ModelResponse
 
 
 def natural(value: object) -> int:
-    """A number of tokens that a server tells; 0 for one below zero, which would buy back what is spent, and for one
-    that no model has read or written."""
-    return value if isinstance(value, int) and 0 < value <= MOST_TOKENS else 0
+    """A number of tokens that a server tells; one below zero would buy back what is spent."""
+    return value if isinstance(value, int) and value > 0 else 0
 
 
 def cleaned(response: ModelResponse) -> ModelResponse:

@@ -108,7 +108,7 @@ def test_tokens():
             ask(client)
 
 
-@pytest.mark.parametrize("tokens", [(-1_000_000, -1_000_000), (0, 0), (10**18, 10**18)])
+@pytest.mark.parametrize("tokens", [(-1_000_000, -1_000_000), (0, 0)])
 def test_tokens_that_are_not_told_are_estimated(tokens):
     with serving(tokens) as server:
         client = open_client(Endpoint.of("small", server.url))
