@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
@@ -16,6 +17,9 @@ from sceneweaver.tools.prior_program import named_kinds
 
 LONGEST_TEXT = 200
 """Characters that a text of inputs may have."""
+
+LONGEST_NOUN = 40
+"""Characters of the name of a thing that nobody knows."""
 
 MOST_ENTRIES = 100
 """Entries that a list or an object of inputs may have."""
@@ -82,6 +86,8 @@ def _wrong_thing(where: str, row: Mapping[str, Any], brief: SceneGraph) -> Itera
     category, size = row.get("category"), row.get("size")
     if isinstance(category, str):
         match = resolve(category)
+        if match.generic and not _noun(category) and match.category not in {e.category for e in brief.entities}:
+            yield f"{where}.category is {show(category)}, which is no noun; name one thing, such as floor lamp"
         if match.category in categories() and isinstance(size, list | tuple):
             yield from _out_of_range(f"{where}.size", match.category, size)
         unwanted = groups_of(match.category) & set(brief.without)
@@ -100,6 +106,11 @@ def _wrong_thing(where: str, row: Mapping[str, Any], brief: SceneGraph) -> Itera
         targets = {str(p.get("to")) for p in places if p.get("type") in types and not p.get("soft")}
         if len(targets) > 1:
             yield f"{where}.place has {len(targets)} parents, {' and '.join(sorted(targets))}; it can {doing} one only"
+
+
+def _noun(text: str) -> bool:
+    """Whether a text may be the name of a thing: a few words and nothing else."""
+    return re.fullmatch(r"[^\W\d_]+([ _'-][^\W\d_]+){0,3}", text.strip()) is not None and len(text) <= LONGEST_NOUN
 
 
 def _out_of_range(where: str, category: str, size: Sequence[Any]) -> Iterator[str]:
