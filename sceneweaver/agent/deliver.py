@@ -17,11 +17,15 @@ from sceneweaver.scene import Scene, SceneWeaverError, whole
 from .deadline import NEVER, Deadline
 from .faults import fault
 from .interrupt import TimeUp
+from .memory import Step
 from .request_file import NAME, RequestFile
 from .result import Result
+from .transcript import calls_of
 
 if TYPE_CHECKING:
     from PIL.Image import Image
+
+    from sceneweaver.report import ThoughtRow
 
 STEP_WIDTH = 880
 """Pixels of the picture of a step, twice as wide as the report shows it."""
@@ -240,6 +244,7 @@ def _report(result: Result, folder: Path, load: Callable, drawn: dict, deadline:
                 grades=dict(step.after),
                 note=step.note,
                 picture=picture,
+                thought=_thought(step),
             )
         )
     data = ReportData(
@@ -258,6 +263,18 @@ def _report(result: Result, folder: Path, load: Callable, drawn: dict, deadline:
     )
     with whole(folder / "report.html") as path:
         write_report(path, data)
+
+
+def _thought(step: Step) -> ThoughtRow | None:
+    """What a planner said before a step; None where the rules alone plan."""
+    if step.plan is None:
+        return None
+    from sceneweaver.report import RankedCall, ThoughtRow
+
+    said = step.plan
+    note = said.note or (f"would have stopped: {said.overruled}" if said.overruled else "")
+    calls = [RankedCall(c.tool, c.confidence, c.instruction or c.reason, what) for c, what in calls_of(step)]
+    return ThoughtRow(said.by, said.problem, said.last_step, said.solved, note, tuple(calls))
 
 
 def _drawing_device(device: str) -> str:

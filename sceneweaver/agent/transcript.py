@@ -40,9 +40,8 @@ def _step(step: Step) -> Iterator[str]:
     ]
     if any(text for _, text in said):
         yield "\n".join(f"- {name}: {_line(text)}" for name, text in said if text)
-    calls = list(thought.ranked) or ([step.call] if step.call is not None else [])
     head = "| confidence | tool | instruction | what came of it |\n| --: | --- | --- | --- |"
-    yield "\n".join((head, *(_row(k, call, step) for k, call in enumerate(calls))))
+    yield "\n".join((head, *(_row(call, outcome) for call, outcome in calls_of(step))))
     grades = ", ".join(
         f"{name} {step.before[name]:.1f} to {grade:.1f}" if name in step.before else f"{name} {grade:.1f}"
         for name, grade in step.after.items()
@@ -51,15 +50,23 @@ def _step(step: Step) -> Iterator[str]:
     yield f"{kept}. {step.objects} objects, {step.violations} violations; {grades}."
 
 
-def _row(k: int, call: Call, step: Step) -> str:
-    tried: Mapping[str, Any] = step.tried[k] if k < len(step.tried) else {}
+def calls_of(step: Step) -> list[tuple[Call, str]]:
+    """The calls that were named before a step, the best first, with what came of each."""
+    ranked = step.plan.ranked if step.plan is not None else ()
+    calls = list(ranked) or ([step.call] if step.call is not None else [])
+    return [(call, _outcome(step.tried[k] if k < len(step.tried) else {})) for k, call in enumerate(calls)]
+
+
+def _outcome(tried: Mapping[str, Any]) -> str:
     if not tried:
-        outcome = "not carried out"
-    elif "failed" in tried:
-        outcome = f"failed: {tried['failed']}"
-    else:
-        outcome = f"grade {tried['grades']['total']:.2f}, {tried['violations']} violations"
-        outcome += "".join(f"; {text}" for text in tried.get("left", ()))
+        return "not carried out"
+    if "failed" in tried:
+        return f"failed: {tried['failed']}"
+    outcome = f"grade {tried['grades']['total']:.2f}, {tried['violations']} violations"
+    return outcome + "".join(f"; {text}" for text in tried.get("left", ()))
+
+
+def _row(call: Call, outcome: str) -> str:
     cells = (f"{call.confidence:.2f}", call.tool, call.instruction or call.reason, outcome)
     return "| " + " | ".join(_line(cell).replace("|", "\\|") for cell in cells) + " |"
 

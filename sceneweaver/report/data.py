@@ -15,6 +15,28 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
+class RankedCall:
+    """A call that a planner named, and what came of it; ``confidence`` in 0..1."""
+
+    tool: str
+    confidence: float
+    instruction: str
+    outcome: str
+
+
+@dataclass(frozen=True)
+class ThoughtRow:
+    """What a planner said before a step; ``by`` is the name of a model, or "rules"."""
+
+    by: str
+    problem: str = ""
+    last_step: str = ""
+    solved: str = ""
+    note: str = ""
+    ranked: tuple[RankedCall, ...] = ()
+
+
+@dataclass(frozen=True)
 class StepRow:
     """One step on the way to the scene.
 
@@ -30,6 +52,7 @@ class StepRow:
     grades: Mapping[str, float] = field(default_factory=dict)
     note: str = ""
     picture: Image | None = None
+    thought: ThoughtRow | None = None
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from importlib import resources
 
 from sceneweaver.scene import write_atomic
 
-from . import request, sections, seen
+from . import models, request, sections, seen
 from .data import ReportData
 from .facts import faults_of, relation_rows
 from .html import esc, json_block, picture_url
@@ -58,6 +58,7 @@ def report_html(data: ReportData) -> str:
             _view(data),
             sections.scores(data.review, data.metrics),
             seen.section(data),
+            models.section(data),
             sections.findings(data, faults),
             sections.pictures(data),
             sections.steps(data.steps),

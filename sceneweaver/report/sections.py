@@ -10,6 +10,7 @@ from sceneweaver.critic import Review
 from .data import ReportData, StepRow
 from .facts import RelationRow, ViolationRow
 from .html import esc, number, picture_url
+from .models import thought
 
 _CAPTIONS = {
     "eye-door": "From the door",
@@ -210,7 +211,8 @@ def steps(rows: Sequence[StepRow]) -> str:
             f'<li class="{"" if row.accepted else "undone"}"><div class="step-text"><div class="step-head">'
             f'<b class="step-number">{esc(row.number)}</b><h3>{esc(row.tool)}</h3>'
             f'<span class="tag {state[0]}">{state[1]}</span><span class="seconds">{row.seconds:.1f} s</span></div>'
-            f"<p>{esc(row.instruction)}</p>{note}{_change(before, row.grades)}</div>{picture}</li>"
+            f"<p>{esc(row.instruction)}</p>{note}{thought(row.thought)}{_change(before, row.grades)}</div>"
+            f"{picture}</li>"
         )
         if row.accepted and row.grades:
             before = row.grades
