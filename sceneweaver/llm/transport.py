@@ -38,10 +38,15 @@ def model_of(endpoint: Endpoint) -> Model:
     if name is not None and not re.fullmatch(r"[!-~]+", os.environ[name].strip()):
         raise InputError(f"{name}: holds characters that no key has, such as a space; set it to the key alone")
     try:
-        import httpx2
-        from pydantic_ai.settings import ModelSettings
+        return _built(endpoint)
     except ImportError:
         raise MissingDependencyError("models need pydantic-ai; pip install 'sceneweaver[llm]'") from None
+
+
+def _built(endpoint: Endpoint) -> Model:
+    import httpx2
+    from pydantic_ai.settings import ModelSettings
+
     _silence_usage()
     http = httpx2.AsyncClient(
         timeout=httpx2.Timeout(endpoint.timeout, connect=min(endpoint.timeout, 10.0)),

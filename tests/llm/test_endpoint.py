@@ -1,6 +1,8 @@
 """What is asked, and where: from arguments and the environment, never with a key in it."""
 
 import json
+import subprocess
+import sys
 
 import pytest
 
@@ -130,6 +132,20 @@ def test_key_that_cannot_be_sent(monkeypatch):
     with pytest.raises(InputError, match="SCENEWEAVER_API_KEY: holds characters") as error:
         open_client(Endpoint.of("small", LOCAL))
     assert "words\n" not in str(error.value)
+
+
+@pytest.mark.parametrize("library", ["pydantic_ai.settings", "openai", "anthropic"])
+def test_library_is_not_installed(library, monkeypatch):
+    monkeypatch.setitem(sys.modules, library, None)
+    kind = "anthropic" if library == "anthropic" else "openai"
+    with pytest.raises(MissingDependencyError, match=r"pip install 'sceneweaver\[llm\]'"):
+        open_client(Endpoint.of(f"{kind}:small", LOCAL))
+
+
+def test_nothing_is_loaded_before_it_is_needed():
+    code = "import sceneweaver.llm, sys; print({'pydantic_ai', 'httpx2', 'openai', 'anthropic'} & set(sys.modules))"
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120, check=True)
+    assert ran.stdout.strip() == "set()"
 
 
 def test_holds_no_key(monkeypatch):
