@@ -34,6 +34,9 @@ from .reader import read_by_model
 from .rooms import learned_room, rooms_of_run
 from .strict import StrictClient
 
+UNKNOWN = "is no kind of room that is known"
+"""How the note of a reader ends where it is so."""
+
 RECORDS = "llm"
 """Folder of what was asked, in that of a run."""
 
@@ -187,7 +190,9 @@ class Session:
         except ModelError as error:
             self.notes = (*self.notes, f"'{words}' was not learned as a kind of room ({error})")
             return brief
-        return brief.model_copy(update={"room_type": room.name})
+        said = tuple(note for note in brief.notes if not note.endswith(UNKNOWN))
+        known = f"'{words}' is a kind of room as a model described it"
+        return brief.model_copy(update={"room_type": room.name, "notes": (*said, known)})
 
     def serve(self, run: Run) -> None:
         """Give a run what asks the model in it."""

@@ -52,6 +52,7 @@ def test_learned_written_down_dressed_and_replayed(tmp_path, monkeypatch):
     result = design(REQUEST, planner="llm", model=model, out=tmp_path / "run", steps=3, **quick, **unseen)
     scene = result.scene
     assert result.report.valid and not result.unmet
+    assert not any("no kind of room" in note for note in result.notes)
     assert scene.room.type == "potting_shed" and set(learned_rooms()) == {"potting_shed"}
     assert [step.call.tool for step in result.steps if step.call] == ["init_llm", "add_tabletop"]
     plant, mug = scene.object("potted_plant-0"), scene.object("mug-0")
