@@ -161,7 +161,7 @@ def design(
             kept = reserve(settings.seconds, started) if settings.seconds else limit.stop.allowance
             run.deadline = session.deadline = replace(limit, end=limit.end - run.memory.seconds).before(kept)
             result = closed(run, (*session.notes, *remarks), began, session.use)
-        return deliver(result, folder.path, run.library, device, pictures, formats, limit.before(EXIT * started))
+            return deliver(result, folder.path, run.library, device, pictures, formats, limit.before(EXIT * started))
 
 
 def reserve(limit: float, started: float) -> float:

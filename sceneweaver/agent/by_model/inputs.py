@@ -84,6 +84,18 @@ def filled(client: ModelClient, registered: Registered, context: Context, call: 
     return call.model_copy(update={"inputs": inputs})
 
 
+def try_out(registered: Registered, context: Context, call: Call) -> Call:
+    """A call whose inputs a model gave without being asked for them, without what says nothing in them.
+
+    Raises:
+        InputError: when they are refused, with what is wrong, or when the tool does not load.
+    """
+    if registered.card.needs == "model":
+        return call
+    trial = _Trial(registered.card, registered.load(), context, call)
+    return call.model_copy(update={"inputs": trial.sound(call.inputs)})
+
+
 def instructions() -> str:
     """What a model is told of its part, whatever the tool."""
     return f"{prompt('inputs')}\n\n{scene_format()}"
@@ -203,11 +215,15 @@ class _Trial:
 
     def check(self, answer: Reply) -> Reply:
         """The answer without what says nothing; an InputError that says what is wrong refuses it."""
-        given: Mapping[str, Any] = answer.inputs  # pyright: ignore[reportAttributeAccessIssue]
+        inputs = self.sound(answer.inputs)  # pyright: ignore[reportAttributeAccessIssue]
+        return answer.model_copy(update={"inputs": inputs})
+
+    def sound(self, given: Mapping[str, Any]) -> dict[str, Any]:
+        """The same for inputs."""
         check_extent(given)
         inputs = said(self.card.inputs, given)
         self._check(inputs)
-        return answer.model_copy(update={"inputs": inputs})
+        return inputs
 
     def _check(self, inputs: Mapping[str, Any]) -> None:
         for name in self.card.withheld:

@@ -28,7 +28,7 @@ from sceneweaver.tools.base import Context
 from sceneweaver.tools.registry import Registered
 
 from .critic import look
-from .inputs import filled
+from .inputs import filled, try_out
 from .planner import ModelPlanner
 from .reader import read_by_model
 from .rooms import learned_room, rooms_of_run
@@ -36,6 +36,9 @@ from .strict import StrictClient
 
 UNKNOWN = "is no kind of room that is known"
 """How the note of a reader ends where it is so."""
+
+SOON = 1.0
+"""Seconds left below which a model that gives no answer is no reason to end a strict run in another way."""
 
 RECORDS = "llm"
 """Folder of what was asked, in that of a run."""
@@ -105,7 +108,7 @@ class Asking:
                 left=left,
                 stopped=stopped,
             )
-        return StrictClient(client) if self.strict else client
+        return StrictClient(client, lambda: stopped() or left() < SOON) if self.strict else client
 
 
 @dataclass
@@ -215,15 +218,21 @@ class Session:
         return self.roles.planner == "llm"
 
     def fill(self, tool: Registered, context: Context, call: Call) -> Call:
-        """A call that a model chose, with inputs that were tried out.
+        """A call that a model chose, with inputs that were tried out: those that it gave, or where these are refused or
+        there are none, others that it is asked for.
 
         Raises:
             ModelError: when the model gives none.
             InputError: when the tool does not load.
         """
         assert self.client is not None
-        if not call.fill:
+        if not call.fill and tool.card.role == "initializer":
             return call
+        if not call.fill:
+            try:
+                return try_out(tool, context, call)
+            except InputError as error:
+                call = call.model_copy(update={"reason": f"these inputs were refused: {error}"})
         return filled(self.client, tool, context, call)
 
     def look(self, outcome: Outcome) -> Outcome:

@@ -14,11 +14,13 @@ Answer = TypeVar("Answer", bound=Reply)
 class StrictClient(ModelClient):
     """Asks as another client does, but where that can ask no more, the run ends instead of going on by rules.
 
-    A single answer that cannot be used is still a `ModelFailed`.
+    A single answer that cannot be used is still a `ModelFailed`. Where the run is ``over``, as its time is up or a
+    signal stops it, it ends as any other does.
     """
 
-    def __init__(self, client: ModelClient) -> None:
+    def __init__(self, client: ModelClient, over: Callable[[], bool] = bool) -> None:
         self._client = client
+        self._over = over
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._client, name)
@@ -69,6 +71,8 @@ class StrictClient(ModelClient):
 
     def _ended(self, error: ModelError) -> Exception:
         """What to raise for an error."""
+        if self._over():
+            return error
         if isinstance(error, ModelUnreachable | BudgetSpent) or getattr(self._client, "lost", ""):
             return MissingDependencyError(f"the run is strict and its model cannot be asked any more: {error}")
         return error

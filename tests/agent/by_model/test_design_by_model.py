@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import json
+import time
 from typing import Any
 
 import pytest
@@ -13,6 +14,7 @@ from pydantic_ai.models.test import TestModel
 
 from sceneweaver.agent import Result, Settings, design
 from sceneweaver.agent.by_model import critic, planner
+from sceneweaver.agent.deadline import Stop
 from sceneweaver.agent.folder import State
 from sceneweaver.agent.memory import Memory
 from sceneweaver.agent.roles import Roles
@@ -115,11 +117,26 @@ def test_a_step_in_vain_lowers_the_trust_is_told_and_counts():
         {"calls": [{**FILL["calls"][0], "tool": "remove_objects", "inputs": {"ids": [f"nothing-{k}"]}}]}
         for k in range(9)
     ]
-    client, told = says(BEGIN, *vain)
-    result = run(client, steps=10, replans=2)
+    model, told = says(BEGIN, *vain, inputs=[{"inputs": {"ids": ["nothing"]}}])
+    result = run(model, steps=10, replans=2)
     assert [s.accepted for s in result.steps] == [True, False, False, False]
-    assert result.finished == "3 steps brought nothing" and len(told) == 4
-    assert "nothing-0" in told[2] and "failed_calls" in told[2] and '"kept":false' in told[2]
+    plans = [text for text in told if text.startswith("plan")]
+    assert result.finished == "3 steps brought nothing" and len(plans) == 4
+    assert "nothing-0" in plans[2] and "failed_calls" in plans[2] and '"kept":false' in plans[2]
+    asked = next(text for text in told if text.startswith("inputs"))
+    assert "these inputs were refused" in asked and "nothing-0" in asked
+
+
+def test_a_strict_run_that_is_stopped_ends_as_any_other(tmp_path):
+    stop = Stop()
+
+    def say(messages: list[ModelMessage], info: AgentInfo) -> ModelResponse:
+        stop.request("SIGTERM")
+        time.sleep(0.5)
+        return ModelResponse(parts=[ToolCallPart(info.output_tools[0].name, BEGIN)])
+
+    result = run(FunctionModel(say), strict=True, stop=stop, out=tmp_path)
+    assert result.report.cut_off == "SIGTERM" and (tmp_path / "metrics.json").exists()
 
 
 class Leaves(ModelClient):
