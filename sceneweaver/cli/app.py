@@ -573,13 +573,8 @@ def assets_import(
         str | None,
         typer.Option(metavar="AXIS|ask", help="Front, such as -z; ask lets a model look.", show_default=False),
     ] = None,
-    model: Annotated[
-        str | None,
-        typer.Option(help="Model for --front ask (SCENEWEAVER_MODEL), such as openai:NAME.", show_default=False),
-    ] = None,
-    base_url: Annotated[
-        str | None, typer.Option(help="Where it is asked (SCENEWEAVER_BASE_URL).", show_default=False)
-    ] = None,
+    model: Model = None,
+    base_url: BaseUrl = None,
     unit: Annotated[
         float | None, typer.Option(metavar="METRES", help="Metres per unit, such as 0.01.", show_default=False)
     ] = None,

@@ -127,6 +127,12 @@ class ModelClient:
             records = [Record(asked, number=self._next_number()) for _ in range(samples)]
         return self._answers(records, kind, check, retries)
 
+    def shown(self, purpose: str) -> tuple[Picture, ...] | None:
+        """In a replay the pictures that the next question of a purpose came with, so that nobody draws them again; None
+        with a live model."""
+        del purpose
+        return None
+
     def keep(self) -> None:
         """Mark that what was asked so far is part of what the run has saved; for runs that are resumed."""
         if self._recorder:

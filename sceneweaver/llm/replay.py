@@ -8,11 +8,13 @@ from typing import Any, TypeVar
 
 from pydantic import ValidationError
 
+from sceneweaver.scene import InputError, read_bytes
+
 from .client import ModelClient
 from .conversation import accepted, error_of
 from .errors import ModelError, ReplayError
 from .records import Record, Recorder, read_folder, read_records
-from .reply import Reply
+from .reply import Picture, Reply
 
 Answer = TypeVar("Answer", bound=Reply)
 
@@ -41,6 +43,21 @@ class ReplayClient(ModelClient):
         self.name = str(endpoint.get("title", "model"))
         self.pictures = bool(endpoint.get("pictures", True))
         self.usage.priced, self.usage.currency = bool(endpoint.get("priced")), str(endpoint.get("currency", ""))
+
+    def shown(self, purpose: str) -> tuple[Picture, ...] | None:
+        """As recorded: when a run was short of time it showed fewer. One whose file is gone has its title alone."""
+        with self._lock:
+            rows = (row for row in self._records if row["purpose"] == purpose and row["number"] not in self._used)
+            content = next(rows, {}).get("content", [])
+        return tuple(self._picture(part) for part in content if isinstance(part, dict) and "picture" in part)
+
+    def _picture(self, part: dict[str, Any]) -> Picture:
+        name = Path(str(part["picture"])).name  # a file of this folder, whatever the record says
+        try:
+            png = read_bytes(self._folder / "pictures" / name)
+        except InputError:
+            png = b""
+        return Picture(png, str(part.get("title", "")))
 
     def _answers(
         self,

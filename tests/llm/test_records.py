@@ -94,6 +94,21 @@ def test_replay(tmp_path):
         assert (tmp_path / "again" / name).read_bytes() == (tmp_path / "llm" / name).read_bytes()
 
 
+def test_replay_has_the_pictures_that_were_shown(tmp_path):
+    first = client(tmp_path / "llm", {"steps": 2}, {"steps": 3})
+    assert first.shown("plan") is None
+    first.ask("plan", Plan, "Plan.", [ROOM, Picture(b"\x89PNG1", "a"), Picture(b"\x89PNG2", "b")])
+    first.ask("plan", Plan, "Plan.", [ROOM])
+    again = open_client(replay=tmp_path)
+    pictures = again.shown("plan")
+    assert pictures == (Picture(b"\x89PNG1", "a"), Picture(b"\x89PNG2", "b")) and again.shown("judge") == ()
+    assert again.ask("plan", Plan, "Plan.", [ROOM, *pictures]).steps == 2
+    assert again.shown("plan") == ()
+    for file in (tmp_path / "llm" / "pictures").iterdir():
+        file.unlink()
+    assert open_client(replay=tmp_path).shown("plan") == (Picture(b"", "a"), Picture(b"", "b"))
+
+
 def test_replay_needs_no_library(tmp_path):
     ask(client(tmp_path / "llm", {"steps": 2}))
     code = f"""

@@ -107,6 +107,8 @@ class ModelPlanner:
         """The top view with its marks, where the model takes pictures and it can be drawn."""
         if situation.scene is None or not self.client.pictures:
             return []
+        if (shown := self.client.shown("plan")) is not None:
+            return [*shown]
         load = situation.library.load if situation.library is not None else None
         try:
             return [top_picture(situation.scene, load, device=pick_devices(situation.settings.device)[0])]

@@ -69,6 +69,10 @@ class StrictClient(ModelClient):
                 raise ended from None
         return found
 
+    def shown(self, purpose: str) -> tuple[Picture, ...] | None:
+        """As `ModelClient.shown`."""
+        return self._client.shown(purpose)
+
     def _ended(self, error: ModelError) -> Exception:
         """What to raise for an error."""
         if self._over():

@@ -16,7 +16,8 @@ from sceneweaver.assets import Library
 from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import Review, VisualReview
 from sceneweaver.knowledge import room_type
-from sceneweaver.llm import ModelClient, ModelFailed, Picture
+from sceneweaver.llm import ModelClient, ModelFailed, Picture, open_client
+from sceneweaver.llm.records import Recorder
 from sceneweaver.scene import Scene
 from sceneweaver.verify import check
 
@@ -90,6 +91,18 @@ def test_without_pictures_it_is_told_so() -> None:
     model = Model(answer())
     assert model.look(pictures=()).pictures == ()
     assert BLIND in str(model.told[0])
+
+
+def test_a_replay_draws_nothing_again(tmp_path, monkeypatch) -> None:
+    drawn: list[tuple[Picture, ...]] = [(PICTURE,)]
+    monkeypatch.setattr("sceneweaver.agent.by_model.critic.room_pictures", lambda *_, **__: drawn.pop())
+    model = Model(answer(4, fault("sofa-9")), answer(7))
+    model.client = ModelClient(FunctionModel(model.say), recorder=Recorder(tmp_path, {"title": "m", "pictures": True}))
+    first = model.look(pictures=None)
+    model.client = open_client(replay=tmp_path)
+    again = model.look(pictures=None)
+    assert again.model == "m" and again.model_copy(update={"model": first.model}) == first
+    assert not drawn and len(model.told) == 2
 
 
 def test_answers_are_averaged_and_their_spread_is_told() -> None:
