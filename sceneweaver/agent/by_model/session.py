@@ -128,7 +128,6 @@ class Session:
     disagreements: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     waited: float = 0.0
-    unseen: int = 0
     run: Run | None = None
 
     @classmethod
@@ -254,8 +253,9 @@ class Session:
                     device=pick_devices(run.settings.device)[0],
                     deadline=run.deadline,
                 )
-        except (ModelError, TimeUp):
-            self.unseen += 1
+        except (ModelError, TimeUp) as error:
+            why = "time was up" if isinstance(error, TimeUp) else str(error)
+            run.notes = (*run.notes, f"the critic by vision gave no answer ({why})")
             return outcome
         return replace(outcome, review=outcome.review.model_copy(update={"seen": seen}))
 
