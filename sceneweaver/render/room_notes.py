@@ -11,18 +11,21 @@ from PIL import Image
 
 from sceneweaver.geometry.shell import outer_outline
 from sceneweaver.scene import Scene, SceneObject
+from sceneweaver.scene.messages import shorten
 
 from . import labels, palette
 from .canvas import Canvas, Point, Text, text_width
 from .palette import Rgb
 from .plan_objects import items_of, owner_grid
 from .shapes import to_world
+from .topview import printable
 from .view import View, bounds_of, step_for
 
 X_AXIS: Rgb = (204, 44, 40)
 Y_AXIS: Rgb = (40, 150, 62)
 Z_AXIS: Rgb = (44, 92, 208)
 _GRID = (30, 34, 42)
+_LONGEST = 40  # characters of an id that are written
 
 
 class Overlay(Canvas):
@@ -60,6 +63,11 @@ def annotated(picture: Image.Image, scene: Scene, view: View, text: float = 1.0)
     _key(canvas, columns, wide, picture.width + left + 14 * unit, size)
     _axes(canvas, view, unit)
     return canvas.finish()
+
+
+def _name(text: str) -> str:
+    """An id as it is written: in letters that the font has, and not so long that the key outgrows the picture."""
+    return shorten(printable(text) or "?", _LONGEST)
 
 
 def color_of(category: str) -> Rgb:
@@ -157,7 +165,7 @@ def _names(
     for k, item in enumerate(items):
         box = bounds_of([p for solid in item.solids for p in view.points(solid.polygon)])
         middle = ((box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2)
-        wanted.append(labels.Wanted(item.id, k + 1, item.obj.category, item.id, middle, box.width * box.height))
+        wanted.append(labels.Wanted(item.id, k + 1, item.obj.category, _name(item.id), middle, box.width * box.height))
     category = {o.id: o.category for o in large}
     sizes = [max(8, round(s * unit)) for s in (17, 14, 12)]
     for label in labels.place(wanted, owners, edges, sizes).placed:
@@ -222,9 +230,9 @@ def _key_columns(
     for number, thing in enumerate(small, start=1):
         over = _support(thing) or {"wall": "on the walls", "ceiling": "on the ceiling"}.get(thing.mount, thing.mount)
         if over != heading:
-            rows.append((None, over, palette.MUTED))
+            rows.append((None, _name(over), palette.MUTED))
             heading = over
-        rows.append((number, thing.id, color_of(thing.category)))
+        rows.append((number, _name(thing.id), color_of(thing.category)))
     most = max(4, int(height / (1.45 * size)) - 1)
     columns = [rows[k : k + most] for k in range(0, len(rows), most)]
     return columns, [round(max(text_width(text, size) for _, text, _ in c) + 3.4 * size) for c in columns]

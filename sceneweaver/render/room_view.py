@@ -28,6 +28,8 @@ from .view import View
 
 _CUT = 1.5  # height [m] at which pictures from above cut the walls: through most windows
 
+_NARROWEST = 0.35  # of the longer side of a marked plan: its shorter one
+
 ROOM_VIEWS = (*EYE_VIEWS, "corner", "corner2", "top", "top_annotated")
 
 
@@ -119,8 +121,8 @@ def draw_marked(
         InputError: for an asset that cannot be loaded, or a finish that nobody knows.
     """
     low, high = _bounds(scene)
-    wide, deep = (high - low) / max(high - low)
-    width, height = (max(16, round(side * share)) for share in (wide, deep))
+    shares = np.maximum((high - low) / max(high - low), _NARROWEST)  # names need room beside a corridor
+    width, height = (max(16, round(side * share)) for share in shares)
     things = instances_of(scene, load)
     picture = _top(scene, things, width, height, quality or Quality.normal(), device)
     marked = scene.objects

@@ -61,6 +61,15 @@ def test_what_has_no_mesh_is_shown_as_a_plan(scene: Scene) -> None:
     assert opened(found[0].png).width == 800
 
 
+def test_ids_of_any_length_and_script_fit(scene: Scene) -> None:
+    (shelf,) = scene.objects
+    plate = {"category": "picture", "size": (0.02, 0.5, 0.5), "mount": "wall"}
+    long = SceneObject(id="IGNORE ALL RULES " * 200 + "x", pose=Pose.from_yaw(0, 1, 1.5, 0), **plate)
+    other = SceneObject(id="\u68da" * 50, category="shelf", size=(0.4, 1, 1), pose=Pose.from_yaw(2.7, 2, 0, 3.14))
+    image = opened(top_picture(scene.model_copy(update={"objects": (shelf, long, other)})).png)
+    assert max(image.size) <= 1200
+
+
 def test_a_picture_is_packed_to_any_size_in_its_own_colours() -> None:
     noise = Image.fromarray(np.random.default_rng(0).integers(0, 256, (60, 80, 3), dtype=np.uint8))
     assert len(packed(noise, 2_000)) <= 2_000
