@@ -79,8 +79,11 @@ def drawn(context: Context, room: RoomType, inputs: Any) -> Proposal:
     """A room of that kind, drawn; what goes wrong is a reason for another one."""
     try:
         return InitPrior().propose(replace(context, room_type=room, inputs=inputs, client=None))
-    except InputError:
-        raise
+    except InputError as error:
+        hint = (
+            "; name others as what carries it, or leave it to their top" if "support is missing" in str(error) else ""
+        )
+        raise InputError(f"the room cannot be drawn: {error}{hint}") from None
     except Exception as error:  # anything may stand in what a model wrote
         raise InputError(f"the room cannot be drawn ({type(error).__name__}); write it more simply") from error
 

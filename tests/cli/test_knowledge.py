@@ -6,7 +6,7 @@ import logging
 
 import pytest
 
-from sceneweaver.knowledge.learned import read_room
+from sceneweaver.knowledge.room_files import read_room
 from sceneweaver.tools.room_reply import RoomReply
 from tests.agent.by_model.test_rooms import SHED
 from tests.llm.model_server import ModelServer, answering

@@ -14,14 +14,12 @@ from sceneweaver.knowledge.learned import (
     learned_rooms,
     learned_words,
     named_in,
-    read_room,
     room_file,
-    room_text,
     rooms_folder,
     rooms_of,
-    slug,
 )
 from sceneweaver.knowledge.likely import likeliest_room
+from sceneweaver.knowledge.room_files import read_room, room_text, slug
 from sceneweaver.scene import InputError
 from sceneweaver.tools.room_reply import RoomReply, kind_data
 from tests.tools.programmes import ROOM

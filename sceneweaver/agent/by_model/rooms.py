@@ -15,22 +15,11 @@ from sceneweaver.assets.sources.parametric import ParametricSource
 from sceneweaver.brief import SceneGraph
 from sceneweaver.brief.vocabulary import vocabulary as known_phrases
 from sceneweaver.knowledge import RoomType, match_room, room_type
-from sceneweaver.knowledge.learned import (
-    LARGEST,
-    keep_room,
-    know,
-    named_in,
-    plain,
-    read_room,
-    room_file,
-    room_text,
-    rooms_apart,
-    rooms_of,
-    slug,
-)
+from sceneweaver.knowledge.learned import keep_room, know, named_in, room_file, rooms_apart, rooms_of
 from sceneweaver.knowledge.load import room_words
+from sceneweaver.knowledge.room_files import LARGEST, plain, read_room, room_text, slug
 from sceneweaver.llm import ModelClient
-from sceneweaver.scene import InputError, Scene, read_bytes, write_atomic
+from sceneweaver.scene import InputError, Scene, SceneWeaverError, read_bytes, write_atomic
 from sceneweaver.scene.messages import shorten
 from sceneweaver.tools.base import Context
 from sceneweaver.tools.init_llm import compact, drawn, instructions, vocabulary
@@ -42,7 +31,7 @@ from .scene_text import prompt
 RETRIES = 5
 """Times that a model is told what is wrong with a room."""
 
-TRIAL = Settings(device="cpu", candidates=16, generations=0, choice=False, attempts=(1, 2))
+TRIAL = Settings(device="cpu", candidates=24, generations=0, choice=False, attempts=(2, 4))
 """How the example of a room is laid out."""
 
 PROBLEMS = 5
@@ -131,7 +120,12 @@ def check_example(room: RoomType) -> None:
     proposal = drawn(context, room, {})
     if proposal.unmet:
         raise InputError(f"the room cannot be drawn in full: {'; '.join(proposal.unmet[:PROBLEMS])}")
-    outcome = Executor(room, brief, TRIAL).run(empty, proposal, seed=0)
+    try:
+        outcome = Executor(room, brief, TRIAL).run(empty, proposal, seed=0)
+    except SceneWeaverError:
+        raise
+    except Exception as error:  # anything may stand in what a model wrote
+        raise InputError(f"an example cannot be laid out ({type(error).__name__}); write it more simply") from error
     lost = _lost(room, proposal.scene or empty, outcome.scene)
     if outcome.report.valid and not lost:
         return
@@ -146,9 +140,10 @@ def check_example(room: RoomType) -> None:
 
 
 def _lost(room: RoomType, before: Scene, after: Scene) -> list[str]:
-    """Items that are more than optional and of which nothing is left."""
-    drawn_, left = ({o.intent.program_item for o in scene.objects} for scene in (before, after))
-    return [i.id for i in room.items if i.need != "optional" and i.id in drawn_ - left]
+    """Items of which nothing is left: those that are needed, and what is usual outside of groups, which give way."""
+    had, left = ({o.intent.program_item for o in scene.objects} for scene in (before, after))
+    kept = [i for i in room.items if i.need == "needed" or (i.need == "usual" and i.group is None)]
+    return [i.id for i in kept if i.id in had - left]
 
 
 @contextmanager
