@@ -401,9 +401,16 @@ def mcp(
     ] = 300.0,
     scenes: Annotated[int, typer.Option(min=1, max=1000, help="Scenes that may be open at once.")] = 16,
     versions: Annotated[int, typer.Option(min=2, max=10_000, help="Versions that are kept of a scene.")] = 100,
+    model: Model = None,
+    base_url: BaseUrl = None,
+    max_calls: MaxCalls = None,
+    max_tokens: MaxTokens = None,
+    max_cost: MaxCost = None,
+    prices: PriceFile = None,
 ) -> int:
     """Serve rooms to assistants over the Model Context Protocol: design, edit, check, render, export."""
     from .mcp import run_mcp
+    from .model_options import model_arguments
 
     return run_mcp(
         folder,
@@ -413,6 +420,21 @@ def mcp(
         time_limit=time_limit,
         scenes=scenes,
         versions=versions,
+        models=model_arguments(
+            model=model,
+            base_url=base_url,
+            max_calls=max_calls,
+            max_tokens=max_tokens,
+            max_cost=max_cost,
+            prices=prices,
+            reader=None,
+            critic=None,
+            samples=1,
+            stream=None,
+            memory_length=None,
+            replay=None,
+            strict=False,
+        ),
     )
 
 

@@ -38,6 +38,7 @@ def design(job: Job, *, prompt: str, out: str, **options: Any) -> dict[str, Any]
         "unmet": list(result.unmet),
         "undone": list(result.undone),
         "finished": result.finished,
+        "model": result.models.to_dict() if result.models else None,
     }
 
 

@@ -14,12 +14,13 @@ from pydantic import BaseModel
 
 from sceneweaver.scene import InputError, Scene
 
-from .answers import RoomFacts, SceneState, Thing, faults, state_text
+from .answers import RoomFacts, SceneState, Thing
 from .differences import difference, relation_words
 from .files import Files
 from .handles import Handle, Handles, Version
 from .limits import MOST_LISTED, MOST_OBJECTS, Limits
 from .paths import Folder
+from .words import faults, state_text
 from .workers import Workers
 
 

@@ -8,10 +8,11 @@ from mcp.server.mcpserver import Context
 from mcp_types import CallToolResult
 from pydantic import Field
 
-from .answers import Checked, Explained, SceneState, faults
+from .answers import Checked, Explained, SceneState
 from .inputs import SceneId, Seconds, Seed, VersionNumber
 from .limits import MOST_LISTED
 from .service import Service, answer
+from .words import faults
 
 USUAL = 60.0
 """Seconds that laying out, mending and explaining may take unless the call says otherwise."""

@@ -15,15 +15,19 @@ from pydantic import Field
 from sceneweaver.scene import InputError, Scene, read_bytes
 from sceneweaver.scene.io import EXAMPLES
 
-from .answers import Closed, DesignedScene, OpenedScene, OpenScene, SceneList, state_text
+from .answers import Closed, DesignedScene, OpenedScene, OpenScene, SceneList
 from .handles import Handles
 from .inputs import Name, Prompt, SceneId, Seconds, Seed
 from .limits import MOST_FOUND, MOST_SCENE
 from .paths import Folder
 from .service import Progress, Service, answer
+from .words import state_text
 
 USUAL = 120.0
 """Seconds that a design may take unless the call says otherwise."""
+
+USUAL_BY_MODEL = 600.0
+"""The same where a language model plans it, as far as the server gives so much."""
 
 STARTING = 20.0
 """Seconds that the process of a design may take beyond its time limit: it starts up, and writes the results."""
@@ -66,7 +70,7 @@ class SceneTools:
         """
         service = self.service
         service.handles.require_room()
-        seconds = service.seconds(time_limit, USUAL)
+        seconds = service.seconds(time_limit, USUAL if planner == "rules" else USUAL_BY_MODEL)
         if planner == "llm" and service.llm is None:
             raise InputError("planner: llm needs a model, and this server was started without one; use rules")
         name = folder or service.files.free_name("room")
@@ -100,6 +104,7 @@ class SceneTools:
             steps=made["steps"],
             finished=made["finished"],
             undone=[service.folder.without_paths(each) for each in made["undone"]],
+            model=made["model"],
         )
         return answer(state, state_text(state))
 

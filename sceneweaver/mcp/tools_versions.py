@@ -8,10 +8,11 @@ from mcp.server.mcpserver import Context
 from mcp_types import CallToolResult
 from pydantic import Field
 
-from .answers import Diff, SceneState, difference_lines, state_text
+from .answers import Diff, SceneState
 from .differences import difference
 from .inputs import SceneId, VersionNumber
 from .service import Service, answer, uri_of
+from .words import difference_lines, state_text
 
 
 class VersionTools:

@@ -90,6 +90,7 @@ def _answer(
 
 def main() -> None:
     """Take over the connection; what anything prints goes to stderr."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is for the server, which ends us
+    for number in (signal.SIGINT, signal.SIGTERM):  # they are for the server, which ends us in order
+        signal.signal(number, signal.SIG_IGN)
     os.dup2(2, 1)
     run(Connection(int(sys.argv[1])), sys.argv[2])

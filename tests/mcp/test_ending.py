@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import json
-import os
 import signal
 import subprocess
 import sys
-import threading
 from pathlib import Path
 
 import pytest
@@ -17,25 +15,11 @@ from tests.mcp.driving import (
     LONG,
     ROOT,
     children,
-    command,
     connected,
     http_server,
     in_good_order,
-    over_stdio,
     wait_for,
 )
-
-
-def test_a_client_that_closes_stdin_leaves_nothing_behind(tmp_path):
-    begun = threading.Event()
-    with over_stdio(tmp_path) as driver:
-        (server,) = [pid for pid in children(os.getpid()) if str(tmp_path).encode() in command(pid)]
-        driver.begin("design", lambda *_: begun.set(), folder="big", **LONG)
-        assert begun.wait(60)
-        workers = children(server)
-        assert workers
-    wait_for(lambda: not any(Path(f"/proc/{pid}").exists() for pid in (server, *workers)))
-    assert in_good_order(tmp_path)
 
 
 @pytest.mark.parametrize(
@@ -59,26 +43,34 @@ def test_a_signal_ends_the_server_and_its_processes(tmp_path, number):
         assert "Traceback" not in process.stderr.read()
 
 
-def test_stdout_is_the_protocol_alone_and_sigterm_ends_it(tmp_path):
-    arguments = [sys.executable, *ARGUMENTS, "--folder", str(tmp_path)]
-    process = subprocess.Popen(
-        arguments, cwd=ROOT, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE
-    )
+@pytest.mark.parametrize("how", ["stdin closes", pytest.param("SIGTERM", marks=pytest.mark.slow)])
+def test_stdio_carries_the_protocol_alone_and_ends_in_the_middle_of_a_design(tmp_path, how):
+    arguments, pipe = [sys.executable, *ARGUMENTS, "--folder", str(tmp_path)], subprocess.PIPE
+    process = subprocess.Popen(arguments, cwd=ROOT, stdin=pipe, stdout=pipe, stderr=pipe)
     assert process.stdin and process.stdout and process.stderr
     hello = {"protocolVersion": "2025-06-18", "capabilities": {}, "clientInfo": {"name": "test", "version": "1"}}
+    opened = {"name": "open", "arguments": {"name": "study"}}
+    design = {"name": "design", "arguments": {"folder": "big", **LONG}, "_meta": {"progressToken": 1}}
     for message in (
         {"id": 1, "method": "initialize", "params": hello},
         {"method": "notifications/initialized"},
-        {"id": 2, "method": "tools/call", "params": {"name": "open", "arguments": {"name": "study"}}},
+        {"id": 2, "method": "tools/call", "params": opened},
+        {"id": 3, "method": "tools/call", "params": design},
     ):
         process.stdin.write(json.dumps({"jsonrpc": "2.0", **message}).encode() + b"\n")
         process.stdin.flush()
         if "id" in message:
-            answer = json.loads(process.stdout.readline())
-            assert answer["id"] == message["id"] and "result" in answer
-    process.send_signal(signal.SIGTERM)
-    assert process.wait(30) == 0
-    assert process.stdout.read() == b""
+            heard = json.loads(process.stdout.readline())
+            assert heard.get("id") == message["id"] or heard["method"] == "notifications/progress"
+    wait_for(lambda: (tmp_path / "big/steps").exists())
+    workers = children(process.pid)
+    assert workers
+    process.stdin.close() if how == "stdin closes" else process.send_signal(signal.SIGTERM)
+    assert process.wait(60) == 0
+    wait_for(lambda: not any(Path(f"/proc/{pid}").exists() for pid in workers))
+    assert in_good_order(tmp_path)
+    for line in process.stdout.read().splitlines():
+        assert json.loads(line)["jsonrpc"] == "2.0"
     assert b"Traceback" not in process.stderr.read()
     for stream in (process.stdin, process.stdout, process.stderr):
         stream.close()
