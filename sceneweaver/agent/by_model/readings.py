@@ -149,7 +149,7 @@ class _Union(UnionThings):
             mine, theirs = getattr(self.offline, name), getattr(self.model, name)
             if mine == theirs or (name in LISTS and (mine == usual or theirs != usual)):
                 continue
-            keep = theirs == usual
+            keep = theirs == usual and not (name == "room_type" and self.model.room_words)  # it named another kind
             if keep:
                 self.facts[name] = mine
                 if name == "room_type":

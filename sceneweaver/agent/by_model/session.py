@@ -194,7 +194,8 @@ class Session:
             return brief
         said = tuple(note for note in brief.notes if not note.endswith(UNKNOWN))
         known = f"'{words}' is a kind of room as a model described it"
-        return brief.model_copy(update={"room_type": room.name, "notes": (*said, known)})
+        unread = tuple(left for left in brief.unread if left.words != brief.room_words)
+        return brief.model_copy(update={"room_type": room.name, "notes": (*said, known), "unread": unread})
 
     def serve(self, run: Run) -> None:
         """Give a run what asks the model in it."""
