@@ -11,6 +11,7 @@ from benchmarks.settings import Settings
 
 from . import (
     ablations,
+    by_model,
     choice,
     cold,
     critic,
@@ -65,6 +66,7 @@ FAMILIES: Mapping[str, Family] = MappingProxyType(
         "jax": jax_calls.run,
         "requests": requests.run,
         "odd": odd.run,
+        "by_model": by_model.run,
         "physics": physics.run,
         "environments": environments.run,
         "stability": stability.run,
