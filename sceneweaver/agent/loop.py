@@ -25,16 +25,11 @@ from .faults import fault
 from .folder import RunFolder
 from .interrupt import TimeUp
 from .memory import Call, Memory, Step, Thought
-from .planner import LISTS, Planner, Situation, Thinker
+from .planner import Planner, Situation, Thinker
+from .plans import next_calls
 from .relaxation import REASON, cleared
 from .settings import Settings
-from .sight import about_as_good, seen_better, seen_worse
-
-BLIND_PLAN = ("init_prior", "add_tabletop", "add_crowd", "add_wall_objects", "update_layout")
-"""What is done, in this order, when there is no reflection: the tools that need not be told where to act."""
-
-WHOLE_PLAN = 8
-"""Calls of a plan that is made once, at most."""
+from .sight import Look, looked
 
 GRACE, FIRST_GRACE, LEAST_GRACE = 0.2, 0.6, 1.0
 """How much of the time kept for the files a step has to end in good order, how much as long as there is no layout, and
@@ -55,9 +50,6 @@ Said = Callable[[Step], None]
 
 Fill = Callable[[Registered, Context, Call], Call]
 """Has a model write the inputs of a call; InputError or ModelError when it does not."""
-
-Look = Callable[[Outcome], Outcome]
-"""The outcome with what a critic by vision saw of it in its review, or as it was where that saw nothing."""
 
 GOOD = {"layout": 5.0, "functionality": 7.0}
 """Grades from which on a first layout that lacks nothing is taken without another draw; what is needed and out of reach
@@ -208,55 +200,22 @@ class Run:
         return f"the planner stopped: {stop}" if stop else "nothing is left that a tool can mend"
 
     def _calls(self) -> list[Call]:
-        at = len(self.memory.steps)
-        self.thought = None
-        if not self.settings.reflect:
-            plan = self._blind_plan()
-            return [plan[at]] if at < len(plan) else []
-        if not self.settings.one_shot:
-            return self._planned(self.settings)
-        if self.best is None:
-            return self._planned(self.settings)[:1]
-        if self.memory.plan is None:
-            self.memory = self.memory.model_copy(update={"plan": self._whole_plan()})
-        return list((self.memory.plan or ())[at - 1 : at])
-
-    def _planned(self, settings: Settings, whole: bool = False) -> list[Call]:
-        scene, review, report = (
-            (self.best.scene, self.best.review, self.best.report) if self.best else (None, None, None)
-        )
-        cards = {name: tool.card for name, tool in self.tools.items()}
-        brief, memory = self.brief, self.memory
+        """What to try in the next step."""
+        best = self.best
         situation = Situation(
-            brief, self.room_type, scene, review, memory, cards, settings, report, self.library, whole
+            self.brief,
+            self.room_type,
+            best.scene if best else None,
+            best.review if best else None,
+            self.memory,
+            {name: tool.card for name, tool in self.tools.items()},
+            self.settings,
+            best.report if best else None,
+            self.library,
         )
-        if not isinstance(self.planner, Thinker):
-            return self.planner.plan(situation)
-        self.thought = self.planner.think(situation)
-        self.memory = self.memory.noted(self.thought.note)
-        return list(self.thought.ranked if whole else self.thought.ranked[: settings.side_by_side])
-
-    def _blind_plan(self) -> tuple[Call, ...]:
-        """What is to be done without ever looking at the scene."""
-        if isinstance(self.planner, Thinker):
-            if self.memory.plan is None:
-                plan = tuple(self._planned(self.settings, whole=True))
-                by_model = self.thought is not None and self.thought.by != "rules"
-                self.memory = self.memory.model_copy(update={"plan": plan if by_model else self._usual_plan()})
-            return self.memory.plan or ()
-        return self._usual_plan()
-
-    def _usual_plan(self) -> tuple[Call, ...]:
-        names = [name for name in BLIND_PLAN if name in self.tools]
-        return tuple(Call(tool=name, seed=self.settings.seed, reason="fixed plan") for name in names)
-
-    def _whole_plan(self) -> tuple[Call, ...]:
-        """What is to be done, by the first scene alone; of calls for all faults and for one of them, that for all."""
-        calls = self._planned(self.settings.model_copy(update={"side_by_side": WHOLE_PLAN}), whole=True)
-        if self.thought is not None and self.thought.by != "rules":
-            return tuple(calls)
-        before = [{c.tool for c in calls[:k]} for k in range(len(calls))]
-        return tuple(c for c, done in zip(calls, before, strict=True) if c.tool not in LISTS or c.tool not in done)
+        planned = next_calls(self.planner, situation)
+        self.memory, self.thought = planned.memory, planned.thought
+        return list(planned.calls)
 
     def _tried(self, executor: Executor, calls: list[Call]) -> tuple[dict[int, Outcome], list[dict[str, Any]]]:
         """What each call leads to; one that fails says why and leaves the others alone, and time may be up in one."""
@@ -331,21 +290,6 @@ class Run:
         clutter = self.settings.clutter
         return Context(self.brief, self.room_type, scene, self.library, seed, clutter=clutter, client=self.client)
 
-    def _looked(self, outcomes: dict[int, Outcome], winner: int, accepted: bool) -> tuple[bool, str]:
-        """Whether the winner of a step is kept once it was looked at, and why, where that is by sight."""
-        assert self.look is not None
-        old, new = self.best, outcomes[winner]
-        if not accepted and (old is None or old.review.seen is None or not about_as_good(old, new)):
-            return False, ""
-        outcomes[winner] = new = self.look(new)
-        if old is None:
-            return True, ""
-        if accepted:
-            worse = seen_worse(old, new)
-            return not worse, worse
-        better = seen_better(old, new)
-        return bool(better), better
-
     def _take(
         self, outcomes: dict[int, Outcome], tried: list[dict[str, Any]], calls: list[Call], spent: float, attempts: int
     ) -> None:
@@ -356,7 +300,7 @@ class Run:
         accepted = winner is not None and (old is None or free or outcomes[winner].key < old.key)
         seen = ""
         if winner is not None and self.look is not None and not (free and old is not None):
-            accepted, seen = self._looked(outcomes, winner, accepted)
+            outcomes[winner], accepted, seen = looked(old, outcomes[winner], accepted, self.look)
         vain = [k for k in range(len(calls)) if k not in outcomes or (old and outcomes[k].key >= old.key)]
         if winner is not None and (winner in vain) == accepted and seen:
             vain = [k for k in vain if k != winner] if accepted else [*vain, winner]

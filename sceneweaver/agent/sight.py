@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from .executor import Outcome
+
+Look = Callable[[Outcome], Outcome]
+"""The outcome with what a critic by vision saw of it in its review, or as it was where that saw nothing."""
 
 SEEN_WORSE, SEEN_BETTER = 0.75, 0.3
 """Points of the mean grade by vision that a step which is better by measure may lose, and that one which is about as
@@ -10,6 +15,27 @@ good has to gain; more than the samples differ anyway."""
 
 NEAR = 0.4
 """Points of the mean grade by measure up to which a scene is about as good as another."""
+
+
+def looked(old: Outcome | None, new: Outcome, accepted: bool, look: Look) -> tuple[Outcome, bool, str]:
+    """The winner of a step once it was looked at, whether it is kept, and why, where that is by sight.
+
+    Args:
+        old: the scene before; None in the first step.
+        new: the winner.
+        accepted: whether it is better by measure.
+        look: looks.
+    """
+    if not accepted and (old is None or old.review.seen is None or not about_as_good(old, new)):
+        return new, False, ""
+    new = look(new)
+    if old is None:
+        return new, True, ""
+    if accepted:
+        worse = seen_worse(old, new)
+        return new, not worse, worse
+    better = seen_better(old, new)
+    return new, bool(better), better
 
 
 def about_as_good(old: Outcome, new: Outcome) -> bool:
