@@ -14,7 +14,7 @@ from sceneweaver.knowledge import RoomType
 from sceneweaver.knowledge.load import group_templates
 from sceneweaver.knowledge.surfaces import arrangements, crowds
 from sceneweaver.llm import ModelError
-from sceneweaver.scene import CATALOGUE, InputError
+from sceneweaver.scene import CATALOGUE, InputError, Scene
 from sceneweaver.scene.messages import shorten
 
 from .base import Context, Proposal
@@ -61,9 +61,18 @@ class InitLlm:
             f"a model wrote down what the room holds: {len(room.items)} kinds of things for {shorten(reply.kind, 60)}"
         )
         scene = made.scene
+        absent = _absent(room, scene)
+        if absent:
+            said += f"; not in it, as the request names such things itself or there is no place: {', '.join(absent)}"
         if scene is not None:
             scene = scene.model_copy(update={"provenance": {**scene.provenance, "tool": self.name}})
         return replace(made, scene=scene, notes=(said, *made.notes))
+
+
+def _absent(room: RoomType, scene: Scene | None) -> list[str]:
+    """Items of which nothing was drawn."""
+    there = {o.intent.program_item for o in scene.objects} if scene is not None else set()
+    return [item.id for item in room.items if item.id not in there and item.count.most > 0]
 
 
 def programme(reply: ProgrammeReply, usual: RoomType) -> RoomType:
@@ -72,7 +81,7 @@ def programme(reply: ProgrammeReply, usual: RoomType) -> RoomType:
     own = usual.model_dump(exclude={"items", "area", "people", "made_of"})
     area = (min(least, reply.area), reply.area, max(largest, reply.area))
     people = usual.people if reply.people is None else reply.people
-    return room_of(reply, **{**own, "area": area, "people": people})
+    return room_of(reply, **{**own, "area": area, "people": people, "for_request": True})
 
 
 def drawn(context: Context, room: RoomType, inputs: Any) -> Proposal:

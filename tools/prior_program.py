@@ -194,7 +194,7 @@ def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, wi
             names = tuple(c for c in names if c not in FULL_LENGTH) or tuple({BLIND} - banned)
         if not names or (brief.only and item.need != "needed") or (brief.only and brief.entities):
             continue
-        if item.id not in holders and not _usual_enough(item, brief, keep):
+        if item.id not in holders and not room_type.for_request and not _usual_enough(item, brief, keep):
             continue
         count = windows if _hangs_at_windows(item) else item.count.of(area, people, draw)
         start = int(pick * len(names)) if item.need != "needed" or len(names) > 1 else 0

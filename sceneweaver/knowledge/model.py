@@ -192,6 +192,9 @@ class RoomType(FrozenModel):
     styles: tuple[str, ...] = ("modern", "scandinavian")
     floor: Literal["wood", "tile", "carpet", "concrete", "stone"] = "wood"
     fill: float = Field(default=0.33, gt=0, lt=1, description="Share of the floor that furniture takes as a rule")
+    for_request: bool = Field(
+        default=False, description="Whether it was written for the very request, so that all of it is wanted"
+    )
     made_of: tuple[str, ...] = Field(default=(), description="Items that may be most of it: chairs in a restaurant")
     items: tuple[Item, ...]
 

@@ -200,3 +200,22 @@ def test_rules_never_offer_it():
 
     offered = [n for n, t in tools().items() if usable(n, t, Settings(), room_type("bedroom"))]
     assert "init_llm" not in offered and "init_prior" in offered
+
+
+def test_all_that_a_model_wrote_is_there_however_much_the_request_says(library):
+    names = "a bunk bed, a desk, a chair, a wardrobe, a mirror, a rug, a plant, a clock, a poster, a vase and a bin"
+    text = f"a dormitory with {names}"
+    asked = [
+        item("rug", "rug"),
+        item("mirror", "wall_mirror", mount="wall"),
+        item("plant", "potted plant"),
+        item("clock", "wall clock"),
+        item("poster", "poster"),
+        item("vase", "vase", on=["table", "desk"]),
+        item("bin", "wastebasket"),
+    ]
+    script = Script({**GOOD, "area": 60, "items": [*HELD, *asked]})
+    made = proposed(library, script, text=text)
+    assert script.refusals == [] and made.scene is not None
+    kinds = {o.intent.program_item for o in made.scene.objects}
+    assert {"stove", "shelf", "lamp", "locker", "table"} <= kinds
