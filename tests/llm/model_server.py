@@ -22,6 +22,7 @@ from tests.llm.said import Said as Said
 from tests.llm.said import Script as Script
 from tests.llm.said import answering as answering
 from tests.llm.said import output_tool as output_tool
+from tests.llm.said import says as says
 from tests.llm.wire import PROTOCOLS, Wire
 
 MODEL = "scripted-1"
