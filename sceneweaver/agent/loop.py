@@ -173,7 +173,8 @@ class Run:
         s, memory = self.settings, self.memory
         if self.best is not None and self.deadline.passed:
             return self._cut()
-        if len(memory.steps) >= s.steps:
+        rescue = self.best is None and isinstance(self.planner, Thinker)  # no run of a model ends without a room
+        if len(memory.steps) >= s.steps + rescue:
             return f"{s.steps} steps"
         if memory.attempts >= s.work:
             return f"{s.work} attempts"

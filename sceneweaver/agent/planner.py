@@ -129,7 +129,7 @@ def beginnings(situation: Situation) -> list[Call]:
     settings, memory = situation.settings, situation.memory
     found = []
     for name, card in situation.cards.items():
-        if card.role == "initializer":
+        if card.role == "initializer" and card.needs is None:
             found.append((card.confidence * memory.confidence.get(name, 1.0), name))
     found.sort(key=lambda row: (-row[0], row[1]))
     if not found:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from .memory import Call, Memory, Thought
-from .planner import LISTS, Planner, Situation, Thinker
+from .planner import LISTS, Planner, RulesPlanner, Situation, Thinker
 
 BLIND_PLAN = ("init_prior", "add_tabletop", "add_crowd", "add_wall_objects", "update_layout")
 """What is done, in this order, when there is no reflection: the tools that need not be told where to act."""
@@ -32,15 +32,30 @@ def next_calls(planner: Planner, situation: Situation) -> Planned:
     """What to try next; no calls when nothing is left to do."""
     settings, memory = situation.settings, situation.memory
     at = len(memory.steps)
+    free = not settings.reflect or settings.one_shot
+    if situation.scene is None and at >= (1 if free else settings.steps) and isinstance(planner, Thinker):
+        return _rescued(situation)
     if not settings.reflect:
-        return _following(planner, replace(situation, whole=True), at)
+        return _following(planner, replace(situation, whole=True), at - _vain_beginnings(memory))
     if not settings.one_shot:
         return _asked(planner, situation)
     if situation.scene is None:
         first = _asked(planner, situation)
         return replace(first, calls=first.calls[:1])
     wide = settings.model_copy(update={"side_by_side": WHOLE_PLAN})
-    return _following(planner, replace(situation, whole=True, settings=wide), at - 1)
+    return _following(planner, replace(situation, whole=True, settings=wide), at - 1 - _vain_beginnings(memory))
+
+
+def _vain_beginnings(memory: Memory) -> int:
+    """Steps in which a beginning by a model failed and the rules' took its place in the plan."""
+    return int(len(memory.steps) > 1 and not memory.steps[0].accepted and memory.steps[0].plan is not None)
+
+
+def _rescued(situation: Situation) -> Planned:
+    """The beginning by rules where no call of a model began a room and it may try no more: no run ends without one."""
+    calls = tuple(RulesPlanner().plan(situation)[:1])
+    note = f"step {len(situation.memory.steps) + 1}: the rules began the room, as no call of the model did"
+    return Planned(calls, situation.memory.noted(note), Thought(ranked=calls, note=note))
 
 
 def _asked(planner: Planner, situation: Situation) -> Planned:

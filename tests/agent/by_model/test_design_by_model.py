@@ -100,6 +100,16 @@ def test_ablations(switches, plans, expected):
     assert len(told) == len(plans) + (not result.report.valid)  # a stop is not heard while the scene is not valid
 
 
+@pytest.mark.parametrize("switches", [{}, {"reflect": False}, {"one_shot": True}])
+@pytest.mark.parametrize("steps", [1, 3])
+def test_a_beginning_of_the_model_that_fails_is_not_the_end(switches, steps):
+    nowhere = {"tool": "init_library", "confidence": 1, "instruction": "Begin.", "inputs": {"name": "nowhere"}}
+    plan = {"problem": "no room", "calls": [nowhere, *([FILL["calls"][0]] if switches == {"reflect": False} else [])]}
+    result = run(says(plan)[0], "a bedroom", steps=steps, **switches)
+    assert result.report.valid and result.scene.objects and "init_prior" in tools_of(result)
+    assert any("the rules began the room" in note or "the rules planned" in note for note in result.notes)
+
+
 def test_without_reflection_the_rules_have_their_fixed_plan():
     result = run(TestModel(), steps=2, reflect=False)
     assert tools_of(result) == ["init_prior", "add_tabletop"]
