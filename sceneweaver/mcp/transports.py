@@ -64,8 +64,6 @@ def serve_http(server: SceneServer, port: int) -> None:
         timeout_graceful_shutdown=CLOSED_AFTER,
         access_log=False,
     )
-    sys.stderr.write(f"sceneweaver: MCP at http://{HOST}:{port}{PATH}  (Ctrl-C ends)\n")
-    sys.stderr.flush()
     with listener:
         try:
             _Server(config).run(sockets=[listener])
@@ -74,7 +72,17 @@ def serve_http(server: SceneServer, port: int) -> None:
 
 
 class _Server(uvicorn.Server):
-    """A server that ends in order on a signal, and is done then: uvicorn's own would raise the signal once more."""
+    """A server that says where it is once it can be reached, and ends in order on a signal.
+
+    It is done then; uvicorn's own would raise the signal once more.
+    """
+
+    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+        """Begin to answer, and say where."""
+        await super().startup(sockets)
+        for one in sockets or ():
+            sys.stderr.write(f"sceneweaver: MCP at http://{HOST}:{one.getsockname()[1]}{PATH}  (Ctrl-C ends)\n")
+        sys.stderr.flush()
 
     @contextmanager
     def capture_signals(self) -> Iterator[None]:

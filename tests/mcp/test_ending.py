@@ -22,14 +22,14 @@ from tests.mcp.driving import (
 )
 
 
-@pytest.mark.parametrize(
-    "number",
-    [
-        signal.SIGTERM,
-        pytest.param(signal.SIGINT, marks=pytest.mark.slow),
-        pytest.param(signal.SIGKILL, marks=pytest.mark.slow),
-    ],
-)
+def test_sigterm_ends_a_server_of_http(tmp_path):
+    with http_server(tmp_path) as (_, process):
+        process.send_signal(signal.SIGTERM)
+        assert process.wait(30) == 0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT, signal.SIGKILL])
 def test_a_signal_ends_the_server_and_its_processes(tmp_path, number):
     with http_server(tmp_path) as (address, process):
         with connected(address) as driver:
