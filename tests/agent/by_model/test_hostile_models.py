@@ -7,11 +7,12 @@ from pathlib import Path
 
 import pytest
 
+from sceneweaver.agent.by_model.plan_reply import Plan
 from sceneweaver.llm import attempts
 from tests.agent.by_model.hostile import assert_honest, assert_sound, designed
-from tests.agent.by_model.obliging import obliging
+from tests.agent.by_model.obliging import call, obliging
 from tests.llm.misbehaviour import Misbehaviour, always, catalogue, misbehaving, seeded
-from tests.llm.model_server import ModelServer
+from tests.llm.model_server import Asked, ModelServer, Said, says
 from tests.llm.planted_key import planted
 
 PASSING = catalogue("answers", "shapes", "large", "echoes", "broken")
@@ -36,6 +37,18 @@ def test_a_model_that_does_its_best_plans_every_step(tmp_path: Path) -> None:
     assert_sound(tmp_path / "run")
     assert_honest(result, tmp_path / "run")
     assert result.models is not None and "rules" not in result.models.planned and not result.models.lost
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("tool", ["init_library", "init_llm"])
+def test_a_beginning_that_fails_in_the_only_step(tool: str, tmp_path: Path) -> None:
+    def script(asked: Asked) -> Said:
+        return says({"calls": [call(tool)]}, asked) if asked.wants(Plan) else obliging(asked)
+
+    with planted() as key, ModelServer(script) as server:
+        result = designed(server, tmp_path / "run", key, steps=1, critic="symbolic")
+    assert_sound(tmp_path / "run")
+    assert_honest(result, tmp_path / "run")
 
 
 SEEDS = [pytest.param(seed, marks=[] if seed < 1 else pytest.mark.slow) for seed in range(24)]
