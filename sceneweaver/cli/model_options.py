@@ -8,8 +8,6 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from sceneweaver.scene import InputError
-
 if TYPE_CHECKING:
     from sceneweaver.agent import Result
 
@@ -151,6 +149,8 @@ def request_of(prompt: str, replay: Path | None) -> str:
     Raises:
         InputError: when it is missing.
     """
+    from sceneweaver.scene import InputError
+
     if not prompt and replay is None:
         raise InputError("prompt: is missing; say what room to make, as in: sceneweaver design 'a bedroom' --out out")
     return prompt
