@@ -59,9 +59,11 @@ def _wanted(scene: Scene, inputs: Mapping[str, Any]) -> dict[str, Size]:
     for id in known_ids(scene, list(ids or ()), "tool update_size: inputs.ids"):
         d, w, h = (s * float(scale or 1.0) for s in scene.object(id).size)
         wanted[id] = (d, w, h)
-    for id, (d, w, h) in (sizes or {}).items():
+    for id, given in (sizes or {}).items():
         known_ids(scene, [id], "tool update_size: inputs.sizes")
-        wanted[id] = (float(d), float(w), float(h))
+        own = scene.object(id).size
+        d, w, h = (float(own[k] if extent is None else extent) for k, extent in enumerate(given))
+        wanted[id] = (d, w, h)
     return wanted
 
 

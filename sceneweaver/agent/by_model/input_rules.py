@@ -36,6 +36,9 @@ MOST_ADDED = 400
 TOLERANCE = 0.02
 """Share by which a size may be outside what such things measure."""
 
+FLAT = 0.02
+"""Height [m] below which nobody can tell the sizes of things apart."""
+
 HOLDING = ("on_top", "inside")
 """Relations that say what carries a thing."""
 
@@ -117,6 +120,8 @@ def _out_of_range(where: str, category: str, size: Sequence[Any]) -> Iterator[st
     """The extents [m] that no such thing has."""
     known = categories()[category].size
     for k, (extent, (low, high)) in enumerate(zip(size, known.ranges if known else (), strict=False)):
+        if high < FLAT:  # as flat as it is, whatever a rounded number says
+            continue
         if isinstance(extent, int | float) and not low * (1 - TOLERANCE) <= extent <= high * (1 + TOLERANCE):
             name = category.replace("_", " ")
             yield f"{where}[{k}] is {extent:g}; a {name} is {low:g} to {high:g} m {_AXES[k]}"

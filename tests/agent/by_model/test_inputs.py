@@ -296,6 +296,19 @@ def test_nulls_for_what_is_left_out_say_nothing(lounge, context_of):
     assert said({"type": "object"}, {"a": None, "b": [None]}) == {"a": None, "b": [None]}
 
 
+def test_flat_things_are_as_flat_as_they_are(lounge, context_of):
+    from sceneweaver.assets import make
+    from sceneweaver.scene import Pose
+
+    rug = make("rug", seed=1).object("rug-0", pose=Pose.from_yaw(3.0, 2.0, 0, 0))
+    context = context_of(lounge.model_copy(update={"objects": (*lounge.objects, rug)}))
+    for height in (None, 0.01):
+        script = Script({"inputs": {"sizes": {"rug-0": [1.8, 2.4, height]}}})
+        call = filled_by(script, "update_size", context)
+        size = carried_out(context, call).object("rug-0").size
+        assert script.refusals == [] and size[2] == rug.size[2] and abs(size[1] - 2.4) < 0.05
+
+
 def test_deep_nesting_is_refused():
     deep: object = "x"
     for _ in range(30):
