@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.scene import InputError
+from sceneweaver.scene import InputError, read_bytes
+from sceneweaver.scene.io import parse
 
 from .folder import RunFolder, State
 from .roles import Roles
@@ -20,14 +21,28 @@ def recorded(folder: Path) -> State:
     """The state of a recorded run.
 
     Raises:
-        InputError: when the folder holds none, or one in which no model was asked.
+        InputError: when the folder holds none, one in which no model was asked, or one that was cut off.
     """
     state = RunFolder(folder).kept()
     if state is None:
         raise InputError(f"replay: {folder} holds no run; give the folder of a design that asked a model")
     if not state.roles.by_model:
         raise InputError(f"replay: no model was asked in the run in {folder}; it needs none to be made again")
+    if cut_off := _cut_off(folder):
+        raise InputError(
+            f"replay: the run in {folder} was cut off ({cut_off}), which no replay does at the same moment; "
+            "let it go on there to its end first"
+        )
     return state
+
+
+def _cut_off(folder: Path) -> str:
+    """What ended a run before it was done; empty where nothing did, or its results were never written."""
+    try:
+        metrics = parse(read_bytes(folder / "metrics.json"))
+    except InputError:
+        return ""
+    return str(metrics.get("cut_off") or "") if isinstance(metrics, dict) else ""
 
 
 def prompt_of(state: State, prompt: str) -> str:

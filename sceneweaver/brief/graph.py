@@ -157,7 +157,8 @@ def _by_attribute(parsed: Parsed, mentions: list[Mention]) -> None:
     beds = [m for m in mentions if m.category.endswith("bed") and m.noun != "flower bed"]
     related = {id(m) for s in parsed.said for m in s.subjects if not s.implied}
     for mention in mentions:
-        spoken = [word for a in mention.attributes for word in (a.words, a.value)] + [
+        said = [(a.words, a.value) if a.kind != "part" else (a.words,) for a in mention.attributes]
+        spoken = [word for words_of_one in said for word in words_of_one] + [
             word for word in rules if f"{mention.noun} ".startswith(f"{word} ")
         ]
         for phrase in dict.fromkeys(spoken):

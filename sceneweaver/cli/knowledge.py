@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from .model_options import BaseUrl, Model
 from .options import Json
 
 knowledge = typer.Typer(name="knowledge", help="Kinds of rooms: those that are known, and others that a model learns.")
@@ -19,16 +20,8 @@ Words = Annotated[
 @knowledge.command()
 def learn(
     words: Words,
-    model: Annotated[
-        str | None,
-        typer.Option(
-            metavar="MODEL", help="openai:NAME, anthropic:NAME, or a name at --base-url (default: $SCENEWEAVER_MODEL)."
-        ),
-    ] = None,
-    base_url: Annotated[
-        str | None,
-        typer.Option(metavar="URL", help="Of an endpoint for chat completions (default: $SCENEWEAVER_BASE_URL)."),
-    ] = None,
+    model: Model = None,
+    base_url: BaseUrl = None,
     record: Annotated[
         Path | None,
         typer.Option(metavar="DIR", help="Keep questions and answers here.", show_default=False),

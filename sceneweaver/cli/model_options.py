@@ -37,6 +37,15 @@ Model = Annotated[
         show_default=False,
     ),
 ]
+NamedModel = Annotated[
+    str | None,
+    typer.Option(
+        metavar="MODEL",
+        help="That design may ask: openai:NAME, anthropic:NAME, or a name at --base-url (default: none).",
+        rich_help_panel=PANEL,
+        show_default=False,
+    ),
+]
 BaseUrl = Annotated[
     str | None,
     typer.Option(

@@ -162,7 +162,7 @@ class Endpoint:
     @property
     def key_name(self) -> str | None:
         """The variable of the environment whose key goes along with requests."""
-        vendors_own = urlsplit(self.url).netloc == urlsplit(HOSTS[self.kind]).netloc
+        vendors_own = urlsplit(self.url)[:2] == urlsplit(HOSTS[self.kind])[:2]  # never without encryption
         names = [KEY, VENDOR_KEYS[self.kind]] if vendors_own else [KEY]
         return next((name for name in names if os.environ.get(name, "").strip()), None)
 

@@ -74,8 +74,14 @@ class Asking:
             InputError: when something is wrong with an argument.
             MissingDependencyError: when the roles ask for a model and none is configured, or its key is missing.
         """
-        if roles.by_model and self.replay is None and (self.model is None or isinstance(self.model, str)):
+        if not roles.by_model or self.replay is not None:
+            return
+        if self.model is None or isinstance(self.model, str):
             Endpoint.of(self.model, self.base_url, stream=self.stream)
+        elif isinstance(self.model, ModelClient):
+            for name in ("base_url", "limits", "prices", "stream"):
+                if getattr(self, name) is not None:
+                    raise InputError(f"{name}: a client has its own; give it to open_client, or give a model's name")
 
     def client(self, records: Path | None, left: Callable[[], float], stopped: Callable[[], bool]) -> ModelClient:
         """What asks; questions and answers go to ``records``.
@@ -144,6 +150,7 @@ class Session:
             session.client = asking.client(
                 records, lambda: session.deadline.left, lambda: bool(session.deadline.stop.reason)
             )
+            session.client.keep()  # a run that is killed before its first step is over has saved nothing of its own
         return session
 
     def known_rooms(self, prompt: str) -> AbstractContextManager[None]:
