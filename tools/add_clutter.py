@@ -19,7 +19,7 @@ from sceneweaver.scene.messages import show
 from .base import Context, Proposal
 from .carry import move, world
 from .draft import groups_of
-from .prior_program import named_kinds
+from .prior_program import decided_kinds
 from .surface_scene import TIES, TILT, Surroundings
 
 PULLED, TURNED = 0.06, math.radians(1.4)
@@ -75,7 +75,7 @@ class _Floor:
 
         self._context, self._rng = context, rng
         self._around = Surroundings(context.scene, context.room_type)
-        self._named = named_kinds(context.brief)
+        self._decided = decided_kinds(context.brief)
         room = context.scene.room
         self._inside: Any = shapely.Polygon(room.outline).buffer(-WALL_GAP)
         gap = limit("door_frame", "gap")
@@ -90,7 +90,7 @@ class _Floor:
 
     def strewn(self, trace: Trace, clutter: float) -> Iterator[AnyEdit]:
         """Things of one kind of trace, each beside another piece of furniture as far as there are enough."""
-        names = [n for n in trace.what if n not in self._named and self._around.may_add(n)]
+        names = [n for n in trace.what if n not in self._decided and self._around.may_add(n)]
         places = list(self._places(trace))
         self._rng.shuffle(places)
         left = trace.count

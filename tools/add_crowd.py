@@ -13,7 +13,7 @@ from sceneweaver.scene.edits import Add, AnyEdit
 from sceneweaver.scene.messages import show
 
 from .base import Context, Proposal
-from .prior_program import named_kinds
+from .prior_program import decided_kinds
 from .surface_assets import Shelf, placed
 from .surface_rows import Row
 from .surface_scene import Surroundings
@@ -45,23 +45,19 @@ class AddCrowd:
         if every:
             chosen = [o for o in chosen if o.mount != "surface" and _shelf_like(around, o, theme)]
         shelf = Shelf(context.library, context.scene.palette, context.seed, context.brief.style)
-        named_already = named_kinds(context.brief)
+        decided = decided_kinds(context.brief)
         edits: list[AnyEdit] = []
         notes: list[str] = []
         unmet: list[str] = []
         for support in chosen:
             dice = random.Random(f"{context.seed}/{support.id}/crowd")
-            plan = (
-                theme
-                if inputs.get("categories") and theme
-                else _unnamed(theme or _theme(around, support), named_already)
-            )
+            plan = theme if inputs.get("categories") and theme else _unnamed(theme or _theme(around, support), decided)
             boards = [s for s in support.surfaces if (support.id, s.name) not in around.carried]
             if every and _dressed(around, support):
                 boards = [s for s in boards if s.headroom is not None]
             count = 0
             for board in boards:
-                added = _fill(around, shelf, support, board, plan, dice, density, named_already, context.clutter)
+                added = _fill(around, shelf, support, board, plan, dice, density, decided, context.clutter)
                 edits += added
                 count += len(added)
             if count:

@@ -22,7 +22,7 @@ from sceneweaver.scene import InputError, SceneObject
 from sceneweaver.scene.edits import Add, AnyEdit, Relate
 
 from .base import Context, Proposal
-from .prior_program import named_kinds
+from .prior_program import decided_kinds
 from .surface_assets import Shelf
 from .surface_layout import Asked, Layer
 from .surface_places import surfaces_of
@@ -63,8 +63,8 @@ class AddTabletop:
         unmet: list[str] = []
         open_asked = asked
         told = _told(said, chosen)
-        named_already = named_kinds(context.brief) - {a.category for a in asked}
-        plans = [_unnamed(plan or plan_of(around, support), named_already) for support in chosen]
+        decided = decided_kinds(context.brief) - {a.category for a in asked}
+        plans = [_unnamed(plan or plan_of(around, support), decided) for support in chosen]
         for k, support in enumerate(chosen):
             dice = random.Random(f"{context.seed}/{support.id}/{zlib.crc32(b'tabletop')}")
             here = told[support.id]

@@ -19,7 +19,7 @@ from sceneweaver.scene.edits import Add, AnyEdit, Relate
 from .base import Context, Proposal
 from .card import checked
 from .draft import Draft
-from .prior_program import MANY, named_kinds
+from .prior_program import MANY, decided_kinds
 from .wall_plan import CLOSE, TALL, Outlines, Rectangle, Span, extent, free_runs, obstacles
 
 BARE = 1.2
@@ -186,7 +186,7 @@ def _hang(
 def _candidates(work: _Work, art: bool) -> list[str]:
     """What may hang here, in the order in which it is tried."""
     brief, there = work.context.brief, Counter(o.category for o in work.objects)
-    banned = {n for word in brief.without for n in (word, *members(word))} | named_kinds(brief)
+    banned = decided_kinds(brief)
     shares = {
         name: share
         for name, share in wall_things(work.context.room_type.name).items()

@@ -164,7 +164,7 @@ def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, wi
     Of a kind that was named there is what was named: it takes the place of the room's own, of which none is added.
     """
     rng = random.Random(seed)
-    banned = {name for word in brief.without for name in (*kin(word), *members(word))} | named_kinds(brief)
+    banned = decided_kinds(brief)
     asked = {a.id: a for a in brief.entities}
     shares = _shares(room_type, brief, area, people)
     roles = _roles(room_type, brief)
@@ -210,6 +210,12 @@ def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, wi
 def named_kinds(brief: SceneGraph) -> frozenset[str]:
     """The categories of all kinds that a request names: of these there is what it asks for, and no more."""
     return frozenset(c for one in brief.entities for c in kin(one.category, one.noun))
+
+
+def decided_kinds(brief: SceneGraph) -> frozenset[str]:
+    """The categories of which nothing is added of our own: those that a request names, and those that it excludes."""
+    excluded = (name for word in brief.without for name in (*kin(word), *members(word)))
+    return named_kinds(brief).union(excluded)
 
 
 def _usual_enough(item: Item, brief: SceneGraph, keep: float) -> bool:

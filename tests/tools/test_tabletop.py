@@ -9,13 +9,15 @@ import pytest
 import shapely
 
 from sceneweaver.assets import categories, make
+from sceneweaver.brief import SceneGraph, read_request
 from sceneweaver.knowledge import room_types
 from sceneweaver.knowledge.surfaces import arrangement_of, arrangements, crowd_of
 from sceneweaver.scene import InputError, Intent, Pose, Scene, SceneObject, Support, Window
 from sceneweaver.tools.add_tabletop import AddTabletop
+from sceneweaver.tools.base import Context
 from sceneweaver.tools.surface_geometry import Field, Prism, Shape
 
-from .surface_rooms import after, answer, carrier, faults, laid, room, standing
+from .surface_rooms import KIND, LIBRARY, after, answer, carrier, faults, laid, room, standing
 
 TOOL = AddTabletop()
 NAMES = (
@@ -105,6 +107,15 @@ def test_asked() -> None:
     }
     done = after(scene, answer(TOOL, scene, wish))
     assert len(of(done, "candlestick")) >= 2 and of(done, "laptop") and not faults(done)
+
+
+def test_what_must_not_be_there_is_not_laid_out_either() -> None:
+    scene = room([standing("tv_stand")])
+    brief = read_request("a living room without a television")
+    found = [
+        TOOL.propose(Context(said, room_types()[KIND], scene, LIBRARY, 1)) for said in (SceneGraph(text=""), brief)
+    ]
+    assert [bool(of(after(scene, proposal), "tv_on_stand")) for proposal in found] == [True, False]
 
 
 def test_two_screens_stand_side_by_side() -> None:
