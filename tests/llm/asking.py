@@ -14,7 +14,7 @@ from tests.llm.model_server import MODEL, ModelServer
 PNG = b"\x89PNG\r\n\x1a\n not much of a picture"
 TRIES = 2
 RETRIES = 2
-PATIENCE = 60.0
+PATIENCE = 300.0
 """Seconds after which an ask that did not end counts as one that hangs."""
 
 
@@ -30,7 +30,7 @@ class Plan(Reply):
 PLAN = {"tool": "add_objects", "objects": ["chair_1", "table_2"], "worth": 0.5, "inputs": {"count": 2, "of": ["chair"]}}
 
 
-def client_of(server: ModelServer, api: str, streamed: bool, timeout: float = 5.0, **options: Any) -> ModelClient:
+def client_of(server: ModelServer, api: str, streamed: bool, timeout: float = 60.0, **options: Any) -> ModelClient:
     """A client of a server."""
     endpoint = Endpoint(
         f"{'openai' if api == 'chat' else 'anthropic'}:{MODEL}",
@@ -39,7 +39,7 @@ def client_of(server: ModelServer, api: str, streamed: bool, timeout: float = 5.
         stream=streamed,
         tries=TRIES,
     )
-    options.setdefault("limits", Limits(seconds=30.0))
+    options.setdefault("limits", Limits(seconds=250.0))
     return open_client(endpoint, **options)
 
 

@@ -32,8 +32,8 @@ def megabyte_of_arguments(asked: Asked, good: Said) -> Said:
 
 
 @bad("large")
-def calls_10000(asked: Asked, good: Said) -> Said:
-    return Said(calls=((output_tool(asked), arguments(good)),) * 10_000)
+def calls_2000(asked: Asked, good: Said) -> Said:
+    return Said(calls=((output_tool(asked), arguments(good)),) * 2_000)
 
 
 @bad("large")

@@ -6,6 +6,7 @@ import asyncio
 import contextlib
 import json
 import socket
+import time
 from typing import Any
 
 import pytest
@@ -154,6 +155,9 @@ def test_misbehaves_as_it_is_told(misbehaviour: Misbehaviour, path: str, streame
         with socket.create_connection(("127.0.0.1", int(server.root.rpartition(":")[2])), timeout=0.2) as connection:
             head = f"POST /v1/{path} HTTP/1.1\r\nHost: x\r\nx-api-key: k\r\nContent-Length: {len(data)}\r\n\r\n"
             connection.sendall(head.encode() + data)
+            patience = time.monotonic() + 60
+            while not server.requests and time.monotonic() < patience:
+                time.sleep(0.005)
             with contextlib.suppress(OSError):
                 connection.recv(1000)
         assert len(server.requests) == 1

@@ -30,7 +30,8 @@ def quick(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_a_model_that_does_its_best_plans_every_step(tmp_path: Path) -> None:
+def test_a_model_that_does_its_best_plans_every_step(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("SCENEWEAVER_MODEL_TIMEOUT", "60")
     with planted() as key, ModelServer(obliging) as server:
         result = designed(server, tmp_path / "run", key, steps=2)
         key.assert_nowhere(tmp_path)
