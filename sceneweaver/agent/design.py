@@ -21,7 +21,8 @@ from sceneweaver.tools.base import CLUTTER
 from sceneweaver.tools.registry import Registered
 from sceneweaver.tools.registry import tools as registered
 
-from .by_model.session import RECORDS, Asking, Session
+from .by_model.asking import Asking
+from .by_model.session import RECORDS, Session
 from .closing import closed
 from .deadline import Deadline, Stop
 from .deliver import deliver

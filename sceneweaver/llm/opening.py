@@ -51,8 +51,7 @@ def open_client(
         recorder = Recorder(Path(records), _facts(old)) if records is not None and not same else None
         return ReplayClient(source, recorder)
     endpoint = endpoint or Endpoint.of()
-    if limits is not None and limits.cost is not None and (prices is None or prices.of(endpoint.title) is None):
-        raise InputError(f"limits.cost: no price of {endpoint.title} is known; give a price table that has it")
+    check_price(endpoint.title, limits, prices)
     from .transport import model_of
 
     model = model_of(endpoint)
@@ -64,6 +63,12 @@ def open_client(
     return ModelClient(
         model, endpoint=endpoint, limits=limits, prices=prices, recorder=recorder, left=left, stopped=stopped
     )
+
+
+def check_price(name: str, limits: Limits | None, prices: Prices | None) -> None:
+    """InputError when a cost is limited and the price of a model is not known: it would never be reached."""
+    if limits is not None and limits.cost is not None and (prices is None or prices.of(name) is None):
+        raise InputError(f"limits.cost: no price of {name} is known; give a price table that has it")
 
 
 def records_of(folder: Place) -> Path:

@@ -9,7 +9,8 @@ from pydantic_ai.messages import ModelResponse, ToolCallPart
 from pydantic_ai.models.function import FunctionModel
 
 from sceneweaver.agent import design
-from sceneweaver.agent.by_model.session import Asking, Session
+from sceneweaver.agent.by_model.asking import Asking
+from sceneweaver.agent.by_model.session import Session
 from sceneweaver.agent.deadline import NEVER
 from sceneweaver.agent.folder import State
 from sceneweaver.agent.memory import Memory
@@ -40,6 +41,11 @@ def test_what_a_run_asked_that_was_killed_in_its_first_step_is_not_replayed(tmp_
 def test_a_client_of_ones_own_has_limits_of_its_own():
     with pytest.raises(InputError, match="limits: a client has its own"):
         design("a store room", planner="llm", model=ModelClient(saying("")), limits=Limits(calls=1))
+
+
+def test_a_limited_cost_needs_a_price_of_any_model():
+    with pytest.raises(InputError, match="limits.cost: no price of"):
+        design("a store room", planner="llm", model=saying(""), limits=Limits(cost=1.0))
 
 
 def test_a_run_that_was_cut_off_is_not_replayed(tmp_path):
