@@ -39,11 +39,12 @@ PATIENCE = 86400.0
 
 @dataclass(frozen=True)
 class Room:
-    """A request that is designed twice."""
+    """A request that is designed twice, and what eyes say about both rooms."""
 
     name: str
     prompt: str
     seed: int
+    eyes: str = ""
 
     @property
     def replies(self) -> Path:
@@ -101,7 +102,7 @@ class Pair:
 def rooms() -> dict[str, Room]:
     """The rooms of the file, by name."""
     found = read_yaml(FILE.read_text("utf-8"))
-    return {name: Room(name, row["prompt"], row["seed"]) for name, row in found.items()}
+    return {name: Room(name, **row) for name, row in found.items()}
 
 
 def pair(room: Room, out: Path, ask_in: Path | None = None, looks: bool = True, **options: Any) -> Pair:
@@ -117,13 +118,15 @@ def pair(room: Room, out: Path, ask_in: Path | None = None, looks: bool = True, 
     from tests.llm.model_server import MODEL, ModelServer
 
     script = Script(room.replies, ask_in)
+    shutil.rmtree(out / "looks", ignore_errors=True)
     with ModelServer(script) as server, _nothing_learned(out / "rooms"):
         _design(room, out / "rules", options)
         _design(room, out / "model", {"planner": "llm", "model": MODEL, "base_url": server.url, **options})
         found = Pair(room, Made.read("rules", out / "rules"), Made.read("model", out / "model", script.waited))
         graph = RequestFile.load(out / "model" / "request.json").graph
         kind = room_type(found.model.scene.room.type)
-        client = open_client(Endpoint(MODEL, server.url, timeout=PATIENCE if ask_in else 120.0))
+        patience = PATIENCE if ask_in else 120.0
+        client = open_client(Endpoint(MODEL, server.url, timeout=patience), records=out / "looks")
         for made in found.sides:
             made.asked, made.met = asked_and_met(made.scene, graph, kind)
             made.seen = made.metrics["scores"].get("seen", {}).get("grades", {})
