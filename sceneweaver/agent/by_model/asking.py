@@ -16,9 +16,6 @@ from sceneweaver.scene import InputError
 
 from .strict import StrictClient
 
-SOON = 1.0
-"""Seconds left below which a model that gives no answer is no reason to end a strict run in another way."""
-
 
 @dataclass(frozen=True)
 class Asking:
@@ -59,8 +56,20 @@ class Asking:
                 if getattr(self, name) is not None:
                     raise InputError(f"{name}: a client has its own; give it to open_client, or give a model's name")
 
-    def client(self, records: Path | None, left: Callable[[], float], stopped: Callable[[], bool]) -> ModelClient:
+    def client(
+        self,
+        records: Path | None,
+        left: Callable[[], float],
+        stopped: Callable[[], bool],
+        over: Callable[[], bool] = bool,
+    ) -> ModelClient:
         """What asks; questions and answers go to ``records``.
+
+        Args:
+            records: a folder; None: nothing is written.
+            left: seconds that the model may take from now on.
+            stopped: whether the run is to stop.
+            over: whether the run has no time left for anything, so that a strict one ends as any other does.
 
         Raises:
             InputError: when a cost is limited without a price.
@@ -91,4 +100,4 @@ class Asking:
                 left=left,
                 stopped=stopped,
             )
-        return StrictClient(client, lambda: stopped() or left() < SOON) if self.strict else client
+        return StrictClient(client, over) if self.strict else client

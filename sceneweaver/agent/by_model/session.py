@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, replace
@@ -36,6 +37,13 @@ from .rooms import learned_room, rooms_of_run
 UNKNOWN = "is no kind of room that is known"
 """How the note of a reader ends where it is so."""
 
+SOON = 1.0
+"""Seconds left below which a model that gives no answer is no reason to end a strict run in another way."""
+
+SHARE, MOST = 0.5, 120.0
+"""How much of the time is kept from the model as long as there is no room, for the rules to make one: a share, and
+seconds [s] at most."""
+
 RECORDS = "llm"
 """Folder of what was asked, in that of a run."""
 
@@ -45,7 +53,7 @@ class Session:
     """Who does what in one run. ``client`` is None where no model has anything to do.
 
     The client is told how much time is left by ``deadline``, and whether its stop is asked for. ``waited`` are the
-    seconds that it took to read the request.
+    seconds that it took to read the request, ``reserve`` those that it may not take as long as there is no room.
     """
 
     roles: Roles
@@ -57,6 +65,7 @@ class Session:
     disagreements: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     waited: float = 0.0
+    reserve: float = 0.0
     run: Run | None = None
 
     @classmethod
@@ -68,13 +77,23 @@ class Session:
             MissingDependencyError: when a model is needed and none is there.
         """
         session = cls(roles, deadline=deadline)
+        session.reserve = 0.0 if math.isinf(deadline.left) else min(SHARE * deadline.left, MOST)
         if roles.by_model:
             session.records, session.replay = records, records_of(asking.replay) if asking.replay else None
             session.client = asking.client(
-                records, lambda: session.deadline.left, lambda: bool(session.deadline.stop.reason)
+                records,
+                lambda: session.left,
+                lambda: bool(session.deadline.stop.reason),
+                lambda: bool(session.deadline.stop.reason) or session.deadline.left < SOON,
             )
             session.client.keep()  # a run that is killed before its first step is over has saved nothing of its own
         return session
+
+    @property
+    def left(self) -> float:
+        """Seconds that the model may take from now on."""
+        begun = self.run is not None and self.run.best is not None
+        return self.deadline.left - (0.0 if begun else self.reserve)
 
     def known_rooms(self, prompt: str) -> AbstractContextManager[None]:
         """Within it the run knows the kinds of rooms that it knew when it began."""

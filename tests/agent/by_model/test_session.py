@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+import asyncio
 import json
+import math
+import time
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 from pydantic_ai.messages import ModelResponse, ToolCallPart
@@ -11,7 +16,7 @@ from pydantic_ai.models.function import FunctionModel
 from sceneweaver.agent import design
 from sceneweaver.agent.by_model.asking import Asking
 from sceneweaver.agent.by_model.session import Session
-from sceneweaver.agent.deadline import NEVER
+from sceneweaver.agent.deadline import NEVER, Deadline
 from sceneweaver.agent.folder import State
 from sceneweaver.agent.memory import Memory
 from sceneweaver.agent.roles import Roles
@@ -41,6 +46,25 @@ def test_what_a_run_asked_that_was_killed_in_its_first_step_is_not_replayed(tmp_
 def test_a_client_of_ones_own_has_limits_of_its_own():
     with pytest.raises(InputError, match="limits: a client has its own"):
         design("a store room", planner="llm", model=ModelClient(saying("")), limits=Limits(calls=1))
+
+
+@pytest.mark.parametrize(("seconds", "reserve"), [(100.0, 50.0), (1000.0, 120.0), (math.inf, 0.0)])
+def test_as_long_as_there_is_no_room_the_rules_keep_time_to_make_one(tmp_path, seconds, reserve):
+    session = Session.opened(Roles.of("llm"), Asking(saying("")), Deadline(time.monotonic() + seconds), tmp_path)
+    assert session.reserve == pytest.approx(reserve, rel=0.1) and session.left <= seconds - session.reserve
+    session.run = SimpleNamespace(best=object())  # type: ignore[assignment]
+    assert session.left > session.deadline.left - 1 or math.isinf(seconds)
+
+
+@pytest.mark.slow
+def test_a_model_that_never_answers_leaves_the_rules_time_for_a_room():
+    async def never(_: Any, __: Any) -> ModelResponse:
+        await asyncio.sleep(1000)
+        raise AssertionError
+
+    given = {"steps": 1, "candidates": 8, "device": "cpu", "critic": "symbolic"}
+    result = design("a store room with one shelf", planner="llm", model=FunctionModel(never), time_limit=40, **given)
+    assert result.report.valid and result.scene.objects and "the request was read by rules" in " ".join(result.notes)
 
 
 def test_a_limited_cost_needs_a_price_of_any_model():
