@@ -144,6 +144,8 @@ def design(
     folder = RunFolder(Path(out)) if out is not None else None
     limit = Deadline(began + (settings.seconds or math.inf), stop=stop or Stop())
     with folder.held() if folder is not None else nullcontext():
+        if folder is not None:
+            folder.check_roles(roles)  # before a model is asked in vain
         session = Session.opened(roles, asking, limit, folder.path / RECORDS if folder is not None else None)
         with session.known_rooms(prompt):
             brief = session.read(offline, folder)

@@ -91,6 +91,15 @@ class RunFolder:
                 sweep(folder)
             yield
 
+    def check_roles(self, roles: Roles) -> None:
+        """InputError when steps of the run that stopped here were planned, read or graded by someone else."""
+        kept = self.kept()
+        if kept is None or not kept.memory.steps:
+            return
+        for name in Roles.model_fields:
+            if (old := getattr(kept.roles, name)) != (new := getattr(roles, name)):
+                raise InputError(f"--out: {self.path} holds a run with {name} {old}, not {new}; choose another place")
+
     def resume(self, brief: SceneGraph, settings: Settings) -> tuple[Memory, Scene] | None:
         """The memory and scene of the run that stopped here, if one of the same request did.
 

@@ -12,6 +12,7 @@ import pytest
 from sceneweaver.agent import Settings
 from sceneweaver.agent.folder import RunFolder
 from sceneweaver.agent.memory import Memory, Step
+from sceneweaver.agent.roles import Roles
 from sceneweaver.brief import SceneGraph
 from sceneweaver.scene import InputError, Scene
 
@@ -35,6 +36,16 @@ def test_a_sound_state_is_taken_up_again(kept):
     folder, *_ = kept
     memory, scene = folder.resume(BRIEF, Settings())
     assert len(memory.steps) == 1 and scene == Scene.example("bedroom")
+
+
+def test_a_run_goes_on_with_those_who_began_it(kept):
+    folder, *_ = kept
+    folder.check_roles(Roles())
+    with pytest.raises(InputError, match="holds a run with planner rules, not llm; choose another place"):
+        folder.check_roles(Roles.of("llm"))
+    with pytest.raises(InputError, match="holds a run with reader rules, not llm"):
+        folder.check_roles(Roles.of("rules", "llm"))
+    RunFolder(folder.path / "other").check_roles(Roles.of("llm"))
 
 
 WRONG = {"missing": None, "number": 3, "text": "x", "list": [], "null": None, "inner": {"seed": [], "steps": {}}}
