@@ -86,12 +86,13 @@ class Made:
 
 @dataclass
 class Pair:
-    """Both rooms of a request, and questions that the replies were not written for."""
+    """Both rooms of a request, questions that the replies were not written for, and those without any."""
 
     room: Room
     rules: Made
     model: Made
     changed: list[str] = field(default_factory=list[str])
+    missing: list[str] = field(default_factory=list[str])
 
     @property
     def sides(self) -> tuple[Made, Made]:
@@ -132,7 +133,7 @@ def pair(room: Room, out: Path, ask_in: Path | None = None, looks: bool = True, 
             made.seen = made.metrics["scores"].get("seen", {}).get("grades", {})
             if looks and not made.seen:
                 made.seen = look(client, made.scene, check(made.scene), graph, kind, Library()).grades
-    found.changed = script.changed
+    found.changed, found.missing = script.changed, script.missing
     return found
 
 

@@ -44,6 +44,7 @@ class Script:
 
     Attributes:
         changed: questions whose text is another than that which the reply was written for.
+        missing: questions that no reply is there for; they are refused.
         waited: seconds that a person took.
     """
 
@@ -51,6 +52,7 @@ class Script:
         self.file, self.ask_in = file, ask_in
         self.rows: list[dict[str, Any]] = read_yaml(file.read_text("utf-8")) if file.exists() else []
         self.changed: list[str] = []
+        self.missing: list[str] = []
         self.waited = 0.0
         self._turns: Counter[str] = Counter()
         self._kinds = list(kinds())
@@ -73,7 +75,8 @@ class Script:
             row = said
             self._save()
         if row is None:
-            raise LookupError(f"{self.file.name} has no reply {turn + 1} for {kind}")
+            self.missing.append(f"{kind} {turn + 1}")
+            return Said(refusal="nothing is written down for this question")
         reply = says(row["says"], asked)
         words = len(str(row["says"])) // WORD
         return Said(text=reply.text, calls=reply.calls, tokens=(_tokens(asked), words))

@@ -48,6 +48,8 @@ def run(settings: Settings, judge: Judge) -> Result:
         made = pair(room, settings.out / "by_model" / room.name, looks=not settings.quick, **options)
         table.rows += rows(made)
         result.failures += [f"{room.name} by {s.side}: not valid" for s in made.sides if not s.metrics["valid"]]
+        if made.missing:
+            result.notes.append(f"{room.name}: no replies for {', '.join(made.missing)}; they were refused.")
         if made.changed:
             result.notes.append(
                 f"{room.name}: replies were written for other words of the questions {', '.join(made.changed)}."
