@@ -59,6 +59,11 @@ def shorten(text: str, length: int = 60) -> str:
     return text if len(text) <= length else text[: length - 3] + "..."
 
 
+def printable_line(text: str, length: int) -> str:
+    """``text`` as one printable line of at most ``length`` characters, whatever its size and its white space."""
+    return shorten(clean(" ".join(text[: 4 * length].split())), length)
+
+
 def quote(name: object) -> str:
     """An id in single quotes."""
     return f"'{clean(shorten(str(name)))}'"

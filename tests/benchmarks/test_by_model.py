@@ -7,6 +7,7 @@ from benchmarks.rooms_by_model import pair, rooms
 from benchmarks.scripted import kinds
 from sceneweaver.agent import design
 from sceneweaver.knowledge.load import read_yaml
+from sceneweaver.llm import Reply
 
 KINDS = {kind.__name__: kind for kind in kinds()}
 REPLIES = [
@@ -23,6 +24,13 @@ def test_replies_are_of_the_types_that_are_asked_for(row):
         assert set(row["says"]) == {"inputs"} and isinstance(row["says"]["inputs"], dict)
     else:
         KINDS[row["asks"]].model_validate(row["says"])
+
+
+def test_a_type_of_someone_else_is_not_asked_for():
+    class Plan(Reply):
+        pass
+
+    assert Plan not in list(kinds())
 
 
 def test_every_room_has_replies_for_all_parts():

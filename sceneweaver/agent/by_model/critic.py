@@ -17,7 +17,7 @@ from sceneweaver.critic import VisualFault, VisualReview
 from sceneweaver.knowledge import RoomType
 from sceneweaver.llm import ModelClient, ModelError, ModelFailed, Picture
 from sceneweaver.scene import Scene
-from sceneweaver.scene.messages import clean, shorten
+from sceneweaver.scene.messages import clean, printable_line, shorten
 from sceneweaver.tools.registry import tools
 from sceneweaver.verify import Report
 
@@ -122,7 +122,7 @@ def _averaged(looks: Sequence[Look]) -> dict[str, Any]:
         found["grades"][criterion] = mean
         found["deviation"][criterion] = math.sqrt(math.fsum((g - mean) ** 2 for g in grades) / len(grades))
         found["ranges"][criterion] = (min(grades), max(grades))
-        found["comments"][criterion] = tuple(_line(one.comment, COMMENT) for one in said)
+        found["comments"][criterion] = tuple(printable_line(one.comment, COMMENT) for one in said)
     return found
 
 
@@ -133,7 +133,7 @@ def _merged(looks: Sequence[Look], names: Names, known: Sequence[str]) -> tuple[
     for one in looks:
         times: dict[tuple[Any, ...], int] = {}
         for said in one.faults[:MOST_FAULTS]:
-            objects, wrong = names.known(said.objects), _line(said.wrong, SENTENCE)
+            objects, wrong = names.known(said.objects), printable_line(said.wrong, SENTENCE)
             if not wrong:
                 continue
             key = (said.criterion, *(sorted(objects) or [wrong.casefold()]))
@@ -143,7 +143,7 @@ def _merged(looks: Sequence[Look], names: Names, known: Sequence[str]) -> tuple[
                 kind="seen",
                 objects=objects,
                 reason=wrong,
-                suggestion=_line(said.suggestion, SENTENCE),
+                suggestion=printable_line(said.suggestion, SENTENCE),
                 tool=tool_of(said.tool, known),
                 severity=whole(said.severity),
                 share=1 / len(looks),
@@ -163,8 +163,3 @@ def _one(faults: Sequence[VisualFault], samples: int) -> VisualFault:
         "tool": next((f.tool for f in faults if f.tool), None),
     }
     return faults[0].model_copy(update=update)
-
-
-def _line(text: str, most: int) -> str:
-    """What a model said as one printable line."""
-    return shorten(clean(" ".join(text[: 4 * most].split())), most)

@@ -13,7 +13,7 @@ from sceneweaver.assets import Asset
 from sceneweaver.assets.body import Mesh
 from sceneweaver.llm import ModelClient, ModelFailed, Picture, Reply
 from sceneweaver.scene import InputError
-from sceneweaver.scene.messages import clean, shorten
+from sceneweaver.scene.messages import clean, printable_line, shorten
 
 from .pictures import packed
 from .scene_text import NAME, compact, prompt
@@ -71,7 +71,7 @@ def front_by_views(client: ModelClient, asset: Asset, *, device: str = "cpu") ->
     pictures = [Picture(views[side], f"side {label}") for label, side in zip(LABELS, order, strict=True)]
     thing = compact({"thing": shorten(clean(asset.category), NAME)})
     answer = client.ask(PURPOSE, SeenFront, prompt("fronts"), [thing, *pictures], check=_checked)
-    reason = shorten(clean(" ".join(answer.reason[: 4 * REASON].split())), REASON)
+    reason = printable_line(answer.reason, REASON)
     if answer.label == "none" or answer.confidence < SURE:
         return Front(0, asset.origin.front_confidence, "shape", reason)
     return Front(order[LABELS.index(answer.label)], answer.confidence, client.name, reason)

@@ -12,7 +12,7 @@ from sceneweaver.agent.memory import Call
 from sceneweaver.agent.planner import Situation, seed_of
 from sceneweaver.llm import Reply
 from sceneweaver.scene import InputError
-from sceneweaver.scene.messages import quote, shorten, suggest
+from sceneweaver.scene.messages import printable_line, quote, suggest
 
 from .input_rules import check_extent
 
@@ -121,7 +121,7 @@ def _call(planned: PlannedCall, situation: Situation) -> Call:
     beginning = situation.cards[planned.tool].role == "initializer"
     return Call(
         tool=planned.tool,
-        instruction=shorten(" ".join(planned.instruction.split()), SENTENCE),
+        instruction=printable_line(planned.instruction, SENTENCE),
         inputs=planned.inputs or {},
         seed=settings.seed if beginning else seed_of(settings.seed, len(memory.steps), planned.tool),
         confidence=planned.confidence,
