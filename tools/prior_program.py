@@ -15,7 +15,8 @@ from sceneweaver.brief import Entity, SceneGraph
 from sceneweaver.brief.pairs import groups_of
 from sceneweaver.knowledge import Item, RoomType
 from sceneweaver.knowledge.design_rules import limit
-from sceneweaver.knowledge.kin import kin
+from sceneweaver.knowledge.kin import excluded_kinds, kin
+from sceneweaver.knowledge.usual_places import UsualPlace, usual_places_of
 from sceneweaver.scene import PRIORITIES, InputError, Palette, SceneObject, Zone
 
 from .draft import CRAMMED
@@ -57,6 +58,9 @@ HUNG = 0.75
 
 BY_RANK = PRIORITIES[::-1]
 """Priorities by rank, what is most wanted first."""
+
+SEATS = frozenset(("chair_group", "stool"))
+"""Groups and categories of seats without a place of their own."""
 
 RANK = {priority: rank for rank, priority in enumerate(BY_RANK)}
 
@@ -111,9 +115,17 @@ class Wanted:
         return self.item is not None and self.item.row == "line" and "back" in free and "front" not in free
 
     @property
+    def usual(self) -> tuple[UsualPlace, ...]:
+        """Where it usually goes: of what was asked for and is no item of the room; chairs go to what they are for."""
+        groups = groups_of(self.category) | {self.category}
+        if self.item is not None or self.support is not None or SEATS & groups:
+            return ()
+        return usual_places_of(groups)
+
+    @property
     def wall(self) -> float:
         """Wall [m] that it takes."""
-        places = self.item.place if self.item else ()
+        places = self.item.place if self.item else [usual.place for usual in self.usual]
         if self.mount == "floor" and any(p.type == "against_wall" and not p.soft for p in places):
             return self.asset.size[1]
         return 0.0
@@ -214,8 +226,7 @@ def named_kinds(brief: SceneGraph) -> frozenset[str]:
 
 def decided_kinds(brief: SceneGraph) -> frozenset[str]:
     """The categories of which nothing is added of our own: those that a request names, and those that it excludes."""
-    excluded = (name for word in brief.without for name in (*kin(word), *members(word)))
-    return named_kinds(brief).union(excluded)
+    return named_kinds(brief) | excluded_kinds(brief.without)
 
 
 def _usual_enough(item: Item, brief: SceneGraph, keep: float) -> bool:

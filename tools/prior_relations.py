@@ -59,7 +59,9 @@ SYMMETRIC = CATALOGUE.with_role("symmetric")
 def of_items(wanted: Sequence[Wanted], room: Room, but: Mapping[str, frozenset[str]]) -> list[Relation]:
     """The relations that the items say, each for its instances; ``but`` has types that do not hold for some ids."""
     by_item: dict[str, list[Wanted]] = {}
+    by_category: dict[str, list[Wanted]] = {}
     for one in wanted:
+        by_category.setdefault(one.category, []).append(one)
         if one.item is not None:
             by_item.setdefault(one.item.id, []).append(one)
     found: list[Relation] = []
@@ -68,7 +70,7 @@ def of_items(wanted: Sequence[Wanted], room: Room, but: Mapping[str, frozenset[s
         for place in one.item.place if one.item else ():
             if place.type in but.get(one.id, ()):
                 continue
-            relation = _of_place(one, place, by_item, room)
+            relation = _of_place(one, place, by_item, room) or _instead(one, place, by_category)
             if relation is None:
                 continue
             if one.item is not None and _centred(one, relation):
@@ -85,8 +87,50 @@ def of_items(wanted: Sequence[Wanted], room: Room, but: Mapping[str, frozenset[s
                     )
                 )
     return _cornered(
-        _without_doubles([*found, *seat_relations(wanted), *_beside(wanted), *_off_doors(wanted, room)]), room
+        _without_doubles(
+            [
+                *found,
+                *of_usual(wanted, by_category, room, but),
+                *seat_relations(wanted),
+                *_beside(wanted),
+                *_off_doors(wanted, room),
+            ]
+        ),
+        room,
     )
+
+
+def of_usual(
+    wanted: Sequence[Wanted], by_category: Mapping[str, list[Wanted]], room: Room, but: Mapping[str, frozenset[str]]
+) -> Iterator[Relation]:
+    """Where things that were asked for and are no item of the room usually go; what is by another thing is a wish."""
+    for one in wanted:
+        for usual in one.usual:
+            place = usual.place
+            edge = place.type in CATALOGUE.with_role("edge") - {"at_window"}
+            if place.type in but.get(one.id, ()) or (edge and one.mount != "floor"):
+                continue
+            named = bool(usual.among)
+            relation = _among(one, place, usual.among, by_category) if named else _of_place(one, place, {}, room)
+            if relation is not None:
+                yield relation
+
+
+def _instead(one: Wanted, place: Place, by_category: Mapping[str, list[Wanted]]) -> Relation | None:
+    """What an item's relation means where the other item is not there: a sofa looks at the fire, without a screen."""
+    return _among(one, place, place.instead, by_category)
+
+
+def _among(one: Wanted, place: Place, names: Sequence[str], by_category: Mapping[str, list[Wanted]]) -> Relation | None:
+    """A wish of one thing to the first others that are there; each of several has another where there are as many."""
+    for name in names:
+        others = [w for w in by_category.get(name, ()) if w is not one and w.support is None]
+        if others:
+            target, params = others[one.number % len(others)].id, dict(place.params)
+            return Relation(
+                type=place.type, subject=one.id, target=target, params=params, hard=False, weight=place.weight
+            )
+    return None
 
 
 def _centred(one: Wanted, relation: Relation) -> bool:

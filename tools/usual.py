@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import cache
-from importlib import resources
 from typing import Any
 
 from sceneweaver.knowledge import Item, RoomType
-from sceneweaver.knowledge.load import read_yaml
+from sceneweaver.knowledge.usual_places import UsualPlace, usual_places_of
 from sceneweaver.scene import CATALOGUE, SceneObject
 
 from .draft import Draft, groups_of
 from .prior_program import matches
-from .relating import row_of
 
 SEATS = ("chair_group", "stool", "bar_stool")
 """Groups and categories of what is pulled up to a table."""
@@ -60,14 +57,6 @@ SEAT_WIDTH = 0.62
 Row = dict[str, Any]
 
 
-@cache
-def usual_places() -> tuple[tuple[frozenset[str], tuple[Row, ...]], ...]:
-    """Categories and groups with the relations that they usually have, the first that fits counts."""
-    file = resources.files("sceneweaver.knowledge").joinpath("usual_places.yaml")
-    data = read_yaml(file.read_text(encoding="utf-8"))
-    return tuple((frozenset(entry["what"]), tuple(row_of(r) for r in entry["place"])) for entry in data)
-
-
 def item_for(room_type: RoomType, category: str, draft: Draft, name: str | None = None) -> Item | None:
     """The item of a room that a category stands for: the named one, else one that is not there yet, else any."""
     if name is not None:
@@ -88,13 +77,10 @@ def rows_for(draft: Draft, item: Item | None, subject: SceneObject) -> list[Row]
     seat = _at_table(draft, subject)
     if seat is not None:
         return [seat]
-    groups = groups_of(subject.category)
-    for what, places in usual_places():
-        if subject.category in what or groups & what:
-            if subject.mount == "wall" or not any(r["type"] == "above" for r in places):
-                return [row for row in places if _there(draft, row, subject)]
-            return []
-    return []
+    rows = [_of_usual(u) for u in usual_places_of(groups_of(subject.category) | {subject.category})]
+    if subject.mount != "wall" and any(row["type"] == "above" for row in rows):
+        return []
+    return [row for row in rows if _there(draft, row, subject)]
 
 
 def _of_place(place: Any) -> Row:
@@ -105,6 +91,11 @@ def _of_place(place: Any) -> Row:
         "weight": place.weight,
         "params": dict(place.params),
     }
+
+
+def _of_usual(usual: UsualPlace) -> Row:
+    row = _of_place(usual.place)
+    return {**row, "to": usual.among} if usual.among else row
 
 
 def _there(draft: Draft, row: Mapping[str, Any], subject: SceneObject) -> bool:

@@ -10,9 +10,18 @@ from .chunker import Chunker
 from .clauses import Clauses
 from .graph import build
 from .model import SceneGraph
-from .parsed import Parsed
+from .parsed import Left, Parsed
 from .source import Source, check_measures, read_source
+from .things import match_of
 from .tokens import tokens
+
+_ENGLISH = frozenset(
+    ("a", "an", "the", "with", "and", "of", "on", "for", "to", "by", "at", "is", "are", "no", "its", "their", "that")
+)
+"""Words that hardly an English request does without."""
+
+FEW = 0.08
+"""Share of them up to which a request that is hardly understood is in another language."""
 
 
 def read_request(text: str) -> SceneGraph:
@@ -29,8 +38,10 @@ def read_request(text: str) -> SceneGraph:
     _sides(parsed, source)
     for note in source.notes:
         parsed.note(note)
-    foreign = sum(ord(c) > 0x24F and c.isalpha() for c in text)
-    if foreign > 3 or not re.search(r"[a-zA-Z]", text):
+    foreign = _is_foreign(text, parsed)
+    if foreign:
+        _leave_out_unknown(parsed)
+    if foreign or sum(ord(c) > 0x24F and c.isalpha() for c in text) > 3 or not re.search(r"[a-zA-Z]", text):
         parsed.note("only English is read; what else the request says was not understood")
     elif parsed.room_type is None and not parsed.mentions and sum(len(u.words.split()) for u in parsed.unread) >= 3:
         parsed.note("nothing of it names a room or furniture; only English is read")
@@ -38,6 +49,24 @@ def read_request(text: str) -> SceneGraph:
     if not graph.notes and not graph.unread and graph == SceneGraph(text=text):
         return graph.model_copy(update={"notes": ("nothing of the request was understood",)})
     return graph
+
+
+def _is_foreign(text: str, parsed: Parsed) -> bool:
+    """Whether a request is in another language that is written in Latin letters: most of it is no English."""
+    spoken = re.findall(r"[^\W\d_]+", text.lower())
+    strange = [u.words for u in parsed.unread] + [m.noun for m in parsed.mentions if m.generic]
+    lost = sum(len(words.split()) for words in strange)
+    return 2 * lost > len(spoken) > 4 and sum(word in _ENGLISH for word in spoken) <= FEW * len(spoken)
+
+
+def _leave_out_unknown(parsed: Parsed) -> None:
+    """Words of another language that look like nouns make no things."""
+    unknown = [m for m in parsed.mentions if m.generic]
+    gone, notes = {id(m) for m in unknown}, {match_of(m.noun).note for m in unknown}
+    parsed.unread += [Left(m.noun) for m in unknown]
+    parsed.mentions = [m for m in parsed.mentions if not m.generic]
+    parsed.said = [s for s in parsed.said if not any(id(m) in gone for m in (*s.subjects, *s.targets))]
+    parsed.notes = [note for note in parsed.notes if note not in notes]
 
 
 def _sides(parsed: Parsed, source: Source) -> None:

@@ -27,6 +27,20 @@ _ROOMS = (
 )
 """Words for a room of some kind."""
 
+_STUDIOS = frozenset(
+    (
+        *("podcast", "photo", "photography", "recording", "film", "filming", "video", "radio", "tv", "television"),
+        *("broadcast", "streaming", "sound", "news", "tattoo", "pottery", "ceramics", "sculpture", "sewing", "fashion"),
+    )
+)
+"""What a studio may be for that is no flat."""
+
+_SAID_OF_ROOMS = (
+    *("room_scale", "styles", "moods", "density", "color", "shape", "adjective", "scale", "material"),
+    *("whom", "people_words", "finish", "adverbs"),
+)
+"""What words before the name of a room may be, without making another kind of room of it."""
+
 
 class RoomPhrases(Items):
     """Phrases about the room: its kind, its places and openings, who it is for, parts that stand for things."""
@@ -79,7 +93,9 @@ class RoomPhrases(Items):
     def _np_room(self, phrase: NounPhrase, chunk: Chunk) -> None:
         out = self.out
         waiting, self.waiting = self.waiting, None
-        if out.room_type is None:
+        if out.room_type is None and phrase.text == "studio" and _STUDIOS.intersection(_strange(phrase)):
+            self._unknown_room(phrase)
+        elif out.room_type is None:
             out.room_type, out.room_words = phrase.value, phrase.text
             spoken = phrase.text.replace("'s", "").split()
             out.for_whom += [w for w in spoken if w in words()["whom"]]
@@ -96,6 +112,10 @@ class RoomPhrases(Items):
         self.glue = "" if self.glue != "start" else "start"
         if not self.subject and not self.frames:
             self.head = []
+
+    def _unknown_room(self, phrase: NounPhrase) -> None:
+        self.out.room_words = " ".join([*_strange(phrase), phrase.text])
+        self.out.note(f"'{self.out.room_words}' is no kind of room that is known")
 
     def _for_room(self, phrase: NounPhrase, room: bool = True) -> None:
         """Colours, styles, sizes and shapes of the room."""
@@ -134,16 +154,9 @@ class RoomPhrases(Items):
             place = "wall:opposite"
         waiting, self.waiting = self.waiting, None
         if place == "room":
-            if self.out.room_type is None and not self.out.room_words and phrase.qualities:
-                strange = [
-                    t.text
-                    for t in phrase.qualities
-                    if not t.has("room_scale", "styles", "moods", "density", "color", "shape", "adjective", "scale")
-                ]
-                if strange:
-                    self.out.room_words = f"{' '.join(strange)} {phrase.text}"
-                    self.out.note(f"'{self.out.room_words}' is no kind of room that is known")
-                    self._unread(" ".join(strange), phrase.start, phrase.end)
+            if self.out.room_type is None and not self.out.room_words and _strange(phrase):
+                self._unknown_room(phrase)
+                self._unread(" ".join(_strange(phrase)), phrase.start, phrase.end)
             twin = next((t.text for t in phrase.qualities if t.text in ("twin", "double", "single")), None)
             if (
                 (phrase.count in ((1, 1), (2, 2)) or twin)
@@ -239,3 +252,8 @@ class RoomPhrases(Items):
         self.lost = self.lost and not (start and phrase.text in _ROOMS)
 
     _np_collective = _np_abstract
+
+
+def _strange(phrase: NounPhrase) -> list[str]:
+    """The words before a name of a room that make another kind of room of it."""
+    return [t.text for t in phrase.qualities if not t.has(*_SAID_OF_ROOMS)]

@@ -61,6 +61,7 @@ class Source:
     area: float | None = None
     height: float | None = None
     sides: dict[int, tuple[float, ...]] = field(default_factory=dict)
+    colons: set[int] = field(default_factory=set[int])
     notes: list[str] = field(default_factory=list)
 
     def span(self, start: int, end: int) -> Span:
@@ -94,6 +95,7 @@ def read_source(text: str) -> Source:
     found.blank(_TAG, lambda m: " ")
     found.blank(_ENDLESS, lambda m: _endless(m, found))
     found.blank(re.compile(r"(?<=[^\n]{60})\s*\n(?=[a-z])"), lambda m: " ")  # a long line that was wrapped
+    found.colons = {k for k, letter in enumerate(found.text) if letter == ":"}
     found.text = re.sub(r"[\n;:!?•*|]|(?<=\s)-(?=\s)", ".", found.text)
     found.blank(_SPELT, lambda m: str(_DIGITS[m[1]]))
     found.blank(_FAR, lambda m: _too_far(m, found))

@@ -64,6 +64,8 @@ class ThingPhrases(RoomPhrases):
             self._np_abstract(phrase, chunk)  # "a basement cinema"
             self.lost = False
             return
+        if new and self._of_the_room(phrase):
+            return
         mention = found if found is not None else self._new(phrase)
         if mention is None:
             self._lost_noun()
@@ -71,6 +73,24 @@ class ThingPhrases(RoomPhrases):
         if not new:
             self._again(mention, phrase)
         self._named([mention], phrase, chunk, new)
+
+    def _of_the_room(self, phrase: NounPhrase) -> bool:
+        """Whether an unknown noun at the very start is the room or who it is for: "a mountain hut for two hikers: "."""
+        if self.out.mentions or self.waiting is not None or match_of(name_of(phrase)).how != "generic":
+            return False
+        before, after = self._chunk(self.at - 2), self._chunk(self.at)
+        if before is not None and before.kind == "purpose" and before.value == "people" and phrase.count is not None:
+            self._np_people(phrase, before)
+            return True
+        room = self.out.room_type is not None or bool(self.out.room_words) or self._other_room()
+        if room or phrase.definite or phrase.plural or phrase.count not in (None, (1, 1)) or after is None:
+            return False
+        if not (after.start in self.source.colons or (after.kind == "purpose" and after.value == "people")):
+            return False
+        self._unknown_room(phrase)
+        self._for_room(phrase)
+        self.lost = False
+        return True
 
     def _is_part(self, phrase: NounPhrase) -> bool:
         """Whether what a thing is told to come with is a part of it: an integrated basin, the photo in a frame."""

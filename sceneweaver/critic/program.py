@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections import defaultdict
 from dataclasses import dataclass
 
-from sceneweaver.assets.taxonomy import members
 from sceneweaver.brief import Entity, SceneGraph
 from sceneweaver.knowledge import Item, RoomType
+from sceneweaver.knowledge.kin import excluded_kinds
 from sceneweaver.scene import Scene, SceneObject
 
 from .kinds import serves
@@ -58,7 +58,7 @@ class Program:
         for o in scene.objects:
             if o.intent.program_item in known:
                 item_of[o.id] = o.intent.program_item
-        banned = {name for word in brief.without for name in (word, *members(word))}
+        banned = excluded_kinds(brief.without)
         needs: list[Need] = []
         by_item: dict[str, list[str]] = defaultdict(list)
         for object_id, name in item_of.items():
@@ -109,7 +109,7 @@ def _least(item: Item, by_item: dict[str, list[str]], scene: Scene, area: float,
 def _need(
     item: Item,
     brief: SceneGraph,
-    banned: set[str],
+    banned: frozenset[str],
     by_item: dict[str, list[str]],
     scene: Scene,
     area: float,

@@ -30,6 +30,9 @@ class Place(FrozenModel):
     soft: bool = False
     weight: float = 1.0
     params: dict[str, Any] = {}
+    instead: tuple[str, ...] = Field(
+        default=(), description="Categories of what is meant, as a wish, where the other item is not in the room"
+    )
 
     @model_validator(mode="before")
     @classmethod

@@ -41,6 +41,7 @@ TABLES = {
     "pictures": {"pictures": 1},
     "stability": {"rooms": 2, "seeds": 1},
     "openable": {"rooms": 2, "seeds": 1},
+    "by_model": {"rooms": 2},
 }
 
 
@@ -50,7 +51,7 @@ def settings(tmp_path):
     return Settings(rooms=("bedroom-small",), device="cpu", quick=True, most=4, rivals=rivals, out=tmp_path)
 
 
-SLOW = ("openable", "odd", "cold", "pictures", "ablations")
+SLOW = ("openable", "odd", "cold", "pictures", "ablations", "by_model", "memory")
 """Families whose design is one that another family makes as well, and what takes longest."""
 
 

@@ -135,3 +135,30 @@ def test_of_a_request_for_too_much_the_first_things_are_taken():
     assert all(a.category != "dining_table" and "table" not in a.noun for a in brief.entities)
     assert any("table" in word.words for word in brief.unread)
     assert any("at most 400 things" in note for note in brief.notes)
+
+
+@pytest.mark.parametrize("text", ["We read a lot, so a sofa, please", "Put a sofa somewhere, and a bit of colour"])
+def test_adverbs_are_no_things(text: str) -> None:
+    assert [e.category for e in read_request(text).entities] == ["sofa"]
+
+
+@pytest.mark.parametrize(
+    ("text", "words", "people"),
+    [
+        ("A mountain hut for four hikers: two bunk beds", "mountain hut", 4),
+        ("Yurt: a bed", "yurt", None),
+        ("A podcast studio for a host and three guests with a bed", "podcast studio", 3),
+    ],
+)
+def test_a_room_that_is_not_known_is_no_thing(text: str, words: str, people: int | None) -> None:
+    graph = read_request(text)
+    assert graph.room_type is None and graph.people == people
+    assert all(e.category in ("bed", "bunk_bed") for e in graph.entities)
+    assert f"'{words}' is no kind of room that is known" in graph.notes
+
+
+def test_another_language_makes_no_things() -> None:
+    graph = read_request("Ein ruhiges Zimmer für ein Paar, etwa 18 Quadratmeter: ein Doppelbett mit zwei Nachttischen")
+    assert graph.entities == () and any("only English" in note for note in graph.notes)
+    assert any(left.words == "quadratmeter" for left in graph.unread)
+    assert [e.noun for e in read_request("bedroom with bed, desk, zorb and a wardrobe").entities][-1] == "wardrobe"

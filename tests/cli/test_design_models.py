@@ -6,6 +6,7 @@ import json
 
 import pytest
 
+from sceneweaver.llm import attempts
 from tests.llm.misbehaviour import always, misbehaving
 from tests.llm.model_server import ModelServer, answering
 
@@ -26,6 +27,7 @@ def key(monkeypatch):
     for name in ("MODEL", "BASE_URL"):
         monkeypatch.delenv(f"SCENEWEAVER_{name}", raising=False)
     monkeypatch.setenv("SCENEWEAVER_API_KEY", KEY)
+    monkeypatch.setattr(attempts, "FIRST_WAIT", 0.01)
 
 
 @pytest.mark.parametrize("stream", ["--stream", "--no-stream"])

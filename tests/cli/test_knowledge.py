@@ -7,6 +7,7 @@ import logging
 import pytest
 
 from sceneweaver.knowledge.room_files import read_room
+from sceneweaver.llm import attempts
 from sceneweaver.tools.room_reply import RoomReply
 from tests.agent.by_model.test_rooms import SHED
 from tests.llm.model_server import ModelServer, answering
@@ -16,6 +17,7 @@ from tests.llm.model_server import ModelServer, answering
 def folder(tmp_path, monkeypatch):
     """A user's folder of its own, and no model in the environment."""
     monkeypatch.setenv("SCENEWEAVER_ROOMS", str(tmp_path / "rooms"))
+    monkeypatch.setattr(attempts, "FIRST_WAIT", 0.01)
     for name in ("MODEL", "BASE_URL", "API_KEY"):
         monkeypatch.delenv(f"SCENEWEAVER_{name}", raising=False)
     return tmp_path / "rooms"

@@ -29,9 +29,9 @@ def test_modules_are_found():
 
 @pytest.mark.parametrize("module", WITH_KERNELS, ids=lambda m: m.__name__.rpartition(".")[2])
 def test_module_compiles(module, tmp_path):
-    files = wp.compile_aot_module(module, arch=ARCH, module_dir=tmp_path)
+    files = wp.compile_aot_module(module, arch=ARCH, module_dir=tmp_path, use_ptx=True)
     assert files and all(f.stat().st_size > 0 for f in files)
-    assert any(f.suffix in (".cubin", ".ptx") for f in files)
+    assert any(f.suffix == ".ptx" for f in files)
     (source,) = (f.read_text() for f in tmp_path.glob("*.cu"))
     if "inline_on_gpu" in source:  # it works on what comes after it only
         assert source.index("#undef WP_NOINLINE") < source.index("static WP_NOINLINE")

@@ -223,14 +223,13 @@ def test_a_read_sentence_becomes_inputs(lounge, call, monkeypatch):
 
 def test_usual_places_name_what_exists():
     from sceneweaver.assets import categories
-    from sceneweaver.tools.usual import usual_places
+    from sceneweaver.knowledge.usual_places import usual_places
 
     known = categories()
     for what, rows in usual_places():
         assert what <= set(known)
         for row in rows:
-            to = row["to"]
-            assert all(word in known or word == "window" for word in ([to] if isinstance(to, str) else to or []))
+            assert row.place.to in (None, "window", "wall") and set(row.among) <= set(known)
 
 
 def test_words_of_a_call_set_size_and_material(lounge, call):

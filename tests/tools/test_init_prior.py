@@ -276,3 +276,14 @@ def test_the_side_of_a_bunk_bed_that_is_entered_is_not_at_the_wall(prior):
     bed = next(o.id for o in scene.objects if o.category == "bunk_bed")
     sides = [r.params.get("side") for r in scene.relations if r.type == "side_against_wall" and r.subject == bed]
     assert sides == ["right"], "its ladder is at the left"
+
+
+def test_what_was_asked_for_stands_where_it_usually_does(prior: Prior) -> None:
+    scene, _ = prior("A living room with a sofa, an upright piano and a fireplace, without a television")
+    said = {(r.type, r.subject, r.hard) for r in scene.relations}
+    assert {("against_wall", "fireplace-0", True), ("against_wall", "upright_piano-0", True)} <= said
+    looks = {(r.subject, r.target) for r in scene.relations if r.type == "facing" and not r.hard}
+    assert {("sofa-0", "fireplace-0"), ("fireplace-0", "sofa-0")} <= looks
+    assert not {"tv", "tv_stand"} & {o.category for o in scene.objects}
+    scene, _ = prior("A living room with a fireplace in the middle of the room")
+    assert ("against_wall", "fireplace-0", True) not in {(r.type, r.subject, r.hard) for r in scene.relations}
