@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from sceneweaver.explain.words import plural
+
 from .answers import DesignedScene, OpenedScene, SceneState
 from .differences import SOFT, Difference, Moved
 from .limits import MOST_LISTED
@@ -41,7 +43,7 @@ def model_words(used: Mapping[str, Any]) -> str:
     cost = f", {usage['cost']:.4g} {usage['currency']}" if usage.get("cost") is not None else ""
     lost = f"; not asked any more: {used['lost']}" if used["lost"] else ""
     tokens = usage["tokens_in"] + usage["tokens_out"]
-    return f"- model {used['name']}: {usage['calls']} calls, {tokens} tokens{cost}{lost}"
+    return f"- model {used['name']}: {plural(usage['calls'], 'call')}, {tokens} tokens{cost}{lost}"
 
 
 def _opened_lines(state: OpenedScene) -> list[str]:

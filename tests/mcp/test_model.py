@@ -10,10 +10,30 @@ import pytest
 
 from sceneweaver.mcp import build_server
 from tests.llm.bad_statuses import status
-from tests.llm.model_server import ModelServer
+from tests.llm.model_server import ModelServer, answering
 from tests.mcp.driving import ROOT, connected
 
 KEY = "sk-planted-0123456789abcdef"
+ROOM = {"prompt": "a store room with one shelf", "steps": 1, "candidates": 8, "clutter": 0}
+BEGIN = {"problem": "no room", "calls": [{"tool": "init_prior", "confidence": 0.9, "instruction": "Begin."}]}
+
+
+def test_a_model_plans_a_room_and_what_it_took_is_told(tmp_path, monkeypatch):
+    monkeypatch.setenv("SCENEWEAVER_API_KEY", KEY)
+    with ModelServer(answering({"You design a room step by step": [BEGIN]})) as model:
+        asked = {"model": "scripted-1", "base_url": model.url, "reader": "rules", "critic": "symbolic"}
+        server = build_server(tmp_path, device="cpu", llm=asked)
+        with connected(server) as driver:
+            answer = driver.tell("design", planner="llm", folder="room", **ROOM)
+        server.service.workers.close()
+    assert not answer.is_error, answer.content[0].text
+    room = answer.structured_content
+    assert room["valid"] and room["model"]["planned"] == ["openai:scripted-1"] and not room["model"]["lost"]
+    assert room["model"]["usage"]["calls"] == len(model.requests) == 1
+    assert "openai:scripted-1: 1 call," in answer.content[0].text
+    assert (tmp_path / "room" / "llm" / "transcript.md").is_file()
+    for path in tmp_path.rglob("*"):
+        assert not path.is_file() or KEY.encode() not in path.read_bytes(), path
 
 
 @pytest.mark.slow
@@ -22,8 +42,7 @@ def test_a_model_that_refuses_leaves_a_valid_room_and_no_trace_of_the_key(tmp_pa
     with ModelServer(lambda asked: status(401, f"no such key: {KEY}")) as model:
         server = build_server(tmp_path, device="cpu", llm={"model": "scripted-1", "base_url": model.url})
         with connected(server) as driver:
-            options = {"prompt": "a store room with one shelf", "steps": 1, "candidates": 8, "clutter": 0}
-            answer = driver.tell("design", planner="llm", folder="room", **options)
+            answer = driver.tell("design", planner="llm", folder="room", **ROOM)
         server.service.workers.close()
     assert model.keys_seen == {KEY}
     assert not answer.is_error, answer.content[0].text
