@@ -17,7 +17,7 @@ class UsualPlace:
 
     Attributes:
         place: the relation; its target is named only where that is a part of the room.
-        among: categories and groups of other things; the first that is there is the target.
+        among: categories of other things; the first that is there is the target.
     """
 
     place: Place
