@@ -22,7 +22,7 @@ from sceneweaver.agent.request_file import RequestFile
 from sceneweaver.assets import Library
 from sceneweaver.brief import SceneGraph
 from sceneweaver.critic.review import review_scene
-from sceneweaver.knowledge import RoomType, room_type
+from sceneweaver.knowledge import room_type
 from sceneweaver.knowledge.load import read_yaml
 from sceneweaver.llm import Endpoint, open_client
 from sceneweaver.scene import Scene
@@ -129,7 +129,7 @@ def pair(room: Room, out: Path, ask_in: Path | None = None, looks: bool = True, 
         patience = PATIENCE if ask_in else 120.0
         client = open_client(Endpoint(MODEL, server.url, timeout=patience), records=out / "looks")
         for made in found.sides:
-            made.asked, made.met = asked_and_met(made.scene, graph, kind)
+            made.asked, made.met = asked_and_met(made.scene, graph)
             made.seen = made.metrics["scores"].get("seen", {}).get("grades", {})
             if looks and not made.seen:
                 made.seen = look(client, made.scene, check(made.scene), graph, kind, Library()).grades
@@ -158,11 +158,11 @@ def _design(room: Room, out: Path, options: Mapping[str, Any]) -> None:
     design(room.prompt, seed=room.seed, out=out, **chosen)
 
 
-def asked_and_met(scene: Scene, graph: SceneGraph, kind: RoomType) -> tuple[int, int]:
+def asked_and_met(scene: Scene, graph: SceneGraph) -> tuple[int, int]:
     """How much of a reading is asked for and how much is so; things count by what they are, whoever put them there."""
     bare = [o.model_copy(update={"intent": o.intent.model_copy(update={"request": None})}) for o in scene.objects]
     scene = scene.model_copy(update={"objects": tuple(bare)})
-    summary = review_scene(scene, check(scene), kind, graph).alignment.summary
+    summary = review_scene(scene, check(scene), room_type(scene.room.type), graph).alignment.summary
     return summary["total"], summary["met"] + summary["assumed"]
 
 

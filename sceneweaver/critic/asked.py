@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from . import asked_entities, asked_relations, asked_room
-from .grade import Finding
+from .grade import Finding, finding
 from .model import Alignment
 from .survey import Survey
 from .verdict import Asked
@@ -24,5 +24,9 @@ def alignment(items: Sequence[Asked]) -> Alignment:
 
 
 def findings(items: Sequence[Asked]) -> list[Finding]:
-    """A fault for each item that is unmet."""
+    """A fault for each item that is unmet, and one where no item was understood, as nothing is met then."""
+    if items and all(item.outcome.status == "not_understood" for item in items):
+        reason = "nothing of the request was understood, so nothing of it is known to be met"
+        fix = "ask in plain English, or let a model read the request"
+        return [finding("alignment", "not_understood", (), reason, fix, points=9.0, cap=1.0)]
     return [item.finding for item in items if item.finding is not None]

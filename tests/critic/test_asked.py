@@ -34,6 +34,14 @@ def test_what_was_asked_is_there() -> None:
     assert found.grades["alignment"] == 10.0 and not [f for f in found.faults if f.criterion == "alignment"]
 
 
+def test_what_nobody_understood_is_not_taken_for_met() -> None:
+    unread = [{"words": "ein ruhiges schlafzimmer"}, {"words": "mit bett"}]
+    found = review(rooms.living(), unread=unread)
+    assert found.grades["alignment"] == 1.0 and only(found, "not_understood", "alignment")[0].tool is None
+    known = review(rooms.living(), unread=unread, entities=[entity("sofa")])
+    assert known.grades["alignment"] == 10.0
+
+
 def test_missing_and_too_many() -> None:
     case = rooms.office()
     few = review(case, entities=[entity("desk", count=(3, 3)), entity("upright_piano")])
