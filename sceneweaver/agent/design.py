@@ -197,7 +197,10 @@ def chosen_room(brief: SceneGraph) -> tuple[RoomType, tuple[str, ...]]:
         found = match_room(brief.room_words)
         if found is not None:
             return known[found[0]], ()
-    best = (likeliest_room((e.category for e in brief.entities), brief.text) or known[LIKELY]).name
+    text = brief.text.lower()
+    if brief.room_words:
+        text = text.replace(brief.room_words.lower(), " ")  # a podcast studio is no studio flat
+    best = (likeliest_room((e.category for e in brief.entities), text) or known[LIKELY]).name
     said = f"'{brief.room_words}' is no kind of room that is known" if brief.room_words else "no kind of room was named"
     return known[best], (f"{said}; made as a {best.replace('_', ' ')}",)
 

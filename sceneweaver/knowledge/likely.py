@@ -12,6 +12,7 @@ from typing import NamedTuple
 from sceneweaver.assets import categories
 from sceneweaver.assets.taxonomy import members
 
+from .kin import families
 from .load import read_yaml, room_types, room_words
 from .model import RoomType
 
@@ -29,6 +30,7 @@ NAMED, BESIDE = 40.0, 6.0
 
 
 class _Data(NamedTuple):
+    decisive: tuple[str, ...]
     prior: Mapping[str, float]
     signs: Mapping[str, frozenset[str]]
 
@@ -41,7 +43,10 @@ def _data() -> _Data:
         raise ValueError(f"likely_rooms.yaml: {', '.join(unknown)} are no rooms")
     if unknown := sorted({name for names in data["signs"].values() for name in names} - set(categories())):
         raise ValueError(f"likely_rooms.yaml: {', '.join(unknown)} are no categories")
-    return _Data(data["prior"], {room: frozenset(names) for room, names in data["signs"].items()})
+    if unknown := sorted(set(data["decisive"]) - set(families()[0])):
+        raise ValueError(f"likely_rooms.yaml: {', '.join(unknown)} are no families of kin.yaml")
+    signs = {room: frozenset(names) for room, names in data["signs"].items()}
+    return _Data(tuple(data["decisive"]), data["prior"], signs)
 
 
 @cache
@@ -79,7 +84,16 @@ def likeliest_room(named: Iterable[str], text: str = "") -> RoomType | None:
         found = sum(math.log(chances.get(c, STRANGE)) for c in told)
         return found + math.log(_data().prior.get(room, PRIOR)) + math.log(words.get(room, 1.0))
 
-    return known[max(sorted(known), key=score)]
+    return known[max(_possible(told), key=score)]
+
+
+def _possible(told: Iterable[str]) -> list[str]:
+    """The kinds of rooms that may hold what decides: beds are in rooms to sleep in, whatever else is there."""
+    found = sorted(room_types())
+    for family in (families()[0][name] for name in _data().decisive):
+        if family.intersection(told):
+            found = [room for room in found if family.intersection(_chances(room))] or found
+    return found
 
 
 def _words_of_rooms(text: str) -> Mapping[str, float]:

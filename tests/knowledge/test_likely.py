@@ -42,3 +42,18 @@ def test_nothing_told() -> None:
     assert likeliest_room([]) is None
     assert likeliest_room(["no_such_category"], "something nice") is None
     assert chosen_room(read_request("something nice"))[0].name == "living_room"
+
+
+def test_a_room_that_is_not_known_is_made_as_one_with_such_things() -> None:
+    hut = "A mountain hut for four hikers: two bunk beds, a stove, a table, baskets and a shelf"
+    found, said = chosen_room(read_request(hut))
+    assert found.name == "dormitory"
+    assert said == ("'mountain hut' is no kind of room that is known; made as a dormitory",)
+    found, _ = chosen_room(read_request("A Podcast Studio with a desk, a mixing console and a microphone"))
+    assert found.name != "studio_apartment"
+
+
+def test_beds_stand_in_rooms_with_beds() -> None:
+    storage = ["bed", "shelving_unit", "washing_machine", "laundry_basket", "ironing_board", "drying_rack"]
+    found = likeliest_room(storage)
+    assert found is not None and any("bed" in item.what for item in found.items)
