@@ -63,7 +63,7 @@ def _room(room: Room, folder: Path, eyes: str) -> Iterator[str]:
         yield "\n".join(_wrapped(row, "  ") for row in rows)
     for step in memory.steps:
         yield from _step(step, folder / "model" / "steps" / f"{step.number:02}" / "review.json")
-    yield _wrapped(f"The run ended: {_plain(memory.finished)}.")
+    yield _wrapped(f"The run ended: {_plain(memory.finished.rstrip('.'))}.")
     refused = [
         f"- `{record['purpose']}`: {_plain(attempt['refused'])}"
         for record in read_records(folder / "model" / "llm")

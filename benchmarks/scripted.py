@@ -103,7 +103,7 @@ class Script:
         return read_yaml(answer.read_text("utf-8"))
 
     def _save(self) -> None:
-        write_atomic(self.file, yaml.safe_dump(self.rows, allow_unicode=True, sort_keys=False, width=100))
+        write_atomic(self.file, yaml.safe_dump(self.rows, allow_unicode=True, sort_keys=False, width=90))
 
 
 def kinds() -> Iterator[type[Reply]]:
