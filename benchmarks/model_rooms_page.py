@@ -63,7 +63,7 @@ def _room(room: Room, folder: Path, eyes: str) -> Iterator[str]:
         yield "\n".join(_wrapped(row, "  ") for row in rows)
     for step in memory.steps:
         yield from _step(step, folder / "model" / "steps" / f"{step.number:02}" / "review.json")
-    yield _wrapped(f"The run ended: {_plain(memory.finished.rstrip('.'))}.")
+    yield _wrapped(_sentence(f"The run ended: {_plain(memory.finished)}"))
     refused = [
         f"- `{record['purpose']}`: {_plain(attempt['refused'])}"
         for record in read_records(folder / "model" / "llm")
@@ -90,6 +90,10 @@ def _step(step: Step, review: Path) -> Iterator[str]:
     seen = json.loads(review.read_text("utf-8")).get("seen") if review.exists() else None
     sight = ", ".join(f"{name} {grade:.1f}" for name, grade in seen["grades"].items()) if seen else ""
     yield _wrapped(f"{kept}. {step.objects} objects; {grades}{f'; seen: {sight}' if sight else ''}.")
+
+
+def _sentence(text: str) -> str:
+    return text if text.endswith(".") else f"{text}."
 
 
 def _plain(text: str) -> str:

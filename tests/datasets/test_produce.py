@@ -98,7 +98,7 @@ def test_a_full_disk_is_no_fault_of_a_scene(tmp_path, monkeypatch):
 
 
 def test_layouts_of_a_room_differ_in_more_than_small_things():
-    wanted = spec("a store room with a desk and a wardrobe", count=3, rooms={"layouts": 3, "candidates": 8})
+    wanted = spec("a store room with a desk and a wardrobe", count=3, rooms={"layouts": 3, "candidates": 16})
     request = Requests(wanted)[0]
     draft = drafted(wanted, request, request.attempt(0), Library(), "cpu")
     kept = [outcome.scene for outcome in chosen(draft, laid_out([draft], "cpu")[0], 3)]
