@@ -9,9 +9,9 @@ from benchmarks.designs import LIBRARY, request
 from sceneweaver.agent.choice import choice_terms
 from sceneweaver.agent.loop import empty_scene
 from sceneweaver.agent.riders import searched, with_riders
-from sceneweaver.brief import SceneGraph, read_request
 from sceneweaver.critic import Review, review_scene
 from sceneweaver.knowledge import RoomType, room_type
+from sceneweaver.language import SceneGraph, read_request
 from sceneweaver.layout import QualityTerm
 from sceneweaver.scene import Scene
 from sceneweaver.scene.edits import apply_all

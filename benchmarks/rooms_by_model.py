@@ -20,10 +20,10 @@ from sceneweaver.agent import design
 from sceneweaver.agent.by_model.critic import look
 from sceneweaver.agent.request_file import RequestFile
 from sceneweaver.assets import Library
-from sceneweaver.brief import SceneGraph
 from sceneweaver.critic.review import review_scene
 from sceneweaver.knowledge import room_type
 from sceneweaver.knowledge.load import read_yaml
+from sceneweaver.language import SceneGraph
 from sceneweaver.llm import Endpoint, open_client
 from sceneweaver.scene import Scene
 from sceneweaver.verify import check

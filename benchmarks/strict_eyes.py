@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.brief import read_request
 from sceneweaver.critic import Fault, Review, review_scene
 from sceneweaver.knowledge import room_type
+from sceneweaver.language import read_request
 from sceneweaver.scene import Scene
 from sceneweaver.verify import check
 

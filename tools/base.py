@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from typing import Any, Protocol
 
 from sceneweaver.assets import Library
-from sceneweaver.brief import SceneGraph
 from sceneweaver.knowledge import RoomType
+from sceneweaver.language import SceneGraph
 from sceneweaver.llm import ModelClient
 from sceneweaver.scene import Relation, Room, Scene
 from sceneweaver.scene.edits import AnyEdit

@@ -6,8 +6,8 @@ import math
 import random
 from collections.abc import Sequence
 
-from sceneweaver.brief import SceneGraph
 from sceneweaver.knowledge.library import SceneCard, library_scenes, load_scene
+from sceneweaver.language import SceneGraph
 from sceneweaver.scene import InputError
 
 from .base import Context, Proposal

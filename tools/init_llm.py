@@ -9,10 +9,10 @@ from importlib import resources
 from typing import Any
 
 from sceneweaver.assets import categories
-from sceneweaver.brief import SceneGraph
 from sceneweaver.knowledge import RoomType
 from sceneweaver.knowledge.load import group_templates
 from sceneweaver.knowledge.surfaces import arrangements, crowds
+from sceneweaver.language import SceneGraph
 from sceneweaver.llm import ModelError
 from sceneweaver.scene import CATALOGUE, InputError, Scene
 from sceneweaver.scene.messages import shorten

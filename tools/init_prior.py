@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from sceneweaver.assets.taxonomy import category_named
-from sceneweaver.brief import Grounded, SceneGraph
 from sceneweaver.knowledge.palettes import Palette as RoomPalette
 from sceneweaver.knowledge.palettes import palette_for
+from sceneweaver.language import Grounded, SceneGraph
 from sceneweaver.scene import CATALOGUE, Intent, Palette, Pose, Relation, Room, Scene, SceneObject
 from sceneweaver.scene.palette import MOST_COLORS
 

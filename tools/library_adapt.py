@@ -8,8 +8,8 @@ from typing import Any
 
 from sceneweaver.assets import Wish
 from sceneweaver.assets.taxonomy import category_named, members
-from sceneweaver.brief import Entity, SceneGraph, Thing, grounded
 from sceneweaver.geometry.walls import walls_of
+from sceneweaver.language import Entity, SceneGraph, Thing, grounded
 from sceneweaver.scene import InputError, Pose, Room, Scene, SceneObject
 from sceneweaver.scene.edits import AnyEdit, Remove, Rename, apply, apply_all
 

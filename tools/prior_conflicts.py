@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
-from sceneweaver.brief import Grounded
+from sceneweaver.language import Grounded
 
 from .prior_program import Wanted
 

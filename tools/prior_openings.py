@@ -8,11 +8,11 @@ import random
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from sceneweaver.brief import SceneGraph
 from sceneweaver.geometry.angles import dot
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.knowledge import RoomType
 from sceneweaver.knowledge.palettes import groups_of
+from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Door, InputError, Room, Window
 
 from .prior_outline import Plan

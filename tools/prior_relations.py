@@ -7,11 +7,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from sceneweaver.brief import Grounded, SceneGraph, StatedRelation, Thing, grounded
-from sceneweaver.brief.model import PLACES
-from sceneweaver.brief.wall_names import direction_of
 from sceneweaver.geometry.angles import cross, dot
 from sceneweaver.knowledge import Place
+from sceneweaver.language import Grounded, SceneGraph, StatedRelation, Thing, grounded
+from sceneweaver.language.model import PLACES
+from sceneweaver.language.wall_names import direction_of
 from sceneweaver.scene import CATALOGUE, InputError, Relation, Room, Window
 
 from .prior_conflicts import reconciled

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 
-from sceneweaver.brief import Grounded, SceneGraph
 from sceneweaver.geometry.angles import cross
 from sceneweaver.knowledge import RoomType
+from sceneweaver.language import Grounded, SceneGraph
 from sceneweaver.scene import Relation, Room
 
 from .prior_program import Wanted

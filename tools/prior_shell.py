@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import random
 
-from sceneweaver.brief import SceneGraph
 from sceneweaver.geometry.walls import walls_of
 from sceneweaver.knowledge import RoomType
+from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Room
 
 from .prior_openings import doors_of, windows_of

@@ -8,10 +8,10 @@ from dataclasses import dataclass, field, replace
 from sceneweaver.assets import Asset, Library
 from sceneweaver.assets.category import REACH
 from sceneweaver.assets.taxonomy import category_named, likeliness
-from sceneweaver.brief import Grounded, SceneGraph, StatedRelation, carrier_of
-from sceneweaver.brief.pairs import groups_of
 from sceneweaver.knowledge.model import Range
 from sceneweaver.knowledge.surfaces import usual_arrangement
+from sceneweaver.language import Grounded, SceneGraph, StatedRelation, carrier_of
+from sceneweaver.language.pairs import groups_of
 from sceneweaver.scene import InputError, Palette, SceneObject, Support, Surface
 
 from .prior_program import LeftOut, Program, Wanted

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from sceneweaver.assets import Library
 from sceneweaver.assets.taxonomy import category_named
-from sceneweaver.brief import Grounded, SceneGraph
+from sceneweaver.language import Grounded, SceneGraph
 from sceneweaver.scene import InputError
 
 from .prior_program import Program, Wanted

@@ -15,7 +15,7 @@ def rows_of(instruction: str, draft: Draft) -> tuple[list[dict[str, Any]], list[
 
     What a sentence only relates to ("next to the sofa") and what is there already is not added again.
     """
-    from sceneweaver.brief import meanings, read_request  # pyright: ignore[reportAttributeAccessIssue]
+    from sceneweaver.language import meanings, read_request  # pyright: ignore[reportAttributeAccessIssue]
 
     brief = read_request(instruction)
     targets = {name for r in brief.relations for name in r.targets}

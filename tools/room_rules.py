@@ -7,10 +7,10 @@ from collections.abc import Iterator, Sequence
 
 from sceneweaver.assets import categories
 from sceneweaver.assets.taxonomy import category_named, members
-from sceneweaver.brief import SceneGraph
 from sceneweaver.knowledge import Item, Place, RoomType
 from sceneweaver.knowledge.kin import kin
 from sceneweaver.knowledge.surfaces import arrangements, crowds
+from sceneweaver.language import SceneGraph
 from sceneweaver.scene import CATALOGUE, InputError
 from sceneweaver.scene.messages import FieldError, shorten, suggest
 

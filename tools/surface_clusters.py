@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from sceneweaver.assets import Asset
-from sceneweaver.brief import Grounded
+from sceneweaver.language import Grounded
 
 from .surface_assets import Shelf
 from .surface_geometry import Array, Shape

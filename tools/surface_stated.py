@@ -13,9 +13,9 @@ from typing import Any
 
 import numpy as np
 
-from sceneweaver.brief import Grounded
 from sceneweaver.geometry.polygons import counter_clockwise
 from sceneweaver.knowledge.surfaces import Arrangement
+from sceneweaver.language import Grounded
 from sceneweaver.scene import SceneObject, Surface
 
 from .surface_assets import Shelf

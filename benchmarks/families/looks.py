@@ -19,10 +19,10 @@ from benchmarks.strict_eyes import GRADED, SCENES, Graded, Label, labels, load_s
 from sceneweaver.agent.by_model.critic import look
 from sceneweaver.agent.by_model.pictures import room_pictures
 from sceneweaver.assets import Library
-from sceneweaver.brief import read_request
 from sceneweaver.critic import Fault
 from sceneweaver.knowledge import room_type
 from sceneweaver.knowledge.design_rules import drafted_rules
+from sceneweaver.language import read_request
 from sceneweaver.llm import ModelClient, ModelError, open_client
 from sceneweaver.scene import MissingDependencyError
 from sceneweaver.verify import check

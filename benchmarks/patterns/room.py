@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
-from sceneweaver.brief import read_request
 from sceneweaver.critic import Fault, Review, review_scene
 from sceneweaver.critic.survey import Survey
 from sceneweaver.knowledge import room_type
+from sceneweaver.language import read_request
 from sceneweaver.scene import Scene
 from sceneweaver.verify import check
 

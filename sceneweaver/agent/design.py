@@ -11,11 +11,11 @@ from pathlib import Path
 from typing import Any, Literal
 
 from sceneweaver.assets import Library
-from sceneweaver.brief import SceneGraph, read_request
 from sceneweaver.export import formats_named
 from sceneweaver.knowledge import RoomType, match_room, room_types
 from sceneweaver.knowledge.learned import learned_rooms
 from sceneweaver.knowledge.likely import likeliest_room
+from sceneweaver.language import SceneGraph, read_request
 from sceneweaver.llm import Limits, ModelClient, Prices
 from sceneweaver.tools.base import CLUTTER
 from sceneweaver.tools.registry import Registered

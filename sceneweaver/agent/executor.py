@@ -9,9 +9,9 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from sceneweaver.assets import Library
-from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import Review, review_scene
 from sceneweaver.knowledge import RoomType
+from sceneweaver.language import SceneGraph
 from sceneweaver.layout import QualityTerm, Solution, improve, joined, refine, refine_many
 from sceneweaver.scene import Pose, Relation, Room, Scene
 from sceneweaver.scene.edits import Remove, apply, apply_all

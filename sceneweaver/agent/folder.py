@@ -11,8 +11,8 @@ from typing import Any, ClassVar, Literal
 
 from pydantic import Field
 
-from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import Review
+from sceneweaver.language import SceneGraph
 from sceneweaver.scene import InputError, Scene, locked, read_bytes, sweep, write_atomic
 from sceneweaver.scene.base import FrozenModel
 from sceneweaver.scene.io import parse

@@ -8,9 +8,9 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from sceneweaver.assets import Library
-from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import CRITERIA, Review
 from sceneweaver.knowledge import RoomType
+from sceneweaver.language import SceneGraph
 from sceneweaver.llm import ModelClient, ModelError
 from sceneweaver.scene import InputError, Room, Scene, SceneWeaverError
 from sceneweaver.scene.messages import shorten

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from typing import Any, Protocol, runtime_checkable
 
 from sceneweaver.assets import Library, resolve
-from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import Fault, Review
 from sceneweaver.knowledge import RoomType
+from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Scene
 from sceneweaver.tools.card import ToolCard
 from sceneweaver.tools.prior_program import named_kinds

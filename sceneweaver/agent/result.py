@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import Review
+from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Scene
 from sceneweaver.verify import Report
 

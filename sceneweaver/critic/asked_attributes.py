@@ -10,7 +10,7 @@ from sceneweaver.assets import categories
 from sceneweaver.assets.category import Category
 from sceneweaver.assets.looks import Words, read_words
 from sceneweaver.assets.materials import STYLES, color_named, finishes_named
-from sceneweaver.brief import Attribute, Entity
+from sceneweaver.language import Attribute, Entity
 from sceneweaver.scene import InputError
 from sceneweaver.verify.measure import Measurement
 from sceneweaver.verify.solids import Body

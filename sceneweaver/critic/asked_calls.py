@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from typing import Any
 
 from sceneweaver.assets.taxonomy import likeliness
-from sceneweaver.brief import Entity, Grounded, StatedRelation
 from sceneweaver.geometry.angles import bearing
 from sceneweaver.knowledge.surfaces import lays, usual_arrangement
+from sceneweaver.language import Entity, Grounded, StatedRelation
 from sceneweaver.scene import CATALOGUE
 from sceneweaver.verify.solids import Body
 

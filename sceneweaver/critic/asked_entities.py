@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from sceneweaver.assets.taxonomy import members
-from sceneweaver.brief import Entity
+from sceneweaver.language import Entity
 from sceneweaver.verify.solids import Body
 
 from . import asked_attributes, kinds

@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from sceneweaver.brief import StatedRelation
+from sceneweaver.language import StatedRelation
 from sceneweaver.verify.measure import Measurement
 from sceneweaver.verify.solids import Body
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from sceneweaver.brief import SceneGraph, Span
+from sceneweaver.language import SceneGraph, Span
 
 from .model import Alignment, ItemOutcome
 

@@ -12,9 +12,9 @@ from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
 from sceneweaver.assets import categories
-from sceneweaver.brief.wall_names import direction_of
 from sceneweaver.geometry.angles import cross, dot, wrap_angle
 from sceneweaver.geometry.walls import Wall
+from sceneweaver.language.wall_names import direction_of
 from sceneweaver.scene import Room
 from sceneweaver.verify.measure import TOLERANCE, Measurement, Measurements, at_least, at_most
 from sceneweaver.verify.solids import Body

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections import defaultdict
 from dataclasses import dataclass
 
-from sceneweaver.brief import Entity, SceneGraph
 from sceneweaver.knowledge import Item, RoomType
 from sceneweaver.knowledge.kin import excluded_kinds
+from sceneweaver.language import Entity, SceneGraph
 from sceneweaver.scene import Scene, SceneObject
 
 from .kinds import serves

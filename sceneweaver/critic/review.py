@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 
-from sceneweaver.brief import SceneGraph
 from sceneweaver.knowledge import RoomType
+from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Scene
 from sceneweaver.verify import Report
 

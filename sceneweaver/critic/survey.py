@@ -12,11 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sceneweaver.assets import categories, resolve
-from sceneweaver.brief import Grounded, Meaning, SceneGraph, StatedRelation, Thing, grounded, meanings
 from sceneweaver.geometry.angles import dot, wrap_angle
 from sceneweaver.geometry.polygons import union
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.knowledge import RoomType
+from sceneweaver.language import Grounded, Meaning, SceneGraph, StatedRelation, Thing, grounded, meanings
 from sceneweaver.scene import CATALOGUE, Scene
 from sceneweaver.verify import Report
 from sceneweaver.verify.solids import Body, Placed

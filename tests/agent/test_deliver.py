@@ -16,8 +16,8 @@ from sceneweaver.agent.memory import Call, Step
 from sceneweaver.agent.request_file import RequestFile
 from sceneweaver.agent.result import Result
 from sceneweaver.assets import Library, make
-from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import CRITERIA, Alignment, ItemOutcome, Review
+from sceneweaver.language import SceneGraph
 from sceneweaver.scene import InputError, Pose, Room, Scene, Support
 from sceneweaver.verify import check
 

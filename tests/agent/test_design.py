@@ -13,8 +13,8 @@ import pytest
 from sceneweaver.agent import Settings, design
 from sceneweaver.agent.executor import Executor
 from sceneweaver.agent.folder import RunFolder
-from sceneweaver.brief import read_request
 from sceneweaver.knowledge import room_type
+from sceneweaver.language import read_request
 from sceneweaver.scene import InputError, MissingDependencyError, Relation, Scene
 from sceneweaver.scene.edits import Relate
 from sceneweaver.tools.base import Proposal

@@ -11,9 +11,9 @@ from sceneweaver.agent.deadline import Deadline
 from sceneweaver.agent.executor import Executor, Outcome
 from sceneweaver.agent.riders import at_rest
 from sceneweaver.agent.settings import Settings
-from sceneweaver.brief import Entity, SceneGraph
 from sceneweaver.critic import CRITERIA, Fault, Review
 from sceneweaver.knowledge import room_type
+from sceneweaver.language import Entity, SceneGraph
 from sceneweaver.layout import Solution, refine
 from sceneweaver.scene import (
     Add,

@@ -13,7 +13,7 @@ from sceneweaver.agent import Settings
 from sceneweaver.agent.folder import RunFolder
 from sceneweaver.agent.memory import Memory, Step
 from sceneweaver.agent.roles import Roles
-from sceneweaver.brief import SceneGraph
+from sceneweaver.language import SceneGraph
 from sceneweaver.scene import InputError, Scene
 
 BRIEF = SceneGraph(text="a room")

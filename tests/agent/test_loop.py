@@ -20,9 +20,9 @@ from sceneweaver.agent.loop import NOTHING_YET, Run, empty_scene
 from sceneweaver.agent.memory import Call, Memory
 from sceneweaver.agent.planner import Situation
 from sceneweaver.agent.settings import Settings
-from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import CRITERIA, Fault, Review, VisualReview
 from sceneweaver.knowledge import room_type
+from sceneweaver.language import SceneGraph
 from sceneweaver.scene import InputError, Pose, Scene, SceneObject
 from sceneweaver.scene.edits import Add
 from sceneweaver.tools.base import Context, Proposal

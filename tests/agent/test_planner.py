@@ -13,9 +13,9 @@ from sceneweaver.agent.design import usable
 from sceneweaver.agent.memory import Call, Memory, Step
 from sceneweaver.agent.planner import RulesPlanner, Situation
 from sceneweaver.agent.settings import Settings
-from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import CRITERIA, Fault, Review
 from sceneweaver.knowledge import room_type
+from sceneweaver.language import SceneGraph
 from sceneweaver.scene import InputError, Scene
 from sceneweaver.tools.registry import tools
 

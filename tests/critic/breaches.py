@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from sceneweaver.brief import SceneGraph
 from sceneweaver.critic.design import faults
 from sceneweaver.critic.survey import Survey
+from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Door, Room, Scene, SceneObject, Support, Window
 from tests.critic import measuring, rooms
 from tests.reports import empty_report

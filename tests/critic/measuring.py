@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import Alignment, ItemOutcome
 from sceneweaver.critic.asked import alignment, measured
 from sceneweaver.critic.survey import Survey
+from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Door, Intent, Part, Pose, Room, Scene, SceneObject, Support, Surface, Window
 from tests.critic.rooms import BEDROOM
 from tests.reports import empty_report

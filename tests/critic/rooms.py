@@ -9,9 +9,9 @@ from functools import cache
 from typing import Any
 
 from sceneweaver.assets import Asset, Request, make
-from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import Review, review_scene
 from sceneweaver.knowledge import RoomType
+from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Door, Pose, Relation, Room, Scene, SceneObject, Support, Window
 from sceneweaver.verify import Report, check
 

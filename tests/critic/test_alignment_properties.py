@@ -13,11 +13,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sceneweaver.brief import SceneGraph
 from sceneweaver.critic.asked import measured
 from sceneweaver.critic.place_measures import CORNER
 from sceneweaver.critic.survey import Survey
 from sceneweaver.knowledge import room_types
+from sceneweaver.language import SceneGraph
 from sceneweaver.scene import CATALOGUE, InputError, Relation, Scene
 from sceneweaver.verify.relations import judge_relation
 from tests.reports import empty_report

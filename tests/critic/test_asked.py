@@ -7,8 +7,8 @@ from typing import Any
 import pytest
 
 from sceneweaver.assets import categories
-from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import Fault, Review
+from sceneweaver.language import SceneGraph
 from sceneweaver.scene import CATALOGUE, Intent
 from tests.critic import rooms
 from tests.critic.rooms import Case, put

@@ -7,9 +7,9 @@ import math
 import pytest
 
 from sceneweaver.assets import make
-from sceneweaver.brief import read_request
 from sceneweaver.critic import Fault, Review, review_scene
 from sceneweaver.knowledge import room_type
+from sceneweaver.language import read_request
 from sceneweaver.scene import Intent, Pose, Relation, Room, Scene
 from sceneweaver.verify import check
 from tests.critic import rooms

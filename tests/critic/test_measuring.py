@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 import shapely
 
-from sceneweaver.brief import read_request
 from sceneweaver.critic.space import floor_of, largest_rectangle
 from sceneweaver.critic.survey import Survey
 from sceneweaver.knowledge import room_type
+from sceneweaver.language import read_request
 from sceneweaver.scene import Scene
 from sceneweaver.verify import check
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 import sceneweaver as sw
-from sceneweaver.brief import read_request
 from sceneweaver.critic import review_scene
 from sceneweaver.knowledge import room_type
+from sceneweaver.language import read_request
 
 SCENE = sw.Scene.example("bedroom")
 

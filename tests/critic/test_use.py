@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from sceneweaver.agent.settings import Settings
-from sceneweaver.brief import SceneGraph
 from sceneweaver.critic.design.breach import breach
 from sceneweaver.critic.grade import eased, finding, grades, squash
+from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Intent, Scene
 from tests.critic import rooms
 from tests.critic.rooms import Case, put

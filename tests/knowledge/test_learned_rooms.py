@@ -6,7 +6,6 @@ import logging
 
 import pytest
 
-from sceneweaver.brief import read_request
 from sceneweaver.knowledge import match_room, room_type, room_types
 from sceneweaver.knowledge.learned import (
     forget_room,
@@ -20,6 +19,7 @@ from sceneweaver.knowledge.learned import (
 )
 from sceneweaver.knowledge.likely import likeliest_room
 from sceneweaver.knowledge.room_files import read_room, room_text, slug
+from sceneweaver.language import read_request
 from sceneweaver.scene import InputError
 from sceneweaver.tools.room_reply import RoomReply, kind_data
 from tests.tools.programmes import ROOM

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from sceneweaver.agent.design import chosen_room
-from sceneweaver.brief import read_request
 from sceneweaver.knowledge import room_types
 from sceneweaver.knowledge.likely import likeliest_room
+from sceneweaver.language import read_request
 
 MEANT = [
     ("an island with four bar stools, a stove and a microwave on a shelf", "kitchen"),

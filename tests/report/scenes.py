@@ -8,9 +8,9 @@ from typing import Any
 from PIL import Image
 
 from sceneweaver.assets import Asset, make
-from sceneweaver.brief import Span
 from sceneweaver.critic import ItemOutcome, Phrase, Review, VisualFault, VisualReview
 from sceneweaver.critic.model import Fault, ItemKind, Status
+from sceneweaver.language import Span
 from sceneweaver.report import ReportData, StepRow
 from sceneweaver.scene import Door, Dropped, Pose, Relation, Room, Scene, Support, Window
 

@@ -9,8 +9,8 @@ import pytest
 
 from sceneweaver.assets import Library, make
 from sceneweaver.assets.sources.parametric import ParametricSource
-from sceneweaver.brief import SceneGraph
 from sceneweaver.knowledge import room_type
+from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Door, Pose, Relation, Room, Scene, Support, Window
 from sceneweaver.tools.base import Context, Proposal
 from sceneweaver.tools.registry import tool

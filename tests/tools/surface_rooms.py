@@ -7,8 +7,8 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from sceneweaver.assets import Library, make
-from sceneweaver.brief import SceneGraph
 from sceneweaver.knowledge import room_types
+from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Pose, Relation, Room, Scene, SceneObject
 from sceneweaver.scene.edits import apply_all
 from sceneweaver.tools.base import Context, Proposal, Tool

@@ -6,7 +6,7 @@ import pytest
 
 import sceneweaver as sw
 from sceneweaver.assets import make
-from sceneweaver.brief import Entity, SceneGraph, StatedRelation, Unread
+from sceneweaver.language import Entity, SceneGraph, StatedRelation, Unread
 from sceneweaver.scene import InputError, Pose, Room, Scene
 from sceneweaver.scene.edits import Add, Relate, apply_all
 
@@ -185,7 +185,7 @@ def test_an_empty_room_of_every_kind_takes_its_own_items(call):
 
 
 def test_a_sentence_is_read(lounge, call):
-    reader = pytest.importorskip("sceneweaver.brief")
+    reader = pytest.importorskip("sceneweaver.language")
     if not hasattr(reader, "read_request"):
         pytest.skip("the reader of requests is not there")
     proposal = call("add_objects", lounge, instruction="add two plants and a floor lamp next to the sofa")
@@ -209,14 +209,14 @@ def test_a_read_sentence_becomes_inputs(lounge, call, monkeypatch):
         ),
         unread=(Unread(words="flummox"),),
     )
-    monkeypatch.setattr("sceneweaver.brief.read_request", lambda text: brief, raising=False)
+    monkeypatch.setattr("sceneweaver.language.read_request", lambda text: brief, raising=False)
     proposal = call("add_objects", lounge, instruction="add ...")
     assert sorted(o.category for o in added(proposal)) == ["book", "book", "bookcase"]
     shelf = next(o for o in added(proposal) if o.category == "bookcase")
     assert {(r.type, r.target) for r in related(proposal, shelf.id)} == {("near", "sofa-0"), ("in_corner", None)}
     assert all(o.support.object == shelf.id for o in added(proposal) if o.category == "book")
     assert shelf.intent.priority == "asked" and any("flummox" in note for note in proposal.notes)
-    monkeypatch.setattr("sceneweaver.brief.read_request", lambda text: SceneGraph(text=text), raising=False)
+    monkeypatch.setattr("sceneweaver.language.read_request", lambda text: SceneGraph(text=text), raising=False)
     with pytest.raises(InputError, match="names nothing to add"):
         call("add_objects", lounge, instruction="hello")
 

@@ -7,10 +7,10 @@ import math
 import pytest
 
 from sceneweaver.assets import Library, categories, make
-from sceneweaver.brief import read_request
 from sceneweaver.geometry.angles import dot
 from sceneweaver.knowledge import room_type, room_types
 from sceneweaver.knowledge.wall_things import most_on_walls, wall_things
+from sceneweaver.language import read_request
 from sceneweaver.scene import Door, InputError, Pose, Room, Scene, Window
 from sceneweaver.scene.edits import apply_all
 from sceneweaver.tools.add_wall_objects import BARE, OVER, AddWallObjects

@@ -11,8 +11,8 @@ from sceneweaver.agent.executor import Executor
 from sceneweaver.agent.loop import empty_scene
 from sceneweaver.agent.settings import Settings
 from sceneweaver.assets import categories
-from sceneweaver.brief import read_request
 from sceneweaver.knowledge import room_type
+from sceneweaver.language import read_request
 from sceneweaver.llm import ModelClient
 from sceneweaver.scene import InputError
 from sceneweaver.tools.base import Context

@@ -9,8 +9,8 @@ import pytest
 import shapely
 
 from sceneweaver.assets import Library, categories
-from sceneweaver.brief import SceneGraph, read_request
 from sceneweaver.knowledge import RoomType, room_type, room_types
+from sceneweaver.language import SceneGraph, read_request
 from sceneweaver.scene import Scene
 from sceneweaver.tools.add_objects import AT_WINDOWS
 from sceneweaver.tools.base import Context, Proposal

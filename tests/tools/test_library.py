@@ -7,8 +7,8 @@ import json
 import pytest
 
 import sceneweaver as sw
-from sceneweaver.brief import Entity, Exclusion, SceneGraph, StatedRelation
 from sceneweaver.knowledge.library import collect, library_scenes, load_scene, own_folder
+from sceneweaver.language import Entity, Exclusion, SceneGraph, StatedRelation
 from sceneweaver.scene import InputError, Intent, Scene
 
 

@@ -7,7 +7,7 @@ import pytest
 from sceneweaver.agent.design import chosen_room
 from sceneweaver.agent.loop import empty_scene
 from sceneweaver.assets import Library
-from sceneweaver.brief import read_request
+from sceneweaver.language import read_request
 from sceneweaver.scene import Relation, Scene
 from sceneweaver.tools.base import Context
 from sceneweaver.tools.init_prior import InitPrior

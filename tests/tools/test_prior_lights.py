@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.brief import read_request
 from sceneweaver.geometry.spread import even_count
 from sceneweaver.knowledge import room_type, room_types
+from sceneweaver.language import read_request
 from sceneweaver.scene import Scene
 from sceneweaver.tools.base import Context
 from sceneweaver.tools.init_prior import InitPrior

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.brief import read_request
 from sceneweaver.knowledge import room_type
+from sceneweaver.language import read_request
 from sceneweaver.scene import CATALOGUE, Scene
 from sceneweaver.tools.base import Context
 from sceneweaver.tools.init_prior import InitPrior

@@ -8,8 +8,8 @@ import random
 import pytest
 import shapely
 
-from sceneweaver.brief import read_request
 from sceneweaver.knowledge import room_type, room_types
+from sceneweaver.language import read_request
 from sceneweaver.scene import Scene
 from sceneweaver.tools.prior_openings import BESIDE
 from sceneweaver.tools.prior_outline import SHAPES, asked_outline, outline, sides_of, turned

@@ -7,9 +7,9 @@ from collections import Counter
 import pytest
 
 from sceneweaver.assets import make
-from sceneweaver.brief import SceneGraph
 from sceneweaver.knowledge import room_types
 from sceneweaver.knowledge.small_things import belongs, most_of
+from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Palette, Pose, Relation, Scene
 from sceneweaver.tools.add_crowd import AddCrowd
 from sceneweaver.tools.add_tabletop import AddTabletop

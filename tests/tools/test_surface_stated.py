@@ -8,9 +8,9 @@ from typing import Any
 import pytest
 
 from sceneweaver.assets import Library
-from sceneweaver.brief import Entity, SceneGraph, StatedRelation
 from sceneweaver.knowledge import room_type
 from sceneweaver.knowledge.kin import families, kin
+from sceneweaver.language import Entity, SceneGraph, StatedRelation
 from sceneweaver.scene import Scene
 from sceneweaver.tools.base import Context, Proposal
 from sceneweaver.tools.init_prior import InitPrior

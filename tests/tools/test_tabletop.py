@@ -9,9 +9,9 @@ import pytest
 import shapely
 
 from sceneweaver.assets import categories, make
-from sceneweaver.brief import SceneGraph, read_request
 from sceneweaver.knowledge import room_types
 from sceneweaver.knowledge.surfaces import arrangement_of, arrangements, crowd_of
+from sceneweaver.language import SceneGraph, read_request
 from sceneweaver.scene import InputError, Intent, Pose, Scene, SceneObject, Support, Window
 from sceneweaver.tools.add_tabletop import AddTabletop
 from sceneweaver.tools.base import Context

@@ -12,9 +12,9 @@ from typing import Any
 
 from sceneweaver.agent.deadline import NEVER, Deadline
 from sceneweaver.assets import Library
-from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import VisualFault, VisualReview
 from sceneweaver.knowledge import RoomType
+from sceneweaver.language import SceneGraph
 from sceneweaver.llm import ModelClient, ModelError, ModelFailed, Picture
 from sceneweaver.scene import Scene
 from sceneweaver.scene.messages import clean, printable_line, shorten

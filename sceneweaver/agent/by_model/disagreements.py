@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import Any, Literal
 
-from sceneweaver.brief import Entity, SceneGraph, Span
+from sceneweaver.language import Entity, SceneGraph, Span
 from sceneweaver.scene.base import FrozenModel
 
 FOREIGN = 0.3

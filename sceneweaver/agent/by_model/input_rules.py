@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from sceneweaver.assets import categories, resolve
-from sceneweaver.brief import SceneGraph
+from sceneweaver.language import SceneGraph
 from sceneweaver.scene import CATALOGUE, InputError, Relation, Scene
 from sceneweaver.scene.messages import shorten, show, suggest
 from sceneweaver.tools.add_relation import clash

@@ -10,13 +10,13 @@ from importlib import resources
 from string import Template
 from typing import get_args
 
-from sceneweaver.brief import SceneGraph
-from sceneweaver.brief.graph import build
-from sceneweaver.brief.model import PLACES, AttributeKind
-from sceneweaver.brief.parsed import Parsed
-from sceneweaver.brief.source import LONGEST, Source
-from sceneweaver.brief.things import MANY
 from sceneweaver.knowledge import room_types
+from sceneweaver.language import SceneGraph
+from sceneweaver.language.graph import build
+from sceneweaver.language.model import PLACES, AttributeKind
+from sceneweaver.language.parsed import Parsed
+from sceneweaver.language.source import LONGEST, Source
+from sceneweaver.language.things import MANY
 from sceneweaver.llm import ModelClient, ModelError
 from sceneweaver.scene import InputError
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from sceneweaver.brief import SceneGraph, Span, StatedRelation
+from sceneweaver.language import SceneGraph, Span, StatedRelation
 
 from .disagreements import Disagreement, fact_of, overlap
 from .request_relations import HOLDING

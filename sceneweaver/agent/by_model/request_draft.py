@@ -10,12 +10,12 @@ import re
 from dataclasses import dataclass, field
 
 from sceneweaver.assets.taxonomy import narrower
-from sceneweaver.brief import Attribute, Span
-from sceneweaver.brief.graph import MOST
-from sceneweaver.brief.parsed import Left, Mention, Parsed
-from sceneweaver.brief.source import Source
-from sceneweaver.brief.things import match_of
-from sceneweaver.brief.vocabulary import vocabulary
+from sceneweaver.language import Attribute, Span
+from sceneweaver.language.graph import MOST
+from sceneweaver.language.parsed import Left, Mention, Parsed
+from sceneweaver.language.source import Source
+from sceneweaver.language.things import match_of
+from sceneweaver.language.vocabulary import vocabulary
 from sceneweaver.scene.messages import quote as shown
 
 from .quotes import Quotes

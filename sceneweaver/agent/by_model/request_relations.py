@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from sceneweaver.assets.taxonomy import category_named
-from sceneweaver.brief.graph import MOST
-from sceneweaver.brief.grounding import FURTHEST
-from sceneweaver.brief.model import PLACES
-from sceneweaver.brief.parsed import Left, Mention, Said, Target
-from sceneweaver.brief.things import SMALL
-from sceneweaver.brief.vocabulary import mounts, words
-from sceneweaver.brief.wall_names import COMPASS
+from sceneweaver.language.graph import MOST
+from sceneweaver.language.grounding import FURTHEST
+from sceneweaver.language.model import PLACES
+from sceneweaver.language.parsed import Left, Mention, Said, Target
+from sceneweaver.language.things import SMALL
+from sceneweaver.language.vocabulary import mounts, words
+from sceneweaver.language.wall_names import COMPASS
 from sceneweaver.scene.messages import quote as shown
 
 from .leniency import term

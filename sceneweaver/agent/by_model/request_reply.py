@@ -9,7 +9,7 @@ from typing import Annotated, Literal, get_args
 
 from pydantic import BeforeValidator, Field, model_validator
 
-from sceneweaver.brief.model import AttributeKind, RelationType, Shape
+from sceneweaver.language.model import AttributeKind, RelationType, Shape
 from sceneweaver.llm import Reply
 
 from .leniency import Count, Flag, Listed, Metres, Number, Text, Whole, absent, term

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from sceneweaver.brief import Span
-from sceneweaver.brief.parsed import Left
-from sceneweaver.brief.source import check_measures
-from sceneweaver.brief.vocabulary import words
 from sceneweaver.knowledge import match_room, room_types
+from sceneweaver.language import Span
+from sceneweaver.language.parsed import Left
+from sceneweaver.language.source import check_measures
+from sceneweaver.language.vocabulary import words
 from sceneweaver.scene.messages import quote as shown
 
 from .quotes import Quotes

@@ -8,10 +8,10 @@ from functools import cache
 
 from sceneweaver.assets import categories
 from sceneweaver.assets.materials import color_named
-from sceneweaver.brief.model import PLACES
-from sceneweaver.brief.things import match_of
-from sceneweaver.brief.vocabulary import vocabulary, words
 from sceneweaver.knowledge import match_room
+from sceneweaver.language.model import PLACES
+from sceneweaver.language.things import match_of
+from sceneweaver.language.vocabulary import vocabulary, words
 from sceneweaver.scene import InputError
 
 LONGEST = 60

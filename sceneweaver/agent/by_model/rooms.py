@@ -12,12 +12,12 @@ from sceneweaver.agent.loop import empty_scene
 from sceneweaver.agent.settings import Settings
 from sceneweaver.assets import Library
 from sceneweaver.assets.sources.parametric import ParametricSource
-from sceneweaver.brief import SceneGraph
-from sceneweaver.brief.vocabulary import vocabulary as known_phrases
 from sceneweaver.knowledge import RoomType, match_room, room_type
 from sceneweaver.knowledge.learned import keep_room, know, named_in, room_file, rooms_apart, rooms_of
 from sceneweaver.knowledge.load import room_words
 from sceneweaver.knowledge.room_files import LARGEST, plain, read_room, room_text, slug
+from sceneweaver.language import SceneGraph
+from sceneweaver.language.vocabulary import vocabulary as known_phrases
 from sceneweaver.llm import ModelClient
 from sceneweaver.scene import InputError, Scene, SceneWeaverError, read_bytes, write_atomic
 from sceneweaver.scene.messages import shorten

@@ -19,7 +19,7 @@ from sceneweaver.agent.planner import Planner, RulesPlanner
 from sceneweaver.agent.result import ModelUse
 from sceneweaver.agent.roles import Roles
 from sceneweaver.agent.transcript import NAME, transcript
-from sceneweaver.brief import SceneGraph, read_request
+from sceneweaver.language import SceneGraph, read_request
 from sceneweaver.layout.devices import pick_devices
 from sceneweaver.llm import ModelClient, ModelError
 from sceneweaver.llm.opening import records_of

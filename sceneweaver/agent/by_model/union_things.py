@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from sceneweaver.brief import Entity, Exclusion, SceneGraph, Span, StatedRelation
-from sceneweaver.brief.graph import MOST
+from sceneweaver.language import Entity, Exclusion, SceneGraph, Span, StatedRelation
+from sceneweaver.language.graph import MOST
 
 from .disagreements import Disagreement, count_of, head_of, overlap, size_of, thing_of
 from .request_words import LONGEST

@@ -6,10 +6,10 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
-from sceneweaver.brief import read_request
 from sceneweaver.critic import review_scene
 from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.knowledge import room_types
+from sceneweaver.language import read_request
 from sceneweaver.scene import Relation, Scene
 from sceneweaver.verify import Report, check
 

@@ -8,7 +8,7 @@ from importlib import resources
 from typing import Any
 
 from sceneweaver.assets.category import read_yaml
-from sceneweaver.brief.vocabulary import plural
+from sceneweaver.language.vocabulary import plural
 
 _NUMBERS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve")
 _SPOKEN_AS_VOWEL = ("hour", "IV ", "8")

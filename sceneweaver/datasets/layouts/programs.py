@@ -13,7 +13,7 @@ from sceneweaver.agent.design import chosen_room
 from sceneweaver.agent.loop import empty_scene
 from sceneweaver.agent.riders import searched
 from sceneweaver.assets import Library
-from sceneweaver.brief import read_request
+from sceneweaver.language import read_request
 from sceneweaver.scene import InputError, Scene
 from sceneweaver.scene.edits import apply_all
 from sceneweaver.scene.threads import cores

@@ -9,7 +9,7 @@ from sceneweaver.agent.executor import Executor
 from sceneweaver.agent.loop import empty_scene
 from sceneweaver.agent.settings import Settings
 from sceneweaver.assets import Library
-from sceneweaver.brief import read_request
+from sceneweaver.language import read_request
 from sceneweaver.scene import Scene
 from sceneweaver.tools.base import Context, Proposal
 from sceneweaver.tools.init_prior import InitPrior

@@ -9,8 +9,8 @@ import pytest
 
 from sceneweaver.assets import Library, make
 from sceneweaver.assets.sources.parametric import ParametricSource
-from sceneweaver.brief import SceneGraph, read_request
 from sceneweaver.knowledge import room_type
+from sceneweaver.language import SceneGraph, read_request
 from sceneweaver.scene import Door, Intent, Pose, Relation, Room, Scene, Support, Window
 from sceneweaver.tools.base import Context
 

@@ -13,9 +13,9 @@ from pydantic_ai.models.function import AgentInfo, FunctionModel
 from sceneweaver.agent.by_model.critic import BLIND, look
 from sceneweaver.agent.by_model.look_reply import Names
 from sceneweaver.assets import Library
-from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import Review, VisualReview
 from sceneweaver.knowledge import room_type
+from sceneweaver.language import SceneGraph
 from sceneweaver.llm import ModelClient, ModelFailed, Picture, open_client
 from sceneweaver.llm.records import Recorder
 from sceneweaver.scene import Scene

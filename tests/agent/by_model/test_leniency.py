@@ -10,7 +10,7 @@ from pydantic import BaseModel, BeforeValidator, ValidationError
 from sceneweaver.agent.by_model.leniency import Count, Flag, Listed, Metres, Number, Text, Whole, absent, term
 from sceneweaver.agent.by_model.request_reply import SAME, RelationReply, RequestReply, Style
 from sceneweaver.assets.materials import STYLES
-from sceneweaver.brief.model import RelationType
+from sceneweaver.language.model import RelationType
 
 Word = Literal["next_to", "color", "L"]
 

@@ -17,9 +17,9 @@ from sceneweaver.agent.by_model.strict import StrictClient
 from sceneweaver.agent.memory import FORGIVING, Call, Memory, Step, Thought
 from sceneweaver.agent.planner import RulesPlanner, Situation
 from sceneweaver.agent.settings import Settings
-from sceneweaver.brief import SceneGraph
 from sceneweaver.critic import CRITERIA, Fault, Review
 from sceneweaver.knowledge import room_type
+from sceneweaver.language import SceneGraph
 from sceneweaver.llm import BudgetSpent, ModelClient, ModelFailed, ModelUnreachable
 from sceneweaver.scene import InputError, MissingDependencyError, Scene
 from sceneweaver.tools.registry import tools

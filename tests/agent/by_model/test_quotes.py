@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sceneweaver.agent.by_model.quotes import MOST, Quotes
-from sceneweaver.brief import Span
+from sceneweaver.language import Span
 
 
 def place(text: str, quote: str) -> str | None:

@@ -19,11 +19,11 @@ from sceneweaver.agent.design import chosen_room
 from sceneweaver.agent.loop import empty_scene
 from sceneweaver.assets import Library
 from sceneweaver.assets.taxonomy import category_named
-from sceneweaver.brief import SceneGraph, grounded, read_request
-from sceneweaver.brief.graph import MOST
-from sceneweaver.brief.meaning import meanings
-from sceneweaver.brief.model import PLACES
 from sceneweaver.critic.review import review_scene
+from sceneweaver.language import SceneGraph, grounded, read_request
+from sceneweaver.language.graph import MOST
+from sceneweaver.language.meaning import meanings
+from sceneweaver.language.model import PLACES
 from sceneweaver.llm import ModelClient, ModelError, open_client
 from sceneweaver.llm.records import Recorder
 from sceneweaver.tools.base import Context

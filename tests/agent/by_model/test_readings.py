@@ -11,7 +11,7 @@ import pytest
 from sceneweaver.agent.by_model.disagreements import Disagreement
 from sceneweaver.agent.by_model.reader import Reading, read_by_model
 from sceneweaver.agent.request_file import RequestFile
-from sceneweaver.brief import SceneGraph, read_request
+from sceneweaver.language import SceneGraph, read_request
 from tests.agent.by_model.answering import Answering
 
 TEXT = (

@@ -10,10 +10,10 @@ from pydantic_ai.models.test import TestModel
 from sceneweaver.agent import design
 from sceneweaver.agent.by_model.rooms import ROOM as COPY
 from sceneweaver.agent.by_model.rooms import learn, learned_room, rooms_of_run
-from sceneweaver.brief import read_request
 from sceneweaver.knowledge import room_type
 from sceneweaver.knowledge.learned import forget_room, keep_room, learned_rooms, rooms_of
 from sceneweaver.knowledge.room_files import read_room
+from sceneweaver.language import read_request
 from sceneweaver.llm import ModelClient, ModelError, ModelFailed
 from sceneweaver.scene import InputError
 from tests.agent.by_model.scripted import Script

@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
-from sceneweaver.brief import SceneGraph, meanings, read_request
 from sceneweaver.knowledge import match_room
+from sceneweaver.language import SceneGraph, meanings, read_request
 
 FIELDS: list[tuple[str, dict[str, Any]]] = [
     ("12 ft by 10 ft bedroom", {"size": (3.6576, 3.048)}),

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from sceneweaver.brief import SceneGraph, meanings, read_request
+from sceneweaver.language import SceneGraph, meanings, read_request
 
 ROOMS = {
     "bedroom": "bedroom",

@@ -6,8 +6,8 @@ import time
 
 import pytest
 
-from sceneweaver.brief import SceneGraph, read_request
-from sceneweaver.brief.spelling import mended
+from sceneweaver.language import SceneGraph, read_request
+from sceneweaver.language.spelling import mended
 
 
 def counts(graph: SceneGraph) -> dict[str, tuple[int, int] | None]:

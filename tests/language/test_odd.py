@@ -6,7 +6,7 @@ import random
 
 import pytest
 
-from sceneweaver.brief import read_request
+from sceneweaver.language import read_request
 from sceneweaver.scene import InputError
 
 ODD = [

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from sceneweaver.brief import Entity, SceneGraph, StatedRelation, Thing, grounded
+from sceneweaver.language import Entity, SceneGraph, StatedRelation, Thing, grounded
 from sceneweaver.scene import CATALOGUE, Relation
 
 SIZES = {

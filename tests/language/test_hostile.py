@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sceneweaver.assets.taxonomy import category_named
-from sceneweaver.brief import SceneGraph, read_request
+from sceneweaver.language import SceneGraph, read_request
 from sceneweaver.scene import InputError
 
 PLACES = {"window", "door", "corner", "middle", "wall", "ceiling", "floor", "room"}
