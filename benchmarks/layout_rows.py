@@ -11,7 +11,7 @@ import numpy as np
 from benchmarks.signature import signatures
 from sceneweaver.datasets.columns import arrow
 from sceneweaver.datasets.layouts.read import posed
-from sceneweaver.datasets.processes import cores, pool
+from sceneweaver.runtime.processes import cores, pool
 from sceneweaver.scene import Scene
 from sceneweaver.verify import check
 

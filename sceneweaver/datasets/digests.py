@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from itertools import repeat
 from pathlib import Path
 
-from .processes import cores, pool
+from sceneweaver.runtime.processes import cores, pool
 
 MANY = 4096
 """Files from which on processes are worth their start."""

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Protocol
 
+from sceneweaver.runtime.processes import pool
 from sceneweaver.scene import InputError
 
-from ..processes import pool
 from ..reading import Span, scenes_of
 from .findings import Findings
 from .scene import Judge, content_of

@@ -10,8 +10,9 @@ from typing import Any
 
 import numpy as np
 
+from sceneweaver.runtime.processes import cores
+
 from ..folder import Folder
-from ..processes import cores
 from ..work import Produce
 from .local import LocalEngine
 from .manifest import create, devices, load_source

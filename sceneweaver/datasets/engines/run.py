@@ -11,11 +11,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from sceneweaver.runtime.processes import cores
 from sceneweaver.scene import InputError, sweep, write_atomic
 
 from .. import work
 from ..disk import disk_full, waiting
-from ..processes import cores
 from .local import TICK, LocalEngine
 from .locks import run_lock
 from .manifest import Dataset, agreed_device, devices

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache, partial
@@ -14,13 +13,13 @@ from sceneweaver.agent.loop import empty_scene
 from sceneweaver.agent.riders import searched
 from sceneweaver.assets import Library
 from sceneweaver.language import read_request
+from sceneweaver.runtime.processes import pool
 from sceneweaver.scene import InputError, Scene
 from sceneweaver.scene.edits import apply_all
 from sceneweaver.scene.threads import cores
 from sceneweaver.tools.base import Context
 from sceneweaver.tools.registry import tools
 
-from ..processes import SPAWN, end_with_parent, one_thread_each
 from ..requests import Request
 from ..spec import Spec
 
@@ -76,10 +75,8 @@ def drawing(spec: Spec, requests: Sequence[Request]) -> Iterator[Draw]:
     if len(requests) < AT_ONCE or helpers < 2 or current_process().daemon:
         yield lambda attempts: [draw(spec, attempt, request) for request, attempt in attempts]
         return
-    with ProcessPoolExecutor(helpers, mp_context=SPAWN, initializer=end_with_parent) as pool:
-        with one_thread_each():
-            pool.submit(int)  # begins all of them
-        yield lambda attempts: list(pool.map(partial(_draw_one, spec), attempts))
+    with pool(helpers) as processes:
+        yield lambda attempts: list(processes.map(partial(_draw_one, spec), attempts))
 
 
 def _draw_one(spec: Spec, one: tuple[Request, int]) -> Program:

@@ -66,4 +66,4 @@ def drafted(spec: Spec, request: Request, seed: int, library: Library, device: s
     )
     context = Context(brief, room_type, empty_scene(brief, room_type), library, seed, clutter=request.clutter)
     proposal = InitPrior().propose(context)
-    return Draft(request, proposal, Executor(room_type, brief, settings), context, remarks)
+    return Draft(request, proposal, Executor(room_type, brief, settings, library), context, remarks)

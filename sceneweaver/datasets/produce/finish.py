@@ -54,7 +54,7 @@ def finished(draft: Draft, layout: Outcome, seed: int, gates: Gates) -> Finished
     context = replace(draft.context, scene=layout.scene, seed=seed)
     outcome = lived_in(layout, draft.executor, context)
     outcome, _ = opened(outcome, draft.executor)
-    return _gated(outcome, draft.seed, (*draft.proposal.unmet, *outcome.unmet), gates)
+    return _gated(outcome, draft.seed, (*draft.proposal.unmet, *outcome.unmet), gates, draft.executor.library)
 
 
 def designed(spec: Spec, request: Request, seed: int, library: Library, device: str) -> Finished:
@@ -68,16 +68,16 @@ def designed(spec: Spec, request: Request, seed: int, library: Library, device: 
         time_limit=None,
         library=library,
     )
-    return _gated(Outcome(made.scene, made.report, made.review), seed, made.unmet, spec.gates)
+    return _gated(Outcome(made.scene, made.report, made.review), seed, made.unmet, spec.gates, library)
 
 
-def _gated(outcome: Outcome, seed: int, unmet: Sequence[str], gates: Gates) -> Finished:
+def _gated(outcome: Outcome, seed: int, unmet: Sequence[str], gates: Gates, library: Library) -> Finished:
     asked = [fault.reason for fault in outcome.review.faults if fault.criterion == "alignment"]
     unmet = tuple(dict.fromkeys((*unmet, *asked)))
-    return Finished(outcome, seed, unmet, _passed(outcome, unmet, gates))
+    return Finished(outcome, seed, unmet, _passed(outcome, unmet, gates, library))
 
 
-def _passed(outcome: Outcome, unmet: Sequence[str], gates: Gates) -> dict[str, bool]:
+def _passed(outcome: Outcome, unmet: Sequence[str], gates: Gates, library: Library) -> dict[str, bool]:
     """By gate, whether a scene is through it."""
     found = {"valid": outcome.report.valid}
     if gates.grade > 0:
@@ -93,6 +93,6 @@ def _passed(outcome: Outcome, unmet: Sequence[str], gates: Gates) -> dict[str, b
     if gates.still is not None and outcome.report.valid:
         from sceneweaver.physics import stability
 
-        moved = stability(outcome.scene)["moved"].values()
+        moved = stability(outcome.scene, library.load)["moved"].values()
         found["still"] = max(moved, default=0.0) <= gates.still
     return found

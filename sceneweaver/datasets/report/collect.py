@@ -13,8 +13,9 @@ from typing import Any
 
 import numpy as np
 
+from sceneweaver.runtime.processes import pool
+
 from ..folder import Folder
-from ..processes import pool
 from ..reading import Span, rows_of, scenes_of, shards_of, spans_of
 from ..statistics import statistics
 from .layouts import layout_files, program_layouts, program_rows
