@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from ..facts import Facts
-from . import access, counts, places, sizes
+from . import access, counts, places
 from .question import Asker, Question, Template
 
-TEMPLATES: tuple[Template, ...] = (*counts.TEMPLATES, *places.TEMPLATES, *sizes.TEMPLATES, *access.TEMPLATES)
+TEMPLATES: tuple[Template, ...] = (*counts.TEMPLATES, *places.TEMPLATES, *access.TEMPLATES)
 """All templates; one that stands here twice asks twice."""
 
 

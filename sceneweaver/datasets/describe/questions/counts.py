@@ -12,7 +12,7 @@ from sceneweaver.verify.solids import Body
 from ..facts import Facts
 from ..naming import color
 from ..nouns import noun, nouns, with_article
-from .question import Asker, Question, yes_no
+from .question import Asker, Question
 
 
 @lru_cache(maxsize=2**16)
@@ -31,88 +31,53 @@ def _countable(facts: Facts) -> list[str]:
 
 def how_many(asker: Asker) -> Question | None:
     """How many of a category there are."""
-    facts = asker.facts
-    known = _countable(facts)
-    if not known:
-        return None
+    by_category = asker.facts.by_category
+    known = _countable(asker.facts)
     # A number is drawn first, so that none is the usual answer.
-    numbers = sorted({len(facts.by_category[c]) for c in known} & set(range(1, 13)))
-    wanted = numbers[int(asker.rng.integers(len(numbers)))] if numbers else 0
-    choice = [c for c in known if len(facts.by_category[c]) == wanted]
-    if not choice:
+    numbers = sorted({len(by_category[c]) for c in known} & set(range(1, 13)))
+    if not numbers:
         return None
-    category = choice[int(asker.rng.integers(len(choice)))]
-    found, words = facts.by_category[category], nouns(category)
-    return Question(
-        "count",
-        "count",
-        asker.one_of(
-            f"How many {words} are there in the room?",
-            f"How many {words} does the room have?",
-            f"Count the {words} in this room. How many are there?",
-        ),
-        len(found),
-        tuple(b.id for b in found),
-        {"category": category},
-        "number of objects of this category",
-    )
+    wanted = asker.one(numbers)
+    category = asker.one([c for c in known if len(by_category[c]) == wanted])
+    objects = tuple(b.id for b in by_category[category])
+    return asker.ask("count", wanted, (), {"category": category}, objects=objects, things=nouns(category))
 
 
 def exists(asker: Asker) -> Question | None:
     """Whether there is something of a category; what is not there is usual in rooms of this kind."""
-    facts = asker.facts
-    there = sorted(facts.by_category)
-    kind = room_types().get(facts.scene.room.type)
+    by_category = asker.facts.by_category
+    there = sorted(by_category)
+    kind = room_types().get(asker.facts.scene.room.type)
     if kind is None:
         return None
     # Both answers come from things that rooms of this kind have as often, so that knowing rooms does not do.
-    pools = []
     for need in ("optional", "usual"):
         kinds = sorted({c for item in kind.items if item.need == need for c in item.what})
         absent = [c for c in kinds if not any(c == d or _confusable(c, d) or _confusable(d, c) for d in there)]
-        pools.append(([c for c in kinds if c in there], absent))
-    found = next(((present, absent) for present, absent in pools if present and absent), None)
-    if found is None:
-        return None
-    present, absent = found
-    said = asker.coin()
-    pool = present if said else absent
-    category = pool[int(asker.rng.integers(len(pool)))]
-    words = with_article(noun(category))
-    return Question(
-        "exists",
-        "yes_no",
-        asker.one_of(f"Is there {words} in the room?", f"Does the room have {words}?", f"Can {words} be found here?"),
-        yes_no(said),
-        tuple(b.id for b in facts.by_category.get(category, ())),
-        {"category": category, "count": len(facts.by_category.get(category, ()))},
-        "whether the number of objects of this category is above 0",
-    )
+        present = [c for c in kinds if c in there]
+        if present and absent:
+            said = asker.coin()
+            category = asker.one(present if said else absent)
+            objects = tuple(b.id for b in by_category.get(category, ()))
+            operands = {"category": category, "count": len(objects)}
+            return asker.ask("exists", said, (), operands, objects=objects, thing=with_article(noun(category)))
+    return None
 
 
 def more_of(asker: Asker) -> Question | None:
     """Whether there are more of one category than of another."""
-    facts = asker.facts
-    known = _countable(facts)
-    pairs = [(a, b) for a in known for b in known if a != b and len(facts.by_category[a]) != len(facts.by_category[b])]
+    by_category = asker.facts.by_category
+    known = _countable(asker.facts)
+    pairs = [(a, b) for a in known for b in known if a != b and len(by_category[a]) != len(by_category[b])]
     found = asker.balanced(
-        asker.shuffled(pairs), lambda p: (len(facts.by_category[p[0]]) > len(facts.by_category[p[1]]), None)
+        asker.shuffled(pairs), lambda pair: (len(by_category[pair[0]]) > len(by_category[pair[1]]), None)
     )
     if found is None:
         return None
     (a, b), said, _ = found
-    return Question(
-        "more_of",
-        "yes_no",
-        asker.one_of(
-            f"Are there more {nouns(a)} than {nouns(b)} in the room?",
-            f"Does the room have more {nouns(a)} than {nouns(b)}?",
-        ),
-        yes_no(said),
-        tuple(body.id for c in (a, b) for body in facts.by_category[c]),
-        {a: len(facts.by_category[a]), b: len(facts.by_category[b])},
-        "comparison of the numbers of objects of the two categories",
-    )
+    objects = tuple(body.id for c in (a, b) for body in by_category[c])
+    operands = {a: len(by_category[a]), b: len(by_category[b])}
+    return asker.ask("more_of", said, (), operands, objects=objects, things=nouns(a), others=nouns(b))
 
 
 def what_color(asker: Asker) -> Question | None:
@@ -121,22 +86,13 @@ def what_color(asker: Asker) -> Question | None:
     shown = sorted({c for b in asker.facts.bodies if (c := color(b))})
     if not coloured or len(shown) < 2:
         return None
-    body = coloured[int(asker.rng.integers(len(coloured)))]
-    name, said = asker.name(body), color(body)
-    if said is None or said in name:
+    body = asker.one(coloured)
+    said = color(body)
+    if said is None or said in asker.name(body):
         return None
     others = [c for c in asker.shuffled([*shown, "red", "blue", "green", "black", "white"]) if _far(c, said)]
     options = asker.shuffled(list(dict.fromkeys([said, *others]))[:4])
-    return Question(
-        "color",
-        "choice",
-        asker.one_of(f"What colour is {name}?", f"Which of these colours is {name}?"),
-        said,
-        asker.ids(body),
-        {"color": said},
-        "the colour that the object's attributes give",
-        options=tuple(options),
-    )
+    return asker.ask("color", said, (body,), {"color": said}, options=options)
 
 
 def _far(one: str, other: str) -> bool:
@@ -155,28 +111,17 @@ def what_is_on(asker: Asker) -> Question | None:
     ]
     if not carriers:
         return None
-    (carrier, how), things = carriers[int(asker.rng.integers(len(carriers)))]
+    (carrier, how), things = asker.one(carriers)
     body = asker.facts.by_id[carrier]
-    name = asker.name(body)
-    where = "directly on" if how == "on" else "inside"
-    return Question(
-        f"what_is_{how}",
-        "list",
-        asker.one_of(f"What is {where} {name}?", f"List everything that is {where} {name}."),
-        _inventory(things),
-        (*asker.ids(body), *(t.id for t in things)),
-        {"carrier": carrier, "supports": {t.id: _surface(t) for t in things}},
-        "the objects whose support is this one, each as its noun",
-    )
+    operands = {"carrier": carrier, "supports": {t.id: _surface(t) for t in things}}
+    objects = (*asker.ids(body), *(t.id for t in things))
+    counts = Counter(noun(t.item.category) for t in things)
+    inventory = [word for word in sorted(counts) for _ in range(counts[word])]
+    return asker.ask(f"what_is_{how}", inventory, (body,), operands, objects=objects)
 
 
 def _surface(thing: Body) -> str | None:
     return thing.item.support.surface if thing.item.support is not None else None
-
-
-def _inventory(things: list[Body]) -> list[str]:
-    counts = Counter(noun(t.item.category) for t in things)
-    return [word for word in sorted(counts) for _ in range(counts[word])]
 
 
 def is_on(asker: Asker) -> Question | None:
@@ -198,19 +143,8 @@ def is_on(asker: Asker) -> Question | None:
     found = asker.balanced(asker.shuffled([*direct, *list(asker.pairs(small, carriers))[:8]]), answer)
     if found is None:
         return None
-    (thing, carrier), said, support = found
-    return Question(
-        "is_on",
-        "yes_no",
-        asker.one_of(
-            f"Is {asker.name(thing)} on {asker.name(carrier)}?",
-            f"Does {asker.name(thing)} rest on {asker.name(carrier)}?",
-        ),
-        yes_no(said),
-        asker.ids(thing, carrier),
-        {"support": support},
-        "whether the support of the first object is the second",
-    )
+    pair, said, support = found
+    return asker.ask("is_on", said, pair, {"support": support})
 
 
 def _stands_over(facts: Facts, thing: Body, carrier: Body) -> bool:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
-from dataclasses import asdict, dataclass, field
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import asdict, dataclass
+from functools import cache
+from importlib import resources
 from itertools import islice
 from typing import Any, Literal, TypeVar
 
 import numpy as np
 
+from sceneweaver.assets.category import read_yaml
 from sceneweaver.verify.solids import Body
 
 from ..facts import Facts
@@ -53,11 +56,17 @@ class Question:
     options: tuple[str, ...] = ()
     option_objects: tuple[str, ...] = ()
     tolerance: float | None = None
-    unit: str | None = field(default=None)
+    unit: str | None = None
 
     def to_dict(self) -> dict[str, Any]:
         """JSON data, without what is not there."""
         return {key: value for key, value in asdict(self).items() if value not in (None, ())}
+
+
+@cache
+def wordings() -> dict[str, dict[str, Any]]:
+    """By template, ``questions.yaml``: form, unit, wordings, and how the answer is found."""
+    return read_yaml(resources.files("sceneweaver.datasets.describe").joinpath("questions.yaml"))
 
 
 class Asker:
@@ -75,9 +84,13 @@ class Asker:
         """True or false, each as often."""
         return bool(self.rng.integers(2))
 
+    def one(self, items: Sequence[T]) -> T:
+        """One of some items."""
+        return items[int(self.rng.integers(len(items)))]
+
     def one_of(self, *texts: str) -> str:
         """One of several wordings."""
-        return texts[int(self.rng.integers(len(texts)))]
+        return self.one(texts)
 
     def shuffled(self, items: Iterable[T]) -> list[T]:
         """The items in a drawn order."""
@@ -117,14 +130,55 @@ class Asker:
                 return found[wanted]
         return None
 
+    def ask(
+        self,
+        template: str,
+        answer: Any,
+        about: Sequence[Body],
+        operands: dict[str, Any],
+        *,
+        objects: tuple[str, ...] | None = None,
+        options: Sequence[str] | Sequence[Body] = (),
+        margin: float | None = None,
+        tolerance: float | None = None,
+        **fields: Any,
+    ) -> Question:
+        """The question of a template in one of its wordings.
+
+        Args:
+            template: its name in ``questions.yaml``.
+            answer: as `Question.answer`; a truth value is said as "yes" or "no", a body by its name.
+            about: the things whose names are the fields {0}, {1} ... of the wordings.
+            operands: what the answer follows from.
+            objects: ids that it is about, where these are not those that the names speak of.
+            options: of a choice: words or things.
+            margin: from where the answer would change.
+            tolerance: how far a number may be off.
+            fields: other fields of wordings and method.
+        """
+        data = wordings()[template]
+        things = [self.name(body) for body in about]
+        bodies = [option for option in options if isinstance(option, Body)]
+        if isinstance(answer, bool | np.bool_):
+            answer = "yes" if answer else "no"
+        return Question(
+            template,
+            data["form"],
+            self.one([text.format(*things, **fields) for text in data["ask"]]),
+            self.name(answer) if isinstance(answer, Body) else answer,
+            self.ids(*about) if objects is None else objects,
+            operands,
+            data["method"].format(**fields),
+            margin=margin,
+            options=tuple(self.name(option) if isinstance(option, Body) else option for option in options),
+            option_objects=tuple(body.id for body in bodies),
+            tolerance=tolerance,
+            unit=data.get("unit"),
+        )
+
 
 Template = Callable[[Asker], Question | None]
 """Asks one question, or none where the scene does not lend itself to it."""
-
-
-def yes_no(said: bool) -> str:
-    """The word for it."""
-    return "yes" if said else "no"
 
 
 def rounded(value: float, digits: int = 3) -> float:
