@@ -8,10 +8,9 @@ from pathlib import Path
 
 import sceneweaver
 
-from .blocks import write_block
 from .folder import Folder
 from .requests import Request, Requests
-from .sample import Sample
+from .samples import Sample, write_block
 from .spec import Spec
 from .store import AssetStore
 

@@ -13,7 +13,6 @@ from pathlib import Path
 import pytest
 
 from sceneweaver.datasets import read_rows
-from sceneweaver.datasets.disk import DiskFullError, disk_full
 from sceneweaver.datasets.engines import (
     Listener,
     Options,
@@ -26,9 +25,10 @@ from sceneweaver.datasets.engines import (
     resume,
     status,
 )
-from sceneweaver.datasets.engines.estimate import grown
-from sceneweaver.datasets.engines.locks import run_lock
+from sceneweaver.datasets.engines.run import run_lock
 from sceneweaver.datasets.engines.schedule import Schedule
+from sceneweaver.datasets.engines.status import grown
+from sceneweaver.datasets.folder import DiskFullError, disk_full
 from sceneweaver.scene import InputError, write_atomic
 from tests.datasets import fake
 

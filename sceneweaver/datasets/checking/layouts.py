@@ -12,11 +12,10 @@ import numpy as np
 from sceneweaver.scene import Scene
 from sceneweaver.verify import check
 
-from ..columns import arrow
 from ..folder import Folder
-from ..layouts.pack import PROGRAMS
 from ..layouts.read import posed
 from ..spec import Spec
+from ..tables import arrow, read_table
 from .findings import Findings
 
 SAMPLE = 5000
@@ -66,7 +65,7 @@ class Layouts:
 
 def layout_tasks(folder: Folder, spec: Spec, found: Findings, sample: int | None) -> Iterator[Layouts]:
     """Check the tables of a data set of layouts; what is left are the layouts to judge."""
-    programs = {row["program"]: row for row in arrow().parquet.read_table(folder.meta / PROGRAMS).to_pylist()}
+    programs = {row["program"]: row for row in read_table(folder.programs)}
     _check_programs(list(programs.values()), spec, found)
     shards = sorted(folder.data.glob("*.parquet"))
     places = [place for shard in shards for place in _row_groups(shard, programs, found)]

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 import math
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -16,12 +15,9 @@ from sceneweaver.physics.mjcf_file import simulate
 from sceneweaver.scene import InputError, Scene
 from sceneweaver.verify import Report, check
 
+from ..store import SUFFIXES
 from . import exports
 from .findings import Findings
-from .twins import twin_faults, twin_names
-
-SUFFIXES = {"glb": "glb", "mjcf": "xml", "usd": "usdc"}
-"""The file of a scene in which an export is."""
 
 _COUNTS = ("valid", "collisions", "out_of_bounds", "unsupported", "blocked_zones", "blocked_openings")
 _CLOSE = {"area": 0.01, "walkable_share": 1e-3, "relations_satisfied": 1e-6}
@@ -135,15 +131,6 @@ class Judge:
             found.fault("asset", row["key"], f"{suffix} names {min(more)}, which the index does not list")
 
 
-def content_of(files: Mapping[str, bytes]) -> tuple[str, int]:
-    """Content hash and bytes of the files of a scene, as its row has them."""
-    digest, size = hashlib.sha256(), 0
-    for suffix in sorted(files):
-        digest.update(f"{suffix}:{len(files[suffix])}\n".encode() + files[suffix])
-        size += len(files[suffix])
-    return digest.hexdigest(), size
-
-
 def differences(row: Mapping[str, Any], scene: Scene, report: Report) -> list[str]:
     """Lines about columns of a row that are not what the scene is. Columns that are null say nothing."""
     hard, soft = report.relations.hard, report.relations.soft
@@ -187,3 +174,36 @@ def _metrics(content: bytes | None, report: Report) -> list[str]:
         ]
     except (ValueError, TypeError) as error:
         return [f"metrics.json: {error}"]
+
+
+SCENE, DIFFERENCE = ".scene.json", ".difference.json"
+
+_MEASURED = ("valid", "collisions", "out_of_bounds")
+
+
+def twin_names(files: Mapping[str, bytes]) -> list[str]:
+    """The names of the twins among the files of a scene, by suffix: twin-0, twin-1 ..."""
+    return sorted({suffix.partition(".")[0] for suffix in files if suffix.startswith("twin-")})
+
+
+def twin_faults(scene: Scene, files: Mapping[str, bytes]) -> Iterator[str]:
+    """Lines about twins that are not what is stated of them."""
+    for name in twin_names(files):
+        try:
+            twin = Scene.loads(files[name + SCENE])
+            stated = json.loads(files[name + DIFFERENCE])
+            changed, report = {stated["object"], *stated["carried"]}, check(twin, walkable=False)
+            for key in _MEASURED:
+                said, measured = stated["measured"][key][1], getattr(report, key)
+                if said != measured:
+                    yield f"{name}: {key} is {measured!r}; its difference says {said!r}"
+        except (InputError, ValueError, TypeError, LookupError) as error:
+            yield f"{name}: {type(error).__name__}: {error}"
+            continue
+        old, new = ({obj.id: obj for obj in one.objects} for one in (scene, twin))
+        differ = {i for i in old.keys() | new.keys() if old.get(i) != new.get(i)}
+        if differ - changed or twin.room != scene.room:
+            more = ", ".join(sorted(differ - changed)) or "the room"
+            yield f"{name}: {more} differs as well, which is not stated"
+        if stated["object"] not in differ and twin.relations == scene.relations:
+            yield f"{name}: nothing differs"

@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from ..columns import arrow, index_schema
+from ..digests import TIMES, read_checksums, sha256
 from ..folder import Folder
-from ..reading import INDEX, Span
+from ..gates import failures
+from ..reading import Span
 from ..spec import Spec
 from ..statistics import statistics
-from ..store.content import DIGITS
+from ..store import DIGITS
+from ..tables import read_schema, read_table, schema_of
 from .findings import Findings
-
-UNCHECKED = {"meta/seconds.parquet"}
-"""Files that need no line in the list of checksums: no two runs agree on them."""
 
 _NEEDED = ("index", "key", "status", "reason", "split", "shard", "room", "content_hash", "bytes")
 
@@ -67,7 +65,7 @@ def check_rows(
                 found.fault("split", key, f"{column} {row[column]} is in {first} and in {row['split']}")
     found.counts["rows"] += count
     if count != spec.count:
-        found.fault("index", INDEX, f"has {count} rows; the specification asks for {spec.count}")
+        found.fault("index", "index.parquet", f"has {count} rows; the specification asks for {spec.count}")
 
 
 def _undelivered(row: Mapping[str, Any]) -> Iterator[str]:
@@ -105,37 +103,28 @@ def asset_licences(folder: Folder) -> dict[str, str] | None:
     """The licence of each asset by the table of assets; None where there is no such table."""
     if not folder.asset_table.is_file():
         return None
-    table = arrow().parquet.read_table(folder.asset_table, columns=["asset", "licence"])
-    return dict(zip(table["asset"].to_pylist(), table["licence"].to_pylist(), strict=True))
+    return {row["asset"]: row["licence"] for row in read_table(folder.asset_table, ["asset", "licence"])}
 
 
 def gates_failed(row: Mapping[str, Any], spec: Spec) -> Iterator[str]:
     """Lines about gates of a specification that a delivered row does not pass."""
-    for name, passed in (row.get("gates") or {}).items():
-        if passed is False:
+    for name, through in (row.get("gates") or {}).items():
+        if through is False:
             yield f"is delivered, but gate {name} failed"
-    gates = spec.gates
-    if row.get("grade") is not None and row["grade"] < gates.grade - 1e-9:
-        yield f"has grade {row['grade']:.2f}; at least {gates.grade:g} is asked"
-    if gates.unmet is not None and len(row.get("unmet") or ()) > gates.unmet:
-        yield f"leaves {len(row['unmet'])} wishes unmet; {gates.unmet} are allowed"
-    if row.get("openable_share") is not None and row["openable_share"] < gates.openable - 1e-9:
-        yield f"has {row['openable_share']:.2f} of its doors and drawers open; at least {gates.openable:g} is asked"
-    if row.get("walkable_share") is not None and row["walkable_share"] < gates.walkable - 1e-9:
-        yield f"has {row['walkable_share']:.2f} of its floor within reach; at least {gates.walkable:g} is asked"
+    yield from failures(spec.gates, row.get)
 
 
 def check_schema(folder: Folder, found: Findings) -> None:
     """The types of the columns of the index. Only those that all else needs have to be there: versions add some."""
-    there = {field.name: field.type for field in arrow().parquet.read_schema(folder.index)}
-    for field in index_schema():
+    there = {field.name: field.type for field in read_schema(folder.index)}
+    for field in schema_of("index"):
         if there.get(field.name, None if field.name in _NEEDED else field.type) != field.type:
-            found.fault("index", INDEX, f"column {field.name} is {there.get(field.name)}, not {field.type}")
+            found.fault("index", folder.index.name, f"column {field.name} is {there.get(field.name)}, not {field.type}")
 
 
 def check_statistics(folder: Folder, rows: Iterable[Mapping[str, Any]], found: Findings) -> None:
     """Whether the statistics are those of the rows."""
-    path = folder.meta / "statistics.json"
+    path = folder.statistics
     name = path.relative_to(folder.path).as_posix()
     try:
         said = json.loads(path.read_bytes())
@@ -172,18 +161,15 @@ def check_spans(spans: Iterable[Span], shards: Mapping[str, str], found: Finding
 
 def checksums(folder: Folder, found: Findings) -> list[tuple[Path, str]]:
     """The files in the list of checksums with their SHA-256; files of ``data/`` and ``meta/`` must be in it."""
-    path = folder.path / "checksums.sha256"
+    path = folder.checksums
     if not path.is_file():
         found.fault("checksum", path.name, "is not there")
         return []
-    listed = {}
-    for line in path.read_text(encoding="utf-8").splitlines():
-        digest, _, name = line.partition(" ")
-        listed[name.lstrip(" *").removeprefix("./")] = digest
+    listed = read_checksums(folder)
     for part in (folder.data, folder.meta):
         for file in sorted(part.rglob("*")):
             name = file.relative_to(folder.path).as_posix()
-            if file.is_file() and name not in listed and name not in UNCHECKED:
+            if file.is_file() and name not in listed and name != TIMES:
                 found.fault("checksum", name, f"is not in {path.name}")
     for name, digest in listed.items():
         if (stem := _store_name(name)) and not digest.startswith(stem):
@@ -211,7 +197,6 @@ def check_digests(root: Path, files: Iterable[tuple[Path, str]], found: Findings
     """Whether the SHA-256 of files begins as it should."""
     for path, expected in files:
         found.counts["files hashed"] += 1
-        with open(path, "rb") as file:
-            digest = hashlib.file_digest(file, "sha256").hexdigest()
+        digest = sha256(path)
         if not expected or not digest.startswith(expected.lower()):
             found.fault("checksum", path.relative_to(root).as_posix(), f"has SHA-256 {digest[:16]}..., not {expected}")

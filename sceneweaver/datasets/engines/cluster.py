@@ -19,10 +19,10 @@ from sceneweaver.scene.files import reason
 
 from ..processes import THREADS
 from ..work import Produce
+from .local import START
 from .manifest import Dataset, open_dataset
 from .schedule import Listener, Schedule
 from .tasks import Message, Task, attempt
-from .worker import START
 
 RETRIES = 1
 """How often Ray begins a task anew whose worker or node is gone, before that counts as the fault of the task."""

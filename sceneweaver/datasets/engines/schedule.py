@@ -11,7 +11,7 @@ from typing import Any
 
 from sceneweaver.scene import MissingDependencyError
 
-from ..disk import LEAST, Wait, waiting
+from ..folder import LEAST, Wait, waiting
 from .manifest import Dataset
 from .tasks import Message, Task
 

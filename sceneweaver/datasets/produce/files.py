@@ -24,7 +24,7 @@ from ..requests import Request
 from ..spec import Spec, Views
 from ..store import AssetStore
 from ..store.scene_files import scene_files
-from .finish import Finished
+from .drafts import Finished
 
 
 def files_of(

@@ -14,16 +14,15 @@ from sceneweaver.agent.interrupt import TimeUp
 from sceneweaver.assets import Library
 from sceneweaver.scene import InputError, MissingDependencyError, Scene
 
-from ..disk import disk_full
+from ..folder import disk_full
 from ..requests import Request
-from ..sample import Sample
+from ..samples import Sample
 from ..spec import Spec
 from ..store import AssetStore
 from ..store.pool import dataset_library
 from ..store.scene_files import references
-from .drafts import Draft, drafted
+from .drafts import Draft, Finished, designed, drafted, finished
 from .files import columns_of, files_of, measured
-from .finish import Finished, designed, finished
 from .layouts import chosen, laid_out
 
 LAYOUT_SEED = 0x85EBCA6B

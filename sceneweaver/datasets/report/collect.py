@@ -13,13 +13,81 @@ from typing import Any
 
 import numpy as np
 
+from sceneweaver.geometry.rotations import from_yaw
+
 from ..folder import Folder
+from ..layouts.read import layout_files, programs_of
 from ..processes import pool
 from ..reading import Span, rows_of, scenes_of, shards_of, spans_of
 from ..statistics import statistics
-from .layouts import layout_files, program_layouts, program_rows
+from ..tables import arrow
 from .plan import box_of, plan
-from .sampling import PICTURES, Sampler
+
+PICTURES, PAIRS = 400, 8
+"""Plans on the wall, and pairs of near-duplicates, at most."""
+
+_SHOWN = ("key", "prompt", "room_type", "grade", "object_count", "area", "split")
+
+
+class Sampler:
+    """Of each kind of room equally many scenes, spread over the set; and the first near-duplicates.
+
+    Args:
+        pictures: scenes on the wall, at most.
+
+    Attributes:
+        pairs: keys of near-duplicates, two and two.
+    """
+
+    def __init__(self, pictures: int = PICTURES) -> None:
+        self._most = pictures
+        self.pairs: list[tuple[str, str]] = []
+        self._kept: dict[str, list[dict[str, Any]]] = {}
+        self._seen: Counter[str] = Counter()
+        self._groups: dict[int, str] = {}
+        self._rng = np.random.default_rng(0)
+
+    def watch(self, rows: Iterable[dict[str, Any]]) -> Iterator[dict[str, Any]]:
+        """The rows as they come."""
+        for row in rows:
+            if row["status"] == "ok":
+                self._choose(row)
+                self._group(row)
+            yield row
+
+    def wall(self) -> dict[str, dict[str, Any]]:
+        """The rows for the wall by key; one kind of room after the other takes its turn."""
+        order = np.random.default_rng(0).permutation
+        left = {kind: [rows[k] for k in order(len(rows))] for kind, rows in sorted(self._kept.items())}
+        chosen: dict[str, dict[str, Any]] = {}
+        while left and len(chosen) < self._most:
+            for kind in list(left):
+                row = left[kind].pop(0)
+                chosen[row["key"]] = row
+                if not left[kind]:
+                    del left[kind]
+        return dict(list(chosen.items())[: self._most])
+
+    def _choose(self, row: dict[str, Any]) -> None:
+        """Reservoir sampling within a kind of room."""
+        kind = row.get("room_type") or ""
+        kept = self._kept.setdefault(kind, [])
+        self._seen[kind] += 1
+        place = len(kept) if len(kept) < self._most else int(self._rng.integers(self._seen[kind]))
+        if place < self._most:
+            kept[place : place + 1] = [{name: row.get(name) for name in _SHOWN}]
+
+    def _group(self, row: dict[str, Any]) -> None:
+        group, key = row.get("near_duplicate_group"), row["key"]
+        if group is None or len(self.pairs) == PAIRS:
+            return
+        first = self._groups.setdefault(group, key)
+        if first != key and all(first != pair[0] for pair in self.pairs):
+            self.pairs.append((first, key))
+
+
+LAYOUTS = 16
+"""How many layouts of a row group are read as scenes."""
 
 CELLS = 24
 """Cells of a heat map along each side of a room."""
@@ -171,6 +239,41 @@ def _look_at(
             found.plans[key] = plan(scene)
         if number % step == 0:
             found.add(scene)
+
+
+def program_rows(folder: Folder) -> Iterator[dict[str, Any]]:
+    """The programs as rows like those of scenes, with ``key``; without the scene itself."""
+    for row in programs_of(folder):
+        row["key"] = _program_key(row["program"])
+        row["index"] = row["room"] = row["program"]
+        row["bytes"] = None
+        del row["scene"]
+        yield row
+
+
+def program_layouts(folder: Folder) -> Iterator[tuple[str, str]]:
+    """Key of the program and JSON of the scene of some layouts of each."""
+    scenes = {row["program"]: row["scene"] for row in programs_of(folder) if row.get("scene")}
+    for path in layout_files(folder):
+        file = arrow().parquet.ParquetFile(path)
+        for number in range(file.metadata.num_row_groups):
+            table = file.read_row_group(number, columns=["program", "poses"])
+            rows = np.unique(np.linspace(0, len(table) - 1, min(LAYOUTS, len(table))).astype(int))
+            for row in table.take(rows).to_pylist():
+                if row["program"] in scenes:
+                    yield _program_key(row["program"]), _posed(scenes[row["program"]], row["poses"])
+
+
+def _posed(text: str, poses: list[float]) -> str:
+    scene = json.loads(text)
+    for obj, (x, y, z, yaw) in zip(scene["objects"], np.reshape(poses, (-1, 4)).tolist(), strict=False):
+        if not obj.get("fixed"):
+            obj["pose"] = {"position": [x, y, z], "quaternion": list(from_yaw(yaw))}
+    return json.dumps(scene)
+
+
+def _program_key(program: int) -> str:
+    return f"{program:08d}"
 
 
 def shell_signature(outline: Iterable[Iterable[float]]) -> str:

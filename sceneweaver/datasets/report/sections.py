@@ -10,7 +10,7 @@ import numpy as np
 from sceneweaver.knowledge.palettes import palettes
 from sceneweaver.report.html import esc
 
-from . import charts, run
+from . import charts
 from .collect import Gathered
 from .plan import box_of, image_url, path_of
 
@@ -273,10 +273,10 @@ def progress(records: Sequence[Mapping[str, Any]]) -> str:
     """How the run went."""
     if not records:
         return ""
-    lines = run.memory(records)
-    parts = f"<div><h3>Scenes a second</h3>{run.throughput_svg(records)}</div>"
+    lines = charts.memory(records)
+    parts = f"<div><h3>Scenes a second</h3>{charts.throughput_svg(records)}</div>"
     if lines:
-        parts += f"<div><h3>Memory of each worker</h3>{run.memory_svg(records)}</div>"
+        parts += f"<div><h3>Memory of each worker</h3>{charts.memory_svg(records)}</div>"
     hosts = len({record.get("host") for record in records})
     workers = len({(record.get("host"), record.get("worker")) for record in records})
     aside = f"{len(records):,} blocks by {workers} workers on {hosts} machine{'s' if hosts != 1 else ''}."

@@ -9,9 +9,9 @@ from sceneweaver.knowledge import room_types
 from sceneweaver.knowledge.kin import kin
 from sceneweaver.verify.solids import Body
 
+from ..english import noun, nouns, with_article
 from ..facts import Facts
 from ..naming import color
-from ..nouns import noun, nouns, with_article
 from .question import Asker, Question
 
 
