@@ -10,16 +10,13 @@ from functools import lru_cache
 import numpy as np
 
 from sceneweaver.assets.materials import finishes
+from sceneweaver.assets.roles import has_role
 from sceneweaver.verify.solids import Body
 
 from .english import Statement, Text, counted, listed, noun, nouns, number, said
 from .facts import Facts, group_of
 
 _COLOURED = frozenset(("furniture", "seating", "chair_group", "table_group", "bed_group", "storage", "textile"))
-_OWN_COLOURS = frozenset(("window_blind", "curtain", "sheer_curtain", "display_cabinet", "display_case", "bath_mat"))
-_UPHOLSTERED = frozenset(("sofa", "loveseat", "sectional_sofa", "sofa_bed", "recliner", "armchair", "mattress", "pouf"))
-"""What nobody calls wooden, even where its frame is what its material names."""
-
 _PLAIN = {
     "white": "pale", "cream": "pale", "beige": "pale", "light grey": "pale", "silver": "pale", "tan": "tan",
     "gold": "tan", "mustard": "yellow", "yellow": "yellow", "orange": "orange", "brown": "brown",
@@ -46,10 +43,10 @@ def color_families() -> dict[str, str]:
 def color(body: Body) -> str | None:
     """The colour of a body as a word, where its kind has one that is seen at a glance."""
     said = body.item.attributes.get("color")
-    if not isinstance(said, str) or said not in _PLAIN or body.item.category in _OWN_COLOURS:
+    if not isinstance(said, str) or said not in _PLAIN or has_role(body.item.category, "own_colours"):
         return None
     material = finishes().get(str(body.item.attributes.get("material")))
-    if material is not None and material.family == "wood" and body.item.category in _UPHOLSTERED:
+    if material is not None and material.family == "wood" and has_role(body.item.category, "upholstered"):
         return None
     return said if group_of(body.item.category) in _COLOURED else None
 
