@@ -11,7 +11,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal
 
+from sceneweaver.scene import Scene
 from sceneweaver.scene.files import temporary_folder
+from sceneweaver.verify import Report
 
 from .digests import content_of
 from .tables import read_lines, write_lines
@@ -42,6 +44,28 @@ class Sample:
     row: dict[str, Any]
     files: dict[str, bytes] = field(default_factory=dict)
     seconds: dict[str, float] = field(default_factory=dict)
+
+
+def scene_columns(scene: Scene) -> dict[str, Any]:
+    """The columns of a row that tell of a scene itself."""
+    return {
+        "room_type": scene.room.type,
+        "wall_count": len(scene.room.outline),
+        "object_count": len(scene.objects),
+        "categories": sorted({o.category for o in scene.objects}),
+        "relation_count": len(scene.relations),
+    }
+
+
+def report_columns(report: Report) -> dict[str, Any]:
+    """The columns of a row that the judge measures."""
+    hard, soft = report.relations.hard, report.relations.soft
+    total = hard.total + soft.total
+    names = ("valid", "collisions", "out_of_bounds", "openable_share", "walkable_share")
+    return {
+        **{name: getattr(report, name) for name in names},
+        "relations_satisfied": (hard.satisfied + soft.satisfied) / total if total else 1.0,
+    }
 
 
 @contextmanager

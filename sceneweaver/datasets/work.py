@@ -6,8 +6,6 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
 from pathlib import Path
 
-import sceneweaver
-
 from .folder import Folder
 from .requests import Request, Requests
 from .samples import Sample, write_block
@@ -62,16 +60,7 @@ def usual() -> Produce:
 
 def failed_samples(request: Request, reason: str) -> list[Sample]:
     """The scenes of a room that could not be made at all."""
-    row = {
-        "reason": reason,
-        "room": request.room,
-        "attempt": 0,
-        "seed": request.seed,
-        "prompt": request.prompt,
-        "kind": request.kind,
-        "clutter": request.clutter,
-        "version": sceneweaver.__version__,
-    }
+    row = {"reason": reason, **request.columns(0)}
     return [
         Sample(request.index + layout, request.key(layout), "failed", {**row, "layout": layout})
         for layout in range(request.layouts)

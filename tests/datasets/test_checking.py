@@ -19,7 +19,6 @@ from sceneweaver.datasets.checking import verify_dataset
 from sceneweaver.datasets.checking.exports import included_files, mjcf_files, mjcf_tree
 from sceneweaver.datasets.checking.findings import KEPT, Findings
 from sceneweaver.datasets.checking.scene import Judge
-from sceneweaver.datasets.counterfactuals import twin_files, twins
 from sceneweaver.datasets.digests import content_of, write_checksums
 from sceneweaver.datasets.engines.manifest import create
 from sceneweaver.datasets.files import fingerprint, pack
@@ -27,6 +26,7 @@ from sceneweaver.datasets.reading import rows_of, scenes_of, shards_of, spans_of
 from sceneweaver.datasets.statistics import statistics
 from sceneweaver.datasets.store.scene_files import SceneFiles, references
 from sceneweaver.datasets.tables import schema_of
+from sceneweaver.datasets.twins import twin_files, twins
 from sceneweaver.scene import InputError, Pose, Room, Scene, Support
 from sceneweaver.verify import check
 

@@ -15,6 +15,7 @@ from sceneweaver.physics.mjcf_file import simulate
 from sceneweaver.scene import InputError, Scene
 from sceneweaver.verify import Report, check
 
+from ..samples import report_columns, scene_columns
 from ..store import SUFFIXES
 from . import exports
 from .findings import Findings
@@ -133,31 +134,19 @@ class Judge:
 
 def differences(row: Mapping[str, Any], scene: Scene, report: Report) -> list[str]:
     """Lines about columns of a row that are not what the scene is. Columns that are null say nothing."""
-    hard, soft = report.relations.hard, report.relations.soft
-    total = hard.total + soft.total
-    measured = {
-        "prompt": scene.prompt,
-        "room_type": scene.room.type,
-        "area": signed_area(scene.room.outline),
-        "wall_count": len(scene.room.outline),
-        "object_count": len(scene.objects),
-        "relation_count": len(scene.relations),
-        "valid": report.valid,
-        "collisions": report.collisions,
-        "out_of_bounds": report.out_of_bounds,
-        "relations_satisfied": (hard.satisfied + soft.satisfied) / total if total else 1.0,
-        "walkable_share": report.walkable_share,
-    }
+    measured = {"prompt": scene.prompt, "area": signed_area(scene.room.outline)}
     lines = []
-    for name, value in measured.items():
+    for name, value in (measured | scene_columns(scene) | report_columns(report)).items():
         said = row.get(name)
         if said is None or value is None:
+            continue
+        if name == "categories":
+            if set(said) != set(value):
+                lines.append("its categories are not those of the index")
             continue
         close = math.isclose(said, value, rel_tol=1e-6, abs_tol=_CLOSE[name]) if name in _CLOSE else said == value
         if not close:
             lines.append(f"{name} is {value!r}; the index says {said!r}")
-    if row.get("categories") is not None and set(row["categories"]) != {obj.category for obj in scene.objects}:
-        lines.append("its categories are not those of the index")
     return lines
 
 

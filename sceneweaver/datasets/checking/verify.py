@@ -27,8 +27,8 @@ from ..spec import Spec
 from ..tables import arrow, read_schema
 from . import tables
 from .findings import CHECKS, KEPT, Findings, markdown
-from .layouts import SAMPLE, layout_tasks
 from .scene import Judge
+from .tables import SAMPLE, layout_tasks
 
 
 class Task(Protocol):

@@ -6,12 +6,18 @@ import json
 from collections.abc import Iterable
 from typing import Any
 
+import numpy as np
+
 from sceneweaver.scene import Scene
 
+from . import access, counts, places
+from .asker import Asker, Question, Template
 from .captions import captions
 from .facts import Facts
 from .instructions import instructions
-from .questions import questions
+
+TEMPLATES: tuple[Template, ...] = (*counts.TEMPLATES, *places.TEMPLATES, *access.TEMPLATES)
+"""All templates of questions; one that stands here twice asks twice."""
 
 
 def describe(scene: Scene, seed: int) -> dict[str, bytes]:
@@ -34,6 +40,22 @@ def describe(scene: Scene, seed: int) -> dict[str, bytes]:
         "questions.jsonl": _lines(rows),
         "instructions.jsonl": _lines(instructions(facts, seed)),
     }
+
+
+def questions(facts: Facts, seed: int) -> list[Question]:
+    """Questions about a scene, each once, in the order of their templates.
+
+    Args:
+        facts: the scene.
+        seed: what is drawn: what is asked about, how it is worded, which of two answers it has.
+    """
+    asker = Asker(facts, np.random.default_rng(seed))
+    found: dict[str, Question] = {}
+    for template in TEMPLATES:
+        question = template(asker)
+        if question is not None:
+            found.setdefault(f"{question.template} {question.operands}", question)
+    return list(found.values())
 
 
 def _line(data: Any) -> bytes:

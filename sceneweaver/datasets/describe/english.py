@@ -40,6 +40,17 @@ def room_noun(kind: str) -> str:
     return _table()["rooms"].get(kind, kind.replace("_", " ").strip())
 
 
+@cache
+def color_families() -> dict[str, str]:
+    """The colours that have a name here, each with the family in which one may be taken for the other."""
+    return {color: family for family, colors in _table()["colours"].items() for color in colors}
+
+
+def colors_apart(one: str, other: str) -> bool:
+    """Whether two colours are told apart at once."""
+    return one != other and not any({one, other} <= set(group) for group in _table()["alike"])
+
+
 def with_article(words: str) -> str:
     """A noun, or words before one, after "a" or "an"."""
     lower = words.lower()

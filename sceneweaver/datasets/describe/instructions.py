@@ -15,10 +15,10 @@ from sceneweaver.scene import Pose, Relation, Scene, Support
 from sceneweaver.scene.edits import carried
 from sceneweaver.verify.solids import Body
 
+from .asker import Asker
 from .english import sentence
 from .facts import Facts, group_of, has_front, is_bed, is_seat, is_watcher
 from .moves import Space, is_movable, judged_locally
-from .questions.question import Asker
 
 _NO_TABLES = frozenset(("seating", "chair_group", "bed_group", "sanitary", "sport", "electronics", "plant_group"))
 """Groups of the taxonomy that nobody puts small things on."""

@@ -13,18 +13,10 @@ from sceneweaver.assets.materials import finishes
 from sceneweaver.assets.roles import has_role
 from sceneweaver.verify.solids import Body
 
-from .english import Statement, Text, counted, listed, noun, nouns, number, said
+from .english import Statement, Text, color_families, counted, listed, noun, nouns, number, said
 from .facts import Facts, group_of
 
 _COLOURED = frozenset(("furniture", "seating", "chair_group", "table_group", "bed_group", "storage", "textile"))
-_PLAIN = {
-    "white": "pale", "cream": "pale", "beige": "pale", "light grey": "pale", "silver": "pale", "tan": "tan",
-    "gold": "tan", "mustard": "yellow", "yellow": "yellow", "orange": "orange", "brown": "brown",
-    "dark brown": "brown", "black": "black", "grey": "grey", "red": "red", "burgundy": "red", "pink": "pink",
-    "green": "green", "dark green": "green", "sage": "green", "teal": "teal", "blue": "blue", "light blue": "blue",
-    "navy": "navy", "purple": "purple",
-}  # fmt: skip
-"""Colours that nobody confuses, by name; those of one value are near to each other."""
 
 
 @dataclass(frozen=True)
@@ -35,15 +27,10 @@ class Name:
     ids: tuple[str, ...]
 
 
-def color_families() -> dict[str, str]:
-    """The colours that have a name here, each with the family in which one may be taken for the other."""
-    return dict(_PLAIN)
-
-
 def color(body: Body) -> str | None:
     """The colour of a body as a word, where its kind has one that is seen at a glance."""
     said = body.item.attributes.get("color")
-    if not isinstance(said, str) or said not in _PLAIN or has_role(body.item.category, "own_colours"):
+    if not isinstance(said, str) or said not in color_families() or has_role(body.item.category, "own_colours"):
         return None
     material = finishes().get(str(body.item.attributes.get("material")))
     if material is not None and material.family == "wood" and has_role(body.item.category, "upholstered"):
@@ -84,7 +71,7 @@ def _names(facts: Facts) -> dict[str, Name]:
         if category in ambiguous or len(bodies) < 2:
             continue
         colors = [color(b) for b in bodies]
-        hues = [_PLAIN[c] if c else None for c in colors]
+        hues = [color_families()[c] if c else None for c in colors]
         for body, shown, hue in zip(bodies, colors, hues, strict=True):
             if shown is not None and None not in hues and hues.count(hue) == 1:
                 found[body.id] = Name(f"the {shown} {noun(category)}", (body.id,))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import math
 import os
 import signal
 import socket
@@ -17,7 +16,7 @@ from sceneweaver.scene import SceneWeaverError
 from ..processes import SPAWN, end_with_parent, one_thread_each
 from ..work import Produce
 from .manifest import Dataset, open_dataset
-from .schedule import Listener, Schedule
+from .schedule import Job, Schedule
 from .tasks import Message, Task, attempt
 
 START = 300.0
@@ -111,30 +110,12 @@ class LocalEngine:
     """Workers of this machine, with a block each until all are made.
 
     Args:
-        dataset: what they make.
+        job: what is asked for, with the number of workers.
         devices: where they lay out rooms, in turns.
-        workers: how many.
-        produce: what makes scenes.
-        listener: hears of blocks and troubles.
-        memory: resident bytes above which a worker is replaced between two tasks; None: any number.
-        patient: wait when the disk is full, or end.
-        until: when to end at the latest, by `time.monotonic` [s].
     """
 
-    def __init__(
-        self,
-        dataset: Dataset,
-        devices: Sequence[str],
-        workers: int,
-        produce: Produce | None,
-        listener: Listener,
-        *,
-        memory: int | None = None,
-        patient: bool = True,
-        until: float = math.inf,
-    ):
-        self._dataset, self._devices, self._count, self._produce = dataset, devices, workers, produce
-        self._listener, self._memory, self._patient, self._until = listener, memory, patient, until
+    def __init__(self, job: Job, devices: Sequence[str]):
+        self._job, self._devices, self._count = job, devices, job.workers or 1
         self._workers: list[Worker] = []
         self._false_starts = 0
         self.began = 0.0
@@ -148,7 +129,7 @@ class LocalEngine:
             SceneWeaverError: workers do not even begin.
         """
         self.began = time.time()
-        schedule = Schedule(self._dataset, numbers, self._listener, self._count, self._patient, self._until)
+        schedule = Schedule(self._job, numbers, self._count)
         try:
             for index in range(min(self._count, schedule.waiting)):
                 self._workers.append(self._worker(index))
@@ -159,7 +140,7 @@ class LocalEngine:
                 worker.close()
 
     def _worker(self, index: int) -> Worker:
-        return Worker(index, self._dataset, self._devices[index % len(self._devices)], self._produce)
+        return Worker(index, self._job.dataset, self._devices[index % len(self._devices)], self._job.produce)
 
     def _step(self, schedule: Schedule) -> None:
         ends = {worker.end: worker for worker in self._workers}
@@ -195,7 +176,7 @@ class LocalEngine:
             task, worker.task = worker.task, None
             who = {"worker": worker.index, "host": socket.gethostname(), "pid": worker.pid}
             schedule.heard(task, message, who)
-            heavy = kind == "done" and self._memory is not None and value["rss"] > self._memory
+            heavy = kind == "done" and self._job.memory is not None and value["rss"] > self._job.memory
             if kind == "error" or (heavy and schedule.waiting):  # after an error its process is not to be trusted
                 self._replace(worker)
 

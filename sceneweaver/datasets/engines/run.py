@@ -8,7 +8,7 @@ import shutil
 import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager, suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -20,7 +20,7 @@ from ..folder import Folder, disk_full, waiting
 from ..processes import cores
 from .local import TICK, LocalEngine
 from .manifest import Dataset, agreed_device, devices
-from .schedule import Listener
+from .schedule import Job, Listener
 from .tasks import Records
 
 ONLY_MAKING = ("rooms", "journal")
@@ -118,15 +118,13 @@ def _make(
         listener.block(record)
 
     told = Listener(block, listener.notice)
+    job = Job(dataset, told, options.workers, produce, options.memory, options.patient, until)
     if options.engine == "ray":
         from .cluster import RayEngine
 
-        workers, patient = options.workers, options.patient
-        engine = RayEngine(dataset, options.address, workers, produce, told, patient=patient, until=until)
+        engine = RayEngine(job, options.address)
     else:
-        workers, places = options.workers or cores(), devices(device, dataset.spec)
-        memory, patient = options.memory, options.patient
-        engine = LocalEngine(dataset, places, workers, produce, told, memory=memory, patient=patient, until=until)
+        engine = LocalEngine(replace(job, workers=options.workers or cores()), devices(device, dataset.spec))
     engine.run(numbers)
 
 

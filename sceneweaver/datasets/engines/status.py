@@ -19,7 +19,7 @@ from ..work import Produce
 from .local import LocalEngine
 from .manifest import Dataset, create, devices, load_source
 from .run import whole
-from .schedule import Listener
+from .schedule import Job, Listener
 from .tasks import read_records
 
 RECENT = 600.0
@@ -196,7 +196,8 @@ def estimate(
 
         notice = listener.notice if listener is not None else lambda text: None
         names = devices(device, spec)
-        engine = LocalEngine(dataset, names, workers, produce, Listener(block_done, notice), patient=False)
+        job = Job(dataset, Listener(block_done, notice), workers, produce, patient=False)
+        engine = LocalEngine(job, names)
         engine.run(range(dataset.requests.blocks))
     made = growth[-1][0]
     return Estimate(

@@ -13,7 +13,6 @@ from multiprocessing import current_process
 from pathlib import Path
 from typing import Any
 
-import sceneweaver
 from sceneweaver.agent.design import chosen_room
 from sceneweaver.agent.loop import empty_scene
 from sceneweaver.agent.riders import searched
@@ -32,7 +31,7 @@ from sceneweaver.tools.registry import tools
 from ..folder import Folder
 from ..processes import SPAWN, end_with_parent, one_thread_each
 from ..requests import Request, Requests
-from ..samples import ROWS, SECONDS, whole_folder
+from ..samples import ROWS, SECONDS, scene_columns, whole_folder
 from ..spec import Spec
 from ..tables import write_lines
 from .collect import Collection, collect
@@ -57,11 +56,12 @@ class Program:
         return self.request.attempt(self.attempt)
 
 
-def draw(spec: Spec, attempt: int, request: Request) -> Program:
+def draw(spec: Spec, one: tuple[Request, int]) -> Program:
     """An attempt at the program of a request.
 
     What stands on furniture is part of its boxes. Scenes of users are taken as they are.
     """
+    request, attempt = one
     try:
         if request.scene is not None:
             scene = Scene.load(request.scene)
@@ -88,17 +88,12 @@ def drawing(spec: Spec, requests: Sequence[Request]) -> Iterator[Draw]:
     """
     helpers = min(cores(), sum(request.scene is None for request in requests))
     if len(requests) < AT_ONCE or helpers < 2 or current_process().daemon:
-        yield lambda attempts: [draw(spec, attempt, request) for request, attempt in attempts]
+        yield lambda attempts: [draw(spec, one) for one in attempts]
         return
     with ProcessPoolExecutor(helpers, mp_context=SPAWN, initializer=end_with_parent) as pool:
         with one_thread_each():
             pool.submit(int)  # begins all of them
-        yield lambda attempts: list(pool.map(partial(_draw_one, spec), attempts))
-
-
-def _draw_one(spec: Spec, one: tuple[Request, int]) -> Program:
-    request, attempt = one
-    return draw(spec, attempt, request)
+        yield lambda attempts: list(pool.map(partial(draw, spec), attempts))
 
 
 @cache
@@ -190,10 +185,9 @@ def write_programs(
                 reason = given_up[request.room]
                 row = _base(Program(request, 0, None)) | {"status": "failed", "reason": reason}
                 found[request.room] = row, {"index": request.index}
-        for name, rows in zip(
-            (ROWS, SECONDS), zip(*(found[request.room] for request in chosen), strict=True), strict=True
-        ):
-            write_lines(draft / name, rows)
+        pairs = [found[request.room] for request in chosen]
+        write_lines(draft / ROWS, (row for row, _ in pairs))
+        write_lines(draft / SECONDS, (times for _, times in pairs))
 
 
 def join(path: Path, requests: Requests, parts: Sequence[Path]) -> None:
@@ -287,16 +281,7 @@ def _first(scenes: Sequence[CompiledScene], candidates: int, seeds: Sequence[int
 
 def _base(program: Program) -> dict[str, Any]:
     request = program.request
-    return {
-        "index": request.index,
-        "key": request.key(0),
-        "room": request.room,
-        "attempt": program.attempt,
-        "seed": request.seed,
-        "prompt": request.prompt,
-        "kind": request.kind,
-        "version": sceneweaver.__version__,
-    }
+    return {"index": request.index, "key": request.key(0), **request.columns(program.attempt)}
 
 
 def _row(taken: Taken, count: int, spec: Spec, steps: int) -> dict[str, Any]:
@@ -306,11 +291,7 @@ def _row(taken: Taken, count: int, spec: Spec, steps: int) -> dict[str, Any]:
         "reason": None if count == wanted else f"{count} of {wanted} layouts after {steps} steps",
         "layouts": count,
         "first_valid": len(taken.first.poses) / spec.rooms.candidates,
-        "room_type": scene.room.type,
+        **scene_columns(scene),
         "area": round(abs(float(signed_area(scene.room.outline))), 3),
-        "wall_count": len(scene.room.outline),
-        "object_count": len(scene.objects),
-        "categories": sorted({o.category for o in scene.objects}),
-        "relation_count": len(scene.relations),
         "scene": json.dumps(scene.to_json(), ensure_ascii=False, separators=(",", ":")),
     }

@@ -21,7 +21,7 @@ from ..processes import pool
 from ..reading import Span, rows_of, scenes_of, shards_of, spans_of
 from ..statistics import statistics
 from ..tables import arrow
-from .plan import box_of, plan
+from .charts import box_of, plan
 
 PICTURES, PAIRS = 400, 8
 """Plans on the wall, and pairs of near-duplicates, at most."""

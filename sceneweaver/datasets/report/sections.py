@@ -11,8 +11,8 @@ from sceneweaver.knowledge.palettes import palettes
 from sceneweaver.report.html import esc
 
 from . import charts
+from .charts import box_of, image_url, path_of
 from .collect import Gathered
-from .plan import box_of, image_url, path_of
 
 _SPREADS = {
     "area": "Floor area [m²]",

@@ -14,8 +14,8 @@ import numpy as np
 from sceneweaver.assets.category import read_yaml
 from sceneweaver.verify.solids import Body
 
-from ..facts import Facts
-from ..naming import Name, names
+from .facts import Facts
+from .naming import Name, names
 
 Form = Literal["yes_no", "choice", "count", "number", "list"]
 
@@ -66,7 +66,7 @@ class Question:
 @cache
 def wordings() -> dict[str, dict[str, Any]]:
     """By template, ``questions.yaml``: form, unit, wordings, and how the answer is found."""
-    return read_yaml(resources.files("sceneweaver.datasets.describe").joinpath("questions.yaml"))
+    return read_yaml(resources.files(__package__ or "").joinpath("questions.yaml"))
 
 
 class Asker:

@@ -9,8 +9,8 @@ import numpy as np
 from sceneweaver.verify.contacts import turn
 from sceneweaver.verify.solids import Body
 
-from ..facts import FLAT, has_front, is_bed, is_seat, is_watcher
-from .question import Asker, Question, rounded
+from .asker import Asker, Question, rounded
+from .facts import FLAT, has_front, is_bed, is_seat, is_watcher
 
 TURNED = 25.0
 """Angle [deg] from straight ahead from which something is on one's left or right."""

@@ -9,10 +9,10 @@ from sceneweaver.knowledge import room_types
 from sceneweaver.knowledge.kin import kin
 from sceneweaver.verify.solids import Body
 
-from ..english import noun, nouns, with_article
-from ..facts import Facts
-from ..naming import color
-from .question import Asker, Question
+from .asker import Asker, Question
+from .english import colors_apart, noun, nouns, with_article
+from .facts import Facts
+from .naming import color
 
 
 @lru_cache(maxsize=2**16)
@@ -90,16 +90,9 @@ def what_color(asker: Asker) -> Question | None:
     said = color(body)
     if said is None or said in asker.name(body):
         return None
-    others = [c for c in asker.shuffled([*shown, "red", "blue", "green", "black", "white"]) if _far(c, said)]
+    others = [c for c in asker.shuffled([*shown, "red", "blue", "green", "black", "white"]) if colors_apart(c, said)]
     options = asker.shuffled(list(dict.fromkeys([said, *others]))[:4])
     return asker.ask("color", said, (body,), {"color": said}, options=options)
-
-
-def _far(one: str, other: str) -> bool:
-    """Whether two colours are told apart at once."""
-    pale = {"white", "cream", "beige", "light grey", "silver", "tan", "gold", "grey"}
-    dark = {"black", "brown", "dark brown", "navy", "dark green", "burgundy", "grey"}
-    return one != other and not any({one, other} <= group for group in (pale, dark))
 
 
 def what_is_on(asker: Asker) -> Question | None:

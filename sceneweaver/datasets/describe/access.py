@@ -11,7 +11,7 @@ from sceneweaver.verify.grid import CELL, Grid
 from sceneweaver.verify.solids import Body
 from sceneweaver.verify.walkable import CLEARANCE, MOST_CELLS, STEP
 
-from .question import Asker, Question, rounded
+from .asker import Asker, Question, rounded
 
 ERROR = 0.08
 """Length [m] by which distances on the grid of the floor may be off, on the safe side."""

@@ -18,9 +18,9 @@ from sceneweaver.language import read_request
 from sceneweaver.scene import Relation, Scene
 from sceneweaver.verify import Report, check
 
-from ..describe.facts import Facts
-from ..describe.moves import judged_locally
 from .changes import Change, Changer, changed_ids
+from .describe.facts import Facts
+from .describe.moves import judged_locally
 
 COUNTS = ("collisions", "out_of_bounds", "unsupported", "blocked_zones", "blocked_openings")
 
