@@ -4,18 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import asdict, dataclass
-from functools import cache
-from importlib import resources
 from itertools import islice
 from typing import Any, Literal, TypeVar
 
 import numpy as np
 
-from sceneweaver.assets.category import read_yaml
 from sceneweaver.verify.solids import Body
 
 from .facts import Facts
-from .naming import Name, names
+from .naming import Speaker, wordings
 
 Form = Literal["yes_no", "choice", "count", "number", "list"]
 
@@ -63,43 +60,14 @@ class Question:
         return {key: value for key, value in asdict(self).items() if value not in (None, ())}
 
 
-@cache
-def wordings() -> dict[str, dict[str, Any]]:
-    """By template, ``questions.yaml``: form, unit, wordings, and how the answer is found."""
-    return read_yaml(resources.files(__package__ or "").joinpath("questions.yaml"))
-
-
-class Asker:
+class Asker(Speaker):
     """What templates of questions need: the facts, the names of things, and the draws of this scene."""
 
     def __init__(self, facts: Facts, rng: np.random.Generator):
-        self.facts = facts
-        self.rng = rng
-        self.names: dict[str, Name] = names(facts)
+        super().__init__(facts, rng)
         self.named = [b for b in facts.bodies if b.id in self.names]
         self.standing = [b for b in facts.furniture if b.id in self.names]
         self.floor: Any = None
-
-    def coin(self) -> bool:
-        """True or false, each as often."""
-        return bool(self.rng.integers(2))
-
-    def one(self, items: Sequence[T]) -> T:
-        """One of some items."""
-        return items[int(self.rng.integers(len(items)))]
-
-    def one_of(self, *texts: str) -> str:
-        """One of several wordings."""
-        return self.one(texts)
-
-    def shuffled(self, items: Iterable[T]) -> list[T]:
-        """The items in a drawn order."""
-        found = list(items)
-        return [found[int(k)] for k in self.rng.permutation(len(found))]
-
-    def name(self, body: Body) -> str:
-        """The words that mean a body."""
-        return self.names[body.id].text
 
     def ids(self, *bodies: Body) -> tuple[str, ...]:
         """All ids that the names of some bodies speak of, without repetition."""
@@ -146,7 +114,7 @@ class Asker:
         """The question of a template in one of its wordings.
 
         Args:
-            template: its name in ``questions.yaml``.
+            template: its name in ``wordings.yaml``.
             answer: as `Question.answer`; a truth value is said as "yes" or "no", a body by its name.
             about: the things whose names are the fields {0}, {1} ... of the wordings.
             operands: what the answer follows from.
@@ -164,7 +132,7 @@ class Asker:
         return Question(
             template,
             data["form"],
-            self.one([text.format(*things, **fields) for text in data["ask"]]),
+            self.say(template, *things, **fields),
             self.name(answer) if isinstance(answer, Body) else answer,
             self.ids(*about) if objects is None else objects,
             operands,

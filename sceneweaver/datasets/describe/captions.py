@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -61,20 +61,13 @@ class Captioner:
         area = round(facts.area, 1)
         stated = [Statement("room_type", (), room.type), Statement("floor_area", (), area)]
         sides = rectangle_sides(facts)
+        fields = {"kind": kind, "a_kind": with_article(kind), "area": area}
         if sides is None:
-            words = self.words.one_of(
-                f"this {kind} has a floor of {area:g} m² with {number(len(room.outline))} corners",
-                f"the floor of this {kind} covers {area:g} m² and has {number(len(room.outline))} corners",
-            )
-            return said(words, *stated, Statement("corners", (), len(room.outline)))
-        a, b = sides
-        stated.append(Statement("extent", (), [a, b]))
-        words = self.words.one_of(
-            f"this {kind} is {a:g} m by {b:g} m, which makes {area:g} m²",
-            f"the {kind} measures {a:g} by {b:g} metres ({area:g} m²)",
-            f"this is {with_article(kind)} of {area:g} m², {a:g} m long and {b:g} m wide",
-        )
-        return said(words, *stated)
+            corners = len(room.outline)
+            words = self.words.say("caption_corners", corners=number(corners), **fields)
+            return said(words, *stated, Statement("corners", (), corners))
+        words = self.words.say("caption_room", a=sides[0], b=sides[1], **fields)
+        return said(words, *stated, Statement("extent", (), list(sides)))
 
     def _openings(self) -> Text | None:
         facts = self.facts
@@ -83,26 +76,18 @@ class Captioner:
             return None
         stated = [Statement("doors", tuple(d.item.id for d in doors), len(doors))]
         stated.append(Statement("windows", tuple(w.item.id for w in windows), len(windows)))
-        door_words = with_article("door") if len(doors) == 1 else f"{number(len(doors))} doors"
+        words = {
+            noun: with_article(noun[:-1]) if len(there) == 1 else f"{number(len(there))} {noun}"
+            for noun, there in (("doors", doors), ("windows", windows))
+        }
         if not windows:
-            return said(
-                self.words.one_of(f"it has {door_words} and no window", f"there is no window, but {door_words}"),
-                *stated,
-            )
-        window_words = with_article("window") if len(windows) == 1 else f"{number(len(windows))} windows"
+            return said(self.words.say("caption_doors", **words), *stated)
         walls = {w.wall.index for w in windows}
-        if facts.door is not None and len(walls) == 1:
-            side = _side(facts, next(iter(walls)))
-            if side is not None:
-                stated.append(Statement("window_side", tuple(w.item.id for w in windows), side))
-                return said(
-                    self.words.one_of(
-                        f"it has {door_words}, and {window_words} {side}",
-                        f"coming in through the door, you see {window_words} {side}",
-                    ),
-                    *stated,
-                )
-        return said(f"it has {door_words} and {window_words}", *stated)
+        side = _side(facts, next(iter(walls))) if facts.door is not None and len(walls) == 1 else None
+        if side is None:
+            return said(self.words.say("caption_openings", **words), *stated)
+        stated.append(Statement("window_side", tuple(w.item.id for w in windows), side))
+        return said(self.words.say("caption_side", side=side, **words), *stated)
 
     def _furniture(self) -> Text | None:
         chosen = self.words.main()[:6]
@@ -111,9 +96,7 @@ class Captioner:
         parts = [self.words.group(c, bodies) for c, bodies in chosen]
         things = listed([p.words for p in parts])
         be = "is" if sum(len(bodies) for _, bodies in chosen) == 1 else "are"
-        words = self.words.one_of(
-            f"it is furnished with {things}", f"there {be} {things}", f"the main furniture is {things}"
-        )
+        words = self.words.say("caption_furniture", things=things, be=be)
         facts = [s for p in parts for s in p.statements]
         return said(words, *self.words.totals([b for _, bs in chosen for b in bs]), *facts)
 
@@ -124,11 +107,7 @@ class Captioner:
             (facts.by_id[c], how, things) for (c, how), things in facts.carried.items() if c in self.words.names
         ]
         carriers = sorted(carriers, key=lambda row: (-len(row[2]), row[0].id, row[1]))[:5]
-        found = []
-        for k in self.rng.permutation(len(carriers))[:2]:
-            body, how, things = carriers[int(k)]
-            found.append(self.words.resting(body, how, things))
-        return found
+        return [self.words.resting(*carrier) for carrier in self.words.shuffled(carriers)[:2]]
 
     def by_place(self) -> list[dict[str, Any]]:
         """All that there is, by where it is: walls, the rest of the floor, each carrier, ceiling."""
@@ -148,30 +127,14 @@ class Captioner:
         rows = []
         for place, bodies in [*places.items(), *((f"hanging on {n}", b) for n, b in hung.items())]:
             text = self.words.inventory(bodies, looks=True)
-            rows.append(
-                {
-                    "place": place,
-                    **Text(
-                        f"{place[0].upper()}{place[1:]}: {text.words}.",
-                        (*self._placed(place, bodies), *text.statements),
-                    ).to_dict(),
-                }
-            )
+            rows.append(_at(place, text, self._placed(place, bodies)))
         for (carrier, how), things in facts.carried.items():
             body = facts.by_id[carrier]
-            where = (
-                self.words.names[carrier].text
-                if carrier in self.words.names
-                else with_article(noun(body.item.category))
-            )
+            named = carrier in self.words.names
+            where = self.words.name(body) if named else with_article(noun(body.item.category))
             text = self.words.inventory(things)
             stated = (Statement(f"rests_{how}", (b.id, carrier)) for b in things)
-            rows.append(
-                {
-                    "place": f"{how} {where}",
-                    **Text(f"{how.capitalize()} {where}: {text.words}.", (*stated, *text.statements)).to_dict(),
-                }
-            )
+            rows.append(_at(f"{how} {where}", text, stated))
         return rows
 
     def _placed(self, place: str, bodies: Sequence[Body]) -> tuple[Statement, ...]:
@@ -179,6 +142,12 @@ class Captioner:
         kind = predicate.get(place, "along_wall" if place.startswith("along") else "on_wall")
         wall = [k for k, name in self.facts.wall_names.items() if place.endswith(name)]
         return tuple(Statement(kind, (b.id,), f"wall:{wall[0]}" if wall else None) for b in bodies)
+
+
+def _at(place: str, text: Text, stated: Iterable[Statement]) -> dict[str, Any]:
+    """What there is at a place, as JSON data."""
+    found = Text(f"{place[0].upper()}{place[1:]}: {text.words}.", (*stated, *text.statements))
+    return {"place": place, **found.to_dict()}
 
 
 def rectangle_sides(facts: Facts) -> tuple[float, float] | None:
@@ -232,10 +201,9 @@ def relations_told(w: Words) -> list[Text]:
     found: list[Text] = []
     found += list(_gatherings(w))[:2]
     kinds = (_walls, _facings, _sides, _betweens, _from_door)
-    for kind in (kinds[int(k)] for k in w.rng.permutation(len(kinds))):
-        for text in list(kind(w))[:2]:
-            found.append(text)
-    return [found[int(k)] for k in w.rng.permutation(len(found))][:MOST]
+    for kind in w.shuffled(kinds):
+        found += list(kind(w))[:2]
+    return w.shuffled(found)[:MOST]
 
 
 def _walls(w: Words) -> Iterator[Text]:
@@ -250,9 +218,7 @@ def _walls(w: Words) -> Iterator[Text]:
         stated = [Statement("against_wall", (b.id,), f"wall:{wall}") for b in bodies]
         verb = "stands" if len(bodies) == 1 else "stand"
         things = listed([w.names[b.id].text for b in bodies])
-        words = w.one_of(
-            f"{things} {verb} against {facts.wall_names[wall]}", f"against {facts.wall_names[wall]} {verb} {things}"
-        )
+        words = w.say("caption_wall", things=things, stand=verb, wall=facts.wall_names[wall])
         yield said(words, *stated)
 
 

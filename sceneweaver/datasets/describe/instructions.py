@@ -72,7 +72,7 @@ def against_wall(asker: Asker, body: Body) -> Iterator[Goal]:
         offsets = body.size[1] / 2 + free * asker.rng.random(24)
         x, y = wall.point(offsets, body.size[0] / 2 + 0.01)
         yaw = np.full(24, math.atan2(wall.inward[1], wall.inward[0]))
-        words = f"{asker.one_of('to', 'over to')} {name}, with its back against the wall"
+        words = asker.say("goal_wall", wall=name)
         yield Goal("Move", words, (_relation("against_wall", body, f"wall:{k}"),), np.stack([x, y, yaw], axis=1))
 
 
@@ -85,7 +85,7 @@ def turned_to(asker: Asker, body: Body) -> Iterator[Goal]:
         yaw = math.atan2(away[1], away[0])
         if math.hypot(*away) < 0.5 or abs(wrap_angle(yaw - body.yaw)) < 0.6:
             continue
-        words = asker.one_of(f"so that it faces {asker.name(other)}", f"to face {asker.name(other)}")
+        words = asker.say("goal_facing", other=asker.name(other))
         pose = np.array([[*body.centre, yaw]])
         yield Goal("Turn", words, (_relation("facing", body, other.id),), pose, objects=asker.names[other.id].ids)
 
@@ -95,7 +95,7 @@ def next_to(asker: Asker, body: Body) -> Iterator[Goal]:
     for other in _targets(asker, body):
         if asker.facts.distance(body, other) < 0.6:
             continue
-        words = asker.one_of(f"next to {asker.name(other)}", f"close to {asker.name(other)}")
+        words = asker.say("goal_near", other=asker.name(other))
         poses = np.concatenate([_beyond(asker, body, other, side) for side in ("left", "right", "front")])
         relation = _relation("near", body, other.id, max=0.3)
         yield Goal("Move", words, (relation,), poses, objects=asker.names[other.id].ids)
@@ -151,7 +151,7 @@ def into_corner(asker: Asker, body: Body) -> Iterator[Goal]:
         poses.append((*wall.point(w / 2 + 0.02, d / 2 + 0.02), yaw))
         poses.append((*wall.point(d / 2 + 0.02, w / 2 + 0.02), yaw - math.pi / 2))
     if poses:
-        words = asker.one_of("into a corner of the room", "into one of the corners")
+        words = asker.say("goal_corner")
         yield Goal("Move", words, (_relation("in_corner", body, None),), np.array(asker.shuffled(poses)))
 
 

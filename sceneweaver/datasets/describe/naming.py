@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache, lru_cache
+from importlib import resources
+from typing import Any, TypeVar
 
 import numpy as np
 
+from sceneweaver.assets.category import read_yaml
 from sceneweaver.assets.materials import finishes
 from sceneweaver.assets.roles import has_role
 from sceneweaver.verify.solids import Body
@@ -17,6 +20,9 @@ from .english import Statement, Text, color_families, counted, listed, noun, nou
 from .facts import Facts, group_of
 
 _COLOURED = frozenset(("furniture", "seating", "chair_group", "table_group", "bed_group", "storage", "textile"))
+
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
@@ -108,18 +114,48 @@ def _may_mean(category: str, other: str) -> bool:
     return theirs.endswith(f" {mine}") or theirs == mine or nouns(category) in theirs
 
 
-class Words:
-    """Words for the things of one scene, with what they state."""
+@cache
+def wordings() -> dict[str, dict[str, Any]]:
+    """``wordings.yaml``: by template its wordings, and of questions how the answer is given and found."""
+    return read_yaml(resources.files(__package__ or "").joinpath("wordings.yaml"))
+
+
+class Speaker:
+    """The facts of a scene, the names of its things, and draws of what is said of it."""
 
     def __init__(self, facts: Facts, rng: np.random.Generator):
         self.facts = facts
         self.rng = rng
         self.names: dict[str, Name] = names(facts)
-        self.told: set[frozenset[str]] = set()
 
-    def one_of(self, *texts: str) -> str:
-        """One of several wordings."""
-        return texts[int(self.rng.integers(len(texts)))]
+    def coin(self) -> bool:
+        """True or false, each as often."""
+        return bool(self.rng.integers(2))
+
+    def one(self, items: Sequence[T]) -> T:
+        """One of some items."""
+        return items[int(self.rng.integers(len(items)))]
+
+    def shuffled(self, items: Iterable[T]) -> list[T]:
+        """The items in a drawn order."""
+        found = list(items)
+        return [found[int(k)] for k in self.rng.permutation(len(found))]
+
+    def name(self, body: Body) -> str:
+        """The words that mean a body."""
+        return self.names[body.id].text
+
+    def say(self, template: str, *things: str, **fields: Any) -> str:
+        """One of the wordings of a template."""
+        return self.one(wordings()[template]["say"]).format(*things, **fields)
+
+
+class Words(Speaker):
+    """Words for the things of one scene, with what they state."""
+
+    def __init__(self, facts: Facts, rng: np.random.Generator):
+        super().__init__(facts, rng)
+        self.told: set[frozenset[str]] = set()
 
     def groups(self, bodies: Sequence[Body]) -> list[tuple[str, list[Body]]]:
         """Bodies by category, in the order in which they come."""
@@ -165,12 +201,8 @@ class Words:
             groups = groups[:4]
             rest = len(chosen) - sum(len(bodies) for _, bodies in groups)
             chosen = [b for _, bodies in groups for b in bodies]
-            words = listed(
-                [
-                    *(counted(len(bs), c) for c, bs in groups),
-                    f"{number(rest)} other {'thing' if rest == 1 else 'things'}",
-                ]
-            )
+            others = f"{number(rest)} other {'thing' if rest == 1 else 'things'}"
+            words = listed([*(counted(len(bs), c) for c, bs in groups), others])
         else:
             words = self.inventory(chosen).words
         be = "is" if len(things) == 1 else "are"
