@@ -8,10 +8,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import repeat
 from pathlib import Path
 
+from sceneweaver.runtime.processes import cores, pool
 from sceneweaver.scene import write_atomic
 
 from .folder import Folder
-from .processes import cores, pool
 
 MANY = 4096
 """Files from which on processes are worth their start."""

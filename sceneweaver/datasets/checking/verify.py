@@ -16,12 +16,12 @@ from typing import Any, Protocol
 import numpy as np
 
 import sceneweaver
+from sceneweaver.runtime.processes import pool
 from sceneweaver.scene import InputError, write_atomic
 
 from ..digests import content_of
 from ..engines import open_dataset
 from ..folder import Folder
-from ..processes import pool
 from ..reading import Span, rows_of, scenes_of, shards_of, spans_of
 from ..spec import Spec
 from ..tables import arrow, read_schema

@@ -13,10 +13,10 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
+from sceneweaver.runtime.processes import THREADS
 from sceneweaver.scene import MissingDependencyError, SceneWeaverError
 from sceneweaver.scene.files import reason
 
-from ..processes import THREADS
 from ..work import Produce
 from .local import START
 from .manifest import Dataset, open_dataset

@@ -11,9 +11,9 @@ from collections.abc import Iterable, Sequence
 from multiprocessing.connection import Connection, wait
 from pathlib import Path
 
+from sceneweaver.runtime import processes
 from sceneweaver.scene import SceneWeaverError
 
-from ..processes import SPAWN, end_with_parent, one_thread_each
 from ..work import Produce
 from .manifest import Dataset, open_dataset
 from .schedule import Job, Schedule
@@ -30,13 +30,8 @@ class Worker:
         self.index, self.ready, self.used = index, False, False
         self.task: Task | None = None
         self._spec = dataset.spec
-        self.end, theirs = SPAWN.Pipe()
-        with one_thread_each():
-            arguments = (theirs, dataset.folder.path, device, produce)
-            self._process = SPAWN.Process(target=serve, args=arguments, daemon=True)
-            self._process.start()
-        theirs.close()
-        self.pid = self._process.pid or 0
+        self._process = processes.Worker(serve, dataset.folder.path, device, produce)
+        self.end, self.pid = self._process.connection, self._process.pid
         self._deadline = time.monotonic() + START
 
     def give(self, task: Task) -> None:
@@ -60,13 +55,8 @@ class Worker:
         """End the process, at once or when it has not ended by itself after some seconds; how it ended."""
         if self.end.closed:
             return ""
-        self._process.join(wait)
-        by_itself = not self._process.is_alive()
-        self._process.kill()
-        self._process.join()
-        self.end.close()
-        code = self._process.exitcode or 0
-        if not by_itself:
+        code = self._process.end(wait)
+        if code is None:
             return "worker hung: no scene for too long"
         return f"worker killed by signal {-code}" if code < 0 else f"worker ended with exit code {code}"
 
@@ -75,7 +65,6 @@ def serve(end: Connection, path: Path, device: str, produce: Produce | None) -> 
     """Make blocks until nobody asks any more."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches the whole group; the run ends its workers itself
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
-    end_with_parent()
     _be_quiet()
     dataset = open_dataset(path)
 

@@ -12,12 +12,12 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from sceneweaver.runtime.processes import cores
 from sceneweaver.scene import InputError, locked, sweep, write_atomic
 from sceneweaver.scene.files import TEMPORARY
 
 from .. import work
 from ..folder import Folder, disk_full, waiting
-from ..processes import cores
 from .local import TICK, LocalEngine
 from .manifest import Dataset, agreed_device, devices
 from .schedule import Job, Listener

@@ -12,8 +12,9 @@ from typing import Any
 
 import numpy as np
 
+from sceneweaver.runtime.processes import cores
+
 from ..folder import Folder
-from ..processes import cores
 from ..reading import rows_of
 from ..work import Produce
 from .local import LocalEngine

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache, partial
@@ -22,6 +21,7 @@ from sceneweaver.language import read_request
 from sceneweaver.layout.compile import CompiledScene, compile_scene
 from sceneweaver.layout.devices import pick_devices
 from sceneweaver.layout.sampling import Drawn, first_layouts, joined
+from sceneweaver.runtime.processes import pool
 from sceneweaver.scene import InputError, Scene
 from sceneweaver.scene.edits import apply_all
 from sceneweaver.scene.threads import cores
@@ -29,7 +29,6 @@ from sceneweaver.tools.base import Context
 from sceneweaver.tools.registry import tools
 
 from ..folder import Folder
-from ..processes import SPAWN, end_with_parent, one_thread_each
 from ..requests import Request, Requests
 from ..samples import ROWS, SECONDS, scene_columns, whole_folder
 from ..spec import Spec
@@ -90,10 +89,8 @@ def drawing(spec: Spec, requests: Sequence[Request]) -> Iterator[Draw]:
     if len(requests) < AT_ONCE or helpers < 2 or current_process().daemon:
         yield lambda attempts: [draw(spec, one) for one in attempts]
         return
-    with ProcessPoolExecutor(helpers, mp_context=SPAWN, initializer=end_with_parent) as pool:
-        with one_thread_each():
-            pool.submit(int)  # begins all of them
-        yield lambda attempts: list(pool.map(partial(draw, spec), attempts))
+    with pool(helpers) as processes:
+        yield lambda attempts: list(processes.map(partial(draw, spec), attempts))
 
 
 @cache

@@ -71,7 +71,7 @@ def drafted(spec: Spec, request: Request, seed: int, library: Library, device: s
     )
     context = Context(brief, room_type, empty_scene(brief, room_type), library, seed, clutter=request.clutter)
     proposal = InitPrior().propose(context)
-    return Draft(request, proposal, Executor(room_type, brief, settings), context, remarks)
+    return Draft(request, proposal, Executor(room_type, brief, settings, library), context, remarks)
 
 
 @dataclass(frozen=True)
@@ -112,7 +112,7 @@ def finished(draft: Draft, layout: Outcome, seed: int, gates: Gates) -> Finished
     context = replace(draft.context, scene=layout.scene, seed=seed)
     outcome = lived_in(layout, draft.executor, context)
     outcome, _ = opened(outcome, draft.executor)
-    return _gated(outcome, draft.seed, (*draft.proposal.unmet, *outcome.unmet), gates)
+    return _gated(outcome, draft.seed, (*draft.proposal.unmet, *outcome.unmet), gates, draft.executor.library)
 
 
 def designed(spec: Spec, request: Request, seed: int, library: Library, device: str) -> Finished:
@@ -126,16 +126,16 @@ def designed(spec: Spec, request: Request, seed: int, library: Library, device: 
         time_limit=None,
         library=library,
     )
-    return _gated(Outcome(made.scene, made.report, made.review), seed, made.unmet, spec.gates)
+    return _gated(Outcome(made.scene, made.report, made.review), seed, made.unmet, spec.gates, library)
 
 
-def _gated(outcome: Outcome, seed: int, unmet: Sequence[str], gates: Gates) -> Finished:
+def _gated(outcome: Outcome, seed: int, unmet: Sequence[str], gates: Gates, library: Library) -> Finished:
     asked = [fault.reason for fault in outcome.review.faults if fault.criterion == "alignment"]
     unmet = tuple(dict.fromkeys((*unmet, *asked)))
-    return Finished(outcome, seed, unmet, passed(gates, lambda name: _measured(outcome, unmet, name)))
+    return Finished(outcome, seed, unmet, passed(gates, lambda name: _measured(outcome, unmet, library, name)))
 
 
-def _measured(outcome: Outcome, unmet: Sequence[str], name: str) -> Any:
+def _measured(outcome: Outcome, unmet: Sequence[str], library: Library, name: str) -> Any:
     """What a scene has of the measure of a gate; None where there is nothing to measure."""
     if name == "unmet":
         return unmet
@@ -144,5 +144,5 @@ def _measured(outcome: Outcome, unmet: Sequence[str], name: str) -> Any:
     if name == "shift":
         from sceneweaver.physics import stability
 
-        return max(stability(outcome.scene)["moved"].values(), default=0.0)
+        return max(stability(outcome.scene, library.load)["moved"].values(), default=0.0)
     return outcome.review.grades[name] if name in outcome.review.grades else getattr(outcome.report, name)
