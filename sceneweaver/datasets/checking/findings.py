@@ -7,6 +7,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from sceneweaver.scene import Scene
+from sceneweaver.verify import Report
+
 CHECKS = {
     "checksum": "shards, tables and assets have the SHA-256 that is listed",
     "index": "rows are complete, in order, and have reasons where nothing was delivered",
@@ -68,6 +71,18 @@ class Findings:
         kept.append(Fault(key, check, detail))
         if len(kept) > 2 * KEPT:
             self.first[check] = sorted(kept)[:KEPT]
+
+    def judged(self, key: str, scene: Scene, report: Report) -> None:
+        """Note what the judge says of a scene."""
+        for name, count in (
+            ("objects", len(scene.objects)),
+            ("collisions", report.collisions),
+            ("out of bounds", report.out_of_bounds),
+        ):
+            self.counts[name] += count
+        if not report.valid:
+            worst = next(v for v in report.violations if v.hard)
+            self.fault("judge", key, f"is not valid: {worst.kind}: {worst.detail}")
 
     def moved(self, key: str, shifts: dict[str, float]) -> None:
         """Note how far [m] the free things of a scene moved."""

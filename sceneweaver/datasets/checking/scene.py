@@ -53,15 +53,9 @@ class Judge:
         except InputError as error:
             return found.fault("judge", key, f"scene.json: {error}")
         report = check(scene)
-        if not report.valid:
-            worst = next(v for v in report.violations if v.hard)
-            found.fault("judge", key, f"is not valid: {worst.kind}: {worst.detail}")
-        found.counts["collisions"] += report.collisions
-        found.counts["out of bounds"] += report.out_of_bounds
-        found.counts["objects"] += len(scene.objects)
-        for line in (*differences(row, scene, report), *_metrics(files.get("metrics.json"), report)):
-            found.fault("record", key, line)
-        for line in twin_faults(scene, files):
+        found.judged(key, scene, report)
+        recorded = (*differences(row, scene, report), *_metrics(files.get("metrics.json"), report))
+        for line in (*recorded, *twin_faults(scene, files)):
             found.fault("record", key, line)
         found.counts["twins"] += len(twin_names(files))
         for name in self.formats:

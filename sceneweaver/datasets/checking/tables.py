@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -88,10 +89,16 @@ def _delivered(row: Mapping[str, Any], spec: Spec) -> Iterator[str]:
     for column in ("split", "shard", "content_hash", "bytes"):
         if row.get(column) is None:
             yield f"has no {column}"
-    if row.get("split") is not None and row["split"] not in spec.splits:
-        yield f"is in split {row['split']!r}, which the specification does not have"
-    if row.get("shard") and not Path(row["shard"]).name.startswith(f"{row.get('split')}-"):
-        yield f"is in split {row.get('split')!r}, and lies in {row['shard']}"
+    yield from _split_faults(row.get("split"), [row["shard"]] if row.get("shard") else [], spec)
+
+
+def _split_faults(split: str | None, shards: Iterable[str], spec: Spec) -> Iterator[str]:
+    """Lines about a split that there is not, and shards of another one."""
+    if split is not None and split not in spec.splits:
+        yield f"is in split {split!r}, which the specification does not have"
+    for shard in shards:
+        if not Path(shard).name.startswith(f"{split}-"):
+            yield f"is in split {split!r}, and lies in {shard}"
 
 
 def _licences(row: Mapping[str, Any], licences: Mapping[str, str] | None) -> Iterator[str]:
@@ -200,61 +207,45 @@ def _store_name(name: str) -> str:
     return stem if name.startswith("assets/") and len(stem) == DIGITS else ""
 
 
-def check_digests(root: Path, files: Iterable[tuple[Path, str]], found: Findings) -> None:
+def check_digests(root: Path, files: Iterable[tuple[Path, str]]) -> Findings:
     """Whether the SHA-256 of files begins as it should."""
+    found = Findings()
     for path, expected in files:
         found.counts["files hashed"] += 1
         digest = sha256(path)
         if not expected or not digest.startswith(expected.lower()):
             found.fault("checksum", path.relative_to(root).as_posix(), f"has SHA-256 {digest[:16]}..., not {expected}")
+    return found
 
 
 SAMPLE = 5000
 """How many layouts are judged unless told otherwise."""
 
 
-@dataclass(frozen=True)
-class Layouts:
-    """Some layouts of a program, in a row group of a shard.
+def check_layouts(path: Path, row_group: int, rows: Sequence[int], program: int, text: str) -> Findings:
+    """Judge some layouts of a program.
 
-    Attributes:
+    Args:
         path: the shard.
-        row_group: its number.
+        row_group: its number in the shard.
         rows: which rows of it.
         program: number of the program.
-        scene: the JSON of its scene.
+        text: the JSON of its scene.
     """
-
-    path: Path
-    row_group: int
-    rows: tuple[int, ...]
-    program: int
-    scene: str
-
-    def run(self) -> Findings:
-        """Judge them."""
-        found, scene = Findings(), Scene.loads(self.scene)
-        file = arrow().parquet.ParquetFile(self.path)
-        for row in (
-            file.read_row_group(self.row_group, columns=["program", "layout", "poses"]).take(self.rows).to_pylist()
-        ):
-            key = f"{self.program}/{row['layout']}"
-            poses = np.array(row["poses"], dtype=np.float32)
-            found.counts["judged"] += 1
-            if row["program"] != self.program or not np.isfinite(poses[: 4 * len(scene.objects)]).all():
-                found.fault("record", key, "is of another program, or has poses that are no numbers")
-                continue
-            report = check(posed(scene, poses), walkable=False)
-            found.counts["objects"] += len(scene.objects)
-            found.counts["collisions"] += report.collisions
-            found.counts["out of bounds"] += report.out_of_bounds
-            if not report.valid:
-                worst = next(v for v in report.violations if v.hard)
-                found.fault("judge", key, f"is not valid: {worst.kind}: {worst.detail}")
-        return found
+    found, scene = Findings(), Scene.loads(text)
+    table = arrow().parquet.ParquetFile(path).read_row_group(row_group, columns=["program", "layout", "poses"])
+    for row in table.take(rows).to_pylist():
+        key, poses = f"{program}/{row['layout']}", np.array(row["poses"], dtype=np.float32)
+        found.counts["judged"] += 1
+        if row["program"] != program or not np.isfinite(poses[: 4 * len(scene.objects)]).all():
+            found.fault("record", key, "is of another program, or has poses that are no numbers")
+            continue
+        placed = posed(scene, poses)
+        found.judged(key, placed, check(placed, walkable=False))
+    return found
 
 
-def layout_tasks(folder: Folder, spec: Spec, found: Findings, sample: int | None) -> Iterator[Layouts]:
+def layout_tasks(folder: Folder, spec: Spec, found: Findings, sample: int | None) -> Iterator[Callable[[], Findings]]:
     """Check the tables of a data set of layouts; what is left are the layouts to judge."""
     programs = {row["program"]: row for row in read_table(folder.programs)}
     _check_programs(list(programs.values()), spec, found)
@@ -270,7 +261,7 @@ def layout_tasks(folder: Folder, spec: Spec, found: Findings, sample: int | None
         first, last = np.searchsorted(drawn, [start, start + rows])
         if last > first and program in programs:
             chosen = tuple((drawn[first:last] - start).tolist())
-            yield Layouts(path, number, chosen, program, programs[program]["scene"])
+            yield partial(check_layouts, path, number, chosen, program, programs[program]["scene"])
         start += rows
 
 
@@ -308,21 +299,18 @@ def _check_programs(rows: Sequence[Mapping[str, Any]], spec: Spec, found: Findin
                 found.fault("index", key, f"is {row['status']} without a reason")
             continue
         found.counts["scenes"] += 1
-        if row["split"] not in spec.splits:
-            found.fault("index", key, f"is in split {row['split']!r}, which the specification does not have")
-        for shard in row["shards"]:
-            if not Path(shard).name.startswith(f"{row['split']}-"):
-                found.fault("index", key, f"is in split {row['split']!r}, and lies in {shard}")
+        for line in _split_faults(row["split"] or "", row["shards"], spec):
+            found.fault("index", key, line)
         first = groups.setdefault(row["near_duplicate_group"], row["split"])
         if first != row["split"]:
             found.fault("split", key, f"group {row['near_duplicate_group']} is in {first} and in {row['split']}")
 
 
 def _check_counts(places: Sequence[_Place], programs: Mapping[int, Mapping[str, Any]], found: Findings) -> None:
-    counts: dict[int, int] = {}
+    counts: Counter[int] = Counter()
     for _, _, program, rows in places:
-        counts[program] = counts.get(program, 0) + rows
+        counts[program] += rows
     for program, row in programs.items():
-        if counts.get(program, 0) != row["layouts"]:
-            line = f"has {counts.get(program, 0)} layouts in its shards; the table says {row['layouts']}"
+        if counts[program] != row["layouts"]:
+            line = f"has {counts[program]} layouts in its shards; the table says {row['layouts']}"
             found.fault("shard", str(program), line)

@@ -9,9 +9,10 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from concurrent.futures.process import BrokenProcessPool
 from dataclasses import asdict, dataclass
+from functools import partial
 from itertools import chain
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
@@ -30,64 +31,36 @@ from .findings import CHECKS, KEPT, Findings, markdown
 from .scene import Judge
 from .tables import SAMPLE, layout_tasks
 
-
-class Task(Protocol):
-    """Some work; it can be sent to another process."""
-
-    def run(self) -> Findings:
-        """Do it."""
-        ...
+Task = Callable[[], Findings]
+"""Some work; it can be sent to another process."""
 
 
-@dataclass(frozen=True)
-class Digests:
-    """Files whose SHA-256 is known to begin with something."""
+def check_scenes(
+    judge: Judge, span: Span, rows: dict[str, dict[str, Any]], judged: frozenset[str], simulated: dict[str, float]
+) -> Findings:
+    """Check some scenes of a shard.
 
-    root: Path
-    files: tuple[tuple[Path, str], ...]
-
-    def run(self) -> Findings:
-        """Hash them."""
-        found = Findings()
-        tables.check_digests(self.root, self.files, found)
-        return found
-
-
-@dataclass(frozen=True)
-class Scenes:
-    """Scenes of a shard.
-
-    Attributes:
+    Args:
         judge: how they are judged.
         span: where they lie.
         rows: their rows, by key; scenes without one are passed over.
         judged: keys of those that are judged; of the others only the content is hashed.
         simulated: keys of those that are compiled by MuJoCo, and how long they are let loose [s].
     """
-
-    judge: Judge
-    span: Span
-    rows: dict[str, dict[str, Any]]
-    judged: frozenset[str]
-    simulated: dict[str, float]
-
-    def run(self) -> Findings:
-        """Judge them."""
-        found = Findings()
-        try:
-            for key, files in scenes_of(self.span):
-                if (row := self.rows.get(key)) is None:
-                    continue
-                digest, size = content_of(files)
-                if (digest, size) != (row["content_hash"], row["bytes"]):
-                    found.fault("content", key, "is not what was delivered: its content hash differs from the index")
-                if key in self.judged:
-                    self.judge.judge(row, files, found)
-                if key in self.simulated and "xml" in files:
-                    self.judge.simulate(key, files["xml"], self.simulated[key], found)
-        except (OSError, EOFError, InputError) as error:
-            found.fault("shard", self.span.path.name, f"cannot be read: {error}")
-        return found
+    found = Findings()
+    try:
+        for key, files in scenes_of(span):
+            if (row := rows.get(key)) is None:
+                continue
+            if content_of(files) != (row["content_hash"], row["bytes"]):
+                found.fault("content", key, "is not what was delivered: its content hash differs from the index")
+            if key in judged:
+                judge.judge(row, files, found)
+            if key in simulated and "xml" in files:
+                judge.simulate(key, files["xml"], simulated[key], found)
+    except (OSError, EOFError, InputError) as error:
+        found.fault("shard", span.path.name, f"cannot be read: {error}")
+    return found
 
 
 def results(tasks: Iterable[Task], workers: int) -> Iterator[Findings]:
@@ -97,7 +70,7 @@ def results(tasks: Iterable[Task], workers: int) -> Iterator[Findings]:
         InputError: a process was killed, as where memory runs out.
     """
     if workers <= 1:
-        yield from (task.run() for task in tasks)
+        yield from (task() for task in tasks)
         return
     try:
         yield from _shared_out(tasks, workers)
@@ -109,7 +82,7 @@ def _shared_out(tasks: Iterable[Task], workers: int) -> Iterator[Findings]:
     with pool(workers) as processes:
         waiting: set[Future[Findings]] = set()
         for task in tasks:
-            waiting.add(processes.submit(task.run))
+            waiting.add(processes.submit(task))
             if len(waiting) >= 2 * workers:
                 done, waiting = wait(waiting, return_when=FIRST_COMPLETED)
                 yield from (future.result() for future in done)
@@ -224,10 +197,10 @@ def _digests(folder: Folder, found: Findings) -> Iterator[Task]:
     """All files to hash, the large ones first."""
     files = tables.checksums(folder, found)
     large = [pair for pair in files if pair[0].parent == folder.data]
-    yield from (Digests(folder.path, (pair,)) for pair in large)
+    yield from (partial(tables.check_digests, folder.path, (pair,)) for pair in large)
     small = [pair for pair in files if pair[0].parent != folder.data]
     small += tables.stored(folder, (path for path, _ in files))
-    yield from (Digests(folder.path, tuple(small[k : k + 256])) for k in range(0, len(small), 256))
+    yield from (partial(tables.check_digests, folder.path, small[k : k + 256]) for k in range(0, len(small), 256))
 
 
 def _scenes(folder: Folder, spec: Spec, found: Findings, sample: int | None, stability: int) -> Iterator[Task]:
@@ -253,7 +226,7 @@ def _scenes(folder: Folder, spec: Spec, found: Findings, sample: int | None, sta
             rows = table.take([places[key] for key in span.keys if key in places]).to_pylist()
             mine = {row["key"]: row for row in rows}
             loose = {key: simulated[key] for key in mine if key in simulated}
-            yield Scenes(judge, span, mine, judged & mine.keys(), loose)
+            yield partial(check_scenes, judge, span, mine, judged & mine.keys(), loose)
     tables.check_spans(spans, shards, found)
 
 
