@@ -256,8 +256,8 @@ def _object(obj: Mapping[str, Any], edge: float) -> str:
     d, w, _ = obj["size"]
     shapes = [[(-d / 2, -w / 2), (d / 2, -w / 2), (d / 2, w / 2), (-d / 2, w / 2)]]
     if obj.get("parts"):
-        large = [part for part in obj["parts"] if _extent(part["polygon"]) > 0.15 * max(d, w)]
-        large = sorted(large, key=lambda part: -_extent(part["polygon"]))[:_PARTS]
+        large = [part for part in obj["parts"] if extent_of(part["polygon"]) > 0.15 * max(d, w)]
+        large = sorted(large, key=lambda part: -extent_of(part["polygon"]))[:_PARTS]
         shapes = [part["polygon"] for part in sorted(large, key=lambda part: part["z"][1])] or shapes
     seen: Any = SimpleNamespace(attributes=obj.get("attributes") or {}, category=obj["category"])
     fill = palette.fill_of(seen)
@@ -274,7 +274,8 @@ def _opening(outline: Sequence[Sequence[float]], opening: Mapping[str, Any], col
     return f"<path d='M{line}' stroke='{_color(color)}' stroke-width='{width:.1f}'/>"
 
 
-def _extent(polygon: Sequence[Sequence[float]]) -> float:
+def extent_of(polygon: Sequence[Sequence[float]]) -> float:
+    """The longer side [m] of the box about a polygon."""
     left, low, right, high = box_of(polygon)
     return max(right - left, high - low)
 

@@ -114,7 +114,7 @@ class Gathered:
             first door is in the lower side; first axis upwards.
         together: in how many scenes two categories stand on the floor, by their names in order.
         present: in how many scenes a category does.
-        relations: by type, how many are hard and how many soft.
+        relations: how many there are, by type and whether they are hard.
         shells: outlines that differ, by their signature, with how many scenes have each.
         palettes: how many scenes have a palette.
         read: how many scenes were read.
@@ -127,7 +127,7 @@ class Gathered:
     heat: dict[str, np.ndarray] = field(default_factory=dict)
     together: Counter[tuple[str, str]] = field(default_factory=Counter)
     present: Counter[str] = field(default_factory=Counter)
-    relations: dict[str, list[int]] = field(default_factory=dict)
+    relations: Counter[tuple[str, bool]] = field(default_factory=Counter)
     shells: dict[str, tuple[Sequence[Sequence[float]], int]] = field(default_factory=dict)
     palettes: Counter[str] = field(default_factory=Counter)
     read: int = 0
@@ -139,7 +139,7 @@ class Gathered:
         self.present.update(named)
         self.together.update(combinations(named, 2))
         for relation in scene.get("relations", ()):
-            self.relations.setdefault(relation["type"], [0, 0])[0 if relation.get("hard", True) else 1] += 1
+            self.relations[relation["type"], bool(relation.get("hard", True))] += 1
         if scene.get("palette"):
             self.palettes[scene["palette"]["name"]] += 1
         outline = scene["room"]["outline"]
@@ -155,8 +155,7 @@ class Gathered:
         self.together.update(other.together)
         self.present.update(other.present)
         self.palettes.update(other.palettes)
-        for name, counts in other.relations.items():
-            self.relations[name] = [a + b for a, b in zip(self.relations.get(name, (0, 0)), counts, strict=True)]
+        self.relations.update(other.relations)
         for signature, (outline, count) in other.shells.items():
             self.shells[signature] = (outline, self.shells.get(signature, (outline, 0))[1] + count)
         self.read += other.read
@@ -195,35 +194,27 @@ def gather(folder: Folder, product: str = "scenes", *, pictures: int = PICTURES,
     tasks = list(_tasks(folder, step, drawn))
     if workers == 1 or len(tasks) < MANY:
         for task in tasks:
-            found.take_over(task.gather())
+            found.take_over(_gathered(task))
     else:
         with pool(workers) as processes:
-            for part in processes.map(_Scenes.gather, tasks, chunksize=4):
+            for part in processes.map(_gathered, tasks, chunksize=4):
                 found.take_over(part)
     return found
 
 
-@dataclass(frozen=True)
-class _Scenes:
-    """Scenes of a shard to look at, and the number of the first of them."""
-
-    span: Span
-    first: int
-    step: int
-    drawn: frozenset[str]
-
-    def gather(self) -> Gathered:
-        found, scenes = Gathered({}, {}, []), scenes_of(self.span, ("scene.json",))
-        texts = ((number, (key, files["scene.json"])) for number, (key, files) in enumerate(scenes, self.first))
-        _look_at(found, texts, self.step, self.drawn)
-        return found
+def _gathered(task: tuple[Span, int, int, frozenset[str]]) -> Gathered:
+    """What is gathered of the scenes of a span: it, the number of its first scene, the step, and who is drawn."""
+    span, first, step, drawn = task
+    found, scenes = Gathered({}, {}, []), scenes_of(span, ("scene.json",))
+    _look_at(found, ((k, (key, files["scene.json"])) for k, (key, files) in enumerate(scenes, first)), step, drawn)
+    return found
 
 
-def _tasks(folder: Folder, step: int, drawn: Collection[str]) -> Iterator[_Scenes]:
+def _tasks(folder: Folder, step: int, drawn: Collection[str]) -> Iterator[tuple[Span, int, int, frozenset[str]]]:
     first = 0
     for shard in shards_of(folder):
         for span in spans_of(shard, _TOGETHER):
-            yield _Scenes(span, first, step, frozenset(drawn).intersection(span.keys))
+            yield span, first, step, frozenset(drawn).intersection(span.keys)
             first += len(span.keys)
 
 
