@@ -64,6 +64,10 @@ class Folder:
         """Rooms of a block that is made room by room, as its worker was killed."""
         return self.work / "rooms" / f"{number:08d}"
 
+    def room(self, number: int, place: int) -> Path:
+        """The folder of a room of such a block, by its place in it."""
+        return self.rooms(number) / f"{place:04d}"
+
     def table(self, product: str) -> Path:
         """The table with a row a request: of "scenes", or of "layouts", whose programs have many."""
         return self.index if product == "scenes" else self.programs

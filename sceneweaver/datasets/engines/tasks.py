@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import os
 import resource
-import shutil
 import socket
 import time
 from collections import Counter
@@ -19,10 +18,10 @@ from sceneweaver.scene import MissingDependencyError
 
 from ..folder import Folder, disk_full
 from ..requests import Request
-from ..samples import Sample, read_rows, read_samples, write_block
+from ..samples import Sample, read_rows
 from ..spec import Spec
 from ..store import AssetStore
-from ..work import Produce, failed_samples, make_block, store_of, usual
+from ..work import Produce, join_rooms, make_block, make_rooms, usual
 from .manifest import Dataset
 
 Message = tuple[Literal["ready", "alive", "done", "full", "missing", "error"], Any]
@@ -88,16 +87,12 @@ def _carry_out(
             yield sample
 
     if task.join:
-        _join(dataset, task)
+        join_rooms(folder, dataset.requests, task.number, task.failed)
     elif task.room is None:
         make_block(folder, dataset.requests, task.number, device, watched)
     elif not whole.exists():
         request = dataset.requests.block(task.number)[task.room]
-        path = folder.rooms(task.number) / f"{task.room:04d}"
-        if dataset.spec.product == "layouts":
-            _write_programs(dataset, path, request, device, {})
-        elif not path.exists():
-            write_block(path, watched(dataset.spec, [request], store_of(folder), device))
+        make_rooms(folder, dataset.requests, folder.room(task.number, task.room), [request], device, watched)
     rss, peak = memory()
     record = {"block": task.number, "start": start, "end": time.time(), "rss": rss, "peak_rss": peak}
     if not whole.exists():  # a room alone is no news yet
@@ -108,37 +103,6 @@ def _carry_out(
         "rooms": len(dataset.requests.block(task.number)),
         **{status: counts[status] for status in ("ok", "rejected", "failed")},
     }
-
-
-def _join(dataset: Dataset, task: Task) -> None:
-    """Make a block of its rooms, which were made one by one."""
-    place, block = dataset.folder.rooms(task.number), dataset.folder.block(task.number)
-
-    requests = dataset.requests.block(task.number)
-    paths = [place / f"{number:04d}" for number in range(len(requests))]
-
-    def samples() -> Iterator[Sample]:
-        for number, request in enumerate(requests):
-            if number in task.failed:
-                yield from failed_samples(request, task.failed[number])
-            else:
-                yield from read_samples(paths[number])
-
-    if dataset.spec.product == "layouts":
-        from ..layouts import join
-
-        for number, reason in task.failed.items():
-            _write_programs(dataset, paths[number], requests[number], "cpu", {requests[number].room: reason})
-        join(block, dataset.requests, paths)
-    elif not block.exists():
-        write_block(block, samples())
-    shutil.rmtree(place, ignore_errors=True)
-
-
-def _write_programs(dataset: Dataset, path: Path, request: Request, device: str, failed: dict[int, str]) -> None:
-    from ..layouts import write_programs
-
-    write_programs(path, dataset.requests, [request], device, failed)
 
 
 class Records:

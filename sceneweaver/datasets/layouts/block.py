@@ -28,7 +28,6 @@ from sceneweaver.scene.threads import cores
 from sceneweaver.tools.base import Context
 from sceneweaver.tools.registry import tools
 
-from ..folder import Folder
 from ..requests import Request, Requests
 from ..samples import ROWS, SECONDS, scene_columns, whole_folder
 from ..spec import Spec
@@ -145,18 +144,6 @@ class Taken:
     program: Program
     scene: CompiledScene
     first: Drawn
-
-
-def make_block(folder: Folder, requests: Requests, number: int, device: str = "auto") -> None:
-    """Make one block of programs and their layouts, unless it is there.
-
-    Args:
-        folder: the data set.
-        requests: what is asked for, with its specification.
-        number: which block.
-        device: where layouts are made.
-    """
-    write_programs(folder.block(number), requests, requests.block(number), device)
 
 
 def write_programs(
