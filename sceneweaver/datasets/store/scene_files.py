@@ -18,10 +18,7 @@ from sceneweaver.export.usd import usd_bytes
 from sceneweaver.physics.hulls import share_parts
 from sceneweaver.scene import Scene
 
-from .content import NAME, AssetStore
-
-SUFFIXES = {"glb": "glb", "mjcf": "xml", "usd": "usdc"}
-"""By format, the suffix of its file."""
+from . import NAME, SUFFIXES, AssetStore
 
 RECORDS = "work/assets"
 """Where processes write what they know of assets, relative to the root of the data set."""

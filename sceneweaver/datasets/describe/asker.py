@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
-from dataclasses import asdict, dataclass, field
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import asdict, dataclass
 from itertools import islice
 from typing import Any, Literal, TypeVar
 
@@ -11,8 +11,8 @@ import numpy as np
 
 from sceneweaver.verify.solids import Body
 
-from ..facts import Facts
-from ..naming import Name, names
+from .facts import Facts
+from .naming import Speaker, wordings
 
 Form = Literal["yes_no", "choice", "count", "number", "list"]
 
@@ -53,40 +53,21 @@ class Question:
     options: tuple[str, ...] = ()
     option_objects: tuple[str, ...] = ()
     tolerance: float | None = None
-    unit: str | None = field(default=None)
+    unit: str | None = None
 
     def to_dict(self) -> dict[str, Any]:
         """JSON data, without what is not there."""
         return {key: value for key, value in asdict(self).items() if value not in (None, ())}
 
 
-class Asker:
+class Asker(Speaker):
     """What templates of questions need: the facts, the names of things, and the draws of this scene."""
 
     def __init__(self, facts: Facts, rng: np.random.Generator):
-        self.facts = facts
-        self.rng = rng
-        self.names: dict[str, Name] = names(facts)
+        super().__init__(facts, rng)
         self.named = [b for b in facts.bodies if b.id in self.names]
         self.standing = [b for b in facts.furniture if b.id in self.names]
         self.floor: Any = None
-
-    def coin(self) -> bool:
-        """True or false, each as often."""
-        return bool(self.rng.integers(2))
-
-    def one_of(self, *texts: str) -> str:
-        """One of several wordings."""
-        return texts[int(self.rng.integers(len(texts)))]
-
-    def shuffled(self, items: Iterable[T]) -> list[T]:
-        """The items in a drawn order."""
-        found = list(items)
-        return [found[int(k)] for k in self.rng.permutation(len(found))]
-
-    def name(self, body: Body) -> str:
-        """The words that mean a body."""
-        return self.names[body.id].text
 
     def ids(self, *bodies: Body) -> tuple[str, ...]:
         """All ids that the names of some bodies speak of, without repetition."""
@@ -117,14 +98,55 @@ class Asker:
                 return found[wanted]
         return None
 
+    def ask(
+        self,
+        template: str,
+        answer: Any,
+        about: Sequence[Body],
+        operands: dict[str, Any],
+        *,
+        objects: tuple[str, ...] | None = None,
+        options: Sequence[str] | Sequence[Body] = (),
+        margin: float | None = None,
+        tolerance: float | None = None,
+        **fields: Any,
+    ) -> Question:
+        """The question of a template in one of its wordings.
+
+        Args:
+            template: its name in ``wordings.yaml``.
+            answer: as `Question.answer`; a truth value is said as "yes" or "no", a body by its name.
+            about: the things whose names are the fields {0}, {1} ... of the wordings.
+            operands: what the answer follows from.
+            objects: ids that it is about, where these are not those that the names speak of.
+            options: of a choice: words or things.
+            margin: from where the answer would change.
+            tolerance: how far a number may be off.
+            fields: other fields of wordings and method.
+        """
+        data = wordings()[template]
+        things = [self.name(body) for body in about]
+        bodies = [option for option in options if isinstance(option, Body)]
+        if isinstance(answer, bool | np.bool_):
+            answer = "yes" if answer else "no"
+        return Question(
+            template,
+            data["form"],
+            self.say(template, *things, **fields),
+            self.name(answer) if isinstance(answer, Body) else answer,
+            self.ids(*about) if objects is None else objects,
+            operands,
+            data["method"].format(**fields),
+            margin=margin,
+            options=tuple(self.name(option) if isinstance(option, Body) else option for option in options),
+            option_objects=tuple(body.id for body in bodies),
+            tolerance=tolerance,
+            unit=data.get("unit"),
+        )
+
 
 Template = Callable[[Asker], Question | None]
 """Asks one question, or none where the scene does not lend itself to it."""
-
-
-def yes_no(said: bool) -> str:
-    """The word for it."""
-    return "yes" if said else "no"
 
 
 def rounded(value: float, digits: int = 3) -> float:

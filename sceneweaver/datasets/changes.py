@@ -15,9 +15,10 @@ from sceneweaver.scene import InputError, Pose, Remove, Scene, SceneObject
 from sceneweaver.scene.edits import apply, carried
 from sceneweaver.verify.solids import Body
 
-from ..describe.facts import Facts, has_front
-from ..describe.moves import Space, is_movable
-from ..describe.naming import color, color_families
+from .describe.english import color_families
+from .describe.facts import Facts, has_front
+from .describe.moves import Space, is_movable
+from .describe.naming import color
 
 Kind = Literal["moved", "turned", "removed", "recoloured", "exchanged"]
 

@@ -11,7 +11,7 @@ from sceneweaver.verify.grid import CELL, Grid
 from sceneweaver.verify.solids import Body
 from sceneweaver.verify.walkable import CLEARANCE, MOST_CELLS, STEP
 
-from .question import Asker, Question, rounded, yes_no
+from .asker import Asker, Question, rounded
 
 ERROR = 0.08
 """Length [m] by which distances on the grid of the floor may be off, on the safe side."""
@@ -90,7 +90,7 @@ def robot_reaches(asker: Asker) -> Question | None:
     floor = _floor(asker)
     if floor is None:
         return None
-    radius = RADII[int(asker.rng.integers(len(RADII)))]
+    radius = asker.one(RADII)
     surely, perhaps = floor.entered(radius + ERROR), floor.entered(radius - ERROR)
     if not surely.any() or not asker.standing:
         return None
@@ -104,22 +104,9 @@ def robot_reaches(asker: Asker) -> Question | None:
     if found is None:
         return None
     body, said, _ = found
-    return Question(
-        "robot_reaches",
-        "yes_no",
-        asker.one_of(
-            f"A round robot of {200 * radius:.0f} cm across comes in through the door. Can it drive to within "
-            f"{100 * STOP:.0f} cm of {asker.name(body)}?",
-            f"Can a round robot with a diameter of {200 * radius:.0f} cm get from the door to {asker.name(body)}, so "
-            f"that at most {100 * STOP:.0f} cm are left between them?",
-        ),
-        yes_no(said),
-        asker.ids(body),
-        {"radius": radius, "stop": STOP},
-        f"flood fill from the zone of the door over what is {STEP} to {CLEARANCE} m above the floor; the same for "
-        f"radii and distances {ERROR} m larger or smaller",
-        margin=ERROR,
-    )
+    fields = {"across": 200 * radius, "low": STEP, "high": CLEARANCE, "error": ERROR}
+    operands = {"radius": radius, "stop": STOP}
+    return asker.ask("robot_reaches", said, (body,), operands, margin=ERROR, stop=100 * STOP, **fields)
 
 
 def in_reach(asker: Asker) -> Question | None:
@@ -150,21 +137,9 @@ def in_reach(asker: Asker) -> Question | None:
     if found is None:
         return None
     body, said, near = found
-    return Question(
-        "in_reach",
-        "yes_no",
-        asker.one_of(
-            f"Someone with a shoulder {SHOULDER:g} m above the floor and an arm of {100 * ARM:.0f} cm comes in. "
-            f"Can they touch {asker.name(body)} from some place where they can stand?",
-            f"Is {asker.name(body)} within reach of someone who comes in through the door, with an arm of "
-            f"{100 * ARM:.0f} cm and a shoulder {SHOULDER:g} m above the floor?",
-        ),
-        yes_no(said),
-        asker.ids(body),
-        {"distance": rounded(min(near, 9.999)), "radius": PERSON, "shoulder": SHOULDER, "arm": ARM},
-        "least distance from a shoulder over floor that a disc can walk on from the door to the box of the object",
-        margin=HAND_MARGIN,
-    )
+    operands = {"distance": rounded(min(near, 9.999)), "radius": PERSON, "shoulder": SHOULDER, "arm": ARM}
+    fields = {"shoulder": SHOULDER, "arm": 100 * ARM}
+    return asker.ask("in_reach", said, (body,), operands, margin=HAND_MARGIN, **fields)
 
 
 def seen_from_door(asker: Asker) -> Question | None:
@@ -185,21 +160,8 @@ def seen_from_door(asker: Asker) -> Question | None:
     if found is None:
         return None
     body, said, seen = found
-    return Question(
-        "seen_from_door",
-        "yes_no",
-        asker.one_of(
-            f"You look into the room from the doorway, with your eyes {EYE:g} m above the floor. Can you see "
-            f"{asker.name(body)}?",
-            f"Is {asker.name(body)} in sight for someone in the doorway whose eyes are {EYE:g} m above the floor?",
-        ),
-        yes_no(said),
-        asker.ids(body),
-        {"eye": [rounded(v) for v in eye], "share": rounded(seen)},
-        "share of points of the box whose line to the eye meets no part of another object and no wall; yes from 0.5, "
-        "no where none is seen",
-        margin=None,
-    )
+    operands = {"eye": [rounded(v) for v in eye], "share": rounded(seen)}
+    return asker.ask("seen_from_door", said, (body,), operands, eye=EYE)
 
 
 def visible_share(asker: Asker, body: Body, eye: np.ndarray, steps: np.ndarray) -> float:
