@@ -11,7 +11,7 @@ from sceneweaver.geometry.shell import FLOOR_THICKNESS, WALL_THICKNESS
 from sceneweaver.scene import Scene
 
 from .camera import Camera
-from .room_bodies import hidden_with
+from .instances import hidden_with
 from .room_probe import Probe, box_share, has_back, is_key, weight
 from .room_shell import STUB
 

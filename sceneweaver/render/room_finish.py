@@ -22,7 +22,7 @@ class Finishes:
     leaf: Material = Material("door leaf", (0.73, 0.57, 0.41), roughness=0.5, texture="oak")
     metal: Material = Material("door handle", (0.74, 0.74, 0.75), roughness=0.3, metallic=1.0)
     glass: Material = Material("pane", (0.82, 0.92, 0.97), roughness=0.06, opacity=0.12)
-    daylight: Material = Material("daylight", (0.87, 0.94, 1.0), roughness=1.0, emission=0.62)
+    daylight: Material = Material("daylight", (0.96, 0.985, 1.0), roughness=1.0, emission=0.9)
 
     def accented(self, wall: int) -> str | None:
         """How a wall is done that is an accent, if it is one."""

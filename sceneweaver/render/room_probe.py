@@ -15,7 +15,7 @@ from sceneweaver.geometry.shell import wall_pieces
 from sceneweaver.scene import Door, Room, Scene, SceneObject
 
 from .camera import Camera
-from .first_hits import Triangles
+from .tracing import Triangles
 
 NOTHING, WALL, FLOOR, CEILING, WINDOW, DOOR = -1, -2, -3, -4, -5, -6
 """Ids of what is no object."""

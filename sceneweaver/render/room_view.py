@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 import numpy as np
-from PIL import Image
+from PIL import Image, ImageFilter
 
 from sceneweaver.assets import Asset
 from sceneweaver.assets.body import Material, Mesh
@@ -14,16 +14,15 @@ from sceneweaver.scene import InputError, Scene
 from sceneweaver.scene.messages import suggest
 
 from .camera import Camera
-from .caster import Instance, Quality, cast
 from .eye_camera import EYE_VIEWS, eye_cameras
-from .glow import glowing
-from .room_bodies import hidden_with, instances_of
+from .instances import Instance, hidden_with, instances_of
+from .interior import Element, build_interior
 from .room_camera import corner_camera, corner_directions, cut_walls, opposite
 from .room_finish import finishes_of
-from .room_inside import Inside
 from .room_light import corner_light, top_light
 from .room_notes import annotated
-from .room_shell import build_shell
+from .room_shell import Shell, build_shell
+from .tracing import DirectLights, Quality, TracedPicture, Tracer, interior_lights, trace
 from .view import View
 
 _CUT = 1.5  # height [m] at which pictures from above cut the walls: through most windows
@@ -132,6 +131,53 @@ def draw_marked(
     return annotated(picture, plain, _plan(scene, width, height), text * 0.75 * side / height)
 
 
+class Inside:
+    """A furnished room, ready for any number of cameras in it.
+
+    Attributes:
+        parts: The room around the furniture.
+        instances: What is drawn: the objects of the scene in their order, then ``parts``.
+    """
+
+    def __init__(
+        self, scene: Scene, things: Sequence[Instance], cameras: Sequence[Camera], device: str = "cpu"
+    ) -> None:
+        """Build the room; a door in which one of the cameras stands is open."""
+        self.parts: list[Element] = build_interior(scene, finishes_of(scene), cameras)
+        self.instances = [*things, *(Instance(part.mesh, np.eye(4)) for part in self.parts)]
+        self._scene, self._device = scene, device
+        self._tracer: Tracer | None = None
+
+    def picture(self, camera: Camera, width: int, height: int, quality: Quality | None = None) -> TracedPicture:
+        """What a camera sees."""
+        if self._tracer is None:  # most of the light is shared by all cameras
+            self._tracer = Tracer(self.instances, interior_lights(self._scene), self._device)
+        return self._tracer.picture(camera, width, height, quality)
+
+
+class EyeLevel:
+    """The pictures of a room at eye level, one by one; what they share is worked out once.
+
+    Attributes:
+        cameras: The camera of each of `EYE_VIEWS`.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        load: Callable[[str], Asset] | None = None,
+        aspect: float = 4 / 3,
+        device: str = "cpu",
+    ) -> None:
+        """Choose the cameras; ``load`` gives the asset of an id, ``aspect`` is width over height."""
+        self.cameras = eye_cameras(scene, aspect)
+        self._inside = Inside(scene, instances_of(scene, load), list(self.cameras.values()), device)
+
+    def draw(self, view: str, width: int, height: int, quality: Quality | None = None) -> Image.Image:
+        """One of the pictures, in any size of that aspect."""
+        return Image.fromarray(self._inside.picture(self.cameras[view], width, height, quality).rgb)
+
+
 def _corner(
     scene: Scene, things: list[Instance], across: bool, width: int, height: int, quality: Quality | None, device: str
 ) -> Image.Image:
@@ -146,10 +192,7 @@ def _corner(
     shown = [one for one, thing in zip(things, scene.objects, strict=True) if thing.id not in gone]
     lamps = [one for one, thing in zip(things, scene.objects, strict=True) if thing.mount == "ceiling"]
     lighting = corner_light(scene.room, way, cut, [*shown, *lamps])
-    eye = np.eye(4)
-    solids = [Instance(mesh, eye) for mesh in (shell.floor, *shell.walls, _ground()) if mesh is not None]
-    drawn = cast([*shown, *solids], camera, width, height, lighting=lighting, quality=quality, device=device)
-    return Image.fromarray(_faded(glowing(drawn, len(shown))))
+    return _overview(shown, shell, camera, width, height, lighting, quality, device)
 
 
 def _top(
@@ -164,10 +207,23 @@ def _top(
     shown = [one for one, thing in zip(things, scene.objects, strict=True) if thing.id not in gone]
     camera = Camera.orthographic((*middle, scene.room.height + 5.0), (*middle, 0.0), span, width / height)
     lighting = top_light(scene.room, shown)
-    eye = np.eye(4)
-    solids = [Instance(mesh, eye) for mesh in (shell.floor, *shell.walls, _ground()) if mesh is not None]
-    drawn = cast([*shown, *solids], camera, width, height, lighting=lighting, quality=quality, device=device)
-    return Image.fromarray(_faded(glowing(drawn, len(shown))))
+    return _overview(shown, shell, camera, width, height, lighting, quality, device)
+
+
+def _overview(
+    things: list[Instance],
+    shell: Shell,
+    camera: Camera,
+    width: int,
+    height: int,
+    lights: DirectLights,
+    quality: Quality | None,
+    device: str,
+) -> Image.Image:
+    """Things in a shell on a pale ground."""
+    solids = [Instance(mesh, np.eye(4)) for mesh in (shell.floor, *shell.walls, _ground()) if mesh is not None]
+    drawn = trace([*things, *solids], camera, width, height, lights=lights, quality=quality, device=device)
+    return Image.fromarray(_faded(_glowing(drawn, len(things))))
 
 
 def _faded(rgb: np.ndarray) -> np.ndarray:
@@ -200,3 +256,20 @@ def _ground() -> Mesh:
     zeros = np.zeros(2, dtype=np.int32)
     look = Material("ground", (0.79, 0.778, 0.757), roughness=1.0)
     return Mesh(corners, np.array([[0, 1, 2], [0, 2, 3]], dtype=np.int32), zeros, zeros, (look,))
+
+
+def _glowing(picture: TracedPicture, things: int) -> np.ndarray:
+    """The picture [H, W, 3] with a soft warm shine around what is very bright of the first ``things`` instances."""
+    rgb = picture.rgb
+    bright = (picture.instance >= 0) & (picture.instance < things) & (rgb.min(axis=2) >= 250)
+    if not bright.any():
+        return rgb
+    radius = rgb.shape[0] / 75
+    reach = int(4 * radius) + 1  # nothing shines farther
+    rows, columns = (np.flatnonzero(bright.any(axis=axis)) for axis in (1, 0))
+    part = tuple(slice(max(0, at[0] - reach), at[-1] + reach + 1) for at in (rows, columns))
+    mask = Image.fromarray(bright[part].astype(np.uint8) * 255).filter(ImageFilter.GaussianBlur(radius))
+    shine = np.asarray(mask, dtype=np.float32)[..., None] / 255 * np.array([0.50, 0.40, 0.26], dtype=np.float32)
+    rgb = rgb.copy()
+    rgb[part] = (255.0 - (255.0 - rgb[part]) * (1.0 - shine)).astype(np.uint8)
+    return rgb

@@ -2,31 +2,31 @@
 
 import warp as wp
 
-from ..point_kernels import even_point
-from ..raycast_kernels import Lens, camera_ray
 from .filter_kernels import akin, alike
-from .light_kernels import Lights
-from .view_kernels import is_matt, pixel_width, what_is_seen
-from .world_kernels import Cache, World, cached_light
+from .light_kernels import Lights, light_around
+from .ray_kernels import Lens, camera_ray, even_point
+from .view_kernels import Seen, is_matt, pixel_width, what_is_seen
+from .world_kernels import Cache, World
 
 wp.set_module_options({"enable_backward": False, "fast_math": True, "max_unroll": 1})
 
 
 @wp.struct
 class Film:
-    """Exposure, the gains of the white balance, and rays for pixels at an edge and for all others."""
+    """Exposure, contrast, the gains of the white balance, and rays for pixels at an edge and for all others."""
 
     exposure: float
+    contrast: float
     balance: wp.vec3
     rays: int
     plain_rays: int
 
 
 @wp.func
-def shoulder(x: float):
+def shoulder(x: float, contrast: float):
     """Contrast about the middle, linear up to 0.6, then bent toward 1."""
     knee = 0.6
-    x = 0.4 * wp.pow(x / 0.4, 1.22)
+    x = 0.4 * wp.pow(x / 0.4, contrast)
     if x <= knee:
         return x
     t = (x - knee) / (1.0 - knee)
@@ -34,12 +34,12 @@ def shoulder(x: float):
 
 
 @wp.func
-def tone_mapped(color: wp.vec3):
+def tone_mapped(color: wp.vec3, contrast: float):
     """Linear colour to display values 0..1 in sRGB: bright colours are bent toward white, hues stay."""
     c = wp.vec3(wp.max(color[0], 0.0), wp.max(color[1], 0.0), wp.max(color[2], 0.0))
     peak = wp.max(c[0], wp.max(c[1], c[2]))
     if peak > 1.0e-6:
-        low = shoulder(peak)
+        low = shoulder(peak, contrast)
         c = c * (low / peak)
         # What is far over white loses its colour.
         fade = 1.0 - 1.0 / (0.12 * wp.max(peak - low, 0.0) + 1.0)
@@ -60,14 +60,13 @@ def find_edges(
     spread: float,
     start: int,
     # State in:
-    sun: wp.array(dtype=wp.vec3),
     point: wp.array(dtype=wp.vec3),
     normal: wp.array(dtype=wp.vec3),
     key: wp.array(dtype=int),
     # State out:
     edge_out: wp.array(dtype=wp.uint8),
 ):
-    """Marks places where a surface or a patch of sun ends."""
+    """Marks places where a surface ends."""
     i = start + wp.tid()
     x, y = i % width, i // width
     p, n = point[i], normal[i]
@@ -122,19 +121,32 @@ def develop(
     scale_x, scale_y = float(columns) / float(width), float(rows) / float(height)
     here = wp.min(int(float(py) * scale_y), rows - 1) * columns + wp.min(int(float(px) * scale_x), columns - 1)
     rays = wp.where(edge[here] > wp.uint8(0), film.rays, film.plain_rays)
+    cast = float(0.0)
+    first = Seen()
+    differs = int(0)
     total = wp.vec3(0.0)
     linear = wp.vec3(0.0)
     for s in range(rays):
         e = even_point(s)
         if s == 0:
             e = wp.vec2(0.5, 0.5)
+        elif lights.direct.on == 1:
+            # In pairs on either side of the middle, so that the first one tells whether something ends in the pixel.
+            e = even_point((s + 1) // 2)
+            if s % 2 == 0:
+                e = wp.vec2(1.0) - e
         jx, jy = float(px) + e[0], float(py) + e[1]
         seen = what_is_seen(world, lights, cache, camera_ray(lens, jx, jy, width, height), size)
         if s == 0:
+            first = seen
             albedo_out[i] = seen.first_color
             normal_out[i] = seen.first_normal
             depth_out[i] = seen.first_depth
             instance_out[i] = seen.first_instance
+        elif seen.instance != first.instance or seen.path != first.path or wp.dot(seen.normal, first.normal) < 0.96:
+            differs = 1
+        elif wp.abs(seen.depth - first.depth) > 0.02 * first.depth:
+            differs = 1
         color = seen.shine
         if seen.instance >= 0:
             mine = seen.instance + 65536 * (seen.path // 100 + 1)
@@ -176,7 +188,7 @@ def develop(
                         weight += w
             if weight < 1.0e-3:
                 # Too narrow for any place around to show it: in the light of its surroundings.
-                plain = cached_light(cache, seen.point, seen.flat, e)
+                plain = light_around(lights, cache, seen.point, seen.flat, e)
                 a = plain
                 b = wp.vec3(0.0)
                 g = plain
@@ -190,11 +202,15 @@ def develop(
             glare = wp.max(wp.dot(seen.bump, lights.sun), 0.0) / wp.max(wp.dot(seen.normal, lights.sun), 0.1)
             lit = lit + b * (wp.clamp(glare, 0.3, 2.0) / weight)
             shine = g / weight
-            if is_matt(seen) == 1:
+            if is_matt(lights, seen) == 1:
                 shine = lit
             color = color + wp.cw_mul(seen.color, lit) + wp.cw_mul(seen.gloss, shine)
-        linear = linear + color / float(rays)
+        linear = linear + color
         shown = wp.cw_mul(color, film.balance) * film.exposure
-        total = total + tone_mapped(shown) / float(rays)
-    rgb_out[i] = total
-    linear_out[i] = linear
+        total = total + tone_mapped(shown, film.contrast)
+        cast += 1.0
+        # A draft looks closer only where the first rays show that something ends in this pixel.
+        if s == 2 and differs == 0 and lights.direct.on == 1:
+            break
+    rgb_out[i] = total / cast
+    linear_out[i] = linear / cast
