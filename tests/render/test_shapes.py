@@ -11,7 +11,7 @@ from sceneweaver.geometry.polygons import signed_area
 from sceneweaver.geometry.shell import WALL_THICKNESS
 from sceneweaver.render import palette, shapes, symbols
 from sceneweaver.render.canvas import Canvas
-from sceneweaver.render.view import View, content, step_for
+from sceneweaver.render.shapes import View, content, step_for
 from sceneweaver.scene import Pose, Room, Support, Surface
 from tests.render.scenes import box, everything, rectangle, room_of
 

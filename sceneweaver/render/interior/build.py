@@ -12,15 +12,13 @@ from sceneweaver.assets.body import Mesh
 from sceneweaver.geometry.shell import outer_outline
 from sceneweaver.scene import Scene
 
+from ..blocks import Builder, Finishes
 from ..camera import Camera
-from ..room_blocks import Builder
-from ..room_finish import Finishes
-from .doors import REACH, add_door, is_in_doorway
+from ..shell import add_wall, add_wall_finish, floor_mesh
 from .fittings import add_fittings, plan_fittings
+from .openings import REACH, add_door, add_window, is_in_doorway
 from .outside import outside_mesh
-from .surfaces import add_wall_faces, floor_plane
 from .trim import add_ceiling, add_coving, add_skirting
-from .windows import add_window
 
 _FLUSH = re.compile(
     r"\b(office|meeting|conference|classroom|school|laboratory|lab|gym|clinic|hospital|examination|dentist|waiting|shop|"
@@ -56,10 +54,11 @@ def build_interior(scene: Scene, look: Finishes, cameras: Sequence[Camera] = ())
             found.append(Element(name, category, mesh))
 
     outer = np.array(outer_outline(room.walls))
-    found.append(Element("floor", "floor", floor_plane(look.looks.floor, outer)))
+    found.append(Element("floor", "floor", floor_mesh(look.looks.floor, outer)))
     for wall in room.walls:
         builder = Builder()
-        add_wall_faces(builder, room, wall, look)
+        add_wall(builder, room, wall, room.height, look)
+        add_wall_finish(builder, room, wall, look, room.height)
         take(f"wall:{wall.index}", "wall", builder)
     builder = Builder()
     add_ceiling(builder, room, look)

@@ -12,9 +12,8 @@ from sceneweaver.geometry.shell import heights
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.scene import Door, Scene, Window
 
-from ..room_blocks import Builder
-from ..room_finish import Finishes
-from .mouldings import Plane, disc, plate, rectangle, rod
+from ..blocks import Builder, Finishes
+from ..mouldings import Plane, disc, plate, rectangle, rod
 
 SWITCH, SOCKET = 1.05, 0.3
 """Heights of the middles of switches and sockets [m]."""

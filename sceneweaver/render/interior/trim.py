@@ -1,4 +1,4 @@
-"""Skirting boards along the walls, coving under the ceiling, the ceiling itself and the roses of its lamps."""
+"""Floor, walls and ceiling at eye level, with skirting boards, coving and the roses of lamps."""
 
 from __future__ import annotations
 
@@ -12,9 +12,8 @@ from sceneweaver.geometry.shell import WALL_THICKNESS, outer_outline
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.scene import Room, SceneObject
 
-from ..room_blocks import Builder
-from ..room_finish import Finishes
-from .mouldings import Plane, disc, moulding, plate
+from ..blocks import Builder, Finishes
+from ..mouldings import Plane, disc, moulding, plate
 
 SKIRTING = ((0.0, 0.0), (0.014, 0.0), (0.014, 0.058), (0.0115, 0.067), (0.006, 0.0735), (0.005, 0.078), (0.0, 0.078))
 """Profile of a skirting board (depth, height) [m], counter-clockwise."""

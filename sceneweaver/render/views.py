@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
+from typing import Any
 
 import numpy as np
 from PIL import Image, ImageFilter
@@ -10,20 +12,19 @@ from PIL import Image, ImageFilter
 from sceneweaver.assets import Asset
 from sceneweaver.assets.body import Material, Mesh
 from sceneweaver.geometry.shell import FLOOR_THICKNESS, WALL_THICKNESS
-from sceneweaver.scene import InputError, Scene
+from sceneweaver.scene import InputError, Room, Scene
 from sceneweaver.scene.messages import suggest
 
+from .blocks import finishes_of
 from .camera import Camera
-from .eye_camera import EYE_VIEWS, eye_cameras
 from .instances import Instance, hidden_with, instances_of
 from .interior import Element, build_interior
-from .room_camera import corner_camera, corner_directions, cut_walls, opposite
-from .room_finish import finishes_of
-from .room_light import corner_light, top_light
-from .room_notes import annotated
-from .room_shell import Shell, build_shell
+from .overlay import annotated
+from .shapes import View
+from .shell import Shell, build_shell
 from .tracing import DirectLights, Quality, TracedPicture, Tracer, interior_lights, trace
-from .view import View
+from .tracing.lights import most_glass, portals_of, slant_of
+from .viewpoints import EYE_VIEWS, corner_camera, corner_directions, cut_walls, eye_cameras, opposite
 
 _CUT = 1.5  # height [m] at which pictures from above cut the walls: through most windows
 
@@ -186,9 +187,7 @@ def _corner(
     cut = cut_walls(scene, way)
     gone = hidden_with(scene, cut)
     camera = corner_camera(scene, way, cut, width / height)
-    distance = float(np.linalg.norm(np.asarray(camera.eye)[:2] - np.mean(scene.room.outline, axis=0)))
-    pixel = 2 * distance * float(np.linalg.norm(camera.up)) / height
-    shell = build_shell(scene.room, finishes_of(scene), cut, pixel=pixel)
+    shell = build_shell(scene.room, finishes_of(scene), cut)
     shown = [one for one, thing in zip(things, scene.objects, strict=True) if thing.id not in gone]
     lamps = [one for one, thing in zip(things, scene.objects, strict=True) if thing.mount == "ceiling"]
     lighting = corner_light(scene.room, way, cut, [*shown, *lamps])
@@ -202,7 +201,7 @@ def _top(
     low, high = _bounds(scene)
     middle = (low + high) / 2
     span = height / _plan(scene, width, height).scale
-    shell = build_shell(scene.room, finishes, top=_CUT, pixel=span / height)
+    shell = build_shell(scene.room, finishes, top=_CUT)
     gone = hidden_with(scene, ())
     shown = [one for one, thing in zip(things, scene.objects, strict=True) if thing.id not in gone]
     camera = Camera.orthographic((*middle, scene.room.height + 5.0), (*middle, 0.0), span, width / height)
@@ -273,3 +272,79 @@ def _glowing(picture: TracedPicture, things: int) -> np.ndarray:
     rgb = rgb.copy()
     rgb[part] = (255.0 - (255.0 - rgb[part]) * (1.0 - shine)).astype(np.uint8)
     return rgb
+
+
+_LEAST_GLOW = 0.3  # emission from which on a material is a lamp's
+_MOST_LAMPS = 48
+_PANE = 0.9  # depth of panes in their walls, in shares of these: before what shines behind them
+
+_DAY: dict[str, Any] = {
+    "sky": (0.68, 0.695, 0.725),
+    "ground": (0.36, 0.335, 0.31),
+    "background": (0.80, 0.79, 0.775),
+    "reach": 1.6,
+    "bounce": 0.62,
+    "exposure": 1.06,
+}
+"""What all pictures of rooms have in common: an even daylight from all sides before a light ground."""
+
+
+def corner_light(room: Room, way: np.ndarray, cut: set[int], things: Sequence[Instance]) -> DirectLights:
+    """The light of a picture from a corner in the direction ``way`` [2] (unit, from the room to the camera)."""
+    left = np.array([-way[1], way[0]])
+    key = 0.66 * way + 0.34 * left
+    walls = list(range(len(room.outline)))
+    # Best is a window that is seen; sun also comes through those of the walls that are cut away.
+    more = _beam(room, [k for k in walls if k not in cut]) or _beam(room, walls)
+    return DirectLights(
+        sun=(float(key[0]), float(key[1]), 1.15),
+        softness=0.075,
+        sun_color=(0.62, 0.58, 0.53) if more else (0.68, 0.64, 0.58),
+        glows=glows_of(things),
+        **_DAY,
+        **more,
+    )
+
+
+def top_light(room: Room, things: Sequence[Instance]) -> DirectLights:
+    """The light of a picture from straight above: the sun stands high, so that walls throw short shadows."""
+    return DirectLights(
+        sun=(-0.30, 0.34, 1.3),
+        softness=0.07,
+        sun_color=(0.72, 0.68, 0.62),
+        glows=glows_of(things),
+        **_DAY,
+        **_beam(room, list(range(len(room.outline)))),
+    )
+
+
+def glows_of(things: Sequence[Instance]) -> tuple[tuple[float, float, float, float], ...]:
+    """A small light in the middle of what glows of each thing, by its area; the strongest when there are many."""
+    found = []
+    for one in things:
+        mesh = one.mesh
+        glowing = np.array([m.emission >= _LEAST_GLOW for m in mesh.materials], dtype=bool)
+        faces = mesh.faces[glowing[mesh.face_material]] if len(mesh.faces) else mesh.faces
+        if not len(faces):
+            continue
+        corners = (mesh.vertices @ one.transform[:3, :3].T + one.transform[:3, 3])[faces]
+        area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+        x, y, z = np.average(corners.mean(axis=1), axis=0, weights=np.maximum(area, 1e-9))
+        power = 0.16 * min(1.0, math.sqrt(float(area.sum()) / 0.12))
+        found.append((round(float(x), 5), round(float(y), 5), round(float(z), 5), power))
+    return tuple(sorted(found, key=lambda lamp: (-lamp[3], lamp))[:_MOST_LAMPS])
+
+
+def _beam(room: Room, walls: Sequence[int]) -> dict[str, Any]:
+    """The sun through the windows of the wall of ``walls`` with the most glass; nothing without windows."""
+    wall = most_glass(room, walls)
+    if wall is None:
+        return {}
+    x, y, z = slant_of(wall)
+    return {
+        "beam": (x, y, z),
+        "beam_softness": 0.022,
+        "beam_floor": -0.02,
+        "beam_color": (2.1, 1.72, 1.25),
+        "portals": portals_of(room, _PANE),
+    }
