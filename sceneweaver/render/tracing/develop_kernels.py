@@ -2,7 +2,7 @@
 
 import warp as wp
 
-from .filter_kernels import akin, alike
+from .filter_kernels import Grid, akin, alike, pixel_at
 from .light_kernels import Lights, light_around
 from .ray_kernels import Lens, camera_ray, even_point
 from .view_kernels import Seen, is_matt, pixel_width, what_is_seen
@@ -54,32 +54,24 @@ def tone_mapped(color: wp.vec3, contrast: float):
 @wp.kernel
 def find_edges(
     # Problem:
-    width: int,
-    height: int,
-    eye: wp.vec3,
-    spread: float,
+    grid: Grid,
     start: int,
-    # State in:
-    point: wp.array(dtype=wp.vec3),
-    normal: wp.array(dtype=wp.vec3),
-    key: wp.array(dtype=int),
     # State out:
     edge_out: wp.array(dtype=wp.uint8),
 ):
     """Marks places where a surface ends."""
     i = start + wp.tid()
-    x, y = i % width, i // width
-    p, n = point[i], normal[i]
-    slack = 0.002 + 1.5 * spread * wp.length(p - eye)
+    x, y = i % grid.columns, i // grid.columns
+    p, n = grid.point[i], grid.normal[i]
+    slack = 0.002 + 1.5 * grid.spread * wp.length(p - grid.eye)
     found = int(0)
     for dy in range(-1, 2):
         for dx in range(-1, 2):
-            u, v = x + dx, y + dy
-            if u >= 0 and v >= 0 and u < width and v < height and found == 0:
-                j = v * width + u
-                if key[j] != key[i]:
+            j = pixel_at(grid, x + dx, y + dy)
+            if j >= 0 and found == 0:
+                if grid.key[j] != grid.key[i]:
                     found = 1
-                elif key[i] >= 0 and alike(p, n, key[i], point[j], normal[j], key[j], slack) < 0.3:
+                elif grid.key[i] >= 0 and alike(grid, j, p, n, grid.key[i], slack) < 0.3:
                     found = 1
     edge_out[i] = wp.uint8(found)
 
@@ -92,19 +84,15 @@ def develop(
     cache: Cache,
     lens: Lens,
     film: Film,
+    grid: Grid,
     width: int,
     height: int,
-    columns: int,
-    rows: int,
     start: int,
     # State in:
     soft: wp.array(dtype=wp.vec3),
     sun: wp.array(dtype=wp.vec3),
     gloss: wp.array(dtype=wp.vec3),
     toward: wp.array(dtype=wp.vec3),
-    point: wp.array(dtype=wp.vec3),
-    normal: wp.array(dtype=wp.vec3),
-    key: wp.array(dtype=int),
     edge: wp.array(dtype=wp.uint8),
     # State out:
     rgb_out: wp.array(dtype=wp.vec3),
@@ -118,8 +106,9 @@ def develop(
     i = start + wp.tid()
     px, py = i % width, i // width
     size = pixel_width(lens, height)
-    scale_x, scale_y = float(columns) / float(width), float(rows) / float(height)
-    here = wp.min(int(float(py) * scale_y), rows - 1) * columns + wp.min(int(float(px) * scale_x), columns - 1)
+    scale_x, scale_y = float(grid.columns) / float(width), float(grid.rows) / float(height)
+    column, row = wp.min(int(float(px) * scale_x), grid.columns - 1), wp.min(int(float(py) * scale_y), grid.rows - 1)
+    here = row * grid.columns + column
     rays = wp.where(edge[here] > wp.uint8(0), film.rays, film.plain_rays)
     cast = float(0.0)
     first = Seen()
@@ -165,11 +154,10 @@ def develop(
                 if corner >= 4:
                     cx, cy = (corner - 4) % 4 - 1, (corner - 4) // 4 - 1
                 if corner < 4 or weight < 0.02:
-                    u, v = left + cx, top + cy
-                    if u >= 0 and v >= 0 and u < columns and v < rows:
-                        j = v * columns + u
+                    j = pixel_at(grid, left + cx, top + cy)
+                    if j >= 0:
                         near = wp.max(1.0 - wp.abs(fx - float(cx)), 0.02) * wp.max(1.0 - wp.abs(fy - float(cy)), 0.02)
-                        w = near * (alike(seen.point, seen.normal, mine, point[j], normal[j], key[j], slack))
+                        w = near * alike(grid, j, seen.point, seen.normal, mine, slack)
                         a = a + soft[j] * w
                         b = b + sun[j] * w
                         g = g + gloss[j] * w
@@ -177,10 +165,9 @@ def develop(
                         weight += w
             if weight < 1.0e-3:
                 for corner in range(16):
-                    u, v = left + corner % 4 - 1, top + corner // 4 - 1
-                    if u >= 0 and v >= 0 and u < columns and v < rows:
-                        j = v * columns + u
-                        w = akin(seen.normal, mine, normal[j], key[j])
+                    j = pixel_at(grid, left + corner % 4 - 1, top + corner // 4 - 1)
+                    if j >= 0:
+                        w = akin(grid, j, seen.normal, mine)
                         a = a + soft[j] * w
                         b = b + sun[j] * w
                         g = g + gloss[j] * w

@@ -171,30 +171,32 @@ class Tracer:
     ) -> TracedPicture:
         lights, lens, pixels = self._lights, lens_of(camera), width * height
         spacing = _DIRECT_SPACING if isinstance(lights, DirectLights) else quality.spacing
-        size = (-(-width // spacing), -(-height // spacing))
-        count = size[0] * size[1]
-        spread = 2.0 * float(np.linalg.norm(camera.up)) / size[1]
-        surface = [*_empty(2, count, wp.vec3), wp.empty(count, dtype=int)]
-        light = self._smooth_light(lens, width, height, spacing, [*size, lens.eye, spread], surface, quality, deadline)
+        grid = filter_kernels.Grid()
+        grid.columns, grid.rows = -(-width // spacing), -(-height // spacing)
+        count = grid.columns * grid.rows
+        grid.eye, grid.spread = lens.eye, 2.0 * float(np.linalg.norm(camera.up)) / grid.rows
+        grid.point, grid.normal = _empty(2, count, wp.vec3)
+        grid.key = wp.empty(count, dtype=int)
+        light = self._smooth_light(lens, width, height, spacing, grid, quality, deadline)
         film = develop_kernels.Film()
         film.rays, film.plain_rays = quality.rays, quality.plain_rays
         if isinstance(lights, DirectLights):
             film.exposure, film.contrast, film.balance = lights.exposure, 1.0, wp.vec3(1.0)
         else:
             film.contrast = _CONTRAST
-            film.exposure, balance = exposed(light[0].numpy(), surface[2].numpy())
+            film.exposure, balance = exposed(light[0].numpy(), grid.key.numpy())
             film.balance = wp.vec3(*balance)
             if lights.enclosed:
                 self._light.view = wp.vec3(*(min(lights.view, _OUTSIDE / film.exposure) / balance))
         (edge,) = _empty(1, count, wp.uint8)
-        launch(develop_kernels.find_edges, count, [*size, lens.eye, spread], surface, [edge], deadline)
+        launch(develop_kernels.find_edges, count, [grid], [], [edge], deadline)
         rgb, linear, albedo, normal = _empty(4, pixels, wp.vec3)
         depth, instance = wp.empty(pixels, dtype=float), wp.empty(pixels, dtype=int)
         launch(
             develop_kernels.develop,
             pixels,
-            [self._world, self._light, self._cache, lens, film, width, height, *size],
-            [*light, *surface, edge],
+            [self._world, self._light, self._cache, lens, film, grid, width, height],
+            [*light, edge],
             [rgb, linear, albedo, normal, depth, instance],
             deadline,
         )
@@ -211,13 +213,12 @@ class Tracer:
         width: int,
         height: int,
         spacing: int,
-        before: list,
-        surface: list[wp.array],
+        grid: Any,
         quality: Quality,
         deadline: float | None,
     ) -> list[wp.array]:
-        """Light without the sun's, that, gloss and the direction of light where pixels are lit; fills ``surface``."""
-        count = before[0] * before[1]
+        """Light without the sun's, that, gloss and the direction of light where pixels are lit; fills ``grid``."""
+        count = grid.columns * grid.rows
         noisy, *guides = *_empty(1, count, wp.vec4), *_empty(2, count, wp.vec2)
         soft, soft2, sun, sun2, gloss, gloss2, toward, toward2 = _empty(8, count, wp.vec3)
         order = wp.array(hilbert_order(), dtype=int)
@@ -230,20 +231,19 @@ class Tracer:
             count,
             [self._world, self._light, self._cache, lens, order, width, height, spacing, *rays],
             [],
-            [noisy, sun, gloss2, toward, *surface],
+            [noisy, sun, gloss2, toward, grid.point, grid.normal, grid.key],
             deadline,
         )
-        found = [soft, gloss, guides[0]]
-        launch(filter_kernels.find_guide, count, before, [noisy, gloss2, *surface], found, deadline)
+        launch(filter_kernels.find_guide, count, [grid], [noisy, gloss2], [soft, gloss, guides[0]], deadline)
         if quality.levels:
-            launch(filter_kernels.smooth_sun, count, before, [sun, *surface], [sun2], deadline)
+            launch(filter_kernels.smooth_sun, count, [grid], [sun], [sun2], deadline)
             sun = sun2
         for level in range(quality.levels):
             launch(
                 filter_kernels.smooth,
                 count,
-                [*before[:2], 2**level, *before[2:]],
-                [guides[0], soft, gloss, toward, *surface],
+                [grid, 2**level],
+                [guides[0], soft, gloss, toward],
                 [soft2, gloss2, toward2, guides[1]],
                 deadline,
             )
