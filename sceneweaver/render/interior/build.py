@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -15,16 +14,11 @@ from sceneweaver.scene import Scene
 from ..blocks import Builder, Finishes
 from ..camera import Camera
 from ..shell import add_wall, add_wall_finish, floor_mesh
+from ..words import is_one_of
 from .fittings import add_fittings, plan_fittings
 from .openings import REACH, add_door, add_window, is_in_doorway
 from .outside import outside_mesh
 from .trim import add_ceiling, add_coving, add_skirting
-
-_FLUSH = re.compile(
-    r"\b(office|meeting|conference|classroom|school|laboratory|lab|gym|clinic|hospital|examination|dentist|waiting|shop|"
-    r"restaurant|cafe|canteen|garage|warehouse|storage|server|workshop|reception|lobby|kindergarten|supermarket)\b"
-)
-"""Words in kinds of rooms whose doors are plain and of wood; elsewhere they have panels and are painted."""
 
 
 @dataclass(frozen=True)
@@ -69,7 +63,7 @@ def build_interior(scene: Scene, look: Finishes, cameras: Sequence[Camera] = ())
     builder = Builder()
     add_skirting(builder, room, look, REACH)
     take("skirting", "skirting", builder)
-    panelled = _FLUSH.search(room.type.lower().replace("-", " ").replace("_", " ")) is None
+    panelled = not is_one_of(room.type, "plain doors")
     for door in room.doors:
         wall, builder = room.walls[door.wall], Builder()
         is_open = any(is_in_doorway(wall, door, np.asarray(camera.eye)) for camera in cameras)
