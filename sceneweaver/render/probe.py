@@ -3,7 +3,6 @@ hundreds of cameras."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
@@ -15,19 +14,11 @@ from sceneweaver.geometry.shell import wall_pieces
 from sceneweaver.scene import Door, Room, Scene, SceneObject
 
 from .camera import Camera
-from .first_hits import Triangles
+from .tracing import Triangles
+from .words import is_one_of
 
 NOTHING, WALL, FLOOR, CEILING, WINDOW, DOOR = -1, -2, -3, -4, -5, -6
 """Ids of what is no object."""
-
-_KEY = re.compile(
-    r"(\bbed|daybed|bunk|crib|sofa|loveseat|couch|sectional|table|desk|workstation|counter|island|cooktop|stove|range|"
-    r"bathtub|bath|shower|vanity|toilet|piano|reception|bar|bench|stage|pool|billiard|treadmill)$"
-)
-"""Last words of categories of what a room is about."""
-_MINOR = re.compile(r"\b(rug|mat|carpet|bin|basket|curtains?|blind|radiator)$")
-_ALL_ROUND = re.compile(r"\b(table|bathtub|bath|island|bench|ottoman|pouf|stool|pool|billiard|plant|lamp|shower)$")
-"""Last words of what looks alike from all sides."""
 
 
 @dataclass(frozen=True)
@@ -86,23 +77,19 @@ class Probe:
 
 def is_key(thing: SceneObject) -> bool:
     """Whether a room is about such a thing: a bed, a table, a counter ..."""
-    return thing.mount == "floor" and _KEY.search(_words(thing)) is not None
-
-
-def _words(thing: SceneObject) -> str:
-    return thing.category.lower().replace("-", " ").replace("_", " ")
+    return thing.mount == "floor" and is_one_of(thing.category, "key")
 
 
 def has_back(thing: SceneObject) -> bool:
     """Whether a thing should not be seen from behind."""
-    return thing.size[2] > 0.3 and _ALL_ROUND.search(_words(thing)) is None
+    return thing.size[2] > 0.3 and not is_one_of(thing.category, "all round")
 
 
 def weight(thing: SceneObject) -> float:
     """How much it matters that a picture shows a thing: about its size in metres, more where it is key."""
     depth, width, height = thing.size
     size = min(1.6, max(0.15, (width * max(height, depth)) ** 0.5))
-    if _MINOR.search(_words(thing)):
+    if is_one_of(thing.category, "minor"):
         return 0.25 * size
     share = {"floor": 1.0, "wall": 0.7, "ceiling": 0.3, "surface": 0.3}[thing.mount]
     return size * (3.0 if is_key(thing) else share)

@@ -12,7 +12,7 @@ from sceneweaver.assets.body import Material
 from sceneweaver.geometry.prisms import prism_mesh, ring_faces
 from sceneweaver.geometry.walls import Wall
 
-from ..room_blocks import Builder
+from .blocks import Builder
 
 Points = Sequence[tuple[float, float]] | np.ndarray
 

@@ -17,9 +17,8 @@ from . import labels, palette
 from .canvas import Canvas, Point, Text, text_width
 from .palette import Rgb
 from .plan_objects import items_of, owner_grid
-from .shapes import to_world
+from .shapes import View, bounds_of, step_for, to_world
 from .topview import printable
-from .view import View, bounds_of, step_for
 
 X_AXIS: Rgb = (204, 44, 40)
 Y_AXIS: Rgb = (40, 150, 62)

@@ -11,7 +11,7 @@ import warp as wp
 from sceneweaver.assets import textures
 from sceneweaver.assets.by_identity import ByIdentity
 
-from .map_kernels import Pattern
+from .world_kernels import Pattern
 
 _LEAST_LEVEL = 4  # texels a side of the smallest mip
 

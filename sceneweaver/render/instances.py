@@ -1,17 +1,25 @@
-"""Where each object's mesh stands, and which objects a picture leaves out."""
+"""What is drawn: meshes somewhere in the world, those of a scene's objects, and which of these a picture leaves out."""
 
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import dataclass
 
 import numpy as np
 
+from sceneweaver.assets.body import Mesh
 from sceneweaver.assets.placed import Load, loader, parts_mesh, plain_material, scaled_asset
 from sceneweaver.geometry.rotations import matrix
 from sceneweaver.geometry.walls import wall_behind
 from sceneweaver.scene import Scene, SceneObject
 
-from .caster import Instance
+
+@dataclass(frozen=True)
+class Instance:
+    """A mesh somewhere in the world; ``transform`` is 4x4, from its frame to the world's."""
+
+    mesh: Mesh
+    transform: np.ndarray
 
 
 def instances_of(scene: Scene, load: Load | None = None) -> list[Instance]:
