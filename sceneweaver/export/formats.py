@@ -19,7 +19,7 @@ from .mjcf import mjcf
 from .mjcf_clients import CLIENTS, sleeping_twin
 from .scenestate import write_scenestate
 from .sdf import sdf
-from .urdf_room import room_urdf
+from .urdf import room_urdf
 from .usd import write_usd
 
 _OURS = re.compile(r"(room|[a-z0-9_]+-[0-9a-f]{10})(-.*)?\.(obj|mtl|urdf)")  # files of articulations

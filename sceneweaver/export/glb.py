@@ -20,10 +20,9 @@ from sceneweaver.assets.textures import uv_of
 from sceneweaver.physics.leaves import leaves
 from sceneweaver.scene import Room, Scene, write_atomic
 
-from .bodies import Missing, bodies_of
+from .bodies import Missing, bodies_of, with_mesh
 from .glb_file import GlbFile
 from .glb_nodes import add_leaf, add_object, free_name
-from .models import with_mesh
 from .openings import window_mesh
 from .room import floor_mesh, wall_mesh
 from .shared import SharedFiles

@@ -11,7 +11,7 @@ import numpy as np
 from sceneweaver.assets import Link, Mesh
 from sceneweaver.geometry.rotations import from_yaw
 from sceneweaver.physics.leaves import Leaf
-from sceneweaver.physics.things import moving_links
+from sceneweaver.physics.things import Joint, moving_links
 
 from .bodies import Body
 from .glb_file import GlbFile
@@ -86,14 +86,10 @@ def add_leaf(file: GlbFile, leaf: Leaf, taken: set[str]) -> int:
 def _joint(link: Link, scale: tuple[float, float, float]) -> dict[str, Any]:
     """How a node moves in its parent, with which it shares its axes: it turns about ``axis`` or goes along it by
     ``limits`` [rad] or [m], 0 is as it is; a free one can be taken."""
-    if link.joint == "free":
+    joint = Joint.of(link, scale, 0.0)  # what it weighs matters to its friction alone
+    if joint is None:
         return {"type": "free", "role": link.role, "category": link.category}
-    axis, low, high = np.asarray(link.axis, dtype=float), *link.limits
-    if link.joint == "slide":
-        axis = axis * scale
-        low, high = (end * float(np.linalg.norm(axis)) for end in (low, high))
-    axis = axis / np.linalg.norm(axis)
-    return {"type": link.joint, "axis": axis.tolist(), "limits": [low, high], "role": link.role}
+    return {"type": joint.kind, "axis": joint.axis.tolist(), "limits": list(joint.limits), "role": link.role}
 
 
 def _part(body: Body, chosen: np.ndarray, origin: np.ndarray) -> Mesh:

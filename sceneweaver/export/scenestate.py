@@ -29,10 +29,9 @@ from sceneweaver.geometry.rotations import matrix, multiply
 from sceneweaver.geometry.shell import FLOOR_THICKNESS, WALL_THICKNESS, heights
 from sceneweaver.scene import Door, InputError, Room, Scene, SceneObject, Window
 
-from .bodies import Body, Missing, bodies_of
+from .bodies import Body, Missing, bodies_of, model_name, with_mesh
 from .folder import fill, move, staged
 from .glb import model_bytes
-from .models import model_name, with_mesh
 
 SOURCE = "sceneweaver"
 """The asset source: what stands before the dot of a model id."""

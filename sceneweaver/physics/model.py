@@ -45,14 +45,14 @@ import numpy as np
 from sceneweaver.assets.placed import Load
 from sceneweaver.assets.recent import Recent
 from sceneweaver.geometry.rotations import from_yaw, wxyz
-from sceneweaver.geometry.shell import PANE_THICKNESS, WALL_THICKNESS, wall_pieces
-from sceneweaver.scene import Room, Scene, SceneObject, Window
+from sceneweaver.scene import Room, Scene, SceneObject
 
 from .hulls import Solid
-from .inertia import inertia_of
-from .leaves import Leaf, leaves, wall_ends
+from .inertia import inertia_of, shares_of
+from .leaves import Leaf, leaves
+from .shell import FLOOR_FRICTION, LEAF_FRICTION, wall_slabs
 from .sites import add_cameras, add_leaf_sites, add_sites, add_spawns
-from .things import RigidBody, Thing, joint_of, things_of
+from .things import Joint, RigidBody, Thing, things_of
 from .xml import attributes, child, document
 
 COVERING = 0.03
@@ -60,6 +60,16 @@ COVERING = 0.03
 
 STEP = 0.004
 """Time step [s]."""
+
+ARMATURE = 0.001
+"""Inertia [kg m2] or mass [kg] of a joint itself."""
+
+STOP = "0.008 1"
+"""Solver reference of the ends of doors and drawers: as stiff as the time step allows, as many weigh little."""
+
+SOLVER = {"integrator": "implicitfast", "cone": "elliptic", "impratio": 10.0}
+"""Options of the solver. There is no noslip pass: its cost grows with the square of the contacts, and over 3 s nothing
+creeps without it."""
 
 UNSET = "0.5 0.5 0.5 1"
 """MuJoCo's own colour of geoms, which is the only one that leaves a geom that of its material."""
@@ -73,7 +83,6 @@ ROOM = "room"
 
 _LEAST_INERTIA = 1e-7  # [kg m2] about each axis: less is not stable at the time step
 _BUTTON = {"stiffness": 200.0, "springref": -0.003}  # [N/m], [m]: friction alone gives way slowly
-_STOP = "0.008 1"  # ends of doors and drawers: as stiff as the time step allows, as many weigh little
 
 
 @dataclass(frozen=True)
@@ -126,11 +135,7 @@ def build(
     if shape is not None:
         things = [replace(thing, shape=shape(thing)) for thing in things]
     root = Xml.Element("mujoco", model=scene.id)
-    # No noslip pass: its cost grows with the square of the contacts, and over 3 s nothing creeps without it.
-    option = child(root, "option", timestep=STEP, integrator="implicitfast", cone="elliptic", impratio="10")
-    child(option, "flag", multiccd="enable")  # until MuJoCo 3.6 hulls touch in one point without it, and drift
-    # Contacts and their constraints live here; the default is too small for a hundred pieces of many parts each.
-    child(root, "size", memory=MEMORY)
+    add_options(root)
     child(root, "statistic", center=_middle(scene.room), extent=_reach(scene.room))
     look = child(root, "visual")
     child(look, "headlight", ambient="0.42 0.42 0.44", diffuse="0.3 0.3 0.3", specular="0 0 0")
@@ -188,6 +193,14 @@ def mesh_stem(thing: Thing) -> str:
     return f"{category}-{zlib.crc32(thing.shape.encode()):08x}"
 
 
+def add_options(root: Xml.Element, timestep: float = STEP) -> None:
+    """How a model is solved, and its memory."""
+    option = child(root, "option", timestep=timestep, **SOLVER)
+    child(option, "flag", multiccd="enable")  # until MuJoCo 3.6 hulls touch in one point without it, and drift
+    # Contacts and their constraints live here; the default is too small for a hundred pieces of many parts each.
+    child(root, "size", memory=MEMORY)
+
+
 def _defaults(root: Xml.Element) -> None:
     """The classes; nothing stands in the top one, which would hold for what joins the room as well."""
     default = child(root, "default")
@@ -214,34 +227,24 @@ def _shell(world: Xml.Element, room: Room) -> None:
         size=(_reach(room),) * 2 + (0.1,),
         group="0",
         rgba="0.74 0.62 0.48 1",
-        friction="0.8",
+        friction=FLOOR_FRICTION,
     )
     for wall in room.walls:
         place = {"pos": (*wall.start, 0), "quat": wxyz(from_yaw(wall.yaw)), "childclass": ROOM}
         frame = child(world, "body", place, name=f"room:wall:{wall.index}")
-        ends = wall_ends(room, wall.index)
-        for span, z, opening in wall_pieces(wall.length, room.openings_of(wall.index), room.height, ends):
-            if opening is None:
-                _slab(frame, *span, *z, WALL_THICKNESS)
-            elif isinstance(opening, Window):
-                _slab(frame, *span, *z, PANE_THICKNESS, rgba="0.75 0.85 0.9 0.25")
-
-
-def _slab(frame: Xml.Element, x0: float, x1: float, z0: float, z1: float, thick: float, rgba: str = "") -> None:
-    size = ((x1 - x0) / 2, thick / 2, (z1 - z0) / 2)
-    pos = ((x0 + x1) / 2, -thick / 2, (z0 + z1) / 2)
-    name = f"{frame.get('name')}:part:{len(frame)}"
-    child(frame, "geom", name=name, type="box", pos=pos, size=size, group="0", rgba=rgba or "0.92 0.91 0.88 1")
+        for k, slab in enumerate(wall_slabs(room, wall.index)):
+            look = {"group": "0", "rgba": "0.75 0.85 0.9 0.25" if slab.pane else "0.92 0.91 0.88 1"}
+            name = f"room:wall:{wall.index}:part:{k}"
+            child(frame, "geom", {"name": name, "type": "box", "pos": slab.centre, "size": slab.half, **look})
 
 
 def _leaf(world: Xml.Element, leaf: Leaf, kind: str) -> None:
     """The leaf of a door: friction keeps it where it is; a robot's pull at the handle is more."""
     place = {"pos": leaf.position, "quat": wxyz(from_yaw(leaf.yaw)), "childclass": kind}
     frame = child(world, "body", place, name=leaf.name)
-    _joint(frame, leaf.name, leaf.joint, leaf.axis, leaf.limits, leaf.hold)
+    _joint(frame, leaf.name, leaf.moves)
     add_leaf_sites(frame, leaf)
-    volumes = [float(np.prod(half)) for _, half in leaf.boxes]
-    for k, ((centre, half), volume) in enumerate(zip(leaf.boxes, volumes, strict=True)):
+    for k, ((centre, half), mass) in enumerate(zip(leaf.boxes, shares_of(leaf.solids, leaf.mass), strict=True)):
         child(
             frame,
             "geom",
@@ -251,19 +254,17 @@ def _leaf(world: Xml.Element, leaf: Leaf, kind: str) -> None:
             size=half,
             group="0",
             rgba="0.82 0.74 0.62 1",
-            mass=leaf.mass * volume / sum(volumes),
-            friction="0.5",
+            mass=mass,
+            friction=LEAF_FRICTION,
         )
 
 
-def _joint(
-    frame: Xml.Element, name: str, kind: str, axis: Any, limits: tuple[float, float], hold: float, **more: Any
-) -> None:
-    """A joint that friction and a damper, both ``hold`` [N m] or [N], keep where it is; ``limits`` in [rad] or [m]."""
-    ends = np.rad2deg(limits) if kind == "hinge" else limits
-    held = {"damping": hold, "frictionloss": hold, "armature": "0.001", "solreflimit": _STOP}
-    place = {"axis": axis, **more, "limited": "true", "range": ends}
-    child(frame, "joint", {"name": name, "type": kind, **place, **held})
+def _joint(frame: Xml.Element, name: str, joint: Joint, **more: Any) -> None:
+    """A joint that friction and a damper keep where it is."""
+    ends = np.rad2deg(joint.limits) if joint.kind == "hinge" else joint.limits
+    held = {"damping": joint.hold, "frictionloss": joint.hold, "armature": ARMATURE, "solreflimit": STOP}
+    place = {"axis": joint.axis, **more, "limited": "true", "range": ends}
+    child(frame, "joint", {"name": name, "type": joint.kind, **place, **held})
 
 
 class _Bodies:
@@ -288,17 +289,13 @@ class _Bodies:
             child(top, "freejoint", name=base.name)
         self._fill(top, thing, base)
         for body in moving:
-            assert body.link is not None
-            if body.loose:
+            if body.joint is None or body.link is None:
                 frame = child(self._world, "body", {"name": body.name, **place, "childclass": ROOM})
                 child(frame, "freejoint", name=body.name)
             else:
                 frame = child(top, "body", name=body.name)
-                axis, limits, hold = joint_of(body.link, thing.scale, body.mass)
-                anchor = np.asarray(body.link.anchor) * np.asarray(thing.scale)
-                button = body.link.role == "control" and body.link.joint == "slide"
-                spring = _BUTTON if button else {}
-                _joint(frame, body.name, body.link.joint, axis, limits, hold, pos=anchor, **spring)
+                button = body.link.role == "control" and body.joint.kind == "slide"
+                _joint(frame, body.name, body.joint, pos=body.joint.anchor, **(_BUTTON if button else {}))
                 if not thing.free:  # a body that is part of the world is not left out as a parent is
                     child(self._contact, "exclude", body1=base.name, body2=body.name)
             self._fill(frame, thing, body)
@@ -336,8 +333,7 @@ _WRITTEN: Recent[Hashable, _Written] = Recent(48 * 2**20, lambda written: writte
 
 def _written(thing: Thing, body: RigidBody) -> _Written:
     """A body of a thing, its mass spread over its parts by volume."""
-    volume = sum(solid.volume for solid in body.solids)
-    masses = [max(body.mass * solid.volume / volume, 1e-7) for solid in body.solids]
+    masses = [max(share, 1e-7) for share in shares_of(body.solids, body.mass)]
     count, shares, geoms = Counter[str](), iter(masses), []
     for k, solid in enumerate(thing.solids):
         if thing.body_of(solid.link) != body.number:

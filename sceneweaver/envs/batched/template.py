@@ -1,7 +1,7 @@
 """The MuJoCo model that all worlds of a batch share: a floor, slots and a robot.
 
 In the model the slots stand in their order: boxes that stand still, hinges, slides, free bodies; the robot comes after
-them. So bodies, joints, degrees of freedom and boxes of slots are ranges that begin at ``Ranges``.
+them. So the boxes and the moving bodies of slots begin at 1 (0 is the floor, and the world), all else at 0.
 
 What touches what is a matter of slots and the same in all worlds: free bodies and the robot touch everything, links do
 not touch each other nor what stands still. Their ranges end where something is in the way.
@@ -17,7 +17,7 @@ from xml.etree import ElementTree as Xml
 import numpy as np
 
 from sceneweaver.envs.robots import Robot
-from sceneweaver.physics.model import MEMORY, STEP
+from sceneweaver.physics.model import ARMATURE, STEP, STOP, add_options
 from sceneweaver.physics.xml import child
 from sceneweaver.scene import InputError
 
@@ -31,19 +31,6 @@ STILL, LINK, LOOSE = 1, 4, 8
 
 _ASKEW = {"pos": "0.1 0.2 0.3", "quat": "0.9 0.1 0.2 0.3"}
 """Place of boxes in the template, so that the matrix of inertia of no body counts as diagonal."""
-
-_STOP = "0.008 1"  # as `sceneweaver.physics.model` has the ends of doors and drawers
-
-
-@dataclass(frozen=True)
-class Ranges:
-    """Where the slots begin in the model: boxes, moving bodies, joints, degrees of freedom, positions."""
-
-    geom: int = 1  # the floor is 0
-    body: int = 1  # the world is 0
-    joint: int = 0
-    dof: int = 0
-    position: int = 0
 
 
 @dataclass(frozen=True)
@@ -125,10 +112,7 @@ def indices_of(model: Any, slots: Slots, robot: Robot) -> RobotIndices:
 def _xml(slots: Slots, timestep: float) -> str:
     root = Xml.Element("mujoco", model="batch")
     child(root, "compiler", angle="radian", boundinertia="1e-7")
-    # As exported rooms.
-    option = child(root, "option", timestep=timestep, integrator="implicitfast", cone="elliptic", impratio="10")
-    child(option, "flag", multiccd="enable")
-    child(root, "size", memory=MEMORY)
+    add_options(root, timestep)
     world = child(root, "worldbody")
     child(world, "geom", name="floor", type="plane", size="0 0 1", contype=STILL, conaffinity="0", friction="0.8")
     for k in range(slots.still):
@@ -141,7 +125,7 @@ def _xml(slots: Slots, timestep: float) -> str:
                 child(body, "freejoint", name=f"{kind}:{k}")
                 bits = {"contype": LOOSE, "conaffinity": STILL | LINK | LOOSE}
             else:
-                held = {"damping": "1", "frictionloss": "1", "armature": "0.001", "solreflimit": _STOP}
+                held = {"damping": "1", "frictionloss": "1", "armature": ARMATURE, "solreflimit": STOP}
                 child(body, "joint", {"name": f"{kind}:{k}", "type": kind, "axis": "0 0 1", "range": "-1 1", **held})
                 bits = {"contype": LINK, "conaffinity": 0}
             for _ in range(count):
