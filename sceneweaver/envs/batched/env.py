@@ -18,8 +18,8 @@ from sceneweaver.scene import InputError, MissingDependencyError, Scene
 from . import reset_kernels, task_kernels
 from .bank import Bank
 from .goals import KINDS
-from .physics import ThreadPhysics, WarpPhysics
-from .template import RobotIndices, indices_of, template_of
+from .physics import FIELDS, ThreadPhysics, WarpPhysics
+from .template import FIRST, RobotIndices, indices_of, template_of
 
 try:
     import gymnasium
@@ -193,59 +193,50 @@ class BatchedRoomEnv(VectorEnv):
         bank, slots, worlds = self._bank, self.bank.slots, self.num_envs
         model, data, k = self.physics.model, self.physics.data, reset_kernels
         positions = slots.links + 7 * len(slots.free)
-        room = bank["room"]
+        fresh, layout, room = self._fresh, self._layout, self._room_of
         wp.launch(
             k.begin_episodes,
             dim=worlds,
-            inputs=[self._seed, self.bank.layouts, bank["goal_count"], self._done, self._wanted, self._episode],
-            outputs=[self._fresh, self._layout, self._chosen, self._steps, self._draw],
+            inputs=[self._seed, self.bank.layouts, bank["goal_count"], bank["room"]]
+            + [self._done, self._wanted, self._episode],
+            outputs=[fresh, layout, room, self._chosen, self._steps, self._draw],
         )
-        now = [self._fresh, self._layout]
+        for name in FIELDS:
+            if name in bank:
+                first = FIRST.get(name.partition("_")[0], 0)
+                self._copy(name, room, getattr(model, name), first)
+        # Boxes that stand still have their places by layout, after those of the room were written to all.
+        self._copy("still_pos", layout, model.geom_pos, FIRST["geom"])
+        self._copy("still_quat", layout, model.geom_quat, FIRST["geom"])
+        self._copy("link_pos", layout, model.body_pos, FIRST["body"])
+        self._copy("link_quat", layout, model.body_quat, FIRST["body"])
         wp.launch(
-            k.reset_boxes,
+            k.bound_boxes,
             dim=(worlds, slots.geoms),
-            inputs=[1, slots.still, room, bank["still_pos"], bank["still_quat"], bank["geom_size"]]
-            + [bank["geom_friction"], bank["geom_pos"], bank["geom_quat"], *now],
-            outputs=[model.geom_size, model.geom_friction, model.geom_pos, model.geom_quat, model.geom_rbound]
-            + [model.geom_aabb, data.geom_xpos, data.geom_xmat],
+            inputs=[FIRST["geom"], slots.still, fresh, model.geom_size, model.geom_pos, model.geom_quat],
+            outputs=[model.geom_rbound, model.geom_aabb, data.geom_xpos, data.geom_xmat],
         )
-        wp.launch(
-            k.reset_bodies,
-            dim=(worlds, len(slots.parts)),
-            inputs=[1, slots.links, room, bank["link_pos"], bank["link_quat"], bank["body_mass"]]
-            + [bank["body_gravcomp"], bank["body_subtreemass"], bank["body_inertia"], bank["body_ipos"]]
-            + [bank["body_iquat"], bank["body_invweight0"], *now],
-            outputs=[model.body_mass, model.body_gravcomp, model.body_subtreemass, model.body_inertia]
-            + [model.body_ipos, model.body_iquat, model.body_invweight0, model.body_pos, model.body_quat],
-        )
-        wp.launch(
-            k.reset_links,
-            dim=(worlds, slots.links),
-            inputs=[0, room, bank["jnt_pos"], bank["jnt_axis"], bank["jnt_range"], *now],
-            outputs=[model.jnt_pos, model.jnt_axis, model.jnt_range],
-        )
-        wp.launch(
-            k.reset_velocities,
-            dim=(worlds, self.template.nv),
-            inputs=[slots.dofs, room, bank["dof_frictionloss"], bank["dof_damping"], bank["dof_armature"]]
-            + [bank["dof_invweight0"], *now],
-            outputs=[model.dof_frictionloss, model.dof_damping, model.dof_armature, model.dof_invweight0]
-            + [data.qvel, data.qacc_warmstart],
-        )
+        wp.launch(k.stop, dim=(worlds, self.template.nv), inputs=[fresh], outputs=[data.qvel, data.qacc_warmstart])
         wp.launch(
             k.reset_positions,
             dim=(worlds, self.template.nq),
             inputs=[slots.links, positions, bank["free_pose"], bank["spawns"], wp.vec3i(*self._find.base), self._home]
-            + [bank["goals"], *now, self._chosen, self._draw],
+            + [bank["goals"], fresh, layout, self._chosen, self._draw],
             outputs=[data.qpos],
         )
         wp.launch(
             k.reset_controls,
             dim=(worlds, self.template.nu),
-            inputs=[self._position, self._fresh, data.qpos],
+            inputs=[self._position, fresh, data.qpos],
             outputs=[data.ctrl],
         )
-        self.physics.refresh(self._fresh)
+        self.physics.refresh(fresh)
+
+    def _copy(self, name: str, row: wp.array, out: Any, first: int) -> None:
+        """Copy a field of the bank into the model of worlds that begin."""
+        source = self._bank[name]
+        shape = (self.num_envs, source.shape[1])
+        wp.launch(reset_kernels.copy_rows, dim=shape, inputs=[first, source, self._fresh, row], outputs=[out])
 
     def _look(self) -> None:
         """Judge the tasks and write observations."""
@@ -297,8 +288,8 @@ class BatchedRoomEnv(VectorEnv):
         span = np.where(model.actuator_ctrllimited[:, None].astype(bool), model.actuator_ctrlrange, [-1e9, 1e9])
         self._ctrl_range = wp.array(span, dtype=wp.vec2)
         self._position = wp.array(model.jnt_qposadr[joints], dtype=int)
-        self._done, self._episode, self._fresh, self._layout, self._chosen, self._steps = (
-            wp.zeros(worlds, dtype=int) for _ in range(6)
+        self._done, self._episode, self._fresh, self._layout, self._room_of, self._chosen, self._steps = (
+            wp.zeros(worlds, dtype=int) for _ in range(7)
         )
         self._wanted = wp.full(worlds, -1, dtype=int)
         self._draw, self._potential, self._start_height, self.rewards = (

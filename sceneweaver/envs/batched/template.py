@@ -1,7 +1,7 @@
 """The MuJoCo model that all worlds of a batch share: a floor, slots and a robot.
 
 In the model the slots stand in their order: boxes that stand still, hinges, slides, free bodies; the robot comes after
-them. So the boxes and the moving bodies of slots begin at 1 (0 is the floor, and the world), all else at 0.
+them.
 
 What touches what is a matter of slots and the same in all worlds: free bodies and the robot touch everything, links do
 not touch each other nor what stands still. Their ranges end where something is in the way.
@@ -25,6 +25,9 @@ from .bank import PARKED, Slots
 
 ROBOT = "robot:"
 """Names of the robot begin so."""
+
+FIRST = {"geom": 1, "body": 1}
+"""Where slots begin in arrays of the model: 0 is the floor, and the world. All else begins at 0."""
 
 STILL, LINK, LOOSE = 1, 4, 8
 """Bits of contact: what stands still, links, free bodies; the robot has 2."""
