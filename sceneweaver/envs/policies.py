@@ -71,18 +71,18 @@ class _Run:
     @property
     def joints(self) -> Array:
         """Targets of the driven joints [9]."""
-        return self.env.data.ctrl[self.world.actuators].copy()
+        return self.env.data.ctrl[self.world.indices.drive].copy()
 
     def act(self, target: Array, share: float = 1.0) -> None:
         """One step towards targets [9] at a share of the top speed."""
         now = self.joints
         step = target - now
         step[2] = (step[2] + np.pi) % (2 * np.pi) - np.pi
-        most = self.world.speeds * PERIOD * share
+        most = self.world.indices.speeds * PERIOD * share
         step = step / max(1.0, float(np.max(np.abs(step) / most)))
-        yaw = self.env.data.qpos[self.world.driven_addresses[2]]
+        yaw = self.env.data.qpos[self.world.indices.drive_position[2]]
         step[:2] = _turned(step[:2], -yaw)
-        action = np.append(step / (self.world.speeds * PERIOD), self.gripper)
+        action = np.append(step / (self.world.indices.speeds * PERIOD), self.gripper)
         _, _, done, cut, _ = self.env.step(np.clip(action, -1, 1))
         self.success |= done
         self.ended |= cut

@@ -10,6 +10,7 @@ import warp as wp
 
 from sceneweaver.envs.control import LEAD
 from sceneweaver.envs.env import PERIOD
+from sceneweaver.envs.joining import PREFIX, indices_of
 from sceneweaver.envs.robots import Robot, robot_named
 from sceneweaver.envs.tasks import RELEASED
 from sceneweaver.physics.batch import device_named
@@ -19,7 +20,7 @@ from . import reset_kernels, task_kernels
 from .bank import Bank
 from .goals import KINDS
 from .physics import FIELDS, ThreadPhysics, WarpPhysics
-from .template import FIRST, RobotIndices, indices_of, template_of
+from .template import FIRST, template_of
 
 try:
     import gymnasium
@@ -90,7 +91,7 @@ class BatchedRoomEnv(VectorEnv):
         slots = self.bank.slots
         self.num_envs, self.max_steps, self._seed = num_envs, max_steps, seed
         self.template = template_of(slots, self.robot)
-        self._find: RobotIndices = indices_of(self.template, slots, self.robot)
+        self._find = indices_of(self.template, self.robot)
         self._substeps = max(round(PERIOD / self.template.opt.timestep), 1)
         with wp.ScopedDevice(self.device):
             self._put_bank()
@@ -220,7 +221,7 @@ class BatchedRoomEnv(VectorEnv):
         wp.launch(
             k.reset_positions,
             dim=(worlds, self.template.nq),
-            inputs=[slots.links, positions, bank["free_pose"], bank["spawns"], wp.vec3i(*self._find.base), self._home]
+            inputs=[slots.links, positions, bank["free_pose"], bank["spawns"], self._base, self._home]
             + [bank["goals"], fresh, layout, self._chosen, self._draw],
             outputs=[data.qpos],
         )
@@ -244,7 +245,7 @@ class BatchedRoomEnv(VectorEnv):
         wp.launch(
             task_kernels.judge,
             dim=self.num_envs,
-            inputs=[1, wp.vec3i(*find.base), find.body, find.tool, self.max_steps, RELEASED, bank["goals"]]
+            inputs=[1, self._base, find.body, find.tool, self.max_steps, RELEASED, bank["goals"]]
             + [self._fresh, self._layout, self._chosen, data.qpos, data.xpos, data.xquat, data.site_xpos]
             + [self._steps, self._potential, self._start_height, self._start_goal],
             outputs=[self.rewards, self.terminated, self.truncated, self._done]
@@ -274,20 +275,20 @@ class BatchedRoomEnv(VectorEnv):
 
     def _make_buffers(self) -> None:
         worlds, model, find, slots = self.num_envs, self.template, self._find, self.bank.slots
-        driven = [*self.robot.base, *self.robot.arm]
-        home = find.home.copy()
-        home[np.array(find.finger_position, dtype=int) - slots.links - 7 * len(slots.free)] = model.actuator_ctrlrange[
-            list(find.fingers), 1
-        ]  # the hand begins open
-        self._home = wp.array(home, dtype=float)
-        self._speeds = wp.array([self.robot.speeds.get(name, 1.0) for name in driven], dtype=float)
-        self._drive, self._drive_position = wp.array(find.drive, dtype=int), wp.array(find.drive_position, dtype=int)
-        joints = model.actuator_trnid[:, 0]
-        self._drive_dof = wp.array(model.jnt_dofadr[joints[list(find.drive)]], dtype=int)
-        self._fingers, self._finger_position = (wp.array(x, dtype=int) for x in (find.fingers, find.finger_position))
+        home = np.array(model.qpos0)
+        for joint, value in self.robot.home.items():
+            home[model.joint(PREFIX + joint).qposadr[0]] = value
+        home[find.finger_position] = model.actuator_ctrlrange[find.fingers, 1]  # the hand begins open
+        self._home = wp.array(home[slots.links + 7 * len(slots.free) :], dtype=float)
+        self._base = wp.vec3i(*find.base.tolist())
+        self._speeds = wp.array(find.speeds, dtype=float)
+        self._drive, self._drive_position, self._drive_dof, self._fingers, self._finger_position = (
+            wp.array(numbers, dtype=int)
+            for numbers in (find.drive, find.drive_position, find.drive_dof, find.fingers, find.finger_position)
+        )
         span = np.where(model.actuator_ctrllimited[:, None].astype(bool), model.actuator_ctrlrange, [-1e9, 1e9])
         self._ctrl_range = wp.array(span, dtype=wp.vec2)
-        self._position = wp.array(model.jnt_qposadr[joints], dtype=int)
+        self._position = wp.array(model.jnt_qposadr[model.actuator_trnid[:, 0]], dtype=int)
         self._done, self._episode, self._fresh, self._layout, self._room_of, self._chosen, self._steps = (
             wp.zeros(worlds, dtype=int) for _ in range(7)
         )
@@ -297,8 +298,8 @@ class BatchedRoomEnv(VectorEnv):
         )
         self._start_goal = wp.zeros(worlds, dtype=wp.vec3)
         self.terminated, self.truncated = wp.zeros(worlds, dtype=bool), wp.zeros(worlds, dtype=bool)
-        self.action = wp.zeros((worlds, len(driven) + bool(find.fingers)), dtype=float)
-        shapes = {"robot": (2 * len(driven),), "base": (3,), "tool": (7,), "gripper": (1,), "subject": (7,)}
+        self.action = wp.zeros((worlds, len(find.drive) + bool(len(find.fingers))), dtype=float)
+        shapes = {"robot": (2 * len(find.drive),), "base": (3,), "tool": (7,), "gripper": (1,), "subject": (7,)}
         shapes |= {"goal": (3,), "objects": (len(slots.free), 7), "doors": (slots.links,), "task": (len(KINDS),)}
         self.observations = {name: wp.zeros((worlds, *shape), dtype=float) for name, shape in shapes.items()}
 
