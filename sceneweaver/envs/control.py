@@ -9,7 +9,7 @@ import numpy as np
 
 from sceneweaver.scene import InputError
 
-from .predicates import rotate
+from .predicates import rotate, turned
 from .world import World
 
 Array = np.ndarray
@@ -68,7 +68,7 @@ class Controller:
         else:
             speeds[self.bases :] = self._follow(data, share[self.bases : self.bases + 6])
         if self.bases:
-            speeds[:2] = _turned(speeds[:2], now[2])
+            speeds[:2] = turned(speeds[:2], now[2])
         target = data.ctrl[world.indices.drive] + speeds * self.period
         lead = LEAD * world.indices.speeds
         target = np.clip(target, now - lead, now + lead)
@@ -90,8 +90,3 @@ class Controller:
         speeds = matrix.T @ np.linalg.solve(square, wanted)
         most = np.max(np.abs(speeds) / world.indices.speeds[self.bases :], initial=1.0)
         return speeds / most
-
-
-def _turned(vector: Array, angle: float) -> Array:
-    c, s = np.cos(angle), np.sin(angle)
-    return np.array([c * vector[0] - s * vector[1], s * vector[0] + c * vector[1]])

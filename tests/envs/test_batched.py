@@ -7,7 +7,8 @@ import pytest
 
 from sceneweaver import envs
 from sceneweaver.envs.batched import Bank, BatchedRoomEnv, steady
-from sceneweaver.envs.batched.goals import KINDS, task_rows
+from sceneweaver.envs.batched.goals import task_rows
+from sceneweaver.envs.tasks import KINDS
 from sceneweaver.envs.world import RoomState
 from sceneweaver.scene import InputError
 from tests.envs.rooms import kitchen, load

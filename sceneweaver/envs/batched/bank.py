@@ -20,13 +20,13 @@ import numpy as np
 from sceneweaver.assets.placed import Load
 from sceneweaver.envs.geometry import SceneGeometry
 from sceneweaver.envs.layouts import layouts_of
+from sceneweaver.envs.predicates import product
 from sceneweaver.envs.robots import Robot, robot_named
-from sceneweaver.envs.tasks import Task
+from sceneweaver.envs.tasks import KINDS, Task
 from sceneweaver.geometry.rotations import matrix, xyzw
 from sceneweaver.scene import InputError, Room, Scene
 
-from .goals import GOAL, KINDS, TaskRow, goal_rows, has_goal, task_rows
-from .quaternions import product
+from .goals import GOAL, TaskRow, goal_rows, has_goal, task_rows
 from .room import (
     ANCHORED,
     BODY_FIELDS,

@@ -12,13 +12,12 @@ from sceneweaver.envs.control import LEAD
 from sceneweaver.envs.env import PERIOD
 from sceneweaver.envs.joining import PREFIX, indices_of
 from sceneweaver.envs.robots import Robot, robot_named
-from sceneweaver.envs.tasks import RELEASED
+from sceneweaver.envs.tasks import KINDS, RELEASED
 from sceneweaver.physics.batch import device_named
 from sceneweaver.scene import InputError, MissingDependencyError, Scene
 
 from . import reset_kernels, task_kernels
 from .bank import Bank
-from .goals import KINDS
 from .physics import FIELDS, ThreadPhysics, WarpPhysics
 from .template import FIRST, template_of
 

@@ -15,13 +15,12 @@ from xml.etree import ElementTree as Xml
 import numpy as np
 
 from sceneweaver.assets.placed import Load
+from sceneweaver.envs.predicates import product
 from sceneweaver.geometry.rotations import matrix, xyzw
 from sceneweaver.physics.batch import model_of
 from sceneweaver.physics.boxes import boxed
 from sceneweaver.physics.model import COVERING
 from sceneweaver.scene import Scene
-
-from .quaternions import product
 
 ANCHORED = 15.0
 """Mass [kg] from which a body stands still in a batch."""
