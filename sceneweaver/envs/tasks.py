@@ -148,8 +148,8 @@ class ItemTask(Task):
 
 @dataclass(frozen=True)
 class Place:
-    """Where things are put, in the frame of ``body``: the box ``low`` to ``high`` [3] of an interior, or a surface, whose
-    height is both z; of an ``oval`` one the ellipse in its plan."""
+    """Where things are put, in the frame of ``body``: a box from ``low`` to ``high`` [3] (of a surface both have its
+    height), or the ellipse in its plan where it is ``oval``."""
 
     body: str
     low: Array
@@ -344,8 +344,8 @@ KINDS: tuple[type[Task], ...] = (Open, Close, NavigateTo, PutIn, PutOn, Take)
 
 
 def point_of(geometry: SceneGeometry, name: str) -> Array:
-    """The point of a body that counts [3] in its frame: the middle of a thing's box, the first grasp of a door or drawer
-    (without one, the middle of its piece)."""
+    """The point of a body that counts [3] in its frame: the middle of the box of a thing, the first grasp of a door or
+    drawer, without one the middle of its piece."""
     if name in geometry.items:
         return geometry.items[name].centre
     grasps = geometry.grasps.get(name)

@@ -35,6 +35,9 @@ from .room import floor_mesh, wall_mesh
 BASE = "base"
 """Name of the link that all others hang on."""
 
+OURS = r"(meshes/)?(room|[a-z0-9_]+-[0-9a-f]{10})(-.*)?\.(obj|mtl|urdf)"
+"""Paths of the files of articulations in a folder of their own."""
+
 KINDS = {"hinge": "revolute", "slide": "prismatic"}
 """Kinds of joints, as URDF and SDF call them."""
 

@@ -26,7 +26,7 @@ from sceneweaver.physics.xml import child
 from sceneweaver.scene import Room, Scene
 
 from .corners import laid_by
-from .folder import write_folder
+from .folder import write_beside, write_folder
 from .images import file_stem, linear, png, tinted
 from .mjcf_clients import CLIENTS, sleeping_twin
 from .mjcf_meshes import Seen, hull_obj, mesh_elements, seen_obj, seen_of
@@ -65,6 +65,19 @@ def write_mjcf(
     return target / "scene.xml"
 
 
+def write_file(scene: Scene, path: Path, load: Load, *, textures: bool = True, client: str | None = None) -> None:
+    """As `formats.Format.write` calls it: the text with ``meshes/`` and ``textures/`` beside it, and its sleeping twin,
+    which the file for all has."""
+    model = mjcf(scene, load, textures=textures, client=client)
+    twin = {f"{path.stem}-sleep.xml": sleeping_twin(path.name, scene.id)} if client is None else {}
+    write_beside(path, {**model.files, **twin, path.name: model.xml.encode()}, {"meshes": r"[^/]*\.obj"})
+
+
+def mjcf_bytes(scene: Scene, load: Load, *, shared: SharedFiles) -> bytes:
+    """The text of a scene whose meshes and images are shared files."""
+    return mjcf(scene, load, shared=shared).xml.encode()
+
+
 def mjcf(
     scene: Scene,
     load: Load | None = None,
@@ -79,7 +92,7 @@ def mjcf(
         scene: The scene.
         load: From asset id to asset; None: the library of this user.
         textures: Whether materials have their colour maps, as PNG.
-        client: One of ``CLIENTS``; None: the file that most readers take.
+        client: One of those of the format; None: the file that most readers take.
         shared: Where meshes and images go, as files that the text names; None: into ``files``.
     """
     wardrobe = _Wardrobe(textures, shared)
@@ -89,7 +102,7 @@ def mjcf(
         _without_slashes(root)
         for geom in root.iterfind("default/default/geom[@group='3']"):
             geom.set("margin", str(_MARGIN))
-        if client is not None:
+        if client in CLIENTS:
             CLIENTS[client](root)
 
     model = build(scene, load, wardrobe, meshes=wardrobe.meshes, shape=wardrobe.shape, amend=amend)

@@ -9,6 +9,7 @@ moves the joints of static models: for it, all that stands still is static.
 from __future__ import annotations
 
 import re
+from pathlib import Path
 from xml.etree import ElementTree as Xml
 
 import numpy as np
@@ -19,7 +20,18 @@ from sceneweaver.geometry.rotations import matrix
 from sceneweaver.physics.xml import text
 from sceneweaver.scene import Scene
 
-from .articulations import BASE, EFFORT, KINDS, SPEED, ArticulatedLink, PlacedArticulation, Shape, placed_articulations
+from .articulations import (
+    BASE,
+    EFFORT,
+    KINDS,
+    OURS,
+    SPEED,
+    ArticulatedLink,
+    PlacedArticulation,
+    Shape,
+    placed_articulations,
+)
+from .folder import write_beside
 
 FOLDER = "sdf"
 """Where the meshes are, beside the file."""
@@ -50,6 +62,13 @@ def sdf(scene: Scene, load: Load | None = None, *, loose: bool = True, bullet: b
     Xml.indent(root, " ")
     files["scene.sdf"] = f'<?xml version="1.0"?>\n{Xml.tostring(root, encoding="unicode")}\n'.encode()
     return files
+
+
+def write_file(scene: Scene, path: Path, load: Load, *, textures: bool = True, client: str | None = None) -> None:
+    """As `formats.Format.write` calls it; meshes have plain colours."""
+    files = sdf(scene, load, bullet=client == "pybullet")
+    files[path.name] = files.pop("scene.sdf")
+    write_beside(path, files, {FOLDER: OURS})
 
 
 def model_name(name: str) -> str:

@@ -34,6 +34,7 @@ from .articulations import (
     BASE,
     EFFORT,
     KINDS,
+    OURS,
     SPEED,
     Articulation,
     Shape,
@@ -41,7 +42,7 @@ from .articulations import (
     placed_articulations,
 )
 from .bodies import Body, bodies_of, model_name, with_mesh
-from .folder import write_folder
+from .folder import write_beside, write_folder
 
 FOLDER = "urdf"
 """Where the robots of a room and their ``meshes/`` are, beside the list."""
@@ -108,6 +109,13 @@ def room_urdf(scene: Scene, load: Load | None = None, *, loose: bool = True) -> 
     head = {"scene": scene.id, "unit": "m", "quaternion": "x y z w"}
     files["scene.urdf.json"] = (json.dumps({**head, "robots": rows}, indent=1) + "\n").encode()
     return files
+
+
+def write_file(scene: Scene, path: Path, load: Load, *, textures: bool = True, client: None = None) -> None:
+    """As `formats.Format.write` calls it; meshes have plain colours."""
+    files = room_urdf(scene, load)
+    files[path.name] = files.pop("scene.urdf.json")
+    write_beside(path, files, {FOLDER: OURS})
 
 
 def robot(model: Articulation) -> bytes:

@@ -16,12 +16,10 @@ from sceneweaver.physics.mjcf_file import simulate
 from sceneweaver.scene import InputError, Scene
 from sceneweaver.verify import Report, check
 
+from ..store.scene_files import SUFFIXES
 from . import exports
 from .findings import Findings
 from .twins import twin_faults, twin_names
-
-SUFFIXES = {"glb": "glb", "mjcf": "xml", "usd": "usdc"}
-"""The file of a scene in which an export is."""
 
 _COUNTS = ("valid", "collisions", "out_of_bounds", "unsupported", "blocked_zones", "blocked_openings")
 _CLOSE = {"area": 0.01, "walkable_share": 1e-3, "relations_satisfied": 1e-6}
