@@ -197,7 +197,7 @@ def export_file(
 
 
 def _wrong(text: str) -> InputError:
-    """The error of a wrong input, loaded here: whoever only lists formats, as the command line does, waits for nothing."""
+    """The error of a wrong input, loaded when needed: the command line lists formats before anything else is there."""
     from sceneweaver.scene import InputError
 
     return InputError(text)

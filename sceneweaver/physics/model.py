@@ -35,7 +35,7 @@ import math
 import re
 import zlib
 from collections import Counter
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 from xml.etree import ElementTree as Xml
@@ -99,60 +99,54 @@ class Model:
     items: tuple[str, ...] = ()
 
 
-Dress = Callable[[Xml.Element, Xml.Element, Thing, RigidBody], None]
-"""Adds what is seen of a thing's body: (assets, body, thing, which of its bodies)."""
+class Plain:
+    """What a writer of models decides for itself; as it is, collision parts are all there is, by their vertices."""
+
+    visible = False
+    """Whether the model is to be looked at."""
+
+    def shape(self, thing: Thing) -> str:
+        """Equal for things that have the same meshes."""
+        return thing.shape
+
+    def add_meshes(self, assets: Xml.Element, thing: Thing) -> None:
+        """Add the meshes that geoms of a thing name, see `hull_name`; called once for all of equal shape."""
+        for k, solid in enumerate(thing.solids):
+            if solid.box is None:
+                child(assets, "mesh", name=hull_name(thing, k), inertia="convex", vertex=solid.points.reshape(-1))
+
+    def dress(self, assets: Xml.Element, frame: Xml.Element, thing: Thing, body: RigidBody) -> None:
+        """Add what is seen of a body of a thing."""
+
+    def finish(self, root: Xml.Element) -> None:
+        """Change the whole before it becomes text."""
 
 
-AddMeshes = Callable[[Xml.Element, Thing], None]
-"""Adds the meshes that geoms of a thing name, see `hull_name`: (assets, thing); once for all of equal shape."""
-
-
-def build(
-    scene: Scene,
-    load: Load | None = None,
-    dress: Dress | None = None,
-    *,
-    meshes: AddMeshes | None = None,
-    shape: Callable[[Thing], str] | None = None,
-    loose: bool = True,
-    amend: Callable[[Xml.Element], None] | None = None,
-) -> Model:
+def build(scene: Scene, load: Load | None = None, look: Plain | None = None, *, loose: bool = True) -> Model:
     """The MuJoCo model of a scene.
 
     Args:
         scene: The scene.
         load: From asset id to asset; None: the library of this user.
-        dress: Adds visual meshes; None: only collision parts.
-        meshes: Adds the meshes of parts that are no boxes; None: by their vertices.
-        shape: Equal for things that have the same meshes; None: their ``shape``.
+        look: Meshes, and what is seen; None: only collision parts.
         loose: Whether what lies in or on an object as part of it is a body of its own, as `things_of` says.
-        amend: Changes the whole before it becomes text.
 
     Raises:
         InputError: when an asset cannot be loaded.
     """
-    things = things_of(scene, load, loose=loose)
-    if shape is not None:
-        things = [replace(thing, shape=shape(thing)) for thing in things]
+    writer = look or Plain()
+    things = [replace(thing, shape=writer.shape(thing)) for thing in things_of(scene, load, loose=loose)]
     root = Xml.Element("mujoco", model=scene.id)
     add_options(root)
     child(root, "statistic", center=_middle(scene.room), extent=_reach(scene.room))
-    look = child(root, "visual")
-    child(look, "headlight", ambient="0.42 0.42 0.44", diffuse="0.3 0.3 0.3", specular="0 0 0")
-    child(look, "quality", shadowsize="4096")
+    visual = child(root, "visual")
+    child(visual, "headlight", ambient="0.42 0.42 0.44", diffuse="0.3 0.3 0.3", specular="0 0 0")
+    child(visual, "quality", shadowsize="4096")
     _defaults(root)
     assets = child(root, "asset")
-    if dress is not None:
-        child(
-            assets,
-            "texture",
-            type="skybox",
-            builtin="gradient",
-            rgb1="0.8 0.84 0.88",
-            rgb2="0.97 0.96 0.94",
-            width="64",
-            height="384",
-        )
+    if writer.visible:
+        sky = {"type": "skybox", "builtin": "gradient", "rgb1": "0.8 0.84 0.88", "rgb2": "0.97 0.96 0.94"}
+        child(assets, "texture", {**sky, "width": "64", "height": "384"})
     world = child(root, "worldbody")
     child(
         world,
@@ -167,10 +161,10 @@ def build(
     _shell(world, scene.room)
     contact = child(root, "contact")
     covers = {k for k, _ in coverings(things)}
-    writer = _Bodies(world, assets, contact, dress, meshes or add_hulls)
+    bodies = _Bodies(world, assets, contact, writer)
     for k, thing in enumerate(things):
         over = covers and thing.object.mount == "floor"
-        writer.add(thing, "room:covering" if k in covers else "room:grounded" if over else ROOM)
+        bodies.add(thing, "room:covering" if k in covers else "room:grounded" if over else ROOM)
     for leaf in leaves(scene.room):
         _leaf(world, leaf, "room:grounded" if covers else ROOM)
         if leaf.stuck:
@@ -179,8 +173,7 @@ def build(
     add_spawns(world, scene.room, {"class": ROOM})
     add_cameras(world, scene.room, scene.objects)
     child(child(root, "keyframe"), "key", name="start")  # without numbers: those of the bodies, whatever joins them
-    if amend is not None:
-        amend(root)
+    writer.finish(root)
     free = tuple(t.object.id for t in things if t.free)
     fixed = tuple(t.object.id for t in things if not t.free)
     items = tuple(body.name for t in things for body in t.bodies if body.loose)
@@ -270,18 +263,15 @@ def _joint(frame: Xml.Element, name: str, joint: Joint, **more: Any) -> None:
 class _Bodies:
     """Writes things: their bodies with collision parts, inertia and sites; each mesh once, however many use it."""
 
-    def __init__(
-        self, world: Xml.Element, assets: Xml.Element, contact: Xml.Element, dress: Dress | None, meshes: AddMeshes
-    ) -> None:
-        self._world, self._assets, self._contact = world, assets, contact
-        self._dress, self._add_meshes = dress, meshes
+    def __init__(self, world: Xml.Element, assets: Xml.Element, contact: Xml.Element, writer: Plain) -> None:
+        self._world, self._assets, self._contact, self._writer = world, assets, contact, writer
         self._meshed = set[str]()
 
     def add(self, thing: Thing, kind: str) -> None:
         """A thing, its geoms of the default class ``kind``."""
         if thing.shape not in self._meshed:
             self._meshed.add(thing.shape)
-            self._add_meshes(self._assets, thing)
+            self._writer.add_meshes(self._assets, thing)
         place = {"pos": thing.object.pose.position, "quat": wxyz(thing.object.pose.quaternion)}
         base, *moving = thing.bodies
         top = child(self._world, "body", {"name": base.name, **place, "childclass": kind})
@@ -309,8 +299,7 @@ class _Bodies:
         for name, given in written.geoms:
             Xml.SubElement(frame, "geom", {"name": body.name + name, **given})
         add_sites(frame, thing, body)
-        if self._dress is not None:
-            self._dress(self._assets, frame, thing, body)
+        self._writer.dress(self._assets, frame, thing, body)
 
 
 @dataclass(frozen=True)
@@ -356,13 +345,6 @@ def _geom(thing: Thing, k: int, solid: Solid, mass: float) -> dict[str, Any]:
 def hull_name(thing: Thing, number: int) -> str:
     """The name of the mesh of a part of a thing that is no box."""
     return f"{mesh_stem(thing)}-hull-{number}"
-
-
-def add_hulls(assets: Xml.Element, thing: Thing) -> None:
-    """The parts of a thing that are no boxes, as meshes by their vertices."""
-    for k, solid in enumerate(thing.solids):
-        if solid.box is None:
-            child(assets, "mesh", name=hull_name(thing, k), inertia="convex", vertex=solid.points.reshape(-1))
 
 
 def _inertial(body: RigidBody, masses: Sequence[float]) -> dict[str, Any]:
