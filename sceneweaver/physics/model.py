@@ -47,11 +47,11 @@ from sceneweaver.assets.recent import Recent
 from sceneweaver.geometry.rotations import from_yaw, wxyz
 from sceneweaver.scene import Room, Scene, SceneObject
 
+from .frames import Frame, frames_of, leaf_frames, spawns, views
 from .hulls import Solid
 from .inertia import inertia_of, shares_of
 from .leaves import Leaf, leaves
 from .shell import FLOOR_FRICTION, LEAF_FRICTION, wall_slabs
-from .sites import add_cameras, add_leaf_sites, add_sites, add_spawns
 from .things import Joint, RigidBody, Thing, things_of
 from .xml import attributes, child, document
 
@@ -170,8 +170,12 @@ def build(scene: Scene, load: Load | None = None, look: Plain | None = None, *, 
         if leaf.stuck:
             for k in range(len(scene.room.outline)):
                 child(contact, "exclude", body1=leaf.name, body2=f"room:wall:{k}")
-    add_spawns(world, scene.room, {"class": ROOM})
-    add_cameras(world, scene.room, scene.objects)
+    for frame in spawns(scene.room):
+        turn = wxyz(frame.quaternion)
+        child(world, "site", {"name": frame.name, "pos": frame.position, "quat": turn, "class": ROOM})
+    for view in views(scene.room, scene.objects):
+        turn, angle = wxyz(view.quaternion), round(math.degrees(view.angle), 6)
+        child(world, "camera", name=view.name, pos=view.position, quat=turn, fovy=angle)
     child(child(root, "keyframe"), "key", name="start")  # without numbers: those of the bodies, whatever joins them
     writer.finish(root)
     free = tuple(t.object.id for t in things if t.free)
@@ -236,7 +240,7 @@ def _leaf(world: Xml.Element, leaf: Leaf, kind: str) -> None:
     place = {"pos": leaf.position, "quat": wxyz(from_yaw(leaf.yaw)), "childclass": kind}
     frame = child(world, "body", place, name=leaf.name)
     _joint(frame, leaf.name, leaf.moves)
-    add_leaf_sites(frame, leaf)
+    _add_sites(frame, leaf_frames(leaf))
     for k, ((centre, half), mass) in enumerate(zip(leaf.boxes, shares_of(leaf.solids, leaf.mass), strict=True)):
         child(
             frame,
@@ -250,6 +254,14 @@ def _leaf(world: Xml.Element, leaf: Leaf, kind: str) -> None:
             mass=mass,
             friction=LEAF_FRICTION,
         )
+
+
+def _add_sites(element: Xml.Element, frames: Sequence[Frame]) -> None:
+    """Frames in a body as boxes of the size of what they mark; they carry no weight and touch nothing."""
+    for frame in frames:
+        turn: dict[str, Any] = {"quat": wxyz(frame.quaternion)} if frame.kind == "grasp" else {}
+        place = {"name": frame.name, "type": "box", "pos": frame.position, "size": frame.half}
+        child(element, "site", {**place, **turn})
 
 
 def _joint(frame: Xml.Element, name: str, joint: Joint, **more: Any) -> None:
@@ -298,7 +310,7 @@ class _Bodies:
         Xml.SubElement(frame, "inertial", written.inertial)
         for name, given in written.geoms:
             Xml.SubElement(frame, "geom", {"name": body.name + name, **given})
-        add_sites(frame, thing, body)
+        _add_sites(frame, frames_of(thing, body))
         self._writer.dress(self._assets, frame, thing, body)
 
 

@@ -273,8 +273,7 @@ def _still(room: RoomBodies, hinges: int, slides: int, free: int) -> Boxes:
         b.name for kind, most in ((HINGE, hinges), (SLIDE, slides), (FREE, free)) for b in _chosen(room, kind, most)
     }
     found = [room.still] + [_on_owner(b) for b in (*room.links, *room.free) if b.name not in kept]
-    names = ("owner", "pos", "quat", "size", "friction")
-    boxes = Boxes(*(np.concatenate([getattr(r, f) for r in found]) for f in names))
+    boxes = Boxes.joined(found)
     face = np.prod(np.sort(boxes.size, axis=1)[:, 1:], axis=1)  # of a board what counts is how much it carries
     return boxes.take(np.argsort(-face, kind="stable"))
 
