@@ -7,14 +7,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from functools import cache, cached_property
-from importlib import resources
+from functools import cached_property
 from typing import Literal
 
 import numpy as np
 
 from sceneweaver.assets import Asset, Link, categories
 from sceneweaver.assets.placed import Load, loader, scaled_asset
+from sceneweaver.assets.roles import with_role
 from sceneweaver.scene import Scene, SceneObject
 
 from .hulls import Solid, solids_of
@@ -178,8 +178,8 @@ def moving_links(asset: Asset) -> frozenset[int]:
 
 
 def is_fixture(thing: SceneObject) -> bool:
-    """Whether it stands still: it is fixed, hangs on a wall or ceiling, or ``fixtures.yaml`` lists it."""
-    named = thing.category.strip().lower().replace(" ", "_") in _fixtures()
+    """Whether it stands still: it is fixed, hangs on a wall or ceiling, or is built in."""
+    named = thing.category.strip().lower().replace(" ", "_") in with_role("built_in")
     return thing.fixed or thing.mount in ("wall", "ceiling") or named
 
 
@@ -193,14 +193,6 @@ def _thing(index: int, thing: SceneObject, load: Load, bodies: dict[str, tuple[S
     solids = bodies[shape]
     mass, friction = _weight(thing, asset, float(np.prod(scale)), sum(s.volume for s in solids))
     return Thing(thing, asset, key, shape, scale, solids, mass, friction, not is_fixture(thing))
-
-
-@cache
-def _fixtures() -> frozenset[str]:
-    import yaml
-
-    data = yaml.safe_load(resources.files(__package__ or "").joinpath("fixtures.yaml").read_text(encoding="utf-8"))
-    return frozenset(data["categories"])
 
 
 def _weight(thing: SceneObject, asset: Asset | None, scale: float, volume: float) -> tuple[float, float]:
