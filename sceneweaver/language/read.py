@@ -7,11 +7,12 @@ import re
 from sceneweaver.scene import InputError
 
 from .chunker import Chunker
-from .clauses import Clauses
+from .clauses import read_clauses
 from .graph import build
 from .model import SceneGraph
 from .parsed import Left, Parsed
 from .source import Source, check_measures, read_source
+from .state import State
 from .things import match_of
 from .tokens import tokens
 
@@ -34,7 +35,7 @@ def read_request(text: str) -> SceneGraph:
         raise InputError('prompt: it is empty; say what room you want, such as "a bedroom with a desk"')
     source = read_source(text)
     parsed = Parsed(notes=list(source.notes))
-    Clauses(Chunker(tokens(source, parsed.notes)).run(), source, parsed).run()
+    read_clauses(State(Chunker(tokens(source, parsed.notes)).run(), source, parsed))
     _sides(parsed, source)
     for note in source.notes:
         parsed.note(note)

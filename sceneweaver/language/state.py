@@ -48,7 +48,7 @@ class Waiting:
         return replace(self, place=place)
 
 
-class ReaderState:
+class State:
     """Where the reader of clauses is, and what it has in hand."""
 
     def __init__(self, chunks: list[Chunk], source: Source, parsed: Parsed):
@@ -84,16 +84,16 @@ class ReaderState:
         self.lit = False  # whether light came through a window
         self.each = self.inverted = self.after_be = self.relative = self.head_related = False
 
-    def _chunk(self, k: int) -> Chunk | None:
+    def chunk(self, k: int) -> Chunk | None:
         return self.chunks[k] if 0 <= k < len(self.chunks) else None
 
-    def _noun_next(self, offset: int = 0) -> bool:
-        chunk = self._chunk(self.at + offset)
+    def noun_next(self, offset: int = 0) -> bool:
+        chunk = self.chunk(self.at + offset)
         return chunk is not None and chunk.kind == "noun"
 
-    def _target_next(self) -> bool:
+    def target_next(self) -> bool:
         """Whether the noun after "opposite", "beside" and the like is what they are said of, and no subject."""
-        after = self._chunk(self.at + 1)
+        after = self.chunk(self.at + 1)
         if self.at >= len(self.chunks):
             return True
         chunk = self.chunks[self.at]
@@ -101,7 +101,7 @@ class ReaderState:
             return bool(chunk.value.definite or chunk.value.what in ("pronoun", "place"))
         return True
 
-    def _verb_follows(self, k: int) -> bool:
+    def verb_follows(self, k: int) -> bool:
         """Whether the noun phrase before chunk k is the subject of a finite verb."""
         nouns = 0
         for index, chunk in enumerate(self.chunks[k : k + 14], start=k):
@@ -112,7 +112,7 @@ class ReaderState:
             elif chunk.kind in ("stop", "comma", "while"):
                 return False
             elif chunk.kind == "and":
-                after = self._chunk(index + 1)
+                after = self.chunk(index + 1)
                 if after is None or after.kind != "noun" or nouns > 0:
                     return False
             elif chunk.kind == "with":
@@ -121,22 +121,22 @@ class ReaderState:
                 nouns += 1
         return False
 
-    def _clause_at(self, k: int) -> bool:
-        chunk = self._chunk(k)
-        return chunk is not None and chunk.kind == "noun" and self._verb_follows(k + 1)
+    def clause_at(self, k: int) -> bool:
+        chunk = self.chunk(k)
+        return chunk is not None and chunk.kind == "noun" and self.verb_follows(k + 1)
 
-    def _placed_next(self, k: int) -> bool:
+    def placed_next(self, k: int) -> bool:
         """Whether words of place or a participle follow at once, so that something is no mere item of a list."""
-        chunk = self._chunk(k)
+        chunk = self.chunk(k)
         return chunk is not None and (
             chunk.kind == "place" or (chunk.kind == "verb" and (chunk.passive or chunk.value.form in ("ed", "ing")))
         )
 
-    def _fronts(self, k: int) -> bool:
+    def fronts(self, k: int) -> bool:
         """Whether the words of place from chunk k on come before who they are about: "and on the wall hangs ..."."""
         seen = 0
         if self.chunks[k].passive:  # "to its left a counter"
-            return self._noun_next()
+            return self.noun_next()
         for chunk in self.chunks[k : k + 8]:
             if chunk.kind == "noun":
                 seen += 1
@@ -145,14 +145,14 @@ class ReaderState:
             elif chunk.kind == "verb":
                 return seen == 1 and chunk.value.form in ("s", "base")
             elif chunk.kind == "comma" and seen == 1:
-                return self.done and self._clause_at(k + 3)
+                return self.done and self.clause_at(k + 3)
             elif chunk.kind not in ("place", "adjective", "word"):
                 return False
             elif chunk.kind == "place" and seen == 1 and chunk is not self.chunks[k]:
                 seen = 0
         return False
 
-    def _unread(self, text: str, start: int, end: int) -> None:
+    def leave_unread(self, text: str, start: int, end: int) -> None:
         self.out.unread.append(Left(" ".join(text.split()), start, end))
 
     def chunk_span(self) -> Span | None:
