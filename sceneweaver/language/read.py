@@ -6,7 +6,7 @@ import re
 
 from sceneweaver.scene import InputError
 
-from .chunker import Chunker
+from .chunker import chunked
 from .clauses import read_clauses
 from .graph import build
 from .model import SceneGraph
@@ -35,7 +35,7 @@ def read_request(text: str) -> SceneGraph:
         raise InputError('prompt: it is empty; say what room you want, such as "a bedroom with a desk"')
     source = read_source(text)
     parsed = Parsed(notes=list(source.notes))
-    read_clauses(State(Chunker(tokens(source, parsed.notes)).run(), source, parsed))
+    read_clauses(State(chunked(tokens(source, parsed.notes)), source, parsed))
     _sides(parsed, source)
     for note in source.notes:
         parsed.note(note)
