@@ -12,7 +12,6 @@ from .graph import build
 from .model import SceneGraph
 from .parsed import Left, Parsed
 from .source import Source, check_measures, read_source
-from .state import State
 from .things import match_of
 from .tokens import tokens
 
@@ -35,7 +34,7 @@ def read_request(text: str) -> SceneGraph:
         raise InputError('prompt: it is empty; say what room you want, such as "a bedroom with a desk"')
     source = read_source(text)
     parsed = Parsed(notes=list(source.notes))
-    read_clauses(State(chunked(tokens(source, parsed.notes)), source, parsed))
+    read_clauses(chunked(tokens(source, parsed.notes)), source, parsed)
     _sides(parsed, source)
     for note in source.notes:
         parsed.note(note)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from sceneweaver.knowledge.load import room_words
 
 from .chunks import Chunk, NounPhrase
@@ -57,7 +59,7 @@ def group_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         first = family(category_of(next(iter(row["things"]))))
         there.sort(key=lambda m: family(m.category) != first)
         if there and state.waiting is not None:
-            name_things(state, there[:1], phrase, chunk, False)
+            name_things(state, there[:1], phrase, False)
             return
         if there:
             state.glue = ""
@@ -76,14 +78,14 @@ def group_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         made.append(mention)
     span = state.source.span(phrase.start, phrase.end)
     for mention in made[1:]:
-        say(state, "near", [mention], (made[0],), phrase.text, None, False, None, span, True)
+        say(state, "near", [mention], (made[0],), phrase.text, span=span, implied=True)
     state.out.note(f"'{phrase.text}' was taken for: {', '.join(m.noun for m in made)}")
     if not made:
         return
     if state.waiting is not None and state.waiting.place.type in ("inside", "on", "at"):
         state.waiting, state.glue = None, "start"
         return
-    name_things(state, made[:1], phrase, chunk, True)
+    name_things(state, made[:1], phrase, True)
     state.party = made
 
 
@@ -106,7 +108,7 @@ def room_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
             out.other_rooms.append(phrase.value)
         out.note(f"'{phrase.text}' is another room; only the {out.room_words} is made")
     if waiting is not None and waiting.subjects and waiting.place.type in ("centered_on",):
-        relate_to_place(state, "at", waiting.subjects, "middle", waiting.place.words, None, None, False)
+        relate_to_place(state, "at", waiting.subjects, "middle", waiting.place.words)
     elif waiting is not None and waiting.subjects is None and waiting.lost is False:
         state.glue = "start"
         return
@@ -186,8 +188,8 @@ def place_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     if waiting.place.type == "between" and waiting.first is None and waiting.subjects and place in ("window", "door"):
         after = state.chunk(state.at)
         if after is not None and after.kind == "and" and state.noun_next(1):  # "between the window and the door"
-            bind_target(state, waiting._replace_place(Place("near", words=waiting.place.words)), (place,))
-            state.waiting = waiting._replace_place(Place("near", words=waiting.place.words))
+            bind_target(state, replace(waiting, place=Place("near", words=waiting.place.words)), (place,))
+            state.waiting = replace(waiting, place=Place("near", words=waiting.place.words))
             state.glue, state.at = "open", state.at + 1
             return
     if waiting.place.type == "between" and waiting.first is not None and waiting.subjects:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any
 
 from .chunks import Chunk
@@ -12,25 +12,31 @@ from .references import References
 from .source import Source
 from .vocabulary import Place
 
+Fronted = tuple[Place, tuple[Any, ...], Chunk]
+"""A word of place with its targets, said ahead of who it is about."""
+
 
 @dataclass
 class Frame:
     """An open list: what is named in it is there ("list"), comes with its owner, or is placed by a verb.
 
-    ``placed`` says whether its items are placed relative to the owner ("after") or the owner to them ("before").
+    ``numbered`` are the nouns of the items that have a number.
     """
 
     kind: str
     owner: list[Mention] = field(default_factory=list)
     type: str = ""
-    placed: str = "after"
     words: str = ""
     items: list[Mention] = field(default_factory=list)
     finite: bool = False
     each: bool = False
     numbered: list[str] = field(default_factory=list)
-    """Nouns of items that have a number."""
-    fronted: list[tuple[Place, tuple[Any, ...], Chunk]] = field(default_factory=list)
+    fronted: list[Fronted] = field(default_factory=list)
+
+    @property
+    def is_fronting(self) -> bool:
+        """Whether its places came before its items and no verb between: "on the desk a lamp"."""
+        return self.kind == "fronted" and not self.finite
 
 
 @dataclass
@@ -44,9 +50,6 @@ class Waiting:
     first: Mention | None = None
     lost: bool = False
 
-    def _replace_place(self, place: Place) -> Waiting:
-        return replace(self, place=place)
-
 
 class State:
     """Where the reader of clauses is, and what it has in hand."""
@@ -56,7 +59,6 @@ class State:
         self.refs = References(parsed)
         self.at = 0
         self.party: list[Mention] = []  # the things of the part of the room that was named last
-        self.first_items: list[Mention] = []  # what was named first in the clauses of the sentence
         self.surface: Mention | None = None  # what the small things of the sentence stand on
         self.surface_words, self.started, self.begun = "", 0, 0
         self.last_subjects: list[Mention] = []
@@ -67,9 +69,9 @@ class State:
         self.subject: list[Mention] = []  # who the clause is about
         self.head: list[Mention] = []  # what a word of place is said of
         self.previous: list[Mention] = []  # the item before, or who the clause before was about
-        self.first_items = []
+        self.first_items: list[Mention] = []  # what was named first in the clauses of the sentence
         self.frames: list[Frame] = []  # open lists, the outermost one first
-        self.fronted: list[tuple[Place, tuple[Any, ...], Chunk]] = []  # said ahead of who it is about
+        self.fronted: list[Fronted] = []  # said ahead of who it is about
         self.waiting: Waiting | None = None
         self.glue = "start"  # what binds the next phrase: start, comma, and, or, while, open, object, verb, or nothing
         self.joined = ""  # what bound the last item to the one before
@@ -84,11 +86,20 @@ class State:
         self.lit = False  # whether light came through a window
         self.each = self.inverted = self.after_be = self.relative = self.head_related = False
 
+    def close_frames(self) -> None:
+        """A new clause goes on with the list of the sentence at most."""
+        self.frames = [f for f in self.frames[:1] if f.kind == "list"]
+
     def chunk(self, k: int) -> Chunk | None:
+        """The chunk at ``k``; None beyond the ends."""
         return self.chunks[k] if 0 <= k < len(self.chunks) else None
 
     def noun_next(self, offset: int = 0) -> bool:
-        chunk = self.chunk(self.at + offset)
+        """Whether a noun phrase comes next, or ``offset`` chunks later."""
+        return self._is_noun(self.at + offset)
+
+    def _is_noun(self, k: int) -> bool:
+        chunk = self.chunk(k)
         return chunk is not None and chunk.kind == "noun"
 
     def target_next(self) -> bool:
@@ -121,10 +132,6 @@ class State:
                 nouns += 1
         return False
 
-    def clause_at(self, k: int) -> bool:
-        chunk = self.chunk(k)
-        return chunk is not None and chunk.kind == "noun" and self.verb_follows(k + 1)
-
     def placed_next(self, k: int) -> bool:
         """Whether words of place or a participle follow at once, so that something is no mere item of a list."""
         chunk = self.chunk(k)
@@ -145,7 +152,7 @@ class State:
             elif chunk.kind == "verb":
                 return seen == 1 and chunk.value.form in ("s", "base")
             elif chunk.kind == "comma" and seen == 1:
-                return self.done and self.clause_at(k + 3)
+                return self.done and self._is_noun(k + 3) and self.verb_follows(k + 4)
             elif chunk.kind not in ("place", "adjective", "word"):
                 return False
             elif chunk.kind == "place" and seen == 1 and chunk is not self.chunks[k]:
@@ -153,6 +160,7 @@ class State:
         return False
 
     def leave_unread(self, text: str, start: int, end: int) -> None:
+        """Words at characters [start, end) of the source are not understood."""
         self.out.unread.append(Left(" ".join(text.split()), start, end))
 
     def chunk_span(self) -> Span | None:

@@ -9,7 +9,6 @@ from ..graph import MOST
 from ..grounding import FURTHEST
 from ..model import PLACES
 from ..parsed import Left, Mention, Said, Target
-from ..things import SMALL
 from ..vocabulary import mounts, words
 from ..wall_names import COMPASS
 from .draft import OUT, Draft, counted
@@ -184,7 +183,7 @@ def _as_usual(kind: str, subject: Mention, target: Target) -> str:
             subject.category = hung[place].get(subject.category, subject.category)
         return "on" if kind == "hanging_from" and target.startswith("wall") else kind
     if kind in ("on", "inside") and "rug" not in target.category:
-        subject.category = SMALL.get(subject.category, subject.category)
+        subject.category = hung["surface"].get(subject.category, subject.category)
     if kind == "hanging_from" and mounts(target.category)[0] not in ("ceiling", "wall") and _is_hung(subject):
         return "above"
     return kind
