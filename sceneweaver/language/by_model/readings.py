@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from sceneweaver.language import SceneGraph, Span, StatedRelation
-
+from ..model import SceneGraph, Span, StatedRelation
 from .disagreements import Disagreement, fact_of, overlap
-from .request_relations import HOLDING
+from .relations import HOLDING
 from .union_things import UnionThings
 
 ROOM = (

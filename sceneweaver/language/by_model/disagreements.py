@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 from typing import Any, Literal
 
-from sceneweaver.language import Entity, SceneGraph, Span
 from sceneweaver.scene.base import FrozenModel
+
+from ..model import Entity, SceneGraph, Span
 
 FOREIGN = 0.3
 """Share of a request that the offline reader left unread from which on it does not count where the model says that the

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from sceneweaver.knowledge import match_room, room_types
-from sceneweaver.language import Span
-from sceneweaver.language.parsed import Left
-from sceneweaver.language.source import check_measures
-from sceneweaver.language.vocabulary import words
 from sceneweaver.scene.messages import quote as shown
 
+from ..model import Span
+from ..parsed import Left
+from ..source import check_measures
+from ..vocabulary import words
+from .draft import OPEN, OUT, SCALES, Draft
+from .english import LONGEST, cut, english, is_color
 from .quotes import Quotes
-from .request_draft import OPEN, OUT, SCALES, Draft
-from .request_reply import RoomReply
-from .request_words import LONGEST, cut, english, is_color
+from .reply import RoomReply
 
 MOST_PEOPLE, MOST_OPENINGS, MOST_WORDS = 400, 40, 12
 

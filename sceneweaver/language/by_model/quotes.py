@@ -12,7 +12,7 @@ import re
 import unicodedata
 from collections.abc import Iterator
 
-from sceneweaver.language import Span
+from ..model import Span
 
 _PLAIN = str.maketrans({"‘": "'", "’": "'", "ʼ": "'", "´": "'", "`": "'", "“": '"', "”": '"', "„": '"', "«": '"'})
 _MORE = str.maketrans({"»": '"', "‐": "-", "‑": "-", "–": "-", "—": "-", "−": "-", "\u0640": None})

@@ -9,10 +9,11 @@ from functools import cache
 from sceneweaver.assets import categories
 from sceneweaver.assets.materials import color_named
 from sceneweaver.knowledge import match_room
-from sceneweaver.language.model import PLACES
-from sceneweaver.language.things import match_of
-from sceneweaver.language.vocabulary import vocabulary, words
 from sceneweaver.scene import InputError
+
+from ..model import PLACES
+from ..things import match_of
+from ..vocabulary import vocabulary, words
 
 LONGEST = 60
 """Most characters of an English name or of the words about a thing; of a quote twice as many."""

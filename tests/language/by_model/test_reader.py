@@ -14,13 +14,13 @@ from hypothesis import strategies as st
 from pydantic_ai.models.function import FunctionModel
 from pydantic_ai.models.test import TestModel
 
-from sceneweaver.agent.by_model.reader import REFUSALS, Reading, instructions, read_by_model
 from sceneweaver.agent.design import chosen_room
 from sceneweaver.agent.loop import empty_scene
 from sceneweaver.assets import Library
 from sceneweaver.assets.taxonomy import category_named
 from sceneweaver.critic.review import review_scene
 from sceneweaver.language import SceneGraph, grounded, read_request
+from sceneweaver.language.by_model.reader import REFUSALS, Reading, instructions, read_by_model
 from sceneweaver.language.graph import MOST
 from sceneweaver.language.meaning import meanings
 from sceneweaver.language.model import PLACES

@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sceneweaver.agent.by_model.quotes import MOST, Quotes
 from sceneweaver.language import Span
+from sceneweaver.language.by_model.quotes import MOST, Quotes
 
 
 def place(text: str, quote: str) -> str | None:

@@ -10,17 +10,17 @@ import re
 from dataclasses import dataclass, field
 
 from sceneweaver.assets.taxonomy import narrower
-from sceneweaver.language import Attribute, Span
-from sceneweaver.language.graph import MOST
-from sceneweaver.language.parsed import Left, Mention, Parsed
-from sceneweaver.language.source import Source
-from sceneweaver.language.things import match_of
-from sceneweaver.language.vocabulary import vocabulary
 from sceneweaver.scene.messages import quote as shown
 
+from ..graph import MOST
+from ..model import Attribute, Span
+from ..parsed import Left, Mention, Parsed
+from ..source import Source
+from ..things import match_of
+from ..vocabulary import vocabulary
+from .english import LONGEST, cut, english, excluded_categories, is_color, part_of_room
 from .quotes import Quotes
-from .request_reply import ExclusionReply, RequestReply, ThingReply, WordReply
-from .request_words import LONGEST, cut, english, excluded_categories, is_color, part_of_room
+from .reply import ExclusionReply, RequestReply, ThingReply, WordReply
 
 WORDS = 24
 """Most words about one thing."""

@@ -11,23 +11,22 @@ from string import Template
 from typing import get_args
 
 from sceneweaver.knowledge import room_types
-from sceneweaver.language import SceneGraph
-from sceneweaver.language.graph import build
-from sceneweaver.language.model import PLACES, AttributeKind
-from sceneweaver.language.parsed import Parsed
-from sceneweaver.language.source import LONGEST, Source
-from sceneweaver.language.things import MANY
 from sceneweaver.llm import ModelClient, ModelError
 from sceneweaver.scene import InputError
 
+from ..graph import build
+from ..model import PLACES, AttributeKind, SceneGraph
+from ..parsed import Parsed
+from ..source import LONGEST, Source
+from ..things import MANY
 from .disagreements import Disagreement, is_foreign
+from .draft import Draft, Things
+from .english import cut, english
 from .quotes import Quotes
 from .readings import united
-from .request_draft import Draft, Things
-from .request_relations import Relations
-from .request_reply import RequestReply, RoomReply, Style
-from .request_room import add_room
-from .request_words import cut, english
+from .relations import Relations
+from .reply import RequestReply, RoomReply, Style
+from .room import add_room
 
 REFUSALS = 2
 """Times that a model is told what is wrong with its reading before what is wrong is left out."""

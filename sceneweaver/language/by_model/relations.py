@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 from sceneweaver.assets.taxonomy import category_named
-from sceneweaver.language.graph import MOST
-from sceneweaver.language.grounding import FURTHEST
-from sceneweaver.language.model import PLACES
-from sceneweaver.language.parsed import Left, Mention, Said, Target
-from sceneweaver.language.things import SMALL
-from sceneweaver.language.vocabulary import mounts, words
-from sceneweaver.language.wall_names import COMPASS
 from sceneweaver.scene.messages import quote as shown
 
+from ..graph import MOST
+from ..grounding import FURTHEST
+from ..model import PLACES
+from ..parsed import Left, Mention, Said, Target
+from ..vocabulary import mounts, words
+from ..wall_names import COMPASS
+from .draft import OUT, Draft, counted
+from .english import LONGEST, cut
 from .leniency import term
 from .quotes import Quotes
-from .request_draft import OUT, Draft, counted
-from .request_reply import RelationReply
-from .request_words import LONGEST, cut
+from .reply import RelationReply
 
 WALLS = ("left", "right", "far", "near", "opposite", "back", "front", *COMPASS)
 """What may come after ``wall:``."""
@@ -184,7 +183,7 @@ def _as_usual(kind: str, subject: Mention, target: Target) -> str:
             subject.category = hung[place].get(subject.category, subject.category)
         return "on" if kind == "hanging_from" and target.startswith("wall") else kind
     if kind in ("on", "inside") and "rug" not in target.category:
-        subject.category = SMALL.get(subject.category, subject.category)
+        subject.category = hung["surface"].get(subject.category, subject.category)
     if kind == "hanging_from" and mounts(target.category)[0] not in ("ceiling", "wall") and _is_hung(subject):
         return "above"
     return kind

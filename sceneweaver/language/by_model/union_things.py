@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from sceneweaver.language import Entity, Exclusion, SceneGraph, Span, StatedRelation
-from sceneweaver.language.graph import MOST
-
+from ..graph import MOST
+from ..model import Entity, Exclusion, SceneGraph, Span, StatedRelation
 from .disagreements import Disagreement, count_of, head_of, overlap, size_of, thing_of
-from .request_words import LONGEST
+from .english import LONGEST
 
 
 class UnionThings:

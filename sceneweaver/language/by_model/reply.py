@@ -9,9 +9,9 @@ from typing import Annotated, Literal, get_args
 
 from pydantic import BeforeValidator, Field, model_validator
 
-from sceneweaver.language.model import AttributeKind, RelationType, Shape
 from sceneweaver.llm import Reply
 
+from ..model import AttributeKind, RelationType, Shape
 from .leniency import Count, Flag, Listed, Metres, Number, Text, Whole, absent, term
 
 Style = Literal["modern", "scandinavian", "industrial", "classic", "rustic"]

@@ -7,9 +7,9 @@ from typing import Annotated, Any, Literal, get_args
 import pytest
 from pydantic import BaseModel, BeforeValidator, ValidationError
 
-from sceneweaver.agent.by_model.leniency import Count, Flag, Listed, Metres, Number, Text, Whole, absent, term
-from sceneweaver.agent.by_model.request_reply import SAME, RelationReply, RequestReply, Style
 from sceneweaver.assets.materials import STYLES
+from sceneweaver.language.by_model.leniency import Count, Flag, Listed, Metres, Number, Text, Whole, absent, term
+from sceneweaver.language.by_model.reply import SAME, RelationReply, RequestReply, Style
 from sceneweaver.language.model import RelationType
 
 Word = Literal["next_to", "color", "L"]

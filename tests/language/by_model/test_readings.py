@@ -8,10 +8,10 @@ from typing import Any
 
 import pytest
 
-from sceneweaver.agent.by_model.disagreements import Disagreement
-from sceneweaver.agent.by_model.reader import Reading, read_by_model
 from sceneweaver.agent.request_file import RequestFile
 from sceneweaver.language import SceneGraph, read_request
+from sceneweaver.language.by_model.disagreements import Disagreement
+from sceneweaver.language.by_model.reader import Reading, read_by_model
 from tests.agent.by_model.answering import Answering
 
 TEXT = (
