@@ -8,6 +8,10 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 from sceneweaver.assets import Wish
+from sceneweaver.generate.carry import move, world
+from sceneweaver.generate.draft import groups_of
+from sceneweaver.generate.program import decided_kinds
+from sceneweaver.generate.surface_scene import TIES, TILT, Surroundings
 from sceneweaver.geometry.polygons import union
 from sceneweaver.geometry.rotations import is_upright
 from sceneweaver.knowledge.design_rules import limit
@@ -17,10 +21,6 @@ from sceneweaver.scene.edits import Add, AnyEdit
 from sceneweaver.scene.messages import show
 
 from .base import Context, Proposal
-from .carry import move, world
-from .draft import groups_of
-from .prior_program import decided_kinds
-from .surface_scene import TIES, TILT, Surroundings
 
 PULLED, TURNED = 0.06, math.radians(1.4)
 """How far [m] a chair stands back from its table at most, and how far it is turned: more looks like a mistake."""

@@ -7,16 +7,16 @@ from collections.abc import Sequence
 from typing import Any
 
 from sceneweaver.assets import categories, resolve
+from sceneweaver.generate.program import decided_kinds
+from sceneweaver.generate.surface_assets import Shelf, placed
+from sceneweaver.generate.surface_rows import Row
+from sceneweaver.generate.surface_scene import Surroundings
 from sceneweaver.knowledge.surfaces import Crowd, Unit, arrangement_of, crowd, crowd_of, crowds
 from sceneweaver.scene import InputError, SceneObject, Support, Surface
 from sceneweaver.scene.edits import Add, AnyEdit
 from sceneweaver.scene.messages import show
 
 from .base import Context, Proposal
-from .prior_program import decided_kinds
-from .surface_assets import Shelf, placed
-from .surface_rows import Row
-from .surface_scene import Surroundings
 
 DENSITY = {"sparse": 0.25, "normal": 0.6, "full": 0.9}
 """How full shelves are when only the request speaks of it."""

@@ -9,6 +9,12 @@ from typing import Any
 
 from sceneweaver.assets import Asset, Wish, drawable, resolve
 from sceneweaver.assets.taxonomy import category_named, likeliness
+from sceneweaver.generate.draft import Draft, groups_of
+from sceneweaver.generate.lights import OVER, TABLE, hanging_height
+from sceneweaver.generate.program import drop_at_window, free_zones, suite_of
+from sceneweaver.generate.relating import relations_of, row_of
+from sceneweaver.generate.spots import fits_on, spot_on
+from sceneweaver.generate.usual import item_for, rows_for
 from sceneweaver.knowledge import Item
 from sceneweaver.knowledge.design_rules import limit
 from sceneweaver.scene import InputError, Intent, Pose, SceneObject
@@ -16,12 +22,6 @@ from sceneweaver.scene.edits import Add, AnyEdit, Relate
 
 from .base import Context, Proposal
 from .card import checked
-from .draft import Draft, groups_of
-from .prior_lights import OVER, TABLE, hanging_height
-from .prior_program import drop_at_window, free_zones, suite_of
-from .relating import relations_of, row_of
-from .spots import fits_on, spot_on
-from .usual import item_for, rows_for
 
 VARIED = frozenset(("decor", "plant_group", "stationery", "food", "toy_group", "toiletry", "container", "textile"))
 """Groups of which several at once are different ones."""

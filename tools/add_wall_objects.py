@@ -10,6 +10,9 @@ from dataclasses import dataclass, field
 
 from sceneweaver.assets import Asset, Wish
 from sceneweaver.assets.taxonomy import category_named, members
+from sceneweaver.generate.draft import Draft
+from sceneweaver.generate.program import MANY, decided_kinds
+from sceneweaver.generate.wall_plan import CLOSE, TALL, Outlines, Rectangle, Span, extent, free_runs, obstacles
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.knowledge.palettes import groups_of
 from sceneweaver.knowledge.wall_things import most_on_walls, wall_things
@@ -18,9 +21,6 @@ from sceneweaver.scene.edits import Add, AnyEdit, Relate
 
 from .base import Context, Proposal
 from .card import checked
-from .draft import Draft
-from .prior_program import MANY, decided_kinds
-from .wall_plan import CLOSE, TALL, Outlines, Rectangle, Span, extent, free_runs, obstacles
 
 BARE = 1.2
 """Length [m] of bare wall on which something is hung."""

@@ -8,13 +8,11 @@ from typing import Any, Protocol
 
 from sceneweaver.assets import Library
 from sceneweaver.knowledge import RoomType
+from sceneweaver.knowledge.lived_in import CLUTTER
 from sceneweaver.language import SceneGraph
 from sceneweaver.llm import ModelClient
 from sceneweaver.scene import Relation, Room, Scene
 from sceneweaver.scene.edits import AnyEdit
-
-CLUTTER = 0.4
-"""How lived-in a room is when nobody says: from 0, a show room, to 1."""
 
 
 @dataclass(frozen=True)

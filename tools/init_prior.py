@@ -7,6 +7,18 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from sceneweaver.assets.taxonomy import category_named
+from sceneweaver.generate.draft import walls_of
+from sceneweaver.generate.finish import finished
+from sceneweaver.generate.fit import POOR, fitted
+from sceneweaver.generate.lights import lamp_count
+from sceneweaver.generate.program import BLIND, BY_RANK, Program, Wanted, build, demands, free_zones
+from sceneweaver.generate.relations import of_brief, of_items, rows_of
+from sceneweaver.generate.rooms import larger_rooms, may_hold, other_rooms, same_walls, walls_hold
+from sceneweaver.generate.rows import in_rows, lines_of, row_variants
+from sceneweaver.generate.run import has_place
+from sceneweaver.generate.shell import floor_area, shell
+from sceneweaver.generate.supports import Places, laid, supported
+from sceneweaver.generate.tables import lengthened
 from sceneweaver.knowledge.palettes import Palette as RoomPalette
 from sceneweaver.knowledge.palettes import palette_for
 from sceneweaver.language import Grounded, SceneGraph
@@ -14,18 +26,6 @@ from sceneweaver.scene import CATALOGUE, Intent, Palette, Pose, Relation, Room, 
 from sceneweaver.scene.palette import MOST_COLORS
 
 from .base import Context, Proposal
-from .draft import walls_of
-from .prior_finish import finished
-from .prior_fit import POOR, fitted
-from .prior_lights import lamp_count
-from .prior_program import BLIND, BY_RANK, Program, Wanted, build, demands, free_zones
-from .prior_relations import of_brief, of_items, rows_of
-from .prior_rooms import larger_rooms, may_hold, other_rooms, same_walls, walls_hold
-from .prior_rows import in_rows, lines_of, row_variants
-from .prior_run import has_place
-from .prior_shell import floor_area, shell
-from .prior_supports import Places, laid, supported
-from .prior_tables import lengthened
 
 FILL = {"sparse": 0.73, "normal": 1.0, "full": 1.21}
 """Share of what a kind of room usually has under furniture up to which more is put in."""

@@ -8,6 +8,10 @@ from typing import Any
 
 from sceneweaver.assets import Wish
 from sceneweaver.assets.taxonomy import category_named, members
+from sceneweaver.generate.carry import move
+from sceneweaver.generate.draft import Draft, groups_of
+from sceneweaver.generate.program import matches
+from sceneweaver.generate.relations import in_room
 from sceneweaver.geometry.walls import walls_of
 from sceneweaver.language import Entity, SceneGraph, Thing, grounded
 from sceneweaver.scene import InputError, Pose, Room, Scene, SceneObject
@@ -15,10 +19,6 @@ from sceneweaver.scene.edits import AnyEdit, Remove, Rename, apply, apply_all
 
 from .add_objects import AddObjects
 from .base import Context
-from .carry import move
-from .draft import Draft, groups_of
-from .prior_program import matches
-from .prior_relations import in_room
 from .update_size import exchanged
 
 CORNERS = {"rectangle": 4, "L": 6, "T": 8, "U": 8, "round": 12}

@@ -7,6 +7,8 @@ from typing import Any
 from urllib.parse import parse_qsl, urlencode
 
 from sceneweaver.assets import Asset, Library, Wish, categories
+from sceneweaver.generate.carry import carried, follow, local, world
+from sceneweaver.generate.spots import LIFT, spot_on
 from sceneweaver.geometry.polygons import rectangle
 from sceneweaver.geometry.se2 import SE2
 from sceneweaver.scene import InputError, Scene, SceneObject, Support, Surface
@@ -14,8 +16,6 @@ from sceneweaver.scene.edits import AnyEdit, Remove, Replace, SetPose, SetSize, 
 
 from .base import Context, Proposal
 from .card import checked
-from .carry import carried, follow, local, world
-from .spots import LIFT, spot_on
 from .update_rotation import known_ids
 
 Size = tuple[float, float, float]

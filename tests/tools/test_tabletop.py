@@ -9,13 +9,13 @@ import pytest
 import shapely
 
 from sceneweaver.assets import categories, make
+from sceneweaver.generate.surface_geometry import Field, Prism, Shape
 from sceneweaver.knowledge import room_types
 from sceneweaver.knowledge.surfaces import arrangement_of, arrangements, crowd_of
 from sceneweaver.language import SceneGraph, read_request
 from sceneweaver.scene import InputError, Intent, Pose, Scene, SceneObject, Support, Window
 from sceneweaver.tools.add_tabletop import AddTabletop
 from sceneweaver.tools.base import Context
-from sceneweaver.tools.surface_geometry import Field, Prism, Shape
 
 from .surface_rooms import KIND, LIBRARY, after, answer, carrier, faults, laid, room, standing
 

@@ -8,13 +8,13 @@ import random
 import pytest
 import shapely
 
+from sceneweaver.generate.openings import BESIDE
+from sceneweaver.generate.outline import SHAPES, asked_outline, outline, sides_of, turned
+from sceneweaver.generate.relations import wall_named
+from sceneweaver.generate.shell import floor_area, shell
 from sceneweaver.knowledge import room_type, room_types
 from sceneweaver.language import read_request
 from sceneweaver.scene import Scene
-from sceneweaver.tools.prior_openings import BESIDE
-from sceneweaver.tools.prior_outline import SHAPES, asked_outline, outline, sides_of, turned
-from sceneweaver.tools.prior_relations import wall_named
-from sceneweaver.tools.prior_shell import floor_area, shell
 from sceneweaver.verify import check
 
 SEEDS = range(30)

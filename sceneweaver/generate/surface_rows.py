@@ -11,9 +11,9 @@ from types import MappingProxyType
 import numpy as np
 
 from sceneweaver.assets import Asset
+from sceneweaver.knowledge.lived_in import CLUTTER
 from sceneweaver.knowledge.surfaces import Crowd, Unit
 
-from .base import CLUTTER
 from .surface_assets import Shelf
 from .surface_geometry import Array, Field
 from .surface_places import ROUND

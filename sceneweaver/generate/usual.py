@@ -10,7 +10,7 @@ from sceneweaver.knowledge.usual_places import UsualPlace, usual_places_of
 from sceneweaver.scene import CATALOGUE, SceneObject
 
 from .draft import Draft, groups_of
-from .prior_program import matches
+from .program import matches
 
 SEATS = ("chair_group", "stool", "bar_stool")
 """Groups and categories of what is pulled up to a table."""
@@ -128,8 +128,8 @@ def _at_table(draft: Draft, subject: SceneObject) -> Row | None:
             best = free, o.id
     if best is None:
         return None
-    type = "front_to_front" if draft.objects[best[1]].category in FRONTED else "front_against"
-    return {"type": type, "to": best[1], "soft": False, "weight": 1.0, "params": {}}
+    relation = "front_to_front" if draft.objects[best[1]].category in FRONTED else "front_against"
+    return {"type": relation, "to": best[1], "soft": False, "weight": 1.0, "params": {}}
 
 
 def _seats(table: SceneObject) -> int:

@@ -14,11 +14,11 @@ from sceneweaver.language.model import PLACES
 from sceneweaver.language.wall_names import direction_of
 from sceneweaver.scene import CATALOGUE, InputError, Relation, Room, Window
 
-from .prior_conflicts import reconciled
-from .prior_lights import place_along
-from .prior_program import Wanted
-from .prior_run import has_place, run_of
-from .prior_seats import seat_relations
+from .conflicts import reconciled
+from .lights import place_along
+from .program import Wanted
+from .run import has_place, run_of
+from .seats import seat_relations
 
 _EDGE = frozenset(("against_wall", "side_against_wall", "in_corner", "at_window"))
 

@@ -9,8 +9,8 @@ from sceneweaver.knowledge import RoomType
 from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Room
 
-from .prior_openings import doors_of, windows_of
-from .prior_outline import LARGEST, SMALLEST, Plan, asked_outline, drawn_shape, outline, sides_of, turned
+from .openings import doors_of, windows_of
+from .outline import LARGEST, SMALLEST, Plan, asked_outline, drawn_shape, outline, sides_of, turned
 
 NARROW = 0.25
 """How much longer some rooms are than is usual, in widths."""

@@ -20,7 +20,7 @@ from sceneweaver.language.pairs import groups_of
 from sceneweaver.scene import PRIORITIES, InputError, Palette, SceneObject, Zone
 
 from .draft import CRAMMED
-from .prior_lights import OVER, TABLE, hanging_height
+from .lights import OVER, TABLE, hanging_height
 
 FULL_LENGTH, BLIND = ("curtain", "sheer_curtain"), "window_blind"
 

@@ -14,8 +14,8 @@ from sceneweaver.language import Grounded, SceneGraph, StatedRelation, carrier_o
 from sceneweaver.language.pairs import groups_of
 from sceneweaver.scene import InputError, Palette, SceneObject, Support, Surface
 
-from .prior_program import LeftOut, Program, Wanted
-from .prior_relations import thing_of
+from .program import LeftOut, Program, Wanted
+from .relations import thing_of
 from .surface_assets import Shelf, placed
 from .surface_clusters import EXACT, Rider, holds
 from .surface_scene import Frame

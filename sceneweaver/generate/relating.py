@@ -9,7 +9,7 @@ from sceneweaver.scene import CATALOGUE, InputError, Relation, SceneObject
 from sceneweaver.scene.messages import suggest
 
 from .draft import Draft
-from .prior_relations import wall_named
+from .relations import wall_named
 
 CEILING = 0.15
 """Height [m] that is left free above what hangs over something."""

@@ -9,12 +9,12 @@ import pytest
 import shapely
 
 from sceneweaver.assets import make
+from sceneweaver.generate.program import Wanted
+from sceneweaver.generate.rooms import larger_rooms, may_hold, other_rooms, same_walls, walls_hold
+from sceneweaver.generate.shell import shell
 from sceneweaver.knowledge import room_type
 from sceneweaver.language import Grounded, SceneGraph
 from sceneweaver.scene import Door, Relation, Room, Window
-from sceneweaver.tools.prior_program import Wanted
-from sceneweaver.tools.prior_rooms import larger_rooms, may_hold, other_rooms, same_walls, walls_hold
-from sceneweaver.tools.prior_shell import shell
 
 KIND = room_type("living_room")
 

@@ -10,8 +10,8 @@ from sceneweaver.assets import Library
 from sceneweaver.assets.taxonomy import category_named
 from sceneweaver.scene import Relation, Room
 
-from .prior_program import Program, Wanted
-from .prior_run import (
+from .program import Program, Wanted
+from .run import (
     JOINT,
     SIDE_OF_WINDOW,
     TIGHT,

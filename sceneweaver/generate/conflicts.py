@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from sceneweaver.language import Grounded
 
-from .prior_program import Wanted
+from .program import Wanted
 
 BEHIND = 0.08
 """Free depth [m] of what stands between a thing and the wall that it is against."""

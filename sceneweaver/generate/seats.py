@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from sceneweaver.scene import CATALOGUE, Relation
 
-from .prior_program import Wanted
+from .program import Wanted
 
 ELBOW = 0.08
 """Length [m] of table edge that a seat takes beside its own width."""

@@ -10,9 +10,9 @@ from sceneweaver.knowledge import RoomType
 from sceneweaver.language import Grounded, SceneGraph
 from sceneweaver.scene import Relation, Room
 
-from .prior_program import Wanted
-from .prior_relations import free_corners, wall_named
-from .prior_shell import shell
+from .program import Wanted
+from .relations import free_corners, wall_named
+from .shell import shell
 
 TRIED = 24
 """Shells that are drawn; of those in which all may be placed the first few are laid out."""

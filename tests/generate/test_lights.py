@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import pytest
 
+from sceneweaver.generate.lights import OVER, hanging_height
 from sceneweaver.geometry.spread import even_count
 from sceneweaver.knowledge import room_type, room_types
 from sceneweaver.language import read_request
 from sceneweaver.scene import Scene
 from sceneweaver.tools.base import Context
 from sceneweaver.tools.init_prior import InitPrior
-from sceneweaver.tools.prior_lights import OVER, hanging_height
 
 ROOMS = room_types()
 

@@ -11,10 +11,10 @@ import numpy as np
 from sceneweaver.assets import Asset
 from sceneweaver.geometry.angles import bearing, heading, wrap_angle
 from sceneweaver.geometry.se2 import SE2
+from sceneweaver.knowledge.lived_in import CLUTTER
 from sceneweaver.knowledge.surfaces import Slot
 from sceneweaver.scene import SceneObject, Surface
 
-from .base import CLUTTER
 from .surface_geometry import Array, Field, Shape
 from .surface_scene import Seat
 

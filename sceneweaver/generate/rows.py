@@ -10,9 +10,9 @@ from collections.abc import Iterator, Sequence
 
 from sceneweaver.scene import Relation, Room
 
-from .prior_grid import grid_variants, in_grid
-from .prior_program import Wanted
-from .prior_run import TIGHT, Variant, run_of
+from .grid import grid_variants, in_grid
+from .program import Wanted
+from .run import TIGHT, Variant, run_of
 
 LOOSE = (0.12, 0.6)
 """Least and largest gap [m] between the pieces of a line."""

@@ -15,8 +15,8 @@ from sceneweaver.knowledge.palettes import groups_of
 from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Door, InputError, Room, Window
 
-from .prior_outline import Plan
-from .prior_relations import wall_named
+from .outline import Plan
+from .relations import wall_named
 
 FROM_CORNER = (((0.12, 0.3), 6.0), ((0.65, 1.0), 3.0), ((9.0, 9.0), 1.0))
 """Distances [m] of a door from a corner, and how often: close to it, a place beside it, in the middle of its wall."""

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from sceneweaver.geometry.angles import cross
 from sceneweaver.scene import Relation, Room
 
-from .prior_program import Wanted
+from .program import Wanted
 
 FRAME = 0.3
 """Wall [m] that stays free between a run and a door."""

@@ -11,9 +11,9 @@ from sceneweaver.assets.taxonomy import category_named
 from sceneweaver.language import Grounded, SceneGraph
 from sceneweaver.scene import InputError
 
-from .prior_program import Program, Wanted
-from .prior_relations import thing_of
-from .prior_seats import ELBOW, SQUARE
+from .program import Program, Wanted
+from .relations import thing_of
+from .seats import ELBOW, SQUARE
 
 TUCKED = 0.2
 """How much [m] narrower than the table the ring is on which the fronts of pulled-up seats stand."""

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 from sceneweaver.scene import Relation, Room
 
-from .prior_program import Wanted
-from .prior_seats import seat_sides
+from .program import Wanted
+from .seats import seat_sides
 
 PULL = 0.135
 """Depth [m] that belongs to a table behind a chair that is pulled up to it; the way between rows comes to it."""

@@ -7,10 +7,10 @@ import math
 import pytest
 
 from sceneweaver.assets import make
+from sceneweaver.generate.finish import accent_wall, accented, finished
 from sceneweaver.knowledge import room_type
 from sceneweaver.knowledge.palettes import palette_for
 from sceneweaver.scene import Door, Pose, Room, RoomFinish, Scene, WallAccent, Window
-from sceneweaver.tools.prior_finish import accent_wall, accented, finished
 
 DOOR = Door(id="door-0", wall=0, offset=0.2, width=0.9, height=2.0)
 WINDOW = Window(id="window-0", wall=2, offset=1.5, width=1.4, sill=0.9, height=1.2)

@@ -14,10 +14,10 @@ import numpy as np
 from sceneweaver.assets import Asset
 from sceneweaver.geometry.polygons import counter_clockwise
 from sceneweaver.geometry.se2 import SE2
+from sceneweaver.knowledge.lived_in import CLUTTER
 from sceneweaver.knowledge.surfaces import Arrangement, Slot
 from sceneweaver.scene import Relation, SceneObject, Support, Surface
 
-from .base import CLUTTER
 from .surface_assets import OPEN, Shelf, placed
 from .surface_geometry import EDGE, GAP, Array, Field
 from .surface_places import Spread, seat_places, surfaces_of
