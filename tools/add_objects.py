@@ -13,7 +13,7 @@ from sceneweaver.generate.draft import Draft, groups_of
 from sceneweaver.generate.lights import OVER, TABLE, hanging_height
 from sceneweaver.generate.program import drop_at_window, free_zones, suite_of
 from sceneweaver.generate.relating import relations_of, row_of
-from sceneweaver.generate.spots import fits_on, spot_on
+from sceneweaver.generate.surface_spots import fits_on, spot_on
 from sceneweaver.generate.usual import item_for, rows_for
 from sceneweaver.knowledge import Item
 from sceneweaver.knowledge.design_rules import limit

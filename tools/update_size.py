@@ -8,7 +8,7 @@ from urllib.parse import parse_qsl, urlencode
 
 from sceneweaver.assets import Asset, Library, Wish, categories
 from sceneweaver.generate.carry import carried, follow, local, world
-from sceneweaver.generate.spots import LIFT, spot_on
+from sceneweaver.generate.surface_spots import LIFT, spot_on
 from sceneweaver.geometry.polygons import rectangle
 from sceneweaver.geometry.se2 import SE2
 from sceneweaver.scene import InputError, Scene, SceneObject, Support, Surface

@@ -12,14 +12,14 @@ from sceneweaver.knowledge.model import Range
 from sceneweaver.knowledge.surfaces import usual_arrangement
 from sceneweaver.language import Grounded, SceneGraph, StatedRelation, carrier_of
 from sceneweaver.language.pairs import groups_of
-from sceneweaver.scene import InputError, Palette, SceneObject, Support, Surface
+from sceneweaver.scene import InputError, Palette, SceneObject, Surface
 
 from .program import LeftOut, Program, Wanted
 from .relations import thing_of
-from .surface_assets import Shelf, placed
-from .surface_clusters import EXACT, Rider, holds
+from .surface_bodies import Shelf
 from .surface_scene import Frame
-from .surface_stated import Laid, StatedLayer
+from .surface_setting import Standing
+from .surface_stated import EXACT, Rider, StatedLayer, holds
 
 FULL = 0.5
 """Share of a support's surfaces from which on what was asked for stands elsewhere."""
@@ -299,7 +299,7 @@ def _fitted(
     places: Places,
     library: Library,
     sized: set[str],
-) -> tuple[list[Laid], list[Wanted]]:
+) -> tuple[list[Standing], list[Wanted]]:
     """Where things stand on a support, and those without room; for these it grows, and they shrink."""
     if any(one.inside for one in riders) and support.id not in places.objects:
         _open(support, library)
@@ -357,7 +357,7 @@ def _is_flat(asset: Asset) -> bool:
 
 def _on_one(
     support: Wanted, riders: Sequence[Wanted], rows: Sequence[Grounded], shelf: Shelf, places: Places
-) -> tuple[list[Laid], list[Wanted]]:
+) -> tuple[list[Standing], list[Wanted]]:
     obj = places.objects.get(support.id) or support.asset.object(support.id, mount="floor")
     top = None if obj.surfaces else _top(obj)
     if top is not None:
@@ -383,21 +383,18 @@ def _over_edge(top: Surface) -> Surface:
     return top.model_copy(update={"polygon": ring})
 
 
-def _stand(support: Wanted, found: Sequence[Laid], places: Places) -> None:
+def _stand(support: Wanted, found: Sequence[Standing], places: Places) -> None:
     """Make objects of what was laid on a support, in its frame where it is now."""
     held = places.objects.get(support.id)
     pose = held.pose if held is not None else None
     x, y, z = pose.position if pose is not None else (0.0, 0.0, 0.0)
     frame = Frame(x, y, pose.yaw if pose is not None else 0.0, z)
-    for one in found:
-        at = (float(one.at[0]), float(one.at[1]), one.surface.z)
-        on = Support(object=support.id, surface=one.surface.name)
-        places.objects[one.rider.id] = placed(one.rider.asset, one.rider.id, frame, at, one.yaw, on)
+    places.objects |= {one.id: one.made(support.id, frame) for one in found}
 
 
-def _astray(found: Sequence[Laid], rows: Sequence[Grounded]) -> list[Grounded]:
+def _astray(found: Sequence[Standing], rows: Sequence[Grounded]) -> list[Grounded]:
     """The relations between things on one support that do not hold where these stand."""
-    spots = {one.rider.id: one for one in found}
+    spots = {one.id: one for one in found}
     astray = []
     for row in rows:
         ids = {row.subject, *((row.target,) if isinstance(row.target, str) else row.target or ())}

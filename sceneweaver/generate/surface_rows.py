@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
-from types import MappingProxyType
 
 import numpy as np
 
 from sceneweaver.assets import Asset
 from sceneweaver.knowledge.lived_in import CLUTTER
 from sceneweaver.knowledge.surfaces import Crowd, Unit
+from sceneweaver.scene import Surface
 
-from .surface_assets import Shelf
-from .surface_geometry import Array, Field
-from .surface_places import ROUND
+from .surface_candidates import ROUND
+from .surface_field import Array
+from .surface_scene import Surroundings
+from .surface_setting import Setting, Standing
 
 CLEAR = 0.012
 """Free height [m] above things on a board."""
@@ -26,6 +27,13 @@ OPEN_TOP = 0.5
 
 BETWEEN = 0.015
 """Least gap [m] between groups."""
+
+
+SHIFT = 0.05
+"""How far [m] a thing may move from its place in the row to where there is room."""
+
+WITHIN = 0.004
+"""Least gap [m] to what stands on the board already."""
 
 
 @dataclass
@@ -38,55 +46,42 @@ class Group:
     width: float
 
 
-@dataclass(frozen=True)
-class Put:
-    """A thing on a board: place [2] and yaw [rad] in the support's frame."""
-
-    asset: Asset
-    at: Array
-    yaw: float
-
-
 class Row:
-    """One board of a shelf. ``height`` is that of the board above the floor [m]."""
+    """One board of a shelf in a room; what the room has few of comes first."""
 
     def __init__(
         self,
-        field: Field,
+        setting: Setting,
+        board: Surface,
         theme: Crowd,
-        shelf: Shelf,
+        around: Surroundings,
         dice: random.Random,
-        height: float,
         density: float,
         clutter: float = CLUTTER,
-        may_add: Callable[[str], bool] = lambda category: True,
-        there: Mapping[str, int] = MappingProxyType({}),
     ):
-        """``may_add`` says whether the room has one more of a thing, ``there`` how many it has: rare ones come first;
-        ``clutter`` in 0..1 is how far things stray."""
-        self._field, self._theme, self._shelf, self._dice = field, theme, shelf, dice
-        self._astray, self._may_add, self._there = min(2.0, clutter / CLUTTER), may_add, there
+        """``density`` in 0..1 is how full it gets, ``clutter`` in 0..1 how far things stray."""
+        field = setting.field(board)
+        self._setting, self._board, self._field = setting, board, field
+        self._theme, self._around, self._shelf, self._dice = theme, around, setting.shelf, dice
+        height = setting.support.pose.position[2] + board.z
         self._level = "low" if height < 0.6 else "high" if height > 1.6 else "middle"
-        self._density = density
+        self._astray, self._density = min(2.0, clutter / CLUTTER), density
         self._width = float(field.high[1] - field.low[1])
         self._depth = float(field.high[0] - field.low[0])
         self._high = min(field.headroom - CLEAR, OPEN_TOP)
         self._used: dict[int, int] = {}
         self._seen: dict[str, int] = {}
 
-    def fill(self) -> list[Put]:
-        """The things on the board, each where nothing is in its way."""
+    def fill(self) -> None:
+        """Set things on the board, each where nothing is in its way."""
         if self._field.empty or self._high < 0.03 or self._width < 0.08 or self._depth < 0.06:
-            return []
-        groups = self._ordered(self._chosen())
-        done = []
-        for asset, goal, yaw in self._lined_up(groups):
-            shape = self._shelf.shape(asset)
-            at = self._field.find(shape, yaw, goal, 0.05, gap=0.004)
+            return
+        for asset, goal, yaw in self._lined_up(self._ordered(self._chosen())):
+            piece = self._setting.piece(asset, yaw)
+            at = self._field.place([piece], self._field.near(goal, SHIFT), gap=WITHIN)
             if at is not None:
-                self._field.put(shape, yaw, at)
-                done.append(Put(asset, at, yaw))
-        return done
+                id = self._around.new_id(asset.category)
+                self._setting.put(Standing(id, asset, self._board, at, yaw))
 
     def _chosen(self) -> list[Group]:
         least, most = self._theme.share
@@ -119,7 +114,7 @@ class Row:
             fits = unit.level in (None, self._level) and self._used.get(k, 0) < unit.most
             if unit.end:  # only beside a row
                 fits = fits and any(self._theme.units[i].fill and n for i, n in self._used.items())
-            often = 0 if unit.fill else min(self._there.get(name, 0) for name in unit.what)
+            often = 0 if unit.fill else min(self._around.there[name] for name in unit.what)
             repeated = 0.45 if k == last and not unit.fill else 1.0
             weights.append(unit.weight * repeated / (1.0 + 0.3 * often) if fits else 0.0)
         return self._dice.choices(range(len(weights)), weights)[0] if sum(weights) > 0 else None
@@ -128,7 +123,7 @@ class Row:
         """Things of one unit, at most ``room`` metres wide and ``number`` many; None when not even one fits."""
         unit = self._theme.units[choice]
         repeat = min(self._dice.randint(*unit.repeat), number)
-        allowed = [n for n in unit.what if self._may_add(n)]
+        allowed = [n for n in unit.what if self._around.may_add(n)]
         names = sorted(allowed, key=lambda n: (self._seen.get(n, 0), self._dice.random()))
         quarter = abs(math.sin(math.radians(unit.turn))) > 0.7
         for name in names:

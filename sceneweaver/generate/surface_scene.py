@@ -23,7 +23,7 @@ from sceneweaver.knowledge.small_things import most_of
 from sceneweaver.scene import CATALOGUE, Door, InputError, Scene, SceneObject, Surface
 from sceneweaver.scene.messages import suggest
 
-from .surface_geometry import Array, Field, Prism
+from .surface_field import Array, Field, Prism
 
 TIES = CATALOGUE.with_role("seat")
 """Relations by which a chair belongs to a table."""

@@ -6,22 +6,35 @@ surface. Everything is in the support's frame, in which things look at its user:
 
 from __future__ import annotations
 
+import itertools
 import math
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
+from sceneweaver.assets import Asset
 from sceneweaver.geometry.polygons import counter_clockwise
 from sceneweaver.knowledge.surfaces import Arrangement
 from sceneweaver.language import Grounded
 from sceneweaver.scene import SceneObject, Surface
 
-from .surface_assets import Shelf
-from .surface_clusters import Rider, Spot, arranged, bounds, connected
-from .surface_geometry import Array, Field, Prism
-from .surface_places import surfaces_of
+from .surface_bodies import Shelf
+from .surface_candidates import surfaces_of
+from .surface_field import Array, Field, Piece, Prism, Shape, bounds
+from .surface_scene import Frame
+from .surface_setting import Setting, Standing
+
+WAYS = {"left_of": (0.0, 1.0), "right_of": (0.0, -1.0), "in_front_of": (1.0, 0.0), "behind": (-1.0, 0.0)}
+"""Direction of the sides of a thing in the support's frame."""
+
+EXACT = (*WAYS, "near", "distance", "facing", "between", "over")
+"""Types that `holds` measures as the judge does."""
+
+GAPS = (0.03, 0.05, 0.08, 0.12, 0.18, 0.25, 0.35, 0.5, 0.7)
+"""Gaps [m] between related things that are tried."""
+
 
 SPREADS = (1.0, 0.5, 0.2)
 """Shares of a distance that is merely usual which are tried, for a surface that is too small for it."""
@@ -46,13 +59,29 @@ TALL = 0.22
 
 
 @dataclass(frozen=True)
-class Laid:
-    """Where something stands: its surface, place [2] [m] and yaw [rad] in the support's frame."""
+class Rider:
+    """Something to stand on a support.
 
-    rider: Rider
-    surface: Surface
-    at: Array
-    yaw: float
+    ``inside`` asks for a board or a floor within it, not for its top; ``share`` is where on it, as depth (0 back to 1
+    front) and side (-1 left to 1 right).
+    """
+
+    id: str
+    asset: Asset
+    inside: bool = False
+    share: tuple[float, float] | None = None
+
+
+@dataclass(frozen=True)
+class Spot(Piece):
+    """A member of a cluster, about the cluster's first."""
+
+    rider: Rider = field(kw_only=True)
+
+    @property
+    def asset(self) -> Asset:
+        """Its body."""
+        return self.rider.asset
 
 
 class StatedLayer:
@@ -60,21 +89,21 @@ class StatedLayer:
 
     def __init__(self, support: SceneObject, plan: Arrangement | None, shelf: Shelf):
         self._support, self._plan, self._shelf = support, plan, shelf
-        self._fields: dict[str, Field] = {}
-        self._stands: dict[str, list[Array]] = {}
+        self._setting = Setting(support, Frame(), shelf, self._ground)
         self._slots: set[str] = set()
         self._end = ENDS[0]
 
-    def run(self, riders: Sequence[Rider], rows: Sequence[Grounded]) -> tuple[list[Laid], list[Rider]]:
+    def run(self, riders: Sequence[Rider], rows: Sequence[Grounded]) -> tuple[list[Standing], list[Rider]]:
         """Where the things stand, and those for which there is no room.
 
         Args:
             riders: the things, the more important first.
             rows: relations between them, as a request states them.
         """
-        best: tuple[list[Laid], list[Rider]] | None = None
+        best: tuple[list[Standing], list[Rider]] | None = None
         for end in ENDS:
-            self._fields, self._stands, self._slots, self._end = {}, {}, set(), end
+            self._slots, self._end = set(), end
+            self._setting = Setting(self._support, Frame(), self._shelf, self._ground)
             found = self._once(riders, rows)
             if best is None or len(found[1]) < len(best[1]):
                 best = found
@@ -83,8 +112,8 @@ class StatedLayer:
         assert best is not None
         return best
 
-    def _once(self, riders: Sequence[Rider], rows: Sequence[Grounded]) -> tuple[list[Laid], list[Rider]]:
-        laid: list[Laid] = []
+    def _once(self, riders: Sequence[Rider], rows: Sequence[Grounded]) -> tuple[list[Standing], list[Rider]]:
+        laid: list[Standing] = []
         lost: list[Rider] = []
         groups = connected(riders, rows)
         groups.sort(key=lambda g: (-len(g) if len(g) > 1 else 0, -max(r.asset.size[0] * r.asset.size[1] for r in g)))
@@ -93,24 +122,21 @@ class StatedLayer:
         for group in groups:
             found = self._cluster(group, rows)
             laid += found
-            missing = [r for r in group if all(r is not one.rider for one in found)]
+            missing = [r for r in group if all(r.id != one.id for one in found)]
             for rider in missing:
                 alone = self._cluster([rider], ())
                 laid += alone
                 lost += [] if alone else [rider]
         return laid, lost
 
-    def _cluster(self, group: Sequence[Rider], rows: Sequence[Grounded]) -> list[Laid]:
+    def _cluster(self, group: Sequence[Rider], rows: Sequence[Grounded]) -> list[Standing]:
+        """Set a cluster down on the first surface that has room for it, closer together where it is too small."""
         for surface in self._surfaces(group):
             for spread in SPREADS if len(group) > 1 else SPREADS[:1]:
                 spots = arranged(group, rows, self._shelf, spread)
-                at = self._place(surface, spots)
+                at = self._setting.field(surface).place(spots, self._candidates(surface, spots))
                 if at is not None:
-                    ground = self._field(surface)
-                    for spot in spots:
-                        ground.put(spot.shape, spot.yaw, spot.at + at)
-                        self._stands[surface.name].append(spot.at + at)
-                    return [Laid(s.rider, surface, s.at + at, s.yaw) for s in spots]
+                    return [self._setting.put(Standing(s.rider.id, s.asset, surface, s.at + at, s.yaw)) for s in spots]
         return []
 
     def _surfaces(self, group: Sequence[Rider]) -> list[Surface]:
@@ -124,8 +150,8 @@ class StatedLayer:
             fits = upper or fits
 
         def order(s: Surface) -> tuple[Any, ...]:
-            ground = self._field(s)
-            load = len(self._stands[s.name])
+            ground = self._setting.field(s)
+            load = len(self._stands(s))
             if inside:
                 return (s.headroom is None, load, -ground.area)
             low = s.z < middle - 0.01 and s.headroom is not None
@@ -142,33 +168,33 @@ class StatedLayer:
     def _full(self, surface: Surface) -> bool:
         """Whether a seat or the like carries something already, while others of its kind are bare."""
         level = [s for s in self._support.surfaces if abs(s.z - surface.z) < 0.02 and s is not surface]
-        return bool(level) and len(self._stands.get(surface.name, ())) > 0
+        return bool(level) and bool(self._stands(surface))
 
-    def _field(self, surface: Surface) -> Field:
-        if surface.name not in self._fields:
-            ring = counter_clockwise(surface.polygon)
-            edge = 0.012 if min(np.ptp(ring, axis=0)) > 0.3 else 0.003
-            edge = edge if self._support.mount != "surface" else ALIKE
-            ground = Field(ring, math.inf if surface.headroom is None else surface.headroom, edge=edge)
-            for part in self._support.solids:
-                if part.z[1] > surface.z + 1e-3:
-                    prism = Prism(counter_clockwise(part.polygon), part.z[0] - surface.z, part.z[1] - surface.z)
-                    ground.taken.append(prism)
-            self._fields[surface.name], self._stands[surface.name] = ground, []
-        return self._fields[surface.name]
+    def _stands(self, surface: Surface) -> list[Array]:
+        """Where [2] things stand on a surface."""
+        return [one.at for one in self._setting.standing if one.surface is surface]
 
-    def _place(self, surface: Surface, spots: Sequence[Spot]) -> Array | None:
-        """The best place [2] of a cluster on a surface; None when it fits nowhere."""
-        ground = self._field(surface)
+    def _ground(self, surface: Surface) -> Field:
+        """The free space of a surface of the support by itself: its room is not laid out yet."""
+        ring = counter_clockwise(surface.polygon)
+        edge = 0.012 if min(np.ptp(ring, axis=0)) > 0.3 else 0.003
+        edge = edge if self._support.mount != "surface" else ALIKE
+        head = math.inf if surface.headroom is None else surface.headroom
+        solids = [part for part in self._support.solids if part.z[1] > surface.z + 1e-3]
+        taken = [Prism(counter_clockwise(p.polygon), p.z[0] - surface.z, p.z[1] - surface.z) for p in solids]
+        return Field(ring, head, taken, edge)
+
+    def _candidates(self, surface: Surface, spots: Sequence[Spot]) -> Iterator[Array]:
+        """Places of a cluster on a surface: by what is said of it, by custom, then a grid by cost."""
+        ground = self._setting.field(surface)
         if ground.empty:
-            return None
+            return
         for goal in self._goals(ground, spots):
-            if all(ground.free(s.shape, s.yaw, (s.at + goal)[None])[0] for s in spots):
-                return goal
+            yield goal[None]
         low, high = bounds(spots)
         first, last = ground.low - low + 1e-6, ground.high - high - 1e-6
         if (last < first).any():
-            return None
+            return
         step = STEP if self._end == ENDS[0] else STEP / 2
         if self._end == ENDS[2]:  # from the other end
             xs, ys = (np.arange(b, a - step, -step) for a, b in zip(first, last, strict=True))
@@ -176,11 +202,7 @@ class StatedLayer:
             xs, ys = (np.arange(a, b + step, step) for a, b in zip(first, last, strict=True))
         grid = np.stack(np.meshgrid(xs, ys, indexing="ij"), axis=-1).reshape(-1, 2)
         grid = np.concatenate([grid, 0.5 * (first + last)[None]])  # where one fits that is as large as the surface
-        for spot in spots:
-            grid = grid[ground.free(spot.shape, spot.yaw, grid + spot.at)]
-            if not len(grid):
-                return None
-        return grid[int(np.argmin(self._cost(surface, ground, grid, spots)))]
+        yield grid[np.argsort(self._cost(surface, ground, grid, spots), kind="stable")]
 
     def _goals(self, ground: Field, spots: Sequence[Spot]) -> Iterator[Array]:
         """Places that a thing has by custom: its slot in what such furniture is laid with."""
@@ -192,7 +214,7 @@ class StatedLayer:
             (
                 slot
                 for slot in (self._plan.slots if self._plan else ())
-                if slot.at is not None and slot.id not in self._slots and first.rider.asset.category in slot.what
+                if slot.at is not None and slot.id not in self._slots and first.asset.category in slot.what
             ),
             None,
         )
@@ -208,7 +230,7 @@ class StatedLayer:
         share = (middle - ground.low) / span
         if self._end != ENDS[0]:  # close together, from one end and the back
             return 2.0 * np.abs(share[:, 1] - self._end) + share[:, 0]
-        tall = max(s.rider.asset.size[2] for s in spots) > TALL
+        tall = max(s.asset.size[2] for s in spots) > TALL
         cost = 0.5 * np.abs(share[:, 0] - (0.2 if tall and span[0] > 0.4 else 0.5)) + 0.25 * np.abs(
             share[:, 1] - self._end
         )
@@ -216,8 +238,164 @@ class StatedLayer:
         for spot in wanted:
             goal = ground.inside(spot.shape, spot.yaw, spot.rider.share or (0.5, 0.0)) - spot.at
             cost = cost + 5.0 * np.hypot(*(grid - goal).T)
-        stands = self._stands[surface.name]
+        stands = self._stands(surface)
         if stands and not wanted:
             away = np.min(np.hypot(*(middle[None] - np.array(stands)[:, None]).transpose(2, 0, 1)), axis=0)
             cost = cost - 2.0 * np.minimum(away, MOST_ALIKE)
         return cost
+
+
+def connected(riders: Sequence[Rider], rows: Sequence[Grounded]) -> list[list[Rider]]:
+    """Groups of things that relations tie together, each with what the others stand about in front."""
+    root = {r.id: r.id for r in riders}
+
+    def find(name: str) -> str:
+        while root[name] != name:
+            name = root[name]
+        return name
+
+    named = {r.id: 0 for r in riders}
+    for row in rows:
+        ids = [row.subject, *_targets(row)]
+        if all(i in root for i in ids):
+            for other in ids[1:]:
+                named[other] += 1
+                root[find(ids[0])] = find(other)
+    groups: dict[str, list[Rider]] = {}
+    for rider in riders:
+        groups.setdefault(find(rider.id), []).append(rider)
+    for group in groups.values():
+        group.sort(key=lambda r: (-named[r.id], -r.asset.size[0] * r.asset.size[1]))
+    return list(groups.values())
+
+
+def arranged(group: Sequence[Rider], rows: Sequence[Grounded], shelf: Shelf, spread: float) -> list[Spot]:
+    """The members of a cluster about its first, each where most of its relations to those before it hold."""
+    known = {r.id: r for r in group}
+    mine = [row for row in rows if row.subject in known and all(t in known for t in _targets(row))]
+    first = group[0]
+    spots = {first.id: Spot(shelf.shape(first.asset), rider=first)}
+    while len(spots) < len(group):
+        open_ = [r for r in group if r.id not in spots]
+        ties = {r.id: [row for row in mine if _ties(row, r.id, spots)] for r in open_}
+        rider = max(open_, key=lambda r: sum(1.0 if row.type in WAYS else 0.4 for row in ties[r.id]))
+        best: tuple[tuple[float, float], Spot] | None = None
+        for number, spot in enumerate(_candidates(rider, ties[rider.id], spots, shelf, spread)):
+            if any(_overlap(spot, other) for other in spots.values()):
+                continue
+            wrong = sum(not holds(row, {**spots, rider.id: spot}) for row in ties[rider.id])
+            key = (float(wrong), float(number))
+            if best is None or key < best[0]:
+                best = key, spot
+            if not wrong:
+                break
+        if best is None:  # far off, and left to itself
+            low, high = bounds(list(spots.values()))
+            shape = shelf.shape(rider.asset)
+            at = np.array([0.0, high[1] + 0.05 - shape.extent(0.0)[0][1]])
+            best = (0.0, 0.0), Spot(shape, 0.0, at, rider=rider)
+        spots[rider.id] = best[1]
+    return list(spots.values())
+
+
+def _ties(row: Grounded, name: str, spots: Mapping[str, Spot]) -> bool:
+    ids = {row.subject, *_targets(row)}
+    return name in ids and all(i in spots for i in ids - {name})
+
+
+def _candidates(
+    rider: Rider, ties: Sequence[Grounded], spots: Mapping[str, Spot], shelf: Shelf, spread: float
+) -> Iterator[Spot]:
+    """Places for a thing by what it is related to, the best first."""
+    shape = shelf.shape(rider.asset)
+    for row in sorted(ties, key=lambda r: r.type not in WAYS):
+        other = spots[next(i for i in (row.subject, *_targets(row)) if i != rider.id)]
+        flipped = row.subject != rider.id
+        if row.type == "between":
+            a, b = (spots[t] for t in _targets(row))
+            yield Spot(shape, 0.0, (a.at + b.at) / 2, rider=rider)
+            continue
+        if row.type == "around":
+            yield from _ring(rider, shape, other, int(row.params.get("n") or 6))
+            continue
+        if row.type in WAYS:
+            x, y = WAYS[row.type]
+            ways = [(-x, -y) if flipped else (x, y)]
+        else:
+            ways = [(0.0, 1.0), (0.0, -1.0), (1.0, 0.0), (-1.0, 0.0)]
+        least = float(row.params.get("min") or 0.0) * spread if row.type == "distance" else 0.0
+        for gap, way in itertools.product([max(g, least) for g in GAPS if g >= 0.6 * least or not least], ways):
+            yield from _beside(rider, shape, other, np.array(way), gap, facing=row.type == "facing" and not flipped)
+
+
+def _beside(rider: Rider, shape: Shape, other: Spot, way: Array, gap: float, facing: bool) -> Iterator[Spot]:
+    """A thing at one side of another, its middle in line with the other's or a little off."""
+    yaw = math.atan2(-way[1], -way[0]) if facing else 0.0
+    low, high = shape.extent(yaw)
+    theirs = other.shape.extent(other.yaw)
+    reach = float(theirs[1] @ np.maximum(way, 0) - theirs[0] @ np.maximum(-way, 0))
+    own = float(high @ np.maximum(-way, 0) - low @ np.maximum(way, 0))
+    aside = np.array([-way[1], way[0]])
+    width = float(np.abs((theirs[1] - theirs[0]) @ np.abs(aside)))
+    for share in (0.0, 0.25, -0.25):
+        yield Spot(shape, yaw, other.at + way * (reach + gap + own) + aside * share * width, rider=rider)
+
+
+def _ring(rider: Rider, shape: Shape, other: Spot, n: int) -> Iterator[Spot]:
+    """Places around a thing, at even angles."""
+    radius = 0.5 * math.hypot(*other.asset.size[:2]) + 0.5 * max(rider.asset.size[:2]) + 0.04
+    for extra, k in itertools.product((0.0, 0.06, 0.15), range(n)):
+        angle = 2 * math.pi * k / n
+        yield Spot(shape, 0.0, other.at + (radius + extra) * np.array([math.cos(angle), math.sin(angle)]), rider=rider)
+
+
+def _overlap(a: Spot, b: Spot, gap: float = 0.01) -> bool:
+    (a0, a1), (b0, b1) = a.box, b.box
+    return bool((a0 < b1 + gap).all() and (b0 < a1 + gap).all())
+
+
+def _targets(row: Grounded) -> tuple[str, ...]:
+    return () if row.target is None else (row.target,) if isinstance(row.target, str) else row.target
+
+
+def holds(row: Grounded, spots: Mapping[str, Any]) -> bool:
+    """Whether a relation between things on one surface holds, by their boxes: ``spots`` have place, yaw and asset.
+
+    Types that this does not know hold.
+    """
+    a, others = spots[row.subject], [spots[t] for t in _targets(row)]
+    if not others:
+        return True
+    b, p = others[0], row.params
+    gap = _gap(a, b)
+    if row.type in WAYS:
+        way = np.array(WAYS[row.type])
+        d, w, _ = b.asset.size
+        reach, half = (d / 2, w / 2) if way[0] else (w / 2, d / 2)
+        off = a.at - b.at
+        beyond, aside = float(off @ way) - reach, abs(float(off @ np.array([-way[1], way[0]])))
+        band = float(p.get("band", 1.5)) * half
+        return float(p.get("min", 0.0)) - 1e-4 <= beyond <= float(p.get("max", 1.5)) and aside <= band - 1e-4
+    if row.type == "near":
+        return gap <= float(p.get("max", 1.0)) - 1e-3
+    if row.type == "distance":
+        return float(p.get("min") or 0.0) + 1e-3 <= gap <= float(p.get("max") or 1e9) - 1e-3
+    if row.type == "facing":
+        way = b.at - a.at
+        off = math.degrees(math.atan2(way[1], way[0]) - a.yaw)
+        return abs((off + 180) % 360 - 180) <= float(p.get("degrees", 15.0)) - 0.1
+    if row.type == "between" and len(others) == 2:
+        c, way = others[1], others[1].at - b.at
+        along = float((a.at - b.at) @ way) / max(float(way @ way), 1e-9)
+        return c is not b and 0.21 <= along <= 0.79 and float(np.hypot(*(a.at - b.at - along * way))) <= 0.45
+    return row.type not in ("around", "side_by_side", "next_to", "seated_at") or gap <= 0.3
+
+
+def _gap(a: Any, b: Any) -> float:
+    """Distance [m] of two boxes."""
+    (a0, a1), (b0, b1) = (
+        (s.asset.size[0] / 2, s.asset.size[1] / 2) if abs(math.sin(s.yaw)) < 0.7 else
+        (s.asset.size[1] / 2, s.asset.size[0] / 2) for s in (a, b)
+    )  # fmt: skip
+    dx, dy = np.abs(a.at - b.at) - (a0 + b0, a1 + b1)
+    return float(math.hypot(max(dx, 0.0), max(dy, 0.0)))

@@ -12,7 +12,7 @@ from sceneweaver.knowledge.surfaces import Arrangement, Slot
 from sceneweaver.scene import InputError
 from sceneweaver.scene.messages import show, suggest
 
-from .surface_layout import Layout
+from .surface_slots import Layout
 
 REGIONS: Mapping[str, tuple[float, float]] = {
     "middle": (0.5, 0.0),

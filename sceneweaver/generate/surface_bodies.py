@@ -12,10 +12,9 @@ from sceneweaver.assets import Asset, Library, Wish
 from sceneweaver.assets.taxonomy import category_named
 from sceneweaver.geometry.polygons import counter_clockwise
 from sceneweaver.knowledge.model import Range
-from sceneweaver.scene import Palette, Pose, SceneObject, Support
+from sceneweaver.scene import Palette
 
-from .surface_geometry import Prism, Shape
-from .surface_scene import Frame
+from .surface_field import Prism, Shape
 
 VARIANTS = 3
 """Different bodies of one kind and size in a call: drawing one takes longer than placing it."""
@@ -102,11 +101,3 @@ class Shelf:
             prisms = [Prism(counter_clockwise(p.polygon), 0.0, float(p.z[1])) for p in asset.parts]
             self._shapes[asset.id] = Shape(tuple(prisms) or (Prism(box, 0.0, h),), asset.size)
         return self._shapes[asset.id]
-
-
-def placed(
-    asset: Asset, id: str, frame: Frame, at: tuple[float, float, float], yaw: float, support: Support
-) -> SceneObject:
-    """The asset as an object at a place [m] and yaw [rad] of a support's frame."""
-    x, y = frame.world(*at[:2])
-    return asset.object(id, pose=Pose.from_yaw(x, y, frame.z + at[2], frame.yaw + yaw), support=support)

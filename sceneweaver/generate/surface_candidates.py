@@ -1,22 +1,21 @@
-"""Places on a support: which surface is meant, what strays how far, where a setting lies before a chair."""
+"""Candidates of places on a support: the surface that is meant, how far things stray, where they lie before chairs."""
 
 from __future__ import annotations
 
 import math
 import random
-from typing import Protocol
 
 import numpy as np
 
-from sceneweaver.assets import Asset
 from sceneweaver.geometry.angles import bearing, heading, wrap_angle
 from sceneweaver.geometry.se2 import SE2
 from sceneweaver.knowledge.lived_in import CLUTTER
 from sceneweaver.knowledge.surfaces import Slot
 from sceneweaver.scene import SceneObject, Surface
 
-from .surface_geometry import Array, Field, Shape
+from .surface_field import Array, Field, Piece, Shape
 from .surface_scene import Seat
+from .surface_setting import Standing
 
 SEAT_EDGE = 0.02
 """Distance [m] of a setting from the edge before its chair."""
@@ -25,17 +24,11 @@ STRAIGHT = math.radians(25)
 """Angle within which a setting is laid along the edge, although its chair stands askew."""
 
 
+LATERAL = (0.0, 0.03, -0.03, 0.06, -0.06, 0.1, -0.1, 0.15, -0.15)
+"""How far [m] aside of the middle of a chair a setting may lie."""
+
 ROUND = 40.0
 """Yaw [degrees] from which on a thing that strays so far is a round one."""
-
-
-class Placed(Protocol):
-    """Something that stands already: where, in the support's frame."""
-
-    at: Array
-    yaw: float
-    asset: Asset
-    seat: str | None
 
 
 def surfaces_of(obj: SceneObject, back: bool, top: bool = False) -> dict[str, Surface]:
@@ -91,7 +84,7 @@ class Spread:
         k = 0 if self._slot.need == "needed" else min(int(self._first**1.6 * len(what)), len(what) - 1)
         return (what[k], *what[:k], *what[k + 1 :])
 
-    def beside(self, shape: Shape, yaw: float, anchor: Placed, other: Shape) -> list[Array]:
+    def beside(self, piece: Piece, anchor: Standing, other: Piece) -> list[Array]:
         """Places [2] at the slot's side of what stands there, nearest to what is meant first."""
         side = self._slot.side
         ways = {"front": (1, 0), "back": (-1, 0), "right": (0, 1), "left": (0, -1)}
@@ -104,17 +97,16 @@ class Spread:
         goals = []
         for name in order:
             way = np.array(SE2(yaw=facing).world(*ways[name]))
-            touch = _reach(other, anchor.yaw, way) + _reach(shape, yaw, -way)
-            goals.append(anchor.at + way * (touch + self._slot.gap))
+            goals.append(anchor.at + way * (_reach(other, way) + _reach(piece, -way) + self._slot.gap))
         return goals
 
 
-def _reach(shape: Shape, yaw: float, way: Array) -> float:
-    """How far a shape turned by ``yaw`` reaches along a unit vector [m]."""
-    return max(float((p.polygon @ way).max()) for p in shape.turned(yaw).prisms)
+def _reach(piece: Piece, way: Array) -> float:
+    """How far a piece reaches along a unit vector [m]."""
+    return max(float((p.polygon @ way).max()) for p in piece.shape.turned(piece.yaw).prisms)
 
 
-def seat_places(shape: Shape, field: Field, seat: Seat, stray: float) -> tuple[Array, float] | None:
+def before_seat(shape: Shape, field: Field, seat: Seat, stray: float) -> tuple[Array, float] | None:
     """Where a thing lies before a chair, at the edge and facing it: place [2] and yaw; None when there is no room."""
     yaw = bearing(seat.look, (0.0, 0.0))
     edge = _edge_yaw(field, seat)
@@ -122,21 +114,15 @@ def seat_places(shape: Shape, field: Field, seat: Seat, stray: float) -> tuple[A
         yaw = edge
     look = -np.array(heading(yaw))
     aside = np.array([-look[1], look[0]])
-    steps = np.arange(0.0, 1.6, 0.01)
-    best: tuple[float, Array] | None = None
-    for lateral in (0.0, 0.03, -0.03, 0.06, -0.06, 0.1, -0.1, 0.15, -0.15):
-        line = seat.place + aside * lateral + steps[:, None] * look
-        good = np.flatnonzero(field.free(shape, yaw + stray, line))
-        if len(good):
-            k = int(good[0])
-            if k + 1 in good:  # a little in from the edge
-                k = min(k + round(SEAT_EDGE / 0.01), int(good[-1]))
-                while k not in good:
-                    k -= 1
-            cost = float(steps[k]) + 2.5 * abs(lateral)
-            if best is None or cost < best[0]:
-                best = (cost, line[k])
-    return None if best is None else (best[1], yaw + stray)
+    # Lines from the seat inward, the one straight ahead first; a place aside counts as one farther in.
+    ahead, lateral = (a.ravel() for a in np.meshgrid(np.arange(0.0, 1.6, 0.01), LATERAL))
+    line = seat.place + aside * lateral[:, None] + ahead[:, None] * look
+    pieces = [Piece(shape, yaw + stray)]
+    at = field.place(pieces, [line[np.argsort(ahead + 2.5 * np.abs(lateral), kind="stable")]])
+    if at is None:
+        return None
+    inward = field.place(pieces, [np.stack([at + SEAT_EDGE * look, at + SEAT_EDGE / 2 * look, at])])
+    return at if inward is None else inward, yaw + stray
 
 
 def _edge_yaw(field: Field, seat: Seat) -> float | None:
@@ -150,6 +136,3 @@ def _edge_yaw(field: Field, seat: Seat) -> float | None:
     out = np.column_stack([step[:, 1], -step[:, 0]])[long] / length[long, None]
     k = int(np.argmax(out @ -seat.look))
     return math.atan2(out[k, 1], out[k, 0])
-
-
-__all__ = ["SceneObject", "Spread", "seat_places", "surfaces_of"]

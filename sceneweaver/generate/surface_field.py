@@ -1,9 +1,14 @@
-"""Where prisms fit on a surface: inside its polygon and clear of what is there, for many offsets at once."""
+"""The mechanism by which all surfaces are laid: candidates of places, tried in order against the free space.
+
+What stands on furniture comes from three sources: the slots of an arrangement, the rows of a theme and the relations
+that a request states. Each says what stands together and where it would best be; a `Field` finds the first place that
+is inside the surface and clear of what is there, for many candidates at once.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -97,6 +102,27 @@ class Shape:
         return self.size[0] * self.size[1]
 
 
+@dataclass(frozen=True)
+class Piece:
+    """A shape turned by ``yaw`` [rad], at the place [2] about the origin of what it stands together with [m]."""
+
+    shape: Shape
+    yaw: float = 0.0
+    at: Array = field(default_factory=lambda: np.zeros(2))
+
+    @property
+    def box(self) -> tuple[Array, Array]:
+        """Least and largest corner [m] about that origin."""
+        low, high = self.shape.extent(self.yaw)
+        return low + self.at, high + self.at
+
+
+def bounds(pieces: Iterable[Piece]) -> tuple[Array, Array]:
+    """Least and largest corner [m] of pieces about their common origin."""
+    low, high = zip(*(piece.box for piece in pieces), strict=True)
+    return np.min(low, axis=0), np.max(high, axis=0)
+
+
 def turned(points: Array, yaw: float) -> Array:
     """Points [n, 2] turned by ``yaw`` [rad] about the origin."""
     return points if yaw == 0.0 else SE2(yaw=yaw).to_world(points)
@@ -160,25 +186,37 @@ class Field:
                     return good
         return good
 
-    def put(self, shape: Shape, yaw: float, at: Sequence[float] | Array) -> None:
-        """Take the place of a shape."""
-        self.taken.extend(p.moved(float(at[0]), float(at[1]), yaw) for p in shape.prisms)
+    def put(self, piece: Piece, at: Sequence[float] | Array) -> None:
+        """Take the space of a piece whose group has its origin at ``at`` [2]."""
+        x, y = np.asarray(at, dtype=float) + piece.at
+        self.taken.extend(p.moved(float(x), float(y), piece.yaw) for p in piece.shape.prisms)
 
-    def find(
-        self, shape: Shape, yaw: float, target: Sequence[float] | Array, reach: float, gap: float = GAP
-    ) -> Array | None:
-        """The free place [2] nearest to ``target`` within ``reach`` [m], also on the way to the middle; None: none."""
-        goal = np.asarray(target, dtype=float)
-        if self.free(shape, yaw, goal[None], gap)[0]:
-            return goal
-        if reach <= 0:
-            return None
-        spots = np.concatenate(
-            [goal + _disc(round(reach, 2)), goal + np.linspace(0.1, 1, 10)[:, None] * self._in(goal)]
-        )
-        spots = spots[np.argsort(np.hypot(*(spots - goal).T), kind="stable")]
-        good = np.flatnonzero(self.free(shape, yaw, spots, gap))
-        return spots[good[0]] if len(good) else None
+    def place(self, pieces: Sequence[Piece], candidates: Iterable[Array], gap: float = GAP) -> Array | None:
+        """The first candidate place [2] of a group of pieces at which all of them are free; None where none is.
+
+        Args:
+            pieces: what stands together, each about the origin of the group.
+            candidates: batches [k, 2] of places of that origin, the best first; a batch is only made when those before
+                it hold no free place.
+            gap: free space [m] kept to what is there.
+        """
+        for batch in candidates:
+            for piece in pieces:
+                batch = batch[self.free(piece.shape, piece.yaw, batch + piece.at, gap)]
+                if not len(batch):
+                    break
+            else:
+                return batch[0]
+        return None
+
+    def near(self, goal: Sequence[float] | Array, reach: float) -> Iterator[Array]:
+        """Candidates at a goal [2], then about it within ``reach`` [m] and on the way to the middle, nearest first."""
+        target = np.asarray(goal, dtype=float)
+        yield target[None]
+        if reach > 0:
+            way = np.linspace(0.1, 1, 10)[:, None] * self._in(target)
+            spots = np.concatenate([target + _disc(round(reach, 2)), target + way])
+            yield spots[np.argsort(np.hypot(*(spots - target).T), kind="stable")]
 
     def inside(self, shape: Shape, yaw: float, share: tuple[float, float]) -> Array:
         """The place [2] at ``share`` of depth (0 back, 1 front) and width (-1 to 1), kept in the surface's box."""
