@@ -10,8 +10,7 @@ from typing import Literal
 
 from sceneweaver.assets import Library
 from sceneweaver.critic import Review, review_scene
-from sceneweaver.generate.carry import carried
-from sceneweaver.generate.surface_spots import has_place
+from sceneweaver.generate.carry import carried, has_place
 from sceneweaver.knowledge import RoomType
 from sceneweaver.language import SceneGraph
 from sceneweaver.layout import QualityTerm, Solution, improve, joined, refine, refine_many

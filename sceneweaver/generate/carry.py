@@ -18,6 +18,11 @@ def carried(objects: Mapping[str, SceneObject], id: str) -> list[str]:
     return found[1:]
 
 
+def has_place(carrier: SceneObject) -> bool:
+    """Whether an object has a place in the room already; one at the very origin waits for the engine to give it one."""
+    return carrier.pose.position[:2] != (0.0, 0.0) or carrier.pose.yaw != 0.0
+
+
 def move(scene: Scene, poses: Mapping[str, Pose]) -> list[SetPose]:
     """Edits that bring objects to new poses, and what they carry along with them.
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Any
 
 import numpy as np
@@ -20,10 +20,10 @@ from sceneweaver.geometry.se2 import SE2
 from sceneweaver.geometry.shell import WINDOW_CLEARANCE, heights
 from sceneweaver.knowledge import Item, RoomType
 from sceneweaver.knowledge.small_things import most_of
-from sceneweaver.scene import CATALOGUE, Door, InputError, Scene, SceneObject, Surface
+from sceneweaver.scene import CATALOGUE, Door, InputError, Room, Scene, SceneObject, Surface
 from sceneweaver.scene.messages import suggest
 
-from .surface_field import Array, Field, Prism
+from .surface_field import EDGE, Array, Field, Prism
 
 TIES = CATALOGUE.with_role("seat")
 """Relations by which a chair belongs to a table."""
@@ -108,25 +108,10 @@ class Surroundings:
         x, y, z = obj.pose.position
         return Frame(x, y, obj.pose.yaw + (math.pi if back else 0.0), z)
 
-    def field(self, obj: SceneObject, surface: Surface, frame: Frame, edge: float = 0.004) -> Field:
+    def field(self, obj: SceneObject, surface: Surface, frame: Frame, edge: float = EDGE) -> Field:
         """The surface in ``frame`` with all that reaches over it: things on it, above it, and spaces to keep free."""
-        ring = counter_clockwise(surface.polygon)
-        if abs(frame.yaw - obj.pose.yaw) > 1.0:
-            ring = -ring
-        base = frame.z + surface.z
-        head = math.inf if surface.headroom is None else surface.headroom
-        made = Field(ring, min(head, self.scene.room.height - CEILING - base), edge=edge)
-        middle = ring.mean(axis=0)
-        x, y = frame.world(*middle.tolist())
-        reach = float(np.hypot(*(ring - middle).T).max())
-        for own, prism in self._solids:
-            if own == obj.id or prism.high <= base + 1e-4:
-                continue
-            x0, y0, x1, y1 = prism.box
-            if x0 > x + reach or y0 > y + reach or x1 < x - reach or y1 < y - reach:
-                continue
-            made.taken.append(Prism(frame.to_local(prism.polygon), prism.low - base, prism.high - base))
-        return made
+        above = self.scene.room.height - CEILING - frame.z - surface.z
+        return on_surface(obj, surface, (p for own, p in self._solids if own != obj.id), frame, edge, above)
 
     def seats(self, obj: SceneObject) -> list[Seat]:
         """The chairs that a relation ties to an object, else those before it that look at it, by angle around it."""
@@ -169,32 +154,66 @@ class Surroundings:
     @cached_property
     def _solids(self) -> list[tuple[str, Prism]]:
         """Everything that may be in the way, in the room, with its owner."""
-        found = list(self._openings())
-        for o in self.scene.objects:
-            shapes = [(p.polygon, p.z) for p in o.solids] + [(z.polygon, z.z) for z in o.zones if z.hard]
-            if not is_upright(o.pose.quaternion, TILT):  # anything within its reach, whichever way it lies
-                r = math.hypot(*o.size)
-                shapes = [(((-r, -r), (r, -r), (r, r), (-r, r)), (-r, r))]
-            z, frame = o.pose.position[2], o.pose.frame
-            for polygon, span in shapes:
-                placed = frame.to_world(counter_clockwise(polygon))
-                found.append((o.id, Prism(placed, z + span[0], z + span[1])))
-        return found
-
-    def _openings(self) -> Iterator[tuple[str, Prism]]:
-        room = self.scene.room
-        for opening in (*room.windows, *room.doors):
-            depth = opening.width if isinstance(opening, Door) else WINDOW_CLEARANCE
-            ring = np.array(room.walls[opening.wall].strip(opening.offset, opening.width, 0.0, depth))
-            yield opening.id, Prism(ring, *heights(opening))
+        own = [(o.id, prism) for o in self.scene.objects for prism in solids_of(o)]
+        return [*clear_space(self.scene.room), *own]
 
 
+def solids_of(obj: SceneObject, zones: bool = True) -> Iterator[Prism]:
+    """The parts of an object in the room, and with ``zones`` the spaces that it needs free."""
+    shapes = [(p.polygon, p.z) for p in obj.solids]
+    shapes += [(z.polygon, z.z) for z in obj.zones if z.hard and zones]
+    if not is_upright(obj.pose.quaternion, TILT):  # anything within its reach, whichever way it lies
+        r = math.hypot(*obj.size)
+        shapes = [(((-r, -r), (r, -r), (r, r), (-r, r)), (-r, r))]
+    z, frame = obj.pose.position[2], obj.pose.frame
+    for polygon, span in shapes:
+        yield Prism(frame.to_world(counter_clockwise(polygon)), z + span[0], z + span[1])
+
+
+def clear_space(room: Room, doors: bool = True) -> Iterator[tuple[str, Prism]]:
+    """The spaces before windows, and doors, with their ids."""
+    for opening in (*room.windows, *(room.doors if doors else ())):
+        depth = opening.width if isinstance(opening, Door) else WINDOW_CLEARANCE
+        ring = np.array(room.walls[opening.wall].strip(opening.offset, opening.width, 0.0, depth))
+        yield opening.id, Prism(ring, *heights(opening))
+
+
+def on_surface(
+    obj: SceneObject,
+    surface: Surface,
+    solids: Iterable[Prism],
+    frame: Frame | None = None,
+    edge: float = EDGE,
+    above: float = math.inf,
+) -> Field:
+    """The free space of a surface in the frame of its object, or in one that looks out of its back.
+
+    Args:
+        obj: what has the surface.
+        surface: one of its own.
+        solids: what is in the room; the part of it that reaches over the surface is taken.
+        frame: that of the object if None.
+        edge: free space [m] kept to the edge.
+        above: free height [m] up to the ceiling.
+    """
+    frame = frame or Frame(*obj.pose.position[:2], obj.pose.yaw, obj.pose.position[2])
+    ring = counter_clockwise(surface.polygon)
+    if abs(frame.yaw - obj.pose.yaw) > 1.0:
+        ring = -ring
+    base = frame.z + surface.z
+    made = Field(ring, min(math.inf if surface.headroom is None else surface.headroom, above), edge=edge)
+    middle = ring.mean(axis=0)
+    x, y = frame.world(*middle.tolist())
+    reach = float(np.hypot(*(ring - middle).T).max())
+    for prism in solids:
+        x0, y0, x1, y1 = prism.box
+        near = x0 <= x + reach and y0 <= y + reach and x1 >= x - reach and y1 >= y - reach
+        if near and prism.high > base + 1e-4:
+            made.taken.append(Prism(frame.to_local(prism.polygon), prism.low - base, prism.high - base))
+    return made
+
+
+@cache
 def seats() -> frozenset[str]:
     """The categories that people sit on."""
-    global _SEATS
-    if _SEATS is None:
-        _SEATS = frozenset(members("seating")) & frozenset(categories())
-    return _SEATS
-
-
-_SEATS: frozenset[str] | None = None
+    return frozenset(members("seating")) & frozenset(categories())

@@ -18,12 +18,12 @@ from sceneweaver.assets import Asset
 from sceneweaver.geometry.polygons import counter_clockwise
 from sceneweaver.knowledge.surfaces import Arrangement
 from sceneweaver.language import Grounded
-from sceneweaver.scene import SceneObject, Surface
+from sceneweaver.scene import Pose, SceneObject, Surface
 
 from .surface_bodies import Shelf
 from .surface_candidates import surfaces_of
-from .surface_field import Array, Field, Piece, Prism, Shape, bounds
-from .surface_scene import Frame
+from .surface_field import Array, Field, Piece, Shape, bounds
+from .surface_scene import Frame, on_surface, solids_of
 from .surface_setting import Setting, Standing
 
 WAYS = {"left_of": (0.0, 1.0), "right_of": (0.0, -1.0), "in_front_of": (1.0, 0.0), "behind": (-1.0, 0.0)}
@@ -88,8 +88,10 @@ class StatedLayer:
     """Lays out the things of one support; make one, then call ``run``."""
 
     def __init__(self, support: SceneObject, plan: Arrangement | None, shelf: Shelf):
-        self._support, self._plan, self._shelf = support, plan, shelf
-        self._setting = Setting(support, Frame(), shelf, self._ground)
+        # In its own frame: its room is not laid out yet, so nothing is known to be above it.
+        self._support = support.model_copy(update={"pose": Pose()})
+        self._plan, self._shelf = plan, shelf
+        self._setting = Setting(self._support, Frame(), shelf, self._ground)
         self._slots: set[str] = set()
         self._end = ENDS[0]
 
@@ -175,14 +177,11 @@ class StatedLayer:
         return [one.at for one in self._setting.standing if one.surface is surface]
 
     def _ground(self, surface: Surface) -> Field:
-        """The free space of a surface of the support by itself: its room is not laid out yet."""
+        """The free space of a surface of the support by itself."""
         ring = counter_clockwise(surface.polygon)
         edge = 0.012 if min(np.ptp(ring, axis=0)) > 0.3 else 0.003
         edge = edge if self._support.mount != "surface" else ALIKE
-        head = math.inf if surface.headroom is None else surface.headroom
-        solids = [part for part in self._support.solids if part.z[1] > surface.z + 1e-3]
-        taken = [Prism(counter_clockwise(p.polygon), p.z[0] - surface.z, p.z[1] - surface.z) for p in solids]
-        return Field(ring, head, taken, edge)
+        return on_surface(self._support, surface, solids_of(self._support, zones=False), edge=edge)
 
     def _candidates(self, surface: Surface, spots: Sequence[Spot]) -> Iterator[Array]:
         """Places of a cluster on a surface: by what is said of it, by custom, then a grid by cost."""
