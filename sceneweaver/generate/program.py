@@ -345,82 +345,112 @@ def _asked_demand(asked: Entity, item: Item | None, area: float, people: int, dr
     return Demand(item, names, count, 0, asked, count)
 
 
+@dataclass(frozen=True)
+class Limits:
+    """How much a room holds: its floor [m2] and the share of it that may be taken, its walls [m], and how much of them.
+
+    What is asked for or needed ends where not even `CRAMMED` would do.
+    """
+
+    area: float
+    fill: float
+    walls: float
+    taken: float
+
+    def fits(self, program: Program, one: Wanted, must: bool) -> bool:
+        """Whether there is floor and wall for one more thing, which is needed with ``must``."""
+        fill, wall = (CRAMMED[0], self.walls * CRAMMED[1]) if must else (self.fill, self.taken)
+        if one.footprint <= SMALL:  # a bin or a plant still goes into a room that is full of furniture
+            fill, wall = fill + SPARE, wall * (1 + 2 * SPARE)
+        floor_fits = one.footprint == 0 or program.footprint + one.footprint <= fill * self.area
+        return floor_fits and (one.wall == 0 or program.wall + one.wall <= wall)
+
+
 def build(
     wishes: Iterable[Demand],
     room_type: RoomType,
     library: Library,
-    area: float,
-    space: float,
-    wall: float,
-    fill: float,
+    limits: Limits,
     seed: int,
     palette: Palette,
     pane: tuple[float, float, float] | None = None,
     ceiling: float = 2.6,
 ) -> Program:
-    """Choose bodies for all demands, as long as the floor [m2] and the walls [m] have room for them.
+    """Choose bodies for all demands, as long as the floor and the walls have room for them.
 
-    ``space`` is the length of all walls; the usual ends where ``wall`` of it or ``fill`` of the floor is taken,
-    what is asked for or needed where not even `CRAMMED` would do. ``pane`` is the width, height and top [m] of the
-    windows, for what hangs before them, ``ceiling`` the height [m] of the room, for lamps that hang down; ``palette``
-    is the room's.
+    Args:
+        wishes: what the room should hold.
+        room_type: the kind of room, whose file says what comes first.
+        library: where bodies come from.
+        limits: how much the room holds.
+        seed: decides bodies.
+        palette: that of the room.
+        pane: width, height and top [m] of the windows, for what hangs before them.
+        ceiling: height [m] of the room, for lamps that hang down.
     """
-    program, by_item = Program(), {}
+    program, by_item = Program(), dict[str, list[Wanted]]()
     for number, demand in enumerate(sorted(wishes, key=_order(room_type))):
-        item = demand.item
-        parents: list[Wanted | None] = [None]
+        item, own = demand.item, seed + 101 * number
+        parents = _parents(demand, by_item)
+        # A count that the request gives is that of all together, one of the room's file is for each parent.
         total = demand.asked is not None and demand.asked.count is not None
-        if item is not None and item.with_ is not None:
-            parents = [w for w in by_item.get(item.with_, ()) if not item.when or w.category in item.when]
-            if not parents:
-                if demand.asked is None:
-                    continue
-                parents = [None]
-        wish, held = _wish(demand, palette, seed + 101 * number)
-        if item is not None and _hangs_at_windows(item) and pane and wish.size[1] is None:
-            high = wish.size[2] or drop_at_window(demand.categories[0], pane[1], pane[2], ceiling)
-            wish = replace(wish, size=(wish.size[0], pane[0] + 2 * limit("curtain_width", "beyond") + 0.04, high))
-        if demand.categories and wish.size[2] is None and held is None:
-            drop = hanging_height(demand.categories[0], ceiling, _hung_over(item, by_item))
-            wish = replace(wish, size=(*wish.size[:2], drop)) if drop is not None else wish
-        if item is not None and parents[0] is not None:
-            wish = replace(wish, size=_around(item, parents[0].asset.size, wish, seed + 101 * number))
         pieces = demand.count if total else demand.count * len(parents)
         if not pieces:
             continue
+        wish, held = _wish(demand, palette, own)
+        wish = _sized(demand, wish, held, parents[0], by_item, own, pane, ceiling)
+        asked = demand.asked.id if demand.asked else None
         try:
             assets = _bodies(demand, pieces, wish, library)
         except InputError as error:
-            program.left_out.append(LeftOut(demand.asked.id if demand.asked else None, str(error)))
+            program.left_out.append(LeftOut(asked, str(error)))
             continue
-        made: list[Wanted] = []
-        for k in range(pieces):
+        supports = [w for name in (item.on if item else ()) for w in by_item.get(name, ())]
+        least = demand.least * (1 if total else len(parents))
+        for k, asset in enumerate(assets):
             parent = parents[k % len(parents)] if total else parents[k // demand.count]
-            supports = [w for name in (item.on if item else ()) for w in by_item.get(name, ())]
             support = supports[k % len(supports)] if supports else None
-            one = Wanted(
-                item,
-                assets[k].category,
-                assets[k],
-                demand.rank,
-                k,
-                parent,
-                support,
-                demand.asked.id if demand.asked else None,
-                held=held,
-                wish=wish,
-            )
-            must = demand.rank <= 1 and (k < demand.least * (1 if total else len(parents)))
-            most = (area, wall, fill) if not must else (area, space * CRAMMED[1], CRAMMED[0])
-            if not _fits(program, made, one, *most):
-                program.left_out.append(LeftOut(one.asked, f"{one.category}: the floor or the walls are full"))
+            one = Wanted(item, asset.category, asset, demand.rank, k, parent, support, asked, held=held, wish=wish)
+            if not limits.fits(program, one, must=demand.rank <= 1 and k < least):
+                program.left_out.append(LeftOut(asked, f"{one.category}: the floor or the walls are full"))
                 break
-            made.append(one)
-        program.wanted += made
-        if item is not None:
-            by_item.setdefault(item.id, []).extend(made)
+            program.wanted.append(one)
+            if item is not None:
+                by_item.setdefault(item.id, []).append(one)
     _name(program.wanted)
     return program
+
+
+def _parents(demand: Demand, by_item: Mapping[str, Sequence[Wanted]]) -> Sequence[Wanted | None]:
+    """What each of a demand goes with: [None] for what stands for itself, nothing where that parent is not there."""
+    item = demand.item
+    if item is None or item.with_ is None:
+        return [None]
+    found = [w for w in by_item.get(item.with_, ()) if not item.when or w.category in item.when]
+    return found or ([None] if demand.asked is not None else [])
+
+
+def _sized(
+    demand: Demand,
+    wish: Wish,
+    held: str | None,
+    parent: Wanted | None,
+    by_item: Mapping[str, Sequence[Wanted]],
+    seed: int,
+    pane: tuple[float, float, float] | None,
+    ceiling: float,
+) -> Wish:
+    """A wish with the sizes that follow from the room: from its windows, its ceiling, and what a thing goes with."""
+    item = demand.item
+    if item is not None and _hangs_at_windows(item) and pane and wish.size[1] is None:
+        high = wish.size[2] or drop_at_window(demand.categories[0], pane[1], pane[2], ceiling)
+        wish = replace(wish, size=(wish.size[0], pane[0] + 2 * limit("curtain_width", "beyond") + 0.04, high))
+    if demand.categories and wish.size[2] is None and held is None:
+        drop = hanging_height(demand.categories[0], ceiling, _hung_over(item, by_item))
+        wish = replace(wish, size=(*wish.size[:2], drop)) if drop is not None else wish
+    if item is not None and parent is not None:
+        wish = replace(wish, size=_around(item, parent.asset.size, wish, seed))
+    return wish
 
 
 def drop_at_window(category: str, height: float, top: float, ceiling: float) -> float | None:
@@ -540,14 +570,6 @@ def _bodies(demand: Demand, pieces: int, wish: Wish, library: Library) -> list[A
         category = demand.categories[k % len(demand.categories)]
         out += library.choose(category, 1, replace(wish, seed=wish.seed + 7 * k))
     return out
-
-
-def _fits(program: Program, made: list[Wanted], one: Wanted, area: float, wall: float, fill: float) -> bool:
-    floor = program.footprint + sum(w.footprint for w in made) + one.footprint
-    line = program.wall + sum(w.wall for w in made) + one.wall
-    if one.footprint <= SMALL:  # a bin or a plant still goes into a room that is full of furniture
-        fill, wall = fill + SPARE, wall * (1 + 2 * SPARE)
-    return (one.footprint == 0 or floor <= fill * area) and (one.wall == 0 or line <= wall)
 
 
 def _name(wanted: list[Wanted]) -> None:
