@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from functools import cache
 
 from sceneweaver.assets import categories, resolve
+from sceneweaver.assets.roles import groups_above
 from sceneweaver.assets.taxonomy import members
 from sceneweaver.geometry.polygons import signed_area
 from sceneweaver.scene import Relation, Room, Scene, SceneObject
@@ -17,13 +19,10 @@ KNOWN = ("exact", "synonym", "plural", "spelling", "group")
 """How a noun may be understood for it to name what is in a scene."""
 
 
-def groups_of(category: str) -> set[str]:
+@cache
+def groups_of(category: str) -> frozenset[str]:
     """A category and the groups that it belongs to."""
-    found, known = {category}, categories()
-    while category in known and known[category].parent:
-        category = known[category].parent or ""
-        found.add(category)
-    return found
+    return groups_above(category) | {category}
 
 
 def area_of(room: Room) -> float:

@@ -16,10 +16,9 @@ from sceneweaver.knowledge.design_rules import limit
 from sceneweaver.knowledge.kin import excluded_kinds, kin
 from sceneweaver.knowledge.usual_places import UsualPlace, usual_places_of
 from sceneweaver.language import Entity, SceneGraph
-from sceneweaver.language.pairs import groups_of
 from sceneweaver.scene import PRIORITIES, InputError, Palette, SceneObject, Zone
 
-from .draft import CRAMMED
+from .draft import CRAMMED, groups_of
 from .lights import OVER, TABLE, hanging_height
 
 FULL_LENGTH, BLIND = ("curtain", "sheer_curtain"), "window_blind"
@@ -117,7 +116,7 @@ class Wanted:
     @property
     def usual(self) -> tuple[UsualPlace, ...]:
         """Where it usually goes: of what was asked for and is no item of the room; chairs go to what they are for."""
-        groups = groups_of(self.category) | {self.category}
+        groups = groups_of(self.category)
         if self.item is not None or self.support is not None or SEATS & groups:
             return ()
         return usual_places_of(groups)

@@ -11,9 +11,9 @@ from sceneweaver.assets.taxonomy import category_named, likeliness
 from sceneweaver.knowledge.model import Range
 from sceneweaver.knowledge.surfaces import usual_arrangement
 from sceneweaver.language import Grounded, SceneGraph, StatedRelation, carrier_of
-from sceneweaver.language.pairs import groups_of
 from sceneweaver.scene import InputError, Palette, SceneObject, Surface
 
+from .draft import groups_of
 from .program import LeftOut, Program, Wanted
 from .relations import thing_of
 from .surface_bodies import Shelf

@@ -77,7 +77,7 @@ def rows_for(draft: Draft, item: Item | None, subject: SceneObject) -> list[Row]
     seat = _at_table(draft, subject)
     if seat is not None:
         return [seat]
-    rows = [_of_usual(u) for u in usual_places_of(groups_of(subject.category) | {subject.category})]
+    rows = [_of_usual(u) for u in usual_places_of(groups_of(subject.category))]
     if subject.mount != "wall" and any(row["type"] == "above" for row in rows):
         return []
     return [row for row in rows if _there(draft, row, subject)]
