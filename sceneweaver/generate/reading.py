@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from sceneweaver.generate.draft import Draft
+from .draft import Draft
 
 HERE = ("wall", "window", "door", "corner", "middle")
 """Targets that are part of the room."""

@@ -8,18 +8,18 @@ from typing import Any
 
 from sceneweaver.assets import Wish
 from sceneweaver.assets.taxonomy import category_named, members
-from sceneweaver.generate.carry import move
-from sceneweaver.generate.draft import Draft, groups_of
-from sceneweaver.generate.program import matches
-from sceneweaver.generate.relations import in_room
 from sceneweaver.geometry.walls import walls_of
 from sceneweaver.language import Entity, SceneGraph, Thing, grounded
 from sceneweaver.scene import InputError, Pose, Room, Scene, SceneObject
-from sceneweaver.scene.edits import AnyEdit, Remove, Rename, apply, apply_all
+from sceneweaver.scene.edits import Remove, Rename, apply, apply_all
 
-from .add_objects import AddObjects
-from .base import Context
-from .update_size import exchanged
+from .carry import move
+from .draft import Draft, groups_of
+from .exchange import exchanged
+from .objects import added
+from .program import matches
+from .relations import in_room
+from .setup import Setup
 
 CORNERS = {"rectangle": 4, "L": 6, "T": 8, "U": 8, "round": 12}
 """Corners of the shapes that a request can name."""
@@ -31,12 +31,12 @@ SMALLEST = 0.02
 """Relative change of a floor below which it is left as it is."""
 
 
-def adapted(context: Context, scene: Scene, tool: str, name: str) -> tuple[Scene, list[str], list[str]]:
+def adapted(setup: Setup, scene: Scene, tool: str, name: str) -> tuple[Scene, list[str], list[str]]:
     """The scene as the request wants it, what was decided, and what could not be done."""
-    brief, notes, unmet = context.brief, list[str](), list[str]()
+    brief, notes, unmet = setup.brief, list[str](), list[str]()
     scene = scene.model_copy(
         update={
-            "id": context.room_type.name,
+            "id": setup.room_type.name,
             "prompt": brief.text,
             "dropped": (),
             "objects": tuple(_unasked(o) for o in scene.objects),
@@ -45,8 +45,8 @@ def adapted(context: Context, scene: Scene, tool: str, name: str) -> tuple[Scene
                 **scene.provenance,
                 "tool": tool,
                 "library": name,
-                "room": context.room_type.name,
-                "seed": context.seed,
+                "room": setup.room_type.name,
+                "seed": setup.seed,
             },
         }
     )
@@ -55,7 +55,7 @@ def adapted(context: Context, scene: Scene, tool: str, name: str) -> tuple[Scene
     made: dict[str, list[str]] = {}
     later: list[Entity] = []
     for asked in brief.entities:
-        scene, made[asked.id] = _found(context, scene, asked, notes)
+        scene, made[asked.id] = _found(setup, scene, asked, notes)
         least = asked.count[0] if asked.count else 1
         if len(made[asked.id]) < least:
             later.append(asked)
@@ -63,7 +63,7 @@ def adapted(context: Context, scene: Scene, tool: str, name: str) -> tuple[Scene
         named = {id for ids in made.values() for id in ids}
         scene = _removed(scene, [o.id for o in scene.objects if o.id not in named and o.mount != "ceiling"])
     for asked in later:
-        scene = _added(context, scene, asked, made, notes, unmet)
+        scene = _added(setup, scene, asked, made, notes, unmet)
     return _related(scene, brief, made, unmet), notes, unmet
 
 
@@ -158,7 +158,7 @@ def _removed(scene: Scene, ids: list[str]) -> Scene:
     return scene
 
 
-def _found(context: Context, scene: Scene, asked: Entity, notes: list[str]) -> tuple[Scene, list[str]]:
+def _found(setup: Setup, scene: Scene, asked: Entity, notes: list[str]) -> tuple[Scene, list[str]]:
     """Objects of the scene that stand for something asked: those of its category, or others exchanged for it."""
     free = [o for o in scene.objects if o.intent.request is None]
     own = [o.id for o in free if o.category == asked.category]
@@ -169,15 +169,15 @@ def _found(context: Context, scene: Scene, asked: Entity, notes: list[str]) -> t
         scene = _removed(scene, spare)
     least = asked.count[0] if asked.count else 1
     if not ids:
-        items = {i.id for i in context.room_type.items if matches(asked.category, i)}
+        items = {i.id for i in setup.room_type.items if matches(asked.category, i)}
         others = [o.id for o in free if o.intent.program_item in items or _kin(o.category, asked.category)]
         for id in others[: max(least, 1)]:
-            scene, new = _swapped(context, scene, id, asked, notes)
+            scene, new = _swapped(setup, scene, id, asked, notes)
             ids.append(new)
     else:
         for id in ids:
             if not _suits(scene.object(id), asked):
-                scene, _ = _swapped(context, scene, id, asked, notes)
+                scene, _ = _swapped(setup, scene, id, asked, notes)
     objects = tuple(_with_intent(o, request=asked.id, priority="asked") if o.id in ids else o for o in scene.objects)
     return scene.model_copy(update={"objects": objects}), ids
 
@@ -200,7 +200,7 @@ def _suits(obj: SceneObject, asked: Entity) -> bool:
     return all(want is None or abs(have - want) <= 0.06 * want for have, want in zip(obj.size, asked.size, strict=True))
 
 
-def _swapped(context: Context, scene: Scene, id: str, asked: Entity, notes: list[str]) -> tuple[Scene, str]:
+def _swapped(setup: Setup, scene: Scene, id: str, asked: Entity, notes: list[str]) -> tuple[Scene, str]:
     """The scene with another body in the place of one, and its id."""
     old = scene.object(id)
     size: list[float | None] = list(asked.size)
@@ -211,15 +211,15 @@ def _swapped(context: Context, scene: Scene, id: str, asked: Entity, notes: list
         size=(size[0], size[1], size[2]),
         color=asked.color,
         material=asked.material,
-        style=asked.style or context.brief.style,
+        style=asked.style or setup.brief.style,
         palette=scene.palette.code if scene.palette is not None else None,
         words=" ".join(asked.words),
-        seed=context.seed % 2**31,
+        seed=setup.seed % 2**31,
         count=4,
     )
     try:
-        asset = context.library.choose(asked.category, 1, wish)[0]
-        edits: list[AnyEdit] = exchanged(scene, old, asset, context.seed, notes, notes)
+        asset = setup.library.choose(asked.category, 1, wish)[0]
+        edits = exchanged(scene, old, asset, setup.seed, notes, notes)
         after, _ = apply_all(scene, edits)
     except InputError as error:
         notes.append(f"{id} stays as it is: {error}")
@@ -234,7 +234,7 @@ def _swapped(context: Context, scene: Scene, id: str, asked: Entity, notes: list
 
 
 def _added(
-    context: Context, scene: Scene, asked: Entity, made: dict[str, list[str]], notes: list[str], unmet: list[str]
+    setup: Setup, scene: Scene, asked: Entity, made: dict[str, list[str]], notes: list[str], unmet: list[str]
 ) -> Scene:
     """The scene with what is missing of something asked."""
     least = asked.count[0] if asked.count else 1
@@ -246,18 +246,18 @@ def _added(
         row["size"] = list(asked.size)
     on = [
         id
-        for said in context.brief.relations
+        for said in setup.brief.relations
         if said.subject == asked.id and said.type in ("on", "inside")
         for target in said.targets
         for id in made.get(target, [])
     ]
     if on:
         row["on"] = on
-    proposal = AddObjects().propose(replace(context, scene=scene, inputs={"objects": [row]}))
-    notes += proposal.notes
-    unmet += proposal.unmet
+    more = added(replace(setup, scene=scene), [row])
+    notes += more.notes
+    unmet += more.unmet
     before = set(scene.ids)
-    scene, _ = apply_all(scene, proposal.edits)
+    scene, _ = apply_all(scene, more.edits)
     made[asked.id] += [id for id in scene.ids if id not in before]
     return scene
 
