@@ -1,4 +1,4 @@
-"""Numbers of data files: plain ones, or arithmetic over named quantities such as ``band / 2 * width``."""
+"""Numbers and conditions of data files: plain ones, or arithmetic over named things such as ``half * band``."""
 
 from __future__ import annotations
 
@@ -10,18 +10,20 @@ from types import CodeType
 from typing import Any
 
 _NODES = (
-    ast.Expression, ast.BinOp, ast.UnaryOp, ast.Constant, ast.Name, ast.Load, ast.Call, ast.Subscript,
-    ast.Add, ast.Sub, ast.Mult, ast.Div, ast.USub,
-)  # fmt: skip
+    (ast.Expression, ast.Constant, ast.Name, ast.Load, ast.Attribute, ast.Subscript, ast.Call, ast.Tuple)
+    + (ast.BinOp, ast.Add, ast.Sub, ast.Mult, ast.Div, ast.UnaryOp, ast.USub, ast.Not)
+    + (ast.BoolOp, ast.And, ast.Or, ast.Compare, ast.Eq, ast.NotEq, ast.Lt, ast.LtE, ast.Gt, ast.GtE)
+    + (ast.Is, ast.IsNot, ast.In, ast.NotIn, ast.IfExp)
+)
 _FUNCTIONS = {"min": min, "max": max, "round": round, "sqrt": math.sqrt, "inf": math.inf, "__builtins__": {}}
 
 
 class Expression:
-    """A number of a data file.
+    """A number, a condition or a pair of numbers of a data file.
 
     Args:
-        text: a number, or arithmetic (``+ - * /``, ``min``, ``max``, ``round``, ``sqrt``) over names, with a number
-            in brackets for an end of a range: ``gap[1]``.
+        text: a value, or in words an expression over names: arithmetic, comparisons, ``and``, ``or``, ``not``,
+            ``min``, ``max``, ``round``, ``sqrt``, ``inf``, public attributes, and brackets for an end of a range.
 
     Raises:
         ValueError: when the text has anything else in it.
@@ -29,7 +31,7 @@ class Expression:
 
     __slots__ = ("_code", "names", "text")
 
-    def __init__(self, text: str | float) -> None:
+    def __init__(self, text: str | float | None) -> None:
         self.text = text
         self._code: CodeType | None = None
         self.names: frozenset[str] = frozenset()
@@ -37,8 +39,8 @@ class Expression:
             self._code, self.names = _parsed(text)
 
     def value(self, scope: Mapping[str, Any]) -> Any:
-        """The number, with the names looked up in ``scope``."""
-        return self.text if self._code is None else eval(self._code, _FUNCTIONS, scope)  # noqa: S307 (nodes checked)
+        """What it is where the names mean what ``scope`` says."""
+        return self.text if self._code is None else eval(self._code, _FUNCTIONS, scope)  # its nodes are checked
 
     def __repr__(self) -> str:
         return str(self.text)
@@ -46,9 +48,11 @@ class Expression:
 
 @cache
 def _parsed(text: str) -> tuple[CodeType, frozenset[str]]:
-    tree = ast.parse(text, mode="eval")
+    tree = ast.parse(text.strip(), mode="eval")
     for node in ast.walk(tree):
-        if not isinstance(node, _NODES):
-            raise ValueError(f"{text!r}: only arithmetic over names can stand here, no {type(node).__name__}")
+        private = isinstance(node, ast.Attribute) and node.attr.startswith("_")
+        called = isinstance(node, ast.Call) and not isinstance(node.func, ast.Name)
+        if private or called or not isinstance(node, _NODES):
+            raise ValueError(f"{text!r}: only arithmetic and comparisons can stand here, no {type(node).__name__}")
     names = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)} - set(_FUNCTIONS)
     return compile(tree, "<rule>", "eval"), frozenset(names)
