@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from sceneweaver.verify.contacts import turn
+from sceneweaver.verify.measures import turn
 from sceneweaver.verify.solids import Body
 
 from ..facts import has_front, is_bed, is_seat, is_watcher
