@@ -26,22 +26,9 @@ OPPOSITE = {"front": "back", "back": "front", "left": "right", "right": "left"}
 
 Interval = tuple[float, float]
 _KEYS = {"within", "at_most", "at_least", "about"}
-_ROW = {
-    "measure",
-    "face",
-    "of",
-    "from",
-    "if",
-    "strict",
-    "snap",
-    "snap_if",
-    "text",
-    "by",
-    "modulo",
-    "swap",
-    "side",
-} | _KEYS
-_WAY = {"sites", "rows", "every", "where", "when", "text"}
+_OPTIONS = ("by", "modulo", "swap", "side", "said")
+_ROW = {"measure", "face", "of", "from", "if", "strict", "snap", "snap_if", "text", *_OPTIONS} | _KEYS
+_WAY = {"sites", "rows", "every", "where", "when", "sides", "swap"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,13 +81,18 @@ class Row:
 
 @dataclass(frozen=True, slots=True)
 class Way:
-    """Rows that together make a relation hold at a site: at one, or at ``every`` one."""
+    """Rows that together make a relation hold at a site: at one, or at ``every`` one.
+
+    Of what requests state, ``sides`` are those of the target, each a site, and with ``swap`` the two change places.
+    """
 
     rows: tuple[Row, ...]
     sites: str = "none"
     every: bool = False
     where: Expression | None = None
     when: Expression | None = None
+    sides: str | tuple[str, ...] = ()
+    swap: bool = False
 
 
 def row_of(entry: Mapping[str, Any]) -> Row:
@@ -131,7 +123,7 @@ def row_of(entry: Mapping[str, Any]) -> Row:
         snap=entry.get("snap"),
         snap_if=condition["snap_if"],
         text=entry.get("text", entry["measure"]),
-        options={key: entry[key] for key in ("by", "modulo", "swap", "side") if key in entry},
+        options={key: entry[key] for key in _OPTIONS if key in entry},
     )
 
 
@@ -150,7 +142,10 @@ def ways_of(label: str, entries: Sequence[Mapping[str, Any]], frame: str | None)
         if sided and frame is None:
             raise ValueError(f"{label}: {sided[0]} depends on sides; say whose with frame: own, viewer or frame")
         conditions = {key: Expression(entry[key]) if key in entry else None for key in ("where", "when")}
-        made.append(Way(rows, entry.get("sites", "none"), entry.get("every", False), **conditions))
+        sides = entry.get("sides", ())
+        sides = sides if isinstance(sides, str) else tuple(sides)
+        every, swap = entry.get("every", False), entry.get("swap", False)
+        made.append(Way(rows, entry.get("sites", "none"), every, **conditions, sides=sides, swap=swap))
     return tuple(made)
 
 
