@@ -20,7 +20,6 @@ class References:
         self.parsed = parsed
         self.topics: list[list[Mention]] = []  # what the sentences were about, the last one last
         self.rest: Mention | None = None  # what "the other" is
-        self.parted: Mention | None = None  # what "one" is
 
     def _recent(self) -> list[Mention]:
         return self.parsed.mentions[: -_REACH - 1 : -1]
@@ -100,12 +99,14 @@ class References:
     def part(self, near: list[Mention], count: int = 1) -> Mention | None:
         """ "One of them": it is parted from the last group, and "the other" is what is left."""
         group = self.several(near)
+        if group is not None and self.rest is not None and not any(group is m for m in self.parsed.mentions):
+            group = self.rest  # it was parted before: what is left of it
         if group is None or group.count is None or not count < group.count[1] <= 40 or group.count[0] <= count:
             return group
-        self.parted, self.rest = self.parsed.split(group, count)
+        parted, self.rest = self.parsed.split(group, count)
         for topic in self.topics:
-            topic[:] = [p for m in topic for p in ([self.parted, self.rest] if m is group else [m])]
-        return self.parted
+            topic[:] = [p for m in topic for p in ([parted, self.rest] if m is group else [m])]
+        return parted
 
     def carrier(self, near: list[Mention], without: list[Mention], kind: str = "top", word: str = "") -> Mention | None:
         """Whose top, shelf or side is meant where nobody is named."""

@@ -224,6 +224,3 @@ def _within(
         return value
     problems[f"{where} {value:g}{unit} cannot be; it is between {low:g} and {high:g}{unit}, or null"] = OPEN
     return None
-
-
-__all__ = ["OPEN", "OUT", "SCALES", "Draft", "Things", "counted"]
