@@ -178,7 +178,7 @@ def test_no_phrases_of_the_vocabulary_in_any_order_raise_anything() -> None:
 
 
 @pytest.mark.parametrize(
-    (\"text\", \"word\"),
+    ("text", "word"),
     [
         ("a throne room", "throne"),
         ("the zorbulator is near the bed", "zorbulator"),
