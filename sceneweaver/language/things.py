@@ -135,7 +135,10 @@ def _quality(mention: Mention, token: Token, source: Source, known: bool = False
     """One word about a thing; what is in its name is ``known`` and changes nothing but its attributes."""
     nouns = words("nouns")
     kind: AttributeKind = "size" if token.has("length") else "other"
-    kind = next((of_kind for name, of_kind in _KINDS if token.has(name)), kind)
+    for name, of_kind in _KINDS:
+        if token.has(name):
+            kind = of_kind
+            break
     if kind == "other" and token.has("noun") and not token.has("adjective"):
         return
     value = token.text
