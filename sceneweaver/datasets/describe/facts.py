@@ -45,7 +45,7 @@ def is_bed(body: Body) -> bool:
 
 
 def has_front(body: Body) -> bool:
-    """Whether everyone sees where its front is."""
+    """Whether its front is plain to see."""
     category = body.item.category
     sides = category_named(category).sides
     if is_seat(body) or is_bed(body) or has_role(category, "display"):

@@ -21,7 +21,7 @@ from .facts import Facts, group_of, has_front, is_bed, is_seat, is_watcher
 from .moves import Space, is_movable, judged_locally
 
 _NO_TABLES = frozenset(("seating", "chair_group", "bed_group", "sanitary", "sport", "electronics", "plant_group"))
-"""Groups of the taxonomy that nobody puts small things on."""
+"""Groups of the taxonomy that small things are not put on."""
 
 
 @dataclass(frozen=True, eq=False)
