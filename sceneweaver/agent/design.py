@@ -15,9 +15,9 @@ from sceneweaver.export import formats_named
 from sceneweaver.knowledge import RoomType, match_room, room_types
 from sceneweaver.knowledge.learned import learned_rooms
 from sceneweaver.knowledge.likely import likeliest_room
+from sceneweaver.knowledge.lived_in import CLUTTER
 from sceneweaver.language import SceneGraph, read_request
 from sceneweaver.llm import Limits, ModelClient, Prices
-from sceneweaver.tools.base import CLUTTER
 from sceneweaver.tools.registry import Registered
 from sceneweaver.tools.registry import tools as registered
 

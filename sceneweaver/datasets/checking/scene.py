@@ -16,7 +16,7 @@ from sceneweaver.scene import InputError, Scene
 from sceneweaver.verify import Report, check
 
 from ..samples import report_columns, scene_columns
-from ..store import SUFFIXES
+from ..store.scene_files import SUFFIXES
 from . import exports
 from .findings import Findings
 
