@@ -70,7 +70,7 @@ class Views(FrozenModel):
 
 
 class Spec(FrozenModel):
-    """All that the content of a data set depends on. Equal specifications give equal data sets on any machine."""
+    """All that the content of a data set depends on. Equal specifications give equal data sets, whoever makes them."""
 
     _noun: ClassVar[str] = "spec"
 
