@@ -53,6 +53,11 @@ def has_front(body: Body) -> bool:
     return "front" in sides and "back" not in sides and body.size[2] >= PLAIN
 
 
+def viewer_of(body: Body) -> str:
+    """From where people say left and right of a thing: "seat" (who sits on it), "foot" (of a bed) or "front"."""
+    return "seat" if is_seat(body) else "foot" if is_bed(body) else "front"
+
+
 def is_watcher(body: Body) -> bool:
     """Whether people say of it that it faces something."""
     return is_seat(body) or has_role(body.item.category, "display")
