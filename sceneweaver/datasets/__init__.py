@@ -1,4 +1,4 @@
-"""Data sets: many rooms from one specification, each with its judgement, whoever makes them and in whatever order.
+"""Data sets: many rooms from one specification, each with its verdict, in any order and on any machine.
 
 What needs more of the house is loaded where it is used: `produce`, `engines`, `checking` and `report`.
 """

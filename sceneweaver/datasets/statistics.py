@@ -67,76 +67,90 @@ def statistics(rows: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
     Returns:
         Plain JSON without times: equal rows give equal statistics.
     """
-    tallies = {name: Counter() for name in ("status", "split", "kind", "room_type", "licence", "attempt")}
-    reasons, failed_gates, unmet = Counter(), Counter(), Counter()
-    things: Counter[str] = Counter()
-    spreads = {name: Spread(*bins) for name, bins in BINS.items()}
-    grades: dict[str, Spread] = {}
-    rooms, signatures, shells, groups = set(), set(), set(), Counter()
-    requests = ok = invalid = size = objects = layouts = 0
+    gathered = _Gathered()
     for row in rows:
-        requests += 1
+        gathered.add(row)
+    return gathered.result()
+
+
+class _Gathered:
+    """What is gathered of rows, one by one."""
+
+    def __init__(self) -> None:
+        names = ("status", "split", "kind", "room_type", "licence", "attempt", "reasons", "gates_failed", "unmet")
+        self.tallies: dict[str, Counter[str]] = {name: Counter() for name in (*names, "categories")}
+        self.sums = Counter[str]()
+        self.spreads = {name: Spread(*bins) for name, bins in BINS.items()}
+        self.grades: dict[str, Spread] = {}
+        self.rooms, self.signatures, self.shells, self.groups = set(), set(), set(), Counter()
+
+    def add(self, row: Mapping[str, Any]) -> None:
+        """One row more."""
+        tallies = self.tallies
         tallies["status"][row["status"]] += 1
         if row["status"] != "ok":
-            reasons[_short(row.get("reason"))] += 1
-            failed_gates.update(name for name, passed in (row.get("gates") or {}).items() if passed is False)
-            continue
-        ok += 1
-        invalid += row.get("valid") is False
-        size += row.get("bytes") or 0
+            tallies["reasons"][_short(row.get("reason"))] += 1
+            tallies["gates_failed"].update(k for k, passed in (row.get("gates") or {}).items() if passed is False)
+            return
+        self.sums["invalid"] += row.get("valid") is False
+        for name in ("bytes", "layouts", "object_count"):
+            self.sums[name] += row.get(name) or 0
         for name in ("split", "kind", "room_type", "attempt"):
             if row.get(name) is not None:
                 tallies[name][str(row[name])] += 1
-        tallies["licence"].update(set(row.get("licences") or ()))
-        unmet.update(row.get("unmet") or ())
-        for name, spread in spreads.items():
+        for name, column in (("licence", "licences"), ("categories", "categories")):
+            tallies[name].update(set(row.get(column) or ()))
+        tallies["unmet"].update(row.get("unmet") or ())
+        for name, spread in self.spreads.items():
             if row.get(name) is not None:
                 spread.add(float(row[name]))
         for name, grade in (row.get("grades") or {}).items():
             if grade is not None:
-                grades.setdefault(name, Spread(0.0, 10.0, 40)).add(grade)
-        layouts += row.get("layouts") or 0
-        objects += row.get("object_count") or 0
-        things.update(set(row.get("categories") or ()))
-        rooms.add(row.get("room"))
+                self.grades.setdefault(name, Spread(0.0, 10.0, 40)).add(grade)
+        self.rooms.add(row.get("room"))
+        # What is only counted is kept by its hash: memory grows by some tens of bytes a row.
         if row.get("layout_signature"):
-            signatures.add(hash(row["layout_signature"]))
+            self.signatures.add(hash(row["layout_signature"]))
         if row.get("area") is not None:
-            shells.add((row.get("room_type"), row.get("wall_count"), round(row["area"], 2)))
+            self.shells.add((row.get("room_type"), row.get("wall_count"), round(row["area"], 2)))
         if row.get("near_duplicate_group") is not None:
-            groups[row["near_duplicate_group"]] += 1
-    twins = sum(count for count in groups.values() if count > 1)
-    return {
-        "schema": SCHEMA,
-        "requests": requests,
-        "scenes": ok,
-        "rooms": len(rooms),
-        "served": _share(ok, requests),
-        "invalid": invalid,
-        "bytes": size,
-        "objects": objects,
-        **({"layouts": layouts} if layouts else {}),
-        **{name: _sorted(tally) for name, tally in tallies.items()},
-        "reasons": _sorted(reasons),
-        "gates_failed": _sorted(failed_gates),
-        "unmet": dict(list(_sorted(unmet).items())[:50]),
-        "spreads": {name: spread.result() for name, spread in spreads.items()},
-        "grades": {name: spread.result() for name, spread in sorted(grades.items())},
-        "categories": _sorted(things),
-        "diversity": {
-            "categories": len(things),
-            "category_entropy": round(entropy(things), 4),
-            "effective_categories": round(2 ** entropy(things), 2),
-            "layout_signatures": len(signatures),
-            "shells": len(shells),
-            "near_duplicates": twins,
-            "near_duplicate_share": _share(twins, sum(groups.values())),
-        },
-        "coverage": {
-            "categories": _coverage(set(things), set(categories())),
-            "room_types": _coverage(set(tallies["room_type"]), set(room_types())),
-        },
-    }
+            self.groups[row["near_duplicate_group"]] += 1
+
+    def result(self) -> dict[str, Any]:
+        """All of it as plain JSON."""
+        tallies, sums = {name: _sorted(tally) for name, tally in self.tallies.items()}, self.sums
+        seen = tallies.pop("categories")
+        things, requests, ok = self.tallies["categories"], self.tallies["status"].total(), self.tallies["status"]["ok"]
+        twins = sum(count for count in self.groups.values() if count > 1)
+        return {
+            "schema": SCHEMA,
+            "requests": requests,
+            "scenes": ok,
+            "rooms": len(self.rooms),
+            "served": _share(ok, requests),
+            "invalid": sums["invalid"],
+            "bytes": sums["bytes"],
+            "objects": sums["object_count"],
+            **({"layouts": sums["layouts"]} if sums["layouts"] else {}),
+            **tallies,
+            "unmet": dict(list(tallies["unmet"].items())[:50]),
+            "spreads": {name: spread.result() for name, spread in self.spreads.items()},
+            "grades": {name: spread.result() for name, spread in sorted(self.grades.items())},
+            "categories": seen,
+            "diversity": {
+                "categories": len(things),
+                "category_entropy": round(entropy(things), 4),
+                "effective_categories": round(2 ** entropy(things), 2),
+                "layout_signatures": len(self.signatures),
+                "shells": len(self.shells),
+                "near_duplicates": twins,
+                "near_duplicate_share": _share(twins, self.groups.total()),
+            },
+            "coverage": {
+                "categories": _coverage(set(things), set(categories())),
+                "room_types": _coverage(set(self.tallies["room_type"]), set(room_types())),
+            },
+        }
 
 
 def entropy(tally: Mapping[Any, int]) -> float:

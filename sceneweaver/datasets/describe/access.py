@@ -104,9 +104,18 @@ def robot_reaches(asker: Asker) -> Question | None:
     if found is None:
         return None
     body, said, _ = found
-    fields = {"across": 200 * radius, "low": STEP, "high": CLEARANCE, "error": ERROR}
-    operands = {"radius": radius, "stop": STOP}
-    return asker.ask("robot_reaches", said, (body,), operands, margin=ERROR, stop=100 * STOP, **fields)
+    return asker.ask(
+        "robot_reaches",
+        said,
+        (body,),
+        {"radius": radius, "stop": STOP},
+        margin=ERROR,
+        across=200 * radius,
+        stop=100 * STOP,
+        low=STEP,
+        high=CLEARANCE,
+        error=ERROR,
+    )
 
 
 def in_reach(asker: Asker) -> Question | None:
@@ -138,8 +147,8 @@ def in_reach(asker: Asker) -> Question | None:
         return None
     body, said, near = found
     operands = {"distance": rounded(min(near, 9.999)), "radius": PERSON, "shoulder": SHOULDER, "arm": ARM}
-    fields = {"shoulder": SHOULDER, "arm": 100 * ARM}
-    return asker.ask("in_reach", said, (body,), operands, margin=HAND_MARGIN, **fields)
+    about = (body,)
+    return asker.ask("in_reach", said, about, operands, margin=HAND_MARGIN, shoulder=SHOULDER, arm=100 * ARM)
 
 
 def seen_from_door(asker: Asker) -> Question | None:

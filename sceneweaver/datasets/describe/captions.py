@@ -191,7 +191,7 @@ MOST = 6
 """Sentences that are told of one room."""
 
 LOW = 0.55
-"""Height [m] below which nobody sits at a table."""
+"""Height [m] below which a table is stood by, not sat at."""
 
 _CONNECTED = ("front_against", "front_to_front", "around", "seated_at")
 

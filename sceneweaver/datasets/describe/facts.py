@@ -45,12 +45,17 @@ def is_bed(body: Body) -> bool:
 
 
 def has_front(body: Body) -> bool:
-    """Whether everyone sees where its front is."""
+    """Whether its front is plain to see."""
     category = body.item.category
     sides = category_named(category).sides
     if is_seat(body) or is_bed(body) or has_role(category, "display"):
         return True
     return "front" in sides and "back" not in sides and body.size[2] >= PLAIN
+
+
+def viewer_of(body: Body) -> str:
+    """From where people say left and right of a thing: "seat" (who sits on it), "foot" (of a bed) or "front"."""
+    return "seat" if is_seat(body) else "foot" if is_bed(body) else "front"
 
 
 def is_watcher(body: Body) -> bool:

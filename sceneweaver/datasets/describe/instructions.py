@@ -17,11 +17,11 @@ from sceneweaver.verify.solids import Body
 
 from .asker import Asker
 from .english import sentence
-from .facts import Facts, group_of, has_front, is_bed, is_seat, is_watcher
+from .facts import Facts, group_of, has_front, is_seat, is_watcher, viewer_of
 from .moves import Space, is_movable, judged_locally
 
 _NO_TABLES = frozenset(("seating", "chair_group", "bed_group", "sanitary", "sport", "electronics", "plant_group"))
-"""Groups of the taxonomy that nobody puts small things on."""
+"""Groups of the taxonomy that small things are not put on."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,13 +107,9 @@ def on_side(asker: Asker, body: Body) -> Iterator[Goal]:
         if not has_front(other):
             continue
         left = asker.coin()
-        side, viewer = ("left" if left else "right"), ("right" if left else "left")
-        if is_seat(other):
-            words = f"just to the {side} of {asker.name(other)}, as seen by someone who sits on it"
-        elif is_bed(other):
-            words = f"just to the {viewer} of {asker.name(other)}, as seen from the foot of it"
-        else:
-            words = f"just to the {viewer} of {asker.name(other)}, as seen by someone who faces it"
+        side, opposite = ("left", "right") if left else ("right", "left")
+        seen = side if is_seat(other) else opposite
+        words = asker.say(f"goal_side_{viewer_of(other)}", side=seen, other=asker.name(other))
         if asker.facts.holds(f"{side}_of", body, other.id):
             continue
         poses = _beyond(asker, body, other, side)
@@ -131,8 +127,7 @@ def before(asker: Asker, body: Body) -> Iterator[Goal]:
         if is_watcher(body):
             relations.append(_relation("facing", body, other.id))
             words += ", facing it"
-            away = np.array(other.centre) - poses[:, :2]
-            poses[:, 2] = np.arctan2(away[:, 1], away[:, 0])
+            _turn(poses, other)
         yield Goal("Move", words, tuple(relations), poses, objects=asker.names[other.id].ids)
 
 
@@ -168,8 +163,7 @@ def to_window(asker: Asker, body: Body) -> Iterator[Goal]:
     relations, words, objects = [_relation("near_window", body, window.item.id)], "close to the window", ()
     others = [o for o in _targets(asker, body) if o.item.mount == "floor"] if is_watcher(body) else []
     if others:
-        away = np.array(others[0].centre) - poses[:, :2]
-        poses[:, 2] = np.arctan2(away[:, 1], away[:, 0])
+        _turn(poses, others[0])
         relations.append(_relation("facing", body, others[0].id))
         words, objects = f"{words} so that it faces {asker.name(others[0])}", asker.names[others[0].id].ids
     yield Goal("Move", words, tuple(relations), poses, objects=objects)
@@ -199,6 +193,12 @@ def onto(asker: Asker, body: Body) -> Iterator[Goal]:
             support=(other.id, top.name),
             objects=asker.names[other.id].ids,
         )
+
+
+def _turn(poses: np.ndarray, other: Body) -> None:
+    """Turn poses [n, 3] to face another thing."""
+    away = np.array(other.centre) - poses[:, :2]
+    poses[:, 2] = np.arctan2(away[:, 1], away[:, 0])
 
 
 def _targets(asker: Asker, body: Body) -> list[Body]:

@@ -10,7 +10,7 @@ from sceneweaver.verify.measures import turn
 from sceneweaver.verify.solids import Body
 
 from .asker import Asker, Question, rounded
-from .facts import FLAT, has_front, is_bed, is_seat, is_watcher
+from .facts import FLAT, has_front, is_seat, is_watcher, viewer_of
 
 TURNED = 25.0
 """Angle [deg] from straight ahead from which something is on one's left or right."""
@@ -75,12 +75,7 @@ def side_of_thing(asker: Asker) -> Question | None:
     if found is None:
         return None
     (a, b), left, margin = found
-    if is_seat(b):
-        start = f"You sit on {asker.name(b)} and look straight ahead."
-    elif is_bed(b):
-        start = f"You stand at the foot of {asker.name(b)} and look at it."
-    else:
-        start = f"You stand before the front of {asker.name(b)} and look at it."
+    start = asker.say(f"viewer_{viewer_of(b)}", asker.name(b))
     operands = {
         "in_frame_of": b.id,
         "centre": [rounded(v) for v in b.local(a.centre)],

@@ -27,7 +27,7 @@ RETRIES = 1
 """How often Ray begins a task anew whose worker or node is gone, before that counts as the fault of the task."""
 
 TICK = 1.0
-"""Seconds between looks at a full disk and at the size of the cluster."""
+"""Seconds between checks of a full disk and of the size of the cluster."""
 
 
 def ray_module():

@@ -62,7 +62,7 @@ class Worker:
 
 
 def serve(end: Connection, path: Path, device: str, produce: Produce | None) -> None:
-    """Make blocks until nobody asks any more."""
+    """Make blocks until the connection is closed."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches the whole group; the run ends its workers itself
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     _be_quiet()
@@ -89,7 +89,7 @@ def _be_quiet() -> None:
 
 
 TICK = 1.0
-"""Seconds between looks at silent workers and at a full disk."""
+"""Seconds between checks of silent workers and of a full disk."""
 
 FALSE_STARTS = 3
 """How many workers may end before they are ready, one after the other."""

@@ -1,4 +1,4 @@
-"""What is to be made next, whoever makes it: troubles of a worker or a disk change the order, never the outcome."""
+"""What is to be made next, by any engine: troubles of a worker or a disk change the order, never the outcome."""
 
 from __future__ import annotations
 
@@ -99,7 +99,7 @@ class Schedule:
 
     @property
     def waiting(self) -> int:
-        """How many tasks nobody works at."""
+        """How many tasks are not taken."""
         return len(self._tasks)
 
     def take(self) -> Task | None:
@@ -122,7 +122,7 @@ class Schedule:
 
         Raises:
             MissingDependencyError: a worker lacks something that all lack.
-            DiskFullError: the disk is full, and nobody wants to wait.
+            DiskFullError: the disk is full, and the job is not patient.
         """
         kind, value = message
         if kind == "missing":

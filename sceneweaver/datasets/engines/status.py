@@ -53,7 +53,7 @@ class Status:
 
     @property
     def seconds_left(self) -> float | None:
-        """Seconds until all blocks are made at the present rate; None when nobody is at work."""
+        """Seconds until all blocks are made at the present rate; None when no run is at work."""
         made = sum(self.rows.values())
         if not self.running or not self.rate or not self.made:
             return None

@@ -99,7 +99,7 @@ def seconds_rows(blocks: list[Path]) -> Iterator[dict[str, Any]]:
 
 
 def _assets(folder: Folder, blocks: list[Path]) -> Iterator[dict[str, Any]]:
-    """What is known of each asset that a delivered scene has, by id; others were drawn in vain."""
+    """What is known of each asset that a delivered scene has, by id; others were drawn for scenes that failed."""
     from ..store.scene_files import asset_rows  # which loads all exporters
 
     used = {asset_id for row in _delivered(blocks) for asset_id in row.get("asset_ids") or ()}

@@ -116,7 +116,7 @@ def finished(draft: Draft, layout: Outcome, seed: int, gates: Gates) -> Finished
 
 
 def designed(spec: Spec, request: Request, seed: int, library: Library, device: str) -> Finished:
-    """The scene that the agent makes of a request when it may reflect: slower by far, and seldom in vain."""
+    """The scene that the agent makes of a request when it may reflect: slower by far, and it seldom fails."""
     made = design(
         request.prompt,
         seed=seed,

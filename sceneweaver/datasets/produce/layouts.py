@@ -182,7 +182,7 @@ def laid_out(drafts: Sequence[Draft], device: str) -> list[list[Scene]]:
     """Valid layouts of each of some rooms, by the engine's word, the best by the terms of choice first.
 
     What a room gets does not depend on the others. Where the room that was drawn does not hold everything, others are
-    tried that are as good or larger, and then it holds less of what nobody asked for.
+    tried that are as good or larger, and then it holds less of what was not asked for.
     """
     least, steps = (LEAST, STEPS) if pick_devices(device)[0] == "cpu" else (LEAST_GPU, STEPS_GPU)
     searches = [_Search(d, d.scene, [*d.proposal.variants[:VARIANTS]], least) for d in drafts]
