@@ -16,7 +16,7 @@ from sceneweaver.export.shared import SharedFiles
 from sceneweaver.physics.hulls import share_parts
 from sceneweaver.scene import Scene
 
-from .content import NAME, AssetStore
+from . import NAME, AssetStore
 
 SUFFIXES = {name: one.file.rpartition(".")[2] for name, one in FORMATS.items() if one.shared}
 """By format, the suffix of its file."""

@@ -9,9 +9,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import asdict, dataclass, replace
-from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +22,7 @@ from sceneweaver.envs.predicates import product
 from sceneweaver.envs.robots import Robot, robot_named
 from sceneweaver.envs.tasks import KINDS, Task
 from sceneweaver.geometry.rotations import matrix, xyzw
+from sceneweaver.runtime.processes import pool
 from sceneweaver.scene import InputError, Room, Scene
 
 from .goals import GOAL, TaskRow, goal_rows, has_goal, task_rows
@@ -165,8 +164,8 @@ class Bank:
             for scene, some in zip(scenes, chosen, strict=True)
         ]
         if jobs > 1:
-            with ProcessPoolExecutor(min(jobs, len(work)), mp_context=get_context("spawn")) as pool:
-                rooms = list(pool.map(_read, work))
+            with pool(min(jobs, len(work))) as processes:
+                rooms = list(processes.map(_read, work))
         else:
             rooms = [_read(one) for one in work]
         slots = slots or Slots.fit([room.bodies for room in rooms])
