@@ -83,6 +83,7 @@ class RoomEnv(gymnasium.Env):
 
     metadata = {"render_modes": ["rgb_array"], "render_fps": round(1 / PERIOD)}
 
+    # Options of an environment are keyword arguments, as `gymnasium.make` hands them over by name, hence more than ten.
     def __init__(
         self,
         scenes: Scene | str | os.PathLike[str] | Sequence[Scene | str | os.PathLike[str]],

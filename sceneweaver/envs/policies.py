@@ -11,10 +11,8 @@ from typing import Any
 import numpy as np
 
 from .env import PERIOD, RoomEnv
-from .geometry import Articulation
-from .grasping import grasps_of
-from .kinematics import ToolPose
-from .planning import EXTENSIONS, YAWS, Planner, link_pose, strain, tool_of
+from .geometry import Articulation, grasps_of
+from .planning import EXTENSIONS, YAWS, Planner, ToolPose, link_pose, strain, tool_of
 from .predicates import rotate, to_world, turned
 from .tasks import Open, PutIn, PutOn, Take
 

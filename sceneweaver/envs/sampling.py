@@ -9,8 +9,7 @@ import numpy as np
 
 from sceneweaver.scene import InputError
 
-from .geometry import Interior, Item, SceneGeometry, SupportSurface
-from .grasping import grasps_of
+from .geometry import Interior, Item, SceneGeometry, SupportSurface, grasps_of
 from .predicates import is_inside, to_world
 from .robots import Robot
 from .tasks import Close, JointTask, NavigateTo, Open, PutIn, PutOn, PutTask, Take, Task, Tidy

@@ -16,6 +16,7 @@ from .report import explain as find_reason
 GRACE = 1.0  # [s] beyond a time limit in which to explain why nothing is valid
 
 
+# Options of a refinement are keyword arguments with defaults of their own, hence more than ten; `refine_many` as well.
 def refine(
     scene: Scene,
     *,

@@ -19,7 +19,7 @@ from .infeasible import generate_infeasible as generate_infeasible
 from .recipes import families as families
 from .store import load as load
 from .store import names as names
-from .verifying import verify as verify
+from .store import verify as verify
 
 __all__ = [
     "ProblemCase",

@@ -1,24 +1,37 @@
-"""A problem of the zoo: a scene at a bad start, and what is known of it."""
+"""A problem of the zoo: a scene at a bad start, what is known of it, its card, and layouts to start from."""
 
 from __future__ import annotations
 
 import hashlib
 import json
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from sceneweaver.geometry.se2 import absolute, relative
 from sceneweaver.scene import SCHEMA, InputError, Pose, Scene
 
-from .cards import card_of
-from .starts import draw
+from .certificates import prove
+from .recipes import families
 
 if TYPE_CHECKING:
     from sceneweaver.layout import Problem
 
 Json = dict[str, Any]
+
+NOISE_M, NOISE_RAD = 0.3, math.radians(15)
+"""Deviations of the noise on a witness to start from [m], [rad]."""
+
+FACTS = {
+    "tightness": "share of the floor that is taken",
+    "density": "hard relations an object",
+    "wishes": "soft relations an object",
+    "wall_fill": "share of the walls that backs stand at",
+    "surface_tightness": "share of the boards that is taken",
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -170,3 +183,85 @@ def from_plain(data: Json, facts: Mapping[str, float], **known: Any) -> ProblemC
     rest = {key: data[key] for key in ("name", "family", "version", "certificate")}
     case = ProblemCase(hash="", scene=scene, witness=witness, facts=facts, **rest, **known)
     return replace(case, hash=hashlib.sha256(canonical(case)).hexdigest())
+
+
+def card_of(case: ProblemCase) -> str:
+    """A title, a line on the family, a table of figures, what proves the problem, how hard it is."""
+    scene = case.scene
+    lines = [f"# {case.name}", "", families()[case.family], ""]
+    relations = [
+        f"{len(some)} {word}: {', '.join(sorted({r.type for r in some}))}"
+        for word, hard in (("hard", True), ("soft", False))
+        if (some := [r for r in scene.relations if r.hard == hard])
+    ]
+    carried = sum(o.support is not None for o in scene.objects)
+    zones = sum(z.hard for o in scene.objects for z in o.zones)
+    parts = sum(len(o.solids) for o in scene.objects)
+    rows = {
+        "objects": f"{len(scene.objects)}" + (f", {carried} of them on surfaces" if carried else ""),
+        "bodies": f"{parts} convex prisms, {zones} hard zones",
+        "relations": "; ".join(relations) or "none",
+        "room": f"{len(scene.room.outline)} walls, {len(scene.room.doors)} doors, {len(scene.room.windows)} windows",
+        **{text: f"{case.facts[key]:g}" for key, text in FACTS.items() if key in case.facts},
+        "starts": ", ".join(case.starts),
+        "version": f"{case.version}, SHA-256 {case.hash[:16]}",
+    }
+    lines += ["| | |", "| --- | --- |", *(f"| {key} | {value} |" for key, value in rows.items()), ""]
+    if case.certificate is not None:
+        lines += [f"**No layout is valid**: {prove(scene, case.certificate)} (`{case.certificate['kind']}`).", ""]
+    else:
+        best = "not measured" if case.best_energy is None else f"{case.best_energy:.4g} m"
+        lines += [f"A valid layout is known. Lowest energy of a valid one: {best}.", ""]
+    shares = [(name, row) for name, row in case.difficulty.items() if isinstance(row, dict)]
+    if shares:
+        lines += ["| optimiser | start | layouts | valid | CPU seconds |", "| --- | --- | ---: | ---: | ---: |"]
+        lines += [
+            f"| {name} | {row['start']} | {row['candidates']} | {row['valid']:.0%} | {row['seconds']:.1f} |"
+            for name, row in shares
+        ]
+        lines.append("")
+    return "\n".join(lines)
+
+
+def draw(scene: Scene, witness: np.ndarray | None, count: int, seed: int) -> np.ndarray:
+    """Layouts [count, N, 4] float32, by a stream of its own for each seed.
+
+    Without a witness all but what stands on a surface is uniform in the box around the room, at its own height, and
+    what stands on a surface uniform in the box around that; all turned anyhow. With one, it is the witness with noise,
+    N(0, 0.3 m) and N(0, 15 degrees), for all but what stands on a surface, which goes along. What is fixed stays.
+    """
+    rng = np.random.default_rng([seed, 0 if witness is None else 1])
+    n = len(scene.objects)
+    own = np.array([(*o.pose.position, o.pose.yaw) for o in scene.objects], dtype=np.float64).reshape(n, 4)
+    base = own if witness is None else witness.astype(np.float64)
+    poses = np.repeat(base[None], count, axis=0)
+    outline = np.array(scene.room.outline)
+    for i in _supporters_first(scene):
+        item = scene.objects[i]
+        if item.fixed:
+            continue
+        if item.support is None and witness is None:
+            poses[:, i, :2] = rng.uniform(outline.min(axis=0), outline.max(axis=0), (count, 2))
+            poses[:, i, 3] = rng.uniform(-math.pi, math.pi, count)
+        elif item.support is None:
+            poses[:, i, :2] += rng.normal(0.0, NOISE_M, (count, 2))
+            poses[:, i, 3] += rng.normal(0.0, NOISE_RAD, count)
+        else:
+            below = scene.index(item.support.object)
+            local = np.repeat(relative(base[i], base[below])[None], count, axis=0)
+            if witness is None:
+                surface = next(s for s in scene.objects[below].surfaces if s.name == item.support.surface)
+                corners = np.array(surface.polygon)
+                local[:, :2] = rng.uniform(corners.min(axis=0), corners.max(axis=0), (count, 2))
+                local[:, 2] = surface.z
+                local[:, 3] = rng.uniform(-math.pi, math.pi, count)
+            poses[:, i] = absolute(local, poses[:, below])
+    return poses.astype(np.float32)
+
+
+def _supporters_first(scene: Scene) -> list[int]:
+    def depth(i: int) -> int:
+        support = scene.objects[i].support
+        return 0 if support is None else 1 + depth(scene.index(support.object))
+
+    return sorted(range(len(scene.objects)), key=depth)

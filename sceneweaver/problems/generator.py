@@ -12,12 +12,11 @@ from sceneweaver.scene import SCHEMA, InputError, Pose, Scene
 from sceneweaver.verify import check
 
 from . import cells
-from .case import ProblemCase, from_plain, placed
+from .case import ProblemCase, draw, from_plain, placed
 from .cells import Box, NoFit, with_walls
 from .measures import facts_of, tightness_of
 from .planting import plant, wish
 from .recipes import CRATE, RECIPES, Recipe, Unit
-from .starts import draw
 from .units import Draft, Spot
 
 MOST_OBJECTS = 1000

@@ -7,8 +7,7 @@ import pytest
 
 from sceneweaver import envs
 from sceneweaver.envs.joining import PREFIX
-from sceneweaver.envs.kinematics import ToolPose, configuration
-from sceneweaver.envs.planning import link_pose
+from sceneweaver.envs.planning import ToolPose, configuration, link_pose
 from sceneweaver.envs.policies import Failed, solve
 from tests.envs.rooms import kitchen, load
 

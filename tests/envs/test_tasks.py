@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from sceneweaver import envs
-from sceneweaver.envs.grasping import grasps_of
+from sceneweaver.envs.geometry import grasps_of
 from sceneweaver.envs.predicates import to_world
 from sceneweaver.envs.world import RoomState
 from tests.envs.rooms import kitchen, load

@@ -16,6 +16,8 @@ from .task_kernels import Goal
 
 wp.set_module_options({"enable_backward": False})
 
+# Kernels have an argument for each array of the bank or the simulation that they read or write, hence more than ten.
+
 
 @wp.kernel
 def begin_episodes(

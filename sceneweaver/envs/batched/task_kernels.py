@@ -75,6 +75,68 @@ def wrapped(
     return angle - 2.0 * wp.pi * wp.floor((angle + wp.pi) / (2.0 * wp.pi))
 
 
+@wp.func
+def way_to(
+    # Problem:
+    goal: Goal,
+    pos: wp.vec3,
+    quat: wp.quat,
+    base: wp.vec3,
+):
+    """Distance [m] in the plane from a base (x, y, yaw) to the box of what a goal is about, as `distance_to_box`."""
+    at = local(pos, quat, wp.vec3(base[0], base[1], pos[2]))
+    dx = wp.max(wp.max(goal.item_low[0] - at[0], at[0] - goal.item_high[0]), 0.0)
+    dy = wp.max(wp.max(goal.item_low[1] - at[1], at[1] - goal.item_high[1]), 0.0)
+    return wp.sqrt(dx * dx + dy * dy)
+
+
+@wp.func
+def is_inside(
+    # Problem:
+    goal: Goal,
+    point: wp.vec3,
+):
+    """Whether a point of the holder's frame is in the interior of a goal, as `predicates.is_inside`."""
+    half = (goal.high - goal.low) * 0.5
+    at = point - (goal.low + goal.high) * 0.5
+    share = wp.vec3(at[0] / wp.max(half[0], 1e-9), at[1] / wp.max(half[1], 1e-9), at[2] / wp.max(half[2], 1e-9))
+    inside = wp.abs(share[0]) <= 1.0 and wp.abs(share[1]) <= 1.0 and wp.abs(share[2]) <= 1.0
+    return inside and (goal.oval == 0 or share[0] * share[0] + share[1] * share[1] <= 1.0)
+
+
+@wp.func
+def is_on(
+    # Problem:
+    goal: Goal,
+    point: wp.vec3,
+):
+    """Whether a point of the holder's frame is on the surface of a goal, as `predicates.is_on`."""
+    x, y = point[0], point[1]
+    over = x >= goal.low[0] and x <= goal.high[0] and y >= goal.low[1] and y <= goal.high[1]
+    return over and wp.abs(point[2] - goal.low[2]) <= _ON
+
+
+@wp.func
+def lowest(
+    # Problem:
+    goal: Goal,
+    pos: wp.vec3,
+    quat: wp.quat,
+):
+    """Height [m] of the lowest corner of the box of what a goal is about."""
+    low = float(1.0e9)  # noqa: UP018 - a variable of a loop in Warp
+    for k in range(8):
+        x = wp.where(k % 2 == 0, goal.item_low[0], goal.item_high[0])
+        y = wp.where(k // 2 % 2 == 0, goal.item_low[1], goal.item_high[1])
+        z = wp.where(k // 4 == 0, goal.item_low[2], goal.item_high[2])
+        corner = pos + turned(quat, wp.vec3(x, y, z))
+        low = wp.min(low, corner[2])
+    return low
+
+
+# Kernels have an argument for each array of the simulation that they read or write, hence more than ten.
+
+
 @wp.kernel
 def apply_actions(
     # Problem:
@@ -127,6 +189,7 @@ def apply_actions(
         ctrl[world, at] = span[0] + (span[1] - span[0]) * (wp.clamp(action[world, closed], -1.0, 1.0) + 1.0) / 2.0
 
 
+# All kinds of tasks are in one kernel, as the worlds of a launch differ in theirs; a third of it are its arguments.
 @wp.kernel
 def judge(
     # Problem:
@@ -212,10 +275,7 @@ def judge(
             success = opened <= g.share
             value = -opened - 0.5 * hand
     elif g.kind == NAVIGATE:
-        at = local(pos, quat, wp.vec3(here[0], here[1], pos[2]))
-        dx = wp.max(wp.max(g.item_low[0] - at[0], at[0] - g.item_high[0]), 0.0)
-        dy = wp.max(wp.max(g.item_low[1] - at[1], at[1] - g.item_high[1]), 0.0)
-        way = wp.sqrt(dx * dx + dy * dy)
+        way = way_to(g, pos, quat, here)
         aside = wp.abs(wrapped(wp.atan2(centre[1] - here[1], centre[0] - here[0]) - here[2]))
         success = way <= g.share and aside <= _FACING
         value = -wp.max(way - g.share, 0.0) - 0.5 * aside / wp.pi
@@ -224,24 +284,10 @@ def judge(
         middle = (g.low + g.high) * 0.5
         goal = holder_pos + turned(holder_quat, wp.vec3(middle[0], middle[1], g.low[2] + tall * 0.5))
         if g.kind == PUT_IN:
-            half = (g.high - g.low) * 0.5
-            at = local(holder_pos, holder_quat, centre) - middle
-            share = wp.vec3(at[0] / wp.max(half[0], 1e-9), at[1] / wp.max(half[1], 1e-9), at[2] / wp.max(half[2], 1e-9))
-            inside = wp.abs(share[0]) <= 1.0 and wp.abs(share[1]) <= 1.0 and wp.abs(share[2]) <= 1.0
-            if g.oval != 0:
-                inside = inside and share[0] * share[0] + share[1] * share[1] <= 1.0
-            success = inside and free
+            success = is_inside(g, local(holder_pos, holder_quat, centre)) and free
         else:
-            lowest = 1.0e9
-            for k in range(8):
-                x = wp.where(k % 2 == 0, g.item_low[0], g.item_high[0])
-                y = wp.where(k // 2 % 2 == 0, g.item_low[1], g.item_high[1])
-                z = wp.where(k // 4 == 0, g.item_low[2], g.item_high[2])
-                corner = pos + turned(quat, wp.vec3(x, y, z))
-                lowest = wp.min(lowest, corner[2])
-            at = local(holder_pos, holder_quat, wp.vec3(centre[0], centre[1], lowest))
-            over = at[0] >= g.low[0] and at[0] <= g.high[0] and at[1] >= g.low[1] and at[1] <= g.high[1]
-            success = over and wp.abs(at[2] - g.low[2]) <= _ON and free
+            bottom = wp.vec3(centre[0], centre[1], lowest(g, pos, quat))
+            success = is_on(g, local(holder_pos, holder_quat, bottom)) and free
         value = -wp.length(centre - goal) - 0.5 * hand
     elif g.kind == TAKE:
         success = pos[2] - start_height[world] >= g.share and not free
