@@ -22,9 +22,6 @@ from sceneweaver.verify.case import Case
 from sceneweaver.verify.measure import ROUNDING, TOLERANCE, Judgement, Measurement, Measurements, judge
 from sceneweaver.verify.solids import Body, Face, Opening, Point
 
-CORNER = 0.17
-"""Least sine of the turn at a convex corner of the room that counts for in_corner (about 10 degrees)."""
-
 SAME = 1e-9
 """Distance [m] up to which two points are one."""
 
@@ -135,7 +132,7 @@ def _corners(case: Case) -> Iterator[Site]:
 
     for wall in case.placed.walls:
         before = case.placed.walls[wall.index - 1]
-        if before.along[0] * wall.inward[0] + before.along[1] * wall.inward[1] <= -CORNER:
+        if before.along[0] * wall.inward[0] + before.along[1] * wall.inward[1] <= -case.number("corner"):
             yield _of_wall(case, wall)._replace(before=before, shape=shapely.points(wall.start))
 
 
