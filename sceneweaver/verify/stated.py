@@ -20,7 +20,7 @@ from sceneweaver.verify.measure import TOLERANCE, Measurement, Measurements
 from sceneweaver.verify.measures import Reading
 from sceneweaver.verify.solids import Array, Body, Placed
 
-RAY = 100.0
+RAY = 1000.0
 """Length [m] of a ray: more than any room has."""
 
 _SLACK = {"m": TOLERANCE, "deg": 1e-6, "": 0.0}
