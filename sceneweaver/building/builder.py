@@ -164,7 +164,7 @@ class SceneBuilder:
             scene = scene.move(obj.id, turn=turn)
         for keyword, value in relations.items():
             kind = relation_type(keyword)
-            params = {"frame": frame} if frame is not None and "frame" in CATALOGUE[kind].params else {}
+            params: dict[str, Any] = {"frame": frame} if frame is not None and "frame" in CATALOGUE[kind].params else {}
             for target in targets_of(kind, value, self.room):
                 require_frame(kind, params)
                 scene = scene.relate(obj.id, kind, target, hard=hard, **params)

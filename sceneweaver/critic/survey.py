@@ -181,6 +181,10 @@ class Survey:
         x0, y0, x1, y1 = self.placed.floor.bounds
         return math.hypot(x1 - x0, y1 - y0)
 
+    def kept_gaps(self) -> dict[tuple[int, int], float]:
+        """Distances of solids that were measured, by the indices of their bodies."""
+        return self.gaps
+
     @cached_property
     def gaps(self) -> dict[tuple[int, int], float]:
         """Distances [m] between objects that were measured before, by their two indices in order."""
