@@ -17,13 +17,14 @@ from sceneweaver.geometry.polygons import union
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.knowledge import RoomType
 from sceneweaver.language import Grounded, Meaning, SceneGraph, StatedRelation, Thing, grounded, meanings
+from sceneweaver.rules.stated import number
 from sceneweaver.scene import CATALOGUE, Scene
 from sceneweaver.verify import Report
 from sceneweaver.verify.solids import Body, Placed
 
 from .program import Program
 
-FLAT = 0.03
+FLAT: float = number("flat")
 """Height [m] up to which things are walked on."""
 
 SEAT_TIES = CATALOGUE.with_role("seat") | {"facing", "in_front_of"}
