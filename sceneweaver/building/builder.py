@@ -14,7 +14,7 @@ from sceneweaver.geometry.se2 import SE2
 from sceneweaver.scene import CATALOGUE, InputError, Pose, Room, Scene, SceneObject, Support, id_of, point_of
 
 from .furniture import Size, find_furniture, object_of, surface_for
-from .relating import relation_type, targets_of
+from .relating import relation_type, require_frame, targets_of
 
 
 def build(room: Room, *, name: str = "scene", style: str | None = None, seed: int = 0) -> SceneBuilder:
@@ -119,6 +119,7 @@ class SceneBuilder:
         fixed: bool = False,
         hard: bool = True,
         seed: int | None = None,
+        frame: str | None = None,
         **relations: Any,
     ) -> ObjectHandle:
         """Add a piece of furniture by words, or an object that is there already.
@@ -134,6 +135,7 @@ class SceneBuilder:
             fixed: whether it must stay where it is.
             hard: whether the relations must hold.
             seed: another piece of the same words; None: the builder's.
+            frame: whose left and right relations such as ``left_of`` mean: ``own``, the target's, or ``viewer``.
             relations: where it goes: any type of the catalogue with what it refers to, ``against`` for against_wall.
                 Values are objects (handles or ids), names of walls ("north", "wall" for any), ids of doors and windows,
                 True where none is needed, two objects for ``between``, or a list for several relations.
@@ -163,8 +165,10 @@ class SceneBuilder:
             scene = scene.move(obj.id, turn=turn)
         for keyword, value in relations.items():
             kind = relation_type(keyword)
+            params: dict[str, Any] = {"frame": frame} if frame is not None and "frame" in CATALOGUE[kind].params else {}
             for target in targets_of(kind, value, self.room):
-                scene = scene.relate(obj.id, kind, target, hard=hard)
+                require_frame(kind, params)
+                scene = scene.relate(obj.id, kind, target, hard=hard, **params)
         self._scene = scene
         if furniture is not None and furniture.note:
             self.notes.append(furniture.note)
@@ -183,8 +187,12 @@ class SceneBuilder:
             raise
 
     def relate(self, subject: Any, type: str, target: Any = True, *, hard: bool = True, **params: Any) -> None:  # noqa: A002
-        """Add a relation by the name of its type; ``params`` are its numbers, as the catalogue has them."""
+        """Add a relation by the name of its type; ``params`` are its numbers, as the catalogue has them.
+
+        A left or right of the target needs its frame: ``own``, or ``viewer`` for that of who looks at its front.
+        """
         kind, scene = relation_type(type), self._scene
+        require_frame(kind, params)
         for each in targets_of(kind, True if target is None else target, self.room):
             scene = scene.relate(id_of(subject), kind, each, hard=hard, **params)
         self._scene = scene

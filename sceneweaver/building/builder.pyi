@@ -70,6 +70,7 @@ class SceneBuilder:
         fixed: bool = False,
         hard: bool = True,
         seed: int | None = None,
+        frame: Literal["own", "viewer"] | None = None,
         against: Wall | None = None,
         against_wall: Wall | None = None,
         side_against_wall: Wall | None = None,
@@ -128,6 +129,7 @@ class SceneBuilder:
         fixed: bool = False,
         hard: bool = True,
         seed: int | None = None,
+        frame: Literal["own", "viewer"] | None = None,
         against: Wall | None = None,
         against_wall: Wall | None = None,
         side_against_wall: Wall | None = None,
@@ -361,6 +363,7 @@ class ObjectHandle:
         max: float = ...,
         min: float = ...,
         band: float = ...,
+        frame: Literal["own", "viewer"] = ...,
     ) -> ObjectHandle:
         """The subject's centre lies `min` to `max` beyond the target's left face, along its normal, and within a band
         `band` times as wide as that face and centred on it (seen in the target's frame).
@@ -375,6 +378,7 @@ class ObjectHandle:
         max: float = ...,
         min: float = ...,
         band: float = ...,
+        frame: Literal["own", "viewer"] = ...,
     ) -> ObjectHandle:
         """The subject's centre lies `min` to `max` beyond the target's right face, along its normal, and within a band
         `band` times as wide as that face and centred on it (seen in the target's frame).
@@ -532,6 +536,7 @@ class ObjectHandle:
         gap: Range | Literal["tucked"] = ...,
         degrees: float = ...,
         offset: float = ...,
+        frame: Literal["own", "viewer"] = ...,
     ) -> ObjectHandle:
         """The front is against one side of the target, in the middle of the `k`-th of `n` equal parts of that side,
         counted counter-clockwise seen from above.
@@ -547,6 +552,7 @@ class ObjectHandle:
         gap: Range = ...,
         degrees: float = ...,
         offset: float = ...,
+        frame: Literal["own", "viewer"] = ...,
     ) -> ObjectHandle:
         """The subject is the next in a row: it looks the same way as the target and stands beyond one side of it, with
         the backs in line where that is left or right, with the middles in line where it is front or back.
@@ -562,6 +568,7 @@ class ObjectHandle:
         gap: Range = ...,
         degrees: float = ...,
         offset: float = ...,
+        frame: Literal["own", "viewer"] = ...,
     ) -> ObjectHandle:
         """The subject goes on with a run of furniture to the target's left or right, flush with it and with the backs
         in line; or around a corner of the room, turned by a quarter, in front of the target and with its back in
@@ -628,6 +635,7 @@ class ObjectHandle:
         gap: Range = ...,
         degrees: float = ...,
         offset: float = ...,
+        frame: Literal["own", "viewer"] = ...,
     ) -> ObjectHandle:
         """The front looks straight at one side of the target across a gap, in line with the middle of the `k`-th of
         `n` equal parts of that side, counted counter-clockwise seen from above: a screen at the end of a table,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from sceneweaver.scene import CATALOGUE, InputError, Room, id_of
@@ -22,6 +22,27 @@ def relation_type(name: str) -> str:
         known = [*CARRIED, *SHORT, *CATALOGUE]
         raise InputError(f"{show(name)} is no relation{suggest(name, known, what='some are')}")
     return found
+
+
+def require_frame(type: str, params: Mapping[str, Any]) -> None:  # noqa: A002
+    """Refuse a left or right that may be either the thing's own or that of who looks at its front.
+
+    Args:
+        type: a relation type.
+        params: its numbers and words, as given.
+
+    Raises:
+        InputError: it names the left or right of a thing, and not whose.
+    """
+    spec = CATALOGUE[type]
+    if "frame" not in spec.params or params.get("frame") is not None:
+        return
+    side = params.get("side", spec.params["side"].default) if "side" in spec.params else None
+    sides = spec.target_sides if side is None else (side,)
+    if {"left", "right"} & set(sides):
+        raise InputError(
+            f'{type}: say whose left and right it is: frame "own" (the thing\'s) or "viewer" (who looks at its front)'
+        )
 
 
 def targets_of(type: str, value: Any, room: Room) -> Iterator[str | tuple[str, str] | None]:  # noqa: A002

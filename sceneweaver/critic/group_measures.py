@@ -48,7 +48,8 @@ def of_between(survey: Survey, body: Body, shapes: Sequence[Any]) -> Measurement
     length = (bx - ax) ** 2 + (by - ay) ** 2
     x, y = body.centre
     part = ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / max(1e-9, length)
-    return (inside, Measurement("part of the way between them", float(part), *number("between")["along"], "", 1e-6))
+    low, high = number("between")["along"]
+    return (inside, Measurement("part of the way between them", float(part), low, high, "", 1e-6))
 
 
 def shared_out(survey: Survey, subjects: Sequence[Body], targets: Sequence[Target], kind: str) -> list[list[Body]]:

@@ -17,13 +17,14 @@ from sceneweaver.geometry.polygons import union
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.knowledge import RoomType
 from sceneweaver.language import Grounded, Meaning, SceneGraph, StatedRelation, Thing, grounded, meanings
+from sceneweaver.rules.stated import number
 from sceneweaver.scene import CATALOGUE, Scene
 from sceneweaver.verify import Report
 from sceneweaver.verify.solids import Body, Placed
 
 from .program import Program
 
-FLAT = 0.03
+FLAT: float = number("flat")
 """Height [m] up to which things are walked on."""
 
 SEAT_TIES = CATALOGUE.with_role("seat") | {"facing", "in_front_of"}
@@ -180,6 +181,10 @@ class Survey:
         """Diagonal [m] of the bounds of the floor."""
         x0, y0, x1, y1 = self.placed.floor.bounds
         return math.hypot(x1 - x0, y1 - y0)
+
+    def kept_gaps(self) -> dict[tuple[int, int], float]:
+        """Distances of solids that were measured, by the indices of their bodies."""
+        return self.gaps
 
     @cached_property
     def gaps(self) -> dict[tuple[int, int], float]:

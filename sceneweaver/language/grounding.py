@@ -12,21 +12,17 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from sceneweaver.rules.relation import VIEWED
+from sceneweaver.rules.stated import number as number_of
+
 from .model import PLACES, SceneGraph, StatedRelation
 from .pairs import Thing, kind_of, of_pair, of_place
 
-VIEWED = {"left": "right", "right": "left", "front": "front", "back": "back"}
-"""The side of a thing, in its own frame, that a viewer of its front calls so; and the other way about."""
+FURTHEST: float = number_of("furthest")
+"""Most distance [m] where none is given."""
 
 SIDED = {"left_of": "left", "right_of": "right", "in_front_of": "front", "behind": "back"}
 """Stated relations that name a side of their target."""
-
-
-LONG, END = 1.5, 0.8
-"""How many times longer than deep a table is that is sat at by its sides; how deep [m] it is for seats at its ends."""
-
-FURTHEST = 60.0
-"""Most distance [m] where none is given."""
 
 
 @dataclass(frozen=True)
@@ -207,14 +203,14 @@ def _paired(
 
 def _is_long(subject: Thing, target: Thing) -> bool:
     """Whether seats go around a table that is much longer than deep: even angles would leave its ends crowded."""
-    return subject.is_seat and target.is_table and max(target.size[:2]) > LONG * min(target.size[:2])
+    return subject.is_seat and target.is_table and max(target.size[:2]) > number_of("long_table") * min(target.size[:2])
 
 
 def _all_sides(target: Thing, count: int) -> list[str]:
     """The side of a long table for each of so many seats: one at each end from six on, the others along its sides."""
     depth, width = target.size[:2]
     long, short = (["front", "back"], ["left", "right"]) if width >= depth else (["left", "right"], ["front", "back"])
-    ends = short if count >= 6 and min(depth, width) >= END else []
+    ends = short if count >= 6 and min(depth, width) >= number_of("deep_table") else []
     return [long[k % 2] for k in range(count - len(ends))] + ends
 
 

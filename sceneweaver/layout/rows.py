@@ -270,7 +270,7 @@ def _corners(case: Case) -> Iterator[Site]:
     walls = case.frame.region.walls
     for i, wall in enumerate(walls):
         last = walls[i - 1]
-        if dot(last.along, wall.inward) <= -0.17:  # at least 10 degrees
+        if dot(last.along, wall.inward) <= -case.scope["corner"]:
             before = (last.inward, dot(last.inward, wall.start))
             yield _at_wall(wall)._replace(polygon=np.array([wall.start]), before=before)
 

@@ -57,14 +57,25 @@ def _add(session: EditSession, what: str, relations: Mapping[str, Any], **option
     from sceneweaver.building.relating import relation_type
 
     for name in relations:
-        relation_type(name)
+        if name != "frame":
+            relation_type(name)
     return session.add(what, **options, **relations)
 
 
-def _relate(session: EditSession, subject: str, kind: str, target: Any, hard: bool, params: Mapping[str, Any]) -> Any:
-    from sceneweaver.building.relating import relation_type
+def _relate(  # noqa: PLR0913 - as the tool has them
+    session: EditSession,
+    subject: str,
+    kind: str,
+    target: Any,
+    hard: bool,
+    params: Mapping[str, Any],
+    frame: str | None = None,
+) -> Any:
+    from sceneweaver.building.relating import relation_type, require_frame
 
     known = CATALOGUE[relation_type(kind)].params
+    params = {**params, "frame": frame} if frame is not None and "frame" in known else params
+    require_frame(relation_type(kind), params)
     for name in params:
         if name not in known:
             raise InputError(f"params: '{name}' is no number of {kind}{suggest(name, known)}")

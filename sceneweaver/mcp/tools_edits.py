@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from mcp.server.mcpserver import Context
 from mcp_types import CallToolResult
@@ -110,10 +110,14 @@ class EditTools:
         target: Target = True,
         hard: Annotated[bool, Field(description="Whether the scene is invalid where it does not hold")] = True,
         params: Params = {},  # noqa: B006
+        frame: Annotated[
+            Literal["own", "viewer"] | None,
+            Field(description="Whose left and right: the target's own, or of who looks at its front; left_of needs it"),
+        ] = None,
     ) -> Annotated[CallToolResult, SceneState]:
         """Add a relation, and move things so that it holds."""
         options = {"subject": subject, "kind": type, "target": True if target is None else target}
-        options |= {"hard": hard, "params": params}
+        options |= {"hard": hard, "params": params, "frame": frame}
         return await self._edit(context, scene, "relate", options, f"related {subject} {type}")
 
     async def unrelate(

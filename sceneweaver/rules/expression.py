@@ -51,7 +51,7 @@ def _parsed(text: str) -> tuple[CodeType, frozenset[str]]:
     tree = ast.parse(text.strip(), mode="eval")
     for node in ast.walk(tree):
         private = isinstance(node, ast.Attribute) and node.attr.startswith("_")
-        called = isinstance(node, ast.Call) and not isinstance(node.func, ast.Name)
+        called = isinstance(node, ast.Call) and getattr(node.func, "id", None) not in _FUNCTIONS
         if private or called or not isinstance(node, _NODES):
             raise ValueError(f"{text!r}: only arithmetic and comparisons can stand here, no {type(node).__name__}")
     names = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)} - set(_FUNCTIONS)

@@ -155,7 +155,7 @@ def load(name: str) -> Any:
     import yaml
 
     loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-    return yaml.load(files(__package__).joinpath(name).read_text("utf-8"), Loader=loader)
+    return yaml.load(files("sceneweaver.rules").joinpath(name).read_text("utf-8"), Loader=loader)
 
 
 def own_side(side: str, frame: str) -> str:

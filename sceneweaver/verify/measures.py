@@ -8,7 +8,7 @@ those of the object's box.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -21,9 +21,6 @@ from sceneweaver.scene.catalogue import sides_named
 from sceneweaver.verify.case import Case
 from sceneweaver.verify.measure import ROUNDING, TOLERANCE, Judgement, Measurement, Measurements, judge
 from sceneweaver.verify.solids import Body, Face, Opening, Point
-
-CORNER = 0.17
-"""Least sine of the turn at a convex corner of the room that counts for in_corner (about 10 degrees)."""
 
 SAME = 1e-9
 """Distance [m] up to which two points are one."""
@@ -135,7 +132,7 @@ def _corners(case: Case) -> Iterator[Site]:
 
     for wall in case.placed.walls:
         before = case.placed.walls[wall.index - 1]
-        if before.along[0] * wall.inward[0] + before.along[1] * wall.inward[1] <= -CORNER:
+        if before.along[0] * wall.inward[0] + before.along[1] * wall.inward[1] <= -case.number("corner"):
             yield _of_wall(case, wall)._replace(before=before, shape=shapely.points(wall.start))
 
 
@@ -398,11 +395,12 @@ def measurement(row: Row, reading: Reading, scope: Mapping[str, Any], site: str 
         return None
     start = float(row.start.value(scope))
     value = reading.value - start
-    low, high = (end * reading.scale + reading.base for end in interval)
+    low, high = interval[0] * reading.scale + reading.base, interval[1] * reading.scale + reading.base
     if row.about and not reading.base:
         value, low = abs(value), -math.inf
     slack = TOLERANCE if MEASURES[row.measure].unit == "m" and not row.strict else 0.0
-    name = (reading.name or row.text).format(site=site)
+    name = reading.name or row.text
+    name = name.format(site=site) if "{" in name else name
     return Measurement(name, value, low, high, reading.unit, slack)
 
 
@@ -429,11 +427,15 @@ def judge_ways(case: Case) -> Judgement:
     """Whether some way of a relation's type holds, at one of its sites or at every one."""
     target = case.relation.target
     missing = SITES[case.spec.ways[0].sites][1].format(target=target or case.spec.target_kind)
-    alternatives: list[Sequence[Measurement]] = []
+    return judge(_alternatives(case), missing, ROUNDING)
+
+
+def _alternatives(case: Case) -> Iterator[Measurements]:
+    """What is measured of each way at each site, one after the other: the first that holds is enough."""
     for way in case.spec.ways:
-        sites = list(measured(case, way))
         if not way.every:
-            alternatives += sites
-        elif sites or target is None:
-            alternatives.append([m for site in sites for m in site])
-    return judge(alternatives, missing, ROUNDING)
+            yield from measured(case, way)
+            continue
+        sites = list(measured(case, way))
+        if sites or case.relation.target is None:
+            yield [m for site in sites for m in site]

@@ -20,7 +20,7 @@ from sceneweaver.verify.measure import TOLERANCE, Measurement, Measurements
 from sceneweaver.verify.measures import Reading
 from sceneweaver.verify.solids import Array, Body, Placed
 
-RAY = 100.0
+RAY = 1000.0
 """Length [m] of a ray: more than any room has."""
 
 _SLACK = {"m": TOLERANCE, "deg": 1e-6, "": 0.0}
@@ -36,8 +36,7 @@ class Outlines(Protocol):
         """The bodies."""
         ...
 
-    @property
-    def gaps(self) -> dict[tuple[int, int], float]:
+    def kept_gaps(self) -> dict[tuple[int, int], float]:
         """Distances of pairs that are known, by their indices."""
         ...
 
@@ -84,7 +83,7 @@ def gap(view: Outlines, a: Body, b: Body) -> float:
     """Least distance [m] between the solids of two objects, heights included."""
     import shapely
 
-    kept, key = view.gaps, (min(a.index, b.index), max(a.index, b.index))
+    kept, key = view.kept_gaps(), (min(a.index, b.index), max(a.index, b.index))
     if key not in kept:
         parts = view.placed.parts
         rows, columns = view.placed.part_rows(a), view.placed.part_rows(b)
@@ -218,6 +217,15 @@ def _held(q: Asked) -> Reading | None:
     return Reading(float(within or q.row.of != "inner"), "")
 
 
+def _shape(view: Outlines, target: Target) -> tuple[Any, tuple[float, float]]:
+    """What is looked at, in plan, and its middle."""
+    import shapely
+
+    if isinstance(target, Segment):
+        return target.line, target.middle
+    return shapely.convex_hull(view.footprint(target)), target.centre
+
+
 def _looks_away(q: Asked) -> Reading | None:
     import shapely
 
@@ -225,8 +233,7 @@ def _looks_away(q: Asked) -> Reading | None:
     if isinstance(q.t, Segment) and q.t.is_wall:
         turned = math.degrees(math.acos(max(-1.0, min(1.0, dot(q.s.front, q.t.wall.outward)))))
         return Reading(turned if way > 0 else 180.0 - turned, "deg")
-    seen = isinstance(q.t, Segment)
-    shape, middle = (q.t.line, q.t.middle) if seen else (shapely.convex_hull(q.view.footprint(q.t)), q.t.centre)
+    shape, middle = _shape(q.view, q.t)
     (x, y), (fx, fy) = q.s.centre, q.s.front
     if q.s.centre == middle:
         return Reading(90.0, "deg")
@@ -332,7 +339,7 @@ def stated(
             subject, target, scope)  # fmt: skip
         sides = way.sides
         if isinstance(sides, str):
-            sides = sides_named(t, sides)
+            sides = sides_named(t, sides) if isinstance(t, Body) else ()
         for named in sides or (None,):
             found = [*_measured(way, word.frame, view, s, t, names, params, named)]
             if side is not None:

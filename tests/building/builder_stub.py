@@ -86,6 +86,7 @@ ADD = """\
         fixed: bool = False,
         hard: bool = True,
         seed: int | None = None,
+        frame: Literal["own", "viewer"] | None = None,
 {relations}
     ) -> {result}: ...
 """

@@ -14,11 +14,12 @@ import numpy as np
 
 from sceneweaver.assets.roles import has_role
 from sceneweaver.assets.taxonomy import category_named
+from sceneweaver.rules.stated import number
 from sceneweaver.scene import Relation, Scene
 from sceneweaver.verify.relations import judge_relation
 from sceneweaver.verify.solids import Body, Opening, Placed
 
-FLAT = 0.03
+FLAT: float = number("flat")
 """Height [m] up to which what lies on the floor is walked on, as a rug is."""
 
 PLAIN = 0.7
