@@ -7,13 +7,13 @@ from dataclasses import dataclass, field, replace
 
 from sceneweaver.assets import Asset, Library
 from sceneweaver.assets.category import REACH
+from sceneweaver.assets.roles import has_role
 from sceneweaver.assets.taxonomy import category_named, likeliness
 from sceneweaver.knowledge.model import Range
 from sceneweaver.knowledge.surfaces import usual_arrangement
 from sceneweaver.language import Grounded, SceneGraph, StatedRelation, carrier_of
 from sceneweaver.scene import InputError, Palette, SceneObject, Surface
 
-from .draft import groups_of
 from .program import LeftOut, Program, Wanted
 from .relations import thing_of
 from .surface_bodies import Shelf
@@ -52,9 +52,6 @@ EYES = 1.45
 
 FREE = 0.3
 """Share of a top that must be free of what rises from it, for a thing to stand there."""
-
-ON_FLOOR = frozenset(("toy_group", "sport", "container"))
-"""Groups of small things that may as well stand on the floor."""
 
 BESIDE = ("next_to", "near", "left_of", "right_of", "in_front_of", "behind", "against", "leaning_on", "below", "at")
 """Stated relations to a thing or a part of the room that put such a thing on the floor."""
@@ -104,7 +101,7 @@ def supported(program: Program, brief: SceneGraph) -> None:
         fits = [w for w in program.wanted if w is not one and w.support is None and _fits_on(w.asset, one.asset)]
         if (
             one.asked is not None
-            and groups_of(one.category) & ON_FLOOR
+            and has_role(one.category, "set_down")
             and any(w.support is one for w in program.wanted)
         ):
             one.held = "floor"  # a bin that holds toys
@@ -142,7 +139,7 @@ def _held(brief: SceneGraph, by_asked: dict[str, list[Wanted]]) -> None:
                 one.held = "floor"
             elif one.mount == "surface" and said.type in BESIDE:
                 floor = not any(by_asked.get(name) for name in said.targets) or _on_floor(said, by_asked)
-                if floor and (groups_of(one.category) & ON_FLOOR or "floor" in may):
+                if floor and (has_role(one.category, "set_down") or "floor" in may):
                     one.held = "floor"
 
 
