@@ -16,7 +16,7 @@ from sceneweaver.knowledge import Item, RoomType
 from sceneweaver.knowledge.design_rules import limit
 from sceneweaver.knowledge.kin import excluded_kinds, kin
 from sceneweaver.knowledge.usual_places import UsualPlace, usual_places_of
-from sceneweaver.language import Entity, SceneGraph
+from sceneweaver.language import Entity, SceneGraph, Thing
 from sceneweaver.scene import PRIORITIES, InputError, Palette, SceneObject, Zone
 
 from .draft import CRAMMED, groups_of
@@ -94,6 +94,11 @@ class Wanted:
         if self.held is not None:
             return self.held
         return (self.item and self.item.mount) or self.asset.mount
+
+    @property
+    def thing(self) -> Thing:
+        """It as the relations of a request know it."""
+        return Thing(self.id, self.category, self.asset.size, self.mount, self.support.id if self.support else None)
 
     @property
     def footprint(self) -> float:

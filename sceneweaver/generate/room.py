@@ -23,10 +23,10 @@ from .relations import of_brief, of_items, rows_of
 from .rooms import larger_rooms, may_hold, other_rooms, same_walls, walls_hold
 from .rows import in_rows, lines_of, row_variants
 from .run import Variant, has_place
+from .seats import lengthened
 from .setup import Setup
 from .shell import floor_area, shell
 from .supports import Places, laid, supported
-from .tables import lengthened
 
 FILL = {"sparse": 0.73, "normal": 1.0, "full": 1.21}
 """Share of what a kind of room usually has under furniture up to which more is put in."""
