@@ -212,4 +212,4 @@ def _resume(run: Run, folder: RunFolder) -> None:
         if memory.spent and len(memory.steps) < run.settings.steps:  # a larger budget goes on
             memory = memory.model_copy(update={"finished": "", "spent": False})
         run.memory = memory
-        run.best = Executor(run.room_type, run.brief, run.settings).judged(kept[1])
+        run.best = Executor(run.room_type, run.brief, run.settings, run.library).judged(kept[1])

@@ -99,7 +99,7 @@ class Run:
         Raises:
             InputError: when not even a first scene can be made.
         """
-        executor = Executor(self.room_type, self.brief, self.settings, self.deadline, found=self._offer)
+        executor = Executor(self.room_type, self.brief, self.settings, self.library, self.deadline, found=self._offer)
         if self.best is None and self.folder is not None:
             bare = bare_scene(self.brief, self.room_type, self.settings.seed)
             self.folder.keep(bare, check(bare))

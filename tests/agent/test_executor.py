@@ -358,7 +358,7 @@ def test_rows_go_along_into_other_rooms():
 def test_a_deadline_that_has_passed_ends_the_search_with_what_there_is():
     chests = [wanted(f"chest-{k}", "asked") for k in range(30)]
     settings = QUICK.model_copy(update={"attempts": (20, 60)})
-    executor = Executor(room_type("bedroom"), SceneGraph(text="a bedroom"), settings, Deadline(0.0))
+    executor = Executor(room_type("bedroom"), SceneGraph(text="a bedroom"), settings, deadline=Deadline(0.0))
     before = room_with(BED, *chests)
     outcome = executor.run(before, Proposal(scene=before, fresh=True), 0)
     assert outcome.scene.ids == before.ids and not outcome.report.valid and not outcome.unmet

@@ -121,7 +121,7 @@ def check_example(room: RoomType) -> None:
     if proposal.unmet:
         raise InputError(f"the room cannot be drawn in full: {'; '.join(proposal.unmet[:PROBLEMS])}")
     try:
-        outcome = Executor(room, brief, TRIAL).run(empty, proposal, seed=0)
+        outcome = Executor(room, brief, TRIAL, context.library).run(empty, proposal, seed=0)
     except SceneWeaverError:
         raise
     except Exception as error:  # anything may stand in what a model wrote
