@@ -129,7 +129,7 @@ def _bodies(
             except InputError:
                 pass  # the asset came from a source that is not there now; another one has to do
     wish = replace(_wish(setup, row, item, seed), mount=mount)
-    if mount == "wall" and has_role(category, "window_wide") and wish.size[1] is None:
+    if mount == "wall" and has_role(category, "window_cover") and wish.size[1] is None:
         room = setup.scene.room
         panes = [w.width for w in room.windows]
         if panes:
@@ -212,7 +212,7 @@ def _object(
         request=asked,
         program_item=item.id if item is not None else None,
         mounting_height=heights,
-        keep_clear=mount == "wall" and not has_role(asset.category, "window_wide"),
+        keep_clear=mount == "wall" and not has_role(asset.category, "window_cover"),
     )
     obj = asset.object(id, pose=pose, mount=mount, support=support)  # type: ignore[arg-type]
     return obj.model_copy(update={"intent": intent, "zones": free_zones(item, obj)})

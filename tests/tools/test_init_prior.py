@@ -75,7 +75,7 @@ def test_objects_say_what_they_are_there_for(prior, name):
         if heights is not None:
             low, high = heights
             assert low <= o.pose.position[2] <= high <= scene.room.height - o.size[2]
-        assert o.intent.keep_clear is (o.mount == "wall" and not has_role(o.category, "window_wide"))
+        assert o.intent.keep_clear is (o.mount == "wall" and not has_role(o.category, "window_cover"))
     assert any(o.mount == "wall" for o in scene.objects)
 
 
