@@ -7,30 +7,19 @@ import zlib
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from sceneweaver.assets import categories, resolve
+from sceneweaver.assets import resolve
 from sceneweaver.assets.taxonomy import category_named
 from sceneweaver.generate.program import decided_kinds
 from sceneweaver.generate.surface_bodies import Shelf
-from sceneweaver.generate.surface_candidates import surfaces_of
+from sceneweaver.generate.surface_choice import arrangement_without, is_bare, is_dressed, plan_of
 from sceneweaver.generate.surface_scene import Surroundings
 from sceneweaver.generate.surface_slots import Asked, dressed
 from sceneweaver.generate.tabletop_said import Said, is_said, lost, said_rows, with_said
-from sceneweaver.knowledge.surfaces import (
-    Arrangement,
-    Slot,
-    arrangement,
-    arrangement_of,
-    arrangements,
-    lays,
-    usual_arrangement,
-)
+from sceneweaver.knowledge.surfaces import Arrangement, arrangement, lays
 from sceneweaver.scene import InputError, SceneObject
 from sceneweaver.scene.edits import Add, AnyEdit, Relate
 
 from .base import Context, Proposal
-
-PLACES = ((0.4, 0.7), (0.5, -0.6), (0.75, 0.1), (0.2, -0.1), (0.6, 0.4))
-"""Where things stand that only the category table knows of: depth and side."""
 
 MOST = 40
 """Most things of one kind that one call is asked for."""
@@ -52,7 +41,7 @@ class AddTabletop:
         named = inputs.get("arrangement")
         plan = arrangement(str(named), around.room) if named else None
         if not supports:
-            chosen = [o for o in chosen if _bare(around, o) and _worth(around, o, plan, named is not None)]
+            chosen = [o for o in chosen if is_bare(around, o) and is_dressed(around, o, plan)]
         if not chosen:
             why = "there is no table, desk or other support that lacks things"
             lacking = [f"{a.category}: {why}" for a in asked] or ([] if supports else [why])
@@ -64,7 +53,7 @@ class AddTabletop:
         open_asked = asked
         told = _told(said, chosen)
         decided = decided_kinds(context.brief) - {a.category for a in asked}
-        plans = [_unnamed(plan or plan_of(around, support), decided) for support in chosen]
+        plans = [arrangement_without(plan or plan_of(around, support), decided) for support in chosen]
         for k, support in enumerate(chosen):
             dice = random.Random(f"{context.seed}/{support.id}/{zlib.crc32(b'tabletop')}")
             here = told[support.id]
@@ -84,12 +73,6 @@ class AddTabletop:
         where = ", ".join(o.id for o in chosen[:3])
         unmet += [f"{_words(a.category)}: there is no room on {where}" for a in open_asked]
         return Proposal(edits=tuple(edits), notes=tuple(notes), unmet=tuple(unmet))
-
-
-def _unnamed(plan: Arrangement, named: frozenset[str]) -> Arrangement:
-    """An arrangement without the kinds of things that the request names: of these there are as many as it asks for."""
-    slots = [slot.model_copy(update={"what": tuple(c for c in slot.what if c not in named)}) for slot in plan.slots]
-    return plan.model_copy(update={"slots": tuple(slot for slot in slots if slot.what)}) if named else plan
 
 
 def _share(asked: Sequence[Asked], plans: Sequence[Arrangement]) -> list[Asked]:
@@ -132,44 +115,6 @@ def _asked(given: Sequence[Mapping[str, Any]]) -> list[Asked]:
         look = {key: str(row[key]) for key in ("color", "material", "style", "words") if row.get(key)}
         out += [Asked(category, look) for _ in range(count)]
     return out
-
-
-def _bare(around: Surroundings, obj: SceneObject) -> bool:
-    """Whether nothing is on the main surface but what the room's file puts there: a till, an espresso machine."""
-    main = surfaces_of(obj, False, plan_of(around, obj).top)["main"].name
-    carried = [o for o in around.scene.objects if o.support and (o.support.object, o.support.surface) == (obj.id, main)]
-    return all(o.intent.program_item is not None for o in carried)
-
-
-def _worth(around: Surroundings, obj: SceneObject, plan: Arrangement | None, named: bool) -> bool:
-    """Whether a support is one to dress when none was named: its item or its category says so."""
-    if named and plan is not None:
-        item = around.item(obj)
-        return obj.category in plan.by_category or (item is not None and item.top in (plan.name, *plan.instead))
-    item = around.item(obj)
-    if item is not None and item.top:
-        return True
-    if item is not None and item.fill and (len(obj.surfaces) == 1 or obj.category not in arrangement_of(around.room)):
-        return False
-    return obj.mount != "surface" and obj.category in arrangement_of(around.room)
-
-
-def plan_of(around: Surroundings, obj: SceneObject) -> Arrangement:
-    """The arrangement of a support: its item's, its category's, what the category holds, or the generic one."""
-    item = around.item(obj)
-    plan = usual_arrangement(item.top if item is not None else None, obj.category, around.room)
-    if plan is not None and any(around.may_add(name) for slot in plan.slots for name in slot.what):
-        return plan
-    known = categories().get(obj.category)
-    held = [c for c in (known.holds if known else ()) if c in categories() and categories()[c].size]
-    if not held:
-        return arrangements()["generic"]
-    slots = tuple(
-        Slot(id=f"thing-{k}", what=(*held[k::5],), at=at, chance=0.85, loose=8, reach=0.2)
-        for k, at in enumerate(PLACES)
-        if held[k::5]
-    )
-    return Arrangement(name="holds", description="What the category holds", most=0.4, slots=slots)
 
 
 def _listed(objects: Sequence[SceneObject]) -> str:

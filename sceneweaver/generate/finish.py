@@ -6,20 +6,12 @@ import re
 from collections.abc import Iterator
 
 from sceneweaver.assets.materials import color_words
+from sceneweaver.assets.roles import has_role
 from sceneweaver.geometry.angles import dot
 from sceneweaver.knowledge import RoomType
 from sceneweaver.knowledge.palettes import Palette, accent_for, floor_for
 from sceneweaver.scene import Room, RoomFinish, Scene, WallAccent, WallTiles
 from sceneweaver.scene.finish import FloorFinish
-
-from .draft import groups_of
-
-TILED = {"bathroom": (0.0, 2.1), "guest_toilet": (0.0, 1.2), "kitchen": (0.9, 1.5), "laundry_room": (0.9, 1.5)}
-"""Heights [m] between which the walls of a kind of room are tiled."""
-
-
-MAIN = frozenset(("bed_group", "sofa", "sectional_sofa", "loveseat", "desk"))
-"""Groups and categories of what a room is built around."""
 
 _WALLS = re.compile(r"(?P<color>[a-z]+(?: [a-z]+)?)(?:[- ]painted)? (?:walls\b|(?P<accent>accent|feature) wall\b)")
 
@@ -34,7 +26,7 @@ def finished(room: Room, room_type: RoomType, palette: Palette, seed: int, text:
     """
     said = {which: color for color, which in _named(text)}
     floor = floor_for(room_type.name, room_type.floor, seed)
-    tiles = TILED.get(room_type.name)
+    tiles = room_type.tiles
     kind = accent_for(room_type.name, seed)
     wall = accent_wall(room)
     accent = None
@@ -69,7 +61,7 @@ def accented(scene: Scene) -> Scene:
     room, finish = scene.room, scene.room.finish
     if finish is None or finish.accent is None:
         return scene
-    main = [o for o in scene.objects if o.mount == "floor" and groups_of(o.category) & MAIN]
+    main = [o for o in scene.objects if o.mount == "floor" and has_role(o.category, "main_piece")]
     for piece in sorted(main, key=lambda o: (-o.size[0] * o.size[1], o.id)):
         back = piece.pose.frame.world(-piece.size[0] / 2, 0.0)
         for wall in room.walls:

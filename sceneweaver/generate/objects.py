@@ -23,12 +23,6 @@ from .setup import Setup
 from .surface_spots import fits_on, spot_on
 from .usual import item_for, rows_for
 
-VARIED = frozenset(("decor", "plant_group", "stationery", "food", "toy_group", "toiletry", "container", "textile"))
-"""Groups of which several at once are different ones."""
-
-NOT_ON = frozenset(("seating", "bed_group", "textile"))
-"""Groups that carry only what is usual on them."""
-
 
 @dataclass
 class Added:
@@ -126,7 +120,7 @@ def _bodies(
     """Bodies for all of an entry: like those of its set that are there, equal ones, or for small things different."""
     seed = setup.seed + 101 * number
     free = not any(row.get(k) for k in ("size", "color", "material", "style", "words"))
-    same = item.same if item is not None else mount != "surface" and not groups_of(category) & VARIED
+    same = item.same if item is not None else mount != "surface" and not has_role(category, "assorted")
     if same and free:
         twin = next((o for o in draft.objects.values() if o.category == category and o.asset is not None), None)
         if twin is not None and twin.asset is not None and twin.mount == mount:
@@ -250,7 +244,7 @@ def _supports(draft: Draft, asset: Asset, item: Item | None, on: Sequence[str]) 
         able([id for id, found in ranks.items() if found == rank])
         for rank in sorted({rank for rank in ranks.values() if rank is not None})
     ]
-    rest = [o.id for o in draft.objects.values() if not groups_of(o.category) & NOT_ON]
+    rest = [o.id for o in draft.objects.values() if not has_role(o.category, "soft_top")]
     return [*dict.fromkeys([*able(usual), *(id for ids in likely for id in ids), *able(rest)])]
 
 

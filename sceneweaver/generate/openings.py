@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from sceneweaver.geometry.angles import dot
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.knowledge import RoomType
-from sceneweaver.knowledge.palettes import groups_of
+from sceneweaver.knowledge.shells import first_group, shells
 from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Door, InputError, Room, Window
 
@@ -32,9 +32,6 @@ SWING = 0.15
 
 MIDDLE = 0.45
 """Share of single windows that are in the middle of their wall."""
-
-KINDS = (("usual", 72.0), ("low", 16.0), ("french", 12.0))
-"""Kinds of windows in homes, and how often: with the usual sill, with a low one, down to the floor."""
 
 LOW_SILL, FRENCH = (0.35, 0.5), (2.1, 2.2)
 """Sills [m] of low windows, and heights [m] of windows down to the floor."""
@@ -93,9 +90,10 @@ def pane_of(room_type: RoomType, brief: SceneGraph, height: float, rng: random.R
     width = round(rng.uniform(*spec.width), 2)
     sill = rng.uniform(*spec.sill)
     tall = rng.uniform(*spec.height)
-    kind = rng.choices([name for name, _ in KINDS], [share for _, share in KINDS])[0]
+    varied = shells().windows
+    kind = rng.choices([*varied.kinds], [*varied.kinds.values()])[0]
     stands = any("window" in said.targets for said in brief.relations)
-    if groups_of(room_type.name)[0] == "home" and not stands and sill < 1.0:
+    if first_group(room_type.name) in varied.groups and not stands and sill < 1.0:
         if kind == "low":
             sill, tall = rng.uniform(*LOW_SILL), sill + tall - LOW_SILL[0]
         elif kind == "french":

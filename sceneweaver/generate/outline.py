@@ -4,31 +4,16 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from sceneweaver.knowledge import RoomType
-from sceneweaver.knowledge.palettes import groups_of
+from sceneweaver.knowledge.shells import first_group, shells
 
 Point = tuple[float, float]
 
 SMALLEST, LARGEST = 1.5, 60.0
 """Sides [m] of a room that are built at least and at most; what was asked is brought in between, with a note."""
-
-SHAPES: Mapping[str, Mapping[str, float]] = {
-    "home": {"rectangle": 52, "L": 15, "notch": 11, "cut": 9, "bay": 13},
-    "child": {"rectangle": 60, "L": 8, "notch": 14, "cut": 8, "bay": 10},
-    "wet": {"rectangle": 76, "notch": 18, "cut": 6},
-    "work": {"rectangle": 70, "L": 8, "notch": 14, "cut": 8},
-    "care": {"rectangle": 76, "L": 6, "notch": 14, "cut": 4},
-    "trade": {"rectangle": 66, "L": 10, "notch": 12, "cut": 6, "bay": 6},
-    "dark": {"rectangle": 80, "notch": 14, "cut": 6},
-    "utility": {"rectangle": 74, "L": 8, "notch": 18},
-}
-"""How often a room of a group has a shape, where the request leaves it to us."""
-
-LEAST_AREA = {"rectangle": 0.0, "notch": 6.0, "cut": 9.0, "bay": 10.0, "L": 12.0}
-"""Floor [m2] from which on a room may have a shape: smaller ones would hold nothing."""
 
 AREA_SHARE = {"L": 0.80, "T": 0.75, "U": 0.835}
 """Share of the box of a room that its floor is."""
@@ -49,9 +34,9 @@ class Plan:
 
 def drawn_shape(room_type: RoomType, area: float, rng: random.Random) -> str:
     """A shape for a room of such a floor area [m2]."""
-    shares = SHAPES[groups_of(room_type.name)[0]]
+    shares, least = shells().shapes[first_group(room_type.name)], shells().least
     gridded = any(item.row == "grid" for item in room_type.items)
-    names = [n for n in shares if area >= LEAST_AREA[n] and (not gridded or n in IN_ROWS)]
+    names = [n for n in shares if area >= least[n] and (not gridded or n in IN_ROWS)]
     return rng.choices(names, [shares[n] for n in names])[0]
 
 

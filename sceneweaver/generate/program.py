@@ -9,19 +9,18 @@ from dataclasses import dataclass, field, replace
 
 from sceneweaver.assets import Asset, Library, Look, Wish, categories, drawable
 from sceneweaver.assets.plurals import singular
+from sceneweaver.assets.roles import has_role, with_role
 from sceneweaver.assets.taxonomy import category_named, members, narrower
 from sceneweaver.assets.zones import cleared, hung_at
 from sceneweaver.knowledge import Item, RoomType
 from sceneweaver.knowledge.design_rules import limit
 from sceneweaver.knowledge.kin import excluded_kinds, kin
 from sceneweaver.knowledge.usual_places import UsualPlace, usual_places_of
-from sceneweaver.language import Entity, SceneGraph
+from sceneweaver.language import Entity, SceneGraph, Thing
 from sceneweaver.scene import PRIORITIES, InputError, Palette, SceneObject, Zone
 
 from .draft import CRAMMED, groups_of
 from .lights import OVER, TABLE, hanging_height
-
-FULL_LENGTH, BLIND = ("curtain", "sheer_curtain"), "window_blind"
 
 ABOVE_PANE = 0.1
 """Height [m] of a curtain beyond that of the top of its window: its rod hangs over the window."""
@@ -95,6 +94,11 @@ class Wanted:
         if self.held is not None:
             return self.held
         return (self.item and self.item.mount) or self.asset.mount
+
+    @property
+    def thing(self) -> Thing:
+        """It as the relations of a request know it."""
+        return Thing(self.id, self.category, self.asset.size, self.mount, self.support.id if self.support else None)
 
     @property
     def footprint(self) -> float:
@@ -202,7 +206,8 @@ def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, wi
         if not names and item.with_:
             skipped.add(item.with_)
         if _hangs_at_windows(item) and _something_at_windows(room_type, brief):
-            names = tuple(c for c in names if c not in FULL_LENGTH) or tuple({BLIND} - banned)
+            short = tuple(c for c in names if not has_role(c, "curtain"))
+            names = short or tuple(sorted(with_role("blind") - banned))
         if not names or (brief.only and item.need != "needed") or (brief.only and brief.entities):
             continue
         if item.id not in holders and not room_type.for_request and not _usual_enough(item, brief, keep):
@@ -457,10 +462,10 @@ def drop_at_window(category: str, height: float, top: float, ceiling: float) -> 
 
     A blind is drawn up half the way, the rod of a curtain down to the floor is above the window; None for others.
     """
-    if category == BLIND:
+    if has_role(category, "blind"):
         return 0.5 * height
     usual = category_named(category).size
-    if category not in FULL_LENGTH or usual is None:
+    if not has_role(category, "curtain") or usual is None:
         return None
     return round(min(max(min(top + ABOVE_PANE, ceiling - 0.05), usual.height[0]), usual.height[1]), 3)
 

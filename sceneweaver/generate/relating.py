@@ -9,10 +9,7 @@ from sceneweaver.scene import CATALOGUE, InputError, Relation, SceneObject
 from sceneweaver.scene.messages import suggest
 
 from .draft import Draft
-from .relations import wall_named
-
-CEILING = 0.15
-"""Height [m] that is left free above what hangs over something."""
+from .relations import CEILING, behind_it, wall_named
 
 WORDS = ("type", "to", "soft", "weight", "params")
 
@@ -71,11 +68,7 @@ def relations_of(
             continue
         found.append(relation)
         if relation.type == "above" and subject.mount == "wall":  # at the wall behind it, not at the one opposite
-            found.append(
-                Relation(
-                    type="near", subject=subject.id, target=relation.target, params={"max": 0.3}, hard=relation.hard
-                )
-            )
+            found.append(behind_it(relation))
     return found, failed
 
 

@@ -47,6 +47,9 @@ CLOSE = 0.1
 CEILING = 0.15
 """Height [m] that is left free above what hangs over something."""
 
+WALL_BEHIND = 0.3
+"""Most distance [m] of what hangs at the wall behind a thing."""
+
 FRAME = 0.15
 """Gap [m] that furniture keeps from the frame of a door."""
 
@@ -81,11 +84,7 @@ def of_items(wanted: Sequence[Wanted], room: Room, but: Mapping[str, frozenset[s
             if relation.type in ("front_against", "around") and one.parent is not None:
                 found.append(_squared(one, one.parent))
             if relation.type == "above" and one.mount == "wall":  # at the wall behind it, not at the one opposite
-                found.append(
-                    Relation(
-                        type="near", subject=one.id, target=relation.target, params={"max": 0.3}, hard=relation.hard
-                    )
-                )
+                found.append(behind_it(relation))
     return _cornered(
         _without_doubles(
             [
@@ -98,6 +97,12 @@ def of_items(wanted: Sequence[Wanted], room: Room, but: Mapping[str, frozenset[s
         ),
         room,
     )
+
+
+def behind_it(above: Relation) -> Relation:
+    """What keeps a thing that hangs above another at the wall behind that: it is near it."""
+    near = {"max": WALL_BEHIND}
+    return Relation(type="near", subject=above.subject, target=above.target, params=near, hard=above.hard)
 
 
 def of_usual(
@@ -305,7 +310,7 @@ def _made(wanted: Sequence[Wanted]) -> dict[str, list[Thing]]:
     made: dict[str, list[Thing]] = {}
     for one in wanted:
         if one.asked is not None:
-            made.setdefault(one.asked, []).append(thing_of(one))
+            made.setdefault(one.asked, []).append(one.thing)
     return made
 
 
@@ -342,11 +347,6 @@ def of_brief(
             for target in relation.targets:
                 placed[target] = placed.get(target, frozenset()) | _EDGE
     return _without_doubles(found), placed, unmet
-
-
-def thing_of(one: Wanted) -> Thing:
-    """An object to be, as the relations of a request know it."""
-    return Thing(one.id, one.category, one.asset.size, one.mount, one.support.id if one.support is not None else None)
 
 
 def in_room(rows: Iterable[Grounded], room: Room, unmet: list[str]) -> Iterator[tuple[Grounded, Relation]]:

@@ -6,6 +6,7 @@ import random
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
+from sceneweaver.assets.roles import has_role
 from sceneweaver.assets.taxonomy import category_named
 from sceneweaver.knowledge.palettes import Palette as RoomPalette
 from sceneweaver.knowledge.palettes import palette_for
@@ -17,15 +18,15 @@ from .draft import walls_of
 from .finish import finished
 from .fit import POOR, fitted
 from .lights import lamp_count
-from .program import BLIND, BY_RANK, Limits, Program, Wanted, build, demands, free_zones
+from .program import BY_RANK, Limits, Program, Wanted, build, demands, free_zones
 from .relations import of_brief, of_items, rows_of
 from .rooms import larger_rooms, may_hold, other_rooms, same_walls, walls_hold
 from .rows import in_rows, lines_of, row_variants
 from .run import Variant, has_place
+from .seats import lengthened
 from .setup import Setup
 from .shell import floor_area, shell
 from .supports import Places, laid, supported
-from .tables import lengthened
 
 FILL = {"sparse": 0.73, "normal": 1.0, "full": 1.21}
 """Share of what a kind of room usually has under furniture up to which more is put in."""
@@ -318,7 +319,7 @@ def _object(one: Wanted, space: Room, over: float, clear: bool, places: Places) 
 
 def _hang(one: Wanted, space: Room, over: float) -> tuple[float, float]:
     """Heights [m] between which the bottom of a thing on a wall is: the item's or the category's, under the ceiling."""
-    if one.category == BLIND and space.windows:
+    if has_role(one.category, "blind") and space.windows:
         window = space.windows[one.number % len(space.windows)]
         top = min(window.sill + window.height + 0.04, space.height - 0.02) - one.asset.size[2]
         return round(top - 0.01, 3), round(top + 0.01, 3)

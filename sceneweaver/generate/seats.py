@@ -1,12 +1,17 @@
-"""Seats around their tables as relations: as many on one side as on the other, at even places."""
+"""Seats around their tables as relations, at even places, and tables long enough for the seats that are told of."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
-from sceneweaver.scene import CATALOGUE, Relation
+from sceneweaver.assets import Library
+from sceneweaver.assets.taxonomy import category_named
+from sceneweaver.language import Grounded, SceneGraph
+from sceneweaver.scene import CATALOGUE, InputError, Relation
 
-from .program import Wanted
+from .program import Program, Wanted
 
 ELBOW = 0.08
 """Length [m] of table edge that a seat takes beside its own width."""
@@ -14,15 +19,19 @@ ELBOW = 0.08
 SQUARE = 1.12
 """Tables whose length is less than so many times their depth, and which are round by name, are sat around."""
 
+TUCKED = 0.2
+"""How much [m] narrower than the table the ring is on which the fronts of pulled-up seats stand."""
+
+EDGES = 8
+"""Edges of the collision part of a round table. Seats are pulled up to these, to every other one if that is enough."""
+
 
 def seat_relations(wanted: Sequence[Wanted]) -> Iterator[Relation]:
     """The places of all seats that share a table, soft: where one is taken the seat may be anywhere at its table."""
     for table, seats in _tables(wanted).values():
         if len(seats) < 2 and not (table.item and table.item.row == "grid"):
             continue
-        d, w, _ = table.asset.size
-        round_ = "round" in table.category and max(d, w) < SQUARE * min(d, w)
-        if round_ and len(seats) not in (2, 4):
+        if _is_round(table) and len(seats) not in (2, 4):
             for seat in seats:
                 yield Relation(type="around", subject=seat.id, target=table.id, hard=False, weight=0.5)
             continue
@@ -84,3 +93,65 @@ def _places(table: Wanted, seats: Sequence[Wanted]) -> Iterator[tuple[Wanted, st
     for side, row in shared.items():
         for k, seat in enumerate(row):
             yield seat, side, k, len(row)
+
+
+def lengthened(program: Program, rows: Sequence[Grounded], library: Library, brief: SceneGraph) -> bool:
+    """Exchange tables that are too short for the seats at them for longer ones; whether any was.
+
+    Those whose size the request gives stay as they are.
+    """
+    sized = {entity.id for entity in brief.entities if any(entity.size)}
+    changed = False
+    for table in program.wanted:
+        if table.wish is None or table.asked in sized or not table.thing.is_table:
+            continue
+        depth, width, _ = table.asset.size
+        length = _needed(table, program, rows)
+        if length <= max(depth, width):
+            continue
+        size = _longer(table, length)
+        if size is None:
+            continue
+        try:
+            wish = replace(table.wish, size=(*size, table.wish.size[2]), beyond=True)
+            table.asset = library.choose(table.category, 1, wish)[0]
+        except InputError:
+            continue
+        changed = True
+    return changed
+
+
+def _needed(table: Wanted, program: Program, rows: Sequence[Grounded]) -> float:
+    """Length of a table, or diameter of a round one [m], that its seats need; 0 where there are none."""
+    seats = {one.id: one for one in program.wanted if one.thing.is_seat}
+    own = [row for row in rows if row.target == table.id and row.subject in seats]
+    wide = max((seats[row.subject].asset.size[1] for row in own), default=0.0)
+    ring = len({row.subject for row in own if row.type == "around"})
+    along = max((row.params["n"] for row in own if row.type == "seated_at"), default=0)
+    if ring > 2 and _is_round(table):
+        edges = EDGES if ring > EDGES // 2 else EDGES // 2
+        return math.ceil(ring / edges) * wide / math.tan(math.pi / edges) + TUCKED
+    if ring > 2:
+        along = max(along, math.ceil((ring - 2) / 2))
+    return along * (wide + ELBOW)
+
+
+def _is_round(table: Wanted) -> bool:
+    depth, width, _ = table.asset.size
+    return "round" in table.category and max(depth, width) < SQUARE * min(depth, width)
+
+
+def _longer(table: Wanted, length: float) -> tuple[float, float] | None:
+    """Depth and width [m] of a table of some length, as far as such tables go; None where it is that long already."""
+    known = category_named(table.category).size
+    if known is None:
+        return None
+    depth, width, _ = table.asset.size
+    at = 1 if width >= depth else 0
+    most = known.reach[at][1]
+    if _is_round(table):
+        most = min(most, known.reach[0][1], known.reach[1][1])
+    length = round(min(length, most), 3)
+    if length <= max(depth, width) + 1e-3:
+        return None
+    return (length, length) if _is_round(table) else (depth, length) if at else (length, width)

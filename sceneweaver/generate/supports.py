@@ -7,18 +7,18 @@ from dataclasses import dataclass, field, replace
 
 from sceneweaver.assets import Asset, Library
 from sceneweaver.assets.category import REACH
+from sceneweaver.assets.roles import has_role
 from sceneweaver.assets.taxonomy import category_named, likeliness
 from sceneweaver.knowledge.model import Range
 from sceneweaver.knowledge.surfaces import usual_arrangement
 from sceneweaver.language import Grounded, SceneGraph, StatedRelation, carrier_of
 from sceneweaver.scene import InputError, Palette, SceneObject, Surface
 
-from .draft import groups_of
 from .program import LeftOut, Program, Wanted
-from .relations import thing_of
 from .surface_bodies import Shelf
 from .surface_scene import Frame
 from .surface_setting import Standing
+from .surface_spots import fits_on
 from .surface_stated import EXACT, Rider, StatedLayer, holds
 
 FULL = 0.5
@@ -53,9 +53,6 @@ EYES = 1.45
 FREE = 0.3
 """Share of a top that must be free of what rises from it, for a thing to stand there."""
 
-ON_FLOOR = frozenset(("toy_group", "sport", "container"))
-"""Groups of small things that may as well stand on the floor."""
-
 BESIDE = ("next_to", "near", "left_of", "right_of", "in_front_of", "behind", "against", "leaning_on", "below", "at")
 """Stated relations to a thing or a part of the room that put such a thing on the floor."""
 
@@ -80,41 +77,9 @@ def supported(program: Program, brief: SceneGraph) -> None:
     for one in program.wanted:
         if one.asked is not None:
             by_asked.setdefault(one.asked, []).append(one)
-    things = {name: [thing_of(one) for one in several] for name, several in by_asked.items()}
-    by_id = {one.id: one for one in program.wanted}
-    for said in brief.relations:
-        for k, one in enumerate(by_asked.get(said.subject, [])):
-            carrier = carrier_of(said, things, k) if said.type in ("on", "inside", "centered_on") else None
-            target = by_id.get(carrier.id) if carrier is not None else None
-            if target is None or target is one or one.support is not None or _carried(target, one):
-                continue
-            if said.type == "centered_on" and one.mount != "surface":
-                continue
-            if not thing_of(target).is_flat and _may_carry(target, one):
-                one.support, one.inside = target, said.type == "inside"
-            elif "floor" in category_named(one.category).mount or one.mount == "surface":
-                one.held = "floor"
+    _stated_supports(program, brief, by_asked)
     _held(brief, by_asked)
-    pairs = _pairs(brief, by_asked)
-    _share_supports(pairs)
-    load: dict[str, float] = {}  # share of the surfaces of a support that is taken
-    for one in program.wanted:
-        if one.mount != "surface" or one.support is not None:
-            continue
-        fits = [w for w in program.wanted if w is not one and w.support is None and _fits_on(w.asset, one.asset)]
-        if (
-            one.asked is not None
-            and groups_of(one.category) & ON_FLOOR
-            and any(w.support is one for w in program.wanted)
-        ):
-            one.held = "floor"  # a bin that holds toys
-        elif fits:
-            one.support = min(fits, key=lambda w: _unlikely(one, w, load.get(w.id, 0.0)))
-            taken = one.asset.size[0] * one.asset.size[1] / max(_ground(one.support), 1e-6)
-            load[one.support.id] = load.get(one.support.id, 0.0) + taken
-            _share_supports(pairs)
-        elif one.asked is not None and one.asset.size[2] < TALLEST:
-            one.held = "floor"
+    _likely_supports(program.wanted, _pairs(brief, by_asked))
     for said in brief.relations:
         if said.type in SHARES:
             for one in by_asked.get(said.subject, []):
@@ -123,6 +88,52 @@ def supported(program: Program, brief: SceneGraph) -> None:
     lost = [w for w in program.wanted if w.mount == "surface" and w.support is None]
     program.wanted = [w for w in program.wanted if w not in lost]
     program.left_out += [LeftOut(w.asked, f"{w.category}: nothing in the room can carry it") for w in lost]
+
+
+def _stated_supports(program: Program, brief: SceneGraph, by_asked: dict[str, list[Wanted]]) -> None:
+    """Supports as the request says them: on, in, or in the middle of something."""
+    things = {name: [one.thing for one in several] for name, several in by_asked.items()}
+    by_id = {one.id: one for one in program.wanted}
+    for said in brief.relations:
+        if said.type not in ("on", "inside", "centered_on"):
+            continue
+        for k, one in enumerate(by_asked.get(said.subject, [])):
+            carrier = carrier_of(said, things, k)
+            target = by_id.get(carrier.id) if carrier is not None else None
+            # The first that is said counts, and nothing stands on what stands on it.
+            if target is None or target is one or one.support is not None or _carried(target, one):
+                continue
+            # What has the floor may be said to be in the middle of a rug or a room.
+            if said.type == "centered_on" and one.mount != "surface":
+                continue
+            if not target.thing.is_flat and _may_carry(target, one):
+                one.support, one.inside = target, said.type == "inside"
+            elif "floor" in category_named(one.category).mount or one.mount == "surface":
+                one.held = "floor"
+
+
+def _likely_supports(wanted: Sequence[Wanted], pairs: Sequence[tuple[Wanted, Wanted]]) -> None:
+    """The likeliest supports for small things of which nothing is said, those that are related on the same."""
+    _share_supports(pairs)
+    load: dict[str, float] = {}  # share of the surfaces of a support that is taken
+    for one in wanted:
+        if one.mount != "surface" or one.support is not None:
+            continue
+        fits = [
+            w
+            for w in wanted
+            if w is not one and w.support is None and any(fits_on(s, one.asset.size) for s in w.asset.surfaces)
+        ]
+        holds_others = any(w.support is one for w in wanted)
+        if one.asked is not None and has_role(one.category, "set_down") and holds_others:
+            one.held = "floor"  # a bin that holds toys
+        elif fits:
+            one.support = min(fits, key=lambda w: _unlikely(one, w, load.get(w.id, 0.0)))
+            taken = one.asset.size[0] * one.asset.size[1] / max(_ground(one.support), 1e-6)
+            load[one.support.id] = load.get(one.support.id, 0.0) + taken
+            _share_supports(pairs)
+        elif one.asked is not None and one.asset.size[2] < TALLEST:
+            one.held = "floor"
 
 
 def _held(brief: SceneGraph, by_asked: dict[str, list[Wanted]]) -> None:
@@ -142,7 +153,7 @@ def _held(brief: SceneGraph, by_asked: dict[str, list[Wanted]]) -> None:
                 one.held = "floor"
             elif one.mount == "surface" and said.type in BESIDE:
                 floor = not any(by_asked.get(name) for name in said.targets) or _on_floor(said, by_asked)
-                if floor and (groups_of(one.category) & ON_FLOOR or "floor" in may):
+                if floor and (has_role(one.category, "set_down") or "floor" in may):
                     one.held = "floor"
 
 
@@ -160,7 +171,7 @@ def _on_floor(said: StatedRelation, by_asked: dict[str, list[Wanted]]) -> bool:
     """Whether all that a relation is told to stands on the floor, and none of it is a table."""
     targets = [w for name in said.targets for w in by_asked.get(name, [])]
     standing = all(w.mount == "floor" and w.support is None for w in targets)
-    return bool(targets) and standing and not any(thing_of(w).is_table for w in targets if said.type == "around")
+    return bool(targets) and standing and not any(w.thing.is_table for w in targets if said.type == "around")
 
 
 def _pairs(brief: SceneGraph, by_asked: dict[str, list[Wanted]]) -> list[tuple[Wanted, Wanted]]:
@@ -207,7 +218,7 @@ def _may_carry(target: Wanted, one: Wanted) -> bool:
         return True
     (short, long), (depth, width) = (sorted(w.asset.size[:2]) for w in (one, target))
     small = long <= width and short <= REACH[1] * depth and one.asset.size[2] < 1.0
-    at_table = thing_of(one).is_seat and thing_of(target).is_table
+    at_table = one.thing.is_seat and target.thing.is_table
     return small and one.asset.mount == "floor" and target.mount != "ceiling" and not at_table
 
 
@@ -215,7 +226,7 @@ def _unlikely(one: Wanted, support: Wanted, load: float) -> tuple[bool, bool, in
     """What speaks against a support: that it is full, that it is sat on or out of reach, that such things stand
     elsewhere, that others stand there."""
     rank = likeliness(one.category, support.category)
-    apart = rank is None and thing_of(support).is_seat or min(s.z for s in support.asset.surfaces) > EYES
+    apart = rank is None and support.thing.is_seat or min(s.z for s in support.asset.surfaces) > EYES
     return load > FULL, apart, NOWHERE if rank is None else rank, load
 
 
@@ -224,20 +235,6 @@ def _ground(support: Wanted) -> float:
     import shapely
 
     return float(sum(shapely.Polygon(surface.polygon).area for surface in support.asset.surfaces))
-
-
-def _fits_on(support: Asset, thing: Asset) -> bool:
-    """Whether a thing fits on some surface of another, by its box."""
-    import shapely
-
-    d, w, h = thing.size
-    for surface in support.surfaces:
-        if surface.headroom is not None and surface.headroom < h + 0.005:
-            continue
-        x0, y0, x1, y1 = shapely.Polygon(surface.polygon).bounds
-        if min(x1 - x0, y1 - y0) >= min(d, w) and max(x1 - x0, y1 - y0) >= max(d, w):
-            return True
-    return False
 
 
 @dataclass

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from sceneweaver.assets import Asset, Library, Wish
+from sceneweaver.assets.roles import has_role
 from sceneweaver.assets.taxonomy import category_named
 from sceneweaver.geometry.polygons import counter_clockwise
 from sceneweaver.knowledge.model import Range
@@ -26,12 +27,8 @@ Sizes = tuple[Range | None, Range | None, Range | None]
 OPEN: Sizes = (None, None, None)
 
 
-VARIED = ("book", "standing_books", "book_stack", "magazine", "plush_toy", "picture_frame", "cushion", "laptop")
-"""What people have many different ones of."""
-
-
 def _variants(category: str) -> int:
-    return 3 * VARIANTS if category in VARIED else VARIANTS
+    return 3 * VARIANTS if has_role(category, "varied") else VARIANTS
 
 
 class Shelf:

@@ -12,9 +12,11 @@ import numpy as np
 from sceneweaver.assets import Asset
 from sceneweaver.knowledge.lived_in import CLUTTER
 from sceneweaver.knowledge.surfaces import Crowd, Unit
-from sceneweaver.scene import Surface
+from sceneweaver.scene import SceneObject, Surface
 
+from .surface_bodies import Shelf
 from .surface_candidates import ROUND
+from .surface_choice import seen_from_behind
 from .surface_field import Array
 from .surface_scene import Surroundings
 from .surface_setting import Setting, Standing
@@ -46,7 +48,35 @@ class Group:
     width: float
 
 
-class Row:
+def filled(
+    around: Surroundings,
+    shelf: Shelf,
+    support: SceneObject,
+    board: Surface,
+    theme: Crowd,
+    dice: random.Random,
+    density: float,
+    clutter: float = CLUTTER,
+) -> list[SceneObject]:
+    """Things of a theme on a board of a support in a room; they count as there from then on.
+
+    Args:
+        around: the room.
+        shelf: draws the bodies.
+        support: has the board.
+        board: one of its surfaces.
+        theme: what stands there.
+        dice: what chance decides.
+        density: in 0..1, how full it gets.
+        clutter: in 0..1, how far things stray.
+    """
+    frame = around.frame(support, seen_from_behind(support, board))
+    setting = Setting(support, frame, shelf, lambda surface: around.field(support, surface, frame))
+    _Row(setting, board, theme, around, dice, density, clutter).fill()
+    return setting.objects
+
+
+class _Row:
     """One board of a shelf in a room; what the room has few of comes first."""
 
     def __init__(
@@ -57,9 +87,8 @@ class Row:
         around: Surroundings,
         dice: random.Random,
         density: float,
-        clutter: float = CLUTTER,
+        clutter: float,
     ):
-        """``density`` in 0..1 is how full it gets, ``clutter`` in 0..1 how far things stray."""
         field = setting.field(board)
         self._setting, self._board, self._field = setting, board, field
         self._theme, self._around, self._shelf, self._dice = theme, around, setting.shelf, dice

@@ -5,51 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from sceneweaver.assets.roles import has_role, with_role
 from sceneweaver.knowledge import Item, RoomType
 from sceneweaver.knowledge.usual_places import UsualPlace, usual_places_of
 from sceneweaver.scene import CATALOGUE, SceneObject
 
 from .draft import Draft, groups_of
 from .program import matches
-
-SEATS = ("chair_group", "stool", "bar_stool")
-"""Groups and categories of what is pulled up to a table."""
-
-LOUNGE = ("rocking_chair", "high_chair")
-"""Chairs that are not pulled up to a table as a rule."""
-
-FRONTED = (
-    "desk",
-    "computer_desk",
-    "standing_desk",
-    "secretary_desk",
-    "corner_desk",
-    "dressing_table",
-    "teacher_desk",
-    "school_desk",
-    "workbench",
-    "drafting_table",
-    "lab_bench",
-    "sewing_machine_table",
-    "reception_desk",
-)
-"""Tables with one side to sit at."""
-
-TABLES = (
-    "dining_table",
-    "round_dining_table",
-    "oval_table",
-    "conference_table",
-    "cafe_table",
-    "kids_table",
-    "folding_table",
-    "patio_table",
-    "chess_table",
-    "poker_table",
-)
-
-HIGH = ("kitchen_island", "bar_table", "bar_counter")
-"""What bar stools stand at."""
 
 SEAT_WIDTH = 0.62
 """Length [m] of table edge that one seat takes."""
@@ -115,10 +77,11 @@ def _there(draft: Draft, row: Mapping[str, Any], subject: SceneObject) -> bool:
 
 def _at_table(draft: Draft, subject: SceneObject) -> Row | None:
     """For a chair: the relation to a desk or table that has a side free."""
-    groups = groups_of(subject.category)
-    if subject.mount != "floor" or not groups & set(SEATS) or subject.category in LOUNGE:
+    if subject.mount != "floor" or not has_role(subject.category, "table_seat"):
         return None
-    kinds = HIGH if subject.category == "bar_stool" else (*FRONTED, *TABLES)
+    # A bar stool is too high for a table, and a chair too low for a counter.
+    high = subject.category == "bar_stool"
+    kinds = with_role("counter") if high else with_role("from_front", "dining_table") - with_role("counter")
     best: tuple[float, str] | None = None
     for o in draft.objects.values():
         if o.category not in kinds or o.mount != "floor":
@@ -128,16 +91,16 @@ def _at_table(draft: Draft, subject: SceneObject) -> Row | None:
             best = free, o.id
     if best is None:
         return None
-    relation = "front_to_front" if draft.objects[best[1]].category in FRONTED else "front_against"
+    relation = "front_to_front" if has_role(draft.objects[best[1]].category, "from_front") else "front_against"
     return {"type": relation, "to": best[1], "soft": False, "weight": 1.0, "params": {}}
 
 
 def _seats(table: SceneObject) -> int:
     """How many can sit at a table."""
     d, w, _ = table.size
-    if table.category in FRONTED:
+    if has_role(table.category, "from_front"):
         return 1
-    if table.category in HIGH:
+    if has_role(table.category, "counter"):
         return max(1, int(w / SEAT_WIDTH))
     return 2 * max(1, int(w / SEAT_WIDTH)) + (2 if d > 0.7 else 0)
 

@@ -12,7 +12,7 @@ from sceneweaver.assets import Asset, Wish
 from sceneweaver.assets.roles import has_role
 from sceneweaver.assets.taxonomy import category_named, members
 from sceneweaver.geometry.walls import Wall
-from sceneweaver.knowledge.palettes import groups_of
+from sceneweaver.knowledge.shells import first_group, shells
 from sceneweaver.knowledge.wall_things import most_on_walls, wall_things
 from sceneweaver.scene import InputError, Intent, Pose, Relation, SceneObject, Window
 from sceneweaver.scene.edits import Add, AnyEdit, Relate
@@ -24,9 +24,6 @@ from .wall_plan import CLOSE, TALL, Outlines, Rectangle, Span, extent, free_runs
 
 BARE = 1.2
 """Length [m] of bare wall on which something is hung."""
-
-RADIATORS, HEATED = 0.7, frozenset(("home", "child", "work", "care"))
-"""Share of rooms that have radiators below their windows, and the groups of rooms that do."""
 
 ABOVE_FLOOR, BELOW_SILL, NARROWER = 0.12, 0.12, 0.2
 """Gaps [m] between a radiator and the floor, the sill and the ends of its window, both ends together."""
@@ -114,15 +111,16 @@ def _fill(work: _Work, wall: Wall, run: Span) -> None:
 def _heat(work: _Work, wall: Wall) -> None:
     """A radiator below each window of a wall that has room for one, in rooms that have any."""
     room, name = work.draft.room, work.setup.room_type.name
-    if random.Random(f"radiators {work.setup.seed}").random() > RADIATORS or groups_of(name)[0] not in HEATED:
+    spec = shells().radiators
+    if random.Random(f"radiators {work.setup.seed}").random() > spec.share or first_group(name) not in spec.groups:
         return
     for window in room.windows:
         tall = window.sill - ABOVE_FLOOR - BELOW_SILL
-        if window.wall != wall.index or tall < category_named("radiator").size.height[0]:  # type: ignore[union-attr]
+        if window.wall != wall.index or tall < category_named(spec.what).size.height[0]:  # type: ignore[union-attr]
             continue
-        if any(o.category == "radiator" and _within(o, window, wall) for o in work.objects):
+        if any(o.category == spec.what and _within(o, window, wall) for o in work.objects):
             continue
-        asset = _body(work, "radiator", window.width - NARROWER, min(tall, 0.6))
+        asset = _body(work, spec.what, window.width - NARROWER, min(tall, 0.6))
         if asset is None or asset.size[2] > tall:
             continue
         middle = window.offset + window.width / 2

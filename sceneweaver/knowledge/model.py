@@ -194,6 +194,7 @@ class RoomType(FrozenModel):
     windows: Opening
     styles: tuple[str, ...] = ("modern", "scandinavian")
     floor: Literal["wood", "tile", "carpet", "concrete", "stone"] = "wood"
+    tiles: Range | None = Field(default=None, description="Heights [m] between which its walls are tiled")
     fill: float = Field(default=0.33, gt=0, lt=1, description="Share of the floor that furniture takes as a rule")
     for_request: bool = Field(
         default=False, description="Whether it was written for the very request, so that all of it is wanted"

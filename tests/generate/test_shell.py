@@ -9,10 +9,11 @@ import pytest
 import shapely
 
 from sceneweaver.generate.openings import BESIDE
-from sceneweaver.generate.outline import SHAPES, asked_outline, outline, sides_of, turned
+from sceneweaver.generate.outline import asked_outline, outline, sides_of, turned
 from sceneweaver.generate.relations import wall_named
 from sceneweaver.generate.shell import floor_area, shell
 from sceneweaver.knowledge import room_type, room_types
+from sceneweaver.knowledge.shells import shells
 from sceneweaver.language import read_request
 from sceneweaver.scene import Scene
 from sceneweaver.verify import check
@@ -106,5 +107,5 @@ def test_outlines_keep_their_area_however_they_are_turned(shape, quarters):
 
 
 def test_every_shape_of_every_group_can_be_drawn():
-    for shares in SHAPES.values():
+    for shares in shells().shapes.values():
         assert all(outline(shape, 6.0, 5.0, random.Random(0)).corners for shape in shares)

@@ -7,18 +7,18 @@ from pathlib import Path
 
 import pytest
 
+import sceneweaver.generate
 import sceneweaver.tools
 
-FOLDER = Path(sceneweaver.tools.__file__).parent
-FILES = sorted(p for p in FOLDER.glob("*.py") if p.name != "__init__.py")
+FOLDERS = (Path(module.__file__ or "").parent for module in (sceneweaver.tools, sceneweaver.generate))
+FILES = sorted(p for folder in FOLDERS for p in folder.glob("*.py") if p.name != "__init__.py")
 
 MAY_POSE = {
-    "add_wall_objects": "free rectangles of walls: searched in Python so far",
     "carry": "what stands on something goes where it goes",
-    "library_adapt": "a room of the library is mirrored and stretched with its poses",
-    "spots": "small things on surfaces: searched in Python so far",
-    "surface_assets": "arrangements on surfaces: laid out in Python so far",
+    "library": "a room of the library is mirrored and stretched with its poses",
+    "surface_setting": "what stands on surfaces: placed in Python so far",
     "update_rotation": "the turn that the request says in words",
+    "wall_objects": "free rectangles of walls: searched in Python so far",
 }
 """Modules that make poses, and why."""
 

@@ -17,16 +17,15 @@ TOOL = AddCrowd()
 SHELVES = sorted(c for c in crowd_of() if categories()[c].mount[0] == "floor")
 
 
-@pytest.mark.parametrize("category", SHELVES)
-def test_every_shelf_stands(category: str) -> None:
-    obj = standing(category)
-    if not obj.surfaces:
-        pytest.skip("this body carries nothing")
-    scene = room([obj])
-    proposal = answer(TOOL, scene, {"supports": [obj.id]})
-    done = after(scene, proposal)
-    assert not faults(done)
-    assert len(done.objects) > 1 or proposal.unmet
+def test_every_shelf_stands() -> None:
+    shelves = [obj for obj in map(standing, SHELVES) if obj.surfaces]
+    assert len(shelves) > 20
+    for obj in shelves:
+        scene = room([obj])
+        proposal = answer(TOOL, scene, {"supports": [obj.id]})
+        done = after(scene, proposal)
+        assert not faults(done), obj.category
+        assert len(done.objects) > 1 or proposal.unmet, obj.category
 
 
 @pytest.mark.parametrize("theme", sorted(crowds()))

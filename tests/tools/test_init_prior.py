@@ -9,11 +9,11 @@ import pytest
 import shapely
 
 from sceneweaver.assets import Library, categories
+from sceneweaver.assets.roles import has_role
 from sceneweaver.generate.supports import FULL
 from sceneweaver.knowledge import RoomType, room_type, room_types
 from sceneweaver.language import SceneGraph, read_request
 from sceneweaver.scene import Scene
-from sceneweaver.tools.add_objects import AT_WINDOWS
 from sceneweaver.tools.base import Context, Proposal
 from sceneweaver.tools.init_prior import InitPrior
 
@@ -75,7 +75,7 @@ def test_objects_say_what_they_are_there_for(prior, name):
         if heights is not None:
             low, high = heights
             assert low <= o.pose.position[2] <= high <= scene.room.height - o.size[2]
-        assert o.intent.keep_clear is (o.mount == "wall" and o.category not in AT_WINDOWS)
+        assert o.intent.keep_clear is (o.mount == "wall" and not has_role(o.category, "window_cover"))
     assert any(o.mount == "wall" for o in scene.objects)
 
 

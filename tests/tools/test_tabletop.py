@@ -50,15 +50,18 @@ def test_data() -> None:
         assert len(replaced) == len(set(replaced)) and set(replaced) <= set(arrangements()), kind
 
 
-@pytest.mark.parametrize("category", sorted(arrangement_of()))
-def test_every_arrangement_stands(category: str) -> None:
-    obj = standing(category) if "floor" in categories()[category].mount else None
-    if obj is None or not obj.surfaces or obj.mount != "floor":
-        pytest.skip("hangs on a wall, or this body carries nothing")
-    scene = room([obj])
-    done = after(scene, answer(TOOL, scene, {"supports": [obj.id]}))
-    assert not faults(done)
-    assert all(carrier(done, o).id == obj.id for o in done.objects[1:])
+def test_every_arrangement_stands() -> None:
+    tried = 0
+    for category in sorted(arrangement_of()):
+        obj = standing(category) if "floor" in categories()[category].mount else None
+        if obj is None or not obj.surfaces or obj.mount != "floor":  # it hangs, or this body carries nothing
+            continue
+        scene = room([obj])
+        done = after(scene, answer(TOOL, scene, {"supports": [obj.id]}))
+        assert not faults(done), category
+        assert all(carrier(done, o).id == obj.id for o in done.objects[1:]), category
+        tried += 1
+    assert tried > 50
 
 
 def test_desk() -> None:
@@ -206,6 +209,21 @@ def test_field_of_any_simple_polygon() -> None:
     field.put(Piece(shape), (0.2, 0.2))
     assert not field.free(shape, 0.3, np.array([(0.3, 0.2)]))[0]
     assert not Field(ell, headroom=0.1).free(shape, 0.0, at).any()
+
+
+def test_a_group_is_placed_at_the_first_candidate_that_is_free_for_all_of_it() -> None:
+    square = np.array([(-0.1, -0.1), (0.1, -0.1), (0.1, 0.1), (-0.1, 0.1)])
+    box = Shape((Prism(square, 0.0, 0.2),), (0.2, 0.2, 0.2))
+    field = Field(np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 0.5), (0.0, 0.5)]))
+    pair = [Piece(box), Piece(box, at=np.array([0.3, 0.0]))]
+    field.put(Piece(box), (0.5, 0.25))
+    off = np.array([(-0.2, 0.25), (0.95, 0.25)])  # outside; the second of the pair beyond the edge
+    fits = np.array([(0.5, 0.25), (0.2, 0.25), (0.7, 0.25)])  # taken; the second on what is taken; beyond the edge
+    assert field.place(pair, [off, fits]) is None
+    assert field.place(pair[:1], [off, fits]).tolist() == [0.2, 0.25]
+    near = field.place(pair[:1], field.near((0.5, 0.25), 0.3))
+    assert near is not None and 0.2 < np.hypot(*(near - (0.5, 0.25))) < 0.25
+    assert field.place(pair[:1], field.near((0.5, 0.25), 0.1)) is None
 
 
 def test_many_places_at_once_are_as_one_by_one() -> None:
