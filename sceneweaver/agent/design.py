@@ -17,6 +17,7 @@ from sceneweaver.knowledge.learned import learned_rooms
 from sceneweaver.knowledge.likely import likeliest_room
 from sceneweaver.language import SceneGraph, read_request
 from sceneweaver.llm import Limits, ModelClient, Prices
+from sceneweaver.runtime.deadline import Deadline, Stop
 from sceneweaver.tools.base import CLUTTER
 from sceneweaver.tools.registry import Registered
 from sceneweaver.tools.registry import tools as registered
@@ -24,7 +25,6 @@ from sceneweaver.tools.registry import tools as registered
 from .by_model.asking import Asking
 from .by_model.session import RECORDS, Session
 from .closing import closed
-from .deadline import Deadline, Stop
 from .deliver import deliver
 from .executor import Executor
 from .folder import RunFolder

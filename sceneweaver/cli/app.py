@@ -22,7 +22,8 @@ from typing import Annotated
 
 import typer
 
-from .clock import process_began
+from sceneweaver.runtime.deadline import process_began
+
 from .dataset import dataset
 from .exit_codes import BAD_INPUT, INTERRUPTED, MISSING
 from .extensions import load_extensions

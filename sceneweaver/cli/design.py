@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
+from sceneweaver.runtime.deadline import stoppable
 from sceneweaver.scene import InputError
 
 from .exit_codes import NOT_VALID
 from .model_options import announce, request_of, told
 from .output import headline, list_files, list_violations, no_chatter, print_json, relations_line
-from .stopping import stoppable
 
 if TYPE_CHECKING:
     from sceneweaver.agent import Result

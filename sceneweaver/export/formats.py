@@ -11,6 +11,7 @@ from functools import partial
 from pathlib import Path
 
 from sceneweaver.assets.placed import Load, loader, welded_assets
+from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.scene import InputError, Scene
 
 from .folder import fill, move, staged
@@ -195,6 +196,7 @@ def export_scene(
     done: dict[str, Path] = {}
     try:
         for one in wanted:
+            checkpoint()
             one.write(scene, target / one.file, load, textures)
             done[one.name] = target / one.file
     except BaseException:

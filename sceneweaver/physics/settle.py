@@ -9,6 +9,7 @@ import numpy as np
 
 from sceneweaver.assets.placed import Load
 from sceneweaver.geometry.rotations import transform, xyzw
+from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.scene import InputError, Pose, Scene
 
 from .model import STEP, Model, build
@@ -79,6 +80,7 @@ def _run(model: Model, seconds: float) -> dict[str, Pose]:
     data = mujoco.MjData(loaded)
     kinds, left = mujoco.mjtWarning, round(seconds / STEP)
     while left > 0:
+        checkpoint()
         try:
             mujoco.mj_step(loaded, data, min(left, _CHUNK))
         except mujoco.FatalError:  # not even room to look for them

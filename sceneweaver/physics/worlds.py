@@ -16,8 +16,8 @@ from typing import Any
 import numpy as np
 
 from sceneweaver.geometry.rotations import transform
+from sceneweaver.runtime.threads import map_threads
 from sceneweaver.scene import InputError
-from sceneweaver.scene.threads import map_threads
 
 from .model import STEP
 

@@ -10,8 +10,8 @@ import warp as wp
 
 from sceneweaver.assets.body import Material, Mesh
 from sceneweaver.assets.textures import uv_of
+from sceneweaver.runtime.threads import cores, map_threads
 from sceneweaver.scene import InputError, MissingDependencyError
-from sceneweaver.scene.threads import cores, map_threads
 
 from . import raycast_kernels as raycast
 from . import raycast_world as world

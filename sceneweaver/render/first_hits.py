@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 import warp as wp
 
+from sceneweaver.runtime.threads import cores, map_threads
 from sceneweaver.scene import InputError
-from sceneweaver.scene.threads import cores, map_threads
 
 from . import first_hit_kernels as kernels
 from .camera import Camera

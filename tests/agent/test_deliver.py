@@ -10,7 +10,6 @@ import pytest
 from PIL import Image
 
 from sceneweaver import render
-from sceneweaver.agent.deadline import Deadline
 from sceneweaver.agent.deliver import deliver
 from sceneweaver.agent.memory import Call, Step
 from sceneweaver.agent.request_file import RequestFile
@@ -18,6 +17,7 @@ from sceneweaver.agent.result import Result
 from sceneweaver.assets import Library, make
 from sceneweaver.critic import CRITERIA, Alignment, ItemOutcome, Review
 from sceneweaver.language import SceneGraph
+from sceneweaver.runtime.deadline import Deadline
 from sceneweaver.scene import InputError, Pose, Room, Scene, Support
 from sceneweaver.verify import check
 

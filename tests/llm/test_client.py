@@ -9,8 +9,8 @@ from pydantic_ai.messages import ModelResponse, TextPart, ToolCallPart
 from pydantic_ai.models.function import DeltaToolCall, FunctionModel
 from pydantic_ai.models.test import TestModel
 
-from sceneweaver.agent.interrupt import Interrupt, TimeUp
 from sceneweaver.llm import BudgetSpent, Limits, ModelClient, ModelFailed, Picture, Reply
+from sceneweaver.runtime.deadline import Interrupt, TimeUp
 from sceneweaver.scene import InputError
 
 

@@ -9,9 +9,9 @@ from urllib.parse import quote
 
 import pytest
 
-from sceneweaver.agent.interrupt import Interrupt, TimeUp
 from sceneweaver.llm import Endpoint, ModelError, Reply, open_client, redact
 from sceneweaver.llm.secrets import HIDDEN, guard_logs, line
+from sceneweaver.runtime.deadline import Interrupt, TimeUp
 from tests.llm.misbehaviour import always, catalogue, misbehaving
 from tests.llm.model_server import ModelServer, Said, answering
 from tests.llm.planted_key import planted

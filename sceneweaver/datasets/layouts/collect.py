@@ -10,7 +10,7 @@ import numpy as np
 
 from sceneweaver.layout.compile import CompiledScene
 from sceneweaver.layout.sampling import Drawn, Sampler
-from sceneweaver.scene.threads import cores
+from sceneweaver.runtime.threads import cores
 
 from .signature import Seen, Signatures
 from .tables import GROUP

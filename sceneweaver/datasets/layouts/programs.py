@@ -14,9 +14,9 @@ from sceneweaver.agent.riders import searched
 from sceneweaver.assets import Library
 from sceneweaver.language import read_request
 from sceneweaver.runtime.processes import pool
+from sceneweaver.runtime.threads import cores
 from sceneweaver.scene import InputError, Scene
 from sceneweaver.scene.edits import apply_all
-from sceneweaver.scene.threads import cores
 from sceneweaver.tools.base import Context
 from sceneweaver.tools.registry import tools
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from sceneweaver.scene.threads import cores, map_threads
+from sceneweaver.runtime.threads import cores, map_threads
 
 _BANDS = 8  # to a thread: between them a time limit is looked at
 
