@@ -12,6 +12,7 @@ from typing import Any, Unpack
 
 from sceneweaver.assets import Library
 from sceneweaver.export import formats_named
+from sceneweaver.export.formats import USUAL
 from sceneweaver.knowledge import RoomType, match_room, room_types
 from sceneweaver.knowledge.learned import learned_rooms
 from sceneweaver.knowledge.likely import likeliest_room
@@ -102,7 +103,8 @@ def design(prompt: str = "", **options: Unpack[AllOptions]) -> Result:
         time_limit: seconds that all may take, files included; what is best then is kept, and ``finished`` says so.
             None: as long as it takes. "auto": 120 without a model, 600 with one.
         pictures: whether pictures and the report are drawn into ``out``.
-        export: formats that are written into ``out``: glb, usd, mjcf, scenestate; "all" or "none".
+        export: formats that are written into ``out``: glb, usd, mjcf, scenestate; "all" or "none"; None: glb, usd and
+            mjcf.
         clutter: how lived-in the room looks, from 0, a show room, to 1: things that lie about, askew, on the floor.
         settle: whether to prefer layouts that physics leaves alone, to keep the poses in which things come to rest, and
             to measure the stability of the scene.
@@ -142,7 +144,7 @@ def design(prompt: str = "", **options: Unpack[AllOptions]) -> Result:
         *(given[name] for name in ("model", "base_url", "limits", "prices", "stream", "strict")),
         replay=Path(replay) if replay is not None else None,
     )
-    formats = formats_named(given["export"])
+    formats = formats_named(USUAL if given["export"] is None else given["export"])
     chosen = {name: value for name, value in given.items() if name not in NO_SETTINGS}
     who = given["planner"], given["reader"], given["critic"], given["samples"]
     if asking.replay is None:

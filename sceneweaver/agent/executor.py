@@ -10,6 +10,7 @@ from typing import Literal
 
 from sceneweaver.assets import Library
 from sceneweaver.critic import Review, review_scene
+from sceneweaver.generate.carry import carried, has_place
 from sceneweaver.knowledge import RoomType
 from sceneweaver.language import SceneGraph
 from sceneweaver.layout import QualityTerm, Solution, improve, joined, refine, refine_many
@@ -17,8 +18,6 @@ from sceneweaver.runtime.deadline import NEVER, Deadline
 from sceneweaver.scene import Pose, Relation, Room, Scene
 from sceneweaver.scene.edits import Remove, apply, apply_all
 from sceneweaver.tools.base import Proposal
-from sceneweaver.tools.carry import carried
-from sceneweaver.tools.spots import has_place
 from sceneweaver.verify import Report, Violation, check
 
 from .choice import choice_terms

@@ -9,10 +9,10 @@ from dataclasses import replace
 from sceneweaver.assets.mirror import mirrored_zone
 from sceneweaver.assets.placed import Load
 from sceneweaver.assets.sources.parametric import other_hand
+from sceneweaver.generate.carry import carried, follow
 from sceneweaver.scene import PRIORITIES, Pose, Relation, Scene, SceneObject
 from sceneweaver.scene.edits import Relate, Remove, apply
 from sceneweaver.tools.base import Proposal
-from sceneweaver.tools.carry import carried, follow
 from sceneweaver.verify import Violation, check, openable
 from sceneweaver.verify.report import LinkTravel
 

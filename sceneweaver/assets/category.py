@@ -17,6 +17,9 @@ Range = Annotated[tuple[float, float], Field(description="Least and largest usua
 Side = Literal["front", "back", "left", "right", "top"]
 
 
+ROLES = "roles.yaml"
+"""The file beside those of the categories that says what they are to a room, see `roles`."""
+
 REACH = (0.72, 1.35)
 """Factors of the least and the largest usual extent within which words may put a thing."""
 
@@ -94,7 +97,7 @@ def categories() -> dict[str, Category]:
     found: dict[str, Category] = {}
     folder = resources.files(__package__ or "").joinpath("categories")
     for file in sorted(folder.iterdir(), key=lambda f: f.name):
-        if not file.name.endswith(".yaml"):
+        if not file.name.endswith(".yaml") or file.name == ROLES:
             continue
         for name, row in (read_yaml(file) or {}).items():
             if name in found:

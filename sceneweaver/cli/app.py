@@ -22,6 +22,7 @@ from typing import Annotated, Any
 
 import typer
 
+from sceneweaver.export.formats import FORMATS, USUAL
 from sceneweaver.runtime.deadline import process_began
 from sceneweaver.runtime.options import takes
 
@@ -254,8 +255,9 @@ def export(
         typer.Option(
             "--to",
             metavar="FORMATS",
-            help="With a folder: glb, usd, usda, mjcf, mjcf:CLIENT, scenestate, sdf, urdf, or all "
-            "(default: glb,usd,mjcf). Clients: mujoco, robosuite, genesis, drake, dm_control, newton.",
+            help=f"With a folder: {', '.join(FORMATS)}, or all (default: {','.join(USUAL)}). For one reader: "
+            + ", ".join(f"{one.name}:CLIENT ({', '.join(one.clients)})" for one in FORMATS.values() if one.clients)
+            + ".",
             show_default=False,
         ),
     ] = None,

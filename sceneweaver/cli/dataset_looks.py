@@ -101,7 +101,7 @@ def run_push_card(path: Path, repo: str, endpoint: str | None, token_env: str, d
 
 def run_extract(path: Path, key: str, out: Path) -> int:
     """Copy one scene into a folder that stands alone."""
-    from sceneweaver.datasets.extract import extract
+    from sceneweaver.datasets.reading import extract
 
     for file in extract(path, key, out):
         typer.echo(file)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from sceneweaver.export.formats import FORMATS, USUAL
 from sceneweaver.runtime.options import MODELS as PANEL
 from sceneweaver.runtime.options import DesignOptions, Option, options_of
 
@@ -67,16 +68,18 @@ CHECKS: dict[str, Callable[..., Any]] = {"device": device_name, "seconds": posit
 
 
 def design_parameters() -> list[Parameter]:
-    """The options of a design as parameters of a command."""
-    return [_parameter(name, kind, option) for name, (kind, option) in options_of(DesignOptions).items()]
+    """The options of a design as parameters of a command; which formats there are is known to the exporter."""
+    formats = {"help": f"Files for other tools: {', '.join(FORMATS)}, all or none.", "default": ",".join(USUAL)}
+    more = {"export": formats}
+    rows = options_of(DesignOptions).items()
+    return [_parameter(name, kind, option, more.get(name, {})) for name, (kind, option) in rows]
 
 
-def _parameter(name: str, kind: Any, option: Option) -> Parameter:
-    how = dict(option.command)
+def _parameter(name: str, kind: Any, option: Option, more: Mapping[str, Any]) -> Parameter:
+    how = {"help": option.help, **option.command, **more}
     kind, default = how.pop("type", kind), how.pop("default", option.default)
     given = typer.Option(
         *how.pop("flags", ()),
-        help=option.help,
         min=option.least,
         max=option.most,
         callback=CHECKS.get(how.pop("checked", "")),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from sceneweaver.assets.taxonomy import members
+from sceneweaver.knowledge.kin import interchangeable
 from sceneweaver.language import Entity
 from sceneweaver.verify.solids import Body
 
@@ -80,7 +81,7 @@ def _beside(survey: Survey, asked: Entity, bodies: list[Body]) -> list[Body]:
     """More of what was asked for, or of what takes its role, that stands for nothing else in the request."""
     if len(bodies) < (asked.count or (1, 1))[1]:
         return []
-    names = {*kinds.same_role(asked.category), *members(asked.category)}
+    names = {*interchangeable(asked.category), *members(asked.category)}
     return [b for b in survey.bodies if b.item.category in names and b.id not in survey.program.asked_of]
 
 

@@ -9,6 +9,7 @@ from functools import cache
 from sceneweaver.assets import categories
 from sceneweaver.knowledge import RoomType
 from sceneweaver.knowledge.complete import expected_of
+from sceneweaver.knowledge.kin import fits_anywhere, may_stand_in, neighbouring, place_of
 from sceneweaver.knowledge.lived_in import left_about
 from sceneweaver.knowledge.wall_things import wall_things
 from sceneweaver.verify.solids import Body
@@ -49,8 +50,8 @@ def measures(survey: Survey) -> dict[str, float]:
 @cache
 def _expected(names: frozenset[str]) -> tuple[frozenset[str], frozenset[str]]:
     """Categories that a room lists with their kin, and the kinds of places that they come from."""
-    own = frozenset().union(*(kinds.kin(name) for name in names)) if names else frozenset()
-    return own, frozenset(w for w in map(kinds.world, names) if w is not None)
+    own = frozenset().union(*(may_stand_in(name) for name in names)) if names else frozenset()
+    return own, frozenset(p for p in map(place_of, names) if p is not None)
 
 
 def expected(room_type: RoomType) -> tuple[frozenset[str], frozenset[str]]:
@@ -60,8 +61,8 @@ def expected(room_type: RoomType) -> tuple[frozenset[str], frozenset[str]]:
 
 
 def _foreign(survey: Survey) -> Iterator[Finding]:
-    own, worlds = expected(survey.room_type)
-    asked = {c for a in survey.brief.entities for c in kinds.kin(a.category)}
+    own, places = expected(survey.room_type)
+    asked = {c for a in survey.brief.entities for c in may_stand_in(a.category)}
     elsewhere = _elsewhere(survey.room_type.name)
     for body in survey.bodies:
         category = body.item.category
@@ -71,7 +72,7 @@ def _foreign(survey: Survey) -> Iterator[Finding]:
             continue
         if body.item.intent.request in {a.id for a in survey.brief.entities}:
             continue
-        strange = _strangeness(body, worlds, elsewhere)
+        strange = _strangeness(body, places, elsewhere)
         if strange is None:
             continue
         points, lid, why = strange
@@ -96,24 +97,24 @@ def _elsewhere(room: str) -> frozenset[str]:
 
 
 def _strangeness(
-    body: Body, worlds: frozenset[str], elsewhere: frozenset[str]
+    body: Body, places: frozenset[str], elsewhere: frozenset[str]
 ) -> tuple[float, float | None, str] | None:
     """Points, lid and words for something that the room does not list; None when it may well be there."""
     category = body.item.category
-    world = kinds.world(category)
-    if world is not None and world not in worlds:
+    place = place_of(category)
+    if place is not None and place not in places:
         large = body.item.mount == "floor" or max(body.size) > 0.5
-        if any(frozenset((world, other)) in kinds.NEIGHBOURS for other in worlds):
+        if any(neighbouring(place, other) for other in places):
             return 0.6, None, "unusual in"
         return (3.0, GRADE_CAP, "out of place in") if large else (1.0, None, "out of place in")
     row = categories().get(category)
-    if row is None or category in kinds.HARMLESS or kinds.groups_of(category) & kinds.NEUTRAL_GROUPS:
+    if row is None or fits_anywhere(category):
         return None
-    if world is not None:
+    if place is not None:
         return None
     if body.item.mount == "surface":
         return None
-    if "gym" in worlds and "sport" in kinds.groups_of(category):
+    if "gym" in places and "sport" in kinds.groups_of(category):
         return None
     if kinds.groups_of(category) & {"sport", "tool_group"}:
         return 1.2, None, "unusual in"

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from sceneweaver.knowledge import Item
+from sceneweaver.knowledge.kin import serves
 from sceneweaver.scene import CATALOGUE
 from sceneweaver.verify.solids import Body
 
@@ -83,7 +84,7 @@ def _missing(survey: Survey, need: Need) -> Finding:
     call = ("add_objects", {"objects": calls})
     if item.need == "needed":
         points, lid = 1.5 + 2.5 * share, GRADE_CAP if share > 0.5 else None
-        others = not have and any(kinds.serves(b.item.category, item.what) for b in survey.bodies)
+        others = not have and any(serves(b.item.category, item.what) for b in survey.bodies)
         if have >= need.core or others:
             points, lid = (0.4 + 1.6 * share), None  # too few for its size, or others do its work
         return finding(

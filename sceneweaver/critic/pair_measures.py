@@ -214,7 +214,7 @@ def at(survey: Survey, s: Body, t: Body, params: dict[str, Any]) -> Alternatives
     import shapely
 
     close = _within(survey, s, t, NEXT, params)
-    if not kinds.upright_seat(s.item.category) or s.item.category in kinds.UPRIGHT_SEATS:
+    if not kinds.upright_seat(s.item.category) or "chair_group" not in kinds.groups_of(s.item.category):
         return [close]
     here = shapely.points(s.centre)
     hull = shapely.convex_hull(survey.footprint(t))

@@ -6,11 +6,9 @@ from collections import defaultdict
 from dataclasses import dataclass
 
 from sceneweaver.knowledge import Item, RoomType
-from sceneweaver.knowledge.kin import excluded_kinds
+from sceneweaver.knowledge.kin import excluded_kinds, serves
 from sceneweaver.language import Entity, SceneGraph
 from sceneweaver.scene import Scene, SceneObject
-
-from .kinds import serves
 
 SLACK = 0.75
 """Share of a count by area that is enough."""

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from sceneweaver.assets.roles import with_role
 from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.geometry.se2 import SE2
 from sceneweaver.verify.solids import Body
@@ -32,7 +33,7 @@ FEWEST = 4
 JOINT = 0.12
 """Gap [m] between units of a kitchen that form one run."""
 
-UNITS = kinds.WORLDS["kitchen"] & kinds.WALL_BACKED | {"corner_cabinet", "tall_cabinet"}
+UNITS = with_role("kitchen_unit")
 
 
 def faults(survey: Survey) -> Iterator[Finding]:

@@ -1,4 +1,5 @@
-"""Which categories people count as one kind, from ``kin.yaml``: a loveseat and a sofa, but no armchair."""
+"""What categories are to each other, from ``kin.yaml``: of one kind (a loveseat and a sofa, but no armchair), fit to
+serve for each other, at home in one kind of place."""
 
 from __future__ import annotations
 
@@ -9,6 +10,7 @@ from typing import Any
 
 from sceneweaver.assets import categories
 from sceneweaver.assets.plurals import singular
+from sceneweaver.assets.roles import groups_above
 from sceneweaver.assets.taxonomy import members
 
 from .load import read_yaml
@@ -27,7 +29,9 @@ def families() -> tuple[Mapping[str, frozenset[str]], Mapping[str, tuple[str, ..
 @cache
 def _file() -> Mapping[str, Any]:
     data = read_yaml(resources.files(__package__ or "").joinpath("kin.yaml").read_text(encoding="utf-8"))
-    named = {c for part in ("families", "only_for") for names in data[part].values() for c in names}
+    lists = [*data["families"].values(), *data["only_for"].values(), *data["places"].values()]
+    lists += [*data["stand_ins"], *data["interchangeable"], *data["anywhere"].values()]
+    named = {c for names in lists for c in names}
     unknown = sorted((named - set(categories())) | (set(data["only_for"]) - set(data["families"])))
     if unknown:
         raise ValueError(f"kin.yaml: {', '.join(unknown)} are no categories or families")
@@ -58,3 +62,49 @@ def excluded_kinds(unwanted: Iterable[str]) -> frozenset[str]:
     found = {name for word in unwanted for name in (*kin(word), *members(word))}
     known, _ = families()
     return frozenset(found.union(*(names for of, names in _file()["only_for"].items() if known[of] & found)))
+
+
+@cache
+def may_stand_in(category: str) -> frozenset[str]:
+    """The categories that may serve where this one is meant: those of its kind and its stand-ins, itself included."""
+    return kin(category).union(*(names for names in _file()["stand_ins"] if category in names))
+
+
+@cache
+def interchangeable(category: str) -> frozenset[str]:
+    """The categories that are one more of what a person names by this one, itself included."""
+    return frozenset((category,)).union(*(names for names in _file()["interchangeable"] if category in names))
+
+
+@cache
+def serves(category: str, wanted: tuple[str, ...]) -> int:
+    """How well a category serves where some categories or groups are meant: 2 it is one, 1 it may stand in, 0 not."""
+    if category in wanted or any(category in members(name) for name in wanted):
+        return 2
+    return int(any(category in may_stand_in(name) for name in wanted))
+
+
+@cache
+def at_home_in(place: str) -> frozenset[str]:
+    """The categories that belong to one kind of place alone."""
+    return frozenset(_file()["places"][place])
+
+
+@cache
+def place_of(category: str) -> str | None:
+    """The kind of place that a category belongs to alone; None when it may be anywhere."""
+    for place, names in _file()["places"].items():
+        if category in names:
+            return place
+    return "bathroom" if "sanitary" in groups_above(category) else None
+
+
+def neighbouring(place: str, other: str) -> bool:
+    """Whether things of one kind of place are sometimes found in another."""
+    return sorted((place, other)) in _file()["neighbours"]
+
+
+def fits_anywhere(category: str) -> bool:
+    """Whether no room is strange for a category."""
+    anywhere = _file()["anywhere"]
+    return category in anywhere["categories"] or not groups_above(category).isdisjoint(anywhere["groups"])

@@ -72,11 +72,11 @@ class DesignOptions(TypedDict, total=False):
         bool, Option(True, "Draw views and the report.", command={"flags": ("--pictures/--no-pictures",)})
     ]
     export: Annotated[
-        str | Iterable[str],
+        str | Iterable[str] | None,
         Option(
-            ("glb", "usd", "mjcf"),
-            "Files for other tools: glb, usd, mjcf, scenestate, all or none.",
-            command={"type": str, "default": "glb,usd,mjcf", "metavar": "FORMATS"},
+            None,  # the usual ones, see `sceneweaver.export`
+            "Files for other tools.",
+            command={"type": str, "metavar": "FORMATS"},
         ),
     ]
     clutter: Annotated[

@@ -11,6 +11,7 @@ from sceneweaver.agent.executor import Executor, Outcome
 from sceneweaver.agent.riders import at_rest
 from sceneweaver.agent.settings import Settings
 from sceneweaver.critic import CRITERIA, Fault, Review
+from sceneweaver.generate.carry import local
 from sceneweaver.knowledge import room_type
 from sceneweaver.language import Entity, SceneGraph
 from sceneweaver.layout import Solution, refine
@@ -33,7 +34,6 @@ from sceneweaver.scene import (
     Surface,
 )
 from sceneweaver.tools.base import Proposal
-from sceneweaver.tools.carry import local
 from sceneweaver.verify import Violation, check
 
 QUICK = Settings(device="cpu", candidates=16)

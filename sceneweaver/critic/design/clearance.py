@@ -6,6 +6,7 @@ from collections import defaultdict
 from collections.abc import Iterator
 
 from sceneweaver.knowledge.design_rules import limit
+from sceneweaver.knowledge.kin import at_home_in
 from sceneweaver.verify.solids import Body
 
 from .. import kinds
@@ -39,7 +40,7 @@ SCREENS = frozenset(("tv", "projector_screen"))
 TAKEN = 0.08
 """Share of the room before a thing that may be taken."""
 
-BELOW_WINDOWS = kinds.SEE_THROUGH | kinds.WINDOW_WEAR | kinds.BEDS | kinds.LONG_BEDS | kinds.WORLDS["gym"]
+BELOW_WINDOWS = kinds.SEE_THROUGH | kinds.WINDOW_WEAR | kinds.BEDS | kinds.LONG_BEDS | at_home_in("gym")
 """What may stand or hang before a window."""
 
 DARK = 0.2

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterable
 from typing import Any
 
+from sceneweaver.assets.roles import with_role
 from sceneweaver.knowledge.design_rules import design_rules
 from sceneweaver.verify.solids import Body, Opening
 
@@ -15,7 +16,7 @@ from ..survey import FLAT, Survey
 HEAD = 1.9
 """Height [m] above which things are not in the way."""
 
-LIGHT_SEATS = kinds.UPRIGHT_SEATS | frozenset(("pouf", "ottoman", "floor_cushion", "bean_bag", "step_stool"))
+LIGHT_SEATS = with_role("light_seat")
 """Seats that are moved aside with one hand."""
 
 

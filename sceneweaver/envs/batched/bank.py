@@ -18,14 +18,14 @@ import numpy as np
 from sceneweaver.assets.placed import Load
 from sceneweaver.envs.geometry import SceneGeometry
 from sceneweaver.envs.layouts import layouts_of
+from sceneweaver.envs.predicates import product
 from sceneweaver.envs.robots import Robot, robot_named
-from sceneweaver.envs.tasks import Task
+from sceneweaver.envs.tasks import KINDS, Task
 from sceneweaver.geometry.rotations import matrix, xyzw
 from sceneweaver.runtime.processes import pool
 from sceneweaver.scene import InputError, Room, Scene
 
-from .goals import GOAL, KINDS, TaskRow, goal_rows, has_goal, task_rows
-from .quaternions import product
+from .goals import GOAL, TaskRow, goal_rows, has_goal, task_rows
 from .room import (
     ANCHORED,
     BODY_FIELDS,
@@ -272,8 +272,7 @@ def _still(room: RoomBodies, hinges: int, slides: int, free: int) -> Boxes:
         b.name for kind, most in ((HINGE, hinges), (SLIDE, slides), (FREE, free)) for b in _chosen(room, kind, most)
     }
     found = [room.still] + [_on_owner(b) for b in (*room.links, *room.free) if b.name not in kept]
-    names = ("owner", "pos", "quat", "size", "friction")
-    boxes = Boxes(*(np.concatenate([getattr(r, f) for r in found]) for f in names))
+    boxes = Boxes.joined(found)
     face = np.prod(np.sort(boxes.size, axis=1)[:, 1:], axis=1)  # of a board what counts is how much it carries
     return boxes.take(np.argsort(-face, kind="stable"))
 
