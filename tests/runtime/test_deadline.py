@@ -186,5 +186,5 @@ def test_a_search_ends_with_the_block_that_it_runs_in(capfd):
     capfd.readouterr()  # Warp's greeting
     began = time.monotonic()
     with suppress(TimeUp), soon(0.5).enforced():
-        assert sw.refine(scene, candidates=2**16, init="random", device="cpu", explain=False).timed_out
+        assert sw.refine(scene, candidates=2**14, init="random", device="cpu", explain=False).timed_out
     assert time.monotonic() - began < 5.0

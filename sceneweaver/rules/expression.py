@@ -1,0 +1,58 @@
+"""Numbers and conditions of data files: plain ones, or arithmetic over named things such as ``half * band``."""
+
+from __future__ import annotations
+
+import ast
+import math
+from collections.abc import Mapping
+from functools import cache
+from types import CodeType
+from typing import Any
+
+_NODES = (
+    (ast.Expression, ast.Constant, ast.Name, ast.Load, ast.Attribute, ast.Subscript, ast.Call, ast.Tuple)
+    + (ast.BinOp, ast.Add, ast.Sub, ast.Mult, ast.Div, ast.UnaryOp, ast.USub, ast.Not)
+    + (ast.BoolOp, ast.And, ast.Or, ast.Compare, ast.Eq, ast.NotEq, ast.Lt, ast.LtE, ast.Gt, ast.GtE)
+    + (ast.Is, ast.IsNot, ast.In, ast.NotIn, ast.IfExp)
+)
+_FUNCTIONS = {"min": min, "max": max, "round": round, "sqrt": math.sqrt, "inf": math.inf, "__builtins__": {}}
+
+
+class Expression:
+    """A number, a condition or a pair of numbers of a data file.
+
+    Args:
+        text: a value, or in words an expression over names: arithmetic, comparisons, ``and``, ``or``, ``not``,
+            ``min``, ``max``, ``round``, ``sqrt``, ``inf``, public attributes, and brackets for an end of a range.
+
+    Raises:
+        ValueError: when the text has anything else in it.
+    """
+
+    __slots__ = ("_code", "names", "text")
+
+    def __init__(self, text: str | float | None) -> None:
+        self.text = text
+        self._code: CodeType | None = None
+        self.names: frozenset[str] = frozenset()
+        if isinstance(text, str):
+            self._code, self.names = _parsed(text)
+
+    def value(self, scope: Mapping[str, Any]) -> Any:
+        """What it is where the names mean what ``scope`` says."""
+        return self.text if self._code is None else eval(self._code, _FUNCTIONS, scope)  # its nodes are checked
+
+    def __repr__(self) -> str:
+        return str(self.text)
+
+
+@cache
+def _parsed(text: str) -> tuple[CodeType, frozenset[str]]:
+    tree = ast.parse(text.strip(), mode="eval")
+    for node in ast.walk(tree):
+        private = isinstance(node, ast.Attribute) and node.attr.startswith("_")
+        called = isinstance(node, ast.Call) and not isinstance(node.func, ast.Name)
+        if private or called or not isinstance(node, _NODES):
+            raise ValueError(f"{text!r}: only arithmetic and comparisons can stand here, no {type(node).__name__}")
+    names = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)} - set(_FUNCTIONS)
+    return compile(tree, "<rule>", "eval"), frozenset(names)
