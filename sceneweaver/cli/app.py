@@ -59,7 +59,17 @@ app = typer.Typer(
 )
 
 
-OPTIMIZERS = ("search", "adam", "langevin", "lbfgs", "tempering", "projection")  # those that are built in
+class WithOptimizers(typer.core.TyperCommand):
+    """A command whose help names the built-in optimisers; to ask for them loads the engine."""
+
+    def format_help(self, ctx: Any, formatter: Any) -> None:
+        """Write the help."""
+        from sceneweaver.layout.stepwise import OPTIMIZERS
+
+        for parameter in self.params:
+            if getattr(parameter, "help", None):
+                parameter.help = parameter.help.replace("OPTIMIZERS", ", ".join(OPTIMIZERS))
+        super().format_help(ctx, formatter)
 
 
 class Init(StrEnum):
@@ -94,7 +104,7 @@ def _root(
     pass
 
 
-@app.command()
+@app.command(cls=WithOptimizers)
 def refine(
     source: Input,
     out: Out,
@@ -104,9 +114,7 @@ def refine(
     device: Device = "auto",
     optimizer: Annotated[
         str,
-        typer.Option(
-            metavar="NAME", help=f"How the layouts are improved: {', '.join(OPTIMIZERS)}, or one of a package."
-        ),
+        typer.Option(metavar="NAME", help="How the layouts are improved: OPTIMIZERS, or one of a package."),
     ] = "search",
     time_limit: TimeLimit = None,
     as_json: Json = False,
@@ -559,7 +567,7 @@ Family = Annotated[str | None, typer.Option(help="Only problems of this family."
 Common = Annotated[bool, typer.Option("--common", help="Only problems and seeds that every method was run on.")]
 
 
-@bench.command("run")
+@bench.command("run", cls=WithOptimizers)
 def bench_run(
     out: Annotated[
         Path, typer.Option("--out", "-o", metavar="DIR", help="Folder for the results.", show_default=False)
@@ -568,9 +576,11 @@ def bench_run(
         str,
         typer.Option(
             metavar="A,B",
-            help="Names, package.module:Name, or label=either; package.module:NAMES for a mapping of them.",
+            help="Names, package.module:Name, or label=either; package.module:NAMES for a mapping of them "
+            "(default: OPTIMIZERS).",
+            show_default=False,
         ),
-    ] = ",".join(OPTIMIZERS),
+    ] = "",
     problems: Annotated[str, typer.Option(metavar="A,B", help="Names, families, scene files, or all.")] = "all",
     seeds: Annotated[int, typer.Option(min=1, help="How many seeds, from 0.")] = 3,
     candidates: Annotated[int, typer.Option(min=1, help="Layouts that a method moves at once.")] = 64,
