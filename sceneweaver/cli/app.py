@@ -21,6 +21,7 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import typer
+from typer.core import TyperCommand
 
 from sceneweaver.export.formats import FORMATS, USUAL
 from sceneweaver.runtime.deadline import process_began
@@ -59,7 +60,7 @@ app = typer.Typer(
 )
 
 
-class WithOptimizers(typer.core.TyperCommand):
+class WithOptimizers(TyperCommand):
     """A command whose help names the built-in optimisers; to ask for them loads the engine."""
 
     def format_help(self, ctx: Any, formatter: Any) -> None:
@@ -67,8 +68,9 @@ class WithOptimizers(typer.core.TyperCommand):
         from sceneweaver.layout.stepwise import OPTIMIZERS
 
         for parameter in self.params:
-            if getattr(parameter, "help", None):
-                parameter.help = parameter.help.replace("OPTIMIZERS", ", ".join(OPTIMIZERS))
+            text = getattr(parameter, "help", None)
+            if text:
+                setattr(parameter, "help", text.replace("OPTIMIZERS", ", ".join(OPTIMIZERS)))  # noqa: B010 - of options
         super().format_help(ctx, formatter)
 
 

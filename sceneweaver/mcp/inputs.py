@@ -47,6 +47,6 @@ def design_parameters() -> list[Parameter]:
 
 def _parameter(name: str, kind: Any, option: Option) -> Parameter:
     most = MOST.get(name) if option.most is None else option.most
-    bounds = {key: value for key, value in (("ge", option.least), ("le", most)) if value is not None}
+    bounds: dict[str, Any] = {key: value for key, value in (("ge", option.least), ("le", most)) if value is not None}
     told = Annotated[kind, Field(description=option.server, **bounds)]
     return Parameter(name, Parameter.KEYWORD_ONLY, default=option.default, annotation=told)
