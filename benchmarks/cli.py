@@ -20,8 +20,8 @@ from benchmarks.rivals import RIVALS
 from benchmarks.rooms import ROOMS
 from benchmarks.settings import OUT, ROOT, Settings
 from sceneweaver.knowledge import room_types
+from sceneweaver.runtime.threads import cores
 from sceneweaver.scene import SceneWeaverError
-from sceneweaver.scene.threads import cores
 
 PAGE = ROOT / "docs" / "benchmarks.md"
 DONE, WRONG, BAD_INPUT = 0, 1, 2

@@ -21,8 +21,8 @@ from sceneweaver.datasets.layouts.collect import Collection, chains_for, collect
 from sceneweaver.datasets.layouts.pack import furniture
 from sceneweaver.datasets.layouts.tables import Writers, schema
 from sceneweaver.layout.devices import pick_devices
+from sceneweaver.runtime.threads import cores
 from sceneweaver.scene.files import write_atomic
-from sceneweaver.scene.threads import cores
 
 # fmt: off
 KINDS = (

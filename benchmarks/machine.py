@@ -10,7 +10,7 @@ from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
 from benchmarks.settings import ROOT, Settings
-from sceneweaver.scene.threads import cores
+from sceneweaver.runtime.threads import cores
 
 PACKAGES = ("sceneweaver", "warp-lang", "jax", "numpy", "shapely", "scipy", "torch", "drake")
 

@@ -15,8 +15,8 @@ from benchmarks.settings import Settings
 from sceneweaver.envs.batched import Bank, BatchedRoomEnv
 from sceneweaver.envs.env import PERIOD
 from sceneweaver.layout import refine
+from sceneweaver.runtime.threads import cores
 from sceneweaver.scene import Scene
-from sceneweaver.scene.threads import cores
 
 WORLDS = (256, 1024, 4096)
 STEPS = 100

@@ -24,8 +24,8 @@ from benchmarks.odd_requests import KINDS, odd_requests
 from benchmarks.parallel import core_shares
 from benchmarks.results import Column, Result
 from benchmarks.settings import ROOT, Settings
+from sceneweaver.runtime.threads import cores
 from sceneweaver.scene import InputError, Scene
-from sceneweaver.scene.threads import cores
 
 EACH, QUICK = 15, 2
 """Requests of each kind, and in all to see that everything works."""

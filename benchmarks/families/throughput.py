@@ -16,8 +16,8 @@ from benchmarks.settings import Settings
 from benchmarks.signature import count_distinct
 from benchmarks.starts import blind, random_poses
 from benchmarks.timing import timed, warm
+from sceneweaver.runtime.threads import cores
 from sceneweaver.scene import Scene
-from sceneweaver.scene.threads import cores
 
 USUAL = ("bedroom-small", "office-20", "restaurant-60")
 RUNS = 3

@@ -7,10 +7,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from sceneweaver.critic import Review
+from sceneweaver.runtime.deadline import TimeUp
 from sceneweaver.verify import Report
 
 from .executor import Executor, Outcome
-from .interrupt import TimeUp
 from .lived_in import lived_in
 from .loop import Run
 from .openability import opened

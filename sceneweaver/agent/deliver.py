@@ -12,11 +12,10 @@ from typing import TYPE_CHECKING
 
 from sceneweaver.assets import Library
 from sceneweaver.critic import phrases
+from sceneweaver.runtime.deadline import NEVER, Deadline, TimeUp
 from sceneweaver.scene import Scene, SceneWeaverError, whole
 
-from .deadline import NEVER, Deadline
 from .faults import fault
-from .interrupt import TimeUp
 from .memory import Step
 from .request_file import NAME, RequestFile
 from .result import Result

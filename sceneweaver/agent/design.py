@@ -4,27 +4,28 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Unpack
 
 from sceneweaver.assets import Library
 from sceneweaver.export import formats_named
+from sceneweaver.export.formats import USUAL
 from sceneweaver.knowledge import RoomType, match_room, room_types
 from sceneweaver.knowledge.learned import learned_rooms
 from sceneweaver.knowledge.likely import likeliest_room
-from sceneweaver.knowledge.lived_in import CLUTTER
 from sceneweaver.language import SceneGraph, read_request
-from sceneweaver.llm import Limits, ModelClient, Prices
+from sceneweaver.llm import Limits, Prices
+from sceneweaver.runtime.deadline import Deadline, Stop
+from sceneweaver.runtime.options import DesignOptions, defaults_of
 from sceneweaver.tools.registry import Registered
 from sceneweaver.tools.registry import tools as registered
 
 from .by_model.asking import Asking
 from .by_model.session import RECORDS, Session
 from .closing import closed
-from .deadline import Deadline, Stop
 from .deliver import deliver
 from .executor import Executor
 from .folder import RunFolder
@@ -51,36 +52,44 @@ LIKELY = "living_room"
 """The kind of room that is made when the request names none and nothing in it tells."""
 
 
-def design(
-    prompt: str = "",
-    *,
-    seed: int = 0,
-    planner: str = "rules",
-    out: str | Path | None = None,
-    steps: int = 10,
-    candidates: int | None = None,
-    device: str = "auto",
-    time_limit: float | Literal["auto"] | None = "auto",
-    pictures: bool = True,
-    export: str | Iterable[str] = ("glb", "usd", "mjcf"),
-    clutter: float = CLUTTER,
-    settle: bool = False,
-    said: Callable[[Step], None] | None = None,
-    began: float | None = None,
-    stop: Stop | None = None,
-    library: Library | None = None,
-    model: str | ModelClient | Any | None = None,
-    base_url: str | None = None,
-    reader: str | None = None,
-    critic: str | None = None,
-    samples: int = 1,
-    limits: Limits | None = None,
-    prices: Prices | None = None,
-    stream: bool | None = None,
-    replay: str | Path | None = None,
-    strict: bool = False,
-    **switches: Any,
-) -> Result:
+class AllOptions(DesignOptions, total=False):
+    """The options that a design takes in Python: those of the command line, objects, and fields of `Settings`."""
+
+    out: str | Path | None
+    said: Callable[[Step], None] | None
+    began: float | None
+    stop: Stop | None
+    library: Library | None
+    limits: Limits | None
+    prices: Prices | None
+    side_by_side: int
+    finalists: int
+    generations: int
+    attempts: tuple[int, int]
+    work: int
+    grade: float
+    patience: int
+    replans: int
+    choice: bool
+    rules: bool
+    reflect: bool
+    physics: bool
+    one_shot: bool
+    tools: tuple[str, ...] | None
+
+
+OBJECTS = dict.fromkeys(("out", "said", "began", "stop", "library", "limits", "prices"))
+"""Options that only Python has, with their defaults."""
+
+NO_SETTINGS = {
+    *OBJECTS,
+    *("planner", "time_limit", "pictures", "export", "model", "base_url", "reader", "critic", "samples"),
+    *("stream", "replay", "strict"),
+}
+"""Options that are no fields of `Settings`."""
+
+
+def design(prompt: str = "", **options: Unpack[AllOptions]) -> Result:
     """Design a room from a request in words.
 
     Args:
@@ -94,7 +103,8 @@ def design(
         time_limit: seconds that all may take, files included; what is best then is kept, and ``finished`` says so.
             None: as long as it takes. "auto": 120 without a model, 600 with one.
         pictures: whether pictures and the report are drawn into ``out``.
-        export: formats that are written into ``out``: glb, usd, mjcf, scenestate; "all" or "none".
+        export: formats that are written into ``out``: glb, usd, mjcf, scenestate; "all" or "none"; None: glb, usd and
+            mjcf.
         clutter: how lived-in the room looks, from 0, a show room, to 1: things that lie about, askew, on the floor.
         settle: whether to prefer layouts that physics leaves alone, to keep the poses in which things come to rest, and
             to measure the stability of the scene.
@@ -114,7 +124,8 @@ def design(
         replay: the folder of a run whose records answer in the model's place. The request, roles and settings are those
             of that run; what is given and not at its default has to be the same there.
         strict: whether to end where the model cannot be asked any more, instead of going on by rules.
-        switches: other fields of `Settings`, such as ``reflect=False``.
+        memory_length: last steps that a model which plans is told of.
+        options: all of these by keyword, and other fields of `Settings`, such as ``reflect=False``.
 
     Raises:
         InputError: for a request that says nothing, arguments out of range, or a folder that cannot be used.
@@ -126,23 +137,28 @@ def design(
         >>> result.report.valid, result.unmet
         (True, ())
     """
-    began = time.monotonic() if began is None else began
-    asking = Asking(model, base_url, limits, prices, stream, strict, Path(replay) if replay is not None else None)
-    formats = formats_named(export)
-    given = {"seed": seed, "steps": steps, "candidates": candidates, "device": device, "clutter": clutter}
-    given |= {"settle": settle, **switches}
+    given: Any = {**OBJECTS, **defaults_of(DesignOptions), **options}
+    began = time.monotonic() if given["began"] is None else given["began"]
+    replay, out, time_limit = given["replay"], given["out"], given["time_limit"]
+    asking = Asking(
+        *(given[name] for name in ("model", "base_url", "limits", "prices", "stream", "strict")),
+        replay=Path(replay) if replay is not None else None,
+    )
+    formats = formats_named(USUAL if given["export"] is None else given["export"])
+    chosen = {name: value for name, value in given.items() if name not in NO_SETTINGS}
+    who = given["planner"], given["reader"], given["critic"], given["samples"]
     if asking.replay is None:
-        roles = Roles.of(planner, reader, critic, samples)
+        roles = Roles.of(*who)
         usual = TIME_BY_MODEL if roles.by_model else TIME
-        settings = Settings(seconds=usual if time_limit == "auto" else time_limit, **given)
+        settings = Settings(seconds=usual if time_limit == "auto" else time_limit, **chosen)
         asking.check(roles)
     else:
         state = recorded(asking.replay)
-        prompt, roles = prompt_of(state, prompt), roles_of(state, planner, reader, critic, samples)
-        settings = settings_of(state, given if time_limit == "auto" else {**given, "seconds": time_limit})
+        prompt, roles = prompt_of(state, prompt), roles_of(state, *who)
+        settings = settings_of(state, chosen if time_limit == "auto" else {**chosen, "seconds": time_limit})
     offline = read_request(prompt[:LONGEST])
     folder = RunFolder(Path(out)) if out is not None else None
-    limit = Deadline(began + (settings.seconds or math.inf), stop=stop or Stop())
+    limit = Deadline(began + (settings.seconds or math.inf), stop=given["stop"] or Stop())
     with folder.held() if folder is not None else nullcontext():
         if folder is not None:
             folder.check_roles(roles)  # before a model is asked in vain
@@ -151,9 +167,8 @@ def design(
             brief = session.read(offline, folder)
             room_type, remarks = chosen_room(brief)
             tools = {n: tool for n, tool in registered().items() if usable(n, tool, settings, room_type, session.plans)}
-            run = Run(
-                brief, room_type, settings, tools, session.planner, library or Library(), folder=folder, said=said
-            )
+            library = given["library"] or Library()
+            run = Run(brief, room_type, settings, tools, session.planner, library, folder=folder, said=given["said"])
             run.deadline = limit
             session.serve(run)
             if folder is None:
@@ -164,7 +179,8 @@ def design(
             kept = reserve(settings.seconds, started) if settings.seconds else limit.stop.allowance
             run.deadline = session.deadline = replace(limit, end=limit.end - run.memory.seconds).before(kept)
             result = closed(run, (*session.notes, *remarks), began, session.use)
-            return deliver(result, folder.path, run.library, device, pictures, formats, limit.before(EXIT * started))
+            until, pictures = limit.before(EXIT * started), given["pictures"]
+            return deliver(result, folder.path, library, settings.device, pictures, formats, until)
 
 
 def reserve(limit: float, started: float) -> float:

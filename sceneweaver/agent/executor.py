@@ -14,6 +14,7 @@ from sceneweaver.generate.carry import carried, has_place
 from sceneweaver.knowledge import RoomType
 from sceneweaver.language import SceneGraph
 from sceneweaver.layout import QualityTerm, Solution, improve, joined, refine, refine_many
+from sceneweaver.runtime.deadline import NEVER, Deadline
 from sceneweaver.scene import Pose, Relation, Room, Scene
 from sceneweaver.scene.edits import Remove, apply, apply_all
 from sceneweaver.tools.base import Proposal
@@ -21,7 +22,6 @@ from sceneweaver.verify import Report, Violation, check
 
 from .choice import choice_terms
 from .coarse import coarse
-from .deadline import NEVER, Deadline
 from .relaxation import eased, left_out, lightened, pruned, relaxed
 from .riders import at_rest, searched, with_riders
 from .settings import ASKED, Settings

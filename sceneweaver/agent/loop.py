@@ -13,17 +13,16 @@ from sceneweaver.generate.shell import floor_area, shell
 from sceneweaver.knowledge import RoomType
 from sceneweaver.language import SceneGraph
 from sceneweaver.llm import ModelClient, ModelError
+from sceneweaver.runtime.deadline import NEVER, Deadline, TimeUp
 from sceneweaver.scene import InputError, Room, Scene, SceneWeaverError
 from sceneweaver.scene.messages import shorten
 from sceneweaver.tools.base import Context, Proposal, Tool
 from sceneweaver.tools.registry import Registered
 from sceneweaver.verify import check
 
-from .deadline import NEVER, Deadline
 from .executor import Executor, Outcome
 from .faults import fault
 from .folder import RunFolder
-from .interrupt import TimeUp
 from .memory import Call, Memory, Step, Thought
 from .planner import Planner, Situation, Thinker
 from .plans import next_calls
@@ -229,7 +228,7 @@ class Run:
             began = time.monotonic()
             try:
                 tool = self.tools[call.tool].load()
-                with self.deadline.enforced(self._grace, (type(tool).__module__.partition(".")[0],)):
+                with self.deadline.enforced(self._grace):
                     scene = self.best.scene if self.best else empty_scene(self.brief, self.room_type)
                     call = calls[k] = self._filled(call, scene)
                     proposal = self._propose(tool, call, scene)

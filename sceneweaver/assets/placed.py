@@ -12,6 +12,7 @@ from zipfile import BadZipFile
 import numpy as np
 
 from sceneweaver.geometry.prisms import prism_mesh
+from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.scene import InputError, Part, SceneObject
 
 from .asset import Asset
@@ -68,6 +69,7 @@ def scaled_asset(index: int, thing: SceneObject, load: Load) -> tuple[Asset | No
     """
     if thing.asset is None:
         return None, (1.0, 1.0, 1.0)
+    checkpoint()
     try:
         asset = load(thing.asset)
     except InputError as error:

@@ -18,32 +18,29 @@ import traceback
 from collections.abc import Sequence
 from enum import StrEnum
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
+from typer.core import TyperCommand
 
 from sceneweaver.export.formats import FORMATS, USUAL
+from sceneweaver.runtime.deadline import process_began
+from sceneweaver.runtime.options import takes
 
-from .clock import process_began
 from .dataset import dataset
 from .exit_codes import BAD_INPUT, INTERRUPTED, MISSING
 from .extensions import load_extensions
 from .knowledge import knowledge
 from .model_options import (
     BaseUrl,
-    CriticOption,
     MaxCalls,
     MaxCost,
     MaxTokens,
-    MemoryLength,
     Model,
     NamedModel,
     PriceFile,
-    ReaderOption,
-    Replay,
-    Samples,
-    Stream,
-    Strict,
+    design_parameters,
+    limits_of,
 )
 from .options import Candidates, Device, Input, Json, Out, Picture, Png, Seed, TimeLimit, positive_seconds
 
@@ -63,7 +60,18 @@ app = typer.Typer(
 )
 
 
-OPTIMIZERS = ("search", "adam", "langevin", "lbfgs", "tempering", "projection")  # those that are built in
+class WithOptimizers(TyperCommand):
+    """A command whose help names the built-in optimisers; to ask for them loads the engine."""
+
+    def format_help(self, ctx: Any, formatter: Any) -> None:
+        """Write the help."""
+        from sceneweaver.layout.stepwise import OPTIMIZERS
+
+        for parameter in self.params:
+            text = getattr(parameter, "help", None)
+            if text:
+                setattr(parameter, "help", text.replace("OPTIMIZERS", ", ".join(OPTIMIZERS)))  # noqa: B010 - of options
+        super().format_help(ctx, formatter)
 
 
 class Init(StrEnum):
@@ -72,13 +80,6 @@ class Init(StrEnum):
     SAMPLE = "sample"
     RANDOM = "random"
     CURRENT = "current"
-
-
-class Planner(StrEnum):
-    """Who chooses the tools of a design."""
-
-    RULES = "rules"
-    LLM = "llm"
 
 
 class Transport(StrEnum):
@@ -105,7 +106,7 @@ def _root(
     pass
 
 
-@app.command()
+@app.command(cls=WithOptimizers)
 def refine(
     source: Input,
     out: Out,
@@ -115,9 +116,7 @@ def refine(
     device: Device = "auto",
     optimizer: Annotated[
         str,
-        typer.Option(
-            metavar="NAME", help=f"How the layouts are improved: {', '.join(OPTIMIZERS)}, or one of a package."
-        ),
+        typer.Option(metavar="NAME", help="How the layouts are improved: OPTIMIZERS, or one of a package."),
     ] = "search",
     time_limit: TimeLimit = None,
     as_json: Json = False,
@@ -287,93 +286,26 @@ def export(
 
 
 @app.command()
+@takes(design_parameters())
 def design(
     context: typer.Context,
     out: Annotated[
         Path, typer.Option("--out", "-o", metavar="DIR", help="Folder for the results.", show_default=False)
     ],
     prompt: Annotated[str, typer.Argument(metavar="PROMPT", help="The room, in words.", show_default=False)] = "",
-    seed: Seed = 0,
-    steps: Annotated[int, typer.Option(min=1, max=100, help="Steps of the agent at most.")] = 10,
-    candidates: Annotated[
-        int | None,
-        typer.Option(
-            min=1, help="Layouts that are refined for each call of a tool (default: by the device).", show_default=False
-        ),
-    ] = None,
-    planner: Annotated[Planner, typer.Option(help="Who chooses the tools.")] = Planner.RULES,
-    device: Device = "auto",
-    time_limit: Annotated[
-        float | None,
-        typer.Option(
-            callback=positive_seconds,
-            help="Seconds that all may take, files included (default: 120, with a model 600).",
-            show_default=False,
-        ),
-    ] = None,
-    pictures: Annotated[bool, typer.Option("--pictures/--no-pictures", help="Draw views and the report.")] = True,
-    export: Annotated[
-        str, typer.Option(metavar="FORMATS", help=f"Files for other tools: {', '.join(FORMATS)}, all or none.")
-    ] = ",".join(USUAL),
-    clutter: Annotated[
-        float | None,
-        typer.Option(
-            min=0.0, max=1.0, help="How lived-in the room looks: 0 a show room, 0.4 as usual.", show_default=False
-        ),
-    ] = None,
-    settle: Annotated[
-        bool, typer.Option("--settle/--no-settle", help="Prefer layouts that physics leaves alone; let things settle.")
-    ] = False,
+    *,
     as_json: Json = False,
-    model: Model = None,
-    base_url: BaseUrl = None,
-    reader: ReaderOption = None,
-    critic: CriticOption = None,
-    samples: Samples = 1,
-    stream: Stream = None,
     max_calls: MaxCalls = None,
     max_tokens: MaxTokens = None,
     max_cost: MaxCost = None,
     prices: PriceFile = None,
-    memory_length: MemoryLength = None,
-    replay: Replay = None,
-    strict: Strict = False,
+    **options: Any,
 ) -> int:
     """Make a furnished room from a request in words. A run that was cut off goes on when started again."""
     from .design import run_design
-    from .model_options import model_arguments
 
-    return run_design(
-        prompt,
-        out,
-        seed=seed,
-        steps=steps,
-        candidates=candidates,
-        planner=planner.value,
-        device=device,
-        time_limit=time_limit,
-        pictures=pictures,
-        export=export,
-        clutter=clutter,
-        settle=settle,
-        as_json=as_json,
-        began=context.obj,
-        models=model_arguments(
-            model=model,
-            base_url=base_url,
-            reader=reader,
-            critic=critic,
-            samples=samples,
-            stream=stream,
-            max_calls=max_calls,
-            max_tokens=max_tokens,
-            max_cost=max_cost,
-            prices=prices,
-            memory_length=memory_length,
-            replay=replay,
-            strict=strict,
-        ),
-    )
+    options |= limits_of(max_calls, max_tokens, max_cost, prices)
+    return run_design(prompt, out, options, as_json=as_json, began=context.obj)
 
 
 @app.command()
@@ -414,7 +346,6 @@ def mcp(
 ) -> int:
     """Serve rooms to assistants over the Model Context Protocol: design, edit, check, render, export."""
     from .mcp import run_mcp
-    from .model_options import model_arguments
 
     return run_mcp(
         folder,
@@ -424,21 +355,7 @@ def mcp(
         time_limit=time_limit,
         scenes=scenes,
         versions=versions,
-        models=model_arguments(
-            model=model,
-            base_url=base_url,
-            max_calls=max_calls,
-            max_tokens=max_tokens,
-            max_cost=max_cost,
-            prices=prices,
-            reader=None,
-            critic=None,
-            samples=1,
-            stream=None,
-            memory_length=None,
-            replay=None,
-            strict=False,
-        ),
+        models={"model": model, "base_url": base_url, **limits_of(max_calls, max_tokens, max_cost, prices)},
     )
 
 
@@ -453,21 +370,8 @@ def demo(
     """Design a teenager's bedroom with a desk by the window."""
     from .design import DEMO, run_design
 
-    return run_design(
-        DEMO,
-        out,
-        seed=seed,
-        steps=10,
-        candidates=None,
-        planner="rules",
-        device=device,
-        time_limit=120.0,
-        pictures=True,
-        export=",".join(USUAL),
-        settle=False,
-        as_json=as_json,
-        began=context.obj,
-    )
+    options = {"seed": seed, "device": device, "time_limit": 120.0}
+    return run_design(DEMO, out, options, as_json=as_json, began=context.obj)
 
 
 @app.command()
@@ -665,7 +569,7 @@ Family = Annotated[str | None, typer.Option(help="Only problems of this family."
 Common = Annotated[bool, typer.Option("--common", help="Only problems and seeds that every method was run on.")]
 
 
-@bench.command("run")
+@bench.command("run", cls=WithOptimizers)
 def bench_run(
     out: Annotated[
         Path, typer.Option("--out", "-o", metavar="DIR", help="Folder for the results.", show_default=False)
@@ -674,9 +578,11 @@ def bench_run(
         str,
         typer.Option(
             metavar="A,B",
-            help="Names, package.module:Name, or label=either; package.module:NAMES for a mapping of them.",
+            help="Names, package.module:Name, or label=either; package.module:NAMES for a mapping of them "
+            "(default: OPTIMIZERS).",
+            show_default=False,
         ),
-    ] = ",".join(OPTIMIZERS),
+    ] = "",
     problems: Annotated[str, typer.Option(metavar="A,B", help="Names, families, scene files, or all.")] = "all",
     seeds: Annotated[int, typer.Option(min=1, help="How many seeds, from 0.")] = 3,
     candidates: Annotated[int, typer.Option(min=1, help="Layouts that a method moves at once.")] = 64,

@@ -17,6 +17,7 @@ def run_bench(
 ) -> int:
     """Run optimisers on problems into a folder; a run that failed is a row of the results."""
     from sceneweaver.bench import Settings, run
+    from sceneweaver.layout.stepwise import OPTIMIZERS
 
     sys.path.insert(0, os.getcwd())  # for optimisers by import path, as `python -m` has it
 
@@ -29,7 +30,7 @@ def run_bench(
             print(text, file=terminal, flush=True)
 
         path = run(
-            _words(optimizers),
+            _words(optimizers) or list(OPTIMIZERS),
             _words(problems),
             out,
             seeds=seeds,

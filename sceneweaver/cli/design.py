@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import typer
 
+from sceneweaver.runtime.deadline import stoppable
 from sceneweaver.scene import InputError
 
 from .exit_codes import NOT_VALID
 from .model_options import announce, request_of, told
 from .output import headline, list_files, list_violations, no_chatter, print_json, relations_line
-from .stopping import stoppable
 
 if TYPE_CHECKING:
     from sceneweaver.agent import Result
@@ -39,57 +40,26 @@ FILES = (
 )
 
 
-def run_design(
-    prompt: str,
-    out: Path,
-    *,
-    seed: int,
-    steps: int,
-    candidates: int | None,
-    planner: str,
-    device: str,
-    time_limit: float | None,
-    pictures: bool,
-    export: str,
-    clutter: float | None = None,
-    settle: bool,
-    as_json: bool,
-    began: float,
-    models: dict[str, Any] | None = None,
-) -> int:
+def run_design(prompt: str, out: Path, options: Mapping[str, Any], *, as_json: bool, began: float) -> int:
     """Design a room into a folder; 0 when all that was asked for is so, 3 when not.
 
-    The time limit counts from ``began``, a moment of ``time.monotonic()`` [s]. ``models`` are the arguments of a design
-    that say which model is asked, and how.
+    Args:
+        prompt: the request.
+        out: the folder.
+        options: of the design; None stands for its default.
+        as_json: whether to print one JSON object alone.
+        began: the moment of ``time.monotonic()`` [s] from which the time limit counts.
     """
-    models = models or {}
-    prompt = request_of(prompt, models.get("replay"))
+    given = {name: value for name, value in options.items() if value is not None}
+    prompt = request_of(prompt, given.get("replay"))
     if out.suffix in (".json", ".html", ".png", ".glb") or out.is_file():
         raise InputError(f"--out: {out} is no folder; give a folder")
-    if models and not as_json:
-        announce(planner, models)
+    if not as_json:
+        announce(given)
     with no_chatter(), stoppable() as stop:
         from sceneweaver.agent import design
 
-        some: dict[str, Any] = {} if clutter is None else {"clutter": clutter}
-        result = design(
-            prompt,
-            seed=seed,
-            planner=planner,
-            out=out,
-            steps=steps,
-            candidates=candidates,
-            device=device,
-            time_limit="auto" if time_limit is None else time_limit,
-            pictures=pictures,
-            export=export,
-            settle=settle,
-            said=None if as_json else _say,
-            began=began,
-            stop=stop,
-            **some,
-            **models,
-        )
+        result = design(prompt, out=out, said=None if as_json else _say, began=began, stop=stop, **given)
     code = 0 if result.satisfied else NOT_VALID
     if as_json:
         print_json(_json(result, out, code))

@@ -2,31 +2,21 @@
 
 from __future__ import annotations
 
-from enum import StrEnum
+from collections.abc import Callable, Mapping
+from inspect import Parameter
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from sceneweaver.export.formats import FORMATS, USUAL
+from sceneweaver.runtime.options import MODELS as PANEL
+from sceneweaver.runtime.options import DesignOptions, Option, options_of
+
+from .options import device_name, positive_seconds
+
 if TYPE_CHECKING:
     from sceneweaver.agent import Result
-
-PANEL = "Models"
-
-
-class Reader(StrEnum):
-    """Who reads a request."""
-
-    RULES = "rules"
-    LLM = "llm"
-
-
-class Critic(StrEnum):
-    """Who grades a scene."""
-
-    SYMBOLIC = "symbolic"
-    VLM = "vlm"
-
 
 Model = Annotated[
     str | None,
@@ -55,25 +45,6 @@ BaseUrl = Annotated[
         show_default=False,
     ),
 ]
-ReaderOption = Annotated[
-    Reader | None,
-    typer.Option("--reader", help="Who reads the request (default: as --planner).", rich_help_panel=PANEL),
-]
-CriticOption = Annotated[
-    Critic | None,
-    typer.Option(
-        "--critic",
-        help="Who grades: by rules, or by looking at pictures as well (default: as --planner).",
-        rich_help_panel=PANEL,
-    ),
-]
-Samples = Annotated[
-    int, typer.Option(min=1, max=16, help="How often the critic looks at a scene.", rich_help_panel=PANEL)
-]
-Stream = Annotated[
-    bool | None,
-    typer.Option("--stream/--no-stream", help="Whether replies come in pieces.", rich_help_panel=PANEL),
-]
 MaxCalls = Annotated[
     int | None,
     typer.Option(min=0, metavar="N", help="Requests at most.", rich_help_panel=PANEL, show_default=False),
@@ -92,64 +63,46 @@ PriceFile = Annotated[
         "--prices", metavar="FILE", help="YAML table of what tokens cost.", rich_help_panel=PANEL, show_default=False
     ),
 ]
-MemoryLength = Annotated[
-    int | None,
-    typer.Option(
-        min=0,
-        max=100,
-        help="Last steps that the planner is told of (default: 1).",
-        rich_help_panel=PANEL,
-        show_default=False,
-    ),
-]
-Replay = Annotated[
-    Path | None,
-    typer.Option(
-        metavar="DIR",
-        help="Make the design in this folder again from its records, without a network; PROMPT may be left out.",
-        rich_help_panel=PANEL,
-        show_default=False,
-    ),
-]
-Strict = Annotated[
-    bool,
-    typer.Option(
-        "--strict", help="End with code 4 where the model cannot be asked, not go on by rules.", rich_help_panel=PANEL
-    ),
-]
+CHECKS: dict[str, Callable[..., Any]] = {"device": device_name, "seconds": positive_seconds}
+"""Callbacks that check a value."""
 
 
-def model_arguments(
-    *,
-    model: str | None,
-    base_url: str | None,
-    reader: Reader | None,
-    critic: Critic | None,
-    samples: int,
-    stream: bool | None,
-    max_calls: int | None,
-    max_tokens: int | None,
-    max_cost: float | None,
-    prices: Path | None,
-    memory_length: int | None,
-    replay: Path | None,
-    strict: bool,
+def design_parameters() -> list[Parameter]:
+    """The options of a design as parameters of a command; which formats there are is known to the exporter."""
+    formats = {"help": f"Files for other tools: {', '.join(FORMATS)}, all or none.", "default": ",".join(USUAL)}
+    more = {"export": formats}
+    rows = options_of(DesignOptions).items()
+    return [_parameter(name, kind, option, more.get(name, {})) for name, (kind, option) in rows]
+
+
+def _parameter(name: str, kind: Any, option: Option, more: Mapping[str, Any]) -> Parameter:
+    how = {"help": option.help, **option.command, **more}
+    kind, default = how.pop("type", kind), how.pop("default", option.default)
+    given = typer.Option(
+        *how.pop("flags", ()),
+        min=option.least,
+        max=option.most,
+        callback=CHECKS.get(how.pop("checked", "")),
+        rich_help_panel=how.pop("panel", None),
+        **how,
+    )
+    return Parameter(name, Parameter.KEYWORD_ONLY, default=default, annotation=Annotated[kind, given])
+
+
+def limits_of(
+    max_calls: int | None, max_tokens: int | None, max_cost: float | None, prices: Path | None
 ) -> dict[str, Any]:
-    """The arguments of ``design`` that these options mean.
+    """The limits and prices that these options mean, as arguments of a design; empty where none is given.
 
     Raises:
         InputError: for a price table that cannot be read.
     """
-    given: dict[str, Any] = {"model": model, "base_url": base_url, "samples": samples, "stream": stream}
-    given |= {"reader": reader and reader.value, "critic": critic and critic.value, "replay": replay, "strict": strict}
-    if memory_length is not None:
-        given["memory_length"] = memory_length
-    if prices is not None or (max_calls, max_tokens, max_cost) != (None, None, None):
-        from sceneweaver.llm import Limits, Prices
+    if prices is None and (max_calls, max_tokens, max_cost) == (None, None, None):
+        return {}
+    from sceneweaver.llm import Limits, Prices
 
-        given["limits"] = Limits(calls=max_calls, tokens=max_tokens, cost=max_cost)
-        given["prices"] = Prices.load(prices) if prices is not None else None
-    return given
+    limits = Limits(calls=max_calls, tokens=max_tokens, cost=max_cost)
+    return {"limits": limits, "prices": Prices.load(prices) if prices is not None else None}
 
 
 def request_of(prompt: str, replay: Path | None) -> str:
@@ -165,26 +118,26 @@ def request_of(prompt: str, replay: Path | None) -> str:
     return prompt
 
 
-def announce(planner: str, given: dict[str, Any]) -> None:
-    """Say on stderr which model will do what.
+def announce(given: Mapping[str, Any]) -> None:
+    """Say on stderr which model will do what in a design with these options.
 
     Raises:
         MissingDependencyError: when a model is needed and none is configured.
     """
-    if given["replay"] is not None:
+    if given.get("replay") is not None:
         typer.echo(f"made again from the records in {given['replay']}", err=True)
         return
-    with_model = planner == "llm"
+    planner, critic = given.get("planner"), given.get("critic")
     done = {
-        "plans": with_model,
-        "reads the request": (given["reader"] or planner) == "llm",
-        "looks at scenes": given["critic"] == "vlm" or (with_model and given["critic"] is None),
+        "plans": planner == "llm",
+        "reads the request": given.get("reader", planner) == "llm",
+        "looks at scenes": critic == "vlm" or (planner == "llm" and critic is None),
     }
     doing = [words for words, does in done.items() if does]
     if doing:
         from sceneweaver.llm import Endpoint
 
-        endpoint = Endpoint.of(given["model"], given["base_url"], stream=given["stream"])
+        endpoint = Endpoint.of(given.get("model"), given.get("base_url"), stream=given.get("stream"))
         typer.echo(f"model {endpoint.title} at {endpoint.url}: {', '.join(doing)}", err=True)
 
 

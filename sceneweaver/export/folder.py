@@ -9,9 +9,9 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
+from sceneweaver.runtime.threads import map_threads
 from sceneweaver.scene import InputError
 from sceneweaver.scene.files import temporary_folder
-from sceneweaver.scene.threads import map_threads
 
 _WRITERS = 16  # files that wait for the disk at once
 

@@ -13,6 +13,8 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from sceneweaver.runtime.deadline import checkpoint
+
 if TYPE_CHECKING:
     from sceneweaver.assets.placed import Load
     from sceneweaver.scene import InputError, Scene
@@ -166,6 +168,7 @@ def export_scene(
     done: dict[str, Path] = {}
     try:
         for one in wanted:
+            checkpoint()
             one.write(scene, target / one.file, load, textures)
             done[one.name] = target / one.file
     except BaseException:

@@ -8,8 +8,8 @@ from dataclasses import replace
 import numpy as np
 import warp as wp
 
+from sceneweaver.runtime.threads import map_threads
 from sceneweaver.scene import InputError, MissingDependencyError
-from sceneweaver.scene.threads import map_threads
 
 from .job import Job
 from .solution import Solution, best_of

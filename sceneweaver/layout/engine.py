@@ -19,6 +19,7 @@ from sceneweaver.optimizers import OPTIMIZERS, Batch, Monitor, judge, load_poses
 from sceneweaver.optimizers.batch import Progress
 from sceneweaver.optimizers.snap import MODULES as SNAP_MODULES
 from sceneweaver.optimizers.snap import snap_batch
+from sceneweaver.runtime.deadline import end_of_block
 from sceneweaver.scene import InputError, Scene
 
 from .access import walkable_shares
@@ -73,7 +74,7 @@ def refine(
     world = _all_at(compiled.room.home, candidates) if given is None else given
     start = init if isinstance(init, str) and init != "current" else "given"
     job = Job(compiled, world, start, seed, keep=start == "given" and given is None, walk=walk and not quality)
-    monitor = Monitor(len(world), None if time_limit is None else began + time_limit, progress)
+    monitor = Monitor(len(world), _until(began, time_limit), progress)
     jobs = _prepared([job], where, optimizer, monitor)
     found = solve_on(where, jobs, lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began, snap))
     return _rated(found, [compiled], [quality], began, walk)[0]
@@ -112,7 +113,7 @@ def refine_many(
         world = _all_at(compiled.room.home, count)
         current = init == "current"
         jobs.append(Job(compiled, world, "given" if current else init, own, keep=current, walk=not wanted))
-    monitor = Monitor(sum(counts), None if time_limit is None else began + time_limit, progress)
+    monitor = Monitor(sum(counts), _until(began, time_limit), progress)
     jobs = _prepared(jobs, where, optimizer, monitor)
     found = solve_on(where, jobs, lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began, snap))
     return _rated(found, [job.compiled for job in jobs], terms, began)
@@ -143,6 +144,12 @@ def _rated(
             solution = replace(solution, elapsed=time.monotonic() - began)
         solutions.append(solution)
     return solutions
+
+
+def _until(began: float, time_limit: float | None) -> float | None:
+    """When to stop, by ``time.monotonic()`` [s]: after the time limit, and with the deadline of the caller."""
+    until = min(math.inf if time_limit is None else began + time_limit, end_of_block())
+    return None if math.isinf(until) else until
 
 
 def _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps) -> np.ndarray | None:

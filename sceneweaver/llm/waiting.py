@@ -1,7 +1,7 @@
 """Requests run in a thread of their own; whoever asks waits in his, and can leave at any moment.
 
-The caller's thread is never inside a library for longer than `LOOK`, so a deadline, Ctrl-C or an exception that a
-signal raises ends a wait at once. It may have an event loop of its own that runs; ours is another.
+The caller's thread is never inside a library for longer than `LOOK`, so a deadline or Ctrl-C ends a wait at once. It
+may have an event loop of its own that runs; ours is another.
 """
 
 from __future__ import annotations
@@ -14,6 +14,8 @@ import threading
 from collections.abc import Callable, Coroutine
 from types import TracebackType
 from typing import Any, Generic, Self, TypeVar
+
+from sceneweaver.runtime.deadline import checkpoint
 
 LOOK = 0.05
 """Seconds between two looks at whether to go on waiting."""
@@ -88,6 +90,7 @@ class Waiting(Generic[Result]):
         while not self._future.done():
             if stopped():
                 return None
+            checkpoint()
             self._calls.serve(LOOK)
         return self._future.result()
 

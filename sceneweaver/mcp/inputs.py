@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from inspect import Parameter
+from typing import Annotated, Any
 
 from pydantic import Field, FiniteFloat
 
-from .limits import LEAST_SIDE, MOST_PROMPT, MOST_SIDE
+from sceneweaver.runtime.options import DesignOptions, Option, options_of
+
+from .limits import LEAST_SIDE, MOST_CANDIDATES, MOST_PROMPT, MOST_SIDE
 
 SceneId = Annotated[str, Field(min_length=1, max_length=40, description="Handle of an open scene, such as s1")]
 ObjectId = Annotated[str, Field(min_length=1, max_length=200, description="Id of an object, such as desk-0")]
@@ -31,3 +34,19 @@ Target = Annotated[
         "null where the type needs none"
     ),
 ]
+
+MOST = {"candidates": MOST_CANDIDATES}
+"""Bounds of this server on options of a design that have none of their own."""
+
+
+def design_parameters() -> list[Parameter]:
+    """The options of a design that the server takes, as parameters of a tool."""
+    rows = options_of(DesignOptions).items()
+    return [_parameter(name, kind, option) for name, (kind, option) in rows if option.server is not None]
+
+
+def _parameter(name: str, kind: Any, option: Option) -> Parameter:
+    most = MOST.get(name) if option.most is None else option.most
+    bounds: dict[str, Any] = {key: value for key, value in (("ge", option.least), ("le", most)) if value is not None}
+    told = Annotated[kind, Field(description=option.server, **bounds)]
+    return Parameter(name, Parameter.KEYWORD_ONLY, default=option.default, annotation=told)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from sceneweaver.scene import Scene
 
 if TYPE_CHECKING:
-    from sceneweaver.agent.deadline import Stop
+    from sceneweaver.runtime.deadline import Stop
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,9 @@ from dataclasses import dataclass
 MOST_PROMPT = 4_000
 """Characters of a request for a design."""
 
+MOST_CANDIDATES = 65536
+"""Layouts that a design refines for each call of a tool."""
+
 MOST_SCENE = 8 * 2**20
 """Bytes of a scene file that is opened."""
 

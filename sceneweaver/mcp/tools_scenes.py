@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 import anyio
 import anyio.to_thread
@@ -12,12 +12,13 @@ from mcp.server.mcpserver import Context
 from mcp_types import CallToolResult
 from pydantic import Field
 
+from sceneweaver.runtime.options import takes
 from sceneweaver.scene import InputError, Scene, read_bytes
 from sceneweaver.scene.io import EXAMPLES
 
 from .answers import Closed, DesignedScene, OpenedScene, OpenScene, SceneList
 from .handles import Handles
-from .inputs import Name, Prompt, SceneId, Seconds, Seed
+from .inputs import Name, Prompt, SceneId, Seconds, design_parameters
 from .limits import MOST_FOUND, MOST_SCENE
 from .paths import Folder
 from .service import Progress, Service, answer
@@ -42,15 +43,12 @@ class SceneTools:
     def __init__(self, service: Service) -> None:
         self.service = service
 
+    @takes(design_parameters())
     async def design(
         self,
         prompt: Prompt,
         context: Context,
-        seed: Seed = 0,
-        steps: Annotated[int, Field(ge=1, le=100, description="Steps of the agent at most")] = 10,
-        candidates: Annotated[
-            int | None, Field(ge=1, le=65536, description="Layouts for each call of a tool; null: by the device")
-        ] = None,
+        *,
         time_limit: Seconds | None = None,
         folder: Annotated[
             Name | None, Field(description="Where its files go; a run that was cut off there goes on; null: a new one")
@@ -59,16 +57,13 @@ class SceneTools:
         formats: Annotated[
             list[Literal["glb", "usd", "mjcf", "scenestate"]], Field(max_length=4, description="Files for other tools")
         ] = [],  # noqa: B006 - the default of a schema, which nothing changes
-        clutter: Annotated[
-            float, Field(ge=0, le=1, description="How lived-in: 0 a show room, 1 much lies about")
-        ] = 0.4,
-        planner: Annotated[Literal["rules", "llm"], Field(description="llm: if the server has a model")] = "rules",
+        **options: Any,
     ) -> Annotated[CallToolResult, DesignedScene]:
         """Design a furnished room from a request in words. Takes from seconds to minutes; reports each step.
 
         The scene is opened under a handle, and kept in a folder with its report and every step.
         """
-        service = self.service
+        service, planner = self.service, options["planner"]
         service.handles.require_room()
         seconds = service.seconds(time_limit, USUAL if planner == "rules" else USUAL_BY_MODEL)
         if planner == "llm" and service.llm is None:
@@ -80,14 +75,10 @@ class SceneTools:
             {
                 "prompt": prompt,
                 "out": str(out),
-                "seed": seed,
-                "steps": steps,
-                "candidates": candidates,
                 "time_limit": seconds,
                 "pictures": pictures,
                 "export": list(formats) or "none",
-                "clutter": clutter,
-                "planner": planner,
+                **options,
                 **(service.llm or {} if planner == "llm" else {}),
             },
             Progress(context),

@@ -17,8 +17,7 @@ import traceback
 from multiprocessing.connection import Connection
 from typing import Any
 
-from sceneweaver.agent.deadline import Deadline, Stop
-from sceneweaver.agent.interrupt import TimeUp
+from sceneweaver.runtime.deadline import Deadline, Stop, TimeUp
 from sceneweaver.scene.errors import MissingDependencyError, SceneWeaverError
 
 from .jobs import JOBS, LONG_RUNNERS, Job

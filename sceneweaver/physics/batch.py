@@ -20,8 +20,8 @@ from typing import Any, Literal
 import numpy as np
 
 from sceneweaver.assets.placed import Load
+from sceneweaver.runtime.threads import cores
 from sceneweaver.scene import InputError, MissingDependencyError, Pose, Scene
-from sceneweaver.scene.threads import cores
 
 from .boxes import boxed
 from .model import Model, build

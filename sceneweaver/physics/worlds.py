@@ -16,8 +16,9 @@ from typing import Any
 import numpy as np
 
 from sceneweaver.geometry.rotations import transform
+from sceneweaver.runtime.deadline import checkpoint
+from sceneweaver.runtime.threads import map_threads
 from sceneweaver.scene import InputError
-from sceneweaver.scene.threads import map_threads
 
 from .model import STEP
 
@@ -209,6 +210,7 @@ def stepped(model: Any, data: Any, steps: int) -> Stepped:
     kinds = mujoco.mjtWarning
     full, astray, contacts, rows = False, None, 0, 0
     for done in range(0, steps, CHUNK):
+        checkpoint()
         try:
             mujoco.mj_step(model, data, min(CHUNK, steps - done))
         except mujoco.FatalError:  # not even room to look for contacts

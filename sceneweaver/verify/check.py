@@ -9,6 +9,7 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.scene import Relation, Scene
 from sceneweaver.scene.errors import InputError
 from sceneweaver.verify import bounds, collisions, stability, support, zones
@@ -61,6 +62,7 @@ def check(
         >>> report.valid, report.collisions, report.relations.hard.satisfied == report.relations.hard.total
         (True, 0, True)
     """
+    checkpoint()
     clock = _Clock()
     placed = Placed.of(scene)
     shapes, warnings = MeshSet.of(meshes), []

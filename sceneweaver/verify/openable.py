@@ -14,6 +14,7 @@ from itertools import groupby
 import numpy as np
 
 from sceneweaver.assets import Asset, categories
+from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.scene import Scene
 from sceneweaver.verify.openable_parts import Bodies
 from sceneweaver.verify.report import OPEN, LinkTravel, Report, Violation
@@ -44,6 +45,7 @@ def measure(scene: Scene, load: Callable[[str], Asset] | None = None) -> list[Li
         parts.setdefault(block.body, []).append(block)
     found = []
     for opening in made.openings:
+        checkpoint()
         body = made.bodies[opening.body]
         skip = np.where((owner == body.object) & (owner >= 0), base, yields)
         skip[opening.body] = True

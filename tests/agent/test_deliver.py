@@ -10,7 +10,6 @@ import pytest
 from PIL import Image
 
 from sceneweaver import render
-from sceneweaver.agent.deadline import Deadline
 from sceneweaver.agent.deliver import deliver
 from sceneweaver.agent.memory import Call, Step
 from sceneweaver.agent.request_file import RequestFile
@@ -18,6 +17,7 @@ from sceneweaver.agent.result import Result
 from sceneweaver.assets import Library, make
 from sceneweaver.critic import CRITERIA, Alignment, ItemOutcome, Review
 from sceneweaver.language import SceneGraph
+from sceneweaver.runtime.deadline import Deadline, checkpoint
 from sceneweaver.scene import InputError, Pose, Room, Scene, Support
 from sceneweaver.verify import check
 
@@ -173,6 +173,7 @@ def test_a_file_that_takes_too_long_is_left_out_and_the_pictures_are_there(resul
         if names == ("usd",):
             while True:
                 time.sleep(0.01)
+                checkpoint()
         (folder / "scene.glb").touch()
 
     monkeypatch.setattr("sceneweaver.export.export_scene", endless)
@@ -197,6 +198,7 @@ def test_pictures_that_take_too_long_are_left_out(result, tmp_path, monkeypatch)
     def endless(*_: object, **__: object) -> None:
         while True:
             time.sleep(0.01)
+            checkpoint()
 
     monkeypatch.setattr("sceneweaver.render.draw_rooms", endless)
     end = time.monotonic() + 1.0
@@ -210,6 +212,7 @@ def test_the_pictures_that_there_was_time_for_are_kept_and_the_report_shows_them
     def drawn(scene: Scene, load: object, views: tuple[str, ...], *_: object, **__: object) -> dict[str, Image.Image]:
         while "corner" in views:
             time.sleep(0.01)
+            checkpoint()
         return {view: Image.new("RGB", (4, 4)) for view in views}
 
     monkeypatch.setattr("sceneweaver.render.draw_rooms", drawn)
@@ -281,6 +284,7 @@ def test_without_time_for_all_pictures_at_eye_level_the_others_are_there(result,
     def slow(self, view: str, *_: object) -> Image.Image:
         while view == "eye-door":
             time.sleep(0.01)
+            checkpoint()
         return Image.new("RGB", (4, 4))
 
     monkeypatch.setattr(eye_level, "draw", slow)

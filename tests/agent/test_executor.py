@@ -7,7 +7,6 @@ from typing import Any
 
 import pytest
 
-from sceneweaver.agent.deadline import Deadline
 from sceneweaver.agent.executor import Executor, Outcome
 from sceneweaver.agent.riders import at_rest
 from sceneweaver.agent.settings import Settings
@@ -16,6 +15,7 @@ from sceneweaver.generate.carry import local
 from sceneweaver.knowledge import room_type
 from sceneweaver.language import Entity, SceneGraph
 from sceneweaver.layout import Solution, refine
+from sceneweaver.runtime.deadline import Deadline
 from sceneweaver.scene import (
     Add,
     Dropped,

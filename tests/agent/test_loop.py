@@ -12,7 +12,6 @@ from typing import Any
 import pytest
 
 from sceneweaver.agent import loop
-from sceneweaver.agent.deadline import Deadline, Stop
 from sceneweaver.agent.design import _resume
 from sceneweaver.agent.executor import Outcome
 from sceneweaver.agent.folder import RunFolder
@@ -23,6 +22,7 @@ from sceneweaver.agent.settings import Settings
 from sceneweaver.critic import CRITERIA, Fault, Review, VisualReview
 from sceneweaver.knowledge import room_type
 from sceneweaver.language import SceneGraph
+from sceneweaver.runtime.deadline import Deadline, Stop
 from sceneweaver.scene import InputError, Pose, Scene, SceneObject
 from sceneweaver.scene.edits import Add
 from sceneweaver.tools.base import Context, Proposal

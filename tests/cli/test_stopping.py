@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from sceneweaver.cli.stopping import stoppable
+from sceneweaver.runtime.deadline import stoppable
 from sceneweaver.scene import Scene
 from sceneweaver.verify import check
 from tests.cli.test_program import MODULE

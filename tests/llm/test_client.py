@@ -9,8 +9,8 @@ from pydantic_ai.messages import ModelResponse, TextPart, ToolCallPart
 from pydantic_ai.models.function import DeltaToolCall, FunctionModel
 from pydantic_ai.models.test import TestModel
 
-from sceneweaver.agent.interrupt import Interrupt, TimeUp
 from sceneweaver.llm import BudgetSpent, Limits, ModelClient, ModelFailed, Picture, Reply
+from sceneweaver.runtime.deadline import Deadline, TimeUp
 from sceneweaver.scene import InputError
 
 
@@ -190,7 +190,7 @@ def test_time_of_the_run():
 
 def test_time_up_ends_a_wait():
     end = time.monotonic() + 0.3
-    with pytest.raises(TimeUp), Interrupt(lambda: end):
+    with pytest.raises(TimeUp), Deadline(end).enforced():
         ask(slow())
 
 

@@ -9,9 +9,9 @@ from urllib.parse import quote
 
 import pytest
 
-from sceneweaver.agent.interrupt import Interrupt, TimeUp
 from sceneweaver.llm import Endpoint, ModelError, Reply, open_client, redact
 from sceneweaver.llm.secrets import HIDDEN, guard_logs, line
+from sceneweaver.runtime.deadline import Deadline, TimeUp
 from tests.llm.misbehaviour import always, catalogue, misbehaving
 from tests.llm.model_server import ModelServer, Said, answering
 from tests.llm.planted_key import planted
@@ -129,7 +129,7 @@ def test_no_key_in_the_frames_of_an_interrupted_wait(tmp_path):
     with planted() as key, ModelServer(lambda asked: Said(raw=lambda wire: wire.wait(5.0))) as server:
         client = open_client(Endpoint.of("m", server.url), records=tmp_path / "llm")
         end = time.monotonic() + 0.4
-        with pytest.raises(TimeUp) as caught, Interrupt(lambda: end):
+        with pytest.raises(TimeUp) as caught, Deadline(end).enforced():
             client.ask("plan", Plan, "Plan.", ["a room"])
         key.raised(caught.value)
     key.assert_nowhere(tmp_path)

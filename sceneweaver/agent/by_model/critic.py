@@ -10,12 +10,12 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from sceneweaver.agent.deadline import NEVER, Deadline
 from sceneweaver.assets import Library
 from sceneweaver.critic import VisualFault, VisualReview
 from sceneweaver.knowledge import RoomType
 from sceneweaver.language import SceneGraph
 from sceneweaver.llm import ModelClient, ModelError, ModelFailed, Picture
+from sceneweaver.runtime.deadline import NEVER, Deadline
 from sceneweaver.scene import Scene
 from sceneweaver.scene.messages import clean, printable_line, shorten
 from sceneweaver.tools.registry import tools

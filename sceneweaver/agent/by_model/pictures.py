@@ -7,9 +7,9 @@ from collections.abc import Callable, Iterator
 
 from PIL import Image
 
-from sceneweaver.agent.deadline import NEVER, Deadline
 from sceneweaver.assets import Asset
 from sceneweaver.llm import Picture
+from sceneweaver.runtime.deadline import NEVER, Deadline
 from sceneweaver.scene import Scene, SceneWeaverError
 
 SIDE, SIZE = 760, (800, 600)

@@ -9,10 +9,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Self
 
-from sceneweaver.agent.deadline import NEVER, Deadline
 from sceneweaver.agent.executor import Outcome
 from sceneweaver.agent.folder import RunFolder
-from sceneweaver.agent.interrupt import TimeUp
 from sceneweaver.agent.loop import Run
 from sceneweaver.agent.memory import Call
 from sceneweaver.agent.planner import Planner, RulesPlanner
@@ -24,6 +22,7 @@ from sceneweaver.language.by_model.reader import read_by_model
 from sceneweaver.layout.devices import pick_devices
 from sceneweaver.llm import ModelClient, ModelError
 from sceneweaver.llm.opening import records_of
+from sceneweaver.runtime.deadline import NEVER, Deadline, TimeUp
 from sceneweaver.scene import InputError, write_atomic
 from sceneweaver.tools.base import Context
 from sceneweaver.tools.registry import Registered

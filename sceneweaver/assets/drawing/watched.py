@@ -23,7 +23,8 @@ Decision = tuple[str, ...]
 Question = tuple[Any, ...]
 """What is asked and with which arguments: of a finish, after its number, or of the whole, see `answer`."""
 
-_FIELDS = frozenset(field.name for field in fields(Material))
+_IN_ORDER = tuple(field.name for field in fields(Material))
+_FIELDS = frozenset(_IN_ORDER)
 
 
 def decide(finishes: Finishes, decision: Decision) -> Material:
@@ -82,18 +83,21 @@ class Watched(Material):
     number: int
     trace: Trace
 
+    def __new__(cls, *_: Any, **changed: Any) -> Any:
+        """A watched finish; from fields, as `dataclasses.replace` gives them, a finish of the drawing's own."""
+        return Material(**changed) if changed else super().__new__(cls)
+
     def __init__(self, number: int, trace: Trace):
         object.__getattribute__(self, "__dict__").update(number=number, trace=trace)
 
     def __getattribute__(self, name: str) -> Any:
-        if name in _FIELDS:
-            return self.trace.ask(self.number, name)
-        # To `dataclasses` it is what it stands for, so that `replace` gives a finish of the drawing's own.
-        return Material if name == "__class__" else object.__getattribute__(self, name)
+        return self.trace.ask(self.number, name) if name in _FIELDS else object.__getattribute__(self, name)
 
     def __eq__(self, other: object) -> bool:
-        if type(other) is not Watched:
-            return super().__eq__(other)
+        if not isinstance(other, Material):
+            return NotImplemented
+        if not isinstance(other, Watched):
+            return all([getattr(self, name) == getattr(other, name) for name in _IN_ORDER])  # all are noted
         a, b = sorted((self.number, other.number))
         return a == b or self.trace.ask(a, "same", b)
 

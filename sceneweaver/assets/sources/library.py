@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.scene import InputError
 
 from ..asset import Asset
@@ -73,6 +74,7 @@ class Library:
 
     def load(self, asset_id: str) -> Asset:
         """The asset of an id, from the source that owns it; InputError when none does."""
+        checkpoint()  # a drawing takes long
         for source in self.sources:
             if source.owns(asset_id):
                 return source.load(asset_id)

@@ -22,9 +22,9 @@ from sceneweaver.layout.compile import CompiledScene, compile_scene
 from sceneweaver.layout.devices import pick_devices
 from sceneweaver.layout.sampling import Drawn, first_layouts, joined
 from sceneweaver.runtime.processes import pool
+from sceneweaver.runtime.threads import cores
 from sceneweaver.scene import InputError, Scene
 from sceneweaver.scene.edits import apply_all
-from sceneweaver.scene.threads import cores
 from sceneweaver.tools.base import Context
 from sceneweaver.tools.registry import tools
 

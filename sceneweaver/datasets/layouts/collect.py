@@ -11,8 +11,8 @@ import numpy as np
 from sceneweaver.layout.compile import CompiledScene
 from sceneweaver.layout.sampling import Drawn, Sampler
 from sceneweaver.layout.solution import signatures
+from sceneweaver.runtime.threads import cores
 from sceneweaver.scene import Scene
-from sceneweaver.scene.threads import cores
 
 from .tables import GROUP
 

@@ -8,10 +8,9 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import Any
 
-from sceneweaver.agent.deadline import Deadline
 from sceneweaver.agent.executor import Outcome
-from sceneweaver.agent.interrupt import TimeUp
 from sceneweaver.assets import Library
+from sceneweaver.runtime.deadline import Deadline, TimeUp
 from sceneweaver.scene import InputError, MissingDependencyError, Scene
 
 from ..folder import disk_full

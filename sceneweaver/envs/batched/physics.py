@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from sceneweaver.scene.threads import cores, map_threads
+from sceneweaver.runtime.threads import cores, map_threads
 
 FIELDS = (
     "geom_pos",

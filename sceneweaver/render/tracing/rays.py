@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 import warp as wp
 
+from sceneweaver.runtime.threads import cores, map_threads
 from sceneweaver.scene import InputError, MissingDependencyError
-from sceneweaver.scene.threads import cores, map_threads
 
 from ..camera import Camera
 from . import ray_kernels

@@ -14,11 +14,11 @@ from pydantic_ai.models.test import TestModel
 
 from sceneweaver.agent import Result, Settings, design
 from sceneweaver.agent.by_model import critic, planner
-from sceneweaver.agent.deadline import Stop
 from sceneweaver.agent.folder import State
 from sceneweaver.agent.memory import Memory
 from sceneweaver.agent.roles import Roles
 from sceneweaver.llm import BudgetSpent, Limits, ModelClient, ModelUnreachable, Picture
+from sceneweaver.runtime.deadline import Stop
 from sceneweaver.scene import InputError, MissingDependencyError
 
 PIXEL = base64.b64decode(

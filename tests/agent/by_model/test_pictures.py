@@ -10,7 +10,7 @@ import pytest
 from PIL import Image
 
 from sceneweaver.agent.by_model.pictures import EYE_VIEWS, MOST_BYTES, OVERVIEW, TOP, packed, room_pictures, top_picture
-from sceneweaver.agent.deadline import Deadline
+from sceneweaver.runtime.deadline import Deadline
 from sceneweaver.scene import Pose, Room, Scene, SceneObject
 
 

@@ -16,12 +16,12 @@ from pydantic_ai.models.function import FunctionModel
 from sceneweaver.agent import design
 from sceneweaver.agent.by_model.asking import Asking
 from sceneweaver.agent.by_model.session import Session
-from sceneweaver.agent.deadline import NEVER, Deadline
 from sceneweaver.agent.folder import State
 from sceneweaver.agent.memory import Memory
 from sceneweaver.agent.roles import Roles
 from sceneweaver.agent.settings import Settings
 from sceneweaver.llm import Limits, ModelClient, Reply, open_client
+from sceneweaver.runtime.deadline import NEVER, Deadline
 from sceneweaver.scene import InputError
 
 
