@@ -10,8 +10,8 @@ from typing import Any
 from sceneweaver.assets import Wish
 from sceneweaver.geometry.polygons import union
 from sceneweaver.geometry.rotations import is_upright
-from sceneweaver.knowledge.design_rules import limit
 from sceneweaver.knowledge.lived_in import Trace, traces
+from sceneweaver.rules.design import limit
 from sceneweaver.scene import InputError, Intent, Pose, Scene, SceneObject
 from sceneweaver.scene.edits import Add, AnyEdit
 from sceneweaver.scene.messages import show

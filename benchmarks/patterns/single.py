@@ -22,8 +22,8 @@ from sceneweaver.critic.design.walls import CURTAINS, covered
 from sceneweaver.critic.groups import ALL_BEDS, groups_of
 from sceneweaver.critic.survey import turn_to
 from sceneweaver.geometry.angles import wrap_angle
-from sceneweaver.knowledge.design_rules import limit
 from sceneweaver.knowledge.small_things import belongs
+from sceneweaver.rules.design import limit
 from sceneweaver.scene import Scene
 from sceneweaver.verify.solids import Body
 

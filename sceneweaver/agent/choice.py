@@ -1,4 +1,4 @@
-"""Which of many valid layouts is good: the design rules as terms that the engine rates all candidates by.
+"""Which of many valid layouts is good: rows of the design rules as terms that the engine rates all candidates by.
 
 A term is about the objects of a scene before their poses are known, so what belongs together is read from relations and
 categories. What a relation of the room demands anyway may be among the terms: then it takes nothing off.
@@ -7,32 +7,36 @@ categories. What a relation of the room demands anyway may be among the terms: t
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import partial
+from typing import Any, NamedTuple
 
-from sceneweaver.critic import kinds
-from sceneweaver.critic.design.clearance import BELOW_WINDOWS, BOARDS, BROWSED, OPENED
-from sceneweaver.critic.design.fill import largest_allowed
-from sceneweaver.critic.design.visitors import BESIDE, STAFFED, VISITORS
-from sceneweaver.critic.design.walls import CLOSE, PLAIN, TALL
-from sceneweaver.critic.design.ways import ACROSS, BODY, GOALS, GRID, REACH, USED
-from sceneweaver.critic.groups import COUNTERS
+from sceneweaver.critic.design.cover import may_hide_kinds
+from sceneweaver.critic.design.query import Case, cases, kind_set
 from sceneweaver.geometry.shell import heights
+from sceneweaver.geometry.walls import Wall
 from sceneweaver.knowledge import RoomType
-from sceneweaver.knowledge.design_rules import limit
 from sceneweaver.layout import QualityTerm
-from sceneweaver.scene import Scene
+from sceneweaver.layout.quality import KINDS
+from sceneweaver.rules.design import DesignRule, Row, design_rules, room_groups
+from sceneweaver.rules.expression import CALLED
+from sceneweaver.scene import Scene, SceneObject
 
-from . import choice_groups, choice_order
-from .choice_rules import Rules
+from .choice_order import terms as order_terms
 
-MOST_GOALS, MOST_REACHED = 8, 32
-"""Ways that are measured: to the largest pieces."""
+FLAT = 0.05
+"""Height [m] up to which things are walked on."""
 
-ONE = 0.7
-"""Share of the points of a rule that one of several costs where the critic names them together."""
+IN_DEGREES = frozenset(("bearing", "turned"))
+"""Measures whose rows are in degrees, and terms in radians."""
 
-LEVEL = 0.14
-"""Width [m] that a way may lack more, as the terms' grid is coarser than the critic's."""
+
+class Measured(NamedTuple):
+    """A measure of the engine and the ids of what it is about."""
+
+    kind: str
+    objects: tuple[str, ...]
 
 
 def choice_terms(scene: Scene, room_type: RoomType) -> list[QualityTerm]:
@@ -42,117 +46,168 @@ def choice_terms(scene: Scene, room_type: RoomType) -> list[QualityTerm]:
         scene: what is to be laid out; members of the terms are its objects, doors, windows and walls.
         room_type: the kind of room, which says what rules there are.
     """
-    rules = Rules(scene, room_type.name)
-    return [
-        *choice_groups.terms(rules),
-        *choice_order.terms(rules),
-        *_doors(rules),
-        *_use(rules),
-        *_ways(rules),
-        *_walls(rules),
-        *_tables(rules),
-        *_fill(rules),
+    plan = Planned(scene, room_type.name)
+    found = [
+        term
+        for rule in design_rules().values()
+        for row in rule.rows
+        if row.span is not None and rule.points > 0 and rule.applies(plan.room) and row.applies(plan.room)
+        for term in _terms(plan, rule, row)
     ]
+    return [*found, *order_terms(plan)]
 
 
-def _doors(rules: Rules) -> Iterator[QualityTerm]:
-    """Furniture beside door frames; beds and desks as seen from the door."""
-    gap, touching = limit("door_frame", "gap"), limit("door_frame", "touching")
-    for door in rules.scene.room.doors:
-        for o in rules.standing:
-            if o.id not in rules.movable:
-                yield from rules.term("door_frame", "gap", o.id, door.id, low=gap, span=gap - touching)
-        for bed in rules.of_kind(kinds.BEDS):
-            yield from rules.term("bed_off_door_wall", "backing", bed.id, door.id, low=0.4, span=0.1)
-            yield from rules.term("bed_off_door_wall", "bearing", bed.id, door.id, high=1.6, span=1.0, share=0.5)
-        for desk in rules.of_kind(("reception_desk", "host_stand")):
-            most = math.radians(limit("desk_looks_at_door", "angle"))
-            yield from rules.term("desk_looks_at_door", "bearing", desk.id, door.id, high=most, span=0.5)
+def _terms(plan: Planned, rule: DesignRule, row: Row) -> Iterator[QualityTerm]:
+    """The terms of one row."""
+    for case in cases(plan, row.of, rule.limits):
+        for name, expression in row.let.items():
+            case[name] = expression.value(case)
+        if row.where is not None and not row.where.value(case):
+            continue
+        assert row.measure is not None and row.span is not None
+        kind, objects = row.measure.value(case)
+        unit = math.radians if kind in IN_DEGREES else float
+        bounds = {"low": row.low, "high": row.high, "span": row.span}
+        yield QualityTerm(
+            kind,
+            objects,
+            weight=float(row.share.value(case)) * rule.points,
+            params={name: float(e.value(case)) for name, e in row.params.items()},
+            rule=rule.id,
+            most=rule.most,
+            **{name: unit(e.value(case)) for name, e in bounds.items() if e is not None},
+        )
 
 
-def _use(rules: Rules) -> Iterator[QualityTerm]:
-    """Room before what is used and behind who sits and serves; nothing high before windows."""
-    clear, light = limit("before_use", "clear"), rules.movable
-    for depth, wanted in ((clear, OPENED), (clear / 2, BROWSED)):
-        for o in rules.of_kind(wanted):
-            if o.mount == "floor":
-                yield from rules.term("before_use", "clear", o.id, *light, low=depth, span=depth)
-    for board in rules.of_kind(BOARDS):
-        seats = [o.id for o in rules.of_kind(kinds.SEATED_AT)] if board.mount == "wall" else []
-        yield from rules.term("before_use", "clear", board.id, *light, *seats, low=clear, span=clear)
-    for counter in rules.of_kind(COUNTERS):
-        depth = limit("behind_counter", "clear")
-        yield from rules.term("behind_counter", "clear", counter.id, *light, low=depth, span=0.5, side=2)
-    depth = limit("staff_and_visitors_apart", "depth")
-    for desk in rules.of_kind(STAFFED - {"host_stand"}):
-        for o in rules.of_kind(VISITORS):
-            if o.mount == "floor" and desk.mount == "floor":
-                far = {"depth": depth + desk.size[0] / 2, "side": 2.0, "beside": BESIDE}
-                half = min(o.size[:2]) / 2
-                rule = "staff_and_visitors_apart"
-                yield from rules.term(rule, "overlap", o.id, desk.id, high=half, span=0.1, share=ONE, **far)
-    behind = limit("behind_seats", "clear") - 0.15
-    for seat in rules.standing:
-        if kinds.upright_seat(seat.category) and seat.category != "stool":
-            tables = [o.id for o in rules.tied(seat, kinds.SEATED_AT)]
-            if tables:
-                others = [o for o in light if o != seat.id] + tables
-                yield from rules.term("behind_seats", "clear", seat.id, *others, low=behind, span=0.3, side=2)
-    most, depth = limit("low_below_windows", "above_sill"), limit("before_use", "window")
-    for window in rules.scene.room.windows:
-        for o in rules.standing:
-            if o.size[2] > heights(window)[0] + most and o.category not in BELOW_WINDOWS and o.id not in light:
-                yield from rules.term("low_below_windows", "overlap", o.id, window.id, high=0.15, span=0.2, depth=depth)
+class Planned:
+    """A scene whose poses are not known, as queries of rows ask for it: what is near is what a relation ties."""
+
+    def __init__(self, scene: Scene, room: str) -> None:
+        self.scene, self.room = scene, room
+        objects = scene.objects
+        standing = [o for o in objects if o.mount == "floor" and o.size[2] > FLAT]
+        self.standing = sorted(standing, key=lambda o: -round(o.size[0] * o.size[1], 6))
+        self._members: dict[str, list[SceneObject]] = {"": list(objects), "standing": self.standing}
+        self._index = {o.id: o for o in objects}
+        ties: dict[str, list[str]] = defaultdict(list)
+        for relation in scene.relations:
+            for target in relation.targets:
+                if target in self._index:
+                    ties[relation.subject].append(target)
+                    ties[target].append(relation.subject)
+        self.ties = {name: list(dict.fromkeys(others)) for name, others in ties.items()}
+        self.movable = tuple(
+            o for o in objects if self.is_light(o) or (o.mount == "floor" and o.size[2] <= FLAT)
+        )
+        measures = {kind: partial(_measured, kind) for kind in KINDS}
+        self.functions: Mapping[str, Callable[..., Any]] = {
+            name + CALLED: function for name, function in {**self._functions(), **measures}.items()
+        }
+
+    def members(self, mount: str) -> Iterable[SceneObject]:
+        """The objects of a mount; "standing": on the floor and no rug, the largest first; "": all."""
+        if mount not in self._members:
+            self._members[mount] = [o for o in self.scene.objects if o.mount == mount]
+        return self._members[mount]
+
+    def near(self, o: SceneObject, distance: float = 0.0) -> list[SceneObject]:
+        """What a relation names with an object, either way."""
+        return [self._index[name] for name in self.ties.get(o.id, ())]
+
+    def tied(self, o: SceneObject, kinds: str) -> list[SceneObject]:
+        """What a relation names with an object, of a set of categories."""
+        return [other for other in self.near(o) if other.category in kind_set(kinds)]
+
+    def category(self, o: SceneObject) -> str:
+        """The category of an object."""
+        return o.category
+
+    def of_kind(self, kinds: str) -> list[SceneObject]:
+        """The objects of a set of categories, in the scene's order."""
+        return [o for o in self.scene.objects if o.category in kind_set(kinds)]
+
+    def is_light(self, o: SceneObject) -> bool:
+        """Whether it is a seat that is moved aside with one hand."""
+        return o.category in kind_set("light_seat upright_seat")
+
+    def named(self, selector: str) -> Iterator[Case]:
+        """The cases of a named selector, by relations."""
+        room = self.scene.room
+        if selector == "wall":
+            for k, wall in enumerate(room.walls):
+                yield {"wall": wall, "openings": tuple(o.id for o in room.openings_of(k))}
+        elif selector in ("door", "window"):
+            for opening in room.doors if selector == "door" else room.windows:
+                yield {selector: opening}
+        elif selector.startswith("sofa_"):
+            yield from self._sofas(selector.removeprefix("sofa_"))
+        elif selector == "flanking_pair":
+            yield from self._pairs()
+        else:
+            yield from self._beds(selector)
+
+    def _sofas(self, what: str) -> Iterator[Case]:
+        """Sofas with their tables, rugs, or what they look at."""
+        for sofa in self.of_kind("sofa"):
+            tables = self.tied(sofa, "coffee_table")
+            if not tables and len(self.of_kind("sofa")) == 1:
+                tables = self.of_kind("coffee_table")
+            rugs = [r for r in self.of_kind("rug") if any(r in self.tied(o, "rug") for o in (sofa, *tables))]
+            found = {"table": tables, "rug": rugs, "focus": self.of_kind("focus")[:1]}[what]
+            yield from ({"sofa": sofa, what: other, "alone": False} for other in found)
+
+    def _beds(self, selector: str) -> Iterator[Case]:
+        """Beds with the rugs and lamps tied to them; beds and sofas with what hangs over them."""
+        if selector == "hung_over":
+            for base in [*self.of_kind("sofa -=sectional_sofa"), *self.of_kind("bed")]:
+                yield from ({"base": base, "over": over} for over in self.tied(base, "hung_over"))
+            return
+        name = {"bed_rug": "rug", "bed_lamp": "lamp"}[selector]
+        kinds = {"rug": "rug", "lamp": "=pendant =chandelier =ceiling_light"}[name]
+        for bed in self.of_kind("bed"):
+            yield from ({"bed": bed, name: other} for other in self.tied(bed, kinds))
+
+    def _pairs(self) -> Iterator[Case]:
+        """Two of a kind beside a bed or a sofa."""
+        for base in self.of_kind("bed sofa"):
+            pairs: dict[str, list[SceneObject]] = defaultdict(list)
+            for o in self.tied(base, "flanking"):
+                pairs[o.category].append(o)
+            yield from ({"one": p[0], "other": p[1], "base": base} for p in pairs.values() if len(p) == 2)
+
+    def _functions(self) -> dict[str, Callable[..., Any]]:
+        """What conditions and numbers of rows may call, beside the measures."""
+        walls = tuple(f"wall:{k}" for k in range(len(self.scene.room.outline)))
+        return {
+            "after": lambda row, o: row[row.index(o) + 1 :],
+            "count": len,
+            "deg": math.degrees,
+            "depth": lambda o: o.size[0],
+            "has_doors": lambda: bool(self.scene.room.doors),
+            "in_rooms": lambda group: self.room in room_groups().get(group, (group,)),
+            "kind": lambda o, kinds: o.category in kind_set(kinds),
+            "lean": lambda: False,
+            "light": lambda: self.movable,
+            "may_hide": lambda o: o.category in may_hide_kinds(),
+            "mount": lambda o: o.mount,
+            "movable": self.is_light,
+            "named_round": lambda o: "round" in o.category,
+            "rest": lambda row, start, end=None: tuple(row[start:end]),
+            "same_kind": lambda a, b: a.category == b.category,
+            "sill": lambda window: heights(window)[0],
+            "tall": lambda o: o.size[2],
+            "tied": lambda a, b: b in self.near(a),
+            "wall_length": lambda wall: wall.length,
+            "walls": lambda: walls,
+            "width": lambda o: o.size[1],
+            "windows": lambda: tuple(self.scene.room.windows),
+        }
 
 
-def _ways(rules: Rules) -> Iterator[QualityTerm]:
-    """Ways from the doors to windows, to the largest pieces, and to the front of all that stands on the floor."""
-    if not rules.scene.room.doors:
-        return
-    width = limit("way_to_window", "width") - GRID - LEVEL
-    for window in rules.scene.room.windows:
-        yield from rules.term("way_to_window", "way", window.id, low=width, span=0.3, reach=ACROSS)
-    width = limit("way_to_group", "width") - GRID - LEVEL
-    for o in [o for o in rules.standing if o.category in GOALS][:MOST_GOALS]:
-        yield from rules.term("way_to_group", "way", o.id, low=width, span=0.3, share=ONE, reach=REACH)
-    near = limit("reachable", "gap") - 0.1
-    for o in rules.standing[:MOST_REACHED]:
-        if o.category in USED:
-            side = 0 if o.category in kinds.WALL_BACKED else -1
-            yield from rules.term("reachable", "way", o.id, low=BODY - LEVEL, span=0.2, reach=near, side=side)
-
-
-def _walls(rules: Rules) -> Iterator[QualityTerm]:
-    """Walls with nothing on them."""
-    room = rules.scene.room
-    run = limit("wall_covered", "length") * (2.0 if rules.room in PLAIN else 1.0)
-    for k, wall in enumerate(room.walls):
-        if wall.length >= run:
-            openings = [o.id for o in room.openings_of(k)]
-            most = min(2.0 * run, (1.0 - limit("wall_covered", "share")) * wall.length)
-            yield from rules.term(
-                *("wall_covered", "bare", f"wall:{k}", *openings),
-                high=0.8 * most,
-                span=0.2 * most,
-                depth=CLOSE,
-                tall=TALL,
-                run=run,
-            )
-
-
-def _tables(rules: Rules) -> Iterator[QualityTerm]:
-    """Tables that people sit around, off the walls."""
-    walls = [f"wall:{k}" for k in range(len(rules.scene.room.outline))]
-    least = limit("table_off_walls", "gap")
-    for table in rules.of_kind(kinds.DINING):
-        around = [o for o in rules.standing if kinds.upright_seat(o.category) and table in rules.tied(o, kinds.DINING)]
-        if table.mount == "floor" and len(around) >= (3 if "round" in table.category else 4):
-            yield from rules.term("table_off_walls", "nearest", table.id, *walls, low=least, span=least)
-
-
-def _fill(rules: Rules) -> Iterator[QualityTerm]:
-    """Empty floor."""
-    side = largest_allowed(rules.room)
-    if rules.standing:
-        yield from rules.term("no_empty_floor", "empty", high=side, span=0.15)
-        yield from rules.term("no_empty_floor", "empty", high=side, span=side)
+def _measured(kind: str, *things: Any) -> Measured:
+    """A measure of the engine over objects, openings, walls and lists of them."""
+    found: list[str] = []
+    for thing in things:
+        for one in thing if isinstance(thing, (tuple, list)) else (thing,):
+            found.append(one if isinstance(one, str) else f"wall:{one.index}" if isinstance(one, Wall) else one.id)
+    return Measured(kind, tuple(found))

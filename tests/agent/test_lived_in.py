@@ -9,7 +9,7 @@ from sceneweaver.agent.lived_in import DONE, lived_in
 from sceneweaver.agent.settings import Settings
 from sceneweaver.assets import Library, make
 from sceneweaver.knowledge import room_types
-from sceneweaver.knowledge.design_rules import limit
+from sceneweaver.rules.design import limit
 from sceneweaver.language import read_request
 from sceneweaver.scene import Door, InputError, Pose, Relation, Room, Scene
 from sceneweaver.tools.add_clutter import AddClutter
