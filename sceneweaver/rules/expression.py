@@ -40,6 +40,8 @@ class Expression:
     __slots__ = ("_code", "names", "text")
 
     def __init__(self, text: str | float) -> None:
+        if isinstance(text, bool):
+            raise ValueError('a bare on, off, yes or no of YAML is a truth value: write it in quotes')
         self.text = text
         self._code: CodeType | None = None
         self.names: frozenset[str] = frozenset()

@@ -48,7 +48,7 @@ class World(Protocol):
 
 @cache
 def kind_set(text: str) -> frozenset[str]:
-    """The categories of a list of roles, ``=category`` and what begins with ``-``.
+    """The categories of a list of roles, ``=category`` and, with ``-`` before them, what is left out of it or of all.
 
     Raises:
         ValueError: for a name that is neither role, category nor group.
@@ -57,7 +57,7 @@ def kind_set(text: str) -> frozenset[str]:
     gone: set[str] = set()
     for word in text.split():
         (gone if word.startswith("-") else found).update(_meant(word.removeprefix("-")))
-    return frozenset(found - gone)
+    return frozenset((found or categories().keys()) - gone)
 
 
 def listed(value: Any) -> Sequence[Any]:
