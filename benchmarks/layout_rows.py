@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 
 from benchmarks.signature import signatures
-from sceneweaver.datasets.columns import arrow
 from sceneweaver.datasets.layouts.read import posed
-from sceneweaver.datasets.processes import cores, pool
+from sceneweaver.datasets.tables import arrow
+from sceneweaver.runtime.processes import cores, pool
 from sceneweaver.scene import Scene
 from sceneweaver.verify import check
 

@@ -22,16 +22,16 @@ def measure(task: dict[str, Any]) -> dict[str, Any]:
     import numpy as np
 
     from benchmarks.design_files import read_scene
-    from sceneweaver.render.eye_camera import eye_cameras
-    from sceneweaver.render.room_bodies import instances_of
-    from sceneweaver.render.room_inside import Inside
-    from sceneweaver.render.tracing import TraceQuality, Tracer, interior_lights
+    from sceneweaver.render.instances import instances_of
+    from sceneweaver.render.tracing import Quality, Tracer, interior_lights
+    from sceneweaver.render.viewpoints import eye_cameras
+    from sceneweaver.render.views import Inside
 
     width, height, device = task["width"], task["height"], task["device"]
     scene = read_scene(DESIGNS / f"{task['room']}.json.gz")
     cameras = eye_cameras(scene, width / height)
     instances = Inside(scene, instances_of(scene), [cameras[view] for view in task["views"]], device).instances
-    quality = getattr(TraceQuality, task["quality"])()
+    quality = getattr(Quality, task["quality"])()
     seconds: list[float] = []
     for _ in range(2):
         start = time.perf_counter()

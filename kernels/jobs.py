@@ -72,11 +72,26 @@ class Proposals:
 
 @wp.struct
 class Jobs:
-    """The job of every candidate, where all do theirs side by side."""
+    """The job of every candidate, where all do theirs side by side.
+
+    Launches go over a queue of the candidates that have a job, and each leaves the queue of the next job behind. The
+    order within a queue is left to the device: no candidate depends on another.
+    """
 
     state: wp.array(dtype=SearchState)  # [candidate]
     result: wp.array(dtype=JobResult)  # [candidate]
-    busy: wp.array(dtype=wp.int32)  # [1]: 1 while any has one
+    queue: wp.array(dtype=wp.int32)  # [slot]: candidates that have a job now
+    queued: wp.array(dtype=wp.int32)  # [1]: how many
+    next_queue: wp.array(dtype=wp.int32)  # [slot]: those that have a job after it
+    next_queued: wp.array(dtype=wp.int32)  # [1]
+
+
+@wp.func
+def queued_candidate(jobs: Jobs, slot: wp.int32):
+    """The candidate of a slot of the queue; -1 beyond its end."""
+    if slot >= jobs.queued[0]:
+        return -1
+    return jobs.queue[slot]
 
 
 @wp.func

@@ -22,12 +22,13 @@ from .jobs import (
     object_of,
     problems_at,
     proposal_count,
+    queued_candidate,
     rates_only,
     single_body,
 )
 from .plan import Plan
 from .sample import QUARTER, propose, uniform
-from .state_machine import GRADIENT, MOVE, RETURN, SQUARE, STEP, STOP
+from .state_machine import GRADIENT, MOVE, RETURN, SQUARE, STEP
 from .tables import Problems, State, TablesRef, TermSlice, View
 from .warp_primitives import (
     lane_id,
@@ -203,12 +204,13 @@ def draw(
     proposals: Proposals,
     jobs: Jobs,
 ):
-    """Draw the poses that are tried, [candidate, drawer], and set ``busy`` to 0."""
+    """Draw the poses that are tried, [slot of the queue, drawer], and empty the next queue."""
     inline_on_gpu()
-    candidate, first = wp.tid()
-    if candidate == 0 and first == 0:
-        jobs.busy[0] = 0
-    if jobs.state[candidate].job < MOVE or jobs.state[candidate].job == STOP:
+    slot, first = wp.tid()
+    if slot == 0 and first == 0:
+        jobs.next_queued[0] = 0
+    candidate = queued_candidate(jobs, slot)
+    if candidate < 0 or jobs.state[candidate].job < MOVE:
         return
     d = jobs.state[candidate]
     by = wp.min(1 + plan.proposals, warp_size())
@@ -228,8 +230,8 @@ def rate(
 ):
     """Rate the proposals of every candidate's job. A warp a candidate."""
     inline_on_gpu()
-    candidate = wp.tid() // warp_size()
-    if jobs.state[candidate].job == STOP or jobs.state[candidate].job == GRADIENT:
+    candidate = queued_candidate(jobs, wp.tid() // warp_size())
+    if candidate < 0 or jobs.state[candidate].job == GRADIENT:
         return
     d = jobs.state[candidate]
     x = rate_proposals(problems_at(b, d), plan, candidate_of(b, candidate), d, s, proposals)
@@ -248,8 +250,8 @@ def take_gradients(
 ):
     """Take the gradient where that is a candidate's job. A warp a candidate."""
     inline_on_gpu()
-    candidate = wp.tid() // warp_size()
-    if jobs.state[candidate].job != GRADIENT:
+    candidate = queued_candidate(jobs, wp.tid() // warp_size())
+    if candidate < 0 or jobs.state[candidate].job != GRADIENT:
         return
     d = jobs.state[candidate]
     x = find_gradient(problems_at(b, d), candidate_of(b, candidate), d, s)

@@ -4,12 +4,12 @@ import warp as wp
 
 from .array_access import item
 from .bodies import Candidate, candidate_of
-from .jobs import Jobs, SearchState
+from .jobs import Jobs, SearchState, queued_candidate
 from .plan import GIVEN, Plan, SearchRun
 from .state_machine import MOVING, RATE, STOP, SURVEY
 from .tables import Problems, State
 from .transitions import transition
-from .warp_primitives import warp_size
+from .warp_primitives import next_slot, warp_size
 
 wp.set_module_options({"enable_backward": False, "fast_math": True, "default_grid_stride": False})
 
@@ -47,15 +47,11 @@ def start_rounds(
     s: State,
     jobs: Jobs,
 ):
-    """Start a round of every active candidate; the others have nothing to do."""
+    """Start a round of every active candidate; the others are not queued. The queue is empty before."""
     candidate = wp.tid()
-    if candidate == 0:
-        jobs.busy[0] = 1
-    d = SearchState()
-    d.job = STOP
     if run.active[candidate] != 0:
-        d = initial_state(plan, candidate_of(b, candidate), run, s)
-    jobs.state[candidate] = d
+        jobs.state[candidate] = initial_state(plan, candidate_of(b, candidate), run, s)
+        jobs.queue[next_slot(jobs.queued)] = candidate
 
 
 @wp.kernel
@@ -68,14 +64,14 @@ def advance(
     jobs: Jobs,
     run: SearchRun,
 ):
-    """Apply the result of every candidate's job and choose its next. ``busy`` becomes 1 if any has one."""
-    candidate = wp.tid()
-    d = jobs.state[candidate]
-    if d.job == STOP:
+    """Apply the result of every queued candidate's job, choose its next, and queue it for that."""
+    candidate = queued_candidate(jobs, wp.tid())
+    if candidate < 0:
         return
+    d = jobs.state[candidate]
     d = transition(b.tables, plan, candidate_of(b, candidate), jobs.result[candidate], s, d)
     jobs.state[candidate] = d
     if d.job == STOP:
         finish_round(candidate, d, s, run)
     else:
-        jobs.busy[0] = 1
+        jobs.next_queue[next_slot(jobs.next_queued)] = candidate

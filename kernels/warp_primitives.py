@@ -139,3 +139,20 @@ def subwarp_size(count: wp.int32):
 def warp_argmin(value: wp.float32) -> wp.int32:
     """The lane with the lowest value; the first of equals."""
     ...
+
+
+@wp.func_native("""
+#if defined(__CUDA_ARCH__)
+    const unsigned here = __activemask();
+    const int lane = threadIdx.x & 31;
+    const int leader = __ffs(here) - 1;
+    int first = 0;
+    if (lane == leader) first = atomicAdd(counter.data, __popc(here));
+    return __shfl_sync(here, first, leader) + __popc(here & ((1u << lane) - 1u));
+#else
+    return counter.data[0]++;
+#endif
+""")
+def next_slot(counter: wp.array(dtype=wp.int32)) -> wp.int32:  # pyright: ignore[reportInvalidTypeForm]
+    """Count up ``counter[0]`` and return its value before; one atomic addition serves all lanes that come here."""
+    ...

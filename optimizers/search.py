@@ -145,6 +145,19 @@ def extend_state(batch: Batch) -> State:
     return state
 
 
+def new_jobs(batch: Batch) -> tuple[Jobs, Jobs]:
+    """The jobs of a batch twice, with the two queues swapped: what follows a job of one is a job of the other."""
+    one, other = Jobs(), Jobs()
+    one.state = wp.zeros(batch.size, dtype=SearchState, device=batch.device)  # pyright: ignore[reportArgumentType]
+    one.result = wp.zeros(batch.size, dtype=JobResult, device=batch.device)  # pyright: ignore[reportArgumentType]
+    one.queue, one.next_queue = (wp.zeros(batch.size, dtype=wp.int32, device=batch.device) for _ in range(2))
+    one.queued, one.next_queued = (wp.zeros(1, dtype=wp.int32, device=batch.device) for _ in range(2))
+    other.state, other.result = one.state, one.result
+    other.queue, other.queued = one.next_queue, one.next_queued
+    other.next_queue, other.next_queued = one.queue, one.queued
+    return one, other
+
+
 class Rounds:
     """One round of every active candidate: in one launch, or in three for every job, for as long as anyone has one."""
 
@@ -164,24 +177,23 @@ class Rounds:
         if in_one or (in_one is None and batch.device == "cpu"):
             block.add(search, batch.size, common, [state, self.proposals, run])
             return
-        jobs = Jobs()
-        jobs.state = wp.zeros(batch.size, dtype=SearchState, device=batch.device)  # pyright: ignore[reportArgumentType]
-        jobs.result = wp.zeros(batch.size, dtype=JobResult, device=batch.device)  # pyright: ignore[reportArgumentType]
-        jobs.busy = wp.zeros(1, dtype=wp.int32, device=batch.device)
-        block.add(start_rounds, batch.size, [*common, run], [state, jobs])
-        block.add_loop(jobs.busy, self._one_job(jobs, run))
+        one, other = new_jobs(batch)
+        block.add(start_rounds, batch.size, [*common, run], [state, one])
+        two_jobs = Launches(batch.device)
+        self._add_job(two_jobs, one, run)
+        self._add_job(two_jobs, other, run)
+        block.add_loop(one.queued, two_jobs)
 
-    def _one_job(self, jobs: Jobs, run: SearchRun) -> Launches:
-        """The next job of every candidate."""
+    def _add_job(self, block: Launches, jobs: Jobs, run: SearchRun) -> None:
+        """Append the next job of every candidate."""
         batch, state, common = self.batch, self.state, [self.batch.problems, self.plan]
-        block, lanes = Launches(batch.device), threads_per_candidate(batch.device)
+        lanes = threads_per_candidate(batch.device)
         drawers = min(1 + self.plan.proposals, lanes)
         block.add(draw, (batch.size, drawers), common, [state, self.proposals, jobs], 128)
-        block.add(rate, batch.size * lanes, [*common, self.proposals], [state, jobs], 64)
+        block.add(rate, batch.size * lanes, [*common, self.proposals], [state, jobs], 128)
         if self.plan.polish:
             block.add(take_gradients, batch.size * lanes, [batch.problems, state], [jobs], 64)
         block.add(advance, batch.size, common, [state, jobs, run], 64)
-        return block
 
 
 @register_blocks("search", ("starts", "cells", "search"), ("starts", "cells", "rounds", "proposals"))

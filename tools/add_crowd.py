@@ -7,16 +7,17 @@ from collections.abc import Sequence
 from typing import Any
 
 from sceneweaver.assets import categories, resolve
+from sceneweaver.generate.program import decided_kinds
+from sceneweaver.generate.surface_bodies import Shelf
+from sceneweaver.generate.surface_rows import Row
+from sceneweaver.generate.surface_scene import Surroundings
+from sceneweaver.generate.surface_setting import Setting
 from sceneweaver.knowledge.surfaces import Crowd, Unit, arrangement_of, crowd, crowd_of, crowds
-from sceneweaver.scene import InputError, SceneObject, Support, Surface
+from sceneweaver.scene import InputError, SceneObject, Surface
 from sceneweaver.scene.edits import Add, AnyEdit
 from sceneweaver.scene.messages import show
 
 from .base import Context, Proposal
-from .prior_program import decided_kinds
-from .surface_assets import Shelf, placed
-from .surface_rows import Row
-from .surface_scene import Surroundings
 
 DENSITY = {"sparse": 0.25, "normal": 0.6, "full": 0.9}
 """How full shelves are when only the request speaks of it."""
@@ -87,29 +88,15 @@ def _fill(
     named: frozenset[str],
     clutter: float,
 ) -> list[AnyEdit]:
-    turned = _seen_from_behind(support, board)
-    frame = around.frame(support, turned)
-    field = around.field(support, board, frame)
-    height = support.pose.position[2] + board.z
+    frame = around.frame(support, _seen_from_behind(support, board))
     if board.headroom is None and board.z >= max(s.z for s in support.surfaces) - 1e-6:
-        high = height > REACHED and support.mount == "floor"  # boxes are too deep for a shelf on a wall
+        # Boxes are too deep for a shelf on a wall.
+        high = support.pose.position[2] + board.z > REACHED and support.mount == "floor"
         top = HIGH if high else plan.top
         plan = _unnamed(crowd(top, around.room), named) if top else plan
-    row = Row(field, plan, shelf, dice, height, density, clutter, around.may_add, around.there)
-    held = Support(object=support.id, surface=board.name)
-    return [
-        Add(
-            object=placed(
-                put.asset,
-                around.new_id(put.asset.category),
-                frame,
-                (float(put.at[0]), float(put.at[1]), board.z),
-                put.yaw,
-                held,
-            )
-        )
-        for put in row.fill()
-    ]
+    setting = Setting(support, frame, shelf, lambda surface: around.field(support, surface, frame))
+    Row(setting, board, plan, around, dice, density, clutter).fill()
+    return [Add(object=obj) for obj in setting.objects]
 
 
 def _of_kinds(given: Any, theme: Crowd | None) -> Crowd:

@@ -2,46 +2,13 @@
 
 from __future__ import annotations
 
-import random
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from typing import Any
-
-from sceneweaver.assets import Asset, Wish, drawable, resolve
-from sceneweaver.assets.taxonomy import category_named, likeliness
-from sceneweaver.knowledge import Item
-from sceneweaver.rules.design import limit
-from sceneweaver.scene import InputError, Intent, Pose, SceneObject
-from sceneweaver.scene.edits import Add, AnyEdit, Relate
+from sceneweaver.generate.draft import Draft
+from sceneweaver.generate.objects import added
+from sceneweaver.generate.reading import rows_of
+from sceneweaver.scene import InputError
 
 from .base import Context, Proposal
 from .card import checked
-from .draft import Draft, groups_of
-from .prior_lights import OVER, TABLE, hanging_height
-from .prior_program import drop_at_window, free_zones, suite_of
-from .relating import relations_of, row_of
-from .spots import fits_on, spot_on
-from .usual import item_for, rows_for
-
-VARIED = frozenset(("decor", "plant_group", "stationery", "food", "toy_group", "toiletry", "container", "textile"))
-"""Groups of which several at once are different ones."""
-
-AT_WINDOWS = frozenset(("curtain", "sheer_curtain", "window_blind"))
-"""What hangs before windows; everything else on a wall keeps clear of them."""
-
-NOT_ON = frozenset(("seating", "bed_group", "textile"))
-"""Groups that carry only what is usual on them."""
-
-
-@dataclass
-class _Work:
-    """One call while it is carried out."""
-
-    context: Context
-    draft: Draft
-    edits: list[AnyEdit] = field(default_factory=list)
-    notes: list[str] = field(default_factory=list)
-    unmet: list[str] = field(default_factory=list)
 
 
 class AddObjects:
@@ -51,219 +18,14 @@ class AddObjects:
 
     def propose(self, context: Context) -> Proposal:
         """Objects of ``inputs["objects"]``, or those that the instruction names."""
-        work = _Work(context, Draft.of(context.scene))
+        notes: list[str] = []
         if context.inputs:
             rows = checked(self.name, context.inputs)["objects"]
         elif context.instruction.strip():
-            from .reading import rows_of
-
-            rows, notes = rows_of(context.instruction, work.draft)
-            work.notes += notes
+            rows, notes = rows_of(context.instruction, Draft.of(context.scene))
             if not rows:
                 raise InputError(f"tool {self.name}: instruction names nothing to add; name things, such as two plants")
         else:
             raise InputError(f"tool {self.name}: inputs.objects is missing; name what to add")
-        for k, row in enumerate(rows):
-            _add(work, row, k)
-        return Proposal(edits=tuple(work.edits), notes=tuple(work.notes), unmet=tuple(work.unmet))
-
-
-def _add(work: _Work, row: Mapping[str, Any], number: int) -> None:
-    """All objects of one entry."""
-    context, draft = work.context, work.draft
-    where = f"tool add_objects: inputs.objects[{number}]"
-    match = resolve(row["category"], "surface" if row.get("on") else row.get("mount"))
-    if match.note and match.how != "spelling":
-        work.notes.append(match.note)
-    item = item_for(context.room_type, match.category, draft, row.get("item"))
-    places = [row_of(p, f"{where}.place[{i}]") for i, p in enumerate(row.get("place", ()))]
-    on = row.get("on")
-    asked_on = [on] if isinstance(on, str) else list(on or ())
-    for place in [p for p in places if p["type"] in ("on_top", "inside")]:
-        asked_on += [place["to"]] if isinstance(place["to"], str) else list(place["to"] or ())
-    places = [p for p in places if p["type"] not in ("on_top", "inside", "on_floor")]
-    count = int(row.get("count", 1))
-    mount = _mount(row, match.category, item, asked_on)
-    try:
-        assets = _bodies(context, draft, row, match.category, item, count, number, mount)
-    except InputError as error:
-        work.unmet.append(f"{row['category']}: {error}")
-        return
-    for k, asset in enumerate(assets):
-        if mount == "floor" and asset.size[2] > 0.02 and draft.crammed(asset.size, asset.category):
-            work.unmet.append(f"{len(assets) - k} of {count} {match.category}: the floor or the walls are full")
-            return
-        subject = _object(work, row, asset, item, mount, asked_on, k, number)
-        if subject is None:
-            place = " or ".join(asked_on) or "what is in the room"
-            work.unmet.append(f"{len(assets) - k} of {count} {match.category}: there is no free place on {place}")
-            return
-        draft.objects[subject.id] = subject
-        work.edits.append(Add(object=subject))
-        given = bool(places)
-        relations, failed = relations_of(
-            draft, places or rows_for(draft, item, subject), subject, count if given else 1
-        )
-        if given:
-            work.unmet += failed
-            if not relations:
-                relations, _ = relations_of(draft, rows_for(draft, item, subject), subject)
-        draft.relations += relations
-        work.edits += [Relate(relation=r) for r in relations]
-
-
-def _mount(row: Mapping[str, Any], category: str, item: Item | None, on: Sequence[str]) -> str:
-    if on:
-        return "surface"
-    known = category_named(category).mount
-    wanted = row.get("mount") or (item.mount if item is not None else None)
-    if wanted is None and item is not None and item.on and "surface" in known:
-        return "surface"
-    return wanted or known[0]
-
-
-def _bodies(
-    context: Context,
-    draft: Draft,
-    row: Mapping[str, Any],
-    category: str,
-    item: Item | None,
-    count: int,
-    number: int,
-    mount: str,
-) -> list[Asset]:
-    """Bodies for all of an entry: like those of its set that are there, equal ones, or for small things different."""
-    seed = context.seed + 101 * number
-    free = not any(row.get(k) for k in ("size", "color", "material", "style", "words"))
-    same = item.same if item is not None else mount != "surface" and not groups_of(category) & VARIED
-    if same and free:
-        twin = next((o for o in draft.objects.values() if o.category == category and o.asset is not None), None)
-        if twin is not None and twin.asset is not None and twin.mount == mount:
-            try:
-                return [context.library.load(twin.asset).of_style(twin.attributes.get("style"))] * count
-            except InputError:
-                pass  # the asset came from a source that is not there now; another one has to do
-    wish = replace(_wish(context, row, item, seed), mount=mount)
-    if mount == "wall" and category in AT_WINDOWS and wish.size[1] is None:
-        room = context.scene.room
-        panes = [w.width for w in room.windows]
-        if panes:
-            tall, top = room.windows[0].height, max(w.sill + w.height for w in room.windows)
-            drop = wish.size[2] or drop_at_window(category, tall, top, room.height)
-            wish = replace(wish, size=(wish.size[0], max(panes) + 2 * limit("curtain_width", "beyond") + 0.04, drop))
-    if mount == "ceiling" and wish.size[2] is None:
-        drop = hanging_height(category, context.scene.room.height, _under(draft, row, item))
-        wish = replace(wish, size=(*wish.size[:2], drop)) if drop is not None else wish
-    return context.library.choose(category, count, wish, same)
-
-
-def _under(draft: Draft, row: Mapping[str, Any], item: Item | None) -> float | None:
-    """The height [m] of the table that a lamp hangs over; None for no table."""
-    places = [row_of(r) for r in row.get("place", ())]
-    rows = places or [{"type": p.type, "to": p.to} for p in (item.place if item is not None else ())]
-    words = [r["to"] for r in rows if r["type"] in OVER and isinstance(r["to"], str)]
-    named = [draft.objects[id] for word in words for id in draft.named(word)]
-    return next((o.size[2] for o in named if o.size[2] >= TABLE and "table_group" in groups_of(o.category)), None)
-
-
-def _wish(context: Context, row: Mapping[str, Any], item: Item | None, seed: int) -> Wish:
-    rng = random.Random(seed)
-    size: list[float | None] = [None, None, None]
-    if item is not None:
-        size = [None if r is None else round(rng.uniform(*r), 3) for r in item.size]
-    said = drawable(resolve(row["category"]).category, row["words"]).size if row.get("words") else (None, None, None)
-    if any(extent is not None for extent in said):
-        size = list(said)
-    for k, given in enumerate(row.get("size", ())):
-        size[k] = given if given is not None else size[k]
-    palette = context.scene.palette
-    style = row.get("style") or context.brief.style or (palette.style if palette is not None else None)
-    return Wish(
-        size=(size[0], size[1], size[2]),
-        color=row.get("color") or (item.color if item is not None else None),
-        material=row.get("material"),
-        style=style,
-        palette=palette.code if palette is not None else None,
-        words=row.get("words", ""),
-        seed=seed % 2**31,
-        count=1,
-        beyond=any(extent is not None for extent in said),
-        suite=suite_of(item, palette.seed) if palette is not None else None,
-    )
-
-
-def _object(
-    work: _Work,
-    row: Mapping[str, Any],
-    asset: Asset,
-    item: Item | None,
-    mount: str,
-    on: Sequence[str],
-    k: int,
-    number: int,
-) -> SceneObject | None:
-    """One scene object; None when it should stand on something and nothing has room for it."""
-    context, draft = work.context, work.draft
-    asked = row.get("asked") or _asked(context, draft, asset.category)
-    fallback = item.need if item is not None else "usual"
-    priority = row.get("need") or ("asked" if asked is not None or not context.inputs else fallback)
-    id, support, pose, heights = draft.fresh(asset.category), None, Pose(), None
-    room_height = draft.room.height
-    if mount == "surface":
-        supports = _supports(draft, asset, item, on)
-        found = spot_on(draft.objects, draft.room, supports, asset.size, context.seed + 13 * number + k)
-        if found is None:
-            return None
-        support, pose = found
-    elif mount == "ceiling":
-        pose = Pose(position=(0.0, 0.0, max(0.0, room_height - asset.size[2])))
-    elif mount == "wall":
-        low, high = (item.hung(asset.size[2]) if item else None) or category_named(asset.category).bottom or (1.2, 1.5)
-        most = max(0.0, room_height - asset.size[2] - 0.02)
-        heights = round(min(low, max(0.0, most - 0.1)), 3), round(min(high, most), 3)
-        pose = Pose(position=(0.0, 0.0, sum(heights) / 2))
-    intent = Intent(
-        priority=priority,
-        request=asked,
-        program_item=item.id if item is not None else None,
-        mounting_height=heights,
-        keep_clear=mount == "wall" and asset.category not in AT_WINDOWS,
-    )
-    obj = asset.object(id, pose=pose, mount=mount, support=support)  # type: ignore[arg-type]
-    return obj.model_copy(update={"intent": intent, "zones": free_zones(item, obj)})
-
-
-def _asked(context: Context, draft: Draft, category: str) -> str | None:
-    """What in the request an object of that category stands for, where the request has more than there are."""
-    for asked in context.brief.entities:
-        if asked.category != category:
-            continue
-        there = sum(o.intent.request == asked.id for o in draft.objects.values())
-        if there < (asked.count[1] if asked.count else 1):
-            return asked.id
-    return None
-
-
-def _supports(draft: Draft, asset: Asset, item: Item | None, on: Sequence[str]) -> list[str]:
-    """What may carry an asset: what was asked for, else what its item or its category usually stands on, else any."""
-
-    def able(ids: Sequence[str]) -> list[str]:
-        found = [i for i in dict.fromkeys(ids) if any(fits_on(s, asset.size) for s in draft.objects[i].surfaces)]
-        return sorted(found, key=lambda i: _laden(draft, i, asset.category))
-
-    if on:
-        return able([id for word in on for id in draft.named(word)])
-    usual = [id for name in (item.on if item is not None else ()) for id in draft.named(name)]
-    ranks = {o.id: likeliness(asset.category, o.category) for o in draft.objects.values()}
-    likely = [
-        able([id for id, found in ranks.items() if found == rank])
-        for rank in sorted({rank for rank in ranks.values() if rank is not None})
-    ]
-    rest = [o.id for o in draft.objects.values() if not groups_of(o.category) & NOT_ON]
-    return [*dict.fromkeys([*able(usual), *(id for ids in likely for id in ids), *able(rest)])]
-
-
-def _laden(draft: Draft, id: str, category: str) -> tuple[int, int]:
-    """How much of the same kind, and of any, an object carries already."""
-    on = [o for o in draft.objects.values() if o.support is not None and o.support.object == id]
-    return sum(o.category == category for o in on), len(on)
+        made = added(context, rows, told=bool(context.inputs))
+        return Proposal(edits=tuple(made.edits), notes=(*notes, *made.notes), unmet=tuple(made.unmet))

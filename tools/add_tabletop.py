@@ -9,6 +9,12 @@ from typing import Any
 
 from sceneweaver.assets import categories, resolve
 from sceneweaver.assets.taxonomy import category_named
+from sceneweaver.generate.program import decided_kinds
+from sceneweaver.generate.surface_bodies import Shelf
+from sceneweaver.generate.surface_candidates import surfaces_of
+from sceneweaver.generate.surface_scene import Surroundings
+from sceneweaver.generate.surface_slots import Asked, dressed
+from sceneweaver.generate.tabletop_said import Said, is_said, lost, said_rows, with_said
 from sceneweaver.knowledge.surfaces import (
     Arrangement,
     Slot,
@@ -22,12 +28,6 @@ from sceneweaver.scene import InputError, SceneObject
 from sceneweaver.scene.edits import Add, AnyEdit, Relate
 
 from .base import Context, Proposal
-from .prior_program import decided_kinds
-from .surface_assets import Shelf
-from .surface_layout import Asked, Layer
-from .surface_places import surfaces_of
-from .surface_scene import Surroundings
-from .tabletop_said import Said, is_said, lost, said_rows, with_said
 
 PLACES = ((0.4, 0.7), (0.5, -0.6), (0.75, 0.1), (0.2, -0.1), (0.6, 0.4))
 """Where things stand that only the category table knows of: depth and side."""
@@ -70,9 +70,8 @@ class AddTabletop:
             here = told[support.id]
             plan_here = with_said(plans[k], here, bool(inputs.get("only"))) if here or inputs.get("only") else plans[k]
             looks = {one.slot.id: dict(one.look) for one in here if one.look}
-            layer = Layer(around, shelf, support, plan_here, dice, context.clutter, looks)
             share = _share(open_asked, plans[k:])
-            done = layer.run(share)
+            done = dressed(around, shelf, support, plan_here, dice, context.clutter, asked=share, looks=looks)
             open_asked = [*done.unplaced, *(a for a in open_asked if not any(a is s for s in share))]
             edits += [Add(object=o) for o in done.objects]
             edits += [Relate(relation=r) for r in done.relations]

@@ -6,20 +6,16 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
-from sceneweaver.assets import Library
-from sceneweaver.knowledge import RoomType
-from sceneweaver.language import SceneGraph
+from sceneweaver.generate.setup import Setup
+from sceneweaver.knowledge.lived_in import CLUTTER
 from sceneweaver.llm import ModelClient
 from sceneweaver.scene import Relation, Room, Scene
 from sceneweaver.scene.edits import AnyEdit
 
-CLUTTER = 0.4
-"""How lived-in a room is when nobody says: from 0, a show room, to 1."""
-
 
 @dataclass(frozen=True)
-class Context:
-    """What a tool may look at.
+class Context(Setup):
+    """What a tool may read.
 
     ``scene`` is the scene so far (for an initialiser an empty one, whose room may be replaced); ``seed`` decides all
     that is drawn; ``instruction`` is a sentence, ``inputs`` what the tool's card asks for. ``hurried`` says whether
@@ -27,11 +23,6 @@ class Context:
     the room should look. ``client`` asks a model; None: there is none, and a tool that needs one says so.
     """
 
-    brief: SceneGraph
-    room_type: RoomType
-    scene: Scene
-    library: Library
-    seed: int
     instruction: str = ""
     inputs: Mapping[str, Any] = field(default_factory=dict)
     hurried: Callable[[], bool] = bool

@@ -6,13 +6,13 @@ import math
 import random
 from collections.abc import Sequence
 
+from sceneweaver.generate.library import CORNERS, adapted
 from sceneweaver.knowledge.library import SceneCard, library_scenes, load_scene
 from sceneweaver.language import SceneGraph
 from sceneweaver.scene import InputError
 
 from .base import Context, Proposal
 from .card import checked
-from .library_adapt import CORNERS, adapted
 
 NEAR_BEST = 0.04
 """Difference of scores within which the seed decides."""

@@ -9,6 +9,7 @@ from importlib import resources
 from typing import Any
 
 from sceneweaver.assets import categories
+from sceneweaver.generate.room_rules import check_room, missing, refuse
 from sceneweaver.knowledge import RoomType
 from sceneweaver.knowledge.load import group_templates
 from sceneweaver.knowledge.surfaces import arrangements, crowds
@@ -21,7 +22,6 @@ from .base import Context, Proposal
 from .card import checked
 from .init_prior import InitPrior
 from .room_reply import ProgrammeReply, room_of
-from .room_rules import check_room, missing, refuse
 
 RETRIES = 4
 """Times that a model is told what is wrong with a room."""

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from sceneweaver.generate.carry import carried
+from sceneweaver.generate.draft import Draft
 from sceneweaver.scene import InputError, Scene, SceneObject
 from sceneweaver.scene.edits import Remove
 from sceneweaver.scene.messages import suggest
 
 from .base import Context, Proposal
 from .card import checked
-from .carry import carried
-from .draft import Draft
 
 
 class RemoveObjects:

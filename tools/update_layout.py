@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import Any
 
+from sceneweaver.generate.carry import move
+from sceneweaver.generate.draft import Draft
 from sceneweaver.scene import CATALOGUE, InputError, Pose, Scene, SceneObject
 from sceneweaver.scene.edits import AnyEdit
 
 from .add_relation import related
 from .base import Context, Proposal
 from .card import checked
-from .carry import move
-from .draft import Draft
 from .update_rotation import known_ids
 
 TIED = CATALOGUE.with_role("tying")

@@ -6,6 +6,8 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
+from sceneweaver.generate.carry import local, move, world
+from sceneweaver.generate.draft import Draft
 from sceneweaver.geometry.angles import bearing, wrap_angle
 from sceneweaver.scene import CATALOGUE, InputError, Pose, Scene, SceneObject
 from sceneweaver.scene.edits import AnyEdit, Relate, Unrelate, apply_all
@@ -14,8 +16,6 @@ from sceneweaver.scene.messages import suggest
 from .add_relation import related
 from .base import Context, Proposal
 from .card import checked
-from .carry import local, move, world
-from .draft import Draft
 
 WIDE = 30.0
 """Angle [deg] that a `facing` relation is given where objects are turned toward one."""

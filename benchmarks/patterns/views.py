@@ -7,8 +7,8 @@ import numpy as np
 from benchmarks.patterns.room import Hits, Room
 from sceneweaver.critic import kinds
 from sceneweaver.critic.groups import COUNTERS
-from sceneweaver.render.room_bodies import hidden_with
-from sceneweaver.render.room_camera import corner_directions, cut_walls, opposite
+from sceneweaver.render.instances import hidden_with
+from sceneweaver.render.viewpoints import corner_directions, cut_walls, opposite
 from sceneweaver.scene import Scene, SceneObject
 
 KEYS = 3

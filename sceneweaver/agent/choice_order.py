@@ -8,7 +8,6 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from sceneweaver.assets import categories
 from sceneweaver.critic import kinds
@@ -23,8 +22,7 @@ from sceneweaver.rules.design import design_points
 from sceneweaver.scene import CATALOGUE, SceneObject
 from sceneweaver.verify.walkable import ARM, RADIUS
 
-if TYPE_CHECKING:
-    from .choice import Planned
+from .planned import Planned
 
 _FELT = design_points()
 SHARE = 4.0 / (sum(_FELT.weights.values()) + 3.0 * sum(_FELT.others.values()))

@@ -28,25 +28,26 @@ def closed(run: Run, remarks: Sequence[str], began: float, use: Callable[[], Mod
         use: what a model did in it, told when all is done; None where none had anything to do.
     """
     brief, settings = run.brief, run.settings
+    executor = Executor(run.room_type, brief, settings, run.library)
     best = run.go()
     stopped = run.deadline.stop.reason
     said = [f"the work was cut off: {run.cut_off}"] if run.cut_off else []
     if not run.cut_off:
         try:
             with run.deadline.enforced():
-                best = lived_in(best, Executor(run.room_type, brief, settings), run.context(best.scene, settings.seed))
+                best = lived_in(best, executor, run.context(best.scene, settings.seed))
         except TimeUp:
             said.append("the room is tidier than usual: time was up")
     try:
         with run.deadline.enforced():
-            best, mended = opened(best, Executor(run.room_type, brief, settings))
+            best, mended = opened(best, executor)
         said += mended
     except TimeUp:
         said.append("whether doors and drawers open was not looked at: time was up")
     if settings.settle:
         try:
             with run.deadline.enforced():
-                best, moved = settled(best, Executor(run.room_type, brief, settings))
+                best, moved = settled(best, executor)
             said += moved
         except TimeUp:
             said.append("things have not settled: time was up")

@@ -15,9 +15,9 @@ from sceneweaver.export import formats_named
 from sceneweaver.knowledge import RoomType, match_room, room_types
 from sceneweaver.knowledge.learned import learned_rooms
 from sceneweaver.knowledge.likely import likeliest_room
+from sceneweaver.knowledge.lived_in import CLUTTER
 from sceneweaver.language import SceneGraph, read_request
 from sceneweaver.llm import Limits, ModelClient, Prices
-from sceneweaver.tools.base import CLUTTER
 from sceneweaver.tools.registry import Registered
 from sceneweaver.tools.registry import tools as registered
 
@@ -212,4 +212,4 @@ def _resume(run: Run, folder: RunFolder) -> None:
         if memory.spent and len(memory.steps) < run.settings.steps:  # a larger budget goes on
             memory = memory.model_copy(update={"finished": "", "spent": False})
         run.memory = memory
-        run.best = Executor(run.room_type, run.brief, run.settings).judged(kept[1])
+        run.best = Executor(run.room_type, run.brief, run.settings, run.library).judged(kept[1])

@@ -5,19 +5,18 @@ from __future__ import annotations
 import time
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from sceneweaver.assets import Library
 from sceneweaver.critic import Review, review_scene
+from sceneweaver.generate.carry import carried, has_place
 from sceneweaver.knowledge import RoomType
 from sceneweaver.language import SceneGraph
 from sceneweaver.layout import QualityTerm, Solution, improve, joined, refine, refine_many
 from sceneweaver.scene import Pose, Relation, Room, Scene
 from sceneweaver.scene.edits import Remove, apply, apply_all
 from sceneweaver.tools.base import Proposal
-from sceneweaver.tools.carry import carried
-from sceneweaver.tools.spots import has_place
 from sceneweaver.verify import Report, Violation, check
 
 from .choice import choice_terms
@@ -100,13 +99,15 @@ class Outcome:
 class Executor:
     """Refines and judges proposals for one request.
 
-    ``attempts`` counts the layouts begun anew, for all candidates. ``found`` is told of every layout of a new room that
-    is better than those before it: it is what there is when time is up before `run` ends.
+    ``library`` is where the assets of the scenes come from. ``attempts`` counts the layouts begun anew, for all
+    candidates. ``found`` is told of every layout of a new room that is better than those before it: it is what there is
+    when time is up before `run` ends.
     """
 
     room_type: RoomType
     brief: SceneGraph
     settings: Settings
+    library: Library = field(default_factory=Library)
     deadline: Deadline = NEVER
     attempts: int = 0
     found: Callable[[Outcome], None] | None = None
@@ -295,11 +296,10 @@ class Executor:
         """Some outcomes, best first; of the leading valid ones the first in which all opens that has to is in front."""
         from sceneweaver.verify import openable
 
-        load = Library().load
         for k, one in enumerate(ranked[:OPENED]):
             if one.faults or self.deadline.passed:
                 break
-            if not openable.violations(one.scene, openable.measure(one.scene, load)):
+            if not openable.violations(one.scene, openable.measure(one.scene, self.library.load)):
                 return [one, *ranked[:k], *ranked[k + 1 :]]
         return ranked
 
@@ -319,7 +319,7 @@ class Executor:
             return ranked[0]
         from sceneweaver.physics import stability
 
-        moved = [sum(far > 0.01 for far in stability(o.scene)["moved"].values()) for o in leading]
+        moved = [sum(far > 0.01 for far in stability(o.scene, self.library.load)["moved"].values()) for o in leading]
         return leading[moved.index(min(moved))]
 
     def _in_place(self, scene: Scene, draft: Scene, seed: int, notes: list[str], plain: Plain) -> Outcome | None:

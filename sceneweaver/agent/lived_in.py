@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from sceneweaver.generate.finish import accented
 from sceneweaver.scene.edits import Add, AnyEdit, Relate, SetPose, apply_all
 from sceneweaver.tools.add_clutter import AddClutter
 from sceneweaver.tools.add_crowd import AddCrowd
 from sceneweaver.tools.add_tabletop import AddTabletop
 from sceneweaver.tools.add_wall_objects import AddWallObjects
 from sceneweaver.tools.base import Context, Tool
-from sceneweaver.tools.prior_finish import accented
 from sceneweaver.verify import check
 
 from .executor import Executor, Outcome

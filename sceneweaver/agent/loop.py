@@ -9,13 +9,13 @@ from typing import Any
 
 from sceneweaver.assets import Library
 from sceneweaver.critic import CRITERIA, Review
+from sceneweaver.generate.shell import floor_area, shell
 from sceneweaver.knowledge import RoomType
 from sceneweaver.language import SceneGraph
 from sceneweaver.llm import ModelClient, ModelError
 from sceneweaver.scene import InputError, Room, Scene, SceneWeaverError
 from sceneweaver.scene.messages import shorten
 from sceneweaver.tools.base import Context, Proposal, Tool
-from sceneweaver.tools.prior_shell import floor_area, shell
 from sceneweaver.tools.registry import Registered
 from sceneweaver.verify import check
 
@@ -99,7 +99,7 @@ class Run:
         Raises:
             InputError: when not even a first scene can be made.
         """
-        executor = Executor(self.room_type, self.brief, self.settings, self.deadline, found=self._offer)
+        executor = Executor(self.room_type, self.brief, self.settings, self.library, self.deadline, found=self._offer)
         if self.best is None and self.folder is not None:
             bare = bare_scene(self.brief, self.room_type, self.settings.seed)
             self.folder.keep(bare, check(bare))

@@ -6,13 +6,13 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from sceneweaver.assets import Library
 from sceneweaver.assets.mirror import mirrored_zone
+from sceneweaver.assets.placed import Load
 from sceneweaver.assets.sources.parametric import other_hand
+from sceneweaver.generate.carry import carried, follow
 from sceneweaver.scene import PRIORITIES, Pose, Relation, Scene, SceneObject
 from sceneweaver.scene.edits import Relate, Remove, apply
 from sceneweaver.tools.base import Proposal
-from sceneweaver.tools.carry import carried, follow
 from sceneweaver.verify import Violation, check, openable
 from sceneweaver.verify.report import LinkTravel
 
@@ -34,7 +34,7 @@ def opened(outcome: Outcome, executor: Executor) -> tuple[Outcome, list[str]]:
     Returns:
         The outcome, and what is to be said of it.
     """
-    load = Library().load
+    load = executor.library.load
     scene, notes = outcome.scene, []
     found = openable.measure(scene, load)
     failed: set[str] = set()
@@ -45,7 +45,7 @@ def opened(outcome: Outcome, executor: Executor) -> tuple[Outcome, list[str]]:
         if piece is None:
             break
         failed.add(piece.object)
-        for other, said in _ways(scene, piece, needed=piece.object in wrong):
+        for other, said in _ways(scene, piece, load, needed=piece.object in wrong):
             links = openable.measure(other, load)
             if _cost(other, links) < _cost(scene, found) and check(other, walkable=False).valid:
                 scene, found = other, links
@@ -90,7 +90,7 @@ def _cost(scene: Scene, found: Sequence[LinkTravel]) -> tuple[int, int]:
     return len(openable.violations(scene, found)), sum(not link.opens for link in found)
 
 
-def _ways(scene: Scene, link: LinkTravel, *, needed: bool) -> Iterator[tuple[Scene, list[str]]]:
+def _ways(scene: Scene, link: LinkTravel, load: Load, *, needed: bool) -> Iterator[tuple[Scene, list[str]]]:
     """Scenes in which a link may open, what changes least first, with what is to be said of each.
 
     Something goes only where the link is ``needed``: what nobody asked for, be it in the way or the piece itself.
@@ -98,7 +98,7 @@ def _ways(scene: Scene, link: LinkTravel, *, needed: bool) -> Iterator[tuple[Sce
     known = {o.id: o for o in scene.objects}
     piece = known.get(link.object)
     if piece is not None:
-        flipped = _mirrored(piece)
+        flipped = _mirrored(piece, load)
         turned = _turned(scene, piece)
         if flipped is not None:
             yield _with(scene, flipped), []
@@ -114,12 +114,12 @@ def _ways(scene: Scene, link: LinkTravel, *, needed: bool) -> Iterator[tuple[Sce
         yield apply(scene, Remove(id=gone.id, cascade=True)), [said]
 
 
-def _mirrored(piece: SceneObject) -> SceneObject | None:
+def _mirrored(piece: SceneObject, load: Load) -> SceneObject | None:
     """The piece with its doors hung at the other side; None where it cannot be had so."""
     asset = other_hand(piece.asset) if piece.asset is not None else None
     if asset is None:
         return None
-    drawn = Library().load(asset)
+    drawn = load(asset)
     if drawn.size != piece.size:
         return None
     return piece.model_copy(

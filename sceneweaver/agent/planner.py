@@ -9,11 +9,11 @@ from typing import Any, Protocol, runtime_checkable
 
 from sceneweaver.assets import Library, resolve
 from sceneweaver.critic import Fault, Review
+from sceneweaver.generate.program import named_kinds
 from sceneweaver.knowledge import RoomType
 from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Scene
 from sceneweaver.tools.card import ToolCard
-from sceneweaver.tools.prior_program import named_kinds
 from sceneweaver.verify import Report
 
 from .memory import Call, Memory, Thought

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from sceneweaver.generate.carry import follow
 from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.scene import Part, Scene, SceneObject
-from sceneweaver.tools.carry import follow
 from sceneweaver.verify import Report
 
 from .coarse import coarse

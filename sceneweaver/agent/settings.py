@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pydantic import Field
 
+from sceneweaver.knowledge.lived_in import CLUTTER
 from sceneweaver.scene.base import FrozenModel
-from sceneweaver.tools.base import CLUTTER
 
 ASKED = 4.0
 """What a point of what is not as asked weighs beside its grade, in points of the mean of all grades: more than breaches

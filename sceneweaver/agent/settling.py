@@ -23,7 +23,8 @@ def settled(outcome: Outcome, executor: Executor) -> tuple[Outcome, list[str]]:
     """
     from sceneweaver.physics import settle, stability
 
-    rest = settle(outcome.scene)
+    load = executor.library.load
+    rest = settle(outcome.scene, load)
     notes = [f"{object_id} moves {100 * rest.moved[object_id]:.1f} cm in physics" for object_id in rest.faults]
     after, kept = executor.judged(rest.scene), set()
     for _ in range(ROUNDS):
@@ -39,9 +40,9 @@ def settled(outcome: Outcome, executor: Executor) -> tuple[Outcome, list[str]]:
         kept, after = set(rest.moved), outcome
     if kept:
         notes.append(f"{len(kept)} of {len(rest.moved)} things stay where they were put, the others have settled")
-    found = stability(after.scene)
+    found = stability(after.scene, load)
     fallen = violations(found["moved"])
-    judged = openable.judged(after.report, after.scene, openable.measure(after.scene))
+    judged = openable.judged(after.report, after.scene, openable.measure(after.scene, load))
     report = replace(
         judged,
         valid=judged.valid and not fallen,

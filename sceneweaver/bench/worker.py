@@ -5,8 +5,9 @@ from __future__ import annotations
 import time
 from collections.abc import Iterator
 from dataclasses import replace
-from multiprocessing import get_context
 from multiprocessing.connection import Connection
+
+from sceneweaver.runtime import processes
 
 from .clock import settle
 from .execute import Prepared, blank, execute
@@ -15,15 +16,12 @@ from .schema import Row
 from .settings import Settings
 from .tasks import Task
 
-SPAWN = get_context("spawn")  # a fork of a process that has used CUDA or JAX is of no use
-
 
 class Worker:
     """A process that runs one method on one problem at a time; a new one takes its place where it had to end."""
 
     def __init__(self) -> None:
-        self._process = None
-        self._end: Connection | None = None
+        self._process: processes.Worker | None = None
 
     def execute(self, method: Method, task: Task, seed: int, settings: Settings) -> Iterator[Row]:
         """Rows as of `execute.execute`; the last one says so where the process was killed or crashed."""
@@ -48,29 +46,16 @@ class Worker:
         yield replace(row, checkpoint=row.checkpoint + 1, outcome="killed", reason=reason)
 
     def _send(self, order: tuple[Method, Task, int, Settings]) -> Connection:
-        if self._process is None or self._end is None or not self._process.is_alive():
+        if self._process is None or not self._process.alive:
             self.close()
-            self._end, theirs = SPAWN.Pipe()
-            self._process = SPAWN.Process(target=serve, args=(theirs,), daemon=True)
-            self._process.start()
-            theirs.close()
-        self._end.send(order)
-        return self._end
+            self._process = processes.Worker(serve, threads=None)
+        self._process.connection.send(order)
+        return self._process.connection
 
     def close(self) -> int | None:
         """End the process; its exit code."""
         process, self._process = self._process, None
-        if self._end is not None:
-            self._end.close()
-            self._end = None
-        if process is None:
-            return None
-        process.join(1.0)
-        code = process.exitcode
-        if process.is_alive():
-            process.kill()
-            process.join()
-        return code
+        return process.end(1.0) if process is not None else None
 
 
 def serve(end: Connection) -> None:

@@ -22,6 +22,8 @@ from typing import Annotated
 
 import typer
 
+from sceneweaver.export.formats import FORMATS, USUAL
+
 from .clock import process_began
 from .dataset import dataset
 from .exit_codes import BAD_INPUT, INTERRUPTED, MISSING
@@ -264,8 +266,9 @@ def export(
         typer.Option(
             "--to",
             metavar="FORMATS",
-            help="With a folder: glb, usd, usda, mjcf, mjcf:CLIENT, scenestate, sdf, urdf, or all "
-            "(default: glb,usd,mjcf). Clients: mujoco, robosuite, genesis, drake, dm_control, newton.",
+            help=f"With a folder: {', '.join(FORMATS)}, or all (default: {','.join(USUAL)}). For one reader: "
+            + ", ".join(f"{one.name}:CLIENT ({', '.join(one.clients)})" for one in FORMATS.values() if one.clients)
+            + ".",
             show_default=False,
         ),
     ] = None,
@@ -310,8 +313,8 @@ def design(
     ] = None,
     pictures: Annotated[bool, typer.Option("--pictures/--no-pictures", help="Draw views and the report.")] = True,
     export: Annotated[
-        str, typer.Option(metavar="FORMATS", help="Files for other tools: glb, usd, mjcf, scenestate, all or none.")
-    ] = "glb,usd,mjcf",
+        str, typer.Option(metavar="FORMATS", help=f"Files for other tools: {', '.join(FORMATS)}, all or none.")
+    ] = ",".join(USUAL),
     clutter: Annotated[
         float | None,
         typer.Option(
@@ -460,7 +463,7 @@ def demo(
         device=device,
         time_limit=120.0,
         pictures=True,
-        export="glb,usd,mjcf",
+        export=",".join(USUAL),
         settle=False,
         as_json=as_json,
         began=context.obj,

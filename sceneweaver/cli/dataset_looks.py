@@ -53,7 +53,7 @@ def run_plan(source: Path, sample: int, workers: int | None, device: str, *, as_
 def run_verify(path: Path, workers: int | None, sample: int | None, stability: int, *, as_json: bool) -> int:
     """Judge a data set from its files alone."""
     from sceneweaver.datasets.checking import verify_dataset
-    from sceneweaver.datasets.processes import cores
+    from sceneweaver.runtime.processes import cores
 
     with progress_bar("judging", 1) as bar, no_chatter():
         found = verify_dataset(
@@ -74,8 +74,8 @@ def run_verify(path: Path, workers: int | None, sample: int | None, stability: i
 def run_report(path: Path, out: Path | None, pictures: int) -> int:
     """Write the page about a data set."""
     with no_chatter():
-        from sceneweaver.datasets.processes import cores
         from sceneweaver.datasets.report import write_report
+        from sceneweaver.runtime.processes import cores
 
         page = write_report(path, out, pictures=pictures, workers=cores())
     list_files([page])
@@ -101,7 +101,7 @@ def run_push_card(path: Path, repo: str, endpoint: str | None, token_env: str, d
 
 def run_extract(path: Path, key: str, out: Path) -> int:
     """Copy one scene into a folder that stands alone."""
-    from sceneweaver.datasets.extract import extract
+    from sceneweaver.datasets.reading import extract
 
     for file in extract(path, key, out):
         typer.echo(file)

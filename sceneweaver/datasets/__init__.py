@@ -3,10 +3,9 @@
 What needs more of the house is loaded where it is used: `produce`, `engines`, `checking` and `report`.
 """
 
-from .blocks import read_rows, read_samples, write_block
 from .folder import Folder
 from .requests import Request, Requests
-from .sample import Sample
+from .samples import Sample, read_rows, read_samples, write_block
 from .spec import Spec, load_spec
 from .store import AssetStore
 from .work import make_block

@@ -1,19 +1,28 @@
-"""SHA-256 of many files, by as many processes as there are cores where that is quicker."""
+"""SHA-256: of files, by as many processes as there are cores where that is quicker, and lists of them."""
 
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Sequence
+import os
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import repeat
 from pathlib import Path
 
-from .processes import cores, pool
+from sceneweaver.runtime.processes import cores, pool
+from sceneweaver.scene import write_atomic
+
+from .folder import Folder
 
 MANY = 4096
 """Files from which on processes are worth their start."""
 
 TOGETHER = 256
 """Files that a process is given at a time."""
+
+NAMED = ("LICENSES.md", "README.md", "croissant.json")
+FOLDERS = ("assets", "data", "meta")
+TIMES = "meta/seconds.parquet"
+"""What no two runs agree on has no checksum, so that equal data sets have equal files of checksums."""
 
 
 def sha256(path: Path) -> str:
@@ -37,3 +46,46 @@ def sha256_of(root: Path, names: Sequence[str]) -> list[str]:
 
 def _some(root: Path, names: Sequence[str]) -> list[str]:
     return [sha256(root / name) for name in names]
+
+
+def content_of(files: Mapping[str, bytes]) -> tuple[str, int]:
+    """Content hash and bytes of the files of a scene, by suffix, as its row has them."""
+    digest, size = hashlib.sha256(), 0
+    for suffix in sorted(files):
+        digest.update(f"{suffix}:{len(files[suffix])}\n".encode() + files[suffix])
+        size += len(files[suffix])
+    return digest.hexdigest(), size
+
+
+def checksums_of(folder: Folder) -> dict[str, str]:
+    """SHA-256, in hex, of shards, tables and assets by their paths relative to the root."""
+    names = sorted(_names(folder.path))
+    return dict(zip(names, sha256_of(folder.path, names), strict=True))
+
+
+def write_checksums(folder: Folder, known: Mapping[str, str] | None = None) -> None:
+    """Write a line for each file: its checksum, two blanks, its path relative to the root, as `sha256sum -c` reads it.
+
+    Args:
+        folder: the data set.
+        known: what `checksums_of` says of it; None: that is worked out.
+    """
+    texts = [name for name in NAMED if (folder.path / name).exists()]
+    sums = {**(checksums_of(folder) if known is None else known)}
+    sums.update(zip(texts, sha256_of(folder.path, texts), strict=True))
+    write_atomic(folder.checksums, "".join(f"{sums[name]}  {name}\n" for name in sorted(sums)))
+
+
+def read_checksums(folder: Folder) -> dict[str, str]:
+    """The checksums that are listed, by path relative to the root."""
+    lines = (line.partition(" ") for line in folder.checksums.read_text(encoding="utf-8").splitlines())
+    return {name.lstrip(" *").removeprefix("./"): digest for digest, _, name in lines}
+
+
+def _names(root: Path) -> Iterator[str]:
+    for place in FOLDERS:
+        for path, folders, files in os.walk(root / place):
+            folders[:] = [name for name in folders if not name.startswith(".")]
+            below = Path(path).relative_to(root).as_posix()
+            names = (f"{below}/{name}" for name in files if not name.startswith("."))
+            yield from (name for name in names if name != TIMES)

@@ -1,4 +1,4 @@
-"""Where everything of a data set lies.
+"""Where everything of a data set lies, and whether there is room for it.
 
 ``dataset.json`` names the specification that the folder belongs to. Blocks are written to ``work/`` as they are
 made; when all are there, they are packed: into ``data/`` (shards) and ``meta/`` (tables). Assets lie in ``assets/``
@@ -7,94 +7,125 @@ from the first, by the hash of their content, shared by all scenes.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import errno
+import shutil
+import time
+from dataclasses import dataclass, field
 from pathlib import Path
 
+from sceneweaver.scene import SceneWeaverError
 
-@dataclass(frozen=True)
+FULL = (errno.ENOSPC, errno.EDQUOT)
+LEAST = 64 * 2**20
+"""Bytes that have to be free before a run goes on that knows no better."""
+
+RETRY = 30.0
+"""Seconds after which a run tries again at the latest."""
+
+
 class Folder:
-    """The paths of a data set."""
+    """The paths of a data set.
 
-    path: Path
+    Attributes:
+        path: its root.
+        manifest: the specification, its hash and the versions of what makes it.
+        spec: the specification as it was given.
+        checksums: checksums of all files but times, written last.
+        assets: the store of assets, by content.
+        data: shards.
+        meta: tables and statistics.
+        index: the table with a row a scene, when all is packed.
+        programs: the table with a row a program, when a data set of layouts is packed.
+        asset_table: what is known about each asset: recipe, category, licence, source, attribution.
+        statistics: what the data set is made of, in numbers.
+        work: what runs need on the way; no part of the data set.
+        blocks: blocks that are made and not packed yet.
+        records: when blocks were made, by whom, with how much memory.
+        complete: is there as soon as all blocks were made: from then on they are packed, and none is made again.
+        packed: is there as soon as the blocks are packed.
+        plan: what packing is to write; once it is there, no block is made any more.
+    """
 
-    @property
-    def manifest(self) -> Path:
-        """The specification, its hash and the versions of what makes it."""
-        return self.path / "dataset.json"
+    def __init__(self, path: Path):
+        self.path = path
+        self.manifest, self.spec = path / "dataset.json", path / "spec.yaml"
+        self.checksums = path / "checksums.sha256"
+        self.assets, self.data, self.meta, self.work = (path / name for name in ("assets", "data", "meta", "work"))
+        self.index, self.programs = self.meta / "index.parquet", self.meta / "programs.parquet"
+        self.asset_table, self.statistics = self.meta / "assets.parquet", self.meta / "statistics.json"
+        self.blocks, self.records, self.plan = (self.work / name for name in ("blocks", "records", "plan"))
+        self.complete, self.packed = self.work / "complete", self.work / "packed"
 
-    @property
-    def spec(self) -> Path:
-        """The specification as it was given."""
-        return self.path / "spec.yaml"
-
-    @property
-    def assets(self) -> Path:
-        """The store of assets, by content."""
-        return self.path / "assets"
-
-    @property
-    def data(self) -> Path:
-        """Shards."""
-        return self.path / "data"
-
-    @property
-    def meta(self) -> Path:
-        """Index, statistics, checksums, times."""
-        return self.path / "meta"
-
-    @property
-    def work(self) -> Path:
-        """What runs need on the way; no part of the data set."""
-        return self.path / "work"
-
-    @property
-    def blocks(self) -> Path:
-        """Blocks that are made and not packed yet."""
-        return self.work / "blocks"
-
-    @property
-    def records(self) -> Path:
-        """When blocks were made, by whom, with how much memory."""
-        return self.work / "records"
-
-    @property
-    def complete(self) -> Path:
-        """Is there as soon as all blocks were made: from then on they are packed, and none is made again."""
-        return self.work / "complete"
-
-    @property
-    def packed(self) -> Path:
-        """Is there as soon as the blocks are packed."""
-        return self.work / "packed"
+    def block(self, number: int) -> Path:
+        """The folder of a block; where it is, the block is whole. `samples` says which files it holds."""
+        return self.blocks / f"{number // 1000:05d}" / f"{number:08d}"
 
     def rooms(self, number: int) -> Path:
         """Rooms of a block that is made room by room, as its worker was killed."""
         return self.work / "rooms" / f"{number:08d}"
 
-    @property
-    def plan(self) -> Path:
-        """What packing is to write; once it is there, no block is made any more."""
-        return self.path / "work" / "plan"
+    def room(self, number: int, place: int) -> Path:
+        """The folder of a room of such a block, by its place in it."""
+        return self.rooms(number) / f"{place:04d}"
+
+    def table(self, product: str) -> Path:
+        """The table with a row a request: of "scenes", or of "layouts", whose programs have many."""
+        return self.index if product == "scenes" else self.programs
+
+
+class DiskFullError(SceneWeaverError):
+    """There is no room on the disk of a data set, and the run does not wait for it."""
+
+    exit_code = 4
+
+
+def disk_full(error: BaseException | None) -> bool:
+    """Whether an error, or one that it was raised from or while handling, says that the disk or a quota is full."""
+    while error is not None:
+        if isinstance(error, OSError) and error.errno in FULL:
+            return True
+        error = error.__cause__ or error.__context__
+    return False
+
+
+@dataclass
+class Wait:
+    """A pause of a run while its disk is full.
+
+    Attributes:
+        path: a folder on that disk.
+        needed: bytes with which the run goes on.
+        until: when it tries again whatever the system says of free bytes, since that knows of no quota.
+    """
+
+    path: Path
+    needed: int
+    until: float = field(default_factory=lambda: time.monotonic() + RETRY)
 
     @property
-    def index(self) -> Path:
-        """The index, when all is packed."""
-        return self.meta / "index.parquet"
+    def free(self) -> int:
+        """Bytes that are free."""
+        return shutil.disk_usage(self.path).free
 
     @property
-    def asset_table(self) -> Path:
-        """What is known about each asset: recipe, category, licence, source, attribution."""
-        return self.meta / "assets.parquet"
+    def over(self) -> bool:
+        """Whether it is worth a try."""
+        return self.free >= self.needed or time.monotonic() >= self.until
 
-    @property
-    def checksums(self) -> Path:
-        """Checksums of all files but times, written last."""
-        return self.path / "checksums.sha256"
+    def __str__(self) -> str:
+        return (
+            f"disk full: {self.path} has {self.free / 2**20:.0f} MB free, about {self.needed / 2**20:.0f} MB are "
+            "needed; remove something"
+        )
 
-    def block(self, number: int) -> Path:
-        """The folder of a block; where it is, the block is whole.
 
-        It holds ``samples.tar`` (files of the delivered scenes, in order), ``rows.jsonl`` (a row a scene) and
-        ``seconds.jsonl`` (times, which no two runs agree on).
-        """
-        return self.blocks / f"{number // 1000:05d}" / f"{number:08d}"
+def waiting(path: Path, needed: int = LEAST, *, wait: bool) -> Wait:
+    """The pause to make.
+
+    Raises:
+        DiskFullError: the run does not wait.
+    """
+    pause = Wait(path, needed)
+    if not wait:
+        raise DiskFullError(f"{pause}, then resume")
+    return pause

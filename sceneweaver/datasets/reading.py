@@ -1,10 +1,12 @@
-"""Reading a data set: its rows, and the files of its scenes straight from the shards, one after the other.
+"""Reading a data set: its rows, the files of its scenes straight from the shards, and one scene on its own.
 
 A set that is packed is read from ``meta/`` and ``data/``; one that is still made, from its blocks.
 """
 
 from __future__ import annotations
 
+import os
+import shutil
 import tarfile
 from collections.abc import Container, Iterator
 from dataclasses import dataclass
@@ -12,12 +14,15 @@ from pathlib import Path
 from typing import Any
 
 from sceneweaver.scene import InputError
+from sceneweaver.scene.files import reason, temporary_folder
+from sceneweaver.scene.messages import suggest
 
-from .blocks import ROWS, SAMPLES, read_rows
-from .columns import arrow
 from .folder import Folder
+from .samples import ROWS, SAMPLES, read_rows
+from .tables import read_table
 
-INDEX = "index.parquet"
+SCENE = ("glb", "xml", "usdc")
+"""Suffixes that become ``scene.<suffix>``, as a design has them; other files have the names of their suffixes."""
 
 
 @dataclass(frozen=True)
@@ -35,11 +40,6 @@ class Span:
     keys: tuple[str, ...]
 
 
-def packed(folder: Folder) -> bool:
-    """Whether the index of a data set is written."""
-    return (folder.meta / INDEX).exists()
-
-
 def block_folders(folder: Folder) -> list[Path]:
     """The blocks that are whole, in order."""
     return sorted(path.parent for path in folder.blocks.glob(f"*/*/{ROWS}"))
@@ -52,22 +52,24 @@ def rows_of(folder: Folder, columns: list[str] | None = None) -> Iterator[dict[s
         folder: the data set.
         columns: which; None: all.
     """
-    if packed(folder):
-        arrow()
-        from pyarrow import parquet
-
-        with parquet.ParquetFile(folder.meta / INDEX) as file:
-            names = None if columns is None else [name for name in columns if name in file.schema_arrow.names]
-            for batch in file.iter_batches(batch_size=4096, columns=names):
-                yield from map(_plain, batch.to_pylist())
+    if folder.index.exists():
+        yield from map(_plain, read_table(folder.index, columns))
     else:
         for block in block_folders(folder):
             yield from read_rows(block)
 
 
+def _plain(row: dict[str, Any]) -> dict[str, Any]:
+    """A row with the fields of its structs that are there."""
+    for name in ("grades", "gates"):
+        if row.get(name) is not None:
+            row[name] = {field: value for field, value in dict(row[name]).items() if value is not None}
+    return row
+
+
 def shards_of(folder: Folder) -> list[Path]:
     """The tar files with scenes, in order."""
-    if packed(folder):
+    if folder.index.exists():
         return sorted(folder.data.glob("*.tar"))
     return [block / SAMPLES for block in block_folders(folder)]
 
@@ -127,9 +129,78 @@ def split_name(name: str) -> tuple[str, str]:
     return key, suffix
 
 
-def _plain(row: dict[str, Any]) -> dict[str, Any]:
-    """A row with the fields of its structs that are there."""
-    for name in ("grades", "gates"):
-        if row.get(name) is not None:
-            row[name] = {field: value for field, value in dict(row[name]).items() if value is not None}
-    return row
+def extract(path: Path, key: str, out: Path) -> list[Path]:
+    """Copy a scene with all that its files name into a new folder.
+
+    Files of the store are hard links where the disk allows it.
+
+    Args:
+        path: the data set, packed or not.
+        key: the key of the scene.
+        out: the folder, which is not there yet or is empty.
+
+    Returns:
+        The files of the scene; those of the store lie in ``assets/`` beside them.
+
+    Raises:
+        InputError: there is no such scene, a file is missing, or the folder cannot be written.
+    """
+    from .store.scene_files import references
+
+    folder = Folder(path)
+    files = _files(folder, key, _row(folder, key))
+    if out.exists() and (not out.is_dir() or any(out.iterdir())):
+        raise InputError(f"out: {out} is there already; give a new or empty folder")
+    try:
+        out.parent.mkdir(parents=True, exist_ok=True)
+        with temporary_folder(out.parent) as drafts:
+            draft = drafts / "scene"
+            draft.mkdir()
+            for name, content in files.items():
+                (draft / name).write_bytes(content)
+            for relative in references(files):
+                if not (folder.path / relative).is_file():
+                    raise InputError(
+                        f"{folder.path / relative}: no such file; fetch the assets of the data set as well"
+                    )
+                (draft / relative).parent.mkdir(parents=True, exist_ok=True)
+                link(folder.path / relative, draft / relative)
+            os.replace(draft, out)
+    except OSError as error:
+        raise InputError(f"out: {out} cannot be written ({reason(error)}); choose another place") from None
+    return [out / name for name in files]
+
+
+def link(source: str | Path, target: str | Path) -> None:
+    """The same file at another place: by a link where both are on one disk, else copied whole."""
+    try:
+        os.link(source, target)
+    except OSError:
+        with temporary_folder(Path(target).parent) as folder:
+            draft = folder / Path(target).name
+            shutil.copyfile(source, draft)
+            os.replace(draft, target)
+
+
+def _row(folder: Folder, key: str) -> dict[str, Any]:
+    keys = []
+    for row in rows_of(folder, ["key", "status", "reason", "shard"]):
+        if row["key"] == key:
+            if row["status"] != "ok":
+                raise InputError(f"key: scene {key} was not delivered ({row.get('reason')}); see the index")
+            return row
+        keys.append(row["key"])
+    raise InputError(f"key: {folder.path} has no scene '{key}'{suggest(key, keys[:100_000])}")
+
+
+def _files(folder: Folder, key: str, row: dict[str, Any]) -> dict[str, bytes]:
+    """The files of a scene by the names that they have in a folder of their own."""
+    for path in [folder.path / row["shard"]] if row.get("shard") else shards_of(folder):
+        try:
+            span = next((span for span in spans_of(path, 1) if span.keys == (key,)), None)
+        except InputError as error:
+            raise InputError(f"{error}; fetch it anew") from None
+        if span is not None:
+            _, files = next(scenes_of(span))
+            return {f"scene.{suffix}" if suffix in SCENE else suffix: content for suffix, content in files.items()}
+    raise InputError(f"key: no shard of {folder.path} has scene '{key}'; fetch all of the data set")

@@ -7,9 +7,11 @@ import io
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
+import sceneweaver
 from sceneweaver.scene import InputError, read_bytes
 
 from .spec import Spec, Weights
@@ -49,6 +51,11 @@ class Request:
     def attempt(self, number: int) -> int:
         """The seed of an attempt, counted from 0."""
         return (self.seed + number * ATTEMPT) % 2**32
+
+    def columns(self, attempt: int) -> dict[str, Any]:
+        """The columns of a row that follow from the request and the number of the attempt alone."""
+        asked = {name: getattr(self, name) for name in ("room", "seed", "prompt", "kind", "clutter")}
+        return {**asked, "attempt": attempt, "version": sceneweaver.__version__}
 
 
 class Requests:

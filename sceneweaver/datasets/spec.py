@@ -14,6 +14,8 @@ from sceneweaver.scene import InputError, read_bytes
 from sceneweaver.scene.base import FrozenModel
 from sceneweaver.scene.messages import suggest
 
+from .gates import Gates
+
 EXAMPLES = {path.stem: path for path in sorted((Path(__file__).parent / "examples").glob("*.yaml"))}
 """Specifications that ship with the library, by name."""
 
@@ -65,16 +67,6 @@ class Views(FrozenModel):
     passes: tuple[str, ...] = Field(default=(), description="rgb, depth, normals, ids, ...: as `sceneweaver render`")
     width: int = Field(default=640, ge=16, le=8192, description="[pixels]")
     height: int = Field(default=480, ge=16, le=8192, description="[pixels]")
-
-
-class Gates(FrozenModel):
-    """What a scene must be to be delivered; one that is not is drawn again, and at last left out with its reason."""
-
-    grade: float = Field(default=0.0, ge=0, le=10, description="Least mean grade of the critic")
-    unmet: int | None = Field(default=None, ge=0, description="Most wishes that are not met; None: any number")
-    openable: Share = Field(default=0.0, description="Least share of doors and drawers that open")
-    walkable: Share = Field(default=0.0, description="Least share of the free floor within reach of the door")
-    still: float | None = Field(default=None, gt=0, description="Farthest that a thing may move in physics [m]")
 
 
 class Spec(FrozenModel):

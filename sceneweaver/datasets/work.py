@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+import shutil
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import lru_cache
+from itertools import chain
 from pathlib import Path
 
-import sceneweaver
-
-from .blocks import write_block
 from .folder import Folder
 from .requests import Request, Requests
-from .sample import Sample
+from .samples import Sample, read_samples, write_block
 from .spec import Spec
 from .store import AssetStore
 
@@ -31,15 +30,52 @@ def make_block(
         device: where layouts are refined.
         produce: what makes its scenes, if not `produce`.
     """
-    path = folder.block(number)
-    if requests.spec.product == "layouts":
-        from . import layouts
+    make_rooms(folder, requests, folder.block(number), requests.block(number), device, produce)
 
-        layouts.make_block(folder, requests, number, device)
-    elif not path.exists():
-        produce = produce or usual()
-        samples = produce(requests.spec, requests.block(number), store_of(folder), device)
-        write_block(path, samples)
+
+def make_rooms(
+    folder: Folder,
+    requests: Requests,
+    path: Path,
+    rooms: Sequence[Request],
+    device: str = "auto",
+    produce: Produce | None = None,
+) -> None:
+    """Make some rooms, unless they are there; as `make_block`, at a path of their own."""
+    if path.exists():
+        return
+    if requests.spec.product == "layouts":
+        from .layouts import write_programs
+
+        write_programs(path, requests, rooms, device)
+    else:
+        write_block(path, (produce or usual())(requests.spec, rooms, store_of(folder), device))
+
+
+def join_rooms(folder: Folder, requests: Requests, number: int, failed: Mapping[int, str]) -> None:
+    """Make a block of its rooms, which were made one by one.
+
+    Args:
+        folder: the data set.
+        requests: what is asked for, with its specification.
+        number: which block.
+        failed: of rooms that are given up, by their place in the block, why.
+    """
+    rooms, block = requests.block(number), folder.block(number)
+    paths = [folder.room(number, place) for place in range(len(rooms))]
+    if requests.spec.product == "layouts":
+        from .layouts import join, write_programs
+
+        for place, reason in failed.items():
+            write_programs(paths[place], requests, [rooms[place]], "cpu", {rooms[place].room: reason})
+        join(block, requests, paths)
+    elif not block.exists():
+        parts = (
+            failed_samples(room, failed[place]) if place in failed else read_samples(paths[place])
+            for place, room in enumerate(rooms)
+        )
+        write_block(block, chain.from_iterable(parts))
+    shutil.rmtree(folder.rooms(number), ignore_errors=True)
 
 
 def pack(folder: Folder, requests: Requests) -> None:
@@ -63,16 +99,7 @@ def usual() -> Produce:
 
 def failed_samples(request: Request, reason: str) -> list[Sample]:
     """The scenes of a room that could not be made at all."""
-    row = {
-        "reason": reason,
-        "room": request.room,
-        "attempt": 0,
-        "seed": request.seed,
-        "prompt": request.prompt,
-        "kind": request.kind,
-        "clutter": request.clutter,
-        "version": sceneweaver.__version__,
-    }
+    row = {"reason": reason, **request.columns(0)}
     return [
         Sample(request.index + layout, request.key(layout), "failed", {**row, "layout": layout})
         for layout in range(request.layouts)

@@ -5,22 +5,57 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable, Collection
+from dataclasses import dataclass
 from typing import Any
 
 from sceneweaver.building import SceneBuilder
 from sceneweaver.layout.live import LiveLayout
-from sceneweaver.repairs.report import moves_between
+from sceneweaver.repairs.report import Move, moves_between
 from sceneweaver.scene import AnyEdit, InputError, Named, Scene, SceneObject, id_of
 from sceneweaver.verify import Report, check
 
-from .result import EditResult
-from .settling import settle
+from .settling import Freed, settle
 
 RESIZED = 0.25
 """How far [m] something that was resized may be pushed from where it stands before others make way."""
 
 LEAST = 0.1
 """The same at least, however short the way was that something was moved."""
+
+
+@dataclass(frozen=True)
+class EditResult:
+    """A scene after an edit.
+
+    Attributes:
+        scene: the scene as it is now.
+        report: the judge on it; without the share of floor that can be walked on.
+        moves: what was moved so that the scene is valid, beyond the edit itself.
+        freed: what was free to move in the end, see `Freed`.
+        seconds: from call to return.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> session = sw.EditSession(sw.Scene.example("bedroom"), device="cpu")
+        >>> result = session.move("chair", by=(0.0, 0.05))
+        >>> result.valid, result.scene is session.scene
+        (True, True)
+    """
+
+    scene: Scene
+    report: Report
+    moves: tuple[Move, ...]
+    freed: Freed
+    seconds: float
+
+    def __repr__(self) -> str:
+        valid = "valid" if self.valid else f"{sum(v.hard for v in self.report.violations)} violations"
+        return f"EditResult({valid}, {len(self.moves)} moved, {1e3 * self.seconds:.0f} ms)"
+
+    @property
+    def valid(self) -> bool:
+        """Whether the judge calls the scene valid."""
+        return self.report.valid
 
 
 class EditSession:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
+from typing import Literal
 
 import numpy as np
 
@@ -16,7 +17,9 @@ from sceneweaver.scene import Pose, Scene
 from sceneweaver.scene.edits import carried
 from sceneweaver.verify import Report, check
 
-from .result import Freed
+Freed = Literal["nothing", "edited", "named", "both", "anywhere", "all"]
+"""What was free to move in the end: nothing at all, what was edited, what violations named, both, what was added
+anywhere in the room, or everything."""
 
 TRIES = 3  # of a projection with some objects free
 ALL = (16, 64)  # candidates with everything free, the second number where the first found nothing

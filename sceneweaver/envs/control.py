@@ -9,7 +9,7 @@ import numpy as np
 
 from sceneweaver.scene import InputError
 
-from .predicates import rotate
+from .predicates import rotate, turned
 from .world import World
 
 Array = np.ndarray
@@ -49,47 +49,44 @@ class Controller:
         """Control of a world's robot every ``period`` [s]."""
         self.world, self.control, self.period = world, control, period
         self.bases = len(world.robot.base)
-        self.size = (len(world.actuators) if control == "joint" else self.bases + 6) + bool(len(world.gripper))
-        span = world.model.actuator_ctrlrange[world.actuators]
-        limited = world.model.actuator_ctrllimited[world.actuators].astype(bool)
+        self.size = (len(world.indices.drive) if control == "joint" else self.bases + 6) + bool(
+            len(world.indices.fingers)
+        )
+        span = world.model.actuator_ctrlrange[world.indices.drive]
+        limited = world.model.actuator_ctrllimited[world.indices.drive].astype(bool)
         self._low, self._high = np.where(limited[:, None], span, [-np.inf, np.inf]).T
 
     def apply(self, data: Any, action: Array) -> None:
         """Set the targets for the next period."""
         world = self.world
         share = np.clip(np.asarray(action, dtype=float), -1.0, 1.0)
-        now = data.qpos[world.driven_addresses]
-        speeds = np.zeros(len(world.actuators))
-        speeds[: self.bases] = share[: self.bases] * world.speeds[: self.bases]
+        now = data.qpos[world.indices.drive_position]
+        speeds = np.zeros(len(world.indices.drive))
+        speeds[: self.bases] = share[: self.bases] * world.indices.speeds[: self.bases]
         if self.control == "joint":
-            speeds[self.bases :] = share[self.bases : len(speeds)] * world.speeds[self.bases :]
+            speeds[self.bases :] = share[self.bases : len(speeds)] * world.indices.speeds[self.bases :]
         else:
             speeds[self.bases :] = self._follow(data, share[self.bases : self.bases + 6])
         if self.bases:
-            speeds[:2] = _turned(speeds[:2], now[2])
-        target = data.ctrl[world.actuators] + speeds * self.period
-        lead = LEAD * world.speeds
+            speeds[:2] = turned(speeds[:2], now[2])
+        target = data.ctrl[world.indices.drive] + speeds * self.period
+        lead = LEAD * world.indices.speeds
         target = np.clip(target, now - lead, now + lead)
-        data.ctrl[world.actuators] = np.clip(target, self._low, self._high)
-        if len(world.gripper):
-            low, high = world.model.actuator_ctrlrange[world.gripper].T
-            data.ctrl[world.gripper] = low + (high - low) * (share[-1] + 1) / 2
+        data.ctrl[world.indices.drive] = np.clip(target, self._low, self._high)
+        if len(world.indices.fingers):
+            low, high = world.model.actuator_ctrlrange[world.indices.fingers].T
+            data.ctrl[world.indices.fingers] = low + (high - low) * (share[-1] + 1) / 2
 
     def _follow(self, data: Any, share: Array) -> Array:
         """Speeds of the arm's joints for a velocity of the tool."""
         world = self.world
         linear, angular = np.zeros((3, world.model.nv)), np.zeros((3, world.model.nv))
-        import_module("mujoco").mj_jacSite(world.model, data, linear, angular, world.tool_id)
-        matrix = np.vstack([linear, angular])[:, world.driven_dofs[self.bases :]]
+        import_module("mujoco").mj_jacSite(world.model, data, linear, angular, world.indices.tool)
+        matrix = np.vstack([linear, angular])[:, world.indices.drive_dof[self.bases :]]
         yaw = world.base(data)[2]
         turn = np.array([np.cos(yaw / 2), 0.0, 0.0, np.sin(yaw / 2)])
         wanted = np.concatenate([rotate(turn, share[:3]) * TOOL_SPEED[0], rotate(turn, share[3:]) * TOOL_SPEED[1]])
         square = matrix @ matrix.T + _DAMPING**2 * np.eye(6)
         speeds = matrix.T @ np.linalg.solve(square, wanted)
-        most = np.max(np.abs(speeds) / world.speeds[self.bases :], initial=1.0)
+        most = np.max(np.abs(speeds) / world.indices.speeds[self.bases :], initial=1.0)
         return speeds / most
-
-
-def _turned(vector: Array, angle: float) -> Array:
-    c, s = np.cos(angle), np.sin(angle)
-    return np.array([c * vector[0] - s * vector[1], s * vector[0] + c * vector[1]])

@@ -258,7 +258,7 @@ class RoomEnv(gymnasium.Env):
 
     def _observation_space(self) -> Any:
         box, spaces = gymnasium.spaces.Box, gymnasium.spaces
-        driven, (items, doors) = len(self.world.actuators), self._most
+        driven, (items, doors) = len(self.world.indices.drive), self._most
 
         def real(*shape: int) -> Any:
             return box(-_WIDEST, _WIDEST, shape, np.float32)
@@ -272,7 +272,7 @@ class RoomEnv(gymnasium.Env):
 
     def _observe(self, state: RoomState) -> dict[str, Array]:
         world, data = self.world, self.data
-        driven = data.qpos[world.driven_addresses], data.qvel[world.driven_dofs]
+        driven = data.qpos[world.indices.drive_position], data.qvel[world.indices.drive_dof]
         objects, doors = np.zeros((self._most[0], 7)), np.zeros(self._most[1])
         objects[: len(world.item_names)] = np.hstack([data.xpos[world.item_ids], data.xquat[world.item_ids]])
         ends = np.array([world.geometry.articulations[name].open_end for name in world.joint_names])

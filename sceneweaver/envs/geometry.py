@@ -12,7 +12,7 @@ from functools import cached_property
 import numpy as np
 
 from sceneweaver.assets.placed import Load, loader
-from sceneweaver.physics.things import Thing, joint_of, things_of
+from sceneweaver.physics.things import Thing, things_of
 from sceneweaver.scene import Scene
 
 Array = np.ndarray
@@ -165,15 +165,13 @@ class SceneGeometry:
         self.items[base.name] = _item(base.name, thing.object.category, thing.free, points, base.mass + moved)
         for body in others:
             assert body.link is not None
-            if body.loose:
+            if body.joint is None:
                 solids = [s.points for s in body.solids]
                 self.items[body.name] = _item(body.name, body.link.category, True, solids, body.mass)
                 continue
-            axis, limits, _ = joint_of(body.link, thing.scale, body.mass)
-            anchor = np.asarray(body.link.anchor) * thing.scale
-            slides = body.link.joint == "slide"
+            joint, slides = body.joint, body.joint.kind == "slide"
             self.articulations[body.name] = Articulation(
-                body.name, base.name, body.link.role, slides, axis, anchor, limits
+                body.name, base.name, body.link.role, slides, joint.axis, joint.anchor, joint.limits
             )
 
     def _add_asset(self, thing: Thing) -> None:

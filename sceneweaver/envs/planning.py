@@ -9,10 +9,11 @@ from typing import Any
 import numpy as np
 
 from .geometry import Articulation, GraspFrame
+from .joining import PREFIX
 from .kinematics import ToolPose, configuration
 from .navigation import FloorMap
 from .predicates import rotate, to_world
-from .world import PREFIX, World
+from .world import World
 
 Array = np.ndarray
 
@@ -63,7 +64,7 @@ class Planner:
         mujoco: Any = import_module("mujoco")
         model, data = self.world.model, self.data
         kept = data.qpos.copy()
-        data.qpos[self.world.driven_addresses] = joints
+        data.qpos[self.world.indices.drive_position] = joints
         data.qpos[self._fingers] = opening
         for name, value in (doors or {}).items():
             data.qpos[model.joint(name).qposadr[0]] = value

@@ -15,7 +15,7 @@ from .geometry import Articulation
 from .grasping import grasps_of
 from .kinematics import ToolPose
 from .planning import EXTENSIONS, YAWS, Planner, link_pose, strain, tool_of
-from .predicates import rotate, to_world
+from .predicates import rotate, to_world, turned
 from .tasks import Open, PutIn, PutOn, Take
 
 Array = np.ndarray
@@ -71,18 +71,18 @@ class _Run:
     @property
     def joints(self) -> Array:
         """Targets of the driven joints [9]."""
-        return self.env.data.ctrl[self.world.actuators].copy()
+        return self.env.data.ctrl[self.world.indices.drive].copy()
 
     def act(self, target: Array, share: float = 1.0) -> None:
         """One step towards targets [9] at a share of the top speed."""
         now = self.joints
         step = target - now
         step[2] = (step[2] + np.pi) % (2 * np.pi) - np.pi
-        most = self.world.speeds * PERIOD * share
+        most = self.world.indices.speeds * PERIOD * share
         step = step / max(1.0, float(np.max(np.abs(step) / most)))
-        yaw = self.env.data.qpos[self.world.driven_addresses[2]]
-        step[:2] = _turned(step[:2], -yaw)
-        action = np.append(step / (self.world.speeds * PERIOD), self.gripper)
+        yaw = self.env.data.qpos[self.world.indices.drive_position[2]]
+        step[:2] = turned(step[:2], -yaw)
+        action = np.append(step / (self.world.indices.speeds * PERIOD), self.gripper)
         _, _, done, cut, _ = self.env.step(np.clip(action, -1, 1))
         self.success |= done
         self.ended |= cut
@@ -271,12 +271,12 @@ class _Run:
         """
         state, held = self.env.state, self.joints
         middle = to_world(state.bodies[name], self.world.geometry.items[name].centre)
-        ahead = _turned(middle[:2] - held[:2], -held[2])
+        ahead = turned(middle[:2] - held[:2], -held[2])
         found = []
         for yaw in YAWS:
             for extend in EXTENSIONS:
                 joints = held.copy()
-                joints[:2] = goal[:2] - _turned(ahead + [extend - held[4] - held[5], 0.0], yaw)
+                joints[:2] = goal[:2] - turned(ahead + [extend - held[4] - held[5], 0.0], yaw)
                 joints[2], joints[4:6] = yaw, extend / 2
                 joints[3] += goal[2] + _DROP - middle[2]
                 if planner.on_floor(joints):
@@ -308,11 +308,6 @@ class _Run:
         drawn = above.copy()
         drawn[4:6] = 0.0
         self.move(drawn, 0.6)
-
-
-def _turned(vector: Array, angle: float) -> Array:
-    c, s = np.cos(angle), np.sin(angle)
-    return np.array([c * vector[0] - s * vector[1], s * vector[0] + c * vector[1]])
 
 
 def _behind(

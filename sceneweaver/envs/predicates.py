@@ -9,6 +9,12 @@ import numpy as np
 
 Array = np.ndarray
 
+FACING = np.pi / 6
+"""[rad] off its bearing to a thing, at most, a base looks at it."""
+
+LEVEL = 0.02
+"""[m] off the height of a surface, at most, a thing rests on it."""
+
 _NEXT, _LAST = [1, 2, 0], [2, 0, 1]  # axes after and before each
 
 
@@ -43,9 +49,38 @@ def rotate(quaternions: Array, vectors: Array) -> Array:
     return vectors + 2 * _cross(axis, _cross(axis, vectors) + w * vectors)
 
 
+def turned(vector: Array, angle: float) -> Array:
+    """A vector of the plane [2] turned by ``angle`` [rad].
+
+    Examples:
+        >>> turned(np.array([1.0, 0.0]), np.pi / 2).round(3).tolist()
+        [0.0, 1.0]
+    """
+    c, s = np.cos(angle), np.sin(angle)
+    return np.array([c * vector[0] - s * vector[1], s * vector[0] + c * vector[1]])
+
+
 def _cross(a: Array, b: Array) -> Array:
     """As `numpy.cross`, many times as quick for a few vectors."""
     return a[..., _NEXT] * b[..., _LAST] - a[..., _LAST] * b[..., _NEXT]
+
+
+def product(a: Array, b: Array) -> Array:
+    """The rotation b followed by a, quaternions [..., 4], real part first.
+
+    Examples:
+        >>> product(np.array([0.0, 0, 0, 1]), np.array([0.0, 0, 0, 1])).tolist()
+        [-1.0, 0.0, 0.0, 0.0]
+    """
+    w, x, y, z = np.moveaxis(np.asarray(a, dtype=float), -1, 0)
+    p, q, r, s = np.moveaxis(np.asarray(b, dtype=float), -1, 0)
+    parts = (
+        w * p - x * q - y * r - z * s,
+        w * q + x * p + y * s - z * r,
+        w * r - x * s + y * p + z * q,
+        w * s + x * r - y * q + z * p,
+    )
+    return np.stack(parts, axis=-1)
 
 
 def open_share(position: Array | float, open_end: Array | float) -> Array:
@@ -74,7 +109,7 @@ def is_inside(point: Array, pose: Array, low: Array, high: Array, oval: Array | 
     return within & (~np.asarray(oval) | ((share[..., :2] ** 2).sum(axis=-1) <= 1))
 
 
-def is_on(bottom: Array, pose: Array, low: Array, high: Array, z: Array | float, tolerance: float = 0.02) -> Array:
+def is_on(bottom: Array, pose: Array, low: Array, high: Array, z: Array | float, tolerance: float = LEVEL) -> Array:
     """Whether the lowest points of things [..., 3] lie on surfaces: over their plan ``low`` to ``high`` [..., 2] and at
     most ``tolerance`` [m] off their height ``z`` in the frame ``pose`` [..., 7].
 
@@ -98,15 +133,25 @@ def is_near(point: Array, other: Array, within: Array | float) -> Array:
     return np.linalg.norm(np.asarray(point) - other, axis=-1) <= within
 
 
-def faces(base: Array, point: Array, within: float = np.pi / 6) -> Array:
+def bearing_off(base: Array, point: Array) -> Array:
+    """By how much [rad] bases [..., 3] (x, y, yaw) look past points [..., 2], 0 to pi.
+
+    Examples:
+        >>> float(bearing_off(np.zeros(3), np.array([0.0, 1.0])).round(4))
+        1.5708
+    """
+    bearing = np.arctan2(point[..., 1] - base[..., 1], point[..., 0] - base[..., 0])
+    return np.abs((bearing - base[..., 2] + np.pi) % (2 * np.pi) - np.pi)
+
+
+def faces(base: Array, point: Array, within: float = FACING) -> Array:
     """Whether bases [..., 3] (x, y, yaw) look at points [..., 2] to ``within`` [rad].
 
     Examples:
         >>> bool(faces(np.zeros(3), np.array([1.0, 0.1])))
         True
     """
-    bearing = np.arctan2(point[..., 1] - base[..., 1], point[..., 0] - base[..., 0])
-    return np.abs((bearing - base[..., 2] + np.pi) % (2 * np.pi) - np.pi) <= within
+    return bearing_off(base, point) <= within
 
 
 def distance_to_box(point: Array, pose: Array, low: Array, high: Array) -> Array:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from itertools import islice
 
 import numpy as np
@@ -13,7 +13,7 @@ from .geometry import Interior, Item, SceneGeometry, SupportSurface
 from .grasping import grasps_of
 from .predicates import is_inside, to_world
 from .robots import Robot
-from .tasks import Close, NavigateTo, Open, PutIn, PutOn, Take, Task, Tidy
+from .tasks import Close, JointTask, NavigateTo, Open, PutIn, PutOn, PutTask, Take, Task, Tidy
 
 Array = np.ndarray
 Poses = dict[str, Array]
@@ -73,12 +73,13 @@ def task_named(text: str, tasks: Iterable[Task], geometry: SceneGeometry) -> Tas
         InputError: no such task is feasible here.
     """
     words = " ".join(text.lower().split())
-    for verb, kind in _VERBS.items():
+    for verb, kinds in _VERBS.items():
         if words == verb or words.startswith(f"{verb} "):
             rest = words.removeprefix(verb).strip()
-            fits = [(score, k, task) for k, task in enumerate(tasks) if (score := kind(task, rest, geometry)) > 0]
-            if fits:
-                return max(fits, key=lambda fit: (fit[0], -fit[1]))[2]
+            fits = [(_fit_task(task, rest, geometry), task) for task in tasks if isinstance(task, kinds)]
+            score, best = max(fits, key=lambda fit: fit[0], default=(0.0, None))
+            if best is not None and score > 0:
+                return best
             raise InputError(f"task: '{text}' is not feasible in scene '{geometry.scene.id}'; see RoomEnv.tasks")
     raise InputError(f"task: '{text}' has no known verb; begin with {', '.join(_VERBS)}")
 
@@ -192,42 +193,30 @@ def _fit(words: str, name: str, geometry: SceneGeometry) -> float:
     return 1.0 if words and set(words.split()) <= set(category.split()) else 0.0
 
 
-def _fit_joint(kind: type) -> Callable[[Task, str, SceneGeometry], float]:
-    def fit(task: Task, rest: str, geometry: SceneGeometry) -> float:
-        if not isinstance(task, kind):
-            return 0.0
-        found = _fit(rest, task.subject, geometry)
-        door = geometry.articulations[task.subject]
+def _fit_task(task: Task, rest: str, geometry: SceneGeometry) -> float:
+    """How well the words after the verb mean a task; 0: not at all."""
+    if isinstance(task, Tidy):
+        return 1.0
+    if isinstance(task, PutTask):
+        words, preposition = (" into ", " in ") if isinstance(task, PutIn) else (" onto ", " on ")
+        thing, found, place = rest.replace(words, preposition).partition(preposition)
+        one, other = _fit(thing, task.item, geometry), _fit(place, task.place(geometry).body, geometry)
+        return one + other if found and one and other else 0.0
+    found = _fit(rest, task.subject, geometry)
+    if found and isinstance(task, JointTask):
         # Of several doors the one with the highest grip is the main one.
-        grip = max((g.position[2] for g in geometry.grasps.get(task.subject, ())), default=0.0)
-        return found + 0.01 * grip + (0.1 if door.role == "door" else 0.0) if found else 0.0
-
-    return fit
-
-
-def _fit_put(task: Task, rest: str, geometry: SceneGeometry) -> float:
-    if not isinstance(task, PutIn | PutOn):
-        return 0.0
-    words, preposition = (" into ", " in ") if isinstance(task, PutIn) else (" onto ", " on ")
-    thing, found, place = rest.replace(words, preposition).partition(preposition)
-    if not found:
-        return 0.0
-    where = task.container if isinstance(task, PutIn) else task.support
-    one, other = _fit(thing, task.item, geometry), _fit(place, where, geometry)
-    return one + other if one and other else 0.0
+        grip = max((g.position[2] for g in geometry.grasps.get(task.joint, ())), default=0.0)
+        found += 0.01 * grip + (0.1 if geometry.articulations[task.joint].role == "door" else 0.0)
+    return found
 
 
-def _fit_thing(kind: type) -> Callable[[Task, str, SceneGeometry], float]:
-    return lambda task, rest, geometry: _fit(rest, task.subject, geometry) if isinstance(task, kind) else 0.0
-
-
-_VERBS: dict[str, Callable[[Task, str, SceneGeometry], float]] = {
-    "open": _fit_joint(Open),
-    "close": _fit_joint(Close),
-    "put": _fit_put,
-    "take": _fit_thing(Take),
-    "pick up": _fit_thing(Take),
-    "go to": _fit_thing(NavigateTo),
-    "navigate to": _fit_thing(NavigateTo),
-    "tidy": lambda task, rest, geometry: float(isinstance(task, Tidy)),
+_VERBS: dict[str, tuple[type[Task], ...]] = {
+    "open": (Open,),
+    "close": (Close,),
+    "put": (PutIn, PutOn),
+    "take": (Take,),
+    "pick up": (Take,),
+    "go to": (NavigateTo,),
+    "navigate to": (NavigateTo,),
+    "tidy": (Tidy,),
 }

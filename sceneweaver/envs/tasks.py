@@ -5,11 +5,12 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
-from .geometry import Articulation, SceneGeometry
-from .predicates import distance_to_box, faces, is_inside, is_near, is_on, open_share, to_world
+from .geometry import SceneGeometry
+from .predicates import bearing_off, distance_to_box, faces, is_inside, is_near, is_on, open_share, to_world
 from .world import RoomState
 
 Array = np.ndarray
@@ -58,17 +59,11 @@ class Task(ABC):
 
 
 @dataclass(frozen=True)
-class Open(Task):
-    """Open a door, lid or drawer, by the name of its body, to ``share`` of its range.
+class JointTask(Task):
+    """A task about a door, lid or drawer, by the name of its body."""
 
-    Examples:
-        >>> from sceneweaver import envs
-        >>> envs.Open("fridge-0.door-0", share=0.5).subject
-        'fridge-0.door-0'
-    """
-
+    verb: ClassVar[str]
     joint: str
-    share: float = 0.9
 
     @property
     def subject(self) -> str:
@@ -77,20 +72,44 @@ class Open(Task):
 
     def instruction(self, geometry: SceneGeometry) -> str:
         """ "open the fridge"."""
-        return f"open {_words_of_joint(geometry, self.joint)}"
-
-    def success(self, geometry: SceneGeometry, state: RoomState, start: RoomState) -> bool:
-        """Whether it is open that far."""
-        return bool(_opened(geometry, state, self.joint) >= self.share)
+        return f"{self.verb} {_words(geometry, self.joint)}"
 
     def potential(self, geometry: SceneGeometry, state: RoomState, start: RoomState) -> float:
-        """Share that is missing, and the way of the hand to the grip."""
-        missing = max(self.share - float(_opened(geometry, state, self.joint)), 0.0)
-        return -missing - 0.5 * _to_grip(geometry, state, self.joint)
+        """The share of the range that is missing, and the way of the hand to the grip."""
+        grip = _centre(geometry, state, self.joint)
+        return -self._missing(geometry, state) - 0.5 * float(np.linalg.norm(grip - state.tool[:3]))
+
+    @abstractmethod
+    def _missing(self, geometry: SceneGeometry, state: RoomState) -> float:
+        """Share of the range that the door has still to go."""
+
+    def _opened(self, geometry: SceneGeometry, state: RoomState) -> float:
+        return float(open_share(state.joints[self.joint], geometry.articulations[self.joint].open_end))
 
 
 @dataclass(frozen=True)
-class Close(Task):
+class Open(JointTask):
+    """Open a door, lid or drawer, by the name of its body, to ``share`` of its range.
+
+    Examples:
+        >>> from sceneweaver import envs
+        >>> envs.Open("fridge-0.door-0", share=0.5).subject
+        'fridge-0.door-0'
+    """
+
+    verb: ClassVar[str] = "open"
+    share: float = 0.9
+
+    def success(self, geometry: SceneGeometry, state: RoomState, start: RoomState) -> bool:
+        """Whether it is open that far."""
+        return self._opened(geometry, state) >= self.share
+
+    def _missing(self, geometry: SceneGeometry, state: RoomState) -> float:
+        return max(self.share - self._opened(geometry, state), 0.0)
+
+
+@dataclass(frozen=True)
+class Close(JointTask):
     """Close a door, lid or drawer that begins open by ``begin`` of its range, to ``share`` of it.
 
     Examples:
@@ -99,34 +118,65 @@ class Close(Task):
         0.7
     """
 
-    joint: str
+    verb: ClassVar[str] = "close"
     share: float = 0.05
     begin: float = 0.7
 
-    @property
-    def subject(self) -> str:
-        """The door's body."""
-        return self.joint
-
-    def instruction(self, geometry: SceneGeometry) -> str:
-        """ "close the fridge"."""
-        return f"close {_words_of_joint(geometry, self.joint)}"
-
     def success(self, geometry: SceneGeometry, state: RoomState, start: RoomState) -> bool:
         """Whether it is closed."""
-        return bool(_opened(geometry, state, self.joint) <= self.share)
-
-    def potential(self, geometry: SceneGeometry, state: RoomState, start: RoomState) -> float:
-        """Share that is open, and the way of the hand to the grip."""
-        return -float(_opened(geometry, state, self.joint)) - 0.5 * _to_grip(geometry, state, self.joint)
+        return self._opened(geometry, state) <= self.share
 
     def start_joints(self, geometry: SceneGeometry) -> Mapping[str, float]:
         """It begins open by ``begin`` of its range."""
         return {self.joint: self.begin * geometry.articulations[self.joint].open_end}
 
+    def _missing(self, geometry: SceneGeometry, state: RoomState) -> float:
+        return self._opened(geometry, state)
+
 
 @dataclass(frozen=True)
-class PutIn(Task):
+class ItemTask(Task):
+    """A task about an object or what can be taken out of one, by the name of its body."""
+
+    item: str
+
+    @property
+    def subject(self) -> str:
+        """The thing."""
+        return self.item
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where things are put, in the frame of ``body``: a box from ``low`` to ``high`` [3] (of a surface both have its
+    height), or the ellipse in its plan where it is ``oval``."""
+
+    body: str
+    low: Array
+    high: Array
+    oval: bool = False
+
+
+class PutTask(ItemTask):
+    """A task to bring a thing to a `Place` and let go."""
+
+    @abstractmethod
+    def place(self, geometry: SceneGeometry) -> Place:
+        """Where it goes."""
+
+    def potential(self, geometry: SceneGeometry, state: RoomState, start: RoomState) -> float:
+        """The way of the thing to the middle of its place, and of the hand to the thing."""
+        return _carried(geometry, state, self.item, self.goal(geometry, state))
+
+    def goal(self, geometry: SceneGeometry, state: RoomState) -> Array:
+        """Where its middle is when it stands in the middle of its place."""
+        place = self.place(geometry)
+        point = np.append((place.low[:2] + place.high[:2]) / 2, place.low[2] + geometry.items[self.item].size[2] / 2)
+        return to_world(state.bodies[place.body], point)
+
+
+@dataclass(frozen=True)
+class PutIn(PutTask):
     """Put a thing into an interior, given by the body that carries it and its name, and let go.
 
     Examples:
@@ -135,14 +185,13 @@ class PutIn(Task):
         'mug-0'
     """
 
-    item: str
     container: str
     interior: str
 
-    @property
-    def subject(self) -> str:
-        """The thing."""
-        return self.item
+    def place(self, geometry: SceneGeometry) -> Place:
+        """The interior."""
+        room = geometry.interior(self.container, self.interior)
+        return Place(self.container, room.low, room.high, room.oval)
 
     def instruction(self, geometry: SceneGeometry) -> str:
         """ "put the mug in the sink"."""
@@ -150,24 +199,13 @@ class PutIn(Task):
 
     def success(self, geometry: SceneGeometry, state: RoomState, start: RoomState) -> bool:
         """Whether the middle of its box is inside and the hand is away."""
-        room = geometry.interior(self.container, self.interior)
-        pose = state.bodies[self.container]
-        inside = is_inside(_centre(geometry, state, self.item), pose, room.low, room.high, room.oval)
+        room = self.place(geometry)
+        inside = is_inside(_centre(geometry, state, self.item), state.bodies[room.body], room.low, room.high, room.oval)
         return bool(inside) and _released(geometry, state, self.item)
-
-    def potential(self, geometry: SceneGeometry, state: RoomState, start: RoomState) -> float:
-        """The way of the thing to the middle of the interior, and of the hand to the thing."""
-        return _carried(geometry, state, self.item, self.goal(geometry, state))
-
-    def goal(self, geometry: SceneGeometry, state: RoomState) -> Array:
-        """Where it stands on the bottom, in the middle."""
-        room = geometry.interior(self.container, self.interior)
-        low = np.append((room.low[:2] + room.high[:2]) / 2, room.low[2] + geometry.items[self.item].size[2] / 2)
-        return to_world(state.bodies[self.container], low)
 
 
 @dataclass(frozen=True)
-class PutOn(Task):
+class PutOn(PutTask):
     """Put a thing onto a support surface, given by its object and its name, and let go.
 
     Examples:
@@ -176,14 +214,13 @@ class PutOn(Task):
         'top'
     """
 
-    item: str
     support: str
     surface: str
 
-    @property
-    def subject(self) -> str:
-        """The thing."""
-        return self.item
+    def place(self, geometry: SceneGeometry) -> Place:
+        """The surface."""
+        top = geometry.surface(self.support, self.surface)
+        return Place(self.support, np.append(top.low, top.z), np.append(top.high, top.z))
 
     def instruction(self, geometry: SceneGeometry) -> str:
         """ "put the mug on the dining table"."""
@@ -191,24 +228,14 @@ class PutOn(Task):
 
     def success(self, geometry: SceneGeometry, state: RoomState, start: RoomState) -> bool:
         """Whether it rests on the surface and the hand is away."""
-        top = geometry.surface(self.support, self.surface)
+        top = self.place(geometry)
         bottom = _lowest(geometry, state, self.item)
-        on = is_on(bottom, state.bodies[self.support], top.low, top.high, top.z)
+        on = is_on(bottom, state.bodies[top.body], top.low[:2], top.high[:2], top.low[2])
         return bool(on) and _released(geometry, state, self.item)
-
-    def potential(self, geometry: SceneGeometry, state: RoomState, start: RoomState) -> float:
-        """The way of the thing to the middle of the surface, and of the hand to the thing."""
-        return _carried(geometry, state, self.item, self.goal(geometry, state))
-
-    def goal(self, geometry: SceneGeometry, state: RoomState) -> Array:
-        """Where it stands in the middle of the surface."""
-        top = geometry.surface(self.support, self.surface)
-        point = np.append((top.low + top.high) / 2, top.z + geometry.items[self.item].size[2] / 2)
-        return to_world(state.bodies[self.support], point)
 
 
 @dataclass(frozen=True)
-class Take(Task):
+class Take(ItemTask):
     """Hold a thing at least ``height`` [m] above where it began.
 
     Examples:
@@ -217,13 +244,7 @@ class Take(Task):
         0.1
     """
 
-    item: str
     height: float = 0.1
-
-    @property
-    def subject(self) -> str:
-        """The thing."""
-        return self.item
 
     def instruction(self, geometry: SceneGeometry) -> str:
         """ "pick up the mug"."""
@@ -244,7 +265,7 @@ class Take(Task):
 
 
 @dataclass(frozen=True)
-class NavigateTo(Task):
+class NavigateTo(ItemTask):
     """Drive to within ``reach`` [m] of an object's box and look at its middle.
 
     Examples:
@@ -254,13 +275,7 @@ class NavigateTo(Task):
         'go to the bed'
     """
 
-    item: str
     reach: float = 0.7
-
-    @property
-    def subject(self) -> str:
-        """The object."""
-        return self.item
 
     def instruction(self, geometry: SceneGeometry) -> str:
         """ "go to the fridge"."""
@@ -274,9 +289,8 @@ class NavigateTo(Task):
     def potential(self, geometry: SceneGeometry, state: RoomState, start: RoomState) -> float:
         """The way that is left, and by how much the base looks aside, half a metre for a full turn."""
         way = max(self._distance(geometry, state) - self.reach, 0.0)
-        point = _centre(geometry, state, self.item)
-        bearing = np.arctan2(point[1] - state.base[1], point[0] - state.base[0]) - state.base[2]
-        return -way - 0.5 * abs((bearing + np.pi) % (2 * np.pi) - np.pi) / np.pi
+        aside = bearing_off(state.base, _centre(geometry, state, self.item)[:2])
+        return -way - 0.5 * float(aside) / np.pi
 
     def _distance(self, geometry: SceneGeometry, state: RoomState) -> float:
         item = geometry.items[self.item]
@@ -325,25 +339,21 @@ class Tidy(Task):
         return self.goals[0].goal(geometry, state)
 
 
-def grasp_point(geometry: SceneGeometry, state: RoomState, joint: str) -> Array:
-    """Where to take hold of a door or drawer [3]: its first grasp, else the middle of its edge that moves most."""
-    found = geometry.grasps.get(joint)
-    local = found[0].position if found else geometry.items[geometry.articulations[joint].object].centre
-    return to_world(state.bodies[joint], local)
+KINDS: tuple[type[Task], ...] = (Open, Close, NavigateTo, PutIn, PutOn, Take)
+"""Kinds of tasks about one thing, by number; batches know these."""
 
 
-def _opened(geometry: SceneGeometry, state: RoomState, joint: str) -> Array:
-    return open_share(state.joints[joint], geometry.articulations[joint].open_end)
-
-
-def _to_grip(geometry: SceneGeometry, state: RoomState, joint: str) -> float:
-    return float(np.linalg.norm(grasp_point(geometry, state, joint) - state.tool[:3]))
+def point_of(geometry: SceneGeometry, name: str) -> Array:
+    """The point of a body that counts [3] in its frame: the middle of the box of a thing, the first grasp of a door or
+    drawer, without one the middle of its piece."""
+    if name in geometry.items:
+        return geometry.items[name].centre
+    grasps = geometry.grasps.get(name)
+    return grasps[0].position if grasps else geometry.items[geometry.articulations[name].object].centre
 
 
 def _centre(geometry: SceneGeometry, state: RoomState, name: str) -> Array:
-    if name not in geometry.items:
-        return grasp_point(geometry, state, name)
-    return to_world(state.bodies[name], geometry.items[name].centre)
+    return to_world(state.bodies[name], point_of(geometry, name))
 
 
 def _lowest(geometry: SceneGeometry, state: RoomState, name: str) -> Array:
@@ -367,18 +377,12 @@ def _carried(geometry: SceneGeometry, state: RoomState, name: str, goal: Array) 
 
 
 def _words(geometry: SceneGeometry, name: str) -> str:
-    """ "the mug"; with its number where the room has several."""
+    """ "the mug", or "the upper door of the fridge"; with names where the room has several such things."""
     if name in geometry.articulations:
-        return _words_of_joint(geometry, name)
+        piece = geometry.articulations[name].object
+        several = sum(other.object == piece for other in geometry.articulations.values()) > 1
+        part = name.removeprefix(f"{piece}.").replace("_", " ").replace("-", " ")
+        return f"the {part} of {_words(geometry, piece)}" if several else _words(geometry, piece)
     category = geometry.items[name].category
     several = sum(item.category == category for item in geometry.items.values()) > 1
     return f"the {category.replace('_', ' ')}" + (f" {name}" if several else "")
-
-
-def _words_of_joint(geometry: SceneGeometry, name: str) -> str:
-    """ "the fridge", or "the upper door of the fridge" where it has several."""
-    door: Articulation = geometry.articulations[name]
-    owner = _words(geometry, door.object)
-    several = sum(other.object == door.object for other in geometry.articulations.values()) > 1
-    part = name.removeprefix(f"{door.object}.").replace("_", " ").replace("-", " ")
-    return f"the {part} of {owner}" if several else owner

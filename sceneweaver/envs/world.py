@@ -16,12 +16,10 @@ from sceneweaver.physics import build
 from sceneweaver.scene import InputError, Scene
 
 from .geometry import SceneGeometry
+from .joining import PREFIX, attach, indices_of
 from .robots import Robot
 
 Array = np.ndarray
-
-PREFIX = "robot:"
-"""Before every name of the robot's in the model."""
 
 
 @dataclass(frozen=True)
@@ -51,6 +49,7 @@ class World:
         scene, robot: What it was made of.
         geometry: Grasps, interiors, surfaces, doors and drawers of the scene.
         model: The ``mujoco.MjModel``.
+        indices: Where the robot is in it.
 
     Args:
         scene: The room.
@@ -89,21 +88,12 @@ class World:
         self._bodies = {name: model.body(name).id for name in bodies}
         self.item_ids = np.array([self._bodies[name] for name in self.item_names], dtype=int)
         self.joint_addresses = np.array([model.joint(name).qposadr[0] for name in self.joint_names], dtype=int)
-        self._tool = _named(model.site, PREFIX + robot.tool, "tool")
-        driven = [*robot.base, *robot.arm]
-        joints = [_named(model.joint, PREFIX + name, "base or arm") for name in driven]
-        self.driven_addresses = model.jnt_qposadr[joints].astype(int)
-        self.driven_dofs = model.jnt_dofadr[joints].astype(int)
-        self.actuators = np.array([_actuator_of(model, joint) for joint in joints], dtype=int)
-        self.gripper = np.array([_named(model.actuator, PREFIX + n, "gripper") for n in robot.gripper], dtype=int)
-        self.speeds = np.array([robot.speeds.get(name, 1.0) for name in driven])
-        self._root = next(k for k in range(model.nbody) if model.body(k).name.startswith(PREFIX))
-        self._base_joints = self.driven_addresses[: len(robot.base)]
+        self.indices = indices_of(model, robot)
 
     @cached_property
     def robot_geoms(self) -> Array:
         """Which geoms [ngeom] bool are the robot's."""
-        return self.model.body_rootid[self.model.geom_bodyid] == self._root
+        return self.model.body_rootid[self.model.geom_bodyid] == self.indices.body
 
     def new_data(self) -> Any:
         """A fresh ``mujoco.MjData``."""
@@ -146,24 +136,24 @@ class World:
 
     def place_robot(self, data: Any, base: Array) -> None:
         """Put the base of the robot at x, y [m] and yaw [rad]; the targets of its joints are where they are."""
-        if len(self._base_joints):
-            data.qpos[self._base_joints] = base
+        at = self.indices
+        if len(at.base):
+            data.qpos[at.base] = base
         else:
-            root = self.model.body(self._root)
+            root = self.model.body(at.body)
             root.pos[:] = base[0], base[1], 0.0
             root.quat[:] = np.cos(base[2] / 2), 0.0, 0.0, np.sin(base[2] / 2)
-        data.ctrl[self.actuators] = data.qpos[self.driven_addresses]
-        data.ctrl[self.gripper] = self.model.actuator_ctrlrange[self.gripper, 1]
-        for number in self.gripper:
-            joint, kind = self.model.actuator_trnid[number, 0], self.model.actuator_trntype[number]
-            if kind == import_module("mujoco").mjtTrn.mjTRN_JOINT:
-                data.qpos[self.model.jnt_qposadr[joint]] = data.ctrl[number]
+        data.ctrl[at.drive] = data.qpos[at.drive_position]
+        data.ctrl[at.fingers] = self.model.actuator_ctrlrange[at.fingers, 1]
+        for number, position in zip(at.fingers, at.finger_position, strict=True):
+            if position >= 0:
+                data.qpos[position] = data.ctrl[number]
 
     def base(self, data: Any) -> Array:
         """Where the robot's base stands: x, y [m], yaw [rad]."""
-        if len(self._base_joints):
-            return data.qpos[self._base_joints].copy()
-        root = self.model.body(self._root)
+        if len(self.indices.base):
+            return data.qpos[self.indices.base].copy()
+        root = self.model.body(self.indices.body)
         return np.array([*root.pos[:2], 2 * np.arctan2(root.quat[3], root.quat[0])])
 
     def pose(self, data: Any, name: str) -> Array:
@@ -174,20 +164,16 @@ class World:
     def tool(self, data: Any) -> Array:
         """The pose [7] of the tool's site."""
         turn = np.empty(4)
-        import_module("mujoco").mju_mat2Quat(turn, data.site_xmat[self._tool])
-        return np.concatenate([data.site_xpos[self._tool], turn])
+        import_module("mujoco").mju_mat2Quat(turn, data.site_xmat[self.indices.tool])
+        return np.concatenate([data.site_xpos[self.indices.tool], turn])
 
     def gripper_opening(self, data: Any) -> float:
         """How far the gripper is open by the targets of its actuators' joints: 0 closed, 1 open."""
-        if not len(self.gripper):
+        fingers = self.indices.fingers
+        if not len(fingers):
             return 0.0
-        low, high = self.model.actuator_ctrlrange[self.gripper].T
-        return float(np.clip((data.actuator_length[self.gripper] - low) / (high - low), 0, 1).mean())
-
-    @property
-    def tool_id(self) -> int:
-        """Number of the tool's site."""
-        return self._tool
+        low, high = self.model.actuator_ctrlrange[fingers].T
+        return float(np.clip((data.actuator_length[fingers] - low) / (high - low), 0, 1).mean())
 
     def state(self, data: Any) -> RoomState:
         """What tasks look at, copied from the simulation."""
@@ -221,33 +207,12 @@ def _compile(scene: Scene, robot: Robot, load: Load, visual: bool) -> Any:
     else:
         made = build(scene, load)
     room = mujoco.MjSpec.from_string(made.xml, assets=made.files)
+    attach(room, robot)
+    for key in list(room.keys):
+        room.delete(key)  # they know nothing of the robot
+    room.option.enableflags |= int(mujoco.mjtEnableBit.mjENBL_SLEEP)
+    room.option.sleep_tolerance = SLEEP_TOLERANCE
     try:
-        if robot.folder is None:
-            own = mujoco.MjSpec.from_string(robot.xml)
-        else:
-            own = mujoco.MjSpec.from_file(str(robot.folder / f"{robot.name}.xml"))
-        for key in list(own.keys):
-            own.delete(key)
-        room.attach(own, prefix=PREFIX, frame=room.worldbody.add_frame())
-        for key in list(room.keys):
-            room.delete(key)  # they know nothing of the robot
-        room.option.enableflags |= int(mujoco.mjtEnableBit.mjENBL_SLEEP)
-        room.option.sleep_tolerance = SLEEP_TOLERANCE
         return room.compile()
     except ValueError as error:
         raise InputError(f"robot: {robot.name} does not fit into the room's model ({error})") from None
-
-
-def _named(find: Any, name: str, what: str) -> int:
-    try:
-        return find(name).id
-    except KeyError:
-        raise InputError(f"robot: {what} '{name.removeprefix(PREFIX)}' is not in its MJCF") from None
-
-
-def _actuator_of(model: Any, joint: int) -> int:
-    """The number of the position actuator of a joint."""
-    for number in range(model.nu):
-        if model.actuator_trnid[number, 0] == joint and model.actuator_trntype[number] == 0:
-            return number
-    raise InputError(f"robot: joint '{model.joint(joint).name.removeprefix(PREFIX)}' has no actuator")

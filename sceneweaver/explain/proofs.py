@@ -10,10 +10,9 @@ from sceneweaver.layout.rows import NEVER
 from sceneweaver.scene import Relation, SceneObject
 from sceneweaver.verify import check
 
-from .capacity import fits_turned, fullest
+from .areas import INTRUSION, PENETRATION, extent, fits_turned, fullest, hull
 from .findings import out_of_place, violation_words
 from .search import QUICK, Search
-from .sections import INTRUSION, PENETRATION, extent, hull
 from .study import Study
 from .walls import wall_claims
 from .words import crowd_words, few, listed, plural, relation_words, sized, span_words, surface_words

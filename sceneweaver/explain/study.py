@@ -16,7 +16,7 @@ from sceneweaver.layout.devices import pick_devices
 from sceneweaver.scene import CATALOGUE, Relation, Room, Scene, SceneObject, Surface
 from sceneweaver.verify import Violation, check
 
-from .sections import moved
+from .areas import moved
 from .walls import Walls
 from .words import listed, relation_words
 

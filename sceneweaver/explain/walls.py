@@ -16,7 +16,7 @@ from sceneweaver.layout.region import Region
 from sceneweaver.layout.shapes import Prism
 from sceneweaver.scene import CATALOGUE, Room, Scene, SceneObject
 
-from .sections import INTRUSION, PENETRATION, levels_between, section
+from .areas import INTRUSION, PENETRATION, levels_between, section
 from .words import crowd_words, few, listed, short_length, sized
 
 

@@ -1,9 +1,10 @@
-"""What URDF and SDF have in common: articulations with their meshes, and where each of them stands in the room.
+"""What URDF and SDF have in common: a room as articulations with their meshes, and where each of them stands.
+
+The room itself is one (floor, walls, leaves of doors), every object is one, and so is what can be taken off an object.
 
 An articulation is a base link and the doors, drawers and controls that hang on it. The base link has the frame of the
 object: origin at the bottom centre, x to the front, y to the left, z up, metres. The frame of every other link stands
-at its joint's anchor, turned as the base; at 0 it is closed. What can be taken off an object is an articulation of its
-own, one link in the frame of the object.
+at its joint's anchor, turned as the base; at 0 it is closed. What can be taken off is one link in the object's frame.
 
 Collision parts are boxes where they are boxes, else convex meshes.
 """
@@ -11,38 +12,48 @@ Collision parts are boxes where they are boxes, else convex meshes.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Literal
 
 import numpy as np
 
 from sceneweaver.assets import Material, Mesh
+from sceneweaver.assets.placed import Load
+from sceneweaver.geometry.rotations import Quaternion, from_yaw, matrix
 from sceneweaver.physics.hulls import Solid
-from sceneweaver.physics.inertia import Inertia, inertia_of, triangles
-from sceneweaver.physics.things import RigidBody, Thing, joint_of
+from sceneweaver.physics.inertia import Inertia, triangles
+from sceneweaver.physics.leaves import Leaf, leaves
+from sceneweaver.physics.model import COVERING
+from sceneweaver.physics.shell import FLOOR_FRICTION, floor_slab, wall_slabs
+from sceneweaver.physics.things import Joint, RigidBody, Thing, things_of
 from sceneweaver.physics.xml import text
+from sceneweaver.scene import Room, Scene
 
-from .bodies import Body
+from .bodies import Body, bodies_of, model_name
+from .room import floor_mesh, wall_mesh
 
 BASE = "base"
 """Name of the link that all others hang on."""
 
-EFFORT = {"revolute": 50.0, "prismatic": 200.0}
+OURS = r"(meshes/)?(room|[a-z0-9_]+-[0-9a-f]{10})(-.*)?\.(obj|mtl|urdf)"
+"""Paths of the files of articulations in a folder of their own."""
+
+KINDS = {"hinge": "revolute", "slide": "prismatic"}
+"""Kinds of joints, as URDF and SDF call them."""
+
+EFFORT = {"hinge": 50.0, "slide": 200.0}
 """[N m], [N] by kind of joint: what a person's pull comes to."""
 
-SPEED = {"revolute": 3.0, "prismatic": 2.0}
+SPEED = {"hinge": 3.0, "slide": 2.0}
 """[rad/s], [m/s]"""
 
-
-@dataclass(frozen=True)
-class Joint:
-    """A joint from the base; ``limits`` [rad] or [m], ``hold`` is friction and damping at once, [N m] or [N]."""
-
-    kind: Literal["revolute", "prismatic"]
-    axis: np.ndarray
-    limits: tuple[float, float]
-    hold: float
+_LIBRARY = "room-materials.mtl"
+_LOOKS = {
+    "glass": Material("glass", (0.86, 0.93, 0.95), opacity=0.2),
+    "leaf": Material("leaf", (0.82, 0.74, 0.62)),
+    "handle": Material("handle", (0.62, 0.62, 0.63), metallic=1.0),
+}
+_STANDING = Inertia(1000.0, np.zeros(3), 1000.0 * np.eye(3))  # of floor and walls: readers want one, and use none
 
 
 @dataclass(frozen=True)
@@ -59,11 +70,9 @@ class Shape:
 
 @dataclass(frozen=True)
 class ArticulatedLink:
-    """A link: ``anchor`` [3] is the place of its frame in that of the base, ``visuals`` are shapes with the name of
-    their material."""
+    """A link, its frame at its joint's anchor; ``visuals`` are shapes with the name of their material."""
 
     name: str
-    anchor: np.ndarray
     inertia: Inertia
     shapes: tuple[Shape, ...]
     visuals: tuple[tuple[Shape, str], ...]
@@ -81,6 +90,102 @@ class Articulation:
     files: Mapping[str, bytes]
 
 
+@dataclass(frozen=True)
+class PlacedArticulation:
+    """Where an articulation stands: ``position`` [m] and ``quaternion`` (x, y, z, w) of its base; a ``fixed`` one
+    stands still. ``name`` is that of its base in the other formats."""
+
+    name: str
+    category: str
+    model: Articulation
+    position: tuple[float, float, float]
+    quaternion: Quaternion
+    fixed: bool
+
+
+def placed_articulations(scene: Scene, load: Load | None = None, *, loose: bool = True) -> list[PlacedArticulation]:
+    """The room, then all objects in their order, each followed by what can be taken off it.
+
+    Objects with equal bodies have the same articulation. Rugs and mats are seen only, and fixed: what stands over them
+    stands on the floor, by construction, and no format that is written from here can leave out contacts of two pieces.
+
+    Args:
+        scene: The scene.
+        load: From asset id to asset; None: the library of this user.
+        loose: Whether what can be taken off is an articulation of its own, as `things_of` says.
+
+    Raises:
+        InputError: when an asset cannot be loaded.
+    """
+    found = [PlacedArticulation("room", "room", _room(scene.room), (0, 0, 0), (0, 0, 0, 1), True)]
+    made: dict[str, Articulation] = {}
+    for thing, look in zip(things_of(scene, load, loose=loose), bodies_of(scene, load), strict=True):
+        pose = thing.object.pose
+        for bodies in _apart(thing):
+            base = bodies[0]
+            kind = thing.object.category if base.link is None else base.link.category or base.link.name
+            stem = model_name(f"{thing.key}:{base.number}:{thing.friction}:{thing.mass}", kind)
+            if stem not in made:
+                made[stem] = articulation_of(thing, look, bodies, stem, prefix=f"{stem}-")
+            covers = thing.object.mount == "floor" and thing.object.size[2] <= COVERING
+            fixed = covers or (not thing.free and base.link is None)
+            model = _without_collisions(made[stem]) if covers else made[stem]
+            found.append(PlacedArticulation(base.name, kind, model, pose.position, pose.quaternion, fixed))
+    return found
+
+
+def _apart(thing: Thing) -> Iterator[list[RigidBody]]:
+    """Bodies that hang together: the base with its joints, then one by one what can be taken off."""
+    yield [body for body in thing.bodies if not body.loose]
+    for body in thing.bodies:
+        if body.loose:
+            yield [body]
+
+
+def _without_collisions(model: Articulation) -> Articulation:
+    return replace(model, links=tuple(replace(link, shapes=()) for link in model.links))
+
+
+def _room(room: Room) -> Articulation:
+    """Floor and walls as the base link in the frame of the world, and the leaves of the doors."""
+    files: dict[str, bytes] = {}
+    looks = dict(_LOOKS)
+    floor = floor_slab(room)
+    shapes = [Shape(2 * floor.half, floor.centre)]
+    visuals = [_seen("floor", floor_mesh(room), looks, files)]
+    for wall in room.walls:
+        visuals.append(_seen(f"wall_{wall.index}", wall_mesh(room, wall.index), looks, files))
+        for slab in wall_slabs(room, wall.index):
+            along, inward, up = slab.centre
+            shapes.append(Shape(2 * slab.half, np.array([*wall.point(along, inward), up]), wall.yaw))
+            if slab.pane:
+                visuals.append((shapes[-1], "glass"))
+    links = [ArticulatedLink(BASE, _STANDING, tuple(shapes), tuple(visuals))]
+    found = leaves(room)
+    for name, leaf in zip(legal_names([BASE, *(f"door_{leaf.door}" for leaf in found)])[1:], found, strict=True):
+        links.append(_leaf(name, leaf))
+    files[_LIBRARY] = material_library(looks)
+    return Articulation("room", tuple(links), FLOOR_FRICTION, looks, files)
+
+
+def _seen(name: str, mesh: Mesh, looks: dict[str, Material], files: dict[str, bytes]) -> tuple[Shape, str]:
+    """A mesh of one material as a file."""
+    (looks[name],) = mesh.materials
+    files[f"room-{name}.obj"] = obj(mesh.vertices, mesh.faces, _LIBRARY, name)
+    return Shape(file=f"room-{name}.obj"), name
+
+
+def _leaf(name: str, leaf: Leaf) -> ArticulatedLink:
+    """The leaf of a door; the frame of its link stands on the hinge, turned as the world."""
+    turn = matrix(from_yaw(leaf.yaw))
+    shapes = tuple(Shape(2 * np.asarray(half), turn @ np.asarray(centre), leaf.yaw) for centre, half in leaf.boxes)
+    own = leaf.inertia
+    inertia = Inertia(own.mass, turn @ own.centre, turn @ own.tensor @ turn.T)
+    looks = ("leaf", *("handle" for _ in shapes[1:]))
+    joint = replace(leaf.moves, axis=turn @ leaf.moves.axis, anchor=np.asarray(leaf.position, dtype=float))
+    return ArticulatedLink(name, inertia, shapes, tuple(zip(shapes, looks, strict=True)), joint)
+
+
 def articulation_of(thing: Thing, look: Body, bodies: Sequence[RigidBody], name: str, prefix: str = "") -> Articulation:
     """Some bodies of a thing: the first is the base, the others have joints; ``prefix`` begins the names of files."""
     scale = np.asarray(thing.scale)
@@ -88,18 +193,11 @@ def articulation_of(thing: Thing, look: Body, bodies: Sequence[RigidBody], name:
     meshes, links = _Meshes(look.mesh, scale, prefix), []
     face_body = thing.face_body if thing.asset is not None else look.mesh.face_link
     for body, own in zip(bodies, names, strict=True):
-        anchor, joint = np.zeros(3), None
-        if body is not bodies[0]:
-            assert body.link is not None
-            anchor = np.asarray(body.link.anchor) * scale
-            axis, limits, hold = joint_of(body.link, thing.scale, body.mass)
-            joint = Joint("prismatic" if body.link.joint == "slide" else "revolute", axis, limits, hold)
-        volume = sum(solid.volume for solid in body.solids)
-        inertia = inertia_of(body.solids, [body.mass * solid.volume / volume for solid in body.solids])
-        inertia = replace(inertia, centre=inertia.centre - anchor)
+        anchor = np.zeros(3) if body.joint is None else body.joint.anchor
+        inertia = replace(body.inertia, centre=body.inertia.centre - anchor)
         shapes = meshes.shapes(own, body.solids, anchor)
         visuals = meshes.visuals(own, face_body == body.number, anchor)
-        links.append(ArticulatedLink(own, anchor, inertia, shapes, visuals, joint))
+        links.append(ArticulatedLink(own, inertia, shapes, visuals, body.joint))
     return Articulation(name, tuple(links), thing.friction, meshes.looks, meshes.files)
 
 

@@ -1,7 +1,10 @@
-"""What every object of a scene looks like: a mesh in its own frame, shared by all that have the same one."""
+"""What every object of a scene looks like: a mesh in its own frame, shared by all that have the same one, under a name
+that any file system takes."""
 
 from __future__ import annotations
 
+import hashlib
+import re
 from dataclasses import dataclass
 from typing import Literal
 
@@ -59,3 +62,25 @@ def _plain(thing: SceneObject, note: str = "") -> Body:
     material = plain_material(thing)
     shape = ";".join(f"{p.polygon}{p.z}" for p in thing.solids)
     return Body(thing, f"parts:{material.name}:{shape}", parts_mesh(thing.solids, material), note=note)
+
+
+def model_name(key: str, category: str) -> str:
+    """A name for a mesh: letters, digits, ``_`` and ``-`` only, another one for each key.
+
+    Readers take model ids apart at dots and use them as names of files, and ids of assets may hold anything.
+    """
+    word = re.sub(r"[^a-z0-9]+", "_", category.lower()).strip("_")[:40] or "object"
+    return f"{word}-{hashlib.sha256(key.encode()).hexdigest()[:10]}"
+
+
+def with_mesh(load: Load | None) -> Load:
+    """The loader, which refuses assets without a single triangle; None: that of this user's library."""
+    given = loader(load)
+
+    def checked(object_id: str) -> Asset:
+        asset = given(object_id)
+        if not len(asset.mesh.faces):
+            raise InputError(f"asset: '{object_id}' has no mesh; import it again or choose another asset")
+        return asset
+
+    return checked

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import re
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
@@ -56,6 +57,30 @@ def staged(target: Path, field: str = "folder") -> Iterator[Path]:
     except (OSError, ValueError) as error:  # a path with a zero byte is a ValueError
         reason = (error.strerror if isinstance(error, OSError) else None) or type(error).__name__
         raise InputError(f"{field}: {target} cannot be written ({reason}); choose another place") from None
+
+
+def write_beside(path: Path, files: Mapping[str, bytes], stale: Mapping[str, str]) -> None:
+    """Write a file, which comes last, and those that it names, in a folder that holds other things as well.
+
+    Args:
+        path: The file; its folder must be there.
+        files: Contents by path relative to that folder, the file's own among them.
+        stale: By folder there, a pattern of paths in it that exports of this kind have; those that this one has not, of
+            an export that it replaces, are removed.
+
+    Raises:
+        InputError: the place cannot be written; each file is whole or as it was before.
+    """
+    with staged(path, "path") as draft:
+        if path.is_dir():
+            raise InputError(f"path: {path} is a folder; give a file name in it")
+        fill(draft, files)
+        move({draft / name: path.parent / name for name in sorted(files, key=lambda name: name == path.name)})
+    for folder, pattern in stale.items():
+        for left in (path.parent / folder).rglob("*"):
+            ours = re.fullmatch(pattern, left.relative_to(path.parent / folder).as_posix())
+            if ours and left.relative_to(path.parent).as_posix() not in files:
+                left.unlink()
 
 
 def fill(folder: Path, files: Mapping[str, bytes]) -> None:

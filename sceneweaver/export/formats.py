@@ -1,106 +1,78 @@
-"""All formats by name: what a scene becomes in a folder, and which suffix stands for which format."""
+"""All formats by name: what a scene becomes in a folder, and which suffix stands for which format.
+
+A format is one row of ``FORMATS`` and a module that writes it, which is loaded when it is first used.
+"""
 
 from __future__ import annotations
 
 import os
-import re
 import shutil
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
+from importlib import import_module
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
-from sceneweaver.assets.placed import Load, loader, welded_assets
-from sceneweaver.scene import InputError, Scene
-
-from .folder import fill, move, staged
-from .glb import write_glb
-from .mjcf import mjcf
-from .mjcf_clients import CLIENTS, sleeping_twin
-from .scenestate import write_scenestate
-from .sdf import sdf
-from .urdf_room import room_urdf
-from .usd import write_usd
-
-_OURS = re.compile(r"(room|[a-z0-9_]+-[0-9a-f]{10})(-.*)?\.(obj|mtl|urdf)")  # files of articulations
+if TYPE_CHECKING:
+    from sceneweaver.assets.placed import Load
+    from sceneweaver.scene import InputError, Scene
 
 
 @dataclass(frozen=True)
 class Format:
-    """A format: the file that it makes in a folder, and who writes it: (scene, path, load, with textures)."""
+    """A format.
+
+    Attributes:
+        name: What it is called, with ``:<client>`` where it is for one reader.
+        file: The file that it makes in a folder.
+        what: In a few words.
+        writer: Who writes it, as ``module:function`` of this package: called with scene, path, a function from asset id
+            to asset, ``textures`` and ``client``.
+        clients: Readers that it can be written for.
+        shared: As ``writer``, for data sets: called with scene, load and ``shared``, where meshes and images go, it
+            returns the bytes of the file; empty: data sets do not have it.
+    """
 
     name: str
     file: str
     what: str
-    write: Callable[[Scene, Path, Load, bool], object]
+    writer: str
+    clients: tuple[str, ...] = ()
+    shared: str = ""
+
+    def write(self, scene: Scene, path: Path, load: Load, textures: bool) -> None:
+        """Write a scene to a path, whole or not at all."""
+        _function(self.writer)(scene, path, load, textures=textures, client=self.name.partition(":")[2] or None)
+
+    def shared_bytes(self, scene: Scene, load: Load, shared: Any) -> bytes:
+        """The file of a scene whose meshes and images are ``SharedFiles``."""
+        return _function(self.shared)(scene, load, shared=shared)
 
 
-def _write_glb(scene: Scene, path: Path, load: Load, textures: bool) -> None:
-    write_glb(scene, path, load, textures=textures)
-
-
-def _write_usd(scene: Scene, path: Path, load: Load, textures: bool) -> None:
-    write_usd(scene, path, load, textures=textures)
-
-
-def _write_mjcf(scene: Scene, path: Path, load: Load, textures: bool, client: str | None = None) -> None:
-    """``scene.xml`` with ``meshes/`` and ``textures/`` beside it, in a folder that holds other things as well; the text
-    comes last, and its sleeping twin, which the file for all has."""
-    model = mjcf(scene, load, textures=textures, client=client)
-    meshes = path.parent / "meshes"
-    files = {**model.files, path.name: model.xml.encode()}
-    if client is None:
-        files[f"{path.stem}-sleep.xml"] = sleeping_twin(path.name, scene.id)
-    with staged(path, "path") as draft:
-        fill(draft, files)
-        move({draft / name: path.parent / name for name in files})
-    for left in meshes.glob("*.obj") if meshes.is_dir() else ():
-        if f"meshes/{left.name}" not in model.files:
-            left.unlink()  # of an export that this one has replaced
-
-
-def _write_files(files: dict[str, bytes], path: Path, folder: str) -> None:
-    """A text and the files in a folder beside it that it names, among others; the text comes last."""
-    files[path.name] = files.pop(next(name for name in files if "/" not in name))
-    with staged(path, "path") as draft:
-        fill(draft, files)
-        move({draft / name: path.parent / name for name in sorted(files, key=lambda name: name == path.name)})
-    for left in (path.parent / folder).rglob("*"):
-        if _OURS.fullmatch(left.name) and left.relative_to(path.parent).as_posix() not in files:
-            left.unlink()  # of an export that this one has replaced
-
-
-def _write_sdf(scene: Scene, path: Path, load: Load, _: bool, bullet: bool = False) -> None:
-    _write_files(sdf(scene, load, bullet=bullet), path, "sdf")
-
-
-def _write_urdf(scene: Scene, path: Path, load: Load, _: bool) -> None:
-    _write_files(room_urdf(scene, load), path, "urdf")
+def _function(place: str) -> Callable[..., Any]:
+    module, _, name = place.partition(":")
+    return getattr(import_module(f".{module}", __package__), name)
 
 
 FORMATS: dict[str, Format] = {
     f.name: f
     for f in (
-        Format("glb", "scene.glb", "glTF 2.0 binary", _write_glb),
-        Format("usd", "scene.usdc", "USD with physics, binary", _write_usd),
-        Format("usda", "scene.usda", "USD with physics, as text", _write_usd),
-        Format("mjcf", "scene.xml", "MuJoCo, with meshes/", _write_mjcf),
+        Format("glb", "scene.glb", "glTF 2.0 binary", "glb:write_file", shared="glb:glb_bytes"),
+        Format("usd", "scene.usdc", "USD with physics, binary", "usd:write_file", shared="usd:usd_bytes"),
+        Format("usda", "scene.usda", "USD with physics, as text", "usd:write_file"),
         Format(
-            "scenestate",
-            "scenestate.json",
-            "SceneState, with models/",
-            lambda scene, path, load, _: write_scenestate(scene, path, load, models=True),
+            "mjcf",
+            "scene.xml",
+            "MuJoCo, with meshes/",
+            "mjcf:write_file",
+            ("mujoco", "robosuite", "genesis", "drake", "dm_control", "newton"),
+            "mjcf:mjcf_bytes",
         ),
-        Format("sdf", "scene.sdf", "one SDF world, with sdf/", _write_sdf),
-        Format("urdf", "scene.urdf.json", "a URDF a piece, with urdf/", _write_urdf),
+        Format("scenestate", "scenestate.json", "SceneState, with models/", "scenestate:write_file"),
+        Format("sdf", "scene.sdf", "one SDF world, with sdf/", "sdf:write_file", ("pybullet",)),
+        Format("urdf", "scene.urdf.json", "a URDF a piece, with urdf/", "urdf:write_file"),
     )
 }
-
-VARIANTS: dict[str, dict[str, Callable[[Scene, Path, Load, bool], object]]] = {
-    "mjcf": {client: partial(_write_mjcf, client=client) for client in CLIENTS},
-    "sdf": {"pybullet": partial(_write_sdf, bullet=True)},
-}
-"""By format, who writes it for one client."""
 
 USUAL = ("glb", "usd", "mjcf")
 """What is written when nobody says what."""
@@ -113,13 +85,12 @@ def format_named(name: str) -> Format:
         InputError: for a name that is no format.
     """
     base, _, client = name.partition(":")
-    if name in FORMATS:
-        return FORMATS[name]
-    if base not in VARIANTS:
-        raise InputError(f"export: '{name}' is no format; use {', '.join(FORMATS)}, all or none")
-    if client not in VARIANTS[base]:
-        raise InputError(f"export: '{name}' is no format; clients of {base} are {', '.join(VARIANTS[base])}")
-    return replace(FORMATS[base], name=name, write=VARIANTS[base][client])
+    found = FORMATS.get(base)
+    if found is None or (":" in name and not found.clients):
+        raise _wrong(f"export: '{name}' is no format; use {', '.join(FORMATS)}, all or none")
+    if ":" in name and client not in found.clients:
+        raise _wrong(f"export: '{name}' is no format; clients of {base} are {', '.join(found.clients)}")
+    return replace(found, name=name)
 
 
 def formats_named(names: str | Iterable[str]) -> tuple[str, ...]:
@@ -139,7 +110,7 @@ def formats_named(names: str | Iterable[str]) -> tuple[str, ...]:
     for name in found:
         other = files.setdefault(format_named(name).file, name)
         if other != name:
-            raise InputError(f"export: '{other}' and '{name}' are one file, {format_named(name).file}; choose one")
+            raise _wrong(f"export: '{other}' and '{name}' are one file, {format_named(name).file}; choose one")
     return tuple(files.values())
 
 
@@ -154,7 +125,7 @@ def format_of(path: Path) -> Format:
         if Path(found.file).suffix == suffix:
             return found
     known = ", ".join(sorted({Path(f.file).suffix for f in FORMATS.values()}))
-    raise InputError(f"out: '{path.name}' stands for no format; end it with {known}, or give a folder and --to")
+    raise _wrong(f"out: '{path.name}' stands for no format; end it with {known}, or give a folder and --to")
 
 
 def export_scene(
@@ -190,8 +161,8 @@ def export_scene(
         target.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         reason = error.strerror or type(error).__name__
-        raise InputError(f"folder: {target} cannot be made ({reason}); choose another place") from None
-    load = loader(welded_assets(load) if welded else load)
+        raise _wrong(f"folder: {target} cannot be made ({reason}); choose another place") from None
+    load = _assets(load, welded)
     done: dict[str, Path] = {}
     try:
         for one in wanted:
@@ -220,6 +191,20 @@ def export_file(
     target = Path(path)
     one = format_of(target)
     if not target.parent.is_dir():
-        raise InputError(f"out: {target.parent} is no folder; make it first")
-    one.write(scene, target, loader(welded_assets(load) if welded else load), textures)
+        raise _wrong(f"out: {target.parent} is no folder; make it first")
+    one.write(scene, target, _assets(load, welded), textures)
     return target
+
+
+def _wrong(text: str) -> InputError:
+    """The error of a wrong input, loaded when needed: the command line lists formats before anything else is there."""
+    from sceneweaver.scene import InputError
+
+    return InputError(text)
+
+
+def _assets(load: Load | None, welded: bool) -> Load:
+    """Loads each asset once, with what could be taken off it welded to it or not."""
+    from sceneweaver.assets.placed import loader, welded_assets
+
+    return loader(welded_assets(load) if welded else load)

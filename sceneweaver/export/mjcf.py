@@ -20,13 +20,13 @@ from sceneweaver.assets.room_looks import room_looks, wall_look
 from sceneweaver.assets.textures import maps
 from sceneweaver.assets.textures.relief import to_srgb
 from sceneweaver.physics import Model, build
-from sceneweaver.physics.model import ROOM, UNSET, add_hulls, hull_name
+from sceneweaver.physics.model import ROOM, UNSET, Plain, hull_name
 from sceneweaver.physics.things import RigidBody, Thing
 from sceneweaver.physics.xml import child
 from sceneweaver.scene import Room, Scene
 
 from .corners import laid_by
-from .folder import write_folder
+from .folder import write_beside, write_folder
 from .images import file_stem, linear, png, tinted
 from .mjcf_clients import CLIENTS, sleeping_twin
 from .mjcf_meshes import Seen, hull_obj, mesh_elements, seen_obj, seen_of
@@ -65,6 +65,19 @@ def write_mjcf(
     return target / "scene.xml"
 
 
+def write_file(scene: Scene, path: Path, load: Load, *, textures: bool = True, client: str | None = None) -> None:
+    """As `formats.Format.write` calls it: the text with ``meshes/`` and ``textures/`` beside it, and its sleeping twin,
+    which the file for all has."""
+    model = mjcf(scene, load, textures=textures, client=client)
+    twin = {f"{path.stem}-sleep.xml": sleeping_twin(path.name, scene.id)} if client is None else {}
+    write_beside(path, {**model.files, **twin, path.name: model.xml.encode()}, {"meshes": r"[^/]*\.obj"})
+
+
+def mjcf_bytes(scene: Scene, load: Load, *, shared: SharedFiles) -> bytes:
+    """The text of a scene whose meshes and images are shared files."""
+    return mjcf(scene, load, shared=shared).xml.encode()
+
+
 def mjcf(
     scene: Scene,
     load: Load | None = None,
@@ -79,21 +92,11 @@ def mjcf(
         scene: The scene.
         load: From asset id to asset; None: the library of this user.
         textures: Whether materials have their colour maps, as PNG.
-        client: One of ``CLIENTS``; None: the file that most readers take.
+        client: One of those of the format; None: the file that most readers take.
         shared: Where meshes and images go, as files that the text names; None: into ``files``.
     """
-    wardrobe = _Wardrobe(textures, shared)
-
-    def amend(root: Xml.Element) -> None:
-        wardrobe.paper(root, scene.room)
-        _without_slashes(root)
-        for geom in root.iterfind("default/default/geom[@group='3']"):
-            geom.set("margin", str(_MARGIN))
-        if client is not None:
-            CLIENTS[client](root)
-
-    model = build(scene, load, wardrobe, meshes=wardrobe.meshes, shape=wardrobe.shape, amend=amend)
-    return replace(model, files=wardrobe.files)
+    looks = _Looks(scene.room, textures, client, shared)
+    return replace(build(scene, load, looks), files=looks.files)
 
 
 def _without_slashes(root: Xml.Element) -> None:
@@ -119,32 +122,42 @@ def _without_slashes(root: Xml.Element) -> None:
             given[key] = renamed[old]
 
 
-class _Wardrobe:
-    """Gives bodies their looks; meshes and materials are there once, however many use them."""
+class _Looks(Plain):
+    """Gives bodies and the room their looks; meshes and materials are there once, however many use them."""
 
-    def __init__(self, textured: bool, shared: SharedFiles | None) -> None:
-        self._textured, self._shared = textured, shared
+    visible = True
+
+    def __init__(self, room: Room, textured: bool, client: str | None, shared: SharedFiles | None) -> None:
+        self._room, self._textured, self._client, self._shared = room, textured, client, shared
         self._textures: set[str] = set()
         self.files: dict[str, bytes] = {}
         self._materials: dict[Material, str] = {}
         self._made: dict[str, Mapping[int, list[Seen]]] = {}
         self._included: dict[str, str] = {}
 
-    def __call__(self, assets: Xml.Element, body: Xml.Element, thing: Thing, own: RigidBody) -> None:
+    def finish(self, root: Xml.Element) -> None:
+        self._paper(root)
+        _without_slashes(root)
+        for geom in root.iterfind("default/default/geom[@group='3']"):
+            geom.set("margin", str(_MARGIN))
+        if self._client in CLIENTS:
+            CLIENTS[self._client](root)
+
+    def dress(self, assets: Xml.Element, frame: Xml.Element, thing: Thing, body: RigidBody) -> None:
         if thing.asset is None:
             return  # its collision parts are all there is to see
         if self._shared is not None:
             self._shared.uses(thing.asset.id, self._included[thing.shape])
-        for k, (name, number) in enumerate(self._made[thing.shape].get(own.number, ())):
+        for k, (name, number) in enumerate(self._made[thing.shape].get(body.number, ())):
             look = self._material(assets, thing.asset.mesh.materials[number])
-            seen = {"name": f"{own.name}:visual:{k}", "class": f"{ROOM}:visual"}
-            child(body, "geom", seen, mesh=name, material=look)
+            seen = {"name": f"{body.name}:visual:{k}", "class": f"{ROOM}:visual"}
+            child(frame, "geom", seen, mesh=name, material=look)
 
-    def paper(self, root: Xml.Element, room: Room) -> None:
+    def _paper(self, root: Xml.Element) -> None:
         """Give floor and walls the looks of the room; the floor's image repeats at its real size."""
         floor, assets = root.find(".//geom[@name='room:floor']"), root.find("asset")
         assert floor is not None and assets is not None
-        look = room_looks(room).floor
+        look = room_looks(self._room).floor
         found = maps(look.texture) if self._textured else None
         if found is not None:
             floor.set("rgba", UNSET)
@@ -153,10 +166,10 @@ class _Wardrobe:
             floor.set("material", self._material(assets, look, repeat))
         else:
             floor.set("rgba", " ".join(f"{c:.4g}" for c in (*look.color, 1)))
-        for k in range(len(room.outline)):
+        for k in range(len(self._room.outline)):
             for geom in root.iterfind(f".//body[@name='room:wall:{k}']/geom"):
                 if geom.get("rgba", "").endswith(" 1"):  # not a pane
-                    geom.set("rgba", " ".join(f"{c:.4g}" for c in (*wall_look(room, k).color, 1)))
+                    geom.set("rgba", " ".join(f"{c:.4g}" for c in (*wall_look(self._room, k).color, 1)))
 
     def shape(self, thing: Thing) -> str:
         """Equal for things with the same meshes: in two finishes, where their images have the same sizes."""
@@ -164,10 +177,10 @@ class _Wardrobe:
             return thing.shape
         return f"{thing.shape}|{laid_by(thing.asset.mesh)}"
 
-    def meshes(self, assets: Xml.Element, thing: Thing) -> None:
+    def add_meshes(self, assets: Xml.Element, thing: Thing) -> None:
         """The meshes of a thing: one for each hull, and for each link and material that is seen."""
         if thing.asset is None and self._shared is not None:
-            add_hulls(assets, thing)
+            super().add_meshes(assets, thing)
             return
         if thing.asset is not None:
             self._made[thing.shape] = seen_of(thing)

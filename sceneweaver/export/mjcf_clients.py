@@ -60,16 +60,9 @@ def without_excludes(root: Xml.Element) -> None:
         root.remove(contact)
 
 
-def _as_it_is(root: Xml.Element) -> None:
-    del root
-
-
 CLIENTS: dict[str, Callable[[Xml.Element], None]] = {
     "mujoco": sleeping,
     "robosuite": inlined,
     "genesis": without_excludes,
-    "drake": _as_it_is,
-    "dm_control": _as_it_is,
-    "newton": _as_it_is,
 }
-"""Who reads the file, and what it needs."""
+"""Readers that need more than the file for all. It suits the other clients of the format as it is."""

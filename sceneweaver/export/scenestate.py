@@ -27,12 +27,11 @@ from sceneweaver.assets.placed import Load
 from sceneweaver.assets.room_looks import room_looks, wall_look
 from sceneweaver.geometry.rotations import matrix, multiply
 from sceneweaver.geometry.shell import FLOOR_THICKNESS, WALL_THICKNESS, heights
-from sceneweaver.scene import Door, InputError, Room, Scene, SceneObject, Window
+from sceneweaver.scene import Door, Room, Scene, SceneObject, Window
 
-from .bodies import Body, Missing, bodies_of
-from .folder import fill, move, staged
+from .bodies import Body, Missing, bodies_of, model_name, with_mesh
+from .folder import write_beside
 from .glb import model_bytes
-from .models import model_name, with_mesh
 
 SOURCE = "sceneweaver"
 """The asset source: what stands before the dot of a model id."""
@@ -68,12 +67,13 @@ def write_scenestate(
     bodies = bodies_of(scene, with_mesh(load), missing)
     text = json.dumps(_document(scene, bodies), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
     files = _model_files(bodies) if models else {}
-    with staged(target, "path") as draft:
-        if target.is_dir():
-            raise InputError(f"path: {target} is a folder; give a file name in it, such as scenestate.json")
-        fill(draft, {**files, "scene.json": text.encode()})
-        move({draft / name: target.parent / name for name in files} | {draft / "scene.json": target})
+    write_beside(target, {**files, target.name: text.encode()}, {})
     return target
+
+
+def write_file(scene: Scene, path: Path, load: Load, *, textures: bool = True, client: None = None) -> None:
+    """As `formats.Format.write` calls it; models always have their maps, as scenes share them."""
+    write_scenestate(scene, path, load, models=True)
 
 
 def scenestate(scene: Scene, load: Load | None = None, missing: Missing = "error") -> dict[str, Any]:

@@ -9,6 +9,7 @@ moves the joints of static models: for it, all that stands still is static.
 from __future__ import annotations
 
 import re
+from pathlib import Path
 from xml.etree import ElementTree as Xml
 
 import numpy as np
@@ -19,8 +20,18 @@ from sceneweaver.geometry.rotations import matrix
 from sceneweaver.physics.xml import text
 from sceneweaver.scene import Scene
 
-from .articulations import BASE, EFFORT, SPEED, ArticulatedLink, Shape
-from .placed_articulations import PlacedArticulation, placed_articulations
+from .articulations import (
+    BASE,
+    EFFORT,
+    KINDS,
+    OURS,
+    SPEED,
+    ArticulatedLink,
+    PlacedArticulation,
+    Shape,
+    placed_articulations,
+)
+from .folder import write_beside
 
 FOLDER = "sdf"
 """Where the meshes are, beside the file."""
@@ -51,6 +62,13 @@ def sdf(scene: Scene, load: Load | None = None, *, loose: bool = True, bullet: b
     Xml.indent(root, " ")
     files["scene.sdf"] = f'<?xml version="1.0"?>\n{Xml.tostring(root, encoding="unicode")}\n'.encode()
     return files
+
+
+def write_file(scene: Scene, path: Path, load: Load, *, textures: bool = True, client: str | None = None) -> None:
+    """As `formats.Format.write` calls it; meshes have plain colours."""
+    files = sdf(scene, load, bullet=client == "pybullet")
+    files[path.name] = files.pop("scene.sdf")
+    write_beside(path, files, {FOLDER: OURS})
 
 
 def model_name(name: str) -> str:
@@ -99,7 +117,7 @@ def _exact(angle: float) -> str:
 def _link(model: Xml.Element, link: ArticulatedLink, placed: PlacedArticulation, bullet: bool) -> None:
     element = Xml.SubElement(model, "link", name=link.name)
     if link.joint is not None:
-        _text(element, "pose", (*link.anchor, 0, 0, 0))
+        _text(element, "pose", (*link.joint.anchor, 0, 0, 0))
     inertial = Xml.SubElement(element, "inertial")
     _text(inertial, "pose", (*link.inertia.centre, 0, 0, 0))
     _text(inertial, "mass", link.inertia.mass)
@@ -170,19 +188,15 @@ def _joint(model: Xml.Element, link: ArticulatedLink) -> None:
     """From the base; its frame is that of the link."""
     joint = link.joint
     assert joint is not None
-    made = Xml.SubElement(model, "joint", name=f"{link.name}_joint", type=joint.kind)
+    made = Xml.SubElement(model, "joint", name=f"{link.name}_joint", type=KINDS[joint.kind])
     _text(made, "parent", BASE)
     _text(made, "child", link.name)
     axis = Xml.SubElement(made, "axis")
     _text(axis, "xyz", joint.axis)
     limit = Xml.SubElement(axis, "limit")
     low, high = joint.limits
-    for tag, value in (
-        ("lower", low),
-        ("upper", high),
-        ("effort", EFFORT[joint.kind]),
-        ("velocity", SPEED[joint.kind]),
-    ):
+    limits = {"lower": low, "upper": high, "effort": EFFORT[joint.kind], "velocity": SPEED[joint.kind]}
+    for tag, value in limits.items():
         _text(limit, tag, value)
     dynamics = Xml.SubElement(axis, "dynamics")
     _text(dynamics, "damping", joint.hold)

@@ -1,4 +1,5 @@
-"""One piece of furniture as a URDF folder: the base and its doors and drawers, ``<name>.urdf`` and ``meshes/``.
+"""One piece of furniture as a URDF folder (the base and its doors and drawers, ``<name>.urdf`` and ``meshes/``), and a
+whole room as one robot for each kind of piece in ``urdf/`` with ``scene.urdf.json``, which says where they go.
 
 The base link has the frame of the object: origin at the bottom centre, x to the front, y to the left, z up, metres.
 Each door and drawer is a link of its own, whose frame stands at the joint's anchor, turned as the base; at 0 it is
@@ -10,27 +11,41 @@ do so by themselves; MuJoCo does when the base is free, and needs an ``exclude``
 
 Meshes are named relative to the file. What MuJoCo is told besides (where the meshes are, that visual ones count) stands
 in an element that other readers skip, and so does the friction that Bullet reads.
+
+URDF has one tree a file, and no free bodies beside it, so a room is a list of robots. PyBullet, SAPIEN, Genesis and
+others load each file at its pose in a loop of a few lines; pieces that are there twice share their files.
 """
 
 from __future__ import annotations
 
+import json
 import os
 from pathlib import Path
 from xml.etree import ElementTree as Xml
 
-import numpy as np
-
 from sceneweaver.assets import Asset
 from sceneweaver.assets.placed import Load
 from sceneweaver.physics.inertia import Inertia
-from sceneweaver.physics.things import Thing, things_of
+from sceneweaver.physics.things import Joint, Thing, things_of
 from sceneweaver.physics.xml import child
 from sceneweaver.scene import InputError, Room, Scene, SceneObject
 
-from .articulations import BASE, EFFORT, SPEED, Articulation, Joint, Shape, articulation_of
-from .bodies import Body, bodies_of
-from .folder import write_folder
-from .models import model_name, with_mesh
+from .articulations import (
+    BASE,
+    EFFORT,
+    KINDS,
+    OURS,
+    SPEED,
+    Articulation,
+    Shape,
+    articulation_of,
+    placed_articulations,
+)
+from .bodies import Body, bodies_of, model_name, with_mesh
+from .folder import write_beside, write_folder
+
+FOLDER = "urdf"
+"""Where the robots of a room and their ``meshes/`` are, beside the list."""
 
 
 def write_urdf(piece: Asset | SceneObject, folder: str | os.PathLike[str], load: Load | None = None) -> Path:
@@ -62,6 +77,47 @@ def urdf(piece: Asset | SceneObject, load: Load | None = None) -> tuple[str, dic
     return file, {file: robot(model), **{f"meshes/{name}": content for name, content in model.files.items()}}
 
 
+def room_urdf(scene: Scene, load: Load | None = None, *, loose: bool = True) -> dict[str, bytes]:
+    """All files by path, ``scene.urdf.json`` among them.
+
+    Args:
+        scene: The scene.
+        load: From asset id to asset; None: the library of this user.
+        loose: Whether what can be taken off an object is a robot of its own.
+
+    Raises:
+        InputError: when an asset cannot be loaded.
+    """
+    files: dict[str, bytes] = {}
+    rows = []
+    for placed in placed_articulations(scene, load, loose=loose):
+        path = f"{FOLDER}/{placed.model.name}.urdf"
+        if path not in files:
+            files[path] = robot(placed.model)
+            files |= {f"{FOLDER}/meshes/{name}": content for name, content in placed.model.files.items()}
+        rows.append(
+            {
+                "name": placed.name,
+                "category": placed.category,
+                "file": path,
+                "position": list(placed.position),
+                "quaternion": list(placed.quaternion),
+                "fixed": placed.fixed,
+                "friction": placed.model.friction,
+            }
+        )
+    head = {"scene": scene.id, "unit": "m", "quaternion": "x y z w"}
+    files["scene.urdf.json"] = (json.dumps({**head, "robots": rows}, indent=1) + "\n").encode()
+    return files
+
+
+def write_file(scene: Scene, path: Path, load: Load, *, textures: bool = True, client: None = None) -> None:
+    """As `formats.Format.write` calls it; meshes have plain colours."""
+    files = room_urdf(scene, load)
+    files[path.name] = files.pop("scene.urdf.json")
+    write_beside(path, files, {FOLDER: OURS})
+
+
 def robot(model: Articulation) -> bytes:
     """The URDF file of an articulation, whose meshes are in ``meshes/`` beside it."""
     root = Xml.Element("robot", name=model.name)
@@ -78,7 +134,7 @@ def robot(model: Articulation) -> bytes:
             _geometry(element, "collision", shape)
         child(child(element, "contact"), "lateral_friction", value=model.friction)
         if link.joint is not None:
-            _joint(root, link.name, link.joint, link.anchor)
+            _joint(root, link.name, link.joint)
     Xml.indent(root, " ")
     return f'<?xml version="1.0"?>\n{Xml.tostring(root, encoding="unicode")}\n'.encode()
 
@@ -120,12 +176,12 @@ def _geometry(link: Xml.Element, tag: str, shape: Shape) -> Xml.Element:
     return made
 
 
-def _joint(root: Xml.Element, name: str, joint: Joint, anchor: np.ndarray) -> None:
+def _joint(root: Xml.Element, name: str, joint: Joint) -> None:
     """From the base to a door or drawer."""
-    made = child(root, "joint", name=f"{name}_joint", type=joint.kind)
+    made = child(root, "joint", name=f"{name}_joint", type=KINDS[joint.kind])
     child(made, "parent", link=BASE)
     child(made, "child", link=name)
-    child(made, "origin", xyz=anchor, rpy="0 0 0")
+    child(made, "origin", xyz=joint.anchor, rpy="0 0 0")
     child(made, "axis", xyz=joint.axis)
     low, high = joint.limits
     child(made, "limit", lower=low, upper=high, effort=EFFORT[joint.kind], velocity=SPEED[joint.kind])

@@ -66,6 +66,11 @@ def write_usd(scene: Scene, path: str | os.PathLike[str], load: Load | None = No
     _save(layer, name, files)
 
 
+def write_file(scene: Scene, path: Path, load: Load, *, textures: bool = True, client: None = None) -> None:
+    """As `formats.Format.write` calls it."""
+    write_usd(scene, path, load, textures=textures)
+
+
 def usd_layer(scene: Scene, load: Load | None = None) -> Any:
     """The scene as a ``pxr.Sdf.Layer`` in memory, without maps; ``Usd.Stage.Open`` takes it.
 
@@ -74,7 +79,7 @@ def usd_layer(scene: Scene, load: Load | None = None) -> Any:
     return _layer(scene, load, False)[0]
 
 
-def usd_bytes(scene: Scene, load: Load | None, shared: SharedFiles) -> bytes:
+def usd_bytes(scene: Scene, load: Load | None, *, shared: SharedFiles) -> bytes:
     """The scene as a binary stage whose images are shared files."""
     layer, _ = _layer(scene, load, True, shared)
     with tempfile.TemporaryDirectory() as folder:

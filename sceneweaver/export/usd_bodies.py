@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
 from sceneweaver.geometry.rotations import Quaternion, from_matrix
 from sceneweaver.physics.inertia import Inertia
+from sceneweaver.physics.things import Joint
 
 from .usd_engines import tune_body, tune_joint
 from .usd_layer import Prim, apply, attribute, attributes, prim, relate, rotation, triple
@@ -26,22 +27,6 @@ class Solids:
 
     bodies: tuple[Any, ...]
     colliders: tuple[Any, ...] = ()
-
-
-@dataclass(frozen=True)
-class Hinge:
-    """How a body moves against another, of which it shares the frame when closed.
-
-    ``axis`` is a unit vector and ``anchor`` a point [m] on it, ``limits`` are in radians or metres; ``damping`` is in
-    N m s/rad or N s/m, ``friction`` in N m or N.
-    """
-
-    kind: Literal["hinge", "slide"]
-    axis: Sequence[float]
-    anchor: Sequence[float]
-    limits: Sequence[float]
-    damping: float
-    friction: float
 
 
 def rigid(target: Prim, inertia: Inertia) -> None:
@@ -70,29 +55,29 @@ def weld(parent: Prim, name: str, frame: Prim, body: Prim) -> None:
     _frames(made, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
 
 
-def join(parent: Prim, name: str, base: Prim, body: Prim, hinge: Hinge) -> None:
+def join(parent: Prim, name: str, base: Prim, body: Prim, joint: Joint) -> None:
     """A joint between two bodies, closed at 0, with friction, and a damper that keeps it from swinging freely.
 
     Its axis is the coordinate axis that is nearest, turned the rest of the way.
     """
-    turns = hinge.kind == "hinge"
+    turns = joint.kind == "hinge"
     made = prim(parent, name, "PhysicsRevoluteJoint" if turns else "PhysicsPrismaticJoint")
     _between(made, base, body)
-    axis = np.asarray(hinge.axis, dtype=float) / np.linalg.norm(hinge.axis)
+    axis = np.asarray(joint.axis, dtype=float) / np.linalg.norm(joint.axis)
     number = int(np.argmax(np.abs(axis)))
     attribute(made, "physics:axis", "Token", "XYZ"[number], uniform=True)
-    _frames(made, hinge.anchor, _turn(number, axis))
+    _frames(made, joint.anchor, _turn(number, axis))
     # USD counts angles in degrees, those of dampers too.
     unit = 180 / math.pi if turns else 1.0
-    low, high = (float(v) * unit for v in hinge.limits)
+    low, high = (float(v) * unit for v in joint.limits)
     attributes(made, {"physics:lowerLimit": ("Float", low), "physics:upperLimit": ("Float", high)})
     drive = "angular" if turns else "linear"
     apply(made, f"PhysicsDriveAPI:{drive}")
     attribute(made, f"drive:{drive}:physics:type", "Token", "force", uniform=True)
-    values = {"stiffness": 0.0, "damping": hinge.damping / unit, "targetPosition": 0.0, "targetVelocity": 0.0}
-    for key, value in (values | {"maxForce": _STRONGEST * hinge.friction}).items():
+    values = {"stiffness": 0.0, "damping": joint.hold / unit, "targetPosition": 0.0, "targetVelocity": 0.0}
+    for key, value in (values | {"maxForce": _STRONGEST * joint.hold}).items():
         attribute(made, f"drive:{drive}:physics:{key}", "Float", float(value))
-    tune_joint(made, drive, float(hinge.friction))
+    tune_joint(made, drive, float(joint.hold))
 
 
 def filter_pair(one: Solids, two: Solids, layer: Any) -> None:
@@ -109,7 +94,7 @@ def _between(made: Prim, one: Prim, two: Prim) -> None:
     relate(made, "physics:body1", two.path)
 
 
-def _frames(made: Prim, position: Sequence[float], quaternion: Sequence[float]) -> None:
+def _frames(made: Prim, position: Sequence[float] | np.ndarray, quaternion: Sequence[float]) -> None:
     """The joint's frame, which is the same in both bodies; the quaternion is (x, y, z, w)."""
     turn = rotation("Quatf", quaternion)
     for side in "01":

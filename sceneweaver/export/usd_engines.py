@@ -6,15 +6,12 @@ mjcPhysics. usd-core knows none of them, so they are written by name; readers th
 
 from __future__ import annotations
 
-from sceneweaver.physics.model import STEP
+from sceneweaver.physics.model import ARMATURE, SOLVER, STEP
 
 from .usd_layer import Prim, apply, attribute, attributes
 
 CONTACT_OFFSET = 0.005
 """Contacts are looked for at this distance [m]; PhysX's own choice grows with the size of a part."""
-
-ARMATURE = 0.001
-"""Inertia [kg m2] or mass [kg] of a joint itself, as in the model for MuJoCo."""
 
 _DEPENETRATION = 1.0  # [m/s] at most, when things reach into each other: they part, and are not shot away
 _POSITION_ITERATIONS, _VELOCITY_ITERATIONS = 16, 1
@@ -30,9 +27,9 @@ def tune_scene(scene: Prim) -> None:
     attribute(scene, "newton:timeStepsPerSecond", "Int", round(1 / STEP), uniform=True)
     for key, kind, value in (
         ("option:timestep", "Double", STEP),
-        ("option:integrator", "Token", "implicitfast"),
-        ("option:cone", "Token", "elliptic"),
-        ("option:impratio", "Double", 10.0),
+        ("option:integrator", "Token", SOLVER["integrator"]),
+        ("option:cone", "Token", SOLVER["cone"]),
+        ("option:impratio", "Double", SOLVER["impratio"]),
         ("flag:multiccd", "Bool", True),
     ):
         attribute(scene, f"mjc:{key}", kind, value, uniform=True)

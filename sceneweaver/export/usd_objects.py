@@ -8,15 +8,13 @@ from typing import Any
 
 import numpy as np
 
-from sceneweaver.assets import Link
 from sceneweaver.physics.frames import frames_of
 from sceneweaver.physics.hulls import Solid
-from sceneweaver.physics.inertia import Inertia, inertia_of
-from sceneweaver.physics.things import RigidBody, Thing, joint_of
+from sceneweaver.physics.things import RigidBody, Thing
 
 from .bodies import Body
 from .slices import sliced
-from .usd_bodies import Hinge, Solids, filter_pair, join, rigid, weld
+from .usd_bodies import Solids, filter_pair, join, rigid, weld
 from .usd_layer import Names, Prim, apply, label, place, prim, usd
 from .usd_looks import Looks
 from .usd_mesh import collider, render_mesh
@@ -89,7 +87,7 @@ def add_object(parent: Prim, name: str, thing: Thing, body: Body, prototypes: Pr
     colliders = prototypes.instance(made, thing, body, thing.bodies[0])
     if not thing.free:
         return Solids((), colliders)
-    rigid(made, _inertia(thing.bodies[0]))
+    rigid(made, thing.bodies[0].inertia)
     return Solids((made.path,))
 
 
@@ -100,7 +98,7 @@ def _articulated(made: Prim, thing: Thing, body: Body, prototypes: Prototypes) -
         title = "base" if part.link is None else part.link.name
         mine = prim(made, names(title), displayName=title)
         place(mine)
-        rigid(mine, _inertia(part))
+        rigid(mine, part.inertia)
         facts = {"name": part.name} if part.link is None else {"name": part.name, "role": part.link.role}
         mine.SetInfo("customData", {"sceneweaver": facts})
         if part.loose and part.link is not None:
@@ -108,7 +106,7 @@ def _articulated(made: Prim, thing: Thing, body: Body, prototypes: Prototypes) -
         prototypes.instance(mine, thing, body, part)
         placed.append(mine)
     base, layer = placed[0], made.layer
-    moving = [(p, m) for p, m in zip(thing.bodies, placed, strict=True) if p.link is not None and not p.loose]
+    moving = [(p, m) for p, m in zip(thing.bodies, placed, strict=True) if p.joint is not None]
     if moving:
         apply(made, "PhysicsArticulationRootAPI")
     if moving or not thing.free:
@@ -117,23 +115,10 @@ def _articulated(made: Prim, thing: Thing, body: Body, prototypes: Prototypes) -
             weld(joints, "world", made, base)
         titles = Names("world")
         for part, mine in moving:
-            assert part.link is not None
-            join(joints, titles(part.link.name), base, mine, _hinge(part.link, thing, part.mass))
+            assert part.link is not None and part.joint is not None
+            join(joints, titles(part.link.name), base, mine, part.joint)
             filter_pair(Solids((base.path,)), Solids((mine.path,)), layer)
     return Solids(tuple(b.path for b in placed))
-
-
-def _inertia(body: RigidBody) -> Inertia:
-    """Mass, centre and inertia of a body, its mass spread over its parts by volume."""
-    volumes = np.array([solid.volume for solid in body.solids])
-    return inertia_of(body.solids, (body.mass * volumes / volumes.sum()).tolist())
-
-
-def _hinge(link: Link, thing: Thing, mass: float) -> Hinge:
-    """The joint of a link, in the size of the object; damped as much as in the model for MuJoCo."""
-    axis, limits, hold = joint_of(link, thing.scale, mass)
-    assert link.joint != "free"
-    return Hinge(link.joint, axis.tolist(), (np.asarray(link.anchor) * thing.scale).tolist(), limits, hold, hold)
 
 
 def _facts(thing: Thing) -> dict[str, Any]:

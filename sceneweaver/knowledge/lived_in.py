@@ -15,6 +15,9 @@ from .load import read_yaml
 from .model import Range
 from .small_things import rooms_named
 
+CLUTTER = 0.4
+"""How lived-in a room is by default: from 0, a show room, to 1."""
+
 Side = Literal["front", "back", "left", "right"]
 
 

@@ -2,204 +2,227 @@
 
 from __future__ import annotations
 
-from .chunks import CLOSED, OPEN, QUALITIES, Chunk, NounPhrase
-from .noun_phrases import NounPhrases
+from collections.abc import Callable
+
+from .chunks import CLOSED, OPEN, QUALITIES, Chunk, Kind, NounPhrase
+from .noun_phrases import noun_phrase
+from .scan import Scan, is_verb, participle_next
 from .tokens import Token
 from .vocabulary import Verb, frame
 
+_BREAKS: dict[str, Kind] = {",": "comma", ".": "stop"}
+_PRONOUNS = ("rest", "partial", "both", "each", "pron")
+_SEATS = ("seats", "sleeps", "seating", "sleeping")
 
-class Chunker(NounPhrases):
-    """Finds the chunks of tokens from left to right; make one, then call ``run``."""
+_IN_PURPOSES = ("in", "on", "at", "by", "about")
+"""Words of place that belong to what something is for: "for storing toys in"."""
 
-    def run(self) -> list[Chunk]:
-        """All chunks."""
-        while self.at < len(self.tokens):
-            self._next()
-        return self.out
+_IN_OR_ON = ("cover", "connect", "fill")
+"""Verbs whose participle may take "in", "on" and "to" as well: "covered in felt"."""
 
-    def _next(self) -> None:
-        token = self.tokens[self.at]
-        after = self._token(1)
-        if token.has("break"):
-            self._add({",": "comma", ".": "stop"}.get(token.text, "bracket"))  # type: ignore[arg-type]
-        elif token.has("only_all"):
-            self._add("only", value="all")
-        elif token.has("neg"):
-            self._add("without", value=token.text)
-        elif token.has("nothing"):
-            self._add("without", value="nothing")
-        elif token.has("only") and not token.has("noun"):
-            self._add("only", value="named")
-        elif token.has("mutual"):
-            self._add("place", value=token.get("mutual"), mutual=True)
-        elif (
-            token.has("partial", "rest", "each", "both", "pron") and self._pronoun(token, after) or self._purpose(token)
-        ):
-            pass
-        elif token.has("with") and not (token.has("noun") and not self.noun_before):
-            self._add("with", value=token.text)
-        elif (token.has("preposition", "place_adverb")) and self._is_place(token, after):
-            place = token.get("preposition") or token.get("place_adverb")
-            bare = token.has("place_adverb", "bare")
-            if token.has("place_adverb") and token.has("preposition") and not self._noun_follows():
-                place = token.get("place_adverb")
-            self._add("place", value=place, bare=bare if token.has("preposition") else True)
-            if not token.has("preposition"):
-                self.out[-1].passive = True  # takes no target
-        elif (
-            token.text in ("seats", "sleeps", "seating", "sleeping")
-            and after is not None
-            and self._people_seated(after)
-        ):
-            self._add("word", value=token)
-        elif token.has("and") and not token.has("noun"):
-            self._add("and")
-        elif token.has("while"):
-            self._add("while", value=token.text)
-        elif token.has("verb") and self._is_verb(
-            self.at, seen_noun=self.noun_before or self._participle_next(token, after)
-        ):
-            self._verb(token)
-        elif (
-            not token.kinds
-            and self.noun_before
-            and token.text.endswith(("ing", "ed"))
-            and (after is None or after.has(*CLOSED))
-        ):
-            self._add("verb", value=Verb("act", "ing" if token.text.endswith("ing") else "ed"))
-        elif (
-            not token.kinds
-            and self.noun_before
-            and token.text.endswith("s")
-            and after is not None
-            and after.has(*CLOSED)
-        ):
-            self._add("verb", value=Verb("act", "s"))  # a verb that is not known
-        elif self._noun_phrase():
-            pass
-        elif token.has("verb"):
-            self._verb(token)
-        else:
-            self._add("word", value=token)
 
-    def _noun_follows(self, offset: int = 1) -> bool:
-        """Whether a noun phrase comes next."""
-        token = self._token(offset)
-        if (
-            token is None
-            or token.has("break", "and", "with", "while")
-            or (token.has("preposition") and not token.has("det", *QUALITIES))
-        ):
+def chunked(tokens: list[Token]) -> list[Chunk]:
+    """The chunks of tokens, from left to right: at each place the first rule that fits makes one."""
+    scan = Scan(tokens)
+    while scan.at < len(tokens):
+        token, after = tokens[scan.at], scan.peek(1)
+        next(rule for rule in _RULES if rule(scan, token, after))
+    return scan.out
+
+
+def _mark(scan: Scan, token: Token, after: Token | None) -> bool:
+    """Punctuation, and words that mean what they are wherever they stand."""
+    if token.has("break"):
+        scan.add(_BREAKS.get(token.text, "bracket"))
+    elif token.has("only_all"):
+        scan.add("only", value="all")
+    elif token.has("neg"):
+        scan.add("without", value=token.text)
+    elif token.has("nothing"):
+        scan.add("without", value="nothing")
+    elif token.has("only") and not token.has("noun"):
+        scan.add("only", value="named")
+    elif token.has("mutual"):
+        scan.add("place", value=token.get("mutual"), mutual=True)
+    else:
+        return False
+    return True
+
+
+def _with(scan: Scan, token: Token, after: Token | None) -> bool:
+    if not token.has("with") or (token.has("noun") and not scan.noun_before):
+        return False
+    scan.add("with", value=token.text)
+    return True
+
+
+def _place(scan: Scan, token: Token, after: Token | None) -> bool:
+    if not token.has("preposition", "place_adverb") or not _is_place(scan, token, after):
+        return False
+    takes_target = token.has("preposition")
+    place, alone = token.get("preposition"), token.get("place_adverb")
+    if alone is not None and not (takes_target and _noun_follows(scan)):
+        place = alone
+    chunk = scan.add("place", value=place, bare=not takes_target or token.has("place_adverb", "bare"))
+    chunk.passive = not takes_target
+    return True
+
+
+def _seats(scan: Scan, token: Token, after: Token | None) -> bool:
+    """ "Seats eight" says for how many people, and not which chairs."""
+    if token.text not in _SEATS or after is None or not after.has("number", "amount"):
+        return False
+    third = scan.peek(2)
+    if third is not None and (third.has(*OPEN) or not third.kinds):
+        return False
+    scan.add("word", value=token)
+    return True
+
+
+def _binding(scan: Scan, token: Token, after: Token | None) -> bool:
+    if token.has("and") and not token.has("noun"):
+        scan.add("and")
+    elif token.has("while"):
+        scan.add("while", value=token.text)
+    else:
+        return False
+    return True
+
+
+def _verb_in_place(scan: Scan, token: Token, after: Token | None) -> bool:
+    """A verb after its subject, known or told by its ending."""
+    if token.has("verb") and is_verb(scan, scan.at, scan.noun_before or participle_next(scan, token, after)):
+        return _verb(scan, token, after)
+    if token.kinds or not scan.noun_before:
+        return False
+    closed = after is not None and after.has(*CLOSED)
+    if token.text.endswith(("ing", "ed")) and (after is None or closed):
+        scan.add("verb", value=Verb("act", "ing" if token.text.endswith("ing") else "ed"))
+    elif token.text.endswith("s") and closed:
+        scan.add("verb", value=Verb("act", "s"))
+    else:
+        return False
+    return True
+
+
+def _noun(scan: Scan, token: Token, after: Token | None) -> bool:
+    return noun_phrase(scan)
+
+
+def _word(scan: Scan, token: Token, after: Token | None) -> bool:
+    scan.add("word", value=token)
+    return True
+
+
+def _noun_follows(scan: Scan) -> bool:
+    """Whether a noun phrase comes next."""
+    token = scan.peek(1)
+    if token is None or token.has("break", "and", "with", "while"):
+        return False
+    quality = token.has(*QUALITIES)
+    if token.has("preposition") and not (quality or token.has("det")):
+        return False
+    if token.has("verb") and not (quality or token.has("noun")):
+        return False
+    return not token.has("adverbs", "stop") or quality or token.has("det", "number", "amount", "noun")
+
+
+def _is_place(scan: Scan, token: Token, after: Token | None) -> bool:
+    if (
+        token.has("shape", "adjective", "color", "scale", "noun", "region")
+        and after is not None
+        and token.text not in ("opposite", "inside")
+    ):
+        return not after.has("noun", "room", *QUALITIES) or after.has("det", "number")
+    return True
+
+
+def _pronoun(scan: Scan, token: Token, after: Token | None) -> bool:
+    """ "It", "both", "the other", "one", unless a noun follows that they belong to."""
+    kind = next((kind for kind in _PRONOUNS if token.has(kind)), None)
+    if kind is None:
+        return False
+    opens = (
+        after is not None
+        and (after.has(*OPEN) or not after.kinds)
+        and not after.has(*CLOSED)
+        and not (after.has("verb") and is_verb(scan, scan.at + 1, seen_noun=True))
+    )
+    if opens and (token.has("each", "both", "det", "number", "rest") or token.text == "another"):
+        return False
+    if token.has("each", "both") and after is not None and after.has("det", "number"):
+        return False
+    if token.text == "one" and after is not None:
+        placed = after.has("verb", "preposition", "place_adverb")
+        if after.text == "of" or (scan.noun_before and not placed):
             return False
-        if token.has("verb") and not token.has("noun", *QUALITIES):
-            return False
-        return not (token.has("adverbs", "stop") and not token.has("det", "number", "amount", "noun", *QUALITIES))
+    scan.add("noun", value=NounPhrase("pronoun", token.text, token.start, token.end, value=kind))
+    return True
 
-    def _is_place(self, token: Token, after: Token | None) -> bool:
-        if (
-            token.has("shape", "adjective", "color", "scale", "noun", "region")
-            and after is not None
-            and token.text not in ("opposite", "inside")
-        ):
-            return not after.has("noun", "room", *QUALITIES) or after.has("det", "number")
+
+def _purpose(scan: Scan, token: Token, after: Token | None) -> bool:
+    """ "For players to rest", "to illuminate the layout": what something is for; people are read."""
+    verb = after.get("verb") if after is not None else None
+    if token.text == "to" and isinstance(verb, Verb) and verb.form == "base" and "active" in (frame(verb) or ()):
+        scan.add("word", value=token)
+        scan.add("verb", value=Verb(verb.lemma, "ing"))  # "open to reveal two toys"
         return True
-
-    def _pronoun(self, token: Token, after: Token | None) -> bool:
-        text = token.text
-        opens = (
-            after is not None
-            and (after.has(*OPEN) or not after.kinds)
-            and not after.has(*CLOSED)
-            and not (after.has("verb") and self._is_verb(self.at + 1, seen_noun=True))
-        )
-        if token.has("each", "both") and (opens or (after is not None and after.has("det", "number"))):
-            return False
-        if token.has("det", "number") and opens:
-            return False
-        if token.has("rest") and opens:
-            return False
-        if token.text == "another" and opens:
-            return False
-        if token.text == "one" and after is not None and after.text == "of":
-            return False
-        kind = next(k for k in ("rest", "partial", "both", "each", "pron") if token.has(k))
-        phrase = NounPhrase("pronoun", text, token.start, token.end, value=kind)
-        if (
-            token.text == "one"
-            and self.noun_before
-            and after is not None
-            and not (after.has("verb", "preposition", "place_adverb"))
-        ):
-            return False
-        self._add("noun", value=phrase)
-        return True
-
-    def _purpose(self, token: Token) -> bool:
-        """ "for players to rest", "to illuminate the layout": what something is for; people are read."""
-        after = self._token(1)
-        verb = after.get("verb") if after is not None else None
-        voices = frame(verb) if isinstance(verb, Verb) and verb.form == "base" else None
-        if (
-            token.text == "to" and isinstance(verb, Verb) and voices is not None and "active" in voices
-        ):  # "open to reveal two toys"
-            self._add("word", value=token)
-            self._add("verb", value=Verb(verb.lemma, "ing"))
+    first = scan.at + 1
+    if token.text == "for" or token.has("purposes"):
+        ahead = scan.tokens[first : first + 3]
+        said_of_people = any(t.has("whom", "people_words", "number", "amount") for t in ahead)
+        if said_of_people and not any(t.has("noun") and not t.has("whom", "people_words", "number") for t in ahead[:2]):
+            scan.add("purpose", value="people")
             return True
-        if (
-            token.text == "to"
-            and after is not None
-            and after.has("verb", "stop")
-            or token.text in ("to", "ready to", "in order to")
-        ):
-            end = self.at + 1
-        elif token.text == "for" or token.has("purposes"):
-            end = self.at + 1
-            ahead = self.tokens[end : end + 4]
-            if any(t.has("whom", "people_words", "number", "amount") for t in ahead[:3]) and not any(
-                t.has("noun") for t in ahead[:2] if not t.has("whom", "people_words", "number")
-            ):
-                self._add("purpose", value="people")
-                return True
-            if any(t.has("room", "group") for t in ahead[:3]):
-                self._add("purpose", value="room")
-                return True
-        else:
-            return False
-        while end < len(self.tokens) and not self.tokens[end].has("break", "with", "while"):
-            t = self.tokens[end]
-            if t.has("and") and end + 1 < len(self.tokens) and self.tokens[end + 1].has("det", "number"):
-                break
-            if end > self.at + 1 and (
-                t.has("place_adverb") or (t.has("preposition") and t.text not in ("in", "on", "at", "by", "about"))
-            ):
-                break
-            if end > self.at + 2 and t.has("verb") and t.get("verb").form == "s" and not t.has("noun"):
-                break
-            end += 1
-        self._add("purpose", end - self.at, value="use")
+        if any(t.has("room", "group") for t in ahead):
+            scan.add("purpose", value="room")
+            return True
+    elif token.text not in ("to", "ready to", "in order to"):
+        return False
+    end = first
+    while end < len(scan.tokens) and not _purpose_ends(scan, end, first):
+        end += 1
+    scan.add("purpose", end - scan.at, value="use")
+    return True
+
+
+def _purpose_ends(scan: Scan, k: int, first: int) -> bool:
+    """Whether token ``k`` says no more of what something is for."""
+    token = scan.tokens[k]
+    if token.has("break", "with", "while"):
         return True
+    if token.has("and") and k + 1 < len(scan.tokens) and scan.tokens[k + 1].has("det", "number"):
+        return True
+    if k > first and (token.has("place_adverb") or (token.has("preposition") and token.text not in _IN_PURPOSES)):
+        return True
+    return k > first + 1 and token.has("verb") and token.get("verb").form == "s" and not token.has("noun")
 
-    def _verb(self, token: Token) -> None:
-        verb: Verb = token.get("verb")
-        after = self._token(1)
-        if verb.form == "ed" and after is not None and after.text in ("by", "with", "of", "in", "on", "to", "around"):
-            voices = frame(verb)
-            if voices is not None and "with" in voices and after.text == "with":
-                self._add("verb", 2, value=verb, passive=True)
-                return
-            if (
-                voices is not None
-                and "by" in voices
-                and (
-                    after.text in ("by", "with", "of")
-                    or (after.text in ("in", "to", "on") and verb.lemma in ("cover", "connect", "fill"))
-                )
-            ):
-                self._add("verb", 2, value=verb, passive=True)
-                return
-        self._add("verb", value=verb)
 
-    def _people_seated(self, after: Token) -> bool:
-        """Whether "seats eight" says for how many people, and not which chairs."""
-        third = self._token(2)
-        return after.has("number", "amount") and not (third is not None and (third.has(*OPEN) or not third.kinds))
+def _verb(scan: Scan, token: Token, after: Token | None) -> bool:
+    """A verb, together with the "by", "with" and the like of its participle."""
+    if not token.has("verb"):
+        return False
+    verb: Verb = token.get("verb")
+    voices = frame(verb) or {}
+    word = after.text if after is not None and verb.form == "ed" else ""
+    joined = ("with" in voices and word == "with") or (
+        "by" in voices and (word in ("by", "with", "of") or (word in ("in", "to", "on") and verb.lemma in _IN_OR_ON))
+    )
+    scan.add("verb", 2 if joined else 1, value=verb, passive=joined)
+    return True
+
+
+_RULES: tuple[Callable[[Scan, Token, Token | None], bool], ...] = (
+    _mark,
+    _pronoun,
+    _purpose,
+    _with,
+    _place,
+    _seats,
+    _binding,
+    _verb_in_place,
+    _noun,
+    _verb,
+    _word,
+)
+"""Each adds a chunk and says so, or leaves the token to the next."""

@@ -1,275 +1,305 @@
-"""Chunks into mentions and relations: who is placed where, clause by clause."""
+"""Chunks into mentions and statements: who is placed where, clause by clause."""
 
 from __future__ import annotations
+
+from collections.abc import Callable
 
 from sceneweaver.assets.taxonomy import category_named
 
 from .chunks import Chunk, NounPhrase
-from .parsed import Mention
-from .state import Frame, Waiting
-from .things import describe, give_sides, singular
+from .exclusions import excluded, only_chunk, without_chunk
+from .items import close_surface, open_surface
+from .nearness import meant_of_list
+from .parsed import Mention, Parsed
+from .pronouns import number_phrase, pronoun_phrase
+from .region_phrases import part_phrase, region_phrase, thing_phrase
+from .relating import relate_mutually, relate_to_nearest
+from .room_phrases import abstract_phrase, group_phrase, people_phrase, place_phrase, room_phrase, room_quality
+from .source import Source
+from .state import Frame, State, Waiting
+from .things import describe, give_length, give_sides, singular
 from .tokens import Token
-from .verbs import Verbs
-from .vocabulary import Place, mounts
+from .verbs import open_ends, verb_chunk, with_chunk
+from .vocabulary import Place, words
 
 _TURNED = ("transform", "convert", "turn", "set up")
+"""Verbs whose "into a studio" is no place."""
 
 SEATED = 4
 """Chairs from which on those around a table are taken for dining chairs."""
 
 
-def _is_plain(noun: str) -> bool:
-    """Whether chairs are not called armchairs and the like, but for what covers them."""
-    return singular(noun).split()[-1] == "chair" and not _EASY.intersection(noun.split())
+def read_clauses(chunks: list[Chunk], source: Source, parsed: Parsed) -> None:
+    """Puts what chunks say into ``parsed``, from left to right."""
+    state = State(chunks, source, parsed)
+    while state.at < len(chunks):
+        chunk = chunks[state.at]
+        state.at += 1
+        if chunk.kind not in ("while", "verb", "word"):
+            state.relative = False
+        _CHUNKS[chunk.kind](state, chunk)
+    _end_sentence(state)
+    _seat_diners(parsed)
 
 
-_EASY = frozenset(("arm", "easy", "lounge", "reading", "accent", "club", "wing", "sofa", "papasan", "slipper"))
-"""Words for chairs to rest in."""
+def _seat_diners(parsed: Parsed) -> None:
+    """Chairs around a table to eat at are dining chairs, upholstered or not."""
+    easy = frozenset(words("nouns")["easy"])
+    for said in parsed.said:
+        target = said.targets[0]
+        if said.type not in ("around", "along", "at", "flanking") or not isinstance(target, Mention):
+            continue
+        for one in said.subjects if "dining" in target.category else ():
+            many = one.count is not None and one.count[0] >= SEATED
+            plain = singular(one.noun).split()[-1] == "chair" and not easy.intersection(one.noun.split())
+            if many and plain and one.category == "armchair":
+                one.category = "dining_chair"
 
 
-class Clauses(Verbs):
-    """Chunks into mentions and relations: who is placed where, clause by clause."""
+def _end_sentence(state: State) -> None:
+    """What is open ends; who the sentence was about is what "it" may mean in the next."""
+    open_ends(state)
+    close_surface(state)
+    inverted: list[Mention] = []
+    if state.inverted:
+        inverted = [
+            t for f in state.frames[:1] for _, targets, _ in f.fronted for t in targets if isinstance(t, Mention)
+        ]
+    topic = inverted or state.subject or state.first_items[:1]
+    if not topic and state.lost:
+        topic = state.out.mentions[state.begun :][:1]
+    state.begun = len(state.out.mentions)
+    if topic and topic not in state.refs.topics[-1:]:
+        state.refs.topics.append(list(topic))
+    state.begin()
 
-    def _purpose(self, chunk: Chunk) -> None:
-        if self.waiting is not None:
-            self._open_ends()
-        if self.glue == "verb":
-            self.glue = ""
 
-    def _adjective(self, chunk: Chunk) -> None:
-        """Words of quality alone: of what "is" so, of what stands before them, or of the room."""
-        phrase: NounPhrase = chunk.value
-        if self.glue == "open" and self.frames and self.frames[-1].owner and not self.frames[-1].items:
-            self.head, self.glue = self.frames.pop().owner, ""  # "covered in red felt"
-        who = self.predicate or (self.head if self.glue == "" and not self.waiting else [])
-        if phrase.sides is not None:
-            sides, phrase.sides = phrase.sides, None
-            last = (self.head or self.subject)[-1:]
-            if last and not self.waiting and _furniture(last[0], sides):
-                give_sides(last[0], sides)
-            else:
-                self.out.sides.append(sides)
-        if phrase.length is not None and (self.head or self.subject):
-            axis = next((t.get("dim") for t in phrase.qualities if t.has("dim")), None)
-            if axis is not None:
-                last_one = (self.head or self.subject)[-1]
-                last_one.size[int(axis)], last_one.scale = phrase.length, 1.0
-        if who:
-            for mention in who:
-                describe(
-                    mention, NounPhrase("thing", "", phrase.start, phrase.end, qualities=phrase.qualities), self.source
-                )
+def _stop(state: State, chunk: Chunk) -> None:
+    _end_sentence(state)
+
+
+def _purpose(state: State, chunk: Chunk) -> None:
+    open_ends(state)
+    if state.glue == "verb":
+        state.glue = ""
+
+
+def _adjective(state: State, chunk: Chunk) -> None:
+    """Words of quality alone: of what "is" so, of what stands before them, or of the room."""
+    phrase: NounPhrase = chunk.value
+    if state.glue == "open" and state.frames and state.frames[-1].owner and not state.frames[-1].items:
+        state.head, state.glue = state.frames.pop().owner, ""  # "covered in red felt"
+    who = state.predicate or (state.head if state.glue == "" and not state.waiting else [])
+    last = (state.head or state.subject)[-1:]
+    if phrase.sides is not None:
+        sides, phrase.sides = phrase.sides, None
+        if last and not state.waiting and _may_have(last[0], sides):
+            give_sides(last[0], sides)
         else:
-            for token in phrase.qualities:
-                self._quality_of_room(token, room=not self.out.mentions or self.after_be)
-
-    def _word(self, chunk: Chunk) -> None:
-        token: Token = chunk.value
-        if (
-            token.text in ("seats", "sleeps", "accommodates")
-            and self.at < len(self.chunks)
-            and self.chunks[self.at].kind == "noun"
-        ):
-            phrase = self.chunks[self.at].value
-            if phrase.what == "number":
-                self.out.people = (phrase.count or (1, 1))[1]
-                self.at += 1
-                return
-        if not token.kinds and token.text.isalpha() and not token.text.endswith("ly"):
-            self._unread(token.text, chunk.start, chunk.end)
-
-    def run(self) -> None:
-        """All chunks."""
-        self._sentence()
-        while self.at < len(self.chunks):
-            chunk = self.chunks[self.at]
-            self.at += 1
-            if chunk.kind not in ("while", "verb", "word"):
-                self.relative = False
-            getattr(self, f"_{chunk.kind}")(chunk)
-        self._sentence()
-        self._seated()
-
-    def _seated(self) -> None:
-        """Chairs around a table to eat at are dining chairs, upholstered or not."""
-        for said in self.out.said:
-            target = said.targets[0]
-            if said.type not in ("around", "along", "at", "flanking") or not isinstance(target, Mention):
-                continue
-            for one in said.subjects:
-                many = one.count is not None and one.count[0] >= SEATED
-                if many and "dining" in target.category and one.category == "armchair" and _is_plain(one.noun):
-                    one.category = "dining_chair"
-
-    def _sentence(self) -> None:
-        self._open_ends()
-        self._on_the_same()
-        inverted = [t for f in self.frames[:1] for _, ts, _ in f.fronted for t in ts if isinstance(t, Mention)]
-        topic = (inverted if self.inverted else []) or self.subject or self.first_items[:1]
-        if not topic and self.lost:
-            topic = self.out.mentions[self.begun :][:1]
-        self.begun = len(self.out.mentions)
-        if topic and topic not in self.refs.topics[-1:]:
-            self.refs.topics.append(list(topic))
-        self.begin()
-
-    def _stop(self, chunk: Chunk) -> None:
-        self._sentence()
-
-    def _bracket(self, chunk: Chunk) -> None:
-        self.glue = "bracket"
-
-    def _comma(self, chunk: Chunk) -> None:
-        if self.waiting is not None and self.waiting.first is None:
-            self._open_ends()
-        self.manner, self.each = "", False
-        self.glue = "comma"
-        self.predicate = []
-
-    def _and(self, chunk: Chunk) -> None:
-        self.glue = "comma and" if self.glue == "comma" else "or" if chunk.text == "or" else "and"
-
-    def _while(self, chunk: Chunk) -> None:
-        if chunk.text == "but":
-            self.negated = ""
-            self.glue = "comma"
-            return
-        if chunk.text == "where" and (self.head or self.subject):
-            place = (self.head or self.subject)[-1]
-            if mounts(place.category)[0] == "floor":
-                self._stands_on(place, chunk.text)
-        if chunk.text in ("that", "which", "whose", "who"):
-            self.relative = bool(self.head)
-            return
-        if self.subject:
-            self.refs.topics.append(list(self.subject))
-        self._open_ends()
-        bottom = [f for f in self.frames[:1] if f.kind == "list"]
-        self.frames, self.fronted, self.waiting = bottom, [], None
-        self.subject, self.subject_open, self.glue, self.negated, self.manner = [], True, "while", "", ""
-
-    def _noun(self, chunk: Chunk) -> None:
-        phrase: NounPhrase = chunk.value
-        self.after_be = False
-        if self.negated and self._excluded(phrase, chunk):
-            return
-        getattr(self, f"_np_{phrase.what}")(phrase, chunk)
-
-    def _place(self, chunk: Chunk) -> None:
-        place: Place = chunk.value
-        self.after_be = False
-        if self.negated:
-            self._nowhere(chunk)
-            return
-        if self.waiting is not None:
-            self._open_ends()
-        before = self._chunk(self.at - 2)
-        turned = before is not None and before.kind == "verb" and before.value.lemma in _TURNED
-        if turned and place.type in ("inside", "through", "on") and self._noun_next():
-            self.at += 1  # "transformed into a studio"
-            return
-        if place.type == "centered_on" and not (self.subject or self.head or self.out.mentions) and self._noun_next():
-            self.frames.append(Frame("list", type="centered", words=chunk.text))  # "a bedroom centered on a bed"
-            self.glue, self.lost = "open", False
-            return
-        if chunk.mutual:
-            self._mutual(place, chunk)
-            return
-        after = self._chunk(self.at)
-        if chunk.text == "in" and after is not None and after.kind == "adjective" and self.head:
-            return  # "a pair of chairs in green and violet"
-        glue, self.glue = self.glue, ""
-        subjects = self._subjects_of(place, glue)
-        fronts = chunk.bare and subjects is None and not self._target_next()
-        if self._noun_next() and not (chunk.passive or fronts):
-            lost = self.lost and not subjects
-            self.waiting = Waiting(self._mannered(place), subjects, chunk, self.subset, lost=lost)
-            self.subset = None
-            self.glue = "object"
-            return
-        self._implicit(self._mannered(place), subjects, chunk)
-        self.subset = None
-
-    def _subjects_of(self, place: Place, glue: str) -> list[Mention] | None:
-        """Who a word of place is about; None: who comes after it."""
-        if glue in ("start", "while") or (glue in ("comma", "and", "comma and") and self._fronts(self.at - 1)):
-            self.lost = self.lost and glue == ""
-            self.frames = (
-                [f for f in self.frames[:1] if f.kind == "list"] if glue != "and" or self.done else self.frames
-            )
-            if self.subject and glue != "start":
-                self.previous = list(self.subject)
-                self.refs.topics.append(list(self.subject))
-                self.subject, self.subject_open, self.done = [], True, False
-            return None
-        if glue == "verb":
-            return list(self.subject)
-        if glue in ("comma", "comma and") and not self.frames and self.subject:
-            return list(self.subject) if self.done else list(self.head)
-        if glue == "and" and self.last_subjects:
-            return list(self.last_subjects)
-        if glue == "open" and self.frames and not self.frames[-1].items:
-            return None
-        if not self.head:
-            return list(self.subject) if self.subject else ([] if self.lost else None)
-        head = list(self.head)
-        frame = self.frames[-1] if self.frames else None
-        if (
-            frame is not None
-            and frame.kind == "verb"
-            and frame.type in ("on", "inside")
-            and place.type in ("opposite", "along")
-        ):
-            return list(frame.owner)  # "a console supports a TV across from the sofa"
-        if self.joined != "and":
-            return head
-        if self.subject_open and not self.frames and len(self.subject) > 1 and self.head == self.subject[-1:]:
-            head = self._meant(place, self.subject)
-        elif self.frames and len(self.frames[-1].items) > 1 and self.head == self.frames[-1].items[-1:]:
-            head = self._meant(place, self.frames[-1].items)
-        return head
-
-    def _nowhere(self, chunk: Chunk) -> None:
-        """Where something must not be cannot be said as a relation."""
-        after = self.chunks[self.at] if self.at < len(self.chunks) else None
-        if self.negated == "where" or self.negated == "first":
-            said = chunk.text
-            end = chunk.end
-            if after is not None and after.kind == "noun" and after.value.what != "room":
-                said, end = f"{chunk.text} {self.source.text[after.start : after.end]}", after.end
-                self.at += 1
-            elif after is not None and after.kind == "noun":
-                self.negated = ""
-                return
-            self._unread(f"not {said}", chunk.start, end)
-            self.out.note(f"'not {said}' cannot be said as a relation and was left out")
-            self.negated = ""
-            return
-        self.negated = (
-            "" if not (after is not None and after.kind == "noun" and after.value.what == "room") else self.negated
-        )
-        if self.negated:
-            self.negated = ""
-            return
-        self._place(chunk)
-
-    def _mannered(self, place: Place) -> Place:
-        """ "Leaning against", "hanging on", "centered under": what the verb adds to a word of place."""
-        manner, self.manner = self.manner, ""
-        if manner == "lean" and place.type in ("against", "on", "next_to", "near"):
-            return Place(
-                "leaning_on" if place.type in ("against", "on") else place.type, words=f"leaning {place.words}"
-            )
-        if manner == "center" and place.type in ("on", "inside", "centered_on"):
-            return Place("centered_on", words=f"centered {place.words}")
-        if manner == "drape" and place.type in ("above", "through"):
-            return Place("on", words=f"draped {place.words}")
-        if manner in ("hang", "mount") and place.type in ("above", "on", "inside", "against"):
-            return Place(place.type, words=f"{'hanging' if manner == 'hang' else 'mounted'} {place.words}")
-        return place
+            state.out.sides.append(sides)
+    if last:
+        give_length(last[0], phrase)
+    for mention in who:
+        plain = NounPhrase("thing", "", phrase.start, phrase.end, qualities=phrase.qualities)
+        describe(mention, plain, state.source)
+    if not who:
+        for token in phrase.qualities:
+            room_quality(state, token, room=not state.out.mentions or state.after_be)
 
 
-def _furniture(mention: Mention, sides: tuple[float, ...]) -> bool:
+def _may_have(mention: Mention, sides: tuple[float, ...]) -> bool:
     """Whether sides [m] may be those of a thing."""
     size = category_named(mention.category).size
     return size is not None and max(sides[:2]) <= 2 * max(size.depth[1], size.width[1])
+
+
+def _word(state: State, chunk: Chunk) -> None:
+    token: Token = chunk.value
+    after = state.chunk(state.at)
+    number = after.value if after is not None and after.kind == "noun" and after.value.what == "number" else None
+    if token.text in ("seats", "sleeps", "accommodates") and number is not None:
+        state.out.people = (number.count or (1, 1))[1]
+        state.at += 1
+    elif not token.kinds and token.text.isalpha() and not token.text.endswith("ly"):
+        state.leave_unread(token.text, chunk.start, chunk.end)
+
+
+def _bracket(state: State, chunk: Chunk) -> None:
+    state.glue = "bracket"
+
+
+def _comma(state: State, chunk: Chunk) -> None:
+    if state.waiting is not None and state.waiting.first is None:
+        open_ends(state)
+    state.manner, state.each = "", False
+    state.glue = "comma"
+    state.predicate = []
+
+
+def _and(state: State, chunk: Chunk) -> None:
+    state.glue = "comma and" if state.glue == "comma" else "or" if chunk.text == "or" else "and"
+
+
+def _while(state: State, chunk: Chunk) -> None:
+    """A clause of its own begins, unless "that" goes on with what was just named."""
+    if chunk.text == "but":
+        state.negated, state.glue = "", "comma"
+        return
+    last = (state.head or state.subject)[-1:]
+    if chunk.text == "where" and last and last[0].mount == "floor":
+        open_surface(state, last[0], chunk.text)
+    if chunk.text in ("that", "which", "whose", "who"):
+        state.relative = bool(state.head)
+        return
+    if state.subject:
+        state.refs.topics.append(list(state.subject))
+    open_ends(state)
+    state.close_frames()
+    state.fronted, state.subject, state.subject_open = [], [], True
+    state.glue, state.negated, state.manner = "while", "", ""
+
+
+def _noun(state: State, chunk: Chunk) -> None:
+    phrase: NounPhrase = chunk.value
+    state.after_be = False
+    if not (state.negated and excluded(state, phrase, chunk)):
+        _PHRASES[phrase.what](state, phrase, chunk)
+
+
+def _place(state: State, chunk: Chunk) -> None:
+    place: Place = chunk.value
+    state.after_be = False
+    if state.negated and _is_nowhere(state, chunk):
+        return
+    open_ends(state)
+    before, after = state.chunk(state.at - 2), state.chunk(state.at)
+    noun_next = state.noun_next()
+    turned = before is not None and before.kind == "verb" and before.value.lemma in _TURNED
+    if turned and place.type in ("inside", "through", "on") and noun_next:
+        state.at += 1  # "transformed into a studio"
+        return
+    named = state.subject or state.head or state.out.mentions
+    if place.type == "centered_on" and not named and noun_next:
+        state.frames.append(Frame("list", type="centered", words=chunk.text))  # "a bedroom centered on a bed"
+        state.glue, state.lost = "open", False
+        return
+    if chunk.mutual:
+        relate_mutually(state, place, chunk)
+        return
+    if chunk.text == "in" and after is not None and after.kind == "adjective" and state.head:
+        return  # "a pair of chairs in green and violet"
+    glue, state.glue = state.glue, ""
+    subjects = _subjects_of(state, place, glue)
+    place = _mannered(state, place)
+    fronts = chunk.bare and subjects is None and not state.target_next()
+    if noun_next and not (chunk.passive or fronts):
+        state.waiting = Waiting(place, subjects, chunk, state.subset, lost=state.lost and not subjects)
+        state.glue = "object"
+    else:
+        relate_to_nearest(state, place, subjects, chunk)
+    state.subset = None
+
+
+def _subjects_of(state: State, place: Place, glue: str) -> list[Mention] | None:
+    """Who a word of place is about; None: who comes after it."""
+    joins = glue in ("comma", "and", "comma and")
+    if glue in ("start", "while") or (joins and state.fronts(state.at - 1)):
+        state.lost = False
+        if glue != "and" or state.done:
+            state.close_frames()
+        if state.subject and glue != "start":
+            state.previous = list(state.subject)
+            state.refs.topics.append(list(state.subject))
+            state.subject, state.subject_open, state.done = [], True, False
+        return None
+    if glue == "verb":
+        return list(state.subject)
+    if glue in ("comma", "comma and") and not state.frames and state.subject:
+        return list(state.subject) if state.done else list(state.head)
+    if glue == "and" and state.last_subjects:
+        return list(state.last_subjects)
+    frame = state.frames[-1] if state.frames else None
+    if glue == "open" and frame is not None and not frame.items:
+        return None
+    if not state.head:
+        return list(state.subject) if state.subject else ([] if state.lost else None)
+    holds = frame is not None and frame.kind == "verb" and frame.type in ("on", "inside")
+    if frame is not None and holds and place.type in ("opposite", "along"):
+        return list(frame.owner)  # "a console supports a TV across from the sofa"
+    if state.joined == "and":
+        listed = frame.items if frame is not None else state.subject if state.subject_open else []
+        if len(listed) > 1 and state.head == listed[-1:]:
+            return meant_of_list(state, place, listed)
+    return list(state.head)
+
+
+def _is_nowhere(state: State, chunk: Chunk) -> bool:
+    """Whether a word of place says where something must not be, which cannot be said as a relation."""
+    after = state.chunk(state.at)
+    noun = after if after is not None and after.kind == "noun" else None
+    of_room = noun is not None and noun.value.what == "room"
+    if state.negated not in ("where", "first"):
+        if not of_room:
+            state.negated = ""
+            return False
+        state.negated = ""
+        return True
+    state.negated = ""
+    if of_room:
+        return True
+    said, end = chunk.text, chunk.end
+    if noun is not None:
+        said, end = f"{said} {state.source.text[noun.start : noun.end]}", noun.end
+        state.at += 1
+    state.leave_unread(f"not {said}", chunk.start, end)
+    state.out.note(f"'not {said}' cannot be said as a relation and was left out")
+    return True
+
+
+def _mannered(state: State, place: Place) -> Place:
+    """ "Leaning against", "hanging on", "centered under": what the verb adds to a word of place."""
+    manner, state.manner = state.manner, ""
+    kind = place.type
+    if manner == "lean" and kind in ("against", "on", "next_to", "near"):
+        return Place("leaning_on" if kind in ("against", "on") else kind, words=f"leaning {place.words}")
+    if manner == "center" and kind in ("on", "inside", "centered_on"):
+        return Place("centered_on", words=f"centered {place.words}")
+    if manner == "drape" and kind in ("above", "through"):
+        return Place("on", words=f"draped {place.words}")
+    if manner in ("hang", "mount") and kind in ("above", "on", "inside", "against"):
+        return Place(kind, words=f"{'hanging' if manner == 'hang' else 'mounted'} {place.words}")
+    return place
+
+
+_CHUNKS: dict[str, Callable[[State, Chunk], None]] = {
+    "adjective": _adjective,
+    "and": _and,
+    "bracket": _bracket,
+    "comma": _comma,
+    "noun": _noun,
+    "only": only_chunk,
+    "place": _place,
+    "purpose": _purpose,
+    "stop": _stop,
+    "verb": verb_chunk,
+    "while": _while,
+    "with": with_chunk,
+    "without": without_chunk,
+    "word": _word,
+}
+"""What each kind of chunk does to the state."""
+
+_PHRASES: dict[str, Callable[[State, NounPhrase, Chunk], None]] = {
+    "abstract": abstract_phrase,
+    "collective": abstract_phrase,
+    "group": group_phrase,
+    "number": number_phrase,
+    "part": part_phrase,
+    "people": people_phrase,
+    "place": place_phrase,
+    "pronoun": pronoun_phrase,
+    "region": region_phrase,
+    "room": room_phrase,
+    "thing": thing_phrase,
+}
+"""What each kind of noun phrase does to the state."""

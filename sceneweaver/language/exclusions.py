@@ -5,85 +5,79 @@ from __future__ import annotations
 from sceneweaver.assets import categories
 
 from .chunks import Chunk, NounPhrase
-from .pronouns import Pronouns
+from .region_phrases import thing_phrase
+from .state import State
 from .things import match_of, name_of
 from .vocabulary import category_of, words
 
 
-class Exclusions(Pronouns):
-    """What must not be there, and that nothing else is to be."""
-
-    def _without(self, chunk: Chunk) -> None:
-        if self.waiting is not None:
-            self.waiting = None
-        if chunk.value == "nothing":
-            self._nothing()
+def without_chunk(state: State, chunk: Chunk) -> None:
+    """ "No", "without", "nothing": what follows must not be there."""
+    state.waiting = None
+    if chunk.value != "nothing":
+        state.negated, state.glue = "first", "neg"
+        return
+    rules = words("groups")["nothing_on"]  # "nothing on the walls"
+    for k, ahead in enumerate(state.chunks[state.at : state.at + 4]):
+        place = str(ahead.value.value).split(":")[0] if ahead.kind == "noun" and ahead.value.what == "place" else ""
+        if place in rules:
+            span = state.source.span(ahead.start, ahead.end)
+            state.out.without += [(name, (name,), span) for name in rules[place]]
+            state.at += k + 1
             return
-        self.negated = "first"
-        self.glue = "neg"
+    if state.at < len(state.chunks) and state.chunks[state.at].text.split()[0] in ("else", "more"):
+        state.out.only = True
 
-    def _nothing(self) -> None:
-        rules = words("groups")["nothing_on"]
-        for k, chunk in enumerate(self.chunks[self.at : self.at + 4]):
-            if chunk.kind == "noun" and chunk.value.what == "place" and str(chunk.value.value).split(":")[0] in rules:
-                named = rules[str(chunk.value.value).split(":")[0]]
-                self.out.without += [(name, (name,), self.source.span(chunk.start, chunk.end)) for name in named]
-                self.at += k + 1
-                return
-        if self.at < len(self.chunks) and self.chunks[self.at].text.split()[0] in ("else", "more"):
-            self.out.only = True
 
-    def _excluded(self, phrase: NounPhrase, chunk: Chunk) -> bool:
-        """Whether a noun phrase is one of what must not be there."""
-        glue = self.glue
-        if (
-            self.negated != "first"
-            and glue != "or"
-            and (phrase.count is not None or phrase.determiner in ("a", "an", "the", "another"))
-            and not (self.negated == "article" and phrase.determiner in ("a", "an") and phrase.count is None)
-        ):
-            self.negated = ""
-            return False
-        if phrase.what in ("room",) or (phrase.what == "place" and phrase.value not in ("window", "door")):
-            self.negated = ""
-            return False
-        after = self.chunks[self.at] if self.at < len(self.chunks) else None
-        if phrase.definite and after is not None and after.kind == "place" and phrase.what == "thing":
-            self.negated = "where"  # "don't put the bed near the door" wants a bed
-            self.glue = "start"
-            self._np_thing(phrase, chunk)
-            return True
-        span = self.source.span(phrase.start, phrase.end)
-        if phrase.what == "place":
-            self.out.openings[str(phrase.value)] = 0
-        elif phrase.what == "group":
-            for name in words("groups")["groups"][phrase.value]["things"]:
-                self.out.without.append((phrase.text, (category_of(name),), span))
-        elif phrase.what in ("thing",):
-            noun = name_of(phrase)
-            listed = words("groups")["without"].get(phrase.text)
-            known = categories().get(str(phrase.value))
-            match = match_of(noun)
-            names = (
-                tuple(listed)
-                if listed
-                else ((phrase.value,) if known is not None and known.size is None else (match.category,))
-            )
-            if match.how == "generic" and not listed and phrase.value is None:
-                self._unread(f"no {noun}", phrase.start, phrase.end)
-                self.out.without.append(
-                    (noun, (match.category if match.category != "object" else noun.replace(" ", "_"),), span)
-                )
-            else:
-                self.out.without.append((phrase.text, names, span))
-        if self.negated == "first":
-            self.negated = "article" if phrase.determiner in ("a", "an") else "list"
-        self.glue = ""
+def excluded(state: State, phrase: NounPhrase, chunk: Chunk) -> bool:
+    """Whether a noun phrase is one of what must not be there; "a TV, and a desk" after "no" ends the list."""
+    named = phrase.count is not None or phrase.determiner in ("a", "an", "the", "another")
+    alike = state.negated == "article" and phrase.determiner in ("a", "an") and phrase.count is None
+    ends = state.negated != "first" and state.glue != "or" and named and not alike
+    of_room = phrase.what == "room" or (phrase.what == "place" and phrase.value not in ("window", "door"))
+    if ends or of_room:
+        state.negated = ""
+        return False
+    after = state.chunk(state.at)
+    if phrase.definite and after is not None and after.kind == "place" and phrase.what == "thing":
+        state.negated = "where"  # "don't put the bed near the door" wants a bed
+        state.glue = "start"
+        thing_phrase(state, phrase, chunk)
         return True
+    _leave_out(state, phrase)
+    if state.negated == "first":
+        state.negated = "article" if phrase.determiner in ("a", "an") else "list"
+    state.glue = ""
+    return True
 
-    def _only(self, chunk: Chunk) -> None:
-        if chunk.value == "all":
-            self.out.only = True
+
+def _leave_out(state: State, phrase: NounPhrase) -> None:
+    """The categories, or groups of them, that a noun phrase rules out."""
+    span = state.source.span(phrase.start, phrase.end)
+    groups = words("groups")
+    if phrase.what == "place":
+        state.out.openings[str(phrase.value)] = 0
+    elif phrase.what == "group":
+        things = groups["groups"][phrase.value]["things"]
+        state.out.without += [(phrase.text, (category_of(name),), span) for name in things]
+    elif phrase.what == "thing":
+        noun = name_of(phrase)
+        match, known = match_of(noun), categories().get(str(phrase.value))
+        listed = groups["without"].get(phrase.text)
+        if listed:
+            names = tuple(listed)
+        elif match.how == "generic" and phrase.value is None:
+            state.leave_unread(f"no {noun}", phrase.start, phrase.end)
+            category = match.category if match.category != "object" else noun.replace(" ", "_")
+            state.out.without.append((noun, (category,), span))
             return
-        ahead = self.chunks[self.at : self.at + 2]
-        self.out.only = self.out.only or any(c.kind == "noun" and c.value.what in ("thing", "group") for c in ahead)
+        else:
+            names = (phrase.value,) if known is not None and known.size is None else (match.category,)
+        state.out.without.append((phrase.text, names, span))
+
+
+def only_chunk(state: State, chunk: Chunk) -> None:
+    """ "Only a bed", "nothing else": nothing but what is named."""
+    ahead = state.chunks[state.at : state.at + 2]
+    named = any(c.kind == "noun" and c.value.what in ("thing", "group") for c in ahead)
+    state.out.only = state.out.only or chunk.value == "all" or named

@@ -2,290 +2,264 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
-from .chunks import Chunk, NounPhrase
+from .chunks import NounPhrase
 from .parsed import Mention, Said
-from .relating import Relating
-from .state import Frame, Waiting
-from .vocabulary import Place, family, mounts
+from .relating import relate, relate_to_owner, say, support_kind
+from .state import Frame, Fronted, State, Waiting
+from .vocabulary import Place
 
 
-class Items(Relating):
-    """What a noun phrase is in its clause: the target of a word of place, an item of an open list, or a subject."""
+def name_things(state: State, mentions: list[Mention], phrase: NounPhrase, new: bool) -> None:
+    """Things that were named take their place: target, item of a list, or subject."""
+    if state.waiting is not None:
+        give_target(state, state.waiting, mentions, phrase, new)
+        return
+    glue, state.glue = state.glue, ""
+    has_verb = state.verb_follows(state.at)
+    bound = glue in ("and", "or", "comma and")
+    more = not new or (state.done and not state.frames and glue == "and")
+    if bound and more and state.last_target is not None and not has_verb:
+        last, _ = state.last_target  # "next to the bed and the door"
+        bind_target(state, replace(last, first=None), tuple(mentions))
+        return
+    inverted = state.inverted and state.frames and state.frames[0].kind == "fronted" and not has_verb
+    if (glue == "open" and state.frames) or inverted:
+        if glue.startswith("comma"):
+            state.frames = state.frames[:1]
+        _add_item(state, mentions, phrase)
+        return
+    clause = glue in ("start", "while", "comma", "comma and", "and") and has_verb
+    clause = clause and (state.done or (bool(state.frames) and not state.subject_open))
+    if glue in ("start", "while") or clause or not (state.subject or state.frames or state.fronted):
+        begin_clause(state, mentions, glue)
+    elif state.fronted and not (state.frames and glue == ""):
+        keep = bool(state.first_items) and state.subject_open and glue == "and"
+        begin_clause(state, mentions, glue, keep=keep)
+    else:
+        _coordinate(state, mentions, phrase, glue)
 
-    def _named(self, mentions: list[Mention], phrase: NounPhrase, chunk: Chunk, new: bool) -> None:
-        """Things that were named take their place: target, item of a list, or subject."""
-        if self.waiting is not None:
-            self._target(mentions, phrase, new)
-            return
-        glue, self.glue = self.glue, ""
-        more = glue in ("and", "or", "comma and") and (not new or (self.done and not self.frames and glue == "and"))
-        if more and self.last_target is not None and not self._verb_follows(self.at):
-            self._one_more_target(mentions)
-            return
-        if glue == "open" and self.frames:
-            self._item(mentions, phrase)
-            return
-        if self.inverted and self.frames and self.frames[0].kind == "fronted" and not self._verb_follows(self.at):
-            if glue.startswith("comma"):
-                self.frames = self.frames[:1]
-            self._item(mentions, phrase)
-            return
-        clause = glue in ("start", "while", "comma", "comma and", "and") and (
-            (self.done and self._verb_follows(self.at))
-            or (bool(self.frames) and self._verb_follows(self.at) and not self.subject_open)
-        )
-        if glue in ("start", "while") or clause or not (self.subject or self.frames or self.fronted):
-            self._subject(mentions, glue)
-            return
-        if self.fronted and not (self.frames and glue == ""):
-            self._subject(mentions, glue, keep=bool(self.first_items) and self.subject_open and glue in ("and",))
-            return
-        self._coordinate(mentions, phrase, glue)
 
-    def _subject(self, mentions: list[Mention], glue: str, keep: bool = False) -> None:
-        """A new clause, or an item of its own."""
-        if self.subject and not keep:
-            self.previous = list(self.subject)
-            if glue != "start":
-                self.refs.topics.append(list(self.subject))
-        if glue != "start" or not self.frames:
-            self.frames = [f for f in self.frames[:1] if f.kind == "list"]
-        self.subject = [*self.subject, *mentions] if keep else list(mentions)
-        self.head, self.first_items = list(mentions), [*self.first_items, *mentions]
-        self.subject_open, self.lost, self.inverted, self.done, self.last_target = True, False, False, False, None
-        self.head_related, self.joined = False, ""
-        if self.frames and self.frames[0].kind == "list":
-            self.frames[0].items += mentions
-        fronted, self.fronted = self.fronted, []
-        for place, targets, at in fronted:
-            self._relate(place, mentions, targets, at)
-            if place.type in ("on", "inside") and isinstance(targets[0], Mention):
-                self._stands_on(targets[0], place.words)
-        if fronted:
-            self.frames.append(Frame("fronted", fronted=fronted, items=list(mentions)))
+def begin_clause(state: State, mentions: list[Mention], glue: str, keep: bool = False) -> None:
+    """Things become the subject of a new clause; ``keep`` adds them to the one that there is."""
+    if state.subject and not keep:
+        state.previous = list(state.subject)
+        if glue != "start":
+            state.refs.topics.append(list(state.subject))
+    if glue != "start" or not state.frames:
+        state.close_frames()
+    state.subject = [*state.subject, *mentions] if keep else list(mentions)
+    state.head, state.first_items = list(mentions), [*state.first_items, *mentions]
+    state.subject_open, state.lost, state.inverted, state.done, state.last_target = True, False, False, False, None
+    state.head_related, state.joined = False, ""
+    if state.frames and state.frames[0].kind == "list":
+        state.frames[0].items += mentions
+    fronted, state.fronted = state.fronted, []
+    if fronted:
+        _relate_fronted(state, fronted, mentions)
+        state.frames.append(Frame("fronted", fronted=fronted, items=list(mentions)))
 
-    def _coordinate(self, mentions: list[Mention], phrase: NounPhrase, glue: str) -> None:
-        """One more of a list: with "and" of the innermost, after a comma of the outermost one."""
-        self.joined = (
-            "and" if glue in ("and", "or", "comma and") and not (glue == "comma and" and self.head_related) else "comma"
-        )
-        self.last_target = None
-        if glue in ("comma", "comma and", "bracket") and self.frames:
-            base = self.frames[0]
-            if len(self.frames) > 1 and not self._goes_on(mentions, phrase):
-                self.frames = self.frames[:1]
-            elif (
-                base.kind in ("with", "verb")
-                and not base.finite
-                and self.subject_open
-                and self._placed_next(self.at)
-                or base.kind == "fronted"
-                and not base.finite
-                and self._placed_next(self.at)
-            ):
-                self.frames = []
-        elif (
-            glue in ("and", "or")
-            and self.frames
-            and self.frames[-1].kind == "fronted"
-            and not self.frames[-1].finite
-            and self._placed_next(self.at)
-        ):
-            self.frames.pop()
-        if self.frames:
-            self._item(mentions, phrase)
-            return
-        if self.subject_open:
-            self.previous = list(self.subject[-1:])
-            if not (glue == "and" and not self.done) and glue.startswith("comma") and self.head_related:
-                self.subject = list(mentions)
-            else:
-                self.subject = [*self.subject, *mentions]
-        else:
-            self.previous = list(self.subject)
-            self.subject, self.subject_open = list(mentions), True
-        self.head, self.first_items = list(mentions), [*self.first_items, *mentions]
-        self.head_related = False
 
-    def _goes_on(self, mentions: list[Mention], phrase: NounPhrase) -> bool:
-        """Whether a comma does not end an inner list: small things after small things that something holds."""
-        inner = self.frames[-1]
-        small = all(mounts(m.category)[0] == "surface" for m in mentions) and not self._placed_next(self.at)
-        held = inner.kind == "verb" and inner.type in ("on", "inside")
-        if held and self.frames[0].kind == "list":
-            return small and bool(inner.items)
-        first = inner.items[:1]
-        carrier = (
-            inner.kind == "with" and bool(inner.owner) and family(inner.owner[-1].category) in ("table", "storage")
-        )
-        if carrier and self.frames[0].kind in ("list", "fronted"):
-            return small and bool(first) and mounts(first[0].category)[0] == "surface"
-        if held and self.frames[0].kind == "with" and phrase.count and small:
-            return bool(first and first[0].noun in inner.numbered)
-        return bool(
-            inner.kind == "with"
-            and small
-            and phrase.count
-            and first
-            and first[0].count
-            and first[0].noun in inner.numbered
-        )
+def _relate_fronted(state: State, fronted: list[Fronted], mentions: list[Mention]) -> None:
+    """ "On the desk sits a laptop": what was said ahead of who it is about."""
+    for place, targets, at in fronted:
+        relate(state, place, mentions, targets, at)
+        if place.type in ("on", "inside") and isinstance(targets[0], Mention):
+            open_surface(state, targets[0], place.words)
 
-    def _item(self, mentions: list[Mention], phrase: NounPhrase) -> None:
-        """What is named in an open list."""
-        frame = self.frames[-1]
-        if frame.items:
-            self.previous = list(frame.items[-1:])
-        frame.items += mentions
-        if phrase.count is not None:
-            frame.numbered += [m.noun for m in mentions]
-        self.head, self.glue, self.head_related = list(mentions), "", False
-        if frame.kind == "list":
-            self.first_items = [*self.first_items, *mentions]
-            self.subject = list(mentions)
-            if frame.type == "centered":
-                frame.type = ""
-                self.out.said.append(Said("at", list(mentions), ("middle",), frame.words, implied=False))
-        elif frame.kind == "fronted":
-            for place, targets, at in frame.fronted:
-                self._relate(place, mentions, targets, at)
-                if place.type in ("on", "inside") and isinstance(targets[0], Mention):
-                    self._stands_on(targets[0], place.words)
-            self.subject = [*self.subject, *mentions]
-        elif frame.kind == "with":
-            self._owned(frame, mentions, phrase)
-        else:
-            self._placed(frame, mentions)
-        if frame.each or phrase.determiner == "each":
-            self._for_each(frame.owner, mentions)
 
-    def _for_each(self, owners: list[Mention], mentions: list[Mention]) -> None:
-        many = next((o.count for o in owners if o.count is not None), None)
-        for mention in mentions:
-            if many is not None and mention.count is not None:
-                mention.count = (mention.count[0] * many[0], mention.count[1] * many[1])
+def _coordinate(state: State, mentions: list[Mention], phrase: NounPhrase, glue: str) -> None:
+    """One more of a list: with "and" of the innermost, after a comma of the outermost one."""
+    bound = glue in ("and", "or") or (glue == "comma and" and not state.head_related)
+    state.joined = "and" if bound else "comma"
+    state.last_target = None
+    placed = state.placed_next(state.at)
+    if glue in ("comma", "comma and", "bracket") and state.frames:
+        base = state.frames[0]
+        ends = base.is_fronting or (base.kind in ("with", "verb") and not base.finite and state.subject_open)
+        if len(state.frames) > 1 and not _inner_list_goes_on(state, mentions, phrase):
+            state.frames = state.frames[:1]
+        elif ends and placed:
+            state.frames = []
+    elif glue in ("and", "or") and state.frames and placed and state.frames[-1].is_fronting:
+        state.frames.pop()
+    if state.frames:
+        _add_item(state, mentions, phrase)
+        return
+    if state.subject_open:
+        state.previous = list(state.subject[-1:])
+        another = glue.startswith("comma") and state.head_related
+        state.subject = list(mentions) if another else [*state.subject, *mentions]
+    else:
+        state.previous = list(state.subject)
+        state.subject, state.subject_open = list(mentions), True
+    state.head, state.first_items = list(mentions), [*state.first_items, *mentions]
+    state.head_related = False
 
-    def _placed(self, frame: Frame, mentions: list[Mention]) -> None:
-        kind = frame.type
-        targets = tuple(frame.owner[-1:] if kind != "between" else frame.owner)
-        if frame.owner and len(frame.owner) > 1 and kind in ("on", "inside"):
-            targets = tuple(frame.owner[:1])
-        if not targets:
-            return
-        if kind == "beside":
-            seat = all(family(m.category) == "seat" for m in mentions) and family(frame.owner[0].category) == "table"
-            night = len(mentions) == 1 and mentions[0].category == "nightstand" and mentions[0].count == (2, 2)
-            kind = "at" if seat else "flanking" if night else "next_to"
-        elif kind in ("on", "inside"):
-            kind = self.support(kind, frame.owner[0])
-        place = Place(kind, words=frame.words, each=frame.each or kind == "flanking")
-        self._relate(place, mentions, targets, None, span=self.chunk_span())
 
-    def _target(self, mentions: list[Mention], phrase: NounPhrase, new: bool) -> None:
-        """A word of place gets its target."""
-        waiting = self.waiting
-        assert waiting is not None
-        if waiting.place.type == "between" and waiting.first is None and len(mentions) == 1 and not (mentions[0].many):
-            waiting.first = mentions[0]
-            self.glue = "open"
-            return
-        self.waiting = None
-        if self.each and new and waiting.subjects:
-            self._for_each(waiting.subjects, mentions)
-        targets: tuple[Any, ...] = tuple(mentions)
-        if waiting.place.type == "between":
-            targets = (waiting.first, mentions[0]) if waiting.first is not None else (mentions[0], mentions[-1])
-        elif waiting.place.type not in ("around",):
-            targets = targets[:1] if phrase.what != "pronoun" or len(mentions) == 1 else targets
-        each = phrase.determiner in ("each", "every")
-        self._bound(waiting, targets, each)
-        if waiting.subjects is not None and new and not waiting.lost:
-            self.head = list(mentions)
-        elif waiting.subjects is None:
-            self.head = []
-        self.glue = ""
-        if waiting.lost and not waiting.subjects:  # "light falls on a bench": the sentence is about the bench
-            self.head, self.lost = list(mentions), False
-            self.subject = self.subject or list(mentions)
-            if self.lit and new:
-                self._say(
-                    "near", mentions, ("window",), "through the window", None, False, None, self.chunk_span(), True
-                )
-            self.lit = False
-        self.last_target = (waiting, targets) if waiting.place.type not in ("between",) else None
+def _inner_list_goes_on(state: State, mentions: list[Mention], phrase: NounPhrase) -> bool:
+    """Whether a comma does not end an inner list: small things after small things that something holds."""
+    inner, outer = state.frames[-1], state.frames[0].kind
+    if state.placed_next(state.at) or not all(m.mount == "surface" for m in mentions):
+        return False
+    held = inner.kind == "verb" and inner.type in ("on", "inside")
+    if held and outer == "list":
+        return bool(inner.items)
+    if not inner.items:
+        return False
+    first = inner.items[0]
+    carrier = inner.kind == "with" and bool(inner.owner) and inner.owner[-1].family in ("table", "storage")
+    if carrier and outer in ("list", "fronted"):
+        return first.mount == "surface"
+    if not phrase.count or first.noun not in inner.numbered:
+        return False
+    return (held and outer == "with") or (inner.kind == "with" and first.count is not None)
 
-    def _bound(self, waiting: Waiting, targets: tuple[Any, ...], each: bool = False) -> None:
-        if waiting.lost and not waiting.subjects:
-            return
-        if waiting.subjects is None:
-            self.fronted.append((waiting.place, targets, waiting.chunk))
-            return
-        place = waiting.place
-        if each:
-            place = Place(place.type, place.side, True, place.words)
-            target = targets[0]
-            if isinstance(target, Mention):
-                for subject in waiting.subjects:
-                    n = target.count
-                    if subject.count is not None and n is not None and waiting.count is None and subject.count != n:
-                        subject.count = (subject.count[0] * n[0], subject.count[1] * n[1])
-        if len(targets) > 1 and place.type != "between":
-            for target in targets:
-                self._relate(place, waiting.subjects, (target,), waiting.chunk, count=waiting.count)
-        else:
-            self._relate(place, waiting.subjects, targets, waiting.chunk, count=waiting.count)
 
-    def _one_more_target(self, mentions: list[Mention]) -> None:
-        assert self.last_target is not None
-        waiting, _ = self.last_target
-        self._bound(
-            Waiting(waiting.place, waiting.subjects, waiting.chunk, waiting.count, lost=waiting.lost), tuple(mentions)
-        )
+def _add_item(state: State, mentions: list[Mention], phrase: NounPhrase) -> None:
+    """What is named in an open list."""
+    frame = state.frames[-1]
+    if frame.items:
+        state.previous = list(frame.items[-1:])
+    frame.items += mentions
+    if phrase.count is not None:
+        frame.numbered += [m.noun for m in mentions]
+    state.head, state.glue, state.head_related = list(mentions), "", False
+    if frame.kind == "list":
+        state.first_items = [*state.first_items, *mentions]
+        state.subject = list(mentions)
+        if frame.type == "centered":
+            frame.type = ""
+            state.out.said.append(Said("at", list(mentions), ("middle",), frame.words))
+    elif frame.kind == "fronted":
+        _relate_fronted(state, frame.fronted, mentions)
+        state.subject = [*state.subject, *mentions]
+    elif frame.kind == "with":
+        relate_to_owner(state, frame, mentions, phrase)
+    else:
+        _place_item(state, frame, mentions)
+    if frame.each or phrase.determiner == "each":
+        _for_each(frame.owner, mentions)
 
-    def _continue(self, mentions: list[Mention]) -> None:
-        """What follows is about some of what was just named."""
-        self.head = list(mentions)
-        if self._verb_follows(self.at) or self.glue in ("start", "while"):
-            self.subject, self.subject_open, self.frames = (
-                list(mentions),
-                True,
-                [f for f in self.frames[:1] if f.kind == "list"],
+
+def _for_each(owners: list[Mention], mentions: list[Mention]) -> None:
+    """So many for each of their owners."""
+    many = next((o.count for o in owners if o.count is not None), None)
+    for mention in mentions:
+        if many is not None and mention.count is not None:
+            mention.count = (mention.count[0] * many[0], mention.count[1] * many[1])
+
+
+def _place_item(state: State, frame: Frame, mentions: list[Mention]) -> None:
+    """What a verb places relative to the owner of its list: "a sideboard holds a vase"."""
+    kind = frame.type
+    if not frame.owner:
+        return
+    holds = kind in ("on", "inside")
+    targets = tuple(frame.owner if kind == "between" else frame.owner[:1] if holds else frame.owner[-1:])
+    if kind == "beside":
+        seat = all(m.family == "seat" for m in mentions) and frame.owner[0].family == "table"
+        night = len(mentions) == 1 and mentions[0].category == "nightstand" and mentions[0].count == (2, 2)
+        kind = "at" if seat else "flanking" if night else "next_to"
+    elif holds:
+        kind = support_kind(kind, frame.owner[0])
+    place = Place(kind, words=frame.words, each=frame.each or kind == "flanking")
+    relate(state, place, mentions, targets, None, span=state.chunk_span())
+
+
+def give_target(state: State, waiting: Waiting, mentions: list[Mention], phrase: NounPhrase, new: bool) -> None:
+    """A word of place gets its target."""
+    between = waiting.place.type == "between"
+    if between and waiting.first is None and len(mentions) == 1 and not mentions[0].many:
+        waiting.first = mentions[0]
+        state.glue = "open"
+        return
+    state.waiting = None
+    if state.each and new and waiting.subjects:
+        _for_each(waiting.subjects, mentions)
+    targets: tuple[Any, ...] = tuple(mentions)
+    if between:
+        targets = (waiting.first, mentions[0]) if waiting.first is not None else (mentions[0], mentions[-1])
+    elif waiting.place.type != "around" and phrase.what != "pronoun":
+        targets = targets[:1]
+    bind_target(state, waiting, targets, phrase.determiner in ("each", "every"))
+    if waiting.subjects is not None and new and not waiting.lost:
+        state.head = list(mentions)
+    elif waiting.subjects is None:
+        state.head = []
+    state.glue = ""
+    if waiting.lost and not waiting.subjects:  # "light falls on a bench": the sentence is about the bench
+        state.head, state.lost = list(mentions), False
+        state.subject = state.subject or list(mentions)
+        if state.lit and new:
+            span = state.chunk_span()
+            say(state, "near", mentions, ("window",), "through the window", span=span, implied=True)
+        state.lit = False
+    state.last_target = None if between else (waiting, targets)
+
+
+def bind_target(state: State, waiting: Waiting, targets: tuple[Any, ...], each: bool = False) -> None:
+    """Relates who a word of place is about to its targets, or keeps these for who comes after them."""
+    subjects, place = waiting.subjects, waiting.place
+    if waiting.lost and not subjects:
+        return
+    if subjects is None:
+        state.fronted.append((place, targets, waiting.chunk))
+        return
+    if each:
+        place = Place(place.type, place.side, True, place.words)
+        many = targets[0].count if isinstance(targets[0], Mention) and waiting.count is None else None
+        if many is not None:
+            _for_each([targets[0]], [s for s in subjects if s.count != many])
+    groups = [targets] if len(targets) < 2 or place.type == "between" else [(target,) for target in targets]
+    for group in groups:
+        relate(state, place, subjects, group, waiting.chunk, count=waiting.count)
+
+
+def continue_with(state: State, mentions: list[Mention]) -> None:
+    """What follows is about some of what was just named."""
+    state.head = list(mentions)
+    if state.verb_follows(state.at) or state.glue in ("start", "while"):
+        state.subject, state.subject_open = list(mentions), True
+        state.close_frames()
+    state.glue = ""
+
+
+def name_nothing(state: State) -> None:
+    """What was named is no object, so that what is said of it is said of nothing."""
+    if state.frames and state.glue == "open":
+        state.head = []
+    elif state.glue in ("start", "while", "comma", "comma and", "and"):
+        state.head = []
+        if state.glue in ("start", "while") or state.verb_follows(state.at):
+            state.subject, state.fronted = [], []
+    state.lost = True
+    state.glue = ""
+
+
+def open_surface(state: State, surface: Mention, words: str) -> None:
+    """The small things that come after it in the sentence stand there."""
+    if state.surface is not surface:
+        close_surface(state, last=True)
+    state.surface, state.surface_words = surface, words
+
+
+def close_surface(state: State, last: bool = False) -> None:
+    """ "On the desk, a lamp is beside a book, and a mug ...": small things of the sentence stand there as well."""
+    surface, state.surface = state.surface, None
+    started, state.started = state.started, len(state.out.mentions)
+    if surface is None:
+        return
+    held = {
+        id(m)
+        for said in state.out.said
+        if said.type in ("on", "inside") or isinstance(said.targets[0], str)
+        for m in said.subjects
+    }
+    for mention in state.out.mentions[started : -1 if last else None]:
+        if id(mention) not in held and mention is not surface and mention.is_small:
+            state.out.said.append(
+                Said("on", [mention], (surface,), state.surface_words, implied=True, span=mention.span)
             )
-        self.glue = ""
-
-    def _nobody(self) -> None:
-        """What was named is no object, so that what is said of it is said of nothing."""
-        if self.frames and self.glue == "open":
-            self.head = []
-        elif self.glue in ("start", "while", "comma", "comma and", "and"):
-            self.head = []
-            if self.glue in ("start", "while") or self._verb_follows(self.at):
-                self.subject, self.fronted = [], []
-        self.lost = True
-        self.glue = ""
-
-    def _stands_on(self, surface: Mention, words: str) -> None:
-        """The small things that come after it in the sentence stand there."""
-        if self.surface is not surface:
-            self._on_the_same(last=True)
-        self.surface, self.surface_words = surface, words
-
-    def _on_the_same(self, last: bool = False) -> None:
-        """ "On the desk, a lamp is beside a book, and a mug ...": small things of the sentence stand there as well."""
-        surface, self.surface = self.surface, None
-        started, self.started = self.started, len(self.out.mentions)
-        if surface is None:
-            return
-        held = {
-            id(m)
-            for s in self.out.said
-            for m in s.subjects
-            if s.type in ("on", "inside") or isinstance(s.targets[0], str)
-        }
-        for mention in self.out.mentions[started : -1 if last else None]:
-            if id(mention) not in held and mention is not surface and "surface" in mounts(mention.category):
-                self.out.said.append(
-                    Said("on", [mention], (surface,), self.surface_words, implied=True, span=mention.span)
-                )

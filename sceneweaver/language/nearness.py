@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from .parsed import Mention
-from .state import ReaderState
+from .state import State
 from .vocabulary import Place, family, mounts
 
 _TIES = ("next_to", "near", "facing", "at", "in_front_of", "behind", "on", "inside", "around", "flanking")
@@ -18,128 +18,130 @@ def _flat(thing: Mention) -> bool:
     return "rug" in thing.category or thing.category.endswith("mat")
 
 
-class Nearness(ReaderState):
-    """What stands near enough to be meant where a word of place has no target."""
+def beside_those(state: State, subjects: list[Mention]) -> list[Mention]:
+    """ "A shelf next to a desk against the wall": what stands beside something at a wall stands there as well."""
+    last = state.out.said[-1] if state.out.said else None
+    if last is None or last.type not in ("next_to", "flanking", "side_by_side") or last.implied:
+        return []
+    pair = [*last.subjects, *(t for t in last.targets if isinstance(t, Mention))]
+    if not all(any(s is m for m in pair) for s in subjects):
+        return []
+    return [m for m in pair if not any(m is s for s in subjects) and mounts(m.category)[0] == "floor"]
 
-    def _beside(self, subjects: list[Mention]) -> list[Mention]:
-        """ "A shelf next to a desk against the wall": what stands beside something at a wall stands there as well."""
-        last = self.out.said[-1] if self.out.said else None
-        if last is None or last.type not in ("next_to", "flanking", "side_by_side") or last.implied:
-            return []
-        pair = [*last.subjects, *(t for t in last.targets if isinstance(t, Mention))]
-        if not all(any(s is m for m in pair) for s in subjects):
-            return []
-        return [m for m in pair if not any(m is s for s in subjects) and mounts(m.category)[0] == "floor"]
 
-    def _apart(self, found: list[Mention], subjects: list[Mention]) -> bool:
-        """Whether things on the floor would be beside what hangs from the ceiling or on a wall."""
-        return all(mounts(s.category)[0] == "floor" for s in subjects) and all(
-            mounts(m.category)[0] in ("ceiling", "wall", "surface") and "rug" not in m.category for m in found
+def _apart(state: State, found: list[Mention], subjects: list[Mention]) -> bool:
+    """Whether things on the floor would be beside what hangs from the ceiling or on a wall."""
+    return all(mounts(s.category)[0] == "floor" for s in subjects) and all(
+        mounts(m.category)[0] in ("ceiling", "wall", "surface") and "rug" not in m.category for m in found
+    )
+
+
+def main_things(state: State, without: list[Mention]) -> list[Mention]:
+    """The first thing on the floor that the request names: what "across the room" is across from."""
+    found = [
+        m for m in state.out.mentions[:12] if mounts(m.category)[0] == "floor" and not any(m is w for w in without)
+    ]
+    return found[:1] or nearest(state, without)
+
+
+def carrier_root(state: State, thing: Mention) -> Mention:
+    """What carries a thing in the end: the table that the tray stands on."""
+    for said in reversed(state.out.said):
+        target = said.targets[0]
+        carried = (
+            said.type in ("on", "inside") and isinstance(target, Mention) and any(s is thing for s in said.subjects)
         )
-
-    def _main(self, without: list[Mention]) -> list[Mention]:
-        """The first thing on the floor that the request names: what "across the room" is across from."""
-        found = [
-            m for m in self.out.mentions[:12] if mounts(m.category)[0] == "floor" and not any(m is w for w in without)
-        ]
-        return found[:1] or self._near(without)
-
-    def _root(self, thing: Mention) -> Mention:
-        """What carries a thing in the end: the table that the tray stands on."""
-        for said in reversed(self.out.said):
-            target = said.targets[0]
-            carried = (
-                said.type in ("on", "inside") and isinstance(target, Mention) and any(s is thing for s in said.subjects)
-            )
-            beside = said.type in ("next_to", "below", "near") and (
-                _flat(thing) or mounts(thing.category)[0] == "surface"
-            )
-            if (
-                isinstance(target, Mention)
-                and target is not thing
-                and (carried or (beside and any(s is thing for s in said.subjects)))
-            ):
-                thing = target
-        return thing
-
-    def _anchor(self, thing: Mention, kind: str, subjects: list[Mention]) -> Mention:
-        """What something belongs to: nearby a chair that faces a desk is nearby the desk."""
-        if kind in ("left_of", "right_of") and not (
-            family(thing.category) == "seat" and "floor" in mounts(subjects[0].category)[:1]
+        beside = said.type in ("next_to", "below", "near") and (_flat(thing) or mounts(thing.category)[0] == "surface")
+        if (
+            isinstance(target, Mention)
+            and target is not thing
+            and (carried or (beside and any(s is thing for s in said.subjects)))
         ):
-            return thing
-        for said in reversed(self.out.said):
-            target = said.targets[0]
-            if not isinstance(target, Mention) or said.type not in _TIES or any(target is s for s in subjects):
-                continue
-            stands = mounts(target.category)[0] == "floor" and "rug" not in target.category
-            if stands and any(s is thing for s in said.subjects):
-                return target
+            thing = target
+    return thing
+
+
+def anchor(state: State, thing: Mention, kind: str, subjects: list[Mention]) -> Mention:
+    """What something belongs to: nearby a chair that faces a desk is nearby the desk."""
+    if kind in ("left_of", "right_of") and not (
+        family(thing.category) == "seat" and "floor" in mounts(subjects[0].category)[:1]
+    ):
         return thing
+    for said in reversed(state.out.said):
+        target = said.targets[0]
+        if not isinstance(target, Mention) or said.type not in _TIES or any(target is s for s in subjects):
+            continue
+        stands = mounts(target.category)[0] == "floor" and "rug" not in target.category
+        if stands and any(s is thing for s in said.subjects):
+            return target
+    return thing
 
-    def _near(self, without: list[Mention], apart: bool = False) -> list[Mention]:
-        """The thing that a word without a target is said of: whose "with" it is, the subject, what was named before."""
-        frame = self.frames[-1] if self.frames else None
-        choices: list[list[Mention]] = []
-        if frame is not None and frame.kind in ("with", "verb"):
-            choices.append(frame.owner)
-        for other in reversed(self.frames[:-1]):
-            if other.kind in ("with", "verb"):
-                choices.append(other.owner)
-        choices += [
-            self.subject,
-            self.previous,
-            *([m] for m in reversed(self.first_items[:-1])),
-            *reversed(self.refs.topics[-2:]),
-        ]
-        if frame is not None and frame.fronted:
-            choices.insert(0, [t for _, targets, _ in frame.fronted for t in targets if isinstance(t, Mention)])
-        for group in choices:
-            found = [m for m in group if not any(m is w for w in without)]
-            if found and not (apart and self._apart(found, without)):
-                return found
-        if apart:
-            return self._near(without)
-        recent = [m for m in reversed(self.out.mentions[-6:]) if not any(m is w for w in without)]
-        return recent[:1]
 
-    def _chained(self, near: list[Mention], subjects: list[Mention]) -> list[Mention]:
-        """Whose "its" is in a list: "a laptop at its center, a lamp to its left and a clock to its right" are about the
-        laptop."""
-        if not near or not all(mounts(s.category)[0] == "surface" for s in subjects):
-            return near
-        for said in reversed(self.out.said[-4:]):
-            target = said.targets[0]
-            if said.implied or not isinstance(target, Mention) or any(target is s for s in subjects):
-                continue
-            if said.type == "centered_on" and target is near[-1]:
-                return said.subjects[-1:]
-            if said.type in SIDED and any(s is near[-1] for s in said.subjects):
-                return [target]
-            if said.type != "on":
-                break
+def nearest(state: State, without: list[Mention], apart: bool = False) -> list[Mention]:
+    """The thing that a word without a target is said of: whose "with" it is, the subject, what was named before."""
+    frame = state.frames[-1] if state.frames else None
+    choices: list[list[Mention]] = []
+    if frame is not None and frame.kind in ("with", "verb"):
+        choices.append(frame.owner)
+    for other in reversed(state.frames[:-1]):
+        if other.kind in ("with", "verb"):
+            choices.append(other.owner)
+    choices += [
+        state.subject,
+        state.previous,
+        *([m] for m in reversed(state.first_items[:-1])),
+        *reversed(state.refs.topics[-2:]),
+    ]
+    if frame is not None and frame.fronted:
+        choices.insert(0, [t for _, targets, _ in frame.fronted for t in targets if isinstance(t, Mention)])
+    for group in choices:
+        found = [m for m in group if not any(m is w for w in without)]
+        if found and not (apart and _apart(state, found, without)):
+            return found
+    if apart:
+        return nearest(state, without)
+    recent = [m for m in reversed(state.out.mentions[-6:]) if not any(m is w for w in without)]
+    return recent[:1]
+
+
+def chained(state: State, near: list[Mention], subjects: list[Mention]) -> list[Mention]:
+    """Whose "its" is in a list: "a laptop at its center, a lamp to its left and a clock to its right" are about the
+    laptop."""
+    if not near or not all(mounts(s.category)[0] == "surface" for s in subjects):
         return near
+    for said in reversed(state.out.said[-4:]):
+        target = said.targets[0]
+        if said.implied or not isinstance(target, Mention) or any(target is s for s in subjects):
+            continue
+        if said.type == "centered_on" and target is near[-1]:
+            return said.subjects[-1:]
+        if said.type in SIDED and any(s is near[-1] for s in said.subjects):
+            return [target]
+        if said.type != "on":
+            break
+    return near
 
-    def _meant(self, place: Place, listed: list[Mention]) -> list[Mention]:
-        """Who of a list a relation after it is about: the last, or all that belong together."""
-        kind = place.type
-        if kind in ("on", "inside"):
-            small: list[Mention] = []
-            for mention in reversed(listed):
-                if "surface" not in mounts(mention.category) or mention.implied:
-                    break
-                small.insert(0, mention)
-            related = {id(m) for s in self.out.said for m in s.subjects}
-            small = [m for m in small if id(m) not in related or m is listed[-1]]
-            return small or listed[-1:]
-        if kind in ("flanking", "along", "around") and len(listed) == 2:
-            return listed
-        related = {id(m) for s in self.out.said for m in s.subjects}
-        pair = all(mounts(m.category)[0] == "surface" for m in listed[-2:])
-        if kind in SIDED and len(listed) > 1 and pair and not any(id(m) in related for m in listed[-2:]):
-            return listed[-2:]  # "a keyboard and a mouse in front"
-        if len(listed) == 2 and id(listed[0]) not in related:
-            groups = {family(m.category) for m in listed}
-            if groups in ({"seat", "table"}, {"seat"}):
-                return listed  # "two armchairs and a side table by the window"
-        return listed[-1:]
+
+def meant_of_list(state: State, place: Place, listed: list[Mention]) -> list[Mention]:
+    """Who of a list a relation after it is about: the last, or all that belong together."""
+    kind = place.type
+    if kind in ("on", "inside"):
+        small: list[Mention] = []
+        for mention in reversed(listed):
+            if "surface" not in mounts(mention.category) or mention.implied:
+                break
+            small.insert(0, mention)
+        related = {id(m) for s in state.out.said for m in s.subjects}
+        small = [m for m in small if id(m) not in related or m is listed[-1]]
+        return small or listed[-1:]
+    if kind in ("flanking", "along", "around") and len(listed) == 2:
+        return listed
+    related = {id(m) for s in state.out.said for m in s.subjects}
+    pair = all(mounts(m.category)[0] == "surface" for m in listed[-2:])
+    if kind in SIDED and len(listed) > 1 and pair and not any(id(m) in related for m in listed[-2:]):
+        return listed[-2:]  # "a keyboard and a mouse in front"
+    if len(listed) == 2 and id(listed[0]) not in related:
+        groups = {family(m.category) for m in listed}
+        if groups in ({"seat", "table"}, {"seat"}):
+            return listed  # "two armchairs and a side table by the window"
+    return listed[-1:]

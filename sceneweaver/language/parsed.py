@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from copy import copy
 from dataclasses import dataclass, field
 
+from sceneweaver.assets.roles import has_role
+
 from .model import Attribute, Span
+from .vocabulary import family, mounts
 
 
 @dataclass(eq=False)
@@ -33,6 +37,26 @@ class Mention:
         """Whether it is said of more than one."""
         return self.plural or (self.count is not None and self.count[1] > 1)
 
+    @property
+    def mount(self) -> str:
+        """Where it usually goes: floor, wall, ceiling or surface."""
+        return mounts(self.category)[0]
+
+    @property
+    def is_small(self) -> bool:
+        """Whether it may stand on other things."""
+        return "surface" in mounts(self.category)
+
+    @property
+    def is_rug(self) -> bool:
+        """Whether furniture stands on it; a body of no known category is what its name says."""
+        return has_role(self.category, "rug") or (self.generic and "rug" in self.category)
+
+    @property
+    def family(self) -> str:
+        """Seat, table, or its group of the taxonomy."""
+        return family(self.category)
+
 
 Target = Mention | str
 """Something that was named, or a place of the room."""
@@ -52,6 +76,12 @@ class Said:
     implied: bool = False
     span: Span | None = None
     params: dict[str, float] = field(default_factory=dict)
+
+
+def without(mentions: Iterable[Mention], others: Iterable[object]) -> list[Mention]:
+    """The mentions that are none of the others: mentions are told apart by identity, as two may be of one kind."""
+    gone = {id(other) for other in others}
+    return [m for m in mentions if id(m) not in gone]
 
 
 @dataclass

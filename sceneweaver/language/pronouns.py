@@ -2,127 +2,133 @@
 
 from __future__ import annotations
 
+from copy import copy
+
 from .chunks import Chunk, NounPhrase
+from .items import begin_clause, continue_with, give_target, name_things
+from .nearness import nearest
 from .parsed import Mention
-from .region_phrases import RegionPhrases
-from .vocabulary import mounts
+from .relating import relate_to_place
+from .state import State, Waiting
+
+_BESIDE_IT = ("next_to", "left_of", "right_of", "near", "in_front_of", "behind")
+"""Relations of small things to "it": to another small thing, not to what carries both."""
 
 
-class Pronouns(RegionPhrases):
-    """Phrases that refer to what was named: it, them, one, the other, each, two of them."""
+def number_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
+    """A number alone: "four on each side", "a table for six", "two of them"."""
+    before, after = state.chunk(state.at - 2), state.chunk(state.at)
+    if before is not None and before.kind == "purpose" and before.value == "people":
+        state.out.people = (phrase.count or (1, 1))[1]
+        state.glue = ""
+        return
+    near = _at_hand(state)
+    group = state.refs.several(near)
+    count = phrase.count or (1, 1)
+    if group is None:
+        if after is None or after.kind != "stop":
+            state.leave_unread(chunk.text, chunk.start, chunk.end)
+    elif _on_each(after):
+        _say_of_some(state, group, count)
+    elif (part := state.refs.part(near, count[1])) is not None:
+        continue_with(state, [part])
 
-    def _np_number(self, phrase: NounPhrase, chunk: Chunk) -> None:
-        """A number alone: "four on each side", "a table for six", "two of them"."""
-        before = self.chunks[self.at - 2] if self.at >= 2 else None
-        if before is not None and before.kind == "purpose" and before.value == "people":
-            self.out.people = (phrase.count or (1, 1))[1]
-            self.glue = ""
-            return
-        after = self.chunks[self.at] if self.at < len(self.chunks) else None
-        near = self.head or self.subject or self.previous
-        group = self.refs.several(near)
-        count = phrase.count or (1, 1)
-        if group is None:
-            if after is None or after.kind != "stop":
-                self._unread(chunk.text, chunk.start, chunk.end)
-            return
-        if after is not None and after.kind == "place" and after.value.each:
-            self.subset, self.head, self.glue = count, [group], ""
-            self.subject = self.subject or [group]
-            return
-        part = self.refs.part(near, count[1])
-        if part is not None:
-            self._continue([part])
 
-    def _np_pronoun(self, phrase: NounPhrase, chunk: Chunk) -> None:
-        kind = phrase.value
-        without = (self.waiting.subjects or []) if self.waiting is not None else []
-        near = self._near(without) if self.waiting is not None else (self.head or self.subject or self.previous)
-        if kind in ("partial", "rest"):
-            after = self.chunks[self.at] if self.at < len(self.chunks) else None
-            if kind == "partial" and after is not None and after.kind == "place" and after.value.each:
-                group = self.refs.several(near)
-                if group is not None:
-                    self.subset, self.head, self.glue = (1, 1), [group], ""
-                    self.subject = self.subject or [group]
-                return
-            if phrase.text.startswith("another") and self.refs.rest is not None:
-                found: Mention | None = self.refs.rest
-            else:
-                found = self.refs.part(near) if kind == "partial" else self.refs.rest
-            if found is None and kind == "partial":
-                found = self._one_more(near)
-            if found is None:
-                self._unread(phrase.text, chunk.start, chunk.end)
-                return
-            if self.waiting is not None:
-                self._target([found], phrase, False)
-            elif self.glue == "open":
-                self._named([found], phrase, chunk, False)
-            else:
-                self._continue([found])
-            return
-        if kind == "each" and self.waiting is None:
-            group = self.refs.several(near)
-            if group is not None:
-                self.head, self.each, self.glue = [group], True, ""
-                self.subject = [group]
-                self.subject_open, self.frames = True, [f for f in self.frames[:1] if f.kind == "list"]
-            return
-        if (
-            self.waiting is not None
-            and phrase.text == "it"
-            and self.previous
-            and self.waiting.place.type in ("next_to", "left_of", "right_of", "near", "in_front_of", "behind")
-        ):
-            small = [*without, self.previous[-1]]
-            if without and all(mounts(m.category)[0] == "surface" for m in small) and self.previous[-1] not in without:
-                near = self.previous[-1:]  # a lamp beside "it" is beside the laptop, not beside the desk
-        found_all = self.refs.pronoun(phrase, near if self.waiting is not None else self.subject, without)
-        if self.waiting is not None:
-            if not found_all and phrase.text == "it" and len(without) > 1:
-                found_all = without[:1]  # "a fireplace and bookshelves on either side of it"
-            if found_all:
-                self._target(found_all, phrase, False)
-            elif phrase.text == "it" and self._window_before():
-                waiting, self.waiting = self.waiting, None
-                self._at_place(
-                    waiting.place.type, without, "window", waiting.place.words, None, self.chunk_span(), False
-                )
-                self.glue = ""
-            else:
-                self.waiting = None
-            return
-        if phrase.text in ("which", "itself", "themselves"):
-            return
-        if found_all:
-            topic = found_all
-            self._subject(topic, self.glue)
-            self.glue = ""
+def pronoun_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
+    """It, them, each, one, the other."""
+    kind, waiting = phrase.value, state.waiting
+    if kind in ("partial", "rest"):
+        _part_phrase(state, phrase, chunk)
+    elif waiting is not None:
+        _pronoun_target(state, phrase, waiting)
+    elif kind == "each":
+        group = state.refs.several(_at_hand(state))
+        if group is not None:
+            state.head, state.each, state.glue = [group], True, ""
+            state.subject, state.subject_open = [group], True
+            state.close_frames()
+    elif phrase.text not in ("which", "itself", "themselves"):
+        found = state.refs.pronoun(phrase, state.subject, [])
+        if found:
+            begin_clause(state, found, state.glue)
+            state.glue = ""
 
-    def _window_before(self) -> bool:
-        """Whether the sentence named a window: "light falls through a window onto a desk beneath it"."""
-        for chunk in reversed(self.chunks[: self.at - 1]):
-            if chunk.kind == "stop":
-                return False
-            if chunk.kind == "noun" and chunk.value.what == "place" and chunk.value.value == "window":
-                return True
-        return False
 
-    def _one_more(self, near: list[Mention]) -> Mention | None:
-        """ "Another stands to the right": one more of what was named last."""
-        for mention in [*reversed(near), *reversed(self.out.mentions[-3:])]:
-            if mention.count == (1, 1):
-                more = Mention(
-                    mention.noun,
-                    mention.category,
-                    (1, 1),
-                    mention.generic,
-                    mention.color,
-                    mention.material,
-                    mention.style,
-                )
-                more.attributes, more.span = list(mention.attributes), self.chunk_span()
-                self.out.mentions.append(more)
-                return more
-        return None
+def _at_hand(state: State) -> list[Mention]:
+    return state.head or state.subject or state.previous
+
+
+def _on_each(after: Chunk | None) -> bool:
+    """Whether "on each side" and the like follow."""
+    return after is not None and after.kind == "place" and after.value.each
+
+
+def _say_of_some(state: State, group: Mention, count: tuple[int, int]) -> None:
+    """What follows is said of so many of a group, on each of some sides."""
+    state.subset, state.head, state.glue = count, [group], ""
+    state.subject = state.subject or [group]
+
+
+def _part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
+    """ "One of them", "another", "the other"."""
+    waiting, partial = state.waiting, phrase.value == "partial"
+    near = nearest(state, waiting.subjects or []) if waiting is not None else _at_hand(state)
+    if partial and _on_each(state.chunk(state.at)):
+        group = state.refs.several(near)
+        if group is not None:
+            _say_of_some(state, group, (1, 1))
+        return
+    found = state.refs.rest
+    if partial and (found is None or not phrase.text.startswith("another")):
+        found = state.refs.part(near) or _one_more(state, near)
+    if found is None:
+        state.leave_unread(phrase.text, chunk.start, chunk.end)
+    elif waiting is not None:
+        give_target(state, waiting, [found], phrase, False)
+    elif state.glue == "open":
+        name_things(state, [found], phrase, False)
+    else:
+        continue_with(state, [found])
+
+
+def _pronoun_target(state: State, phrase: NounPhrase, waiting: Waiting) -> None:
+    """ "Beside it", "around them": what a word of place is said of."""
+    subjects, it = waiting.subjects or [], phrase.text == "it"
+    near = nearest(state, subjects)
+    if it and subjects and state.previous and waiting.place.type in _BESIDE_IT:
+        last = state.previous[-1]
+        if last not in subjects and all(m.mount == "surface" for m in (*subjects, last)):
+            near = [last]  # a lamp beside "it" is beside the laptop, not beside the desk
+    found = state.refs.pronoun(phrase, near, subjects)
+    if not found and it and len(subjects) > 1:
+        found = subjects[:1]  # "a fireplace and bookshelves on either side of it"
+    if found:
+        give_target(state, waiting, found, phrase, False)
+        return
+    state.waiting = None
+    if it and _window_before(state):
+        place = waiting.place
+        relate_to_place(state, place.type, subjects, "window", place.words, span=state.chunk_span())
+        state.glue = ""
+
+
+def _window_before(state: State) -> bool:
+    """Whether the sentence named a window: "light falls through a window onto a desk beneath it"."""
+    for chunk in reversed(state.chunks[: state.at - 1]):
+        if chunk.kind == "stop":
+            return False
+        if chunk.kind == "noun" and chunk.value.what == "place" and chunk.value.value == "window":
+            return True
+    return False
+
+
+def _one_more(state: State, near: list[Mention]) -> Mention | None:
+    """ "Another stands to the right": one more of what was named last."""
+    for mention in [*reversed(near), *reversed(state.out.mentions[-3:])]:
+        if mention.count == (1, 1):
+            more = copy(mention)
+            more.attributes, more.span = list(mention.attributes), state.chunk_span()
+            more.size, more.scale, more.words, more.plural, more.implied = [None] * 3, 1.0, [], False, False
+            state.out.mentions.append(more)
+            return more
+    return None

@@ -6,8 +6,8 @@ import re
 
 from sceneweaver.scene import InputError
 
-from .chunker import Chunker
-from .clauses import Clauses
+from .chunker import chunked
+from .clauses import read_clauses
 from .graph import build
 from .model import SceneGraph
 from .parsed import Left, Parsed
@@ -34,7 +34,7 @@ def read_request(text: str) -> SceneGraph:
         raise InputError('prompt: it is empty; say what room you want, such as "a bedroom with a desk"')
     source = read_source(text)
     parsed = Parsed(notes=list(source.notes))
-    Clauses(Chunker(tokens(source, parsed.notes)).run(), source, parsed).run()
+    read_clauses(chunked(tokens(source, parsed.notes)), source, parsed)
     _sides(parsed, source)
     for note in source.notes:
         parsed.note(note)

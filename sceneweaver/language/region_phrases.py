@@ -2,222 +2,202 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from .chunks import Chunk, NounPhrase
+from .items import bind_target, name_nothing, name_things
 from .model import Attribute
+from .nearness import carrier_root, main_things, nearest
 from .parsed import Mention
-from .thing_phrases import ThingPhrases
-from .vocabulary import Place, family, mounts
+from .relating import say
+from .room_phrases import place_phrase, room_phrase
+from .state import State, Waiting
+from .thing_phrases import is_part, named_thing, new_thing
+from .vocabulary import Place, words
 
 _TWO = ("two", "double", "dual")
 
 
-class RegionPhrases(ThingPhrases):
-    """Parts of things: tops, middles, sides, shelves, headboards."""
+def thing_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
+    """What a noun names: a thing, or a part of the thing that it comes with."""
+    if is_part(state, phrase):
+        part_phrase(state, phrase, chunk)
+    else:
+        named_thing(state, phrase, chunk)
 
-    def _np_thing(self, phrase: NounPhrase, chunk: Chunk) -> None:
-        if self._is_part(phrase):
-            self._np_part(phrase, chunk)
-        else:
-            super()._np_thing(phrase, chunk)
 
-    def _whose(self, of: NounPhrase) -> Mention | None:
-        """What a part is of."""
-        without = (self.waiting.subjects or []) if self.waiting is not None else []
-        if of.what == "pronoun":
-            found = self.refs.pronoun(of, self._near(without), without)
-            return found[-1] if found else None
+def region_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
+    """The top, the middle, a corner, a side: of a thing, or of the room."""
+    of = phrase.of
+    if of is not None and of.what == "room" and state.waiting is None and state.out.room_type is None:
+        room_phrase(state, of, chunk)
+        return
+    waiting, state.waiting = state.waiting, None
+    owner = _owner(state, phrase, waiting)
+    with_owner = bool(state.frames) and state.frames[-1].kind == "with" and bool(state.frames[-1].owner)
+    if waiting is None and of is None and with_owner and not phrase.definite:
+        part_phrase(state, phrase, chunk)
+        return
+    if waiting is None:
+        _region_alone(state, phrase, owner)
+        return
+    if owner is None:
+        owner = _owner_meant(state, phrase, waiting)
+    if owner is None:
+        name_nothing(state)
+        return
+    if isinstance(owner, str):
+        _of_room(state, phrase, waiting, owner)
+    else:
+        kind = _kind_on(str(phrase.value), phrase, waiting, owner)
+        place = Place(kind, waiting.place.side, waiting.place.each, f"{waiting.place.words} {phrase.text}")
+        bind_target(state, replace(waiting, place=place), (owner,))
+    state.glue, state.last_target = "", None
+    if waiting.subjects is None:
+        state.head = []
+
+
+def _owner(state: State, phrase: NounPhrase, waiting: Waiting | None) -> Mention | str | None:
+    """What a region is of where the phrase says so: "the top of the desk", "the desk top"."""
+    of, subjects = phrase.of, (waiting.subjects or []) if waiting is not None else []
+    if of is not None:
+        if of.what in ("room", "place"):
+            return str(of.value) if of.what == "place" and of.value not in ("floor", "room") else "room"
+        if of.what == "pronoun":  # its word of place is bound already, so that nothing is left out
+            return next(iter(state.refs.pronoun(of, nearest(state, []), [])[-1:]), None)
         if of.what != "thing":
             return None
-        found_one = self.refs.known(of, True, without)
-        return found_one if found_one is not None else self._new(of)
+        known = state.refs.known(of, True, [])
+        return known if known is not None else new_thing(state, of)
+    if any(t.has("room") and not t.has("noun") for t in phrase.qualities):
+        return "room"
+    named = [t for t in phrase.qualities if t.has("noun")]
+    if not named:
+        return None
+    inner = NounPhrase("thing", named[-1].text, phrase.start, phrase.end, determiner="the")
+    return state.refs.known(inner, True, subjects)
 
-    def _np_region(self, phrase: NounPhrase, chunk: Chunk) -> None:
-        """The top, the middle, a corner, a side: of a thing, or of the room."""
-        region, of = str(phrase.value), phrase.of
-        if of is not None and of.what == "room" and self.waiting is None and self.out.room_type is None:
-            self._np_room(of, chunk)
-            return
-        waiting, self.waiting = self.waiting, None
-        owner: Mention | str | None = None
-        if of is not None:
-            if of.what in ("room", "place"):
-                owner = str(of.value) if of.what == "place" and of.value not in ("floor", "room") else "room"
-            elif of.what in ("thing", "pronoun"):
-                owner = self._whose(of)
-        else:
-            named = [t for t in phrase.qualities if t.has("noun")]
-            if named:
-                inner = NounPhrase("thing", named[-1].text, phrase.start, phrase.end, value=None, determiner="the")
-                owner = self.refs.known(inner, True, (waiting.subjects or []) if waiting else [])
-            if any(t.has("room") and not t.has("noun") for t in phrase.qualities):
-                owner = "room"
-        if (
-            waiting is None
-            and not phrase.definite
-            and self.frames
-            and self.frames[-1].kind == "with"
-            and self.frames[-1].owner
-            and of is None
-        ):
-            self._np_part(phrase, chunk)
-            return
-        if waiting is None:
-            if region in ("center", "corner", "side"):
-                self._nobody()
-            elif owner is not None and isinstance(owner, Mention):
-                self._named([owner], phrase, chunk, False)
-            else:
-                own = self.subject[-1:] if phrase.determiner == "its" else []
-                own = [m for m in own if mounts(m.category)[0] == "floor"]
-                found = own[0] if own else self.refs.carrier([*self.subject, *self._near([])], [], "top", phrase.text)
-                if found is not None and phrase.definite:
-                    self._named([found], phrase, chunk, False)
-                else:
-                    self._nobody()
-            return
-        subjects = waiting.subjects or []
-        if (
-            owner is None
-            and region == "corner"
-            and phrase.determiner not in ("its", "their")
-            and (
-                waiting.place.words in ("in", "inside", "into", "near", "fill", "fills")
-                or waiting.place.type == "occupying"
-                or not subjects
-                or any(mounts(s.category)[0] == "floor" for s in subjects)
-            )
-        ):
-            owner = "room"
-        if owner is None and region == "center":
-            small = bool(subjects) and all("surface" in mounts(s.category) for s in subjects)
-            frame = self.frames[-1] if self.frames else None
-            if frame is not None and frame.kind == "with" and any(family(o.category) == "table" for o in frame.owner):
-                small = small or any(
-                    s in frame.items and family(s.category) not in ("seat", "table") and "rug" not in s.category
-                    for s in subjects
-                )
-            near = self._near(subjects) if subjects else (self.refs.topics[-1] if self.refs.topics else [])
-            root = self._root(near[-1]) if near else None
-            if small and self.surface is not None and phrase.determiner not in ("its", "their"):
-                owner = self.surface
-            elif small and root is not None and root is not near[-1] and root not in subjects:
-                owner = root
-            elif (small or phrase.determiner in ("its", "their")) and near:
-                owner = self.refs.carrier(near, subjects) or near[-1]
-            else:
-                owner = "room"
-        if owner is None:
-            near = self._near(subjects)
-            if phrase.determiner == "its" and near and near[-1].many:
-                pronoun = NounPhrase("pronoun", "it", phrase.start, phrase.end, value="pron")
-                near = self.refs.pronoun(pronoun, [], [*subjects, *near]) or near
-            owner = self.refs.carrier(near, subjects, "top" if region == "top" else region, phrase.text) or (
-                near[-1] if near else None
-            )
-        if owner is None:
-            self._nobody()
-            return
-        if isinstance(owner, str):
-            if any(t.text == "opposite" for t in phrase.qualities) and subjects:
-                others = self._main(subjects)
-                if others:
-                    self._say(
-                        "opposite", subjects, (others[-1],), phrase.text, None, False, None, self.chunk_span(), True
-                    )
-            place = {"corner": "corner", "center": "middle"}.get(region, "room")
-            if owner in ("wall", "window", "door", "ceiling") or owner.startswith("wall:"):
-                place = owner
-            if phrase.determiner in ("each", "every", "all") or phrase.text == "corners":
-                for subject in subjects:
-                    if subject.count == (1, 1):
-                        subject.count = phrase.count or (4, 4)
-            self._bound(
-                waiting._replace_place(Place("at", words=waiting.place.words))
-                if place in ("corner", "middle")
-                else waiting,
-                (place,),
-            )
-        else:
-            kind = waiting.place.type
-            if region == "center" and kind in (
-                "inside",
-                "on",
-                "at",
-                "near",
-                "centered_on",
-                "occupying",
-                "along",
-                "covering",
-            ):
-                kind = "centered_on"
-            elif region == "inside":
-                kind = "inside"
-            elif region in ("top", "corner") and kind in ("inside", "at", "occupying", "covering", "on"):
-                kind = "on"
-            elif region == "end" and kind in ("at", "on", "near"):
-                kind = (
-                    "on"
-                    if subjects and all("surface" in mounts(s.category) for s in subjects)
-                    else "at_foot"
-                    if "bed" in owner.category
-                    else "next_to"
-                )
-            elif phrase.text in ("edge", "rim", "ledge", "lip") and kind in ("near", "next_to"):
-                kind = "on"
-            elif region in ("foot", "head") and kind in ("at", "near", "by", "on"):
-                kind = {"foot": "at_foot", "head": "at_head"}[region]
-            elif region in ("side", "front", "back") and kind in ("on", "at", "by", "near", "inside"):
-                kind = {"side": "next_to", "front": "in_front_of", "back": "behind"}[region]
-            if kind == "occupying":
-                kind = "on"
-            place = Place(kind, waiting.place.side, waiting.place.each, f"{waiting.place.words} {phrase.text}")
-            self._bound(waiting._replace_place(place), (owner,))
-        self.glue, self.last_target = "", None
-        if waiting.subjects is None:
-            self.head = []
 
-    def _np_part(self, phrase: NounPhrase, chunk: Chunk) -> None:
-        """What a thing has is said of it: "with three drawers", "a tufted headboard"."""
-        owners = self.frames[-1].owner if self.frames and self.frames[-1].kind in ("with", "verb") else []
-        owners = owners or (self.head if self.glue in ("open", "", "and") else [])
-        opening = phrase.text.split()[-1].rstrip("s")
-        if self.waiting is not None and opening in ("door", "window"):
-            phrase.what, phrase.value = "place", opening
-            self._np_place(phrase, chunk)
+def _region_alone(state: State, phrase: NounPhrase, owner: Mention | str | None) -> None:
+    """A region that is no target is about what it is of: "its top carries a globe"."""
+    if phrase.value in ("center", "corner", "side"):
+        name_nothing(state)
+        return
+    found: Mention | None = owner if isinstance(owner, Mention) else None
+    if found is None:
+        own = [m for m in state.subject[-1:] if phrase.determiner == "its" and m.mount == "floor"]
+        near = [*state.subject, *nearest(state, [])]
+        found = own[0] if own else state.refs.carrier(near, [], "top", phrase.text)
+        found = found if phrase.definite else None
+    if found is not None:
+        name_things(state, [found], phrase, False)
+    else:
+        name_nothing(state)
+
+
+def _owner_meant(state: State, phrase: NounPhrase, waiting: Waiting) -> Mention | str | None:
+    """What a region is of where nothing says so."""
+    region, subjects, own = str(phrase.value), waiting.subjects or [], phrase.determiner in ("its", "their")
+    if region == "corner" and not own:
+        filled = waiting.place.type == "occupying" or waiting.place.words in words("relations")["of_corners"]
+        if filled or not subjects or any(s.mount == "floor" for s in subjects):
+            return "room"
+    if region == "center":
+        return _center_meant(state, own, subjects)
+    near = nearest(state, subjects)
+    if phrase.determiner == "its" and near and near[-1].many:
+        pronoun = NounPhrase("pronoun", "it", phrase.start, phrase.end, value="pron")
+        near = state.refs.pronoun(pronoun, [], [*subjects, *near]) or near
+    return state.refs.carrier(near, subjects, region, phrase.text) or next(iter(near[-1:]), None)
+
+
+def _center_meant(state: State, own: bool, subjects: list[Mention]) -> Mention | str:
+    """The middle of what small things stand on, else of the room."""
+    small = bool(subjects) and all(s.is_small for s in subjects)
+    frame = state.frames[-1] if state.frames else None
+    if frame is not None and frame.kind == "with" and any(o.family == "table" for o in frame.owner):
+        small = small or any(s in frame.items and s.family not in ("seat", "table") and not s.is_rug for s in subjects)
+    near = nearest(state, subjects) if subjects else (state.refs.topics[-1] if state.refs.topics else [])
+    root = carrier_root(state, near[-1]) if near else None
+    if small and state.surface is not None and not own:
+        return state.surface
+    if small and root is not None and root is not near[-1] and root not in subjects:
+        return root
+    if (small or own) and near:
+        return state.refs.carrier(near, subjects) or near[-1]
+    return "room"
+
+
+def _of_room(state: State, phrase: NounPhrase, waiting: Waiting, owner: str) -> None:
+    """Relates what waits to the middle, a corner or a wall of the room."""
+    subjects = waiting.subjects or []
+    if subjects and any(t.text == "opposite" for t in phrase.qualities):
+        for other in main_things(state, subjects)[-1:]:
+            span = state.chunk_span()
+            say(state, "opposite", subjects, (other,), phrase.text, span=span, implied=True)
+    place = {"corner": "corner", "center": "middle"}.get(str(phrase.value), "room")
+    if owner in ("wall", "window", "door", "ceiling") or owner.startswith("wall:"):
+        place = owner
+    if phrase.determiner in ("each", "every", "all") or phrase.text == "corners":
+        for subject in subjects:
+            subject.count = (phrase.count or (4, 4)) if subject.count == (1, 1) else subject.count
+    if place in ("corner", "middle"):
+        waiting = replace(waiting, place=Place("at", words=waiting.place.words))
+    bind_target(state, waiting, (place,))
+
+
+def _kind_on(region: str, phrase: NounPhrase, waiting: Waiting, owner: Mention) -> str:
+    """The type of relation that a word of place and a region of a thing make together."""
+    kind, subjects = waiting.place.type, waiting.subjects or []
+    if region == "end" and kind in ("at", "on", "near"):
+        if subjects and all(s.is_small for s in subjects):
+            return "on"
+        return "at_foot" if "bed" in owner.category else "next_to"
+    table = words("relations")["regions"]
+    found = table.get(region, {}).get(kind) or table.get(phrase.text, {}).get(kind)
+    return found or ("inside" if region == "inside" else "on" if kind == "occupying" else kind)
+
+
+def part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
+    """What a thing has is said of it: "with three drawers", "a tufted headboard"."""
+    owners = state.frames[-1].owner if state.frames and state.frames[-1].kind in ("with", "verb") else []
+    owners = owners or (state.head if state.glue in ("open", "", "and") else [])
+    opening = phrase.text.split()[-1].rstrip("s")
+    if state.waiting is not None and opening in ("door", "window"):
+        phrase.what, phrase.value = "place", opening
+        place_phrase(state, phrase, chunk)
+        return
+    waiting, state.waiting = state.waiting, None
+    if waiting is not None and waiting.subjects and phrase.definite:  # "a pillow against the headboard"
+        near = [m for m in reversed(state.out.mentions[-20:]) if any(a.value == phrase.text for a in m.attributes)]
+        near = [m for m in near if m not in waiting.subjects] or nearest(state, waiting.subjects)
+        if near:
+            bind_target(state, waiting, (near[0],))
+        state.glue = ""
+        return
+    if waiting is not None and waiting.subjects:
+        owners = waiting.subjects
+    for owner in owners[-1:]:
+        owner.attributes += _said_of_part(state, phrase)
+    if not owners and not phrase.definite:
+        number, _, noun = phrase.text.partition(" ")
+        if number in _TWO and noun:  # "two sinks" that no cabinet has
+            phrase.count, phrase.text, phrase.plural = (2, 2), noun, True
+        mention = new_thing(state, phrase) if phrase.determiner or phrase.count else None
+        if mention is not None:
+            name_things(state, [mention], phrase, True)
             return
-        waiting, self.waiting = self.waiting, None
-        if waiting is not None and phrase.definite and waiting.subjects:  # "a pillow against the headboard"
-            near = [m for m in reversed(self.out.mentions[-20:]) if any(a.value == phrase.text for a in m.attributes)]
-            near = [m for m in near if m not in waiting.subjects] or self._near(waiting.subjects)
-            if near:
-                self._bound(waiting, (near[0],))
-            self.glue = ""
-            return
-        if waiting is not None and waiting.subjects:
-            owners = waiting.subjects
-        span = self.source.span(phrase.start, phrase.end)
-        said = self.source.text[phrase.start : phrase.end]
-        for owner in owners[-1:]:
-            owner.attributes.append(
-                Attribute(kind="part", value=phrase.text, words=" ".join(said.split()), count=phrase.count, span=span)
-            )
-            for token in phrase.qualities:
-                if token.has("material", "adjective", "color", "shape", "styles", "scale"):
-                    owner.attributes.append(
-                        Attribute(
-                            kind="part",
-                            value=f"{token.text} {phrase.text}",
-                            words=f"{token.text} {phrase.text}",
-                            span=span,
-                        )
-                    )
-        if not owners and not phrase.definite:
-            number, _, noun = phrase.text.partition(" ")
-            if number in _TWO and noun:  # "two sinks" that no cabinet has
-                phrase.count, phrase.text, phrase.plural = (2, 2), noun, True
-            mention = self._new(phrase) if phrase.determiner or phrase.count else None
-            if mention is not None:
-                self._named([mention], phrase, chunk, True)
-                return
-        self.glue = ""
-        self.head = list(owners[-1:]) if owners else self.head
+    state.glue = ""
+    state.head = list(owners[-1:]) if owners else state.head
+
+
+def _said_of_part(state: State, phrase: NounPhrase) -> list[Attribute]:
+    """A part, and each word of quality with it: "carved legs" are legs and carved legs."""
+    span = state.source.span(phrase.start, phrase.end)
+    spoken = " ".join(state.source.text[phrase.start : phrase.end].split())
+    found = [Attribute(kind="part", value=phrase.text, words=spoken, count=phrase.count, span=span)]
+    for token in phrase.qualities:
+        if token.has("material", "adjective", "color", "shape", "styles", "scale"):
+            both = f"{token.text} {phrase.text}"
+            found.append(Attribute(kind="part", value=both, words=both, span=span))
+    return found

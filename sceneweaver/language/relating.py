@@ -8,289 +8,270 @@ from sceneweaver.assets.taxonomy import category_named, likeliness
 
 from .chunks import Chunk, NounPhrase
 from .model import Span
-from .nearness import SIDED, Nearness
-from .parsed import Mention, Said
-from .things import SMALL
-from .vocabulary import Place, family, mounts, words
+from .nearness import SIDED, anchor, beside_those, carrier_root, chained, main_things, nearest
+from .parsed import Mention, Said, Target, without
+from .state import Frame, State
+from .vocabulary import Place, words
+
+_SIDES_OF_ROOM = ("near", "next_to", "opposite", "left_of", "right_of", "behind", "in_front_of")
+"""Relations of what stands on the floor to something else that does."""
 
 
-class Relating(Nearness):
-    """Relations as they are said: who, where, and what is meant where it is not said."""
+def support_kind(kind: str, carrier: Mention) -> str:
+    """Whether what something holds stands on or in it."""
+    relations = words("relations")
+    if any(carrier.noun.endswith(word) or carrier.category.endswith(word) for word in relations["insides"]):
+        return "inside"
+    if kind == "inside" and any(carrier.noun.endswith(word) for word in relations["tops"]):
+        return "on"
+    return kind
 
-    def support(self, kind: str, carrier: Mention) -> str:
-        """Whether what something holds stands on or in it."""
-        inside = words("relations")["insides"]
-        if any(carrier.noun.endswith(word) or carrier.category.endswith(word) for word in inside):
-            return "inside"
-        on = words("relations")["tops"]
-        if kind == "inside" and any(carrier.noun.endswith(word) for word in on):
-            return "on"
-        return kind
 
-    def _relate(
-        self,
-        place: Place,
-        subjects: list[Mention],
-        targets: tuple[Any, ...],
-        chunk: Chunk | None,
-        count: tuple[int, int] | None = None,
-        span: Span | None = None,
-        implied: bool = False,
-    ) -> None:
-        """A relation between things, or of things and a place of the room."""
-        subjects = [s for s in subjects if not any(s is t for t in targets)]
-        if not subjects or not targets or any(t is None for t in targets):
-            return
-        spoken = place.words or (chunk.text if chunk else "")
-        span = span or (self.source.span(chunk.start, chunk.end) if chunk is not None else None)
-        kind, side, each = place.type, place.side, place.each
-        target = targets[0]
-        if isinstance(target, str):
-            self._at_place(kind, subjects, target, spoken, count, span, implied)
-            return
-        if (
-            kind == "flanking"
-            and len(subjects) == 1
-            and subjects[0].count == (1, 1)
-            and spoken != "flanking"
-            and count is None
-            and not spoken.startswith("flank")
-        ):
-            subjects[0].count = (2, 2)  # "a nightstand on either side of the bed"
-        if kind == "through":
-            return
-        if (
-            kind in ("at_head", "at_foot")
-            and spoken.startswith("on")
-            and all(mounts(s.category)[0] == "surface" for s in subjects)
-        ):
-            kind = "on"
-        if kind == "above" and all(mounts(s.category)[0] == "floor" and "lamp" in s.noun for s in subjects):
-            kind = "near"  # a floor lamp that arches over a sofa
-        if kind in ("occupying", "covering"):
-            kind = "on"
-        if kind in ("on", "inside"):
-            for subject in subjects:
-                if subject.category in SMALL and "rug" not in target.category:
-                    subject.category = SMALL[subject.category]
-        if kind == "above" and spoken.startswith("hang"):
-            for subject in subjects:
-                subject.category = words("nouns")["hung"]["ceiling"].get(subject.category, subject.category)
-        if kind == "on" and "rug" in target.category:
-            subjects = list(dict.fromkeys(self._root(s) if s.category != target.category else s for s in subjects))
+def relate(
+    state: State,
+    place: Place,
+    subjects: list[Mention],
+    targets: tuple[Any, ...],
+    chunk: Chunk | None,
+    count: tuple[int, int] | None = None,
+    span: Span | None = None,
+) -> None:
+    """A relation between things, or of things and a place of the room, in the terms of the graph."""
+    subjects = without(subjects, targets)
+    if not subjects or not targets or any(t is None for t in targets):
+        return
+    spoken = place.words or (chunk.text if chunk else "")
+    span = span or (state.source.span(chunk.start, chunk.end) if chunk is not None else None)
+    target, one = targets[0], subjects[0]
+    if isinstance(target, str):
+        relate_to_place(state, place.type, subjects, target, spoken, count=count, span=span)
+        return
+    flanked = place.type == "flanking" and not spoken.startswith("flank")
+    if flanked and len(subjects) == 1 and one.count == (1, 1) and count is None:
+        one.count = (2, 2)  # "a nightstand on either side of the bed"
+    if place.type == "through":
+        return
+    kind = _meant_kind(place.type, spoken, subjects)
+    if kind in ("on", "inside") and not target.is_rug:
+        _called(subjects, "surface")
+    if kind == "above" and spoken.startswith("hang"):
+        _called(subjects, "ceiling")
+    if kind == "on" and target.is_rug:  # what stands on the table on the rug is not on the rug
+        subjects = list(dict.fromkeys(carrier_root(state, s) if s.category != target.category else s for s in subjects))
+    if kind == "centered_on" and (target.is_rug or all(s.is_small for s in subjects)):
+        say(state, "on", subjects, (target,), spoken, count=count, span=span)
+    on_each = kind == "along" and "each" in spoken.split() and count is None and len(subjects) == 1
+    if on_each and one.count is not None:
+        count, one.count = one.count, (2 * one.count[0], 2 * one.count[1])  # "two chairs on each long side"
+    each = place.each and (count is not None or kind not in ("flanking", "along"))
+    say(state, kind, subjects, targets, spoken, count=count, each=each, side=place.side, span=span)
+
+
+def _meant_kind(kind: str, spoken: str, subjects: list[Mention]) -> str:
+    """The type of relation that a word of place means of such things."""
+    if kind in ("at_head", "at_foot") and spoken.startswith("on") and all(s.mount == "surface" for s in subjects):
+        return "on"
+    if kind == "above" and all(s.mount == "floor" and "lamp" in s.noun for s in subjects):
+        return "near"  # a floor lamp that arches over a sofa
+    return "on" if kind in ("occupying", "covering") else kind
+
+
+def _called(subjects: list[Mention], where: str) -> None:
+    """What things are called where they stand or hang: a plant on a table is a small one."""
+    other = words("nouns")["hung"][where]
+    for subject in subjects:
+        subject.category = other.get(subject.category, subject.category)
+
+
+def say(
+    state: State,
+    kind: str,
+    subjects: list[Mention],
+    targets: tuple[Target, ...],
+    spoken: str,
+    *,
+    count: tuple[int, int] | None = None,
+    each: bool = False,
+    side: str | None = None,
+    span: Span | None = None,
+    implied: bool = False,
+) -> None:
+    """Adds a statement; who it is about may be meant by what follows, unless it only follows from "with"."""
+    state.out.said.append(Said(kind, list(subjects), targets, spoken, count, each, side, implied, span))
+    if not implied:
+        state.last_subjects, state.head_related = list(subjects), True
+
+
+def relate_to_place(
+    state: State,
+    kind: str,
+    subjects: list[Mention],
+    place: str,
+    spoken: str,
+    *,
+    count: tuple[int, int] | None = None,
+    span: Span | None = None,
+    implied: bool = False,
+) -> None:
+    """A relation of things to a part of the room."""
+    if kind == "through":
+        return
+    if place == "room" and kind == "opposite":
+        for target in nearest(state, subjects):
+            say(state, kind, subjects, (target,), spoken, count=count, span=span, implied=implied)
+        return
+    if place in ("room", "floor"):
         if kind == "centered_on":
-            surface = all("surface" in mounts(s.category) for s in subjects)
-            if surface or "rug" in target.category:
-                self._say("on", subjects, (target,), spoken, count, False, None, span, implied)
-        one = subjects[0]
-        if (
-            kind == "along"
-            and "each" in spoken.split()
-            and count is None
-            and len(subjects) == 1
-            and one.count is not None
-        ):
-            count, one.count = one.count, (2 * one.count[0], 2 * one.count[1])  # "two chairs on each long side"
-        each = each and (count is not None or kind not in ("flanking", "along"))
-        self._say(kind, subjects, targets, spoken, count, each, side, span, implied)
+            kind, place = "at", "middle"
+        elif place == "room" or kind != "on" or not all(s.mount == "surface" for s in subjects):
+            return  # all furniture is in the room and on its floor
+    if place == "wall:opposite":
+        others = main_things(state, subjects)
+        if others:
+            of_wall = f"{spoken} the opposite wall"
+            say(state, "opposite", subjects, (others[-1],), of_wall, count=count, span=span, implied=True)
+        place = "wall" if others else "wall:far"
+    stated, kind = kind, _kind_at(kind, place, subjects)
+    if place == "ceiling":
+        _called(subjects, "ceiling")
+    elif place.startswith("wall") and kind != "against":
+        _called(subjects, "wall")
+    if "against" in (stated, kind) and not implied:
+        subjects = [*subjects, *beside_those(state, subjects)]
+    if kind == "far_from" and place not in ("door", "window"):
+        state.out.note(f"'away from the {place}' cannot be said as a relation and was left out")
+        return
+    words_of_place = spoken if spoken.endswith(place) else f"{spoken} the {place.split(':')[0]}"
+    say(state, kind, subjects, (place,), words_of_place, count=count, span=span, implied=implied)
 
-    def _say(
-        self,
-        kind: str,
-        subjects: list[Mention],
-        targets: tuple[Any, ...],
-        spoken: str,
-        count: Any,
-        each: bool,
-        side: str | None,
-        span: Span | None,
-        implied: bool,
-    ) -> None:
-        self.out.said.append(Said(kind, list(subjects), targets, spoken, count, each, side, implied, span))
-        if not implied:
-            self.last_subjects, self.head_related = list(subjects), True
 
-    def _at_place(
-        self, kind: str, subjects: list[Mention], place: str, spoken: str, count: Any, span: Span | None, implied: bool
-    ) -> None:
-        wall_hung = all(mounts(s.category)[0] == "wall" for s in subjects)
-        if kind == "through":
-            return
-        if place == "room":
-            if kind in ("centered_on", "at_center"):
-                kind, place = "at", "middle"
-            elif kind in ("opposite",):
-                for target in self._near(subjects):
-                    self._say("opposite", subjects, (target,), spoken, count, False, None, span, implied)
-                return
-            else:
-                return
-        if place == "floor":
-            if kind in ("centered_on", "at_center"):
-                kind, place = "at", "middle"
-            elif kind == "on" and all(mounts(s.category)[0] == "surface" for s in subjects):
-                pass
-            else:
-                return
-        if place == "wall:opposite":
-            others = self._main(subjects)
-            if others:
-                self._say(
-                    "opposite", subjects, (others[-1],), f"{spoken} the opposite wall", count, False, None, span, True
-                )
-            place = "wall" if others else "wall:far"
-        if place.startswith("wall"):
-            if kind in ("inside", "at", "occupying", "along", "covering", "centered_on", "around", "flanking"):
-                kind = "along" if kind == "along" else "against"
-            elif kind == "on" and not wall_hung and all(mounts(s.category)[0] == "floor" for s in subjects):
-                kind = "against"
-        for subject in subjects if place in ("ceiling", "wall") or place.startswith("wall:") else ():
-            hung = words("nouns")["hung"]["ceiling" if place == "ceiling" else "wall" if kind != "against" else "none"]
-            subject.category = hung.get(subject.category, subject.category)
-        if kind == "against" and not implied:
-            subjects = [*subjects, *self._beside(subjects)]
-        if place == "ceiling":
-            kind = (
-                "hanging_from"
-                if kind
-                in ("on", "from", "inside", "hanging_from", "at", "near", "against", "above", "below", "centered_on")
-                else kind
-            )
-        if place in ("corner", "middle"):
-            kind = "at" if kind not in ("facing", "far_from") else kind
-        if place in ("window", "door") and kind in ("inside", "on", "occupying"):
-            kind = "at"
-        if kind == "far_from" and place not in ("door", "window"):
-            self.out.note(f"'away from the {place}' cannot be said as a relation and was left out")
-            return
-        if place in ("corner", "middle") and kind == "far_from":
-            return
-        self._say(
-            kind,
-            subjects,
-            (place,),
-            f"{spoken} the {place.split(':')[0]}" if not spoken.endswith(place) else spoken,
-            count,
-            False,
-            None,
-            span,
-            implied,
-        )
+def _kind_at(kind: str, place: str, subjects: list[Mention]) -> str:
+    """The type of relation to a part of the room."""
+    if place.startswith("wall"):
+        if kind in ("inside", "at", "occupying", "covering", "centered_on", "around", "flanking"):
+            return "against"
+        stand = bool(subjects) and all(s.mount == "floor" for s in subjects)
+        return "against" if kind == "on" and stand else kind
+    if place == "ceiling" and kind in _AT_CEILING:
+        return "hanging_from"
+    if place in ("corner", "middle") and kind not in ("facing", "far_from"):
+        return "at"
+    return "at" if place in ("window", "door") and kind in ("inside", "on", "occupying") else kind
 
-    def _implicit(self, place: Place, subjects: list[Mention] | None, chunk: Chunk) -> None:
-        """A word of place without a target: "a rug in front", "to its left", "overhead"."""
-        if subjects is None:
-            frame_items = [m for f in self.frames[-1:] for m in f.items]
-            if not frame_items and (self.refs.topics or self.out.mentions):
-                targets = self._main([]) if place.type == "opposite" and "room" in place.words else self._near([])
-                if place.type == "centered_on" and self.surface is not None:
-                    targets = [self.surface]
-                if targets and place.type in ("below", "near", "next_to", "opposite", "around"):
-                    targets = [self._root(targets[-1])]
-                if "room" in place.words and place.type == "opposite" and not self.out.mentions:
-                    return
-                self.fronted.append((place, tuple(targets[-1:]), chunk))
-                return
-            subjects = frame_items
-        if not subjects:
-            return
-        floor = place.type in ("near", "next_to", "opposite", "left_of", "right_of", "behind", "in_front_of")
-        near = self._main(subjects) if place.type == "opposite" else self._near(subjects, apart=floor)
-        if "its" in place.words.split() and near and near[-1].many:
-            it = NounPhrase("pronoun", "it", chunk.start, chunk.end, value="pron")
-            near = self.refs.pronoun(it, [], [*subjects, *near]) or near
-        if "its" in place.words.split() and place.type in SIDED:
-            near = self._chained(near, subjects)
-        if place.type == "inside" and not near:
-            return
-        if place.type in ("left_of", "right_of") and not near:
-            self._at_place("against", subjects, f"wall:{place.type.split('_')[0]}", place.words, None, None, False)
-            return
-        small = all("surface" in mounts(s.category) for s in subjects)
-        if place.type == "centered_on" and small and self.surface is not None:
-            near = [self.surface]
-        if not near and place.type != "centered_on":
-            self.out.note(f"'{chunk.text}': it is not clear of what; it was left out")
-            return
-        if (
-            place.type == "centered_on"
-            and not near
-            or place.type == "centered_on"
-            and not any("surface" in mounts(s.category) for s in subjects)
-        ):
-            self._at_place("at", subjects, "middle", place.words, None, self.source.span(chunk.start, chunk.end), False)
-            return
-        seated = place.type == "in_front_of" and all(family(s.category) == "seat" for s in subjects)
-        seated = seated and bool(near) and family(near[-1].category) not in ("table", "storage", "seat", "bed_group")
-        if near and (seated or place.type in ("near", "above", "left_of", "right_of")):
-            near = [self._anchor(near[-1], place.type, subjects)]
-        target = near[-1] if len(near) == 1 or place.type not in ("above", "below") else near[0]
-        owned = any(f.kind in ("with", "verb") and target in f.owner for f in self.frames)
-        if place.type == "on" and not owned:
-            target = self.refs.carrier(near, subjects) or target
-        self._relate(place, subjects, (target,), chunk, count=self.subset)
 
-    def _mutual(self, place: Place, chunk: Chunk) -> None:
-        """ "Two desks side by side", "a sofa and a bench facing each other"."""
-        subjects = list(self.head)
-        if self.subject_open and not self.frames and len(self.subject) > 1 or self.glue == "verb" and self.subject:
-            subjects = list(self.subject)
-        elif self.frames and len(self.frames[-1].items) > 1 and len(self.head) == 1 and not self.head[0].many:
-            subjects = self.frames[-1].items[-2:] if place.type != "left_to_right" else list(self.frames[-1].items)
-        span = self.source.span(chunk.start, chunk.end)
-        if not subjects:
-            return
-        if place.type == "left_to_right":
-            for one, two in zip(subjects, subjects[1:], strict=False):
-                self._say("right_of", [two], (one,), chunk.text, None, False, None, span, False)
-            return
-        self._say(place.type, subjects, ("each other",), chunk.text, None, False, None, span, False)
-        self.head = subjects
+_AT_CEILING = frozenset(
+    ("on", "from", "inside", "hanging_from", "at", "near", "against", "above", "below", "centered_on")
+)
 
-    def _owned(self, frame: Any, mentions: list[Mention], phrase: NounPhrase) -> None:
-        """ "A desk with a lamp": what is small stands on what it came with, the rest is near it."""
-        if not frame.owner:
+
+def relate_to_nearest(state: State, place: Place, subjects: list[Mention] | None, chunk: Chunk) -> None:
+    """A word of place without a target: "a rug in front", "to its left", "overhead"."""
+    if subjects is None:
+        subjects = [m for f in state.frames[-1:] for m in f.items]
+        if not subjects and (state.refs.topics or state.out.mentions):
+            _front(state, place, chunk)
             return
-        owner = frame.owner[-1]
-        for mention in mentions:
-            if mention is owner or (owner in self.party and mention in self.party):
+    if not subjects:
+        return
+    its, sideways = "its" in place.words.split(), place.type in ("left_of", "right_of")
+    near = main_things(state, subjects) if place.type == "opposite" else None
+    if near is None:
+        near = nearest(state, subjects, apart=place.type in _SIDES_OF_ROOM)
+    if its and near and near[-1].many:
+        it = NounPhrase("pronoun", "it", chunk.start, chunk.end, value="pron")
+        near = state.refs.pronoun(it, [], [*subjects, *near]) or near
+    if its and place.type in SIDED:
+        near = chained(state, near, subjects)
+    if place.type == "inside" and not near:
+        return
+    if sideways and not near:
+        relate_to_place(state, "against", subjects, f"wall:{place.type.split('_')[0]}", place.words)
+        return
+    if place.type == "centered_on":
+        if state.surface is not None and all(s.is_small for s in subjects):
+            near = [state.surface]
+        if not near or not any(s.is_small for s in subjects):
+            span = state.source.span(chunk.start, chunk.end)
+            relate_to_place(state, "at", subjects, "middle", place.words, span=span)
+            return
+    if not near:
+        state.out.note(f"'{chunk.text}': it is not clear of what; it was left out")
+        return
+    seated = place.type == "in_front_of" and all(s.family == "seat" for s in subjects)
+    seated = seated and near[-1].family not in ("table", "storage", "seat", "bed_group")
+    if seated or sideways or place.type in ("near", "above"):
+        near = [anchor(state, near[-1], place.type, subjects)]
+    target = near[0] if place.type in ("above", "below") else near[-1]
+    owned = any(f.kind in ("with", "verb") and target in f.owner for f in state.frames)
+    if place.type == "on" and not owned:
+        target = state.refs.carrier(near, subjects) or target
+    relate(state, place, subjects, (target,), chunk, count=state.subset)
+
+
+def _front(state: State, place: Place, chunk: Chunk) -> None:
+    """ "Across the room stands a wardrobe": a word of place that comes before who it is about."""
+    across = place.type == "opposite" and "room" in place.words
+    targets = main_things(state, []) if across else nearest(state, [])
+    if place.type == "centered_on" and state.surface is not None:
+        targets = [state.surface]
+    if targets and place.type in ("below", "near", "next_to", "opposite", "around"):
+        targets = [carrier_root(state, targets[-1])]
+    if not across or state.out.mentions:
+        state.fronted.append((place, tuple(targets[-1:]), chunk))
+
+
+def relate_mutually(state: State, place: Place, chunk: Chunk) -> None:
+    """ "Two desks side by side", "a sofa and a bench facing each other"."""
+    subjects = list(state.head)
+    items = state.frames[-1].items if state.frames else []
+    if state.subject_open and not state.frames and len(state.subject) > 1 or state.glue == "verb" and state.subject:
+        subjects = list(state.subject)
+    elif len(items) > 1 and len(state.head) == 1 and not state.head[0].many:
+        subjects = items[-2:] if place.type != "left_to_right" else list(items)
+    span = state.source.span(chunk.start, chunk.end)
+    if not subjects:
+        return
+    if place.type == "left_to_right":
+        for one, two in zip(subjects, subjects[1:], strict=False):
+            say(state, "right_of", [two], (one,), chunk.text, span=span)
+        return
+    say(state, place.type, subjects, ("each other",), chunk.text, span=span)
+    state.head = subjects
+
+
+def relate_to_owner(state: State, frame: Frame, mentions: list[Mention], phrase: NounPhrase) -> None:
+    """ "A desk with a lamp": what is small stands on what it came with, the rest is near it."""
+    if not frame.owner:
+        return
+    owner, span = frame.owner[-1], state.source.span(phrase.start, phrase.end)
+    for mention in mentions:
+        party = state.party if owner in state.party else []
+        if mention is owner or mention in party:
+            continue
+        small = mention.mount == "surface" or (mention.generic and owner.family == "table")
+        if small and without(party, [mention]):
+            ranks = [
+                (rank, k, m)
+                for k, m in enumerate(without(party, [mention]))
+                if (rank := likeliness(mention.category, m.category)) is not None
+            ]
+            if not ranks:
                 continue
-            small = mounts(mention.category)[0] == "surface" or (mention.generic and family(owner.category) == "table")
-            carriers = [m for m in (self.party if owner in self.party else []) if m is not mention]
-            if small and carriers:
-                ranks = [
-                    (r, k, m)
-                    for k, m in enumerate(carriers)
-                    if (r := likeliness(mention.category, m.category)) is not None
-                ]
-                if not ranks:
-                    continue
-                owner = min(ranks)[2]
-            kind = "near"
-            if (
-                small
-                and mounts(owner.category)[0] in ("floor", "wall")
-                or small
-                and category_named(owner.category).holds
-            ):
-                kind = self.support("on", owner)
-            elif mounts(mention.category)[0] != "floor" or mounts(owner.category)[0] != "floor":
-                if mounts(mention.category)[0] == "wall":
-                    kind = "above"
-                else:
-                    continue
-            elif family(mention.category) == "seat" and family(owner.category) == "table":
-                kind = "at"
-            elif mention.category == "nightstand":
-                kind = "flanking" if mention.count == (2, 2) else "next_to"
-            self._say(
-                kind,
-                [mention],
-                (owner,),
-                f"{owner.noun} with {mention.noun}",
-                None,
-                frame.each,
-                None,
-                self.source.span(phrase.start, phrase.end),
-                True,
-            )
+            owner = min(ranks)[2]
+        kind = _owned_kind(mention, owner, small)
+        if kind is not None:
+            spoken = f"{owner.noun} with {mention.noun}"
+            say(state, kind, [mention], (owner,), spoken, each=frame.each, span=span, implied=True)
+
+
+def _owned_kind(mention: Mention, owner: Mention, small: bool) -> str | None:
+    """How what something comes with usually stands to it; None where "with" says nothing of places."""
+    if small and (owner.mount in ("floor", "wall") or category_named(owner.category).holds):
+        return support_kind("on", owner)
+    if mention.mount != "floor" or owner.mount != "floor":
+        return "above" if mention.mount == "wall" else None
+    if mention.family == "seat" and owner.family == "table":
+        return "at"
+    if mention.category == "nightstand":
+        return "flanking" if mention.count == (2, 2) else "next_to"
+    return "near"

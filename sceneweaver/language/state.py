@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any
 
 from .chunks import Chunk
@@ -12,25 +12,31 @@ from .references import References
 from .source import Source
 from .vocabulary import Place
 
+Fronted = tuple[Place, tuple[Any, ...], Chunk]
+"""A word of place with its targets, said ahead of who it is about."""
+
 
 @dataclass
 class Frame:
     """An open list: what is named in it is there ("list"), comes with its owner, or is placed by a verb.
 
-    ``placed`` says whether its items are placed relative to the owner ("after") or the owner to them ("before").
+    ``numbered`` are the nouns of the items that have a number.
     """
 
     kind: str
     owner: list[Mention] = field(default_factory=list)
     type: str = ""
-    placed: str = "after"
     words: str = ""
     items: list[Mention] = field(default_factory=list)
     finite: bool = False
     each: bool = False
     numbered: list[str] = field(default_factory=list)
-    """Nouns of items that have a number."""
-    fronted: list[tuple[Place, tuple[Any, ...], Chunk]] = field(default_factory=list)
+    fronted: list[Fronted] = field(default_factory=list)
+
+    @property
+    def is_fronting(self) -> bool:
+        """Whether its places came before its items and no verb between: "on the desk a lamp"."""
+        return self.kind == "fronted" and not self.finite
 
 
 @dataclass
@@ -44,11 +50,8 @@ class Waiting:
     first: Mention | None = None
     lost: bool = False
 
-    def _replace_place(self, place: Place) -> Waiting:
-        return replace(self, place=place)
 
-
-class ReaderState:
+class State:
     """Where the reader of clauses is, and what it has in hand."""
 
     def __init__(self, chunks: list[Chunk], source: Source, parsed: Parsed):
@@ -56,7 +59,6 @@ class ReaderState:
         self.refs = References(parsed)
         self.at = 0
         self.party: list[Mention] = []  # the things of the part of the room that was named last
-        self.first_items: list[Mention] = []  # what was named first in the clauses of the sentence
         self.surface: Mention | None = None  # what the small things of the sentence stand on
         self.surface_words, self.started, self.begun = "", 0, 0
         self.last_subjects: list[Mention] = []
@@ -67,9 +69,9 @@ class ReaderState:
         self.subject: list[Mention] = []  # who the clause is about
         self.head: list[Mention] = []  # what a word of place is said of
         self.previous: list[Mention] = []  # the item before, or who the clause before was about
-        self.first_items = []
+        self.first_items: list[Mention] = []  # what was named first in the clauses of the sentence
         self.frames: list[Frame] = []  # open lists, the outermost one first
-        self.fronted: list[tuple[Place, tuple[Any, ...], Chunk]] = []  # said ahead of who it is about
+        self.fronted: list[Fronted] = []  # said ahead of who it is about
         self.waiting: Waiting | None = None
         self.glue = "start"  # what binds the next phrase: start, comma, and, or, while, open, object, verb, or nothing
         self.joined = ""  # what bound the last item to the one before
@@ -84,16 +86,25 @@ class ReaderState:
         self.lit = False  # whether light came through a window
         self.each = self.inverted = self.after_be = self.relative = self.head_related = False
 
-    def _chunk(self, k: int) -> Chunk | None:
+    def close_frames(self) -> None:
+        """A new clause goes on with the list of the sentence at most."""
+        self.frames = [f for f in self.frames[:1] if f.kind == "list"]
+
+    def chunk(self, k: int) -> Chunk | None:
+        """The chunk at ``k``; None beyond the ends."""
         return self.chunks[k] if 0 <= k < len(self.chunks) else None
 
-    def _noun_next(self, offset: int = 0) -> bool:
-        chunk = self._chunk(self.at + offset)
+    def noun_next(self, offset: int = 0) -> bool:
+        """Whether a noun phrase comes next, or ``offset`` chunks later."""
+        return self._is_noun(self.at + offset)
+
+    def _is_noun(self, k: int) -> bool:
+        chunk = self.chunk(k)
         return chunk is not None and chunk.kind == "noun"
 
-    def _target_next(self) -> bool:
+    def target_next(self) -> bool:
         """Whether the noun after "opposite", "beside" and the like is what they are said of, and no subject."""
-        after = self._chunk(self.at + 1)
+        after = self.chunk(self.at + 1)
         if self.at >= len(self.chunks):
             return True
         chunk = self.chunks[self.at]
@@ -101,7 +112,7 @@ class ReaderState:
             return bool(chunk.value.definite or chunk.value.what in ("pronoun", "place"))
         return True
 
-    def _verb_follows(self, k: int) -> bool:
+    def verb_follows(self, k: int) -> bool:
         """Whether the noun phrase before chunk k is the subject of a finite verb."""
         nouns = 0
         for index, chunk in enumerate(self.chunks[k : k + 14], start=k):
@@ -112,7 +123,7 @@ class ReaderState:
             elif chunk.kind in ("stop", "comma", "while"):
                 return False
             elif chunk.kind == "and":
-                after = self._chunk(index + 1)
+                after = self.chunk(index + 1)
                 if after is None or after.kind != "noun" or nouns > 0:
                     return False
             elif chunk.kind == "with":
@@ -121,22 +132,18 @@ class ReaderState:
                 nouns += 1
         return False
 
-    def _clause_at(self, k: int) -> bool:
-        chunk = self._chunk(k)
-        return chunk is not None and chunk.kind == "noun" and self._verb_follows(k + 1)
-
-    def _placed_next(self, k: int) -> bool:
+    def placed_next(self, k: int) -> bool:
         """Whether words of place or a participle follow at once, so that something is no mere item of a list."""
-        chunk = self._chunk(k)
+        chunk = self.chunk(k)
         return chunk is not None and (
             chunk.kind == "place" or (chunk.kind == "verb" and (chunk.passive or chunk.value.form in ("ed", "ing")))
         )
 
-    def _fronts(self, k: int) -> bool:
+    def fronts(self, k: int) -> bool:
         """Whether the words of place from chunk k on come before who they are about: "and on the wall hangs ..."."""
         seen = 0
         if self.chunks[k].passive:  # "to its left a counter"
-            return self._noun_next()
+            return self.noun_next()
         for chunk in self.chunks[k : k + 8]:
             if chunk.kind == "noun":
                 seen += 1
@@ -145,14 +152,15 @@ class ReaderState:
             elif chunk.kind == "verb":
                 return seen == 1 and chunk.value.form in ("s", "base")
             elif chunk.kind == "comma" and seen == 1:
-                return self.done and self._clause_at(k + 3)
+                return self.done and self._is_noun(k + 3) and self.verb_follows(k + 4)
             elif chunk.kind not in ("place", "adjective", "word"):
                 return False
             elif chunk.kind == "place" and seen == 1 and chunk is not self.chunks[k]:
                 seen = 0
         return False
 
-    def _unread(self, text: str, start: int, end: int) -> None:
+    def leave_unread(self, text: str, start: int, end: int) -> None:
+        """Words at characters [start, end) of the source are not understood."""
         self.out.unread.append(Left(" ".join(text.split()), start, end))
 
     def chunk_span(self) -> Span | None:

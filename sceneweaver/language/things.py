@@ -14,17 +14,6 @@ from .source import Source
 from .tokens import Token
 from .vocabulary import category_of, plural, vocabulary, words
 
-SMALL = {
-    "potted_plant": "small_plant",
-    "floor_lamp": "table_lamp",
-    "palm": "small_plant",
-    "standing_mirror": "round_mirror",
-    "floor_vase": "vase",
-    "globe": "desk_globe",
-    "tv": "tv_on_stand",
-}
-"""What is meant when something that usually stands on the floor is put on something."""
-
 MANY = (2, 6)
 """Least and most of a bare plural."""
 
@@ -147,11 +136,7 @@ def describe(mention: Mention, phrase: NounPhrase, source: Source) -> None:
         _quality(mention, token, source)
     for token in vocabulary_parts(phrase):
         _quality(mention, token, source, known=True)
-    if phrase.length is not None:
-        axis = next((t.get("dim") for t in phrase.qualities if t.has("dim")), None)
-        if axis is not None:
-            mention.size[int(axis)] = phrase.length
-            mention.scale = 1.0
+    give_length(mention, phrase)
     if phrase.sides is not None:
         give_sides(mention, phrase.sides)
 
@@ -202,6 +187,13 @@ def _quality(mention: Mention, token: Token, source: Source, known: bool = False
         mention.style = token.get("styles")
     elif not token.has("moods", "dim", "density"):
         mention.words.append(token.text)
+
+
+def give_length(mention: Mention, phrase: NounPhrase) -> None:
+    """ "1.6 m wide": a length [m] along the axis that a phrase names."""
+    axis = next((t.get("dim") for t in phrase.qualities if t.has("dim")), None)
+    if phrase.length is not None and axis is not None:
+        mention.size[int(axis)], mention.scale = phrase.length, 1.0
 
 
 def give_sides(mention: Mention, sides: tuple[float, ...]) -> None:

@@ -1,6 +1,6 @@
 """A process that does one job after the other for the server, and can be asked to end one early.
 
-It is started with the descriptor of a connection and a device. Jobs come as ``("job", name, arguments, seconds)``, a
+Jobs come as ``("job", name, arguments, seconds)``, a
 wish to end the running one as ``("stop", reason)``; what goes back is ``("progress", done, total, message)`` and at
 last ``("done", result)`` or ``("failed", kind, message)``. The jobs run in the main thread, where time limits work in
 the middle of anything. When the connection ends, so does the process.
@@ -11,7 +11,6 @@ from __future__ import annotations
 import os
 import queue
 import signal
-import sys
 import threading
 import time
 import traceback
@@ -53,8 +52,11 @@ class Inbox:
                 self.jobs.put((*rest, self._stop))
 
 
-def run(connection: Connection, device: str) -> None:
-    """Do jobs until the connection ends."""
+def serve(connection: Connection, device: str) -> None:
+    """Do jobs until the connection ends; what anything prints goes to stderr."""
+    for number in (signal.SIGINT, signal.SIGTERM):  # they are for the server, which ends us in order
+        signal.signal(number, signal.SIG_IGN)
+    os.dup2(2, 1)
     inbox = Inbox(connection)
     while (job := inbox.jobs.get()) is not None:
         answer = _answer(connection, device, *job)
@@ -86,11 +88,3 @@ def _answer(
     except Exception as error:
         traceback.print_exc()
         return "failed", "fault", type(error).__name__
-
-
-def main() -> None:
-    """Take over the connection; what anything prints goes to stderr."""
-    for number in (signal.SIGINT, signal.SIGTERM):  # they are for the server, which ends us in order
-        signal.signal(number, signal.SIG_IGN)
-    os.dup2(2, 1)
-    run(Connection(int(sys.argv[1])), sys.argv[2])

@@ -2,24 +2,23 @@
 
 from __future__ import annotations
 
+import atexit
 import contextlib
 import os
-import subprocess
-import sys
 import threading
 import time
 from collections.abc import Awaitable, Callable, Mapping
-from multiprocessing import Pipe
 from pathlib import Path
 from typing import Any
 
 import anyio
 
-import sceneweaver
+from sceneweaver.runtime import processes
 from sceneweaver.scene import InputError, MissingDependencyError, SceneWeaverError
 
 from .files import tidy
 from .limits import CLOSING, GRACE, Limits
+from .worker import serve
 
 Said = Callable[[float, float | None, str], Awaitable[None]]
 """Reports progress: how much is done, of how much, and what is going on."""
@@ -33,26 +32,13 @@ class Worker:
     """One process, see `sceneweaver.mcp.worker`."""
 
     def __init__(self, device: str) -> None:
-        self.connection, theirs = Pipe()
+        self.process = processes.Worker(serve, device, threads=None, killed_with_parent=False)
+        self.connection = self.process.connection
         self.run: Path | None = None  # the folder that it writes to
-        code = f"import sys; sys.path[:] = {_paths()!r}; from sceneweaver.mcp.worker import main; main()"
-        with theirs:
-            self.process = subprocess.Popen(
-                [sys.executable, "-P", "-c", code, str(theirs.fileno()), device],
-                stdin=subprocess.DEVNULL,
-                stdout=2,
-                pass_fds=[theirs.fileno()],
-            )
 
     def end(self, seconds: float) -> None:
         """Wait so long for the process to end by itself, then end it, and clear up after it."""
-        try:
-            self.process.wait(seconds)
-        except subprocess.TimeoutExpired:
-            self.process.kill()
-            self.process.wait()
-        with contextlib.suppress(OSError):
-            self.connection.close()
+        self.process.end(seconds)
         if self.run is not None:
             tidy(self.run)
 
@@ -65,16 +51,7 @@ class Worker:
             while self.connection.poll(max(0.0, began + GRACE - time.monotonic())):
                 if self.connection.recv()[0] != "progress":
                     break
-        with contextlib.suppress(OSError):
-            self.connection.close()  # which ends the process
         self.end(CLOSING)
-
-
-def _paths() -> list[str]:
-    """Where modules are found: as here, but not in the current folder, which may be that of the scenes."""
-    package = os.path.dirname(os.path.dirname(os.path.abspath(sceneweaver.__file__)))
-    here = os.path.realpath(os.curdir)
-    return [path for path in sys.path if path == package or os.path.realpath(path) != here]
 
 
 class Pool:
@@ -84,10 +61,11 @@ class Pool:
         self._device = device
         self._all: list[Worker] = []
         self._free: list[Worker] = []
+        atexit.register(self.close)  # before Python waits for processes that know nothing of its end
 
     def take(self, usual: Worker | None) -> Worker:
         """The usual process if it is free, else one that is, else a new one."""
-        self._all = [worker for worker in self._all if worker.process.poll() is None]
+        self._all = [worker for worker in self._all if worker.process.alive]
         free = [worker for worker in self._free if worker in self._all]
         if not free:
             worker = Worker(self._device)

@@ -24,6 +24,12 @@ class Inertia:
     tensor: np.ndarray
 
 
+def shares_of(solids: Sequence[Solid], mass: float) -> list[float]:
+    """A mass [kg] spread over parts by their volume."""
+    volume = sum(solid.volume for solid in solids)
+    return [mass * solid.volume / volume for solid in solids]
+
+
 def inertia_of(solids: Sequence[Solid], masses: Sequence[float]) -> Inertia:
     """The inertia of parts that move as one.
 

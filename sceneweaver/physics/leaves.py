@@ -10,19 +10,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any, Literal
 
 import numpy as np
 
 from sceneweaver.assets import Grasp
-from sceneweaver.geometry.angles import cross
 from sceneweaver.geometry.polygons import rectangle, union
 from sceneweaver.geometry.se2 import SE2
 from sceneweaver.geometry.shell import WALL_THICKNESS
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.scene import Door, Room
+
+from .hulls import Solid
+from .inertia import Inertia, inertia_of, shares_of
+from .shell import wall_ends
+from .things import Joint
 
 THICK = 0.04
 """Thickness of a leaf [m]."""
@@ -36,7 +40,6 @@ _GAP = 0.003  # [m] between leaf and jambs, where nothing asks for more
 _OPEN = math.pi / 2  # [rad]; farther, the leaf would leave the door's zone
 _OUT = 0.055  # [m] by which a handle stands out of the leaf; with the leaf it stays within the wall's thickness
 _PER_AREA = 12.0  # [kg/m2] of a leaf: a hollow wooden one
-_NEAR = 1.2 * WALL_THICKNESS  # [m] from a corner, a door is in the way of the next wall's slab
 _STEP = 0.01  # [m] or [rad] between the positions that are looked at for a wall in the way
 
 
@@ -68,6 +71,23 @@ class Leaf:
         return (0.05 if self.joint == "hinge" else 0.3) * self.mass
 
     @property
+    def moves(self) -> Joint:
+        """How it moves, in its frame."""
+        return Joint(self.joint, np.asarray(self.axis), np.zeros(3), self.limits, self.hold)
+
+    @property
+    def solids(self) -> list[Solid]:
+        """Its boxes as parts."""
+        boxes = [(np.asarray(centre), np.asarray(half)) for centre, half in self.boxes]
+        return [Solid(np.stack([c - h, c + h]), float(8 * np.prod(h)), box=(c, h)) for c, h in boxes]
+
+    @property
+    def inertia(self) -> Inertia:
+        """In its frame, the mass spread over the boxes by volume."""
+        solids = self.solids
+        return inertia_of(solids, shares_of(solids, self.mass))
+
+    @property
     def stuck(self) -> bool:
         """Whether a wall is in its way from the start, as in an acute corner; it can as good as not be opened."""
         return self.limits[1] <= _STEP
@@ -83,28 +103,6 @@ def _leaves(outline: tuple[tuple[float, float], ...], doors: tuple[Door, ...]) -
     """The leaves of some doors; a scene is measured and written many times with one room."""
     room = Room.model_construct(outline=outline, doors=doors)
     return tuple(_sliding(room, door) if door.swing == "slide" else _swinging(room, door) for door in doors)
-
-
-def wall_ends(room: Room, wall: int) -> tuple[float, float]:
-    """Where the slab of a wall begins and ends [m] along the wall, from its first corner.
-
-    At a convex corner it goes on, so that no slit is left outside; at a reflex one that would stand in the room. Where
-    a door of the next wall is in that corner, the slab leaves its doorway free.
-    """
-    walls = room.walls
-    one, following = walls[wall], walls[(wall + 1) % len(walls)]
-    length, before = one.length, walls[wall - 1].length
-    first, last = cross(walls[wall - 1].along, one.along), cross(one.along, following.along)  # sines of the turns
-    near = [d.offset + d.width > before - _NEAR for d in room.doors if walls[d.wall] is walls[wall - 1]]
-    next_ = [d.offset < _NEAR for d in room.doors if d.wall == following.index]
-    return -_over(first, any(near)), length + _over(last, any(next_))
-
-
-def _over(turn: float, doorway: bool) -> float:
-    """How far a slab goes on beyond a corner with this sine of its turn [m]; less than 0: it ends before."""
-    if turn > 0:
-        return 0.0 if doorway else WALL_THICKNESS
-    return -WALL_THICKNESS / max(-turn, 0.25) if doorway and turn < -1e-6 else 0.0
 
 
 def _swinging(room: Room, door: Door) -> Leaf:
@@ -190,7 +188,7 @@ def _slide(room: Room, door: Door, over: float, flip: bool) -> Leaf:
 
 
 def _limited(leaf: Leaf, most: float) -> Leaf:
-    return Leaf(**{**leaf.__dict__, "limits": (0.0, round(max(most, _STEP), 4))})
+    return replace(leaf, limits=(0.0, round(max(most, _STEP), 4)))
 
 
 def _way(leaf: Leaf, walls: Any, most: float) -> float:

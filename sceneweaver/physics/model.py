@@ -1,8 +1,7 @@
 """A scene as a MuJoCo model: the text of an MJCF file and the meshes that it names.
 
-Floor and walls stand still; so do what hangs on walls and ceilings, what the scene calls fixed, the fixtures of
-``fixtures.yaml`` (sanitary ware and the kitchen run, which are plumbed in or screwed together). All else is a free
-body, however heavy: nothing that a person would call movable is welded. A body has the name of its object; its frame is
+Floor and walls stand still; so do what hangs on walls and ceilings, what the scene calls fixed, and what is built in
+(sanitary ware and the kitchen run, which are plumbed in or screwed together). All else is a free body, however heavy: nothing that a person would call movable is welded. A body has the name of its object; its frame is
 the object's (bottom centre, front +x), so that its position and rotation are the scene's.
 
 What lies in or on an object as part of it, as fruit in a bowl, is a free body of its own, ``<object>.<item>``, in the
@@ -35,7 +34,7 @@ import math
 import re
 import zlib
 from collections import Counter
-from collections.abc import Callable, Hashable, Sequence
+from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 from xml.etree import ElementTree as Xml
@@ -45,14 +44,14 @@ import numpy as np
 from sceneweaver.assets.placed import Load
 from sceneweaver.assets.recent import Recent
 from sceneweaver.geometry.rotations import from_yaw, wxyz
-from sceneweaver.geometry.shell import PANE_THICKNESS, WALL_THICKNESS, wall_pieces
-from sceneweaver.scene import Room, Scene, SceneObject, Window
+from sceneweaver.scene import Room, Scene, SceneObject
 
+from .frames import Frame, frames_of, leaf_frames, spawns, views
 from .hulls import Solid
-from .inertia import inertia_of
-from .leaves import Leaf, leaves, wall_ends
-from .sites import add_cameras, add_leaf_sites, add_sites, add_spawns
-from .things import RigidBody, Thing, joint_of, things_of
+from .inertia import inertia_of, shares_of
+from .leaves import Leaf, leaves
+from .shell import FLOOR_FRICTION, LEAF_FRICTION, wall_slabs
+from .things import Joint, RigidBody, Thing, things_of
 from .xml import attributes, child, document
 
 COVERING = 0.03
@@ -60,6 +59,16 @@ COVERING = 0.03
 
 STEP = 0.004
 """Time step [s]."""
+
+ARMATURE = 0.001
+"""Inertia [kg m2] or mass [kg] of a joint itself."""
+
+STOP = "0.008 1"
+"""Solver reference of the ends of doors and drawers: as stiff as the time step allows, as many weigh little."""
+
+SOLVER = {"integrator": "implicitfast", "cone": "elliptic", "impratio": 10.0}
+"""Options of the solver. There is no noslip pass: its cost grows with the square of the contacts, and over 3 s nothing
+creeps without it."""
 
 UNSET = "0.5 0.5 0.5 1"
 """MuJoCo's own colour of geoms, which is the only one that leaves a geom that of its material."""
@@ -73,7 +82,6 @@ ROOM = "room"
 
 _LEAST_INERTIA = 1e-7  # [kg m2] about each axis: less is not stable at the time step
 _BUTTON = {"stiffness": 200.0, "springref": -0.003}  # [N/m], [m]: friction alone gives way slowly
-_STOP = "0.008 1"  # ends of doors and drawers: as stiff as the time step allows, as many weigh little
 
 
 @dataclass(frozen=True)
@@ -90,64 +98,54 @@ class Model:
     items: tuple[str, ...] = ()
 
 
-Dress = Callable[[Xml.Element, Xml.Element, Thing, RigidBody], None]
-"""Adds what is seen of a thing's body: (assets, body, thing, which of its bodies)."""
+class Plain:
+    """What a writer of models decides for itself; as it is, collision parts are all there is, by their vertices."""
+
+    visible = False
+    """Whether the model is to be looked at."""
+
+    def shape(self, thing: Thing) -> str:
+        """Equal for things that have the same meshes."""
+        return thing.shape
+
+    def add_meshes(self, assets: Xml.Element, thing: Thing) -> None:
+        """Add the meshes that geoms of a thing name, see `hull_name`; called once for all of equal shape."""
+        for k, solid in enumerate(thing.solids):
+            if solid.box is None:
+                child(assets, "mesh", name=hull_name(thing, k), inertia="convex", vertex=solid.points.reshape(-1))
+
+    def dress(self, assets: Xml.Element, frame: Xml.Element, thing: Thing, body: RigidBody) -> None:
+        """Add what is seen of a body of a thing."""
+
+    def finish(self, root: Xml.Element) -> None:
+        """Change the whole before it becomes text."""
 
 
-AddMeshes = Callable[[Xml.Element, Thing], None]
-"""Adds the meshes that geoms of a thing name, see `hull_name`: (assets, thing); once for all of equal shape."""
-
-
-def build(
-    scene: Scene,
-    load: Load | None = None,
-    dress: Dress | None = None,
-    *,
-    meshes: AddMeshes | None = None,
-    shape: Callable[[Thing], str] | None = None,
-    loose: bool = True,
-    amend: Callable[[Xml.Element], None] | None = None,
-) -> Model:
+def build(scene: Scene, load: Load | None = None, look: Plain | None = None, *, loose: bool = True) -> Model:
     """The MuJoCo model of a scene.
 
     Args:
         scene: The scene.
         load: From asset id to asset; None: the library of this user.
-        dress: Adds visual meshes; None: only collision parts.
-        meshes: Adds the meshes of parts that are no boxes; None: by their vertices.
-        shape: Equal for things that have the same meshes; None: their ``shape``.
+        look: Meshes, and what is seen; None: only collision parts.
         loose: Whether what lies in or on an object as part of it is a body of its own, as `things_of` says.
-        amend: Changes the whole before it becomes text.
 
     Raises:
         InputError: when an asset cannot be loaded.
     """
-    things = things_of(scene, load, loose=loose)
-    if shape is not None:
-        things = [replace(thing, shape=shape(thing)) for thing in things]
+    writer = look or Plain()
+    things = [replace(thing, shape=writer.shape(thing)) for thing in things_of(scene, load, loose=loose)]
     root = Xml.Element("mujoco", model=scene.id)
-    # No noslip pass: its cost grows with the square of the contacts, and over 3 s nothing creeps without it.
-    option = child(root, "option", timestep=STEP, integrator="implicitfast", cone="elliptic", impratio="10")
-    child(option, "flag", multiccd="enable")  # until MuJoCo 3.6 hulls touch in one point without it, and drift
-    # Contacts and their constraints live here; the default is too small for a hundred pieces of many parts each.
-    child(root, "size", memory=MEMORY)
+    add_options(root)
     child(root, "statistic", center=_middle(scene.room), extent=_reach(scene.room))
-    look = child(root, "visual")
-    child(look, "headlight", ambient="0.42 0.42 0.44", diffuse="0.3 0.3 0.3", specular="0 0 0")
-    child(look, "quality", shadowsize="4096")
+    visual = child(root, "visual")
+    child(visual, "headlight", ambient="0.42 0.42 0.44", diffuse="0.3 0.3 0.3", specular="0 0 0")
+    child(visual, "quality", shadowsize="4096")
     _defaults(root)
     assets = child(root, "asset")
-    if dress is not None:
-        child(
-            assets,
-            "texture",
-            type="skybox",
-            builtin="gradient",
-            rgb1="0.8 0.84 0.88",
-            rgb2="0.97 0.96 0.94",
-            width="64",
-            height="384",
-        )
+    if writer.visible:
+        sky = {"type": "skybox", "builtin": "gradient", "rgb1": "0.8 0.84 0.88", "rgb2": "0.97 0.96 0.94"}
+        child(assets, "texture", {**sky, "width": "64", "height": "384"})
     world = child(root, "worldbody")
     child(
         world,
@@ -162,20 +160,23 @@ def build(
     _shell(world, scene.room)
     contact = child(root, "contact")
     covers = {k for k, _ in coverings(things)}
-    writer = _Bodies(world, assets, contact, dress, meshes or add_hulls)
+    bodies = _Bodies(world, assets, contact, writer)
     for k, thing in enumerate(things):
         over = covers and thing.object.mount == "floor"
-        writer.add(thing, "room:covering" if k in covers else "room:grounded" if over else ROOM)
+        bodies.add(thing, "room:covering" if k in covers else "room:grounded" if over else ROOM)
     for leaf in leaves(scene.room):
         _leaf(world, leaf, "room:grounded" if covers else ROOM)
         if leaf.stuck:
             for k in range(len(scene.room.outline)):
                 child(contact, "exclude", body1=leaf.name, body2=f"room:wall:{k}")
-    add_spawns(world, scene.room, {"class": ROOM})
-    add_cameras(world, scene.room, scene.objects)
+    for frame in spawns(scene.room):
+        turn = wxyz(frame.quaternion)
+        child(world, "site", {"name": frame.name, "pos": frame.position, "quat": turn, "class": ROOM})
+    for view in views(scene.room, scene.objects):
+        turn, angle = wxyz(view.quaternion), round(math.degrees(view.angle), 6)
+        child(world, "camera", name=view.name, pos=view.position, quat=turn, fovy=angle)
     child(child(root, "keyframe"), "key", name="start")  # without numbers: those of the bodies, whatever joins them
-    if amend is not None:
-        amend(root)
+    writer.finish(root)
     free = tuple(t.object.id for t in things if t.free)
     fixed = tuple(t.object.id for t in things if not t.free)
     items = tuple(body.name for t in things for body in t.bodies if body.loose)
@@ -186,6 +187,14 @@ def mesh_stem(thing: Thing) -> str:
     """What the names of a thing's meshes begin with: letters, digits and dashes; equal for things of equal shape."""
     category = re.sub(r"[^A-Za-z0-9_]+", "-", thing.object.category if thing.asset is None else thing.asset.category)
     return f"{category}-{zlib.crc32(thing.shape.encode()):08x}"
+
+
+def add_options(root: Xml.Element, timestep: float = STEP) -> None:
+    """How a model is solved, and its memory."""
+    option = child(root, "option", timestep=timestep, **SOLVER)
+    child(option, "flag", multiccd="enable")  # until MuJoCo 3.6 hulls touch in one point without it, and drift
+    # Contacts and their constraints live here; the default is too small for a hundred pieces of many parts each.
+    child(root, "size", memory=MEMORY)
 
 
 def _defaults(root: Xml.Element) -> None:
@@ -214,34 +223,24 @@ def _shell(world: Xml.Element, room: Room) -> None:
         size=(_reach(room),) * 2 + (0.1,),
         group="0",
         rgba="0.74 0.62 0.48 1",
-        friction="0.8",
+        friction=FLOOR_FRICTION,
     )
     for wall in room.walls:
         place = {"pos": (*wall.start, 0), "quat": wxyz(from_yaw(wall.yaw)), "childclass": ROOM}
         frame = child(world, "body", place, name=f"room:wall:{wall.index}")
-        ends = wall_ends(room, wall.index)
-        for span, z, opening in wall_pieces(wall.length, room.openings_of(wall.index), room.height, ends):
-            if opening is None:
-                _slab(frame, *span, *z, WALL_THICKNESS)
-            elif isinstance(opening, Window):
-                _slab(frame, *span, *z, PANE_THICKNESS, rgba="0.75 0.85 0.9 0.25")
-
-
-def _slab(frame: Xml.Element, x0: float, x1: float, z0: float, z1: float, thick: float, rgba: str = "") -> None:
-    size = ((x1 - x0) / 2, thick / 2, (z1 - z0) / 2)
-    pos = ((x0 + x1) / 2, -thick / 2, (z0 + z1) / 2)
-    name = f"{frame.get('name')}:part:{len(frame)}"
-    child(frame, "geom", name=name, type="box", pos=pos, size=size, group="0", rgba=rgba or "0.92 0.91 0.88 1")
+        for k, slab in enumerate(wall_slabs(room, wall.index)):
+            look = {"group": "0", "rgba": "0.75 0.85 0.9 0.25" if slab.pane else "0.92 0.91 0.88 1"}
+            name = f"room:wall:{wall.index}:part:{k}"
+            child(frame, "geom", {"name": name, "type": "box", "pos": slab.centre, "size": slab.half, **look})
 
 
 def _leaf(world: Xml.Element, leaf: Leaf, kind: str) -> None:
     """The leaf of a door: friction keeps it where it is; a robot's pull at the handle is more."""
     place = {"pos": leaf.position, "quat": wxyz(from_yaw(leaf.yaw)), "childclass": kind}
     frame = child(world, "body", place, name=leaf.name)
-    _joint(frame, leaf.name, leaf.joint, leaf.axis, leaf.limits, leaf.hold)
-    add_leaf_sites(frame, leaf)
-    volumes = [float(np.prod(half)) for _, half in leaf.boxes]
-    for k, ((centre, half), volume) in enumerate(zip(leaf.boxes, volumes, strict=True)):
+    _joint(frame, leaf.name, leaf.moves)
+    _add_sites(frame, leaf_frames(leaf))
+    for k, ((centre, half), mass) in enumerate(zip(leaf.boxes, shares_of(leaf.solids, leaf.mass), strict=True)):
         child(
             frame,
             "geom",
@@ -251,36 +250,39 @@ def _leaf(world: Xml.Element, leaf: Leaf, kind: str) -> None:
             size=half,
             group="0",
             rgba="0.82 0.74 0.62 1",
-            mass=leaf.mass * volume / sum(volumes),
-            friction="0.5",
+            mass=mass,
+            friction=LEAF_FRICTION,
         )
 
 
-def _joint(
-    frame: Xml.Element, name: str, kind: str, axis: Any, limits: tuple[float, float], hold: float, **more: Any
-) -> None:
-    """A joint that friction and a damper, both ``hold`` [N m] or [N], keep where it is; ``limits`` in [rad] or [m]."""
-    ends = np.rad2deg(limits) if kind == "hinge" else limits
-    held = {"damping": hold, "frictionloss": hold, "armature": "0.001", "solreflimit": _STOP}
-    place = {"axis": axis, **more, "limited": "true", "range": ends}
-    child(frame, "joint", {"name": name, "type": kind, **place, **held})
+def _add_sites(element: Xml.Element, frames: Sequence[Frame]) -> None:
+    """Frames in a body as boxes of the size of what they mark; they carry no weight and touch nothing."""
+    for frame in frames:
+        turn: dict[str, Any] = {"quat": wxyz(frame.quaternion)} if frame.kind == "grasp" else {}
+        place = {"name": frame.name, "type": "box", "pos": frame.position, "size": frame.half}
+        child(element, "site", {**place, **turn})
+
+
+def _joint(frame: Xml.Element, name: str, joint: Joint, **more: Any) -> None:
+    """A joint that friction and a damper keep where it is."""
+    ends = np.rad2deg(joint.limits) if joint.kind == "hinge" else joint.limits
+    held = {"damping": joint.hold, "frictionloss": joint.hold, "armature": ARMATURE, "solreflimit": STOP}
+    place = {"axis": joint.axis, **more, "limited": "true", "range": ends}
+    child(frame, "joint", {"name": name, "type": joint.kind, **place, **held})
 
 
 class _Bodies:
     """Writes things: their bodies with collision parts, inertia and sites; each mesh once, however many use it."""
 
-    def __init__(
-        self, world: Xml.Element, assets: Xml.Element, contact: Xml.Element, dress: Dress | None, meshes: AddMeshes
-    ) -> None:
-        self._world, self._assets, self._contact = world, assets, contact
-        self._dress, self._add_meshes = dress, meshes
+    def __init__(self, world: Xml.Element, assets: Xml.Element, contact: Xml.Element, writer: Plain) -> None:
+        self._world, self._assets, self._contact, self._writer = world, assets, contact, writer
         self._meshed = set[str]()
 
     def add(self, thing: Thing, kind: str) -> None:
         """A thing, its geoms of the default class ``kind``."""
         if thing.shape not in self._meshed:
             self._meshed.add(thing.shape)
-            self._add_meshes(self._assets, thing)
+            self._writer.add_meshes(self._assets, thing)
         place = {"pos": thing.object.pose.position, "quat": wxyz(thing.object.pose.quaternion)}
         base, *moving = thing.bodies
         top = child(self._world, "body", {"name": base.name, **place, "childclass": kind})
@@ -288,17 +290,13 @@ class _Bodies:
             child(top, "freejoint", name=base.name)
         self._fill(top, thing, base)
         for body in moving:
-            assert body.link is not None
-            if body.loose:
+            if body.joint is None or body.link is None:
                 frame = child(self._world, "body", {"name": body.name, **place, "childclass": ROOM})
                 child(frame, "freejoint", name=body.name)
             else:
                 frame = child(top, "body", name=body.name)
-                axis, limits, hold = joint_of(body.link, thing.scale, body.mass)
-                anchor = np.asarray(body.link.anchor) * np.asarray(thing.scale)
-                button = body.link.role == "control" and body.link.joint == "slide"
-                spring = _BUTTON if button else {}
-                _joint(frame, body.name, body.link.joint, axis, limits, hold, pos=anchor, **spring)
+                button = body.link.role == "control" and body.joint.kind == "slide"
+                _joint(frame, body.name, body.joint, pos=body.joint.anchor, **(_BUTTON if button else {}))
                 if not thing.free:  # a body that is part of the world is not left out as a parent is
                     child(self._contact, "exclude", body1=base.name, body2=body.name)
             self._fill(frame, thing, body)
@@ -311,9 +309,8 @@ class _Bodies:
         Xml.SubElement(frame, "inertial", written.inertial)
         for name, given in written.geoms:
             Xml.SubElement(frame, "geom", {"name": body.name + name, **given})
-        add_sites(frame, thing, body)
-        if self._dress is not None:
-            self._dress(self._assets, frame, thing, body)
+        _add_sites(frame, frames_of(thing, body))
+        self._writer.dress(self._assets, frame, thing, body)
 
 
 @dataclass(frozen=True)
@@ -336,8 +333,7 @@ _WRITTEN: Recent[Hashable, _Written] = Recent(48 * 2**20, lambda written: writte
 
 def _written(thing: Thing, body: RigidBody) -> _Written:
     """A body of a thing, its mass spread over its parts by volume."""
-    volume = sum(solid.volume for solid in body.solids)
-    masses = [max(body.mass * solid.volume / volume, 1e-7) for solid in body.solids]
+    masses = [max(share, 1e-7) for share in shares_of(body.solids, body.mass)]
     count, shares, geoms = Counter[str](), iter(masses), []
     for k, solid in enumerate(thing.solids):
         if thing.body_of(solid.link) != body.number:
@@ -360,13 +356,6 @@ def _geom(thing: Thing, k: int, solid: Solid, mass: float) -> dict[str, Any]:
 def hull_name(thing: Thing, number: int) -> str:
     """The name of the mesh of a part of a thing that is no box."""
     return f"{mesh_stem(thing)}-hull-{number}"
-
-
-def add_hulls(assets: Xml.Element, thing: Thing) -> None:
-    """The parts of a thing that are no boxes, as meshes by their vertices."""
-    for k, solid in enumerate(thing.solids):
-        if solid.box is None:
-            child(assets, "mesh", name=hull_name(thing, k), inertia="convex", vertex=solid.points.reshape(-1))
 
 
 def _inertial(body: RigidBody, masses: Sequence[float]) -> dict[str, Any]:

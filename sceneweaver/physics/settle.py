@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -11,13 +12,13 @@ from sceneweaver.assets.placed import Load
 from sceneweaver.geometry.rotations import transform, xyzw
 from sceneweaver.scene import InputError, Pose, Scene
 
-from .model import STEP, Model, build
+from .model import Model, build
+from .worlds import stepped, steps_of
 
 LITTLE = 0.01
 """A settled pose is taken over when the object moved at most this far [m]; farther is a fault."""
 
 _FULL = "objects: more contacts than MuJoCo has room for; take objects apart that overlap, or use fewer"
-_CHUNK = 50  # steps between two looks at whether all is well
 
 
 @dataclass(frozen=True)
@@ -70,34 +71,16 @@ def _run(model: Model, seconds: float) -> dict[str, Pose]:
     Raises:
         InputError: there was no room for all contacts, or the simulation diverged: no pose would mean anything.
     """
-    from importlib import import_module
-
     mujoco: Any = import_module("mujoco")  # its types are not to be seen from outside
-    if not 0 <= seconds < 1e4:
-        raise InputError(f"seconds: {seconds} is no time; give 0 or more")
+    steps = steps_of(seconds)
     loaded = mujoco.MjModel.from_xml_string(model.xml, model.files)
     data = mujoco.MjData(loaded)
-    kinds, left = mujoco.mjtWarning, round(seconds / STEP)
-    while left > 0:
-        try:
-            mujoco.mj_step(loaded, data, min(left, _CHUNK))
-        except mujoco.FatalError:  # not even room to look for them
-            raise InputError(_FULL) from None
-        left -= _CHUNK
-        if any(data.warning[int(k)].number for k in (kinds.mjWARN_CONTACTFULL, kinds.mjWARN_CNSTRFULL)):
-            raise InputError(_FULL)
-        # MuJoCo begins anew where numbers get too large, and things would seem to be where they were.
-        bad = next(
-            (
-                k
-                for k in (kinds.mjWARN_BADQPOS, kinds.mjWARN_BADQVEL, kinds.mjWARN_BADQACC)
-                if data.warning[int(k)].number
-            ),
-            None,
-        )
-        if bad is not None or not np.isfinite(data.qpos).all():
-            near = "" if bad in (None, kinds.mjWARN_BADQPOS) else _near(loaded, data.warning[int(bad)].lastinfo)
-            raise InputError(f"objects: the simulation diverged{near}; take objects apart that overlap deeply")
+    went = stepped(loaded, data, steps)
+    if went.full:
+        raise InputError(_FULL)
+    if went.astray is not None:
+        near = _near(loaded, went.astray)
+        raise InputError(f"objects: the simulation diverged{near}; take objects apart that overlap deeply")
     poses = {}
     for object_id in model.free:
         where = data.joint(object_id).qpos

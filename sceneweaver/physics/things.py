@@ -7,19 +7,59 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from functools import cache, cached_property
-from importlib import resources
+from functools import cached_property
+from typing import Literal
 
 import numpy as np
 
 from sceneweaver.assets import Asset, Link, categories
 from sceneweaver.assets.placed import Load, loader, scaled_asset
+from sceneweaver.assets.roles import with_role
 from sceneweaver.scene import Scene, SceneObject
 
 from .hulls import Solid, solids_of
+from .inertia import Inertia, inertia_of, shares_of
 
 _DENSITY = 150.0  # [kg/m3] of an object's parts, when neither an asset nor its category says what it weighs
 _LIGHTEST = 1e-3  # [kg]
+
+
+@dataclass(frozen=True, eq=False)
+class Joint:
+    """How a body moves against another, of which it shares the frame when closed, at 0.
+
+    Attributes:
+        kind: A hinge turns about the axis, a slide goes along it.
+        axis: Unit vector [3]; ``anchor`` [3] is a point on the axis [m].
+        limits: Lower and upper end [rad] or [m].
+        hold: Friction and damping at once, [N m] or [N]: it keeps the body where it is against the little that a tilt
+            or a hinge below brings, and a hand moves it with ease.
+    """
+
+    kind: Literal["hinge", "slide"]
+    axis: np.ndarray
+    anchor: np.ndarray
+    limits: tuple[float, float]
+    hold: float
+
+    @classmethod
+    def of(cls, link: Link, scale: tuple[float, float, float], mass: float) -> Joint | None:
+        """The joint of a door, drawer or control of that mass [kg]; None for what hangs on nothing.
+
+        ``scale`` is that of the object: a drawer of a deeper one comes out farther.
+        """
+        if link.joint == "free":
+            return None
+        slides = link.joint == "slide"
+        axis = np.asarray(link.axis, dtype=float) * (np.asarray(scale) if slides else 1.0)
+        stretch = float(np.linalg.norm(axis)) if slides else 1.0
+        low, high = (float(end) * stretch for end in link.limits)
+        if link.role == "control":
+            hold = max(0.5, 15.0 * mass) if slides else 0.02  # a button carries its own weight
+        else:
+            hold = max(1.0, 2.0 * mass) if slides else max(0.2, 0.5 * mass)
+        anchor = np.asarray(link.anchor) * np.asarray(scale)
+        return cls(link.joint, axis / np.linalg.norm(axis), anchor, (low, high), hold)
 
 
 @dataclass(frozen=True)
@@ -32,6 +72,7 @@ class RigidBody:
         link: How it moves against the base; None for the base. A free one ("item") hangs on nothing.
         mass: In kg.
         solids: Its collision parts, in the object's frame.
+        joint: Of a door, drawer or control, in the size of the object; None: it hangs on nothing, or is the base.
     """
 
     name: str
@@ -39,11 +80,17 @@ class RigidBody:
     link: Link | None
     mass: float
     solids: tuple[Solid, ...]
+    joint: Joint | None = None
 
     @property
     def loose(self) -> bool:
         """Whether it only lies on the rest and can be taken."""
-        return self.link is not None and self.link.joint == "free"
+        return self.link is not None and self.joint is None
+
+    @property
+    def inertia(self) -> Inertia:
+        """In the object's frame, the mass spread over the parts by volume."""
+        return inertia_of(self.solids, shares_of(self.solids, self.mass))
 
 
 @dataclass(frozen=True)
@@ -73,16 +120,12 @@ class Thing:
         for solid in self.solids:
             mine.setdefault(self.body_of(solid.link), []).append(solid)
         masses = self._masses(mine)
-        return tuple(
-            RigidBody(
-                self.object.id if number == 0 else f"{self.object.id}.{links[number - 1].name}",
-                number,
-                links[number - 1] if number else None,
-                masses[number],
-                tuple(mine[number]),
-            )
-            for number in sorted(mine)
-        )
+        found = [RigidBody(self.object.id, 0, None, masses[0], tuple(mine[0]))]
+        for number in sorted(mine)[1:]:
+            link, mass = links[number - 1], masses[number]
+            joint = Joint.of(link, self.scale, mass)
+            found.append(RigidBody(f"{self.object.id}.{link.name}", number, link, mass, tuple(mine[number]), joint))
+        return tuple(found)
 
     @cached_property
     def face_body(self) -> np.ndarray:
@@ -135,28 +178,9 @@ def moving_links(asset: Asset) -> frozenset[int]:
 
 
 def is_fixture(thing: SceneObject) -> bool:
-    """Whether it stands still: it is fixed, hangs on a wall or ceiling, or ``fixtures.yaml`` lists it."""
-    named = thing.category.strip().lower().replace(" ", "_") in _fixtures()
+    """Whether it stands still: it is fixed, hangs on a wall or ceiling, or is built in."""
+    named = thing.category.strip().lower().replace(" ", "_") in with_role("built_in")
     return thing.fixed or thing.mount in ("wall", "ceiling") or named
-
-
-def joint_of(
-    link: Link, scale: tuple[float, float, float], mass: float
-) -> tuple[np.ndarray, tuple[float, float], float]:
-    """The unit axis [3] of a door, drawer or control of that mass [kg], its limits [rad] or [m] and its friction.
-
-    The friction, [N m] or [N], keeps it where it is against the little that a tilt or a hinge below brings, and a hand
-    moves it with ease. ``scale`` is that of the object: a drawer of a deeper one comes out farther.
-    """
-    slides = link.joint == "slide"
-    axis = np.asarray(link.axis, dtype=float) * (np.asarray(scale) if slides else 1.0)
-    stretch = float(np.linalg.norm(axis)) if slides else 1.0
-    low, high = (float(end) * stretch for end in link.limits)
-    if link.role == "control":
-        hold = max(0.5, 15.0 * mass) if slides else 0.02  # a button carries its own weight
-    else:
-        hold = max(1.0, 2.0 * mass) if slides else max(0.2, 0.5 * mass)
-    return axis / np.linalg.norm(axis), (low, high), hold
 
 
 def _thing(index: int, thing: SceneObject, load: Load, bodies: dict[str, tuple[Solid, ...]]) -> Thing:
@@ -169,14 +193,6 @@ def _thing(index: int, thing: SceneObject, load: Load, bodies: dict[str, tuple[S
     solids = bodies[shape]
     mass, friction = _weight(thing, asset, float(np.prod(scale)), sum(s.volume for s in solids))
     return Thing(thing, asset, key, shape, scale, solids, mass, friction, not is_fixture(thing))
-
-
-@cache
-def _fixtures() -> frozenset[str]:
-    import yaml
-
-    data = yaml.safe_load(resources.files(__package__ or "").joinpath("fixtures.yaml").read_text(encoding="utf-8"))
-    return frozenset(data["categories"])
 
 
 def _weight(thing: SceneObject, asset: Asset | None, scale: float, volume: float) -> tuple[float, float]:

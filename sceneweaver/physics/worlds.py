@@ -168,12 +168,13 @@ def run_c(template: Template, start: np.ndarray, steps: int, threads: int = 1) -
     qpos, placed = template.qpos(start), template.placed(start)
     parts = [part for part in np.array_split(np.arange(len(start)), max(1, threads)) if len(part)]
 
-    def run(part: np.ndarray) -> list[tuple[np.ndarray, bool, bool, int, int]]:
+    def run(part: np.ndarray) -> list[tuple[np.ndarray, Stepped]]:
         return _some(template.model, part, qpos, placed, steps)
 
     found = [row for rows in map_threads(run, parts, len(parts)) for row in rows]
     end = np.array([row[0] for row in found]).reshape(len(start), -1)
-    full = np.array([row[1] for row in found], dtype=bool)
+    runs = [row[1] for row in found]
+    full = np.array([went.full for went in runs], dtype=bool)
     problem = None
     if full.any():
         problem = (
@@ -183,20 +184,53 @@ def run_c(template: Template, start: np.ndarray, steps: int, threads: int = 1) -
     return SimulationResult(
         poses=template.read(end, start),
         overflow=full,
-        diverged=np.array([row[2] for row in found], dtype=bool),
-        contacts=float(max((row[3] for row in found), default=0)),
-        constraints=max((row[4] for row in found), default=0),
+        diverged=np.array([went.astray is not None for went in runs], dtype=bool),
+        contacts=float(max((went.contacts for went in runs), default=0)),
+        constraints=max((went.rows for went in runs), default=0),
         seconds=time.perf_counter() - began,
         problem=problem,
     )
 
 
+@dataclass(frozen=True)
+class Stepped:
+    """What became of one simulation: whether there was no room for all contacts, at which degree of freedom it went
+    ``astray`` (-1: MuJoCo does not say; None: it did not), and the most contacts and constraint rows at once."""
+
+    full: bool
+    astray: int | None
+    contacts: int
+    rows: int
+
+
+def stepped(model: Any, data: Any, steps: int) -> Stepped:
+    """Step a simulation by MuJoCo C, looking now and then whether all is well; it ends early where that is not so."""
+    mujoco: Any = import_module("mujoco")  # its types are not to be seen from outside
+    kinds = mujoco.mjtWarning
+    full, astray, contacts, rows = False, None, 0, 0
+    for done in range(0, steps, CHUNK):
+        try:
+            mujoco.mj_step(model, data, min(CHUNK, steps - done))
+        except mujoco.FatalError:  # not even room to look for contacts
+            full = True
+        contacts, rows = max(contacts, int(data.ncon)), max(rows, int(data.nefc))
+        full |= any(data.warning[int(kind)].number for kind in (kinds.mjWARN_CONTACTFULL, kinds.mjWARN_CNSTRFULL))
+        # MuJoCo begins anew where numbers get too large, and things would seem to be where they were.
+        bad = [
+            k for k in (kinds.mjWARN_BADQPOS, kinds.mjWARN_BADQVEL, kinds.mjWARN_BADQACC) if data.warning[int(k)].number
+        ]
+        if bad or not np.isfinite(data.qpos).all():
+            astray = -1 if bad[:1] in ([], [kinds.mjWARN_BADQPOS]) else int(data.warning[int(bad[0])].lastinfo)
+        if full or astray is not None:
+            break
+    return Stepped(full, astray, contacts, rows)
+
+
 def _some(
     model: Any, worlds: np.ndarray, qpos: np.ndarray, placed: tuple[np.ndarray, np.ndarray] | None, steps: int
-) -> list[tuple[np.ndarray, bool, bool, int, int]]:
-    """(qpos, full, diverged, contacts, rows) of some worlds, one after the other."""
+) -> list[tuple[np.ndarray, Stepped]]:
+    """The positions [nq] of some worlds at the end, and how it went, one after the other."""
     mujoco: Any = import_module("mujoco")
-    kinds = mujoco.mjtWarning
     model = copy(model) if placed is not None else model
     data, found = mujoco.MjData(model), []
     for k in worlds:
@@ -204,18 +238,6 @@ def _some(
             model.body_pos[:], model.body_quat[:] = placed[0][k], placed[1][k]
         mujoco.mj_resetData(model, data)
         data.qpos[:] = qpos[k]
-        contacts = rows = done = 0
-        while done < steps:
-            count = min(CHUNK, steps - done)
-            mujoco.mj_step(model, data, count)
-            done += count
-            contacts, rows = max(contacts, int(data.ncon)), max(rows, int(data.nefc))
-
-        def warned(*those: Any) -> bool:
-            return any(data.warning[int(kind)].number for kind in those)
-
-        full = warned(kinds.mjWARN_CONTACTFULL, kinds.mjWARN_CNSTRFULL)
-        # MuJoCo begins anew after such a warning, so that the numbers themselves look well.
-        bad = warned(kinds.mjWARN_BADQPOS, kinds.mjWARN_BADQVEL, kinds.mjWARN_BADQACC)
-        found.append((np.array(data.qpos), full, bad or not np.isfinite(data.qpos).all(), contacts, rows))
+        went = stepped(model, data, steps)
+        found.append((np.array(data.qpos), went))
     return found

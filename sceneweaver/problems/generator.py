@@ -18,7 +18,7 @@ from .measures import facts_of, tightness_of
 from .planting import plant, wish
 from .recipes import CRATE, RECIPES, Recipe, Unit
 from .starts import draw
-from .units import Draft
+from .units import Draft, Spot
 
 MOST_OBJECTS = 1000
 TRIES = 60
@@ -203,7 +203,7 @@ def _fill(draft: Draft, recipe: Recipe, unit: Unit, cell: cells.Cell) -> None:
     marks = [len(row) for row in rows]
     for facing, to_wall in tries:
         try:
-            unit.fill(draft, cell, int(facing), to_wall)
+            unit.fill(Spot(draft, cell, int(facing), to_wall))
             return
         except NoFit:
             for row, mark in zip(rows, marks, strict=True):

@@ -13,7 +13,7 @@ from PIL import Image
 from sceneweaver.scene import InputError, MissingDependencyError, whole, write_atomic
 from sceneweaver.scene.messages import suggest
 
-from .intrinsics import Shot, shot_from
+from .camera import Shot, shot_from
 from .passes import Frame, PassRenderer, check_passes
 
 FORMATS = ("png", "exr", "npz")

@@ -1,30 +1,27 @@
-"""Data passes: what each pixel of a camera shows, as numbers to learn from.
-
-Depth, normals and ids are those of the first surface that the ray through the middle of a pixel meets, panes and
-mirrors included; nothing is smoothed over edges. Colour is drawn with light and is smooth over edges.
-"""
+"""Data passes: what each pixel of a camera shows, as numbers to learn from."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cache
+from importlib import resources
 from typing import Any
 
 import numpy as np
 
 from sceneweaver.assets import Asset
-from sceneweaver.scene import InputError, Scene
+from sceneweaver.assets.category import categories, read_yaml
+from sceneweaver.scene import InputError, Scene, SceneObject
 from sceneweaver.scene.messages import suggest
 
-from .caster import Quality
-from .eye_camera import eye_cameras
-from .first_hits import Triangles
+from .camera import Shot
+from .instances import instances_of
 from .interior import Element
-from .intrinsics import Shot
-from .mesh_shading import prepared
-from .room_bodies import instances_of
-from .room_inside import Inside
-from .semantics import UNLABELLED, class_named, class_names, class_of
+from .tracing import DirectLights, Quality
+from .tracing.world import collect, triangles_on
+from .viewpoints import eye_cameras
+from .views import Inside
 
 PASSES = ("rgb", "depth", "normal", "position", "instance", "semantic", "material")
 
@@ -104,24 +101,15 @@ class PassRenderer:
         self._inside = Inside(scene, instances_of(scene, load), [shot.camera for shot in shots], device)
         solids = self._inside.instances
         names = sorted({material.name for one in solids for material in one.mesh.materials})
-        numbers = {name: k + 1 for k, name in enumerate(names)}
         self.labels = _labels(scene, self._inside.parts, names)
-        points, faces, normals, instance, material = [], [], [], [], []
-        start = 0
-        for number, one in enumerate(solids, 1):
-            turn, mesh = one.transform[:3, :3], one.mesh
-            points.append(mesh.vertices @ turn.T + one.transform[:3, 3])
-            faces.append(mesh.faces + start)
-            normals.append(prepared(mesh) @ np.linalg.inv(turn))
-            instance.append(np.full(len(mesh.faces), number, dtype=np.int32))
-            material.append(np.array([numbers[m.name] for m in mesh.materials], dtype=np.int32)[mesh.face_material])
-            start += len(mesh.vertices)
-        self._points, self._faces = np.concatenate(points), np.concatenate(faces)
-        self._normals = np.concatenate(normals).reshape(-1, 3, 3)
-        self._instance, self._material = np.concatenate(instance), np.concatenate(material)
+        self._geometry = collect(solids, DirectLights())
+        self._triangles = triangles_on(self._geometry, device)
+        numbers = {name: k for k, name in enumerate(names, 1)}
+        of_row = np.array([numbers[material.name] for material in self._geometry.materials], dtype=np.int32)
+        self._material = of_row[self._geometry.material]
+        self._instance = (self._geometry.instance + 1).astype(np.int32)
         classes = [UNLABELLED, *(row["semantic"] for row in self.labels.instances)]
         self._semantic = np.array(classes, dtype=np.int32)
-        self._triangles = Triangles(self._points, self._faces, device)
 
     def frames(self, passes: Sequence[str] = PASSES) -> Iterator[Frame]:
         """The frame of each camera in turn, with the arrays of some passes; rays of several cameras are cast together.
@@ -161,12 +149,12 @@ class PassRenderer:
 
     def _normal(self, face: np.ndarray, bary: np.ndarray, way: np.ndarray) -> np.ndarray:
         """Smooth unit normals toward the camera; the flat one where the smooth one leans away from it."""
-        corners = self._points[self._faces[face]]
+        corners = self._geometry.corners[face]
         flat = np.cross(corners[..., 1, :] - corners[..., 0, :], corners[..., 2, :] - corners[..., 0, :])
         flat = flat / np.maximum(np.linalg.norm(flat, axis=-1, keepdims=True), 1e-18)
         away = (flat * way).sum(axis=-1, keepdims=True) > 0
         shares = np.concatenate([bary, 1 - bary.sum(axis=-1, keepdims=True)], axis=-1)
-        smooth = (self._normals[face] * shares[..., None]).sum(axis=-2)
+        smooth = (self._geometry.normals[face] * shares[..., None]).sum(axis=-2)
         smooth = smooth / np.maximum(np.linalg.norm(smooth, axis=-1, keepdims=True), 1e-18)
         flat, smooth = np.where(away, -flat, flat), np.where(away, -smooth, smooth)
         return np.where((smooth * way).sum(axis=-1, keepdims=True) < 0, smooth, flat)
@@ -222,3 +210,48 @@ def _labels(scene: Scene, room: Sequence[Element], materials: Sequence[str]) -> 
         tuple({"id": k, "name": name} for k, name in enumerate(class_names(), 1)),
         tuple({"id": k, "name": name} for k, name in enumerate(materials, 1)),
     )
+
+
+UNLABELLED = 0
+"""The class of what is none of them: the world outside, and pixels that show nothing."""
+
+_FURNITURE, _PROP = "otherfurniture", "otherprop"
+
+
+@cache
+def class_names() -> tuple[str, ...]:
+    """Names of the classes; the id of the first one is 1."""
+    return tuple(row["name"] for row in _table())
+
+
+def class_of(thing: SceneObject) -> int:
+    """The class of an object: by the words of its category, else by its group in the library, else a piece of furniture
+    or a prop."""
+    found = class_named(thing.category)
+    if found == UNLABELLED:
+        large = thing.mount == "floor" and max(thing.size) > 0.5
+        found = class_names().index(_FURNITURE if large else _PROP) + 1
+    return found
+
+
+@cache
+def class_named(category: str) -> int:
+    """The class that the words of a category name, or `UNLABELLED`."""
+    words = category.lower().replace("_", " ").replace("-", " ").split()
+    by_words = {text: k + 1 for k, row in enumerate(_table()) for text in row["words"]}
+    for start in range(len(words)):  # the longest end that is known
+        text = " ".join(words[start:])
+        if text in by_words:
+            return by_words[text]
+    by_group = {text: k + 1 for k, row in enumerate(_table()) for text in row.get("groups", ())}
+    entry = categories().get("_".join(words))
+    while entry is not None and entry.parent is not None:
+        if entry.parent in by_group:
+            return by_group[entry.parent]
+        entry = categories().get(entry.parent)
+    return UNLABELLED
+
+
+@cache
+def _table() -> list[dict]:
+    return read_yaml(resources.files(__package__ or "").joinpath("nyu40.yaml"))

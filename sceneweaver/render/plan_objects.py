@@ -13,9 +13,8 @@ from sceneweaver.geometry.polygons import signed_area
 from sceneweaver.render import labels, palette
 from sceneweaver.render.canvas import Canvas, Point
 from sceneweaver.render.palette import Rgb
-from sceneweaver.render.shapes import Prism, cut, inside, layers, prisms, to_world
+from sceneweaver.render.shapes import Prism, View, cut, inside, layers, prisms, to_world
 from sceneweaver.render.symbols import strokes_of
-from sceneweaver.render.view import View
 from sceneweaver.scene import Scene, SceneObject
 
 _VEIL = 105  # opacity, of 255, of what is drawn translucent

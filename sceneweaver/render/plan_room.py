@@ -8,7 +8,7 @@ from sceneweaver.geometry.shell import WALL_THICKNESS, clear_zone, outer_outline
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.render import palette
 from sceneweaver.render.canvas import Canvas, Color, Text, text_width
-from sceneweaver.render.view import View, bounds_of, step_for
+from sceneweaver.render.shapes import View, bounds_of, step_for
 from sceneweaver.scene import Door, Room, Vec2, Window
 
 

@@ -11,7 +11,7 @@ from PIL import Image
 from sceneweaver.render import palette
 from sceneweaver.render.canvas import Canvas, Point, Text, text_width
 from sceneweaver.render.labels import shortened
-from sceneweaver.render.view import Bounds, View, step_for
+from sceneweaver.render.shapes import Bounds, View, step_for
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,8 @@ from sceneweaver.scene.messages import suggest
 
 from .camera import Camera
 from .canvas import font
-from .caster import Instance, Lighting, Quality, cast
+from .instances import Instance
+from .tracing import DirectLights, Quality, trace
 
 VIEWS = {
     "corner": (-1.0, 0.62, -0.52),
@@ -38,11 +39,12 @@ def portrait(
         raise InputError(f"view: '{view}' is unknown{suggest(view, VIEWS)}")
     low, high = asset.mesh.bounds
     reach = float(np.linalg.norm(high - low))
-    lighting = Lighting(reach=0.5 * reach, background=_PAPER)
+    lighting = DirectLights(reach=0.5 * reach, background=_PAPER)
     floor = _plane(30 * reach, asset.mount == "wall", low, asset.mount == "ceiling", high, lighting)
     instances = [Instance(asset.mesh, np.eye(4)), Instance(floor, np.eye(4))]
     camera = Camera.framing(low, high, VIEWS[view], fov=0.42, margin=1.12)
-    return Image.fromarray(cast(instances, camera, size, size, lighting=lighting, quality=quality, device=device).rgb)
+    drawn = trace(instances, camera, size, size, lights=lighting, quality=quality, device=device)
+    return Image.fromarray(drawn.rgb)
 
 
 def contact_sheet(
@@ -73,7 +75,7 @@ def grid_of(pictures: Sequence[tuple[str, Image.Image]], columns: int = 8, tile:
     return sheet
 
 
-def _backdrop(normal: tuple[float, float, float], lighting: Lighting) -> Material:
+def _backdrop(normal: tuple[float, float, float], lighting: DirectLights) -> Material:
     """A matt finish that, facing along ``normal`` and unshaded, looks like the background: no horizon is seen."""
     sun = np.array(lighting.sun) / np.linalg.norm(lighting.sun)
     above = 0.5 + normal[2] / 3  # of the sky's colour, the rest is the ground's: the mean over what the plane faces
@@ -85,7 +87,7 @@ def _backdrop(normal: tuple[float, float, float], lighting: Lighting) -> Materia
 
 
 def _plane(
-    size: float, vertical: bool, low: Sequence[float], hung: bool, high: Sequence[float], lighting: Lighting
+    size: float, vertical: bool, low: Sequence[float], hung: bool, high: Sequence[float], lighting: DirectLights
 ) -> Mesh:
     """A floor under the asset, or a wall behind it; above a hanging one a ceiling would only be in the way."""
     if vertical:

@@ -15,31 +15,10 @@ from sceneweaver.assets.textures.relief import to_linear, to_srgb
 from sceneweaver.scene import InputError
 from sceneweaver.scene.messages import suggest
 
+from .words import tables
+
 _LIGHT = np.array([-0.72, 0.36, 0.60]) / np.linalg.norm([0.72, 0.36, 0.60])
 _HALF = (_LIGHT + np.array([0.0, 0.0, 1.0])) / np.linalg.norm(_LIGHT + np.array([0.0, 0.0, 1.0]))
-_PLAIN = {
-    "floorboards": "#c89b68",
-    "strip parquet": "#c08f5c",
-    "herringbone": "#b98a58",
-    "basket weave": "#b4834f",
-    "brick": "#9c5a44",
-    "square tiles": "#cbc5bb",
-    "large tiles": "#bfb8ab",
-    "hexagon tiles": "#e4e2dc",
-    "woven rug": "#a8553d",
-    "loop carpet": "#7d8388",
-    "cut pile": "#cabda8",
-    "grass": "#5c7f3c",
-    "stripes": "#a9b8a6",
-    "dots": "#cfa9a2",
-    "damask": "#9fb09a",
-    "botanical": "#ece4d2",
-    "knit": "#c9bca6",
-    "twill": "#3d4f68",
-}
-"""Colours of patterns that no finish of furniture has; others of these are shown in white paint."""
-
-_METALS = {"galvanised": "#b6b9bb", "hammered": "#b87352"}
 
 
 def swatches(names: Iterable[str] = (), size: int = 240) -> Iterator[tuple[str, Image.Image]]:
@@ -90,10 +69,11 @@ def swatch(material: Material, wide: float, size: int = 240) -> Image.Image:
 @cache
 def _look(pattern: str) -> Material:
     """The first finish that has a pattern, or a colour that becomes it."""
-    if pattern in _METALS:
-        return Material(pattern, rgb(_METALS[pattern]), roughness=0.4, metallic=1.0, texture=pattern)
-    if pattern in _PLAIN:
-        return Material(pattern, rgb(_PLAIN[pattern]), roughness=0.5, texture=pattern)
+    metals, plain = tables()["metal swatches"], tables()["swatches"]
+    if pattern in metals:
+        return Material(pattern, rgb(metals[pattern]), roughness=0.4, metallic=1.0, texture=pattern)
+    if pattern in plain:
+        return Material(pattern, rgb(plain[pattern]), roughness=0.5, texture=pattern)
     for finish in finishes().values():
         if finish.material.texture == pattern:
             return finish.material

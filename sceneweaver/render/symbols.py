@@ -8,10 +8,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import cache
 
 from sceneweaver.geometry.polygons import signed_area
 from sceneweaver.geometry.se2 import SE2
 from sceneweaver.render.palette import words_of
+from sceneweaver.render.words import tables
 from sceneweaver.scene import Vec2
 
 
@@ -29,12 +31,18 @@ Symbol = Callable[[float, float], Iterator[Stroke]]
 
 def strokes_of(category: str, depth: float, width: float) -> list[Stroke]:
     """The strokes of a category's symbol; empty when it has none. What does not fit into a tiny box is left out."""
-    words = words_of(category)
+    words, known = words_of(category), _symbols()
     for name in ("_".join(words), *reversed(words)):
-        symbol = _SYMBOLS.get(name) or _SYMBOLS.get(name.removesuffix("s"))
+        symbol = known.get(name) or known.get(name.removesuffix("s"))
         if symbol is not None:
-            return [s for s in symbol(depth, width) if _fits(s, depth, width)]
+            return [s for s in _DRAWN[symbol](depth, width) if _fits(s, depth, width)]
     return []
+
+
+@cache
+def _symbols() -> dict[str, str]:
+    """The name of the symbol of each word."""
+    return {word: name for name, words in tables()["symbols"].items() for word in words.split()}
 
 
 def _fits(stroke: Stroke, depth: float, width: float) -> bool:
@@ -235,34 +243,28 @@ def _fridge(d: float, w: float) -> Iterator[Stroke]:
     yield Stroke(((-d / 2, w / 2), (d / 2 - 0.05, -w / 2)), weight=0.6)
 
 
-def _nothing(d: float, w: float) -> Iterator[Stroke]:
-    """For what only its own parts can draw, such as an L-shaped sofa."""
-    return iter(())
-
-
-_GROUPS: tuple[tuple[str, Symbol], ...] = (
-    ("bed mattress", _bed),
-    ("sofa couch loveseat armchair settee", _sofa),
-    ("chair recliner", _chair),
-    ("corner_sofa sectional", _nothing),
-    ("wardrobe closet", _wardrobe),
-    ("dresser nightstand sideboard cabinet drawer credenza console tv_stand hutch chest", _drawers),
-    ("bookcase bookshelf shelf shelve shelving", _shelves),
-    ("locker", _locker),
-    ("plant tree fern", _plant),
-    ("lamp light chandelier pendant", _lamp),
-    ("vase", _vase),
-    ("monitor tv television", _screen),
-    ("laptop", _laptop),
-    ("book_stack book", _books),
-    ("rug carpet mat", _rug),
-    ("treadmill", _treadmill),
-    ("bench", _bench),
-    ("rack", _rack),
-    ("toilet", _toilet),
-    ("sink basin", _basin),
-    ("bathtub bath", _bathtub),
-    ("stove hob cooker", _stove),
-    ("fridge refrigerator freezer", _fridge),
-)
-_SYMBOLS: dict[str, Symbol] = {name: symbol for names, symbol in _GROUPS for name in names.split()}
+_DRAWN: dict[str, Symbol] = {
+    "nothing": lambda d, w: iter(()),
+    "bed": _bed,
+    "sofa": _sofa,
+    "chair": _chair,
+    "wardrobe": _wardrobe,
+    "drawers": _drawers,
+    "shelves": _shelves,
+    "locker": _locker,
+    "plant": _plant,
+    "lamp": _lamp,
+    "vase": _vase,
+    "screen": _screen,
+    "laptop": _laptop,
+    "books": _books,
+    "rug": _rug,
+    "treadmill": _treadmill,
+    "bench": _bench,
+    "rack": _rack,
+    "toilet": _toilet,
+    "basin": _basin,
+    "bathtub": _bathtub,
+    "stove": _stove,
+    "fridge": _fridge,
+}

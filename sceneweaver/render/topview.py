@@ -18,7 +18,7 @@ from sceneweaver.geometry.shell import outer_outline
 from sceneweaver.render import labels, palette, plan_objects, plan_room, sheet
 from sceneweaver.render.canvas import Canvas, Text
 from sceneweaver.render.plan_objects import Item
-from sceneweaver.render.view import View, bounds_of, content
+from sceneweaver.render.shapes import View, bounds_of, content
 from sceneweaver.scene import InputError, Scene, write_atomic
 
 MIN_WIDTH, MAX_WIDTH = 200, 8192

@@ -14,10 +14,22 @@ if TYPE_CHECKING:
 _UNSAFE = {"<": "\\u003c", ">": "\\u003e", "&": "\\u0026", "\u2028": "\\u2028", "\u2029": "\\u2029"}
 
 
+def clean(value: object) -> object:
+    """Text in which characters that HTML does not know are spaces; text that is HTML already stays as it is."""
+    if hasattr(value, "__html__"):
+        return value
+    text = "".join(c if c in "\n\t" or c.isprintable() or c == " " else " " for c in str(value))
+    return text.encode("utf-8", "replace").decode()
+
+
 def esc(value: object) -> str:
     """Text for HTML, in elements and in quoted attributes; characters that HTML does not know become spaces."""
-    text = "".join(c if c in "\n\t" or c.isprintable() or c == " " else " " for c in str(value))
-    return html.escape(text.encode("utf-8", "replace").decode(), quote=True)
+    return html.escape(str(clean(value)), quote=True)
+
+
+def counted(many: int, what: str) -> str:
+    """A number of things: "1 picture", "2 pictures"."""
+    return f"{many} {what}" + ("" if many == 1 else "s")
 
 
 def json_block(element_id: str, data: Any) -> str:

@@ -1,16 +1,13 @@
-"""The parts of the page under the 3D view, as HTML."""
+"""What the parts of the page under the 3D view show, for its template."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
-
-from sceneweaver.critic import Review
 
 from .data import ReportData, StepRow
 from .facts import RelationRow, ViolationRow
-from .html import esc, number, picture_url
-from .models import thought
+from .html import number
 
 _CAPTIONS = {
     "eye-door": "From the door",
@@ -32,114 +29,139 @@ _COUNTS = (
     ("blocked_openings", "Blocked doors and windows"),
 )
 
+_SPENT = (
+    ("asks", "Questions"),
+    ("calls", "Requests"),
+    ("failed", "Requests without a usable reply"),
+    ("tokens_in", "Tokens in"),
+    ("tokens_out", "Tokens out"),
+    ("seconds", "Seconds of waiting"),
+)
 
-def header(data: ReportData, valid: bool | None) -> str:
-    """Title, prompt, verdict and key numbers."""
+_MARKS = {
+    True: ("held", "\u2713", "holds"),
+    False: ("broken", "\u2717", "does not hold"),
+    None: ("", "\u00b7", "not checked"),
+}
+
+
+def context(data: ReportData, faults: Sequence[ViolationRow], rows: Sequence[RelationRow]) -> dict[str, Any]:
+    """All that the template asks for beside the request and the view."""
+    metrics = data.metrics
+    valid = metrics.get("valid") if isinstance(metrics.get("valid"), bool) else None
+    hard = [fault for fault in faults if fault.kind != "soft_relation"]
+    soft = [fault for fault in faults if fault.kind == "soft_relation"]
+    grades, critic = _grades(data)
+    return {
+        "metrics": metrics,
+        "verdict": {True: ("good", "valid"), False: ("bad", "not valid"), None: ("unknown", "not checked")}[valid],
+        "facts": _facts(data),
+        "grades": grades,
+        "critic": critic,
+        "models": _models(metrics.get("models")),
+        "violations": (("Violations", hard, "bad"), ("Soft relations that do not hold", soft, "fair")),
+        "has_findings": bool(faults or data.scene.dropped or data.unmet or data.warnings or data.notes),
+        "pictures": _pictures(data),
+        "steps": _steps(data.steps),
+        "relations": sorted(rows, key=lambda row: row.held is not False),
+        "marks": _MARKS,
+        "measured": _measured(metrics),
+        "more_measured": [
+            *((f"Seconds, {k.replace('_', ' ')}", number(v, 3)) for k, v in (metrics.get("seconds") or {}).items()),
+            *((f"Version of {name}", str(value)) for name, value in (metrics.get("versions") or {}).items()),
+        ],
+    }
+
+
+def _facts(data: ReportData) -> list[tuple[str, str]]:
+    """Key numbers, each with its name."""
     scene, metrics = data.scene, data.metrics
-    badge = {True: ("good", "valid"), False: ("bad", "not valid"), None: ("unknown", "not checked")}[valid]
     relations = metrics.get("relations") or {}
     tallies = [relations.get(kind) or {} for kind in ("hard", "soft")]
-    total = sum(int(t.get("total", 0)) for t in tallies)
-    kept = sum(int(t.get("satisfied", 0)) for t in tallies)
+    total, kept = (sum(int(t.get(key, 0)) for t in tallies) for key in ("total", "satisfied"))
     facts = [(str(len(scene.objects)), "object" if len(scene.objects) == 1 else "objects")]
     if scene.dropped:
         facts.append((str(len(scene.dropped)), "dropped"))
     if total:
         facts.append((f"{kept} / {total}", "relations hold"))
-    seconds = (metrics.get("seconds") or {}).get("total")
-    took = sum(step.seconds for step in data.steps) or seconds
+    took = sum(step.seconds for step in data.steps) or (metrics.get("seconds") or {}).get("total")
     if isinstance(took, int | float):
         shown = f"{took:.1f} s" if took >= 0.05 else f"{took * 1000:.0f} ms"
         facts.append((shown, "in all steps" if data.steps else "in all"))
     share = metrics.get("reachable_share")
     if isinstance(share, int | float):
         facts.append((f"{100 * share:.0f} %", "reachable"))
-    title = data.title or scene.id
-    prompt = f'<p class="prompt">{esc(scene.prompt)}</p>' if scene.prompt and scene.prompt != title else ""
-    rows = "".join(f"<li><b>{esc(value)}</b> <span>{esc(name)}</span></li>" for value, name in facts)
-    kind = scene.room.type.replace("_", " ")
-    head = f'<p class="eyebrow">{esc(kind)}</p><h1>{esc(title)}</h1>{prompt}'
-    if data.phrases:  # the request comes next, with its phrases
-        head = f"<h1>{esc(kind.capitalize())}</h1>"
-    return (
-        f'<header class="top"><div>{head}</div>'
-        f'<p class="badge {badge[0]}">{badge[1]}</p><ul class="facts">{rows}</ul></header>'
-    )
+    return facts
 
 
-def scores(review: Review | None, metrics: Mapping[str, Any]) -> str:
-    """The critic's grades as bars, with its reasons."""
-    grades: dict[str, float] = {}
-    critic = ""
-    if review is not None:
-        grades, critic = dict(review.grades), review.critic
-    elif isinstance(metrics.get("scores"), Mapping):
-        given = dict(metrics["scores"])
-        critic = str(given.pop("critic", ""))
-        grades = {k: float(v) for k, v in given.items() if isinstance(v, int | float) and not isinstance(v, bool)}
-    if not grades:
-        return ""
-    cards = []
-    for name, grade in grades.items():
-        faults = [f for f in review.faults if f.criterion == name] if review is not None else []
-        reasons = "".join(
-            f"<li>{esc(f.reason)}" + (f" <em>{esc(f.suggestion)}</em>" if f.suggestion else "") + "</li>"
-            for f in faults[:6]
-        )
-        if len(faults) > 6:
-            reasons += f"<li>and {len(faults) - 6} more</li>"
-        share = max(0.0, min(1.0, grade / 10))
-        tone = "good" if grade >= 7.5 else "fair" if grade >= 5 else "bad"
-        cards.append(
-            f'<li><div class="grade"><h3>{esc(name.replace("_", " "))}</h3><b>{grade:.1f}</b></div>'
-            f'<div class="bar" role="img" aria-label="{esc(name)}: {grade:.1f} of 10">'
-            f'<i class="{tone}" style="width:{100 * share:.0f}%"></i></div>'
-            + (f"<ul>{reasons}</ul>" if reasons else "")
-            + "</li>"
-        )
-    by = f'<p class="aside">Graded 0 to 10 by the {esc(critic)} critic.</p>' if critic else ""
-    return _section("scores", "Scores", f'{by}<ul class="grades">{"".join(cards)}</ul>')
+def _grades(data: ReportData) -> tuple[dict[str, float], str]:
+    """Grades by criterion and the critic that gave them: of the review, else of metrics.json."""
+    if data.review is not None:
+        return dict(data.review.grades), data.review.critic
+    given = data.metrics.get("scores")
+    if not isinstance(given, Mapping):
+        return {}, ""
+    numbers = {k: v for k, v in given.items() if isinstance(v, int | float) and not isinstance(v, bool)}
+    return {k: float(v) for k, v in numbers.items() if k != "critic"}, str(given.get("critic", ""))
 
 
-def pictures(data: ReportData) -> str:
-    """The rendered pictures, large ones embedded as JPEG."""
+def _models(models: object) -> dict[str, Any] | None:
+    """What a language model did in a design: who planned and read, where readers disagree, and what was spent."""
+    if not isinstance(models, Mapping):
+        return None
+    planned = [str(who) for who in models.get("planned") or ()]
+    by_rules = [k + 1 for k, who in enumerate(planned) if who == "rules"]
+    facts = [f"The request was read by {models.get('read') or 'rules'}."]
+    if (models.get("roles") or {}).get("planner") == "llm" and planned:
+        rest = f"; steps {', '.join(map(str, by_rules))} by rules" if by_rules else ""
+        count = len(planned) - len(by_rules)
+        facts.append(f"{count} of {len(planned)} steps were planned by {models.get('name')}{rest}.")
+    else:
+        facts.append("All steps were planned by rules.")
+    if models.get("lost"):
+        facts.append(f"The model was not asked to the end: {models['lost']}")
+    usage = models.get("usage") or {}
+    columns = {"in all": usage, **(usage.get("by_purpose") or {})}
+    counts = list(_SPENT)
+    if usage.get("cost") is not None:
+        counts.append(("cost", f"Cost {usage.get('currency') or ''}".rstrip()))
+    return {
+        "facts": facts,
+        "apart": list(models.get("disagreements") or ()),
+        "name": models.get("name"),
+        "calls": usage.get("calls"),
+        "columns": list(columns),
+        "spent": [
+            (name, [number(column.get(key), 4 if key == "cost" else 1) for column in columns.values()])
+            for key, name in counts
+        ],
+    }
+
+
+def _pictures(data: ReportData) -> list[tuple[str, str, Any]]:
+    """Name, caption and picture of each, those with captions of their own first."""
     order = sorted(data.pictures, key=lambda name: (list(_CAPTIONS).index(name) if name in _CAPTIONS else 9, name))
-    figures = []
-    for name in order:
-        picture = data.pictures[name]
-        caption = esc(_CAPTIONS.get(name, name.replace("_", " ")))
-        wide = ' class="wide"' if name == "top_annotated" else ""
-        url = picture_url(picture, 1600 if name == "top_annotated" else 1100)
-        figures.append(
-            f'<figure{wide}><img src="{url}" alt="{caption}" width="{picture.width}" height="{picture.height}">'
-            f"<figcaption>{caption}</figcaption></figure>"
-        )
-    return _section("pictures", "Pictures", f'<div class="pictures">{"".join(figures)}</div>') if figures else ""
+    return [(name, _CAPTIONS.get(name, name.replace("_", " ")), data.pictures[name]) for name in order]
 
 
-def findings(data: ReportData, faults: Sequence[ViolationRow]) -> str:
-    """Violations, unmet wishes, dropped objects, warnings and notes."""
-    parts = []
-    hard = [f for f in faults if f.kind != "soft_relation"]
-    soft = [f for f in faults if f.kind == "soft_relation"]
-    for title, rows, kind in (("Violations", hard, "bad"), ("Soft relations that do not hold", soft, "fair")):
-        if rows:
-            items = "".join(f'<li><span class="tag {kind}">{esc(f.name)}</span> {esc(f.detail)}</li>' for f in rows)
-            parts.append(f"<h3>{title}</h3><ul class='findings'>{items}</ul>")
-    if data.scene.dropped:
-        items = "".join(f"<li><b>{esc(d.id)}</b> ({esc(d.category)}): {esc(d.reason)}</li>" for d in data.scene.dropped)
-        parts.append(f"<h3>Not placed</h3><ul class='findings'>{items}</ul>")
-    for title, texts in (("Unmet wishes", data.unmet), ("Warnings", data.warnings), ("Notes", data.notes)):
-        if texts:
-            items = "".join(f"<li>{esc(text)}</li>" for text in texts)
-            parts.append(f"<h3>{title}</h3><ul class='findings'>{items}</ul>")
-    return _section("findings", "Findings", "".join(parts)) if parts else ""
+def _steps(rows: Sequence[StepRow]) -> list[tuple[StepRow, list[tuple[str, float | None, float, str]]]]:
+    """Each step with its changes of grades: name, grade before and after, and tone."""
+    found = []
+    before: Mapping[str, float] = {}
+    for row in rows:
+        changes = []
+        for name, grade in row.grades.items():
+            old = before.get(name)
+            tone = "" if old is None or abs(grade - old) < 0.05 else "good" if grade > old else "bad"
+            changes.append((name, old, grade, tone))
+        found.append((row, changes))
+        if row.accepted and row.grades:
+            before = row.grades
+    return found
 
 
-def measures(metrics: Mapping[str, Any]) -> str:
+def _measured(metrics: Mapping[str, Any]) -> list[tuple[str, str]]:
     """The table of metrics.json."""
-    if not metrics:
-        return ""
     rows: list[tuple[str, str]] = [(name, number(metrics[key])) for key, name in _COUNTS if key in metrics]
     for kind, name in (("hard", "Hard relations that hold"), ("soft", "Soft relations that hold")):
         tally = (metrics.get("relations") or {}).get(kind)
@@ -160,82 +182,4 @@ def measures(metrics: Mapping[str, Any]) -> str:
         for key in ("candidates", "seed", "device", "cut_off")
         if metrics.get(key) is not None
     ]
-    more: list[tuple[str, str]] = []
-    spent = metrics.get("seconds") or {}
-    more += [(f"Seconds, {name.replace('_', ' ')}", number(value, 3)) for name, value in spent.items()]
-    more += [(f"Version of {name}", str(value)) for name, value in (metrics.get("versions") or {}).items()]
-    tail = f"<details><summary>Times and versions</summary>{_table(more)}</details>" if more else ""
-    return _section("metrics", "Metrics", _table(rows) + tail)
-
-
-def _table(rows: Sequence[tuple[str, str]]) -> str:
-    body = "".join(f"<tr><th scope='row'>{esc(n)}</th><td>{esc(v)}</td></tr>" for n, v in rows)
-    return f'<table class="metrics"><tbody>{body}</tbody></table>'
-
-
-def relations(rows: Sequence[RelationRow]) -> str:
-    """All relations, those that do not hold first."""
-    if not rows:
-        return ""
-    marks = {
-        True: ("held", "\u2713", "holds"),
-        False: ("broken", "\u2717", "does not hold"),
-        None: ("", "\u00b7", "not checked"),
-    }
-    items = []
-    for row in sorted(rows, key=lambda r: r.held is not False):
-        kind, mark, words = marks[row.held]
-        detail = f'<span class="detail">{esc(row.detail)}</span>' if row.detail else ""
-        items.append(
-            f'<li class="{kind}"><span class="mark" role="img" aria-label="{words}">{mark}</span>'
-            f"<span>{esc(row.text)}</span>{detail}</li>"
-        )
-    return _section("relations", "Relations", f'<ul class="relations">{"".join(items)}</ul>')
-
-
-def steps(rows: Sequence[StepRow]) -> str:
-    """The history, step by step."""
-    if not rows:
-        return ""
-    items = []
-    before: Mapping[str, float] = {}
-    for row in rows:
-        picture = ""
-        if row.picture is not None:
-            url = picture_url(row.picture, 440, 80)
-            size = f'width="{row.picture.width}" height="{row.picture.height}"'
-            picture = f'<img src="{url}" alt="After step {row.number}" {size}>'
-        state = ("good", "accepted") if row.accepted else ("bad", "rolled back")
-        note = f'<p class="aside">{esc(row.note)}</p>' if row.note else ""
-        items.append(
-            f'<li class="{"" if row.accepted else "undone"}"><div class="step-text"><div class="step-head">'
-            f'<b class="step-number">{esc(row.number)}</b><h3>{esc(row.tool)}</h3>'
-            f'<span class="tag {state[0]}">{state[1]}</span><span class="seconds">{row.seconds:.1f} s</span></div>'
-            f"<p>{esc(row.instruction)}</p>{note}{thought(row.thought)}{_change(before, row.grades)}</div>"
-            f"{picture}</li>"
-        )
-        if row.accepted and row.grades:
-            before = row.grades
-    return _section("steps", "Steps", f'<ol class="steps">{"".join(items)}</ol>')
-
-
-def _change(before: Mapping[str, float], after: Mapping[str, float]) -> str:
-    """Grades before and after a step."""
-    cells = []
-    for name, grade in after.items():
-        old = before.get(name)
-        tone = "" if old is None or abs(grade - old) < 0.05 else "good" if grade > old else "bad"
-        was = "" if old is None else f"<s>{old:.1f}</s> "
-        cells.append(f'<li class="{tone}"><span>{esc(name.replace("_", " "))}</span> {was}<b>{grade:.1f}</b></li>')
-    return f'<ul class="change">{"".join(cells)}</ul>' if cells else ""
-
-
-def _section(element_id: str, title: str, body: str) -> str:
-    heading = f'<h2 id="{element_id}-title">{title}</h2>'
-    return f'<section id="{element_id}" aria-labelledby="{element_id}-title">{heading}{body}</section>'
-
-
-def columns(parts: Iterable[str]) -> str:
-    """Short sections side by side where there is room."""
-    kept = "".join(part for part in parts if part)
-    return f'<div class="columns">{kept}</div>' if kept else ""
+    return rows

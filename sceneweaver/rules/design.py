@@ -1,4 +1,4 @@
-"""The design rules as rows: what a row is about, what it measures, the interval, what a breach costs and how to mend it.
+"""The design rules as rows: what a row is about, its measure, the interval, what a breach costs and how to mend it.
 
 ``design/*.yaml`` has the rules, one file for each family of rooms or things; docs/design_rules.md says how rows are
 read. The critic makes findings of rows with a ``text`` (`sceneweaver.critic.design`), the choice among many layouts

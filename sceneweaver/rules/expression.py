@@ -18,7 +18,15 @@ _NODES = (
     ast.BoolOp, ast.And, ast.Or, ast.Not, ast.IfExp, ast.keyword,
     ast.Compare, ast.Lt, ast.LtE, ast.Gt, ast.GtE, ast.Eq, ast.NotEq, ast.In, ast.NotIn, ast.Is, ast.IsNot,
 )  # fmt: skip
-_FUNCTIONS = {"min": min, "max": max, "round": round, "abs": abs, "sqrt": math.sqrt, "inf": math.inf, "__builtins__": {}}
+_FUNCTIONS: dict[str, Any] = {
+    "min": min,
+    "max": max,
+    "round": round,
+    "abs": abs,
+    "sqrt": math.sqrt,
+    "inf": math.inf,
+    "__builtins__": {},
+}
 
 
 CALLED = "()"
@@ -41,7 +49,7 @@ class Expression:
 
     def __init__(self, text: str | float) -> None:
         if isinstance(text, bool):
-            raise ValueError('a bare on, off, yes or no of YAML is a truth value: write it in quotes')
+            raise ValueError("a bare on, off, yes or no of YAML is a truth value: write it in quotes")
         self.text = text
         self._code: CodeType | None = None
         self.names: frozenset[str] = frozenset()

@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from sceneweaver.scene import Relation, Scene
 from sceneweaver.scene.errors import InputError
@@ -20,6 +20,10 @@ from sceneweaver.verify.relations import judge_relation
 from sceneweaver.verify.report import Kind, LinkTravel, RelationRef, RelationTally, Report, Tally, Violation
 from sceneweaver.verify.solids import DEPTH, Placed
 
+if TYPE_CHECKING:
+    from sceneweaver.assets import Library
+    from sceneweaver.assets.placed import Load
+
 
 def check(
     scene: Scene,
@@ -28,6 +32,7 @@ def check(
     walkable: bool = True,
     physics: bool = False,
     openable: bool = False,
+    library: Library | None = None,
 ) -> Report:
     """Judge a scene in float64, independently of the engine that made it.
 
@@ -41,6 +46,7 @@ def check(
             where it is makes it invalid.
         openable: whether to measure how far doors, drawers and lids open, with the collision parts of their assets; one
             that is needed and blocked makes the scene invalid. Where an asset cannot be loaded, a warning says so.
+        library: where the assets come from, for physics and what opens; None: the library of this user.
 
     Returns:
         Counts, shares, and every violation with its amount [m, or degrees].
@@ -58,6 +64,7 @@ def check(
     clock = _Clock()
     placed = Placed.of(scene)
     shapes, warnings = MeshSet.of(meshes), []
+    load = library.load if library is not None else None
     found: list[Violation] = [
         Violation("dropped", (d.id,), f"{d.id} could not be placed: {d.reason}", 0.0) for d in scene.dropped
     ]
@@ -80,12 +87,12 @@ def check(
             warnings.append("the room is too large for the floor grid; walkable and reachable shares were not measured")
     steady = None
     if physics:
-        steady, fallen = stability.measure(scene)
+        steady, fallen = stability.measure(scene, load)
         found += fallen
         clock.lap("physics")
     links = None
     if openable:
-        links = _openable(scene, warnings)
+        links = _openable(scene, load, warnings)
         clock.lap("openable")
     counts = Counter(violation.kind for violation in found)
     report = Report(
@@ -171,12 +178,12 @@ def _openings(placed: Placed) -> list[Violation]:
     return found
 
 
-def _openable(scene: Scene, warnings: list[str]) -> list[LinkTravel] | None:
+def _openable(scene: Scene, load: Load | None, warnings: list[str]) -> list[LinkTravel] | None:
     """How far what opens does; None, with a warning, where an asset cannot be loaded."""
     from sceneweaver.verify import openable
 
     try:
-        return openable.measure(scene)
+        return openable.measure(scene, load)
     except InputError as error:
         warnings.append(f"how far doors and drawers open was not measured: {error}")
         return None

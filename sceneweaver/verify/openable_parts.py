@@ -12,9 +12,10 @@ from sceneweaver.geometry.polygons import rectangle
 from sceneweaver.geometry.prisms import prism_vertices
 from sceneweaver.geometry.rotations import from_yaw, matrix
 from sceneweaver.geometry.shell import FLOOR_THICKNESS, PANE_THICKNESS, WALL_THICKNESS, wall_pieces
-from sceneweaver.physics.leaves import Leaf, leaves, wall_ends
+from sceneweaver.physics.leaves import Leaf, leaves
 from sceneweaver.physics.model import COVERING
-from sceneweaver.physics.things import RigidBody, Thing, joint_of, things_of
+from sceneweaver.physics.shell import wall_ends
+from sceneweaver.physics.things import Joint, Thing, things_of
 from sceneweaver.scene import Room, Scene, Window
 from sceneweaver.verify.solids import Array
 from sceneweaver.verify.sweeps import Block, Motion
@@ -89,8 +90,8 @@ class Bodies(NamedTuple):
             points = np.concatenate([solid.points for solid in body.solids]) @ turn.T + shift
             ends = np.cumsum([len(solid.points) for solid in body.solids])
             self.blocks.extend(Block(part, number) for part in np.split(points, ends[:-1]))
-            if body.link is not None and _opens(body.link):
-                motion = _motion(thing, body, turn, shift)
+            if body.link is not None and body.joint is not None and _opens(body.link):
+                motion = _motion(body.joint, turn, shift)
                 self.openings.append(Opening(number, body.link.name, body.link.role, motion))
 
     def _add_leaf(self, leaf: Leaf) -> None:
@@ -107,11 +108,9 @@ def _opens(link: Link) -> bool:
     return link.role in ROLES and link.joint != "free"
 
 
-def _motion(thing: Thing, body: RigidBody, turn: Array, shift: Array) -> Motion:
-    assert body.link is not None
-    axis, (low, high), _ = joint_of(body.link, thing.scale, body.mass)
-    anchor = turn @ (np.asarray(body.link.anchor) * np.asarray(thing.scale)) + shift
-    return Motion(body.link.joint, turn @ axis, anchor, high if abs(high) >= abs(low) else low)
+def _motion(joint: Joint, turn: Array, shift: Array) -> Motion:
+    low, high = joint.limits
+    return Motion(joint.kind, turn @ joint.axis, turn @ joint.anchor + shift, high if abs(high) >= abs(low) else low)
 
 
 def _yields(thing: Thing) -> bool:

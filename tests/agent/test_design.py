@@ -7,12 +7,17 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Iterator
+from dataclasses import replace
 
 import pytest
 
 from sceneweaver.agent import Settings, design
 from sceneweaver.agent.executor import Executor
 from sceneweaver.agent.folder import RunFolder
+from sceneweaver.assets import Asset, Library
+from sceneweaver.assets.sources import ParametricSource
+from sceneweaver.assets.sources.base import Card, Wish
 from sceneweaver.knowledge import room_type
 from sceneweaver.language import read_request
 from sceneweaver.scene import InputError, MissingDependencyError, Relation, Scene
@@ -218,3 +223,36 @@ def test_a_thing_half_a_millimetre_high_may_be_large_or_small(word):
     result = design(f"a living room with a {word} rug", seed=0, steps=1, candidates=16, side_by_side=1)
     (rug,) = [o for o in result.scene.objects if o.category == "rug"]
     assert 0 < rug.size[2] < 0.01
+
+
+class Private:
+    """The drawn assets under ids of their own, as a source that only the caller has."""
+
+    name = "mine"
+
+    def __init__(self) -> None:
+        self.drawn = ParametricSource()
+
+    def find(self, category: str, wish: Wish) -> Iterator[Card]:
+        for card in self.drawn.find(category, wish):
+            yield replace(card, id=f"mine:{card.id}", source=self.name)
+
+    def load(self, asset_id: str) -> Asset:
+        return replace(self.drawn.load(asset_id.removeprefix("mine:")), id=asset_id)
+
+    def owns(self, asset_id: str) -> bool:
+        return asset_id.startswith("mine:")
+
+
+@pytest.mark.parametrize("settle", [False, True])
+def test_a_design_with_assets_of_a_private_source_ends_valid(settle, tmp_path):
+    library = Library([Private()])
+    asked = "a bedroom with a wardrobe"
+    made = design(asked, seed=0, out=tmp_path, library=library, export="glb", pictures=False, settle=settle, **QUICK)
+    assert made.report.valid, made.report.violations
+    furnished = [o for o in made.scene.objects if o.asset is not None]
+    assert furnished and all(str(o.asset).startswith("mine:") for o in furnished)
+    assert made.report.openable_share is not None
+    judged = check(made.scene, openable=True, physics=True, library=library)
+    assert judged.openable_share == made.report.openable_share and judged.stability is not None
+    assert check(made.scene, openable=True).warnings

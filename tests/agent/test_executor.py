@@ -12,6 +12,7 @@ from sceneweaver.agent.executor import Executor, Outcome
 from sceneweaver.agent.riders import at_rest
 from sceneweaver.agent.settings import Settings
 from sceneweaver.critic import CRITERIA, Fault, Review
+from sceneweaver.generate.carry import local
 from sceneweaver.knowledge import room_type
 from sceneweaver.language import Entity, SceneGraph
 from sceneweaver.layout import Solution, refine
@@ -33,7 +34,6 @@ from sceneweaver.scene import (
     Surface,
 )
 from sceneweaver.tools.base import Proposal
-from sceneweaver.tools.carry import local
 from sceneweaver.verify import Violation, check
 
 QUICK = Settings(device="cpu", candidates=16)
@@ -358,7 +358,7 @@ def test_rows_go_along_into_other_rooms():
 def test_a_deadline_that_has_passed_ends_the_search_with_what_there_is():
     chests = [wanted(f"chest-{k}", "asked") for k in range(30)]
     settings = QUICK.model_copy(update={"attempts": (20, 60)})
-    executor = Executor(room_type("bedroom"), SceneGraph(text="a bedroom"), settings, Deadline(0.0))
+    executor = Executor(room_type("bedroom"), SceneGraph(text="a bedroom"), settings, deadline=Deadline(0.0))
     before = room_with(BED, *chests)
     outcome = executor.run(before, Proposal(scene=before, fresh=True), 0)
     assert outcome.scene.ids == before.ids and not outcome.report.valid and not outcome.unmet

@@ -9,8 +9,8 @@ from sceneweaver.agent.lived_in import DONE, lived_in
 from sceneweaver.agent.settings import Settings
 from sceneweaver.assets import Library, make
 from sceneweaver.knowledge import room_types
-from sceneweaver.rules.design import limit
 from sceneweaver.language import read_request
+from sceneweaver.rules.design import limit
 from sceneweaver.scene import Door, InputError, Pose, Relation, Room, Scene
 from sceneweaver.tools.add_clutter import AddClutter
 from sceneweaver.tools.base import Context
@@ -67,7 +67,7 @@ def test_a_show_room_has_nothing_on_its_floor_and_chairs_pushed_in():
 
 
 def test_shelves_that_are_hung_are_filled(monkeypatch):
-    monkeypatch.setattr("sceneweaver.tools.add_wall_objects.wall_things", lambda room: {"wall_shelf": 1.0})
+    monkeypatch.setattr("sceneweaver.generate.wall_objects.wall_things", lambda room: {"wall_shelf": 1.0})
     after = touched(bedroom(), 0.0)[1].scene
     shelves = [o.id for o in after.objects if o.category == "wall_shelf"]
     carrying = {o.support.object for o in after.objects if o.support is not None}
@@ -77,7 +77,7 @@ def test_shelves_that_are_hung_are_filled(monkeypatch):
 def test_what_lowers_the_grade_is_taken_back_alone(monkeypatch):
     """What is out of place in a bedroom goes; the other walls keep what was hung."""
     things = {"picture": 1.0, "range_hood": 1.0}
-    monkeypatch.setattr("sceneweaver.tools.add_wall_objects.wall_things", lambda room: things)
+    monkeypatch.setattr("sceneweaver.generate.wall_objects.wall_things", lambda room: things)
     before, after = touched(bedroom(), 0.0)
     hung = {o.category for o in after.scene.objects if o.mount == "wall"}
     assert hung == {"picture"}

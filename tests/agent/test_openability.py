@@ -24,6 +24,7 @@ class Judge:
         return Outcome(made, check(made), None)  # type: ignore[arg-type]
 
     settings = Settings()
+    library = Library()
 
     def run(self, made: Scene, proposal: Proposal, seed: int, rival: Outcome) -> Outcome:
         """A search that finds nothing."""

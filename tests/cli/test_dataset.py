@@ -49,7 +49,7 @@ def test_a_wrong_specification_names_file_and_field(run, spec, tmp_path):
 
 def test_a_changed_specification_and_a_taken_folder_lose_nothing(run, spec, tmp_path):
     from sceneweaver.datasets.engines import begin
-    from sceneweaver.datasets.engines.locks import run_lock
+    from sceneweaver.datasets.engines.run import run_lock
 
     dataset = begin(spec, tmp_path / "out", "cpu")
     with run_lock(dataset.folder, None):

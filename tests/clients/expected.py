@@ -10,7 +10,7 @@ import numpy as np
 from sceneweaver.assets.placed import Load
 from sceneweaver.geometry.rotations import from_yaw, matrix, wxyz
 from sceneweaver.physics.leaves import leaves
-from sceneweaver.physics.things import joint_of, things_of
+from sceneweaver.physics.things import things_of
 from sceneweaver.scene import Scene
 
 
@@ -38,12 +38,12 @@ def expected(scene: Scene, load: Load | None = None, *, loose: bool = True) -> d
                 "moves": thing.free or len(thing.bodies) > 1,
                 "middle": ((points.min(axis=0) + points.max(axis=0)) / 2).tolist(),
             }
-            if body.link is not None and not body.loose:
-                axis, limits, _ = joint_of(body.link, thing.scale, body.mass)
-                anchor = at + turn @ (np.asarray(body.link.anchor) * thing.scale)
+            joint = body.joint
+            if joint is not None:
+                anchor = at + turn @ joint.anchor
                 row["link"] = (anchor.tolist(), list(facing))
-                row["node"] = row["link"] if body.link.joint == "hinge" else here
-                joints[body.name] = _joint(body.link.joint, turn @ axis, anchor, limits)
+                row["node"] = row["link"] if joint.kind == "hinge" else here
+                joints[body.name] = _joint(joint.kind, turn @ joint.axis, anchor, joint.limits)
     for leaf in leaves(scene.room):
         facing = list(wxyz(from_yaw(leaf.yaw)))
         bodies[leaf.name] = {

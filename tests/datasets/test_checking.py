@@ -18,15 +18,15 @@ from sceneweaver.datasets import AssetStore, Folder, Requests, Sample, Spec, wri
 from sceneweaver.datasets.checking import verify_dataset
 from sceneweaver.datasets.checking.exports import included_files, mjcf_files, mjcf_tree
 from sceneweaver.datasets.checking.findings import KEPT, Findings
-from sceneweaver.datasets.checking.scene import Judge, content_of
-from sceneweaver.datasets.columns import index_schema
-from sceneweaver.datasets.counterfactuals import twin_files, twins
+from sceneweaver.datasets.checking.scene import Judge
+from sceneweaver.datasets.digests import content_of, write_checksums
 from sceneweaver.datasets.engines.manifest import create
 from sceneweaver.datasets.files import fingerprint, pack
-from sceneweaver.datasets.files.checksums import write_checksums
 from sceneweaver.datasets.reading import rows_of, scenes_of, shards_of, spans_of
 from sceneweaver.datasets.statistics import statistics
 from sceneweaver.datasets.store.scene_files import SceneFiles, references
+from sceneweaver.datasets.tables import schema_of
+from sceneweaver.datasets.twins import twin_files, twins
 from sceneweaver.scene import InputError, Pose, Room, Scene, Support
 from sceneweaver.verify import check
 
@@ -142,7 +142,7 @@ def change_rows(root: Path, change: Callable[[dict], object]) -> None:
     rows = pq.read_table(path).to_pylist()
     for row in rows:
         change(row)
-    pq.write_table(pa.Table.from_pylist(rows, schema=index_schema()), path)
+    pq.write_table(pa.Table.from_pylist(rows, schema=schema_of("index")), path)
     numbers = statistics(rows_of(Folder(root)))
     (root / "meta" / "statistics.json").write_text(json.dumps(numbers))
     write_checksums(Folder(root))

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from sceneweaver.datasets.engines import Listener, Options, begin, merge, open_dataset, resume
-from sceneweaver.datasets.files.tables import read_table
 from sceneweaver.datasets.reading import rows_of
+from sceneweaver.datasets.tables import read_table
 from tests.datasets import torture
 from tests.datasets.test_engines import content, made, rows, spec_file
 

@@ -13,7 +13,6 @@ from pathlib import Path
 import pytest
 
 from sceneweaver.datasets import read_rows
-from sceneweaver.datasets.disk import DiskFullError, disk_full
 from sceneweaver.datasets.engines import (
     Listener,
     Options,
@@ -26,9 +25,10 @@ from sceneweaver.datasets.engines import (
     resume,
     status,
 )
-from sceneweaver.datasets.engines.estimate import grown
-from sceneweaver.datasets.engines.locks import run_lock
-from sceneweaver.datasets.engines.schedule import Schedule
+from sceneweaver.datasets.engines.run import run_lock
+from sceneweaver.datasets.engines.schedule import Job, Schedule
+from sceneweaver.datasets.engines.status import grown
+from sceneweaver.datasets.folder import DiskFullError, disk_full
 from sceneweaver.scene import InputError, write_atomic
 from tests.datasets import fake
 
@@ -201,7 +201,7 @@ def test_no_block_begins_that_would_not_be_made_in_time(tmp_path, monkeypatch):
     clock = 0.0
     monkeypatch.setattr("sceneweaver.datasets.engines.schedule.time.monotonic", lambda: clock)
     dataset = begin(spec_file(tmp_path), tmp_path / "out", "cpu")
-    schedule = Schedule(dataset, range(6), Listener(lambda record: None, print), 1, True, until=100.0)
+    schedule = Schedule(Job(dataset, Listener(lambda record: None, print), until=100.0), range(6), 1)
     first = schedule.take()
     schedule.heard(first, ("done", {"bytes": 1, "start": 0.0, "end": 40.0}), {})
     clock = 59.0

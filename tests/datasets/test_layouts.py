@@ -13,14 +13,14 @@ import numpy as np
 import pytest
 import yaml
 
-from sceneweaver.datasets import Folder, Requests, Spec, read_rows
+from sceneweaver.datasets import Folder, Requests, Spec, make_block, read_rows
 from sceneweaver.datasets.checking import verify_dataset
+from sceneweaver.datasets.digests import write_checksums
 from sceneweaver.datasets.engines.manifest import create
-from sceneweaver.datasets.files.checksums import write_checksums
-from sceneweaver.datasets.layouts import join, load_layout, load_program, make_block, pack, write_programs
-from sceneweaver.datasets.layouts.programs import as_tall_as_it_stands
+from sceneweaver.datasets.layouts import join, load_layout, load_program, pack, write_programs
+from sceneweaver.datasets.layouts.block import as_tall_as_it_stands
+from sceneweaver.datasets.layouts.collect import Seen, Signatures
 from sceneweaver.datasets.layouts.read import posed
-from sceneweaver.datasets.layouts.signature import Seen, Signatures
 from sceneweaver.datasets.layouts.tables import Writers, row_groups
 from sceneweaver.layout.compile import compile_scene
 from sceneweaver.layout.sampling import first_layouts

@@ -8,11 +8,10 @@ from scipy.cluster.hierarchy import DisjointSet
 
 import sceneweaver as sw
 from sceneweaver.datasets import Folder
-from sceneweaver.datasets.columns import arrow
 from sceneweaver.datasets.files import pack, signature
-from sceneweaver.datasets.files.fingerprint import Layout
-from sceneweaver.datasets.files.near_duplicates import join_near_duplicates, near_duplicates, smallest
-from sceneweaver.datasets.files.splits import assign_splits
+from sceneweaver.datasets.files.fingerprint import Layout, join_near_duplicates, near_duplicates, smallest
+from sceneweaver.datasets.files.plan import assign_splits
+from sceneweaver.datasets.tables import arrow
 from tests.datasets.small import make_small, small_scene, small_spec
 
 

@@ -9,8 +9,8 @@ import tarfile
 import pytest
 
 from sceneweaver.datasets import Folder
-from sceneweaver.datasets.columns import arrow
-from sceneweaver.datasets.files import pack, packing, shards
+from sceneweaver.datasets.files import pack, packing, packing_began
+from sceneweaver.datasets.tables import arrow
 from sceneweaver.scene import InputError
 from tests.datasets.small import make_small
 
@@ -86,12 +86,12 @@ class Killed(BaseException):
 
 
 def test_killed_at_any_step_it_goes_on_to_the_same_bytes(tmp_path, monkeypatch):
-    monkeypatch.setattr(shards, "SAFE", 0)  # so that blocks go one by one
+    monkeypatch.setattr(packing, "SAFE", 0)  # so that blocks go one by one
     whole, torn = tmp_path / "whole", tmp_path / "torn"
     requests = make_small(whole, 8, failed=(1,), shard=1, splits={"train": 0.7, "test": 0.3})
     shutil.copytree(whole, torn)
     pack(Folder(whole), requests)
-    assert packing(Folder(whole))
+    assert packing_began(Folder(whole))
     steps = {"left": 0}
 
     def counted(function):
@@ -119,12 +119,12 @@ def test_killed_at_any_step_it_goes_on_to_the_same_bytes(tmp_path, monkeypatch):
 
 
 def test_a_torn_end_of_a_shard_is_written_again(tmp_path, monkeypatch):
-    monkeypatch.setattr(shards, "SAFE", 0)
+    monkeypatch.setattr(packing, "SAFE", 0)
     whole, torn = tmp_path / "whole", tmp_path / "torn"
     requests = make_small(whole, 8)
     shutil.copytree(whole, torn)
     pack(Folder(whole), requests)
-    sync, calls = shards.Shards.sync, []
+    sync, calls = packing.Shards.sync, []
 
     def killed(self):
         sync(self)
@@ -132,11 +132,11 @@ def test_a_torn_end_of_a_shard_is_written_again(tmp_path, monkeypatch):
         if len(calls) == 3:  # the samples of three blocks are copied, two of the blocks are gone
             raise Killed
 
-    monkeypatch.setattr(shards.Shards, "sync", killed)
+    monkeypatch.setattr(packing.Shards, "sync", killed)
     with pytest.raises(Killed):
         pack(Folder(torn), requests)
     begun = sorted((torn / "work" / "plan").glob("*.tar"))
-    ends = [shards._end_of(path, {f"{i:08d}" for i in range(4)}) for path in begun]
+    ends = [packing._end_of(path, {f"{i:08d}" for i in range(4)}) for path in begun]
     assert any(end < path.stat().st_size for end, path in zip(ends, begun, strict=True))
     for end, path in zip(ends, begun, strict=True):
         with open(path, "r+b") as file:
@@ -150,7 +150,7 @@ def test_a_missing_block_is_named(tmp_path):
     shutil.rmtree(Folder(tmp_path).block(1))
     with pytest.raises(InputError, match="block 00000001 of 3 is missing"):
         pack(Folder(tmp_path), requests)
-    assert not packing(Folder(tmp_path))
+    assert not packing_began(Folder(tmp_path))
 
 
 def test_a_shard_ends_where_the_next_scene_would_not_fit(tmp_path):

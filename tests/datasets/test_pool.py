@@ -11,8 +11,9 @@ import pytest
 
 from sceneweaver.assets import Library, categories
 from sceneweaver.assets.parametric import makers
+from sceneweaver.assets.roles import with_role
 from sceneweaver.assets.sources.base import Wish
-from sceneweaver.datasets.store.pool import STYLED, dataset_library, offered, ratio_of, sizes_of
+from sceneweaver.datasets.store.pool import dataset_library, offered, ratio_of, sizes_of
 
 PALETTES = [f"oak/white paint/brass/cream,navy,mustard/{seed}" for seed in (5, 77, 123456)]
 
@@ -90,7 +91,7 @@ def test_one_drawing_serves_all_styles_where_they_look_alike() -> None:
 
 def test_what_is_drawn_otherwise_in_another_style_is_known() -> None:
     asks = {name for name, maker in makers().items() if _reads_style(maker)}
-    assert asks == STYLED
+    assert asks == with_role("drawn_by_style")
 
 
 def _reads_style(maker: Any) -> bool:

@@ -15,11 +15,8 @@ from sceneweaver.datasets import Folder
 from sceneweaver.datasets.engines.manifest import create
 from sceneweaver.datasets.files import pack
 from sceneweaver.datasets.report import collect, memory_svg, write_report
-from sceneweaver.datasets.report.charts import histogram, nice
-from sceneweaver.datasets.report.collect import CELLS, gather, shell_signature, turn_of, turned
-from sceneweaver.datasets.report.plan import plan
-from sceneweaver.datasets.report.run import memory, throughput
-from sceneweaver.datasets.report.sampling import PICTURES, Sampler
+from sceneweaver.datasets.report.charts import histogram, memory, nice, plan, throughput
+from sceneweaver.datasets.report.collect import CELLS, PICTURES, Sampler, gather, shell_signature, turn_of, turned
 from sceneweaver.datasets.statistics import Spread
 from sceneweaver.scene import InputError
 from tests.datasets.small import make_small, small_spec

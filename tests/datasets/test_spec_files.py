@@ -8,9 +8,9 @@ import pytest
 import yaml
 
 from sceneweaver.datasets import Requests, load_spec
-from sceneweaver.datasets.columns import index_schema
 from sceneweaver.datasets.spec import EXAMPLES, Gates, Rooms, Spec, Views, spec_file, spec_schema
 from sceneweaver.datasets.spec import Requests as SpecRequests
+from sceneweaver.datasets.tables import schema_of
 from sceneweaver.knowledge import room_types
 from sceneweaver.scene import InputError
 from tests.test_repository import ROOT, code_blocks
@@ -54,7 +54,7 @@ def test_the_guide_names_every_field_and_column():
     for part in (SpecRequests, Rooms, Views, Gates):
         fields |= set(part.model_fields)
     assert fields - named == {"rooms"}  # which is named by its fields
-    assert set(index_schema().names) - named == set()
+    assert set(schema_of("index").names) - named == set()
 
 
 def test_the_guide_says_the_defaults():

@@ -8,7 +8,7 @@ import pytest
 
 from sceneweaver.envs.adapters.isaac_lab import scene_cfg
 from sceneweaver.envs.adapters.maniskill import register, room_files
-from sceneweaver.export.urdf_room import room_urdf
+from sceneweaver.export.urdf import room_urdf
 from sceneweaver.scene import InputError, MissingDependencyError
 from tests.envs.rooms import kitchen, load
 

@@ -7,7 +7,8 @@ import pytest
 
 from sceneweaver import envs
 from sceneweaver.envs.batched import Bank, BatchedRoomEnv, steady
-from sceneweaver.envs.batched.goals import KINDS, task_rows
+from sceneweaver.envs.batched.goals import task_rows
+from sceneweaver.envs.tasks import KINDS
 from sceneweaver.envs.world import RoomState
 from sceneweaver.scene import InputError
 from tests.envs.rooms import kitchen, load
@@ -181,3 +182,26 @@ def test_mujoco_warp_steps_as_mujoco_c(bank):
         (one, reward, *_), (other, rewards, *_) = (env.step(action) for env in both)
     assert all(one[name] == pytest.approx(other[name], abs=2e-3) for name in one)
     assert reward == pytest.approx(rewards, abs=1e-3) and not both[1].overflow().any()
+
+
+def test_models_of_worlds_are_those_of_their_layouts(bank, env):
+    start(env, 0, 1, 2)
+    model, rooms, slots = env.physics.model, bank.layout["room"][[0, 1, 2]], bank.slots
+    for name, rows in bank.room.items():
+        first = {"geom": 1, "body": 1}.get(name.partition("_")[0], 0)
+        begin = slots.still if name in ("geom_pos", "geom_quat") else 0  # those that stand still go by layout
+        found = getattr(model, name).numpy()[:, first : first + rows.shape[1]]
+        assert np.array_equal(found.reshape(3, *rows.shape[1:])[:, begin:], rows[rooms][:, begin:]), name
+    for name, out in (("still_pos", model.geom_pos), ("still_quat", model.geom_quat), ("link_pos", model.body_pos)):
+        rows = bank.layout[name][[0, 1, 2]]
+        assert np.array_equal(out.numpy()[:, 1 : 1 + rows.shape[1]], rows), name
+
+
+def test_only_worlds_that_end_begin_anew(env):
+    start(env, 0, 1, 2)
+    env.step(np.ones(env.action.shape))
+    before = env.physics.data.qpos.numpy().copy()
+    env._done.assign(np.array([0, 1, 0], dtype=np.int32))
+    env._begin()
+    after = env.physics.data.qpos.numpy()
+    assert np.array_equal(after[[0, 2]], before[[0, 2]]) and not np.array_equal(after[1], before[1])

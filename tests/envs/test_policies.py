@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from sceneweaver import envs
+from sceneweaver.envs.joining import PREFIX
 from sceneweaver.envs.kinematics import ToolPose, configuration
 from sceneweaver.envs.planning import link_pose
 from sceneweaver.envs.policies import Failed, solve
-from sceneweaver.envs.world import PREFIX
 from tests.envs.rooms import kitchen, load
 
 
@@ -32,7 +32,7 @@ def test_configurations_bring_the_tool_where_it_should_be(env):
         if joints is None:
             continue
         found += 1
-        data.qpos[world.driven_addresses] = joints
+        data.qpos[world.indices.drive_position] = joints
         world.forward(data)
         turned = data.site(PREFIX + "tool").xmat.reshape(3, 3)
         assert world.tool(data)[:3] == pytest.approx(tool.position, abs=1e-6)

@@ -20,7 +20,7 @@ from sceneweaver.export.images import linear
 from sceneweaver.export.room import floor_mesh, wall_mesh
 from sceneweaver.geometry.shell import WALL_THICKNESS, wall_plan
 from sceneweaver.physics.leaves import leaves
-from sceneweaver.physics.things import joint_of, things_of
+from sceneweaver.physics.things import things_of
 from sceneweaver.scene import Door, InputError, Part, Pose, Room, Scene, SceneObject, Support, Window
 
 Z_UP = np.array([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]], dtype=float)
@@ -324,8 +324,8 @@ def test_doors_and_drawers_are_nodes_with_their_origin_on_the_hinge() -> None:
             matrix, geometry = loaded.graph[body.name]
             points = trimesh.transform_points(loaded.geometry[geometry].vertices, Z_UP @ matrix)
             whole.append(points)
-            if body.link is not None:
-                axis, limits, _ = joint_of(body.link, thing.scale, body.mass)
+            if body.link is not None and body.joint is not None:
+                axis, limits = body.joint.axis, body.joint.limits
                 joint = nodes[body.name]["extras"]["joint"]
                 assert joint["type"] == body.link.joint and joint["role"] == body.link.role
                 assert joint["axis"] == pytest.approx(axis.tolist()) and joint["limits"] == pytest.approx(limits)

@@ -11,9 +11,8 @@ import numpy as np
 import pytest
 
 from sceneweaver.assets import make
-from sceneweaver.export import export_scene
+from sceneweaver.export import FORMATS, export_scene
 from sceneweaver.export.mjcf import mjcf, write_mjcf
-from sceneweaver.export.mjcf_clients import CLIENTS
 from sceneweaver.geometry.rotations import rotate
 from sceneweaver.physics.vertices import MOST_VERTICES, fewer_vertices
 from sceneweaver.scene import Door, InputError, Pose, Room, Scene, Support
@@ -175,7 +174,7 @@ def test_what_is_at_rest_sleeps(path) -> None:
 
 def test_each_client_has_its_file(scene, tmp_path) -> None:
     whole = mjcf(scene, ASSETS.__getitem__, textures=False)
-    for client in CLIENTS:
+    for client in FORMATS["mjcf"].clients:
         mine = mjcf(scene, ASSETS.__getitem__, textures=False, client=client)
         model = mujoco.MjModel.from_xml_string(mine.xml, mine.files)
         other = mujoco.MjModel.from_xml_string(whole.xml, whole.files)

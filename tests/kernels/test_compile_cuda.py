@@ -12,10 +12,9 @@ import sceneweaver.kernels
 
 ARCH = 90  # Hopper
 NAMES = [f"{sceneweaver.kernels.__name__}.{info.name}" for info in pkgutil.iter_modules(sceneweaver.kernels.__path__)]
-PICTURES = tuple(f"sceneweaver.render.{name}_kernels" for name in ("first_hit", "raycast", "smoothing"))
-TRACING = [f"sceneweaver.render.tracing.{name}_kernels" for name in ("cache", "develop", "filter", "view")]
+TRACING = [f"sceneweaver.render.tracing.{name}_kernels" for name in ("ray", "cache", "develop", "filter", "view")]
 BATCHED = [f"sceneweaver.envs.batched.{name}_kernels" for name in ("reset", "task")]
-MODULES = [importlib.import_module(name) for name in (*NAMES, *PICTURES, *TRACING, *BATCHED)]
+MODULES = [importlib.import_module(name) for name in (*NAMES, *TRACING, *BATCHED)]
 # Modules without kernels of their own are compiled with those that use them.
 WITH_KERNELS = [m for m in MODULES if wp.get_module(m.__name__).kernels]
 
@@ -23,7 +22,7 @@ WITH_KERNELS = [m for m in MODULES if wp.get_module(m.__name__).kernels]
 def test_modules_are_found():
     names = {m.__name__.rpartition(".")[2] for m in WITH_KERNELS}
     expected = {"bookkeeping", "descent", "evaluator", "gradients_gpu", "lbfgs", "search", "verdict"}
-    expected |= {"first_hit_kernels", "raycast_kernels", "smoothing_kernels", "cache_kernels", "view_kernels"}
+    expected |= {"ray_kernels", "cache_kernels", "develop_kernels", "filter_kernels", "view_kernels"}
     assert expected <= names
 
 

@@ -32,7 +32,7 @@ def test_import_pulls_in_nothing_heavy(tmp_path, record_property):
 
 
 def test_the_engine_starts_without_a_word():
-    program = "import warp, sceneweaver.layout, sceneweaver.render.caster; warp.init()"
+    program = "import warp, sceneweaver.layout, sceneweaver.render.tracing; warp.init()"
     environment = {k: v for k, v in os.environ.items() if k != "SCENEWEAVER_DEBUG"}
     result = subprocess.run([sys.executable, "-c", program], cwd=ROOT, env=environment, capture_output=True, check=True)
     said = [line for line in result.stderr.decode().splitlines() if not line.startswith(NO_DRIVER)]

@@ -66,13 +66,6 @@ def test_what_is_heavy_is_not_welded() -> None:
     assert found["free"] == 1 and found["mean_shift_m"] < 2e-3
 
 
-def test_fixtures_are_categories_that_exist() -> None:
-    from sceneweaver.assets import categories
-    from sceneweaver.physics.things import _fixtures
-
-    assert _fixtures() and _fixtures() <= set(categories())
-
-
 def test_parts_are_worked_out_once() -> None:
     again = make("exercise_ball", 1)
     assert solids_of(again.object("a"), again, np.ones(3))[0] is solids_of(BALL.object("b"), BALL, np.ones(3))[0]

@@ -10,10 +10,9 @@ import shapely
 
 from sceneweaver.assets import make
 from sceneweaver.render.camera import Camera
-from sceneweaver.render.eye_camera import EYE_HEIGHT, EYE_VIEWS, eye_cameras
-from sceneweaver.render.first_hits import Triangles
-from sceneweaver.render.room_camera import corner_directions
-from sceneweaver.render.room_probe import DOOR, FLOOR, WALL, Probe
+from sceneweaver.render.probe import DOOR, FLOOR, WALL, Probe
+from sceneweaver.render.tracing import Triangles
+from sceneweaver.render.viewpoints import EYE_HEIGHT, EYE_VIEWS, corner_directions, eye_cameras
 from sceneweaver.scene import Door, InputError, Pose, Room, Scene, Window
 from tests.render.scenes import box, everything, rectangle, room_of, zoo
 

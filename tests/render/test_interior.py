@@ -8,13 +8,12 @@ import shapely
 
 from sceneweaver.assets.body import Material
 from sceneweaver.geometry.shell import WALL_THICKNESS
+from sceneweaver.render.blocks import Builder, finishes_of
 from sceneweaver.render.camera import Camera
-from sceneweaver.render.first_hits import Triangles
 from sceneweaver.render.interior import build_interior
 from sceneweaver.render.interior.fittings import SOCKET, SWITCH, plan_fittings
-from sceneweaver.render.interior.mouldings import Plane, moulding, plate, rectangle
-from sceneweaver.render.room_blocks import Builder
-from sceneweaver.render.room_finish import finishes_of
+from sceneweaver.render.mouldings import Plane, moulding, plate, rectangle
+from sceneweaver.render.tracing import Triangles
 from sceneweaver.scene import Door, Room, Scene, Window
 from tests.render.scenes import box, everything, room_of, zoo
 from tests.render.scenes import rectangle as room_outline

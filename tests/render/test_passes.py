@@ -10,18 +10,16 @@ from PIL import Image
 
 from sceneweaver.assets import make
 from sceneweaver.render import Quality
-from sceneweaver.render.camera import Camera
-from sceneweaver.render.eye_camera import EYE_VIEWS
-from sceneweaver.render.intrinsics import Shot, shot_from
+from sceneweaver.render.camera import Camera, Shot, shot_from
 from sceneweaver.render.pass_files import read_shots, write_passes
-from sceneweaver.render.passes import ARRAYS, PASSES, PassRenderer, auto_shots
-from sceneweaver.render.room_inside import Inside
-from sceneweaver.render.semantics import class_named, class_names
+from sceneweaver.render.passes import ARRAYS, PASSES, PassRenderer, auto_shots, class_named, class_names
+from sceneweaver.render.viewpoints import EYE_VIEWS
+from sceneweaver.render.views import Inside
 from sceneweaver.scene import Door, InputError, MissingDependencyError, Pose, Room, Scene, Window
 from tests.render.scenes import box, rectangle, room_of
 from tests.render.test_eye_camera import brute_force
 
-QUICK = Quality(rays=1, shades=1, radius=1)
+QUICK = Quality.draft()
 WIDTH, HEIGHT = 32, 24
 
 
@@ -79,9 +77,9 @@ def test_every_camera_has_all_arrays(frames) -> None:
 
 
 def test_depth_distance_and_ids_are_those_of_a_plain_search(renderer, frames) -> None:
+    from sceneweaver.render.blocks import finishes_of
+    from sceneweaver.render.instances import instances_of
     from sceneweaver.render.interior import build_interior
-    from sceneweaver.render.room_bodies import instances_of
-    from sceneweaver.render.room_finish import finishes_of
 
     scene = furnished()
     cameras = [shot.camera for shot in renderer.shots]

@@ -7,18 +7,15 @@ import pytest
 
 from sceneweaver.assets import Material, make
 from sceneweaver.render import EyeLevel, Quality, draw_room, draw_rooms
-from sceneweaver.render.room_blocks import Builder
-from sceneweaver.render.room_bodies import hidden_with, instances_of
-from sceneweaver.render.room_camera import corner_camera, corner_directions, cut_walls, opposite
-from sceneweaver.render.room_finish import FLOORS, finishes_of
-from sceneweaver.render.room_floor import floor_mesh
-from sceneweaver.render.room_light import corner_light, lamps_of
-from sceneweaver.render.room_shell import STUB, build_shell
-from sceneweaver.render.room_walls import add_wall_finish
+from sceneweaver.render.blocks import FLOORS, Builder, finishes_of
+from sceneweaver.render.instances import hidden_with, instances_of
+from sceneweaver.render.shell import STUB, add_wall_finish, build_shell, floor_mesh
+from sceneweaver.render.viewpoints import corner_camera, corner_directions, cut_walls, opposite
+from sceneweaver.render.views import corner_light, glows_of
 from sceneweaver.scene import Door, InputError, Pose, Room, RoomFinish, Scene, Window
 from tests.render.scenes import ZOO, box, everything, room_of
 
-QUICK = Quality(rays=1, shades=1, radius=1)
+QUICK = Quality(rays=1, levels=1, windows=1, lamps=1, bounces=1)
 L_ROOM = ((0.0, 0.0), (5.0, 0.0), (5.0, 2.0), (2.0, 2.0), (2.0, 4.0), (0.0, 4.0))
 
 
@@ -144,7 +141,7 @@ def test_doors_stand_ajar_from_the_hinge_that_their_swing_names(swing, hinge: fl
 @pytest.mark.parametrize("kind", FLOORS)
 def test_floors_cover_their_plan_and_no_more(kind: str) -> None:
     plan = np.array(L_ROOM)
-    mesh = floor_mesh(kind, Material("floor", (0.5, 0.5, 0.5)), plan, plan)
+    mesh = floor_mesh(Material(kind, (0.5, 0.5, 0.5)), plan)
     corners = mesh.vertices[mesh.faces]
     lid = np.abs(corners[:, :, 2]).max(axis=1) < 1e-9
     a, b, c = (corners[lid, k, :2] for k in range(3))
@@ -195,7 +192,7 @@ def test_what_is_on_a_wall_is_thin_and_leaves_its_openings_free(finish, thick: f
     mesh = builder.mesh()
     assert mesh is not None and plain.mesh() is None
     along, deep = room.walls[1].coordinates(mesh.vertices[:, :2].T)
-    assert deep.min() >= -1e-6 and deep.max() <= thick
+    assert deep.min() >= -1e-6 and deep.max() <= thick + 1e-9
     assert along.min() > -1e-6 and along.max() < room.walls[1].length + 1e-6
     corners = np.stack([along, mesh.vertices[:, 2]], axis=1)[mesh.faces]
     middle = corners.mean(axis=1)
@@ -244,16 +241,16 @@ def test_sun_comes_in_by_the_window() -> None:
     way = corner_directions(scene)[0]
     light = corner_light(scene.room, way, cut_walls(scene, way), [])
     # The window is in the wall at x = 0, whose outside is -x.
-    assert light.beam[0] < 0 < light.beam[2] and light.shutters is not None
+    assert light.beam[0] < 0 < light.beam[2] and light.portals
     bare = scene.room.model_copy(update={"windows": ()})
-    assert corner_light(bare, way, set(), []).shutters is None
+    assert corner_light(bare, way, set(), []).portals == ()
 
 
 def test_lamps_are_found_where_they_glow() -> None:
     lamp = make("floor_lamp", seed=1)
     desk = make("desk", seed=1)
     scene = room_of(desk.object("d", pose=Pose.from_yaw(1, 1, 0, 0)), lamp.object("l", pose=Pose.from_yaw(3, 2, 0, 0)))
-    found = lamps_of(instances_of(scene, lambda name: lamp if "lamp" in name else desk))
+    found = glows_of(instances_of(scene, lambda name: lamp if "lamp" in name else desk))
     assert len(found) == 1
     assert found[0][:2] == pytest.approx((3, 2), abs=0.3) and found[0][2] > 0.8
 
@@ -267,11 +264,3 @@ def test_notes_grow_the_picture_by_edge_and_key() -> None:
     red = (pixels[..., 0] > 170) & (pixels[..., 1] < 90) & (pixels[..., 2] < 90)
     green = (pixels[..., 1] > 120) & (pixels[..., 0] < 90) & (pixels[..., 2] < 110)
     assert red.sum() > 10 and green.sum() > 10
-
-
-def test_sparing_rays_changes_next_to_nothing() -> None:
-    scene = furnished()
-    full = draw_room(scene, load, "corner", 160, 120, Quality(rays=4, shades=2, radius=3))
-    some = draw_room(scene, load, "corner", 160, 120, Quality(rays=4, shades=2, radius=3, sparing=True))
-    difference = np.abs(np.asarray(full, dtype=float) - np.asarray(some, dtype=float))
-    assert difference.mean() < 3.0 and np.quantile(difference, 0.99) < 30

@@ -11,7 +11,8 @@ from sceneweaver.geometry.polygons import signed_area
 from sceneweaver.geometry.shell import WALL_THICKNESS
 from sceneweaver.render import palette, shapes, symbols
 from sceneweaver.render.canvas import Canvas
-from sceneweaver.render.view import View, content, step_for
+from sceneweaver.render.shapes import View, content, step_for
+from sceneweaver.render.words import tables
 from sceneweaver.scene import Pose, Room, Support, Surface
 from tests.render.scenes import box, everything, rectangle, room_of
 
@@ -104,7 +105,7 @@ def test_text_reads_on_every_colour():
     assert palette.ink_on((20, 20, 20)) == palette.PAPER and palette.ink_on((230, 230, 220)) == palette.INK
 
 
-@pytest.mark.parametrize("category", sorted(symbols._SYMBOLS))
+@pytest.mark.parametrize("category", sorted({words.split()[0] for words in tables()["symbols"].values()}))
 @pytest.mark.parametrize("size", [(0.2, 0.2), (0.6, 1.8), (2.1, 1.6)])
 def test_symbols_stay_inside_their_box(category, size):
     depth, width = size

@@ -12,8 +12,8 @@ from sceneweaver.assets import textures
 from sceneweaver.assets.body import Material, Mesh
 from sceneweaver.assets.shapes import box
 from sceneweaver.render.camera import Camera
-from sceneweaver.render.caster import Instance
-from sceneweaver.render.tracing import Lights, Portal, TraceQuality, Tracer, interior_lights, trace
+from sceneweaver.render.instances import Instance
+from sceneweaver.render.tracing import Lights, Portal, Quality, Tracer, interior_lights, trace
 from sceneweaver.render.tracing.lights import emission_of
 from sceneweaver.scene import InputError, Room, Scene
 
@@ -21,7 +21,7 @@ DARK = {"sun_color": (0, 0, 0), "zenith": (0, 0, 0), "horizon": (0, 0, 0), "grou
 EVEN = {**DARK, "zenith": (1, 1, 1), "horizon": (1, 1, 1), "ground": (1, 1, 1)}
 GREY = Material("grey", (0.735, 0.735, 0.735), roughness=1.0)  # 0.5 in linear light
 BLACK = Material("black", (0, 0, 0), roughness=1.0)
-SHARP = TraceQuality(windows=24, lamps=24, bounces=24, levels=0, rays=1)
+SHARP = Quality(windows=24, lamps=24, bounces=24, levels=0, rays=1)
 
 
 def _mesh(shape, material: Material) -> Mesh:
@@ -132,7 +132,7 @@ def test_first_surfaces_are_those_of_rays_by_hand() -> None:
     things = [_at(_mesh(box((-0.4, 0.4), (-0.3, 0.3), (0, 0.6)), GREY), *rng.uniform(-1.2, 1.2, 2)) for _ in range(5)]
     things.append(_at(_quad((-3, -3), (3, 3), 0.0, GREY)))
     camera = Camera.look_at((2.5, -2.0, 1.6), (0, 0, 0.2), fov=0.8, aspect=1.5)
-    seen = trace(things, camera, 48, 32, quality=TraceQuality.draft())
+    seen = trace(things, camera, 48, 32, quality=Quality.draft())
     eye, forward, right, up = (np.asarray(getattr(camera, k)) for k in ("eye", "forward", "right", "up"))
     hits = 0
     for row, column in rng.integers((32, 48), size=(60, 2)):
@@ -170,7 +170,7 @@ def test_maps_have_their_real_size(monkeypatch) -> None:
     uv = floor.vertices[floor.faces][..., :2].astype(np.float32)
     floor = Mesh(floor.vertices, floor.faces, floor.face_material, floor.face_link, floor.materials, uv)
     camera = Camera.orthographic((1, 1, 3), (1, 1, 0), 2.0)
-    albedo = trace([_at(floor)], camera, 64, 64, quality=TraceQuality.draft()).albedo[..., 0]
+    albedo = trace([_at(floor)], camera, 64, 64, quality=Quality.draft()).albedo[..., 0]
     columns = (np.arange(64) + 0.5) / 32 % 0.5 < 0.25
     sure = np.abs((np.arange(64) + 0.5) / 32 % 0.25 - 0.125) < 0.09
     assert (albedo[:, columns & sure] > 0.3).all() and (albedo[:, ~columns & sure] < 0.05).all()
@@ -218,7 +218,7 @@ def test_lights_and_quality_are_checked() -> None:
     with pytest.raises(InputError, match=r"lights\.zenith"):
         Lights(zenith=(-1, 0, 0))
     with pytest.raises(InputError, match=r"quality\.bounces"):
-        TraceQuality(bounces=0)
+        Quality(bounces=0)
 
 
 def test_a_picture_is_given_up_at_its_deadline() -> None:

@@ -7,6 +7,7 @@ import math
 import pytest
 
 from sceneweaver.assets import Library, categories, make
+from sceneweaver.generate.wall_plan import AROUND, CORNER, FRAME, MARGIN, PASSED, UNDER, Outlines, extent, free_runs
 from sceneweaver.geometry.angles import dot
 from sceneweaver.knowledge import room_type, room_types
 from sceneweaver.knowledge.wall_things import most_on_walls, wall_things
@@ -15,7 +16,6 @@ from sceneweaver.scene import Door, InputError, Pose, Room, Scene, Window
 from sceneweaver.scene.edits import apply_all
 from sceneweaver.tools.add_wall_objects import BARE, OVER, AddWallObjects
 from sceneweaver.tools.base import Context
-from sceneweaver.tools.wall_plan import AROUND, CORNER, FRAME, MARGIN, PASSED, UNDER, Outlines, extent, free_runs
 from sceneweaver.verify import check
 
 LIBRARY = Library()

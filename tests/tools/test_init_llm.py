@@ -11,6 +11,7 @@ from sceneweaver.agent.executor import Executor
 from sceneweaver.agent.loop import empty_scene
 from sceneweaver.agent.settings import Settings
 from sceneweaver.assets import categories
+from sceneweaver.generate.room_rules import check_room, missing
 from sceneweaver.knowledge import room_type
 from sceneweaver.language import read_request
 from sceneweaver.llm import ModelClient
@@ -19,7 +20,6 @@ from sceneweaver.tools.base import Context
 from sceneweaver.tools.init_llm import programme, vocabulary
 from sceneweaver.tools.registry import tool
 from sceneweaver.tools.room_reply import ProgrammeReply
-from sceneweaver.tools.room_rules import check_room, missing
 from tests.agent.by_model.scripted import Script
 from tests.tools.programmes import PROGRAMME, changed, item, place
 

@@ -9,13 +9,13 @@ import pytest
 import shapely
 
 from sceneweaver.assets import Library, categories
+from sceneweaver.generate.supports import FULL
 from sceneweaver.knowledge import RoomType, room_type, room_types
 from sceneweaver.language import SceneGraph, read_request
 from sceneweaver.scene import Scene
 from sceneweaver.tools.add_objects import AT_WINDOWS
 from sceneweaver.tools.base import Context, Proposal
 from sceneweaver.tools.init_prior import InitPrior
-from sceneweaver.tools.prior_supports import FULL
 
 Prior = Callable[..., tuple[Scene, Proposal]]
 

@@ -8,9 +8,9 @@ import pytest
 
 import sceneweaver as sw
 from sceneweaver.assets import categories, make
+from sceneweaver.generate.carry import carried, follow, local, move, world
 from sceneweaver.scene import InputError, Pose, Relation, Scene, Support
 from sceneweaver.scene.edits import SetPose, apply_all
-from sceneweaver.tools.carry import carried, follow, local, move, world
 
 
 def after(scene, proposal):

@@ -9,13 +9,13 @@ import pytest
 import shapely
 
 from sceneweaver.assets import categories, make
+from sceneweaver.generate.surface_field import Field, Piece, Prism, Shape
 from sceneweaver.knowledge import room_types
 from sceneweaver.knowledge.surfaces import arrangement_of, arrangements, crowd_of
 from sceneweaver.language import SceneGraph, read_request
 from sceneweaver.scene import InputError, Intent, Pose, Scene, SceneObject, Support, Window
 from sceneweaver.tools.add_tabletop import AddTabletop
 from sceneweaver.tools.base import Context
-from sceneweaver.tools.surface_geometry import Field, Prism, Shape
 
 from .surface_rooms import KIND, LIBRARY, after, answer, carrier, faults, laid, room, standing
 
@@ -203,7 +203,7 @@ def test_field_of_any_simple_polygon() -> None:
     field = Field(ell, headroom=0.5)
     at = np.array([(0.2, 0.2), (0.8, 0.2), (0.2, 0.8), (0.8, 0.8), (0.45, 0.45), (0.05, 0.2)])
     assert field.free(shape, 0.0, at).tolist() == [True, True, True, False, False, False]
-    field.put(shape, 0.0, (0.2, 0.2))
+    field.put(Piece(shape), (0.2, 0.2))
     assert not field.free(shape, 0.3, np.array([(0.3, 0.2)]))[0]
     assert not Field(ell, headroom=0.1).free(shape, 0.0, at).any()
 
@@ -215,7 +215,7 @@ def test_many_places_at_once_are_as_one_by_one() -> None:
     shape = Shape((Prism(corners[0], 0.0, 0.1), Prism(corners[1] + 0.05, 0.0, 0.2)), (0.2, 0.2, 0.2))
     field = Field(outline, headroom=0.5, edge=0.01)
     for ring in corners[2:]:
-        field.put(Shape((Prism(ring, 0.0, 0.15),), (0.1, 0.1, 0.15)), 0.0, rng.uniform((0, 0), (1.2, 0.9)))
+        field.put(Piece(Shape((Prism(ring, 0.0, 0.15),), (0.1, 0.1, 0.15))), rng.uniform((0, 0), (1.2, 0.9)))
     at, yaw, gap = rng.uniform((0, 0), (1.2, 0.9), (400, 2)), 0.4, 0.006
     inner = shapely.Polygon(outline).buffer(-0.01, join_style="mitre")
     there = [shapely.Polygon(p.polygon) for p in field.taken]

@@ -8,12 +8,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from sceneweaver.assets import categories, resolve
+from sceneweaver.generate.draft import groups_of
+from sceneweaver.generate.program import named_kinds
 from sceneweaver.language import SceneGraph
 from sceneweaver.scene import CATALOGUE, InputError, Relation, Scene
 from sceneweaver.scene.messages import shorten, show, suggest
 from sceneweaver.tools.add_relation import clash
-from sceneweaver.tools.draft import groups_of
-from sceneweaver.tools.prior_program import named_kinds
 
 LONGEST_TEXT = 200
 """Characters that a text of inputs may have."""

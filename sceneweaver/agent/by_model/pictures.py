@@ -45,7 +45,7 @@ def top_picture(scene: Scene, load: Load | None = None, *, device: str = "cpu") 
         device: where it is drawn.
     """
     from sceneweaver.render import Quality, draw_top
-    from sceneweaver.render.room_view import draw_marked
+    from sceneweaver.render.views import draw_marked
 
     try:
         image = draw_marked(scene, load, SIDE, most=MARKED, text=_TEXT, quality=Quality.draft(), device=device)

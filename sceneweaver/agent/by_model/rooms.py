@@ -12,6 +12,7 @@ from sceneweaver.agent.loop import empty_scene
 from sceneweaver.agent.settings import Settings
 from sceneweaver.assets import Library
 from sceneweaver.assets.sources.parametric import ParametricSource
+from sceneweaver.generate.room_rules import check_room
 from sceneweaver.knowledge import RoomType, match_room, room_type
 from sceneweaver.knowledge.learned import keep_room, know, named_in, room_file, rooms_apart, rooms_of
 from sceneweaver.knowledge.load import room_words
@@ -24,7 +25,6 @@ from sceneweaver.scene.messages import shorten
 from sceneweaver.tools.base import Context
 from sceneweaver.tools.init_llm import compact, drawn, instructions, vocabulary
 from sceneweaver.tools.room_reply import RoomReply, kind_data
-from sceneweaver.tools.room_rules import check_room
 
 from .scene_text import prompt
 
@@ -121,7 +121,7 @@ def check_example(room: RoomType) -> None:
     if proposal.unmet:
         raise InputError(f"the room cannot be drawn in full: {'; '.join(proposal.unmet[:PROBLEMS])}")
     try:
-        outcome = Executor(room, brief, TRIAL).run(empty, proposal, seed=0)
+        outcome = Executor(room, brief, TRIAL, context.library).run(empty, proposal, seed=0)
     except SceneWeaverError:
         raise
     except Exception as error:  # anything may stand in what a model wrote

@@ -20,6 +20,7 @@ from sceneweaver.agent.result import ModelUse
 from sceneweaver.agent.roles import Roles
 from sceneweaver.agent.transcript import NAME, transcript
 from sceneweaver.language import SceneGraph, read_request
+from sceneweaver.language.by_model.reader import read_by_model
 from sceneweaver.layout.devices import pick_devices
 from sceneweaver.llm import ModelClient, ModelError
 from sceneweaver.llm.opening import records_of
@@ -31,7 +32,6 @@ from .asking import Asking
 from .critic import look
 from .inputs import filled, try_out
 from .planner import ModelPlanner
-from .reader import read_by_model
 from .rooms import learned_room, rooms_of_run
 
 UNKNOWN = "is no kind of room that is known"

@@ -56,7 +56,7 @@ def uneven_angles(_: Survey, table: Body, seats: Sequence[Body]) -> float:
 
 @measure
 def uneven_sides(_: Survey, table: Body, seats: Sequence[Body], enough: float) -> float:
-    """How far [m] the seats of two opposite sides are off each other or the middle: of the first two beyond ``enough``."""
+    """How far [m] the seats of two opposite sides are off each other or the middle, of the first beyond ``enough``."""
     sides, shift = _sides(table, seats), 0.0
     for one, other in (("front", "back"), ("left", "right")):
         a, b = sorted(sides[one]), sorted(sides[other])
@@ -196,7 +196,9 @@ def _row(bodies: list[Body], offset: float, gap: float) -> list[Body]:
     """The most of some machines that face one way which stand side by side without a wide gap."""
     best: list[Body] = []
     for first in bodies:
-        spots = sorted((first.local(b.centre)[1], b.index, b) for b in bodies if abs(first.local(b.centre)[0]) <= offset)
+        spots = sorted(
+            (first.local(b.centre)[1], b.index, b) for b in bodies if abs(first.local(b.centre)[0]) <= offset
+        )
         row: list[Body] = []
         for aside, _, body in spots:
             if row and aside - first.local(row[-1].centre)[1] > body.size[1] + gap:

@@ -1,27 +1,31 @@
-"""What a check of a data set finds: faults, counted by kind, and numbers that add up."""
+"""What a check of a data set finds: faults, counted by kind, numbers that add up, and a page about both."""
 
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, Literal, get_args
+from typing import Any
 
-Check = Literal[
-    "checksum",
-    "index",
-    "shard",
-    "content",
-    "split",
-    "licence",
-    "asset",
-    "judge",
-    "record",
-    "gate",
-    "export",
-    "compile",
-    "stability",
-]
-CHECKS: tuple[str, ...] = get_args(Check)
+from sceneweaver.scene import Scene
+from sceneweaver.verify import Report
+
+CHECKS = {
+    "checksum": "shards, tables and assets have the SHA-256 that is listed",
+    "index": "rows are complete, in order, and have reasons where nothing was delivered",
+    "shard": "every delivered scene lies in its shard once, and nothing else does",
+    "content": "the files of each scene have the hash and size of its row",
+    "split": "no room, content or group of near-duplicates is in two splits",
+    "licence": "the licence of every asset is known, and named by the scenes that have it",
+    "asset": "every file that a GLB or MJCF names is in the store",
+    "judge": "the judge finds every scene valid: nothing collides, leaves the room, floats or breaks a relation",
+    "record": "what index and metrics.json record is what is measured",
+    "gate": "every delivered scene passes the gates of the specification",
+    "export": "objects stand in GLB and MJCF where scene.json has them",
+    "compile": "MuJoCo compiles the sample of MJCF files",
+    "stability": "nothing diverges, or moves farther than a gate allows",
+}
+"""The checks, with what holds where they find nothing."""
 
 KEPT = 10
 """How many faults of each kind are kept, those of the first keys."""
@@ -38,7 +42,7 @@ class Fault:
     """
 
     key: str
-    check: Check
+    check: str
     detail: str
 
 
@@ -60,13 +64,25 @@ class Findings:
     shifts: Counter[str] = field(default_factory=Counter)
     unsteady: list[tuple[float, str, str]] = field(default_factory=list)
 
-    def fault(self, check: Check, key: str, detail: str) -> None:
+    def fault(self, check: str, key: str, detail: str) -> None:
         """Note a fault."""
         self.faults[check] += 1
         kept = self.first.setdefault(check, [])
         kept.append(Fault(key, check, detail))
         if len(kept) > 2 * KEPT:
             self.first[check] = sorted(kept)[:KEPT]
+
+    def judged(self, key: str, scene: Scene, report: Report) -> None:
+        """Note what the judge says of a scene."""
+        for name, count in (
+            ("objects", len(scene.objects)),
+            ("collisions", report.collisions),
+            ("out of bounds", report.out_of_bounds),
+        ):
+            self.counts[name] += count
+        if not report.valid:
+            worst = next(v for v in report.violations if v.hard)
+            self.fault("judge", key, f"is not valid: {worst.kind}: {worst.detail}")
 
     def moved(self, key: str, shifts: dict[str, float]) -> None:
         """Note how far [m] the free things of a scene moved."""
@@ -99,3 +115,41 @@ class Findings:
             "mean_shift_m": 1e-6 * self.shifts["micrometres"] / count,
             "farthest": [{"key": key, "object": name, "shift_m": far} for far, key, name in self.unsteady],
         }
+
+
+def markdown(data: Mapping[str, Any]) -> str:
+    """The page."""
+    counts, faults = data["counts"], data["faults"]
+    verdict = "All holds." if data["ok"] else "Not all holds."
+    lines = [
+        f"# Verification of {data['name']}",
+        "",
+        f"{verdict} Everything below was measured from the files alone, with sceneweaver {data['version']}.",
+        "",
+        "| measured | |",
+        "| --- | ---: |",
+        *(f"| {name} | {value:,} |" for name, value in counts.items()),
+        "",
+        "| check | faults | what holds |",
+        "| --- | ---: | --- |",
+        *(f"| {check} | {faults.get(check, 0)} | {meaning} |" for check, meaning in CHECKS.items()),
+    ]
+    if (moved := data["stability"]) is not None:
+        lines += [
+            "",
+            f"{moved['scenes']} scenes were let loose in MuJoCo for 3 s. Of {moved['things']:,} things that may move "
+            f"{100 * moved['moved_over_0_01m']:.2f} % moved over 1 cm and {100 * moved['moved_over_0_1m']:.2f} % "
+            f"over 10 cm; the mean shift is {1e3 * moved['mean_shift_m']:.2f} mm.",
+        ]
+        if moved["farthest"]:
+            lines += ["", "| scene | thing | shift [m] |", "| --- | --- | ---: |"]
+            lines += [f"| {row['key']} | {row['object']} | {row['shift_m']:.3f} |" for row in moved["farthest"]]
+    if data["first"]:
+        lines += ["", "## First faults", "", "| key | check | what |", "| --- | --- | --- |"]
+        lines += [f"| {f['key']} | {f['check']} | {_cell(f['detail'])} |" for f in data["first"]]
+    return "\n".join(lines) + "\n"
+
+
+def _cell(text: str) -> str:
+    """A text as a cell of a table."""
+    return text.replace("|", "/")

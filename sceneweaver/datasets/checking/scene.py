@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 import math
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -16,12 +15,10 @@ from sceneweaver.physics.mjcf_file import simulate
 from sceneweaver.scene import InputError, Scene
 from sceneweaver.verify import Report, check
 
+from ..samples import report_columns, scene_columns
+from ..store.scene_files import SUFFIXES
 from . import exports
 from .findings import Findings
-from .twins import twin_faults, twin_names
-
-SUFFIXES = {"glb": "glb", "mjcf": "xml", "usd": "usdc"}
-"""The file of a scene in which an export is."""
 
 _COUNTS = ("valid", "collisions", "out_of_bounds", "unsupported", "blocked_zones", "blocked_openings")
 _CLOSE = {"area": 0.01, "walkable_share": 1e-3, "relations_satisfied": 1e-6}
@@ -56,15 +53,9 @@ class Judge:
         except InputError as error:
             return found.fault("judge", key, f"scene.json: {error}")
         report = check(scene)
-        if not report.valid:
-            worst = next(v for v in report.violations if v.hard)
-            found.fault("judge", key, f"is not valid: {worst.kind}: {worst.detail}")
-        found.counts["collisions"] += report.collisions
-        found.counts["out of bounds"] += report.out_of_bounds
-        found.counts["objects"] += len(scene.objects)
-        for line in (*differences(row, scene, report), *_metrics(files.get("metrics.json"), report)):
-            found.fault("record", key, line)
-        for line in twin_faults(scene, files):
+        found.judged(key, scene, report)
+        recorded = (*differences(row, scene, report), *_metrics(files.get("metrics.json"), report))
+        for line in (*recorded, *twin_faults(scene, files)):
             found.fault("record", key, line)
         found.counts["twins"] += len(twin_names(files))
         for name in self.formats:
@@ -135,42 +126,21 @@ class Judge:
             found.fault("asset", row["key"], f"{suffix} names {min(more)}, which the index does not list")
 
 
-def content_of(files: Mapping[str, bytes]) -> tuple[str, int]:
-    """Content hash and bytes of the files of a scene, as its row has them."""
-    digest, size = hashlib.sha256(), 0
-    for suffix in sorted(files):
-        digest.update(f"{suffix}:{len(files[suffix])}\n".encode() + files[suffix])
-        size += len(files[suffix])
-    return digest.hexdigest(), size
-
-
 def differences(row: Mapping[str, Any], scene: Scene, report: Report) -> list[str]:
     """Lines about columns of a row that are not what the scene is. Columns that are null say nothing."""
-    hard, soft = report.relations.hard, report.relations.soft
-    total = hard.total + soft.total
-    measured = {
-        "prompt": scene.prompt,
-        "room_type": scene.room.type,
-        "area": signed_area(scene.room.outline),
-        "wall_count": len(scene.room.outline),
-        "object_count": len(scene.objects),
-        "relation_count": len(scene.relations),
-        "valid": report.valid,
-        "collisions": report.collisions,
-        "out_of_bounds": report.out_of_bounds,
-        "relations_satisfied": (hard.satisfied + soft.satisfied) / total if total else 1.0,
-        "walkable_share": report.walkable_share,
-    }
+    measured = {"prompt": scene.prompt, "area": signed_area(scene.room.outline)}
     lines = []
-    for name, value in measured.items():
+    for name, value in (measured | scene_columns(scene) | report_columns(report)).items():
         said = row.get(name)
         if said is None or value is None:
+            continue
+        if name == "categories":
+            if set(said) != set(value):
+                lines.append("its categories are not those of the index")
             continue
         close = math.isclose(said, value, rel_tol=1e-6, abs_tol=_CLOSE[name]) if name in _CLOSE else said == value
         if not close:
             lines.append(f"{name} is {value!r}; the index says {said!r}")
-    if row.get("categories") is not None and set(row["categories"]) != {obj.category for obj in scene.objects}:
-        lines.append("its categories are not those of the index")
     return lines
 
 
@@ -187,3 +157,36 @@ def _metrics(content: bytes | None, report: Report) -> list[str]:
         ]
     except (ValueError, TypeError) as error:
         return [f"metrics.json: {error}"]
+
+
+SCENE, DIFFERENCE = ".scene.json", ".difference.json"
+
+_MEASURED = ("valid", "collisions", "out_of_bounds")
+
+
+def twin_names(files: Mapping[str, bytes]) -> list[str]:
+    """The names of the twins among the files of a scene, by suffix: twin-0, twin-1 ..."""
+    return sorted({suffix.partition(".")[0] for suffix in files if suffix.startswith("twin-")})
+
+
+def twin_faults(scene: Scene, files: Mapping[str, bytes]) -> Iterator[str]:
+    """Lines about twins that are not what is stated of them."""
+    for name in twin_names(files):
+        try:
+            twin = Scene.loads(files[name + SCENE])
+            stated = json.loads(files[name + DIFFERENCE])
+            changed, report = {stated["object"], *stated["carried"]}, check(twin, walkable=False)
+            for key in _MEASURED:
+                said, measured = stated["measured"][key][1], getattr(report, key)
+                if said != measured:
+                    yield f"{name}: {key} is {measured!r}; its difference says {said!r}"
+        except (InputError, ValueError, TypeError, LookupError) as error:
+            yield f"{name}: {type(error).__name__}: {error}"
+            continue
+        old, new = ({obj.id: obj for obj in one.objects} for one in (scene, twin))
+        differ = {i for i in old.keys() | new.keys() if old.get(i) != new.get(i)}
+        if differ - changed or twin.room != scene.room:
+            more = ", ".join(sorted(differ - changed)) or "the room"
+            yield f"{name}: {more} differs as well, which is not stated"
+        if stated["object"] not in differ and twin.relations == scene.relations:
+            yield f"{name}: nothing differs"

@@ -2,22 +2,28 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
-from collections.abc import Iterable, Iterator, Mapping
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
-from ..columns import arrow, index_schema
+import numpy as np
+
+from sceneweaver.scene import Scene
+from sceneweaver.verify import check
+
+from ..digests import TIMES, read_checksums, sha256
 from ..folder import Folder
-from ..reading import INDEX, Span
+from ..gates import failures
+from ..layouts.read import posed
+from ..reading import Span
 from ..spec import Spec
 from ..statistics import statistics
-from ..store.content import DIGITS
+from ..store import DIGITS
+from ..tables import arrow, read_schema, read_table, schema_of
 from .findings import Findings
-
-UNCHECKED = {"meta/seconds.parquet"}
-"""Files that need no line in the list of checksums: no two runs agree on them."""
 
 _NEEDED = ("index", "key", "status", "reason", "split", "shard", "room", "content_hash", "bytes")
 
@@ -67,7 +73,7 @@ def check_rows(
                 found.fault("split", key, f"{column} {row[column]} is in {first} and in {row['split']}")
     found.counts["rows"] += count
     if count != spec.count:
-        found.fault("index", INDEX, f"has {count} rows; the specification asks for {spec.count}")
+        found.fault("index", "index.parquet", f"has {count} rows; the specification asks for {spec.count}")
 
 
 def _undelivered(row: Mapping[str, Any]) -> Iterator[str]:
@@ -83,10 +89,16 @@ def _delivered(row: Mapping[str, Any], spec: Spec) -> Iterator[str]:
     for column in ("split", "shard", "content_hash", "bytes"):
         if row.get(column) is None:
             yield f"has no {column}"
-    if row.get("split") is not None and row["split"] not in spec.splits:
-        yield f"is in split {row['split']!r}, which the specification does not have"
-    if row.get("shard") and not Path(row["shard"]).name.startswith(f"{row.get('split')}-"):
-        yield f"is in split {row.get('split')!r}, and lies in {row['shard']}"
+    yield from _split_faults(row.get("split"), [row["shard"]] if row.get("shard") else [], spec)
+
+
+def _split_faults(split: str | None, shards: Iterable[str], spec: Spec) -> Iterator[str]:
+    """Lines about a split that there is not, and shards of another one."""
+    if split is not None and split not in spec.splits:
+        yield f"is in split {split!r}, which the specification does not have"
+    for shard in shards:
+        if not Path(shard).name.startswith(f"{split}-"):
+            yield f"is in split {split!r}, and lies in {shard}"
 
 
 def _licences(row: Mapping[str, Any], licences: Mapping[str, str] | None) -> Iterator[str]:
@@ -105,37 +117,28 @@ def asset_licences(folder: Folder) -> dict[str, str] | None:
     """The licence of each asset by the table of assets; None where there is no such table."""
     if not folder.asset_table.is_file():
         return None
-    table = arrow().parquet.read_table(folder.asset_table, columns=["asset", "licence"])
-    return dict(zip(table["asset"].to_pylist(), table["licence"].to_pylist(), strict=True))
+    return {row["asset"]: row["licence"] for row in read_table(folder.asset_table, ["asset", "licence"])}
 
 
 def gates_failed(row: Mapping[str, Any], spec: Spec) -> Iterator[str]:
     """Lines about gates of a specification that a delivered row does not pass."""
-    for name, passed in (row.get("gates") or {}).items():
-        if passed is False:
+    for name, through in (row.get("gates") or {}).items():
+        if through is False:
             yield f"is delivered, but gate {name} failed"
-    gates = spec.gates
-    if row.get("grade") is not None and row["grade"] < gates.grade - 1e-9:
-        yield f"has grade {row['grade']:.2f}; at least {gates.grade:g} is asked"
-    if gates.unmet is not None and len(row.get("unmet") or ()) > gates.unmet:
-        yield f"leaves {len(row['unmet'])} wishes unmet; {gates.unmet} are allowed"
-    if row.get("openable_share") is not None and row["openable_share"] < gates.openable - 1e-9:
-        yield f"has {row['openable_share']:.2f} of its doors and drawers open; at least {gates.openable:g} is asked"
-    if row.get("walkable_share") is not None and row["walkable_share"] < gates.walkable - 1e-9:
-        yield f"has {row['walkable_share']:.2f} of its floor within reach; at least {gates.walkable:g} is asked"
+    yield from failures(spec.gates, row.get)
 
 
 def check_schema(folder: Folder, found: Findings) -> None:
     """The types of the columns of the index. Only those that all else needs have to be there: versions add some."""
-    there = {field.name: field.type for field in arrow().parquet.read_schema(folder.index)}
-    for field in index_schema():
+    there = {field.name: field.type for field in read_schema(folder.index)}
+    for field in schema_of("index"):
         if there.get(field.name, None if field.name in _NEEDED else field.type) != field.type:
-            found.fault("index", INDEX, f"column {field.name} is {there.get(field.name)}, not {field.type}")
+            found.fault("index", folder.index.name, f"column {field.name} is {there.get(field.name)}, not {field.type}")
 
 
 def check_statistics(folder: Folder, rows: Iterable[Mapping[str, Any]], found: Findings) -> None:
     """Whether the statistics are those of the rows."""
-    path = folder.meta / "statistics.json"
+    path = folder.statistics
     name = path.relative_to(folder.path).as_posix()
     try:
         said = json.loads(path.read_bytes())
@@ -172,18 +175,15 @@ def check_spans(spans: Iterable[Span], shards: Mapping[str, str], found: Finding
 
 def checksums(folder: Folder, found: Findings) -> list[tuple[Path, str]]:
     """The files in the list of checksums with their SHA-256; files of ``data/`` and ``meta/`` must be in it."""
-    path = folder.path / "checksums.sha256"
+    path = folder.checksums
     if not path.is_file():
         found.fault("checksum", path.name, "is not there")
         return []
-    listed = {}
-    for line in path.read_text(encoding="utf-8").splitlines():
-        digest, _, name = line.partition(" ")
-        listed[name.lstrip(" *").removeprefix("./")] = digest
+    listed = read_checksums(folder)
     for part in (folder.data, folder.meta):
         for file in sorted(part.rglob("*")):
             name = file.relative_to(folder.path).as_posix()
-            if file.is_file() and name not in listed and name not in UNCHECKED:
+            if file.is_file() and name not in listed and name != TIMES:
                 found.fault("checksum", name, f"is not in {path.name}")
     for name, digest in listed.items():
         if (stem := _store_name(name)) and not digest.startswith(stem):
@@ -207,11 +207,110 @@ def _store_name(name: str) -> str:
     return stem if name.startswith("assets/") and len(stem) == DIGITS else ""
 
 
-def check_digests(root: Path, files: Iterable[tuple[Path, str]], found: Findings) -> None:
+def check_digests(root: Path, files: Iterable[tuple[Path, str]]) -> Findings:
     """Whether the SHA-256 of files begins as it should."""
+    found = Findings()
     for path, expected in files:
         found.counts["files hashed"] += 1
-        with open(path, "rb") as file:
-            digest = hashlib.file_digest(file, "sha256").hexdigest()
+        digest = sha256(path)
         if not expected or not digest.startswith(expected.lower()):
             found.fault("checksum", path.relative_to(root).as_posix(), f"has SHA-256 {digest[:16]}..., not {expected}")
+    return found
+
+
+SAMPLE = 5000
+"""How many layouts are judged unless told otherwise."""
+
+
+def check_layouts(path: Path, row_group: int, rows: Sequence[int], program: int, text: str) -> Findings:
+    """Judge some layouts of a program.
+
+    Args:
+        path: the shard.
+        row_group: its number in the shard.
+        rows: which rows of it.
+        program: number of the program.
+        text: the JSON of its scene.
+    """
+    found, scene = Findings(), Scene.loads(text)
+    table = arrow().parquet.ParquetFile(path).read_row_group(row_group, columns=["program", "layout", "poses"])
+    for row in table.take(rows).to_pylist():
+        key, poses = f"{program}/{row['layout']}", np.array(row["poses"], dtype=np.float32)
+        found.counts["judged"] += 1
+        if row["program"] != program or not np.isfinite(poses[: 4 * len(scene.objects)]).all():
+            found.fault("record", key, "is of another program, or has poses that are no numbers")
+            continue
+        placed = posed(scene, poses)
+        found.judged(key, placed, check(placed, walkable=False))
+    return found
+
+
+def layout_tasks(folder: Folder, spec: Spec, found: Findings, sample: int | None) -> Iterator[Callable[[], Findings]]:
+    """Check the tables of a data set of layouts; what is left are the layouts to judge."""
+    programs = {row["program"]: row for row in read_table(folder.programs)}
+    _check_programs(list(programs.values()), spec, found)
+    shards = sorted(folder.data.glob("*.parquet"))
+    places = [place for shard in shards for place in _row_groups(shard, programs, found)]
+    _check_counts(places, programs, found)
+    total = sum(rows for _, _, _, rows in places)
+    found.counts["layouts"] += total
+    count = min(SAMPLE if sample is None else sample, total)
+    drawn = np.sort(np.random.default_rng(0).choice(total, size=count, replace=False)) if total else np.zeros(0, int)
+    start = 0
+    for path, number, program, rows in places:
+        first, last = np.searchsorted(drawn, [start, start + rows])
+        if last > first and program in programs:
+            chosen = tuple((drawn[first:last] - start).tolist())
+            yield partial(check_layouts, path, number, chosen, program, programs[program]["scene"])
+        start += rows
+
+
+_Place = tuple[Path, int, int, int]  # shard, row group, program, rows
+
+
+def _row_groups(shard: Path, programs: Mapping[int, Mapping[str, Any]], found: Findings) -> Iterator[_Place]:
+    """The row groups of a shard; that each is of one program, whose layouts are distinct."""
+    file = arrow().parquet.ParquetFile(shard)
+    name, seen, last = f"data/{shard.name}", np.zeros(0, dtype=np.int64), None
+    for number in range(file.metadata.num_row_groups):
+        columns = file.read_row_group(number, columns=["program", "signature"])
+        mine = np.unique(columns["program"].to_numpy())
+        program = int(mine[0])
+        if len(mine) != 1 or name not in (programs.get(program) or {"shards": ()})["shards"]:
+            found.fault(
+                "shard", name, f"row group {number} has layouts of programs that are not listed there: {mine[:3]}"
+            )
+        seen = np.concatenate([seen if program == last else seen[:0], columns["signature"].to_numpy()])
+        if len(np.unique(seen)) < len(seen):
+            found.fault("content", str(program), f"has the same layout twice in {name}")
+        last = program
+        yield shard, number, program, columns.num_rows
+
+
+def _check_programs(rows: Sequence[Mapping[str, Any]], spec: Spec, found: Findings) -> None:
+    groups: dict[int, str] = {}
+    found.counts["programs"] += len(rows)
+    for place, row in enumerate(rows):
+        key = str(row["program"])
+        if row["program"] != place:
+            found.fault("index", key, f"is in row {place}")
+        if not row["layouts"]:
+            if not row["reason"]:
+                found.fault("index", key, f"is {row['status']} without a reason")
+            continue
+        found.counts["scenes"] += 1
+        for line in _split_faults(row["split"] or "", row["shards"], spec):
+            found.fault("index", key, line)
+        first = groups.setdefault(row["near_duplicate_group"], row["split"])
+        if first != row["split"]:
+            found.fault("split", key, f"group {row['near_duplicate_group']} is in {first} and in {row['split']}")
+
+
+def _check_counts(places: Sequence[_Place], programs: Mapping[int, Mapping[str, Any]], found: Findings) -> None:
+    counts: Counter[int] = Counter()
+    for _, _, program, rows in places:
+        counts[program] += rows
+    for program, row in programs.items():
+        if counts[program] != row["layouts"]:
+            line = f"has {counts[program]} layouts in its shards; the table says {row['layouts']}"
+            found.fault("shard", str(program), line)

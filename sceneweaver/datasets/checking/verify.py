@@ -5,8 +5,11 @@ from __future__ import annotations
 import json
 import os
 import time
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, wait
+from concurrent.futures.process import BrokenProcessPool
+from dataclasses import asdict, dataclass
+from functools import partial
 from itertools import chain
 from pathlib import Path
 from typing import Any
@@ -14,20 +17,79 @@ from typing import Any
 import numpy as np
 
 import sceneweaver
+from sceneweaver.runtime.processes import pool
 from sceneweaver.scene import InputError, write_atomic
 
-from ..columns import arrow
+from ..digests import content_of
 from ..engines import open_dataset
 from ..folder import Folder
-from ..layouts.pack import PROGRAMS
-from ..reading import Span, packed, rows_of, shards_of, spans_of
+from ..reading import Span, rows_of, scenes_of, shards_of, spans_of
 from ..spec import Spec
+from ..tables import arrow, read_schema
 from . import tables
-from .findings import CHECKS, KEPT, Fault, Findings
-from .layouts import SAMPLE, layout_tasks
-from .pages import markdown
+from .findings import CHECKS, KEPT, Findings, markdown
 from .scene import Judge
-from .tasks import Digests, Scenes, Task, results
+from .tables import SAMPLE, layout_tasks
+
+Task = Callable[[], Findings]
+"""Some work; it can be sent to another process."""
+
+
+def check_scenes(
+    judge: Judge, span: Span, rows: dict[str, dict[str, Any]], judged: frozenset[str], simulated: dict[str, float]
+) -> Findings:
+    """Check some scenes of a shard.
+
+    Args:
+        judge: how they are judged.
+        span: where they lie.
+        rows: their rows, by key; scenes without one are passed over.
+        judged: keys of those that are judged; of the others only the content is hashed.
+        simulated: keys of those that are compiled by MuJoCo, and how long they are let loose [s].
+    """
+    found = Findings()
+    try:
+        for key, files in scenes_of(span):
+            if (row := rows.get(key)) is None:
+                continue
+            if content_of(files) != (row["content_hash"], row["bytes"]):
+                found.fault("content", key, "is not what was delivered: its content hash differs from the index")
+            if key in judged:
+                judge.judge(row, files, found)
+            if key in simulated and "xml" in files:
+                judge.simulate(key, files["xml"], simulated[key], found)
+    except (OSError, EOFError, InputError) as error:
+        found.fault("shard", span.path.name, f"cannot be read: {error}")
+    return found
+
+
+def results(tasks: Iterable[Task], workers: int) -> Iterator[Findings]:
+    """What tasks find, as they end; no more than two a worker wait at a time.
+
+    Raises:
+        InputError: a process was killed, as where memory runs out.
+    """
+    if workers <= 1:
+        yield from (task() for task in tasks)
+        return
+    try:
+        yield from _shared_out(tasks, workers)
+    except BrokenProcessPool:
+        raise InputError("a process that judges was killed; is there memory for so many? use fewer --workers") from None
+
+
+def _shared_out(tasks: Iterable[Task], workers: int) -> Iterator[Findings]:
+    with pool(workers) as processes:
+        waiting: set[Future[Findings]] = set()
+        for task in tasks:
+            waiting.add(processes.submit(task))
+            if len(waiting) >= 2 * workers:
+                done, waiting = wait(waiting, return_when=FIRST_COMPLETED)
+                yield from (future.result() for future in done)
+        while waiting:
+            done, waiting = wait(waiting, return_when=FIRST_COMPLETED)
+            yield from (future.result() for future in done)
+
 
 SCHEMA = "sceneweaver.dataset-verification/1"
 JSON, MARKDOWN = "verification.json", "verification.md"
@@ -109,7 +171,7 @@ def verify_dataset(
     dataset = open_dataset(Path(path))
     folder, spec, found = dataset.folder, dataset.spec, Findings()
     layouts = spec.product == "layouts"
-    if not (folder.meta / PROGRAMS).is_file() if layouts else not packed(folder):
+    if not folder.table(spec.product).is_file():
         raise InputError(f"{folder.path}: is not packed yet; finish it with `sceneweaver dataset resume`")
     if layouts:
         work = layout_tasks(folder, spec, found, sample)
@@ -135,10 +197,10 @@ def _digests(folder: Folder, found: Findings) -> Iterator[Task]:
     """All files to hash, the large ones first."""
     files = tables.checksums(folder, found)
     large = [pair for pair in files if pair[0].parent == folder.data]
-    yield from (Digests(folder.path, (pair,)) for pair in large)
+    yield from (partial(tables.check_digests, folder.path, (pair,)) for pair in large)
     small = [pair for pair in files if pair[0].parent != folder.data]
     small += tables.stored(folder, (path for path, _ in files))
-    yield from (Digests(folder.path, tuple(small[k : k + 256])) for k in range(0, len(small), 256))
+    yield from (partial(tables.check_digests, folder.path, small[k : k + 256]) for k in range(0, len(small), 256))
 
 
 def _scenes(folder: Folder, spec: Spec, found: Findings, sample: int | None, stability: int) -> Iterator[Task]:
@@ -164,18 +226,15 @@ def _scenes(folder: Folder, spec: Spec, found: Findings, sample: int | None, sta
             rows = table.take([places[key] for key in span.keys if key in places]).to_pylist()
             mine = {row["key"]: row for row in rows}
             loose = {key: simulated[key] for key in mine if key in simulated}
-            yield Scenes(judge, span, mine, judged & mine.keys(), loose)
+            yield partial(check_scenes, judge, span, mine, judged & mine.keys(), loose)
     tables.check_spans(spans, shards, found)
 
 
 def _table(folder: Folder) -> Any:
     """What is compared of the index, as an Arrow table: names that many rows share are held once."""
-    arrow()
-    from pyarrow import parquet
-
-    names = [name for name in _ROW if name in parquet.read_schema(folder.index).names]
+    names = [name for name in _ROW if name in read_schema(folder.index).names]
     shared = [f"{name}.list.element" for name in ("assets", "categories")]
-    return parquet.read_table(folder.index, columns=names, read_dictionary=shared)
+    return arrow().parquet.read_table(folder.index, columns=names, read_dictionary=shared)
 
 
 def _chosen(keys: Sequence[str], count: int | None) -> frozenset[str]:
@@ -196,11 +255,7 @@ def _result(found: Findings, spec: Spec, seconds: float) -> dict[str, Any]:
         "ok": not found.faults,
         "counts": {name: count for name, count in sorted(found.counts.items()) if count or name in _ZERO},
         "faults": {check: found.faults[check] for check in CHECKS if found.faults[check]},
-        "first": [_plain(fault) for fault in first],
+        "first": [asdict(fault) for fault in first],
         "stability": found.stability(),
         "seconds": round(seconds, 1),
     }
-
-
-def _plain(fault: Fault) -> dict[str, str]:
-    return {"key": fault.key, "check": fault.check, "detail": fault.detail}

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
 
 from sceneweaver.verify.solids import Body
 
-from .facts import FLAT, Facts
-from .nouns import listed, noun, number, room_noun, with_article
-from .relation_texts import relations_told
-from .statements import Statement, Text, joined, said
-from .words import Words
+from .english import Statement, Text, counted, joined, listed, noun, number, room_noun, said, with_article
+from .facts import FLAT, Facts, is_seat, is_watcher
+from .naming import Words
 
 
 class Captioner:
@@ -62,20 +61,13 @@ class Captioner:
         area = round(facts.area, 1)
         stated = [Statement("room_type", (), room.type), Statement("floor_area", (), area)]
         sides = rectangle_sides(facts)
+        fields = {"kind": kind, "a_kind": with_article(kind), "area": area}
         if sides is None:
-            words = self.words.one_of(
-                f"this {kind} has a floor of {area:g} m² with {number(len(room.outline))} corners",
-                f"the floor of this {kind} covers {area:g} m² and has {number(len(room.outline))} corners",
-            )
-            return said(words, *stated, Statement("corners", (), len(room.outline)))
-        a, b = sides
-        stated.append(Statement("extent", (), [a, b]))
-        words = self.words.one_of(
-            f"this {kind} is {a:g} m by {b:g} m, which makes {area:g} m²",
-            f"the {kind} measures {a:g} by {b:g} metres ({area:g} m²)",
-            f"this is {with_article(kind)} of {area:g} m², {a:g} m long and {b:g} m wide",
-        )
-        return said(words, *stated)
+            corners = len(room.outline)
+            words = self.words.say("caption_corners", corners=number(corners), **fields)
+            return said(words, *stated, Statement("corners", (), corners))
+        words = self.words.say("caption_room", a=sides[0], b=sides[1], **fields)
+        return said(words, *stated, Statement("extent", (), list(sides)))
 
     def _openings(self) -> Text | None:
         facts = self.facts
@@ -84,26 +76,18 @@ class Captioner:
             return None
         stated = [Statement("doors", tuple(d.item.id for d in doors), len(doors))]
         stated.append(Statement("windows", tuple(w.item.id for w in windows), len(windows)))
-        door_words = with_article("door") if len(doors) == 1 else f"{number(len(doors))} doors"
+        words = {
+            noun: with_article(noun[:-1]) if len(there) == 1 else f"{number(len(there))} {noun}"
+            for noun, there in (("doors", doors), ("windows", windows))
+        }
         if not windows:
-            return said(
-                self.words.one_of(f"it has {door_words} and no window", f"there is no window, but {door_words}"),
-                *stated,
-            )
-        window_words = with_article("window") if len(windows) == 1 else f"{number(len(windows))} windows"
+            return said(self.words.say("caption_doors", **words), *stated)
         walls = {w.wall.index for w in windows}
-        if facts.door is not None and len(walls) == 1:
-            side = _side(facts, next(iter(walls)))
-            if side is not None:
-                stated.append(Statement("window_side", tuple(w.item.id for w in windows), side))
-                return said(
-                    self.words.one_of(
-                        f"it has {door_words}, and {window_words} {side}",
-                        f"coming in through the door, you see {window_words} {side}",
-                    ),
-                    *stated,
-                )
-        return said(f"it has {door_words} and {window_words}", *stated)
+        side = _side(facts, next(iter(walls))) if facts.door is not None and len(walls) == 1 else None
+        if side is None:
+            return said(self.words.say("caption_openings", **words), *stated)
+        stated.append(Statement("window_side", tuple(w.item.id for w in windows), side))
+        return said(self.words.say("caption_side", side=side, **words), *stated)
 
     def _furniture(self) -> Text | None:
         chosen = self.words.main()[:6]
@@ -112,9 +96,7 @@ class Captioner:
         parts = [self.words.group(c, bodies) for c, bodies in chosen]
         things = listed([p.words for p in parts])
         be = "is" if sum(len(bodies) for _, bodies in chosen) == 1 else "are"
-        words = self.words.one_of(
-            f"it is furnished with {things}", f"there {be} {things}", f"the main furniture is {things}"
-        )
+        words = self.words.say("caption_furniture", things=things, be=be)
         facts = [s for p in parts for s in p.statements]
         return said(words, *self.words.totals([b for _, bs in chosen for b in bs]), *facts)
 
@@ -125,11 +107,7 @@ class Captioner:
             (facts.by_id[c], how, things) for (c, how), things in facts.carried.items() if c in self.words.names
         ]
         carriers = sorted(carriers, key=lambda row: (-len(row[2]), row[0].id, row[1]))[:5]
-        found = []
-        for k in self.rng.permutation(len(carriers))[:2]:
-            body, how, things = carriers[int(k)]
-            found.append(self.words.resting(body, how, things))
-        return found
+        return [self.words.resting(*carrier) for carrier in self.words.shuffled(carriers)[:2]]
 
     def by_place(self) -> list[dict[str, Any]]:
         """All that there is, by where it is: walls, the rest of the floor, each carrier, ceiling."""
@@ -149,30 +127,14 @@ class Captioner:
         rows = []
         for place, bodies in [*places.items(), *((f"hanging on {n}", b) for n, b in hung.items())]:
             text = self.words.inventory(bodies, looks=True)
-            rows.append(
-                {
-                    "place": place,
-                    **Text(
-                        f"{place[0].upper()}{place[1:]}: {text.words}.",
-                        (*self._placed(place, bodies), *text.statements),
-                    ).to_dict(),
-                }
-            )
+            rows.append(_at(place, text, self._placed(place, bodies)))
         for (carrier, how), things in facts.carried.items():
             body = facts.by_id[carrier]
-            where = (
-                self.words.names[carrier].text
-                if carrier in self.words.names
-                else with_article(noun(body.item.category))
-            )
+            named = carrier in self.words.names
+            where = self.words.name(body) if named else with_article(noun(body.item.category))
             text = self.words.inventory(things)
             stated = (Statement(f"rests_{how}", (b.id, carrier)) for b in things)
-            rows.append(
-                {
-                    "place": f"{how} {where}",
-                    **Text(f"{how.capitalize()} {where}: {text.words}.", (*stated, *text.statements)).to_dict(),
-                }
-            )
+            rows.append(_at(f"{how} {where}", text, stated))
         return rows
 
     def _placed(self, place: str, bodies: Sequence[Body]) -> tuple[Statement, ...]:
@@ -180,6 +142,12 @@ class Captioner:
         kind = predicate.get(place, "along_wall" if place.startswith("along") else "on_wall")
         wall = [k for k, name in self.facts.wall_names.items() if place.endswith(name)]
         return tuple(Statement(kind, (b.id,), f"wall:{wall[0]}" if wall else None) for b in bodies)
+
+
+def _at(place: str, text: Text, stated: Iterable[Statement]) -> dict[str, Any]:
+    """What there is at a place, as JSON data."""
+    found = Text(f"{place[0].upper()}{place[1:]}: {text.words}.", (*stated, *text.statements))
+    return {"place": place, **found.to_dict()}
 
 
 def rectangle_sides(facts: Facts) -> tuple[float, float] | None:
@@ -217,3 +185,137 @@ def captions(facts: Facts, seed: int) -> dict[str, Any]:
         "paragraph": writer.paragraph().to_dict(),
         "by_place": writer.by_place(),
     }
+
+
+MOST = 6
+"""Sentences that are told of one room."""
+
+LOW = 0.55
+"""Height [m] below which nobody sits at a table."""
+
+_CONNECTED = ("front_against", "front_to_front", "around", "seated_at")
+
+
+def relations_told(w: Words) -> list[Text]:
+    """Where the main furniture is, each thing said once."""
+    found: list[Text] = []
+    found += list(_gatherings(w))[:2]
+    kinds = (_walls, _facings, _sides, _betweens, _from_door)
+    for kind in w.shuffled(kinds):
+        found += list(kind(w))[:2]
+    return w.shuffled(found)[:MOST]
+
+
+def _walls(w: Words) -> Iterator[Text]:
+    facts = w.facts
+    by_wall: dict[int, list[Body]] = defaultdict(list)
+    for body in facts.furniture:
+        wall = facts.wall_at(body, 0.9)
+        if body.id in w.names and wall in facts.wall_names and facts.holds("against_wall", body, f"wall:{wall}"):
+            by_wall[wall].append(body)
+    for wall, bodies in sorted(by_wall.items(), key=lambda row: -sum(b.size[1] for b in row[1])):
+        bodies = bodies[:3]
+        stated = [Statement("against_wall", (b.id,), f"wall:{wall}") for b in bodies]
+        verb = "stands" if len(bodies) == 1 else "stand"
+        things = listed([w.names[b.id].text for b in bodies])
+        words = w.say("caption_wall", things=things, stand=verb, wall=facts.wall_names[wall])
+        yield said(words, *stated)
+
+
+def _gatherings(w: Words) -> Iterator[Text]:
+    """Seats at tables and the like."""
+    facts = w.facts
+    seats: dict[str, list[Body]] = defaultdict(list)
+    for relation in facts.scene.relations:
+        if relation.type in _CONNECTED and isinstance(relation.target, str) and relation.target in facts.by_id:
+            body, target = facts.by_id[relation.subject], facts.by_id[relation.target]
+            near = body.item.mount == "floor" and facts.distance(body, target) < 0.25
+            if near and is_seat(body) and body not in seats[target.id]:
+                seats[target.id].append(body)
+    for target, bodies in seats.items():
+        groups = w.groups(bodies)
+        if target in w.names and len(groups) == 1 and len(bodies) > 0:
+            category, _ = groups[0]
+            stated = [Statement("near", (b.id, target), {"max": 0.3}) for b in bodies]
+            where = w.names[target].text
+            verb = "stands" if len(bodies) == 1 else "stand"
+            mine = w.names.get(bodies[0].id) if len(bodies) == 1 else None
+            things = mine.text if mine else counted(len(bodies), category)
+            w.told.add(frozenset((target, *(b.id for b in bodies))))
+            by = "by" if facts.by_id[target].size[2] < LOW else "at"
+            yield said(f"{things} {verb} {by} {where}", *stated)
+
+
+def _facings(w: Words) -> Iterator[Text]:
+    facts = w.facts
+    for a in (b for b in facts.furniture if b.id in w.names and is_watcher(b)):
+        for b in (b for b in facts.bodies if b.id in w.names and b.item.mount in ("floor", "wall") and b is not a):
+            apart = math.dist(a.centre, b.centre)
+            if b.z[1] - b.z[0] > 0.2 and 0.6 < apart < 4.5 and facts.holds("facing", a, b.id, degrees=10):
+                words = f"{w.names[a.id].text} faces {w.names[b.id].text}"
+                yield said(words, Statement("facing", (a.id, b.id)))
+                break
+
+
+def _sides(w: Words) -> Iterator[Text]:
+    """What is next to what, without left or right, which are another's for each viewer."""
+    facts = w.facts
+    main = [b for b in facts.furniture if b.id in w.names][:10]
+    for k, b in enumerate(main):
+        for a in main[k + 1 :]:
+            if facts.boxes_apart(a, b) < 0.3 and (apart := facts.distance(a, b)) < 0.3 and not _over(a, b):
+                words = f"{w.names[a.id].text} is next to {w.names[b.id].text}"
+                if apart < 0.25 and frozenset((a.id, b.id)) not in w.told:
+                    yield said(words, Statement("near", (a.id, b.id), {"max": 0.3}))
+                    break
+
+
+def _betweens(w: Words) -> Iterator[Text]:
+    facts = w.facts
+    main = [b for b in facts.furniture if b.id in w.names][:7]
+    for c in main:
+        for k, a in enumerate(main):
+            for b in main[k + 1 :]:
+                if c in (a, b) or not 1.0 < math.dist(a.centre, b.centre) < 3.5:
+                    continue
+                share, aside = facts.beside_line(c, a, b)
+                if 0.3 < share < 0.7 and aside < 0.25:
+                    mine, one, other = (w.names[x.id].text for x in (c, a, b))
+                    yield said(f"{mine} stands between {one} and {other}", Statement("between", (c.id, a.id, b.id)))
+                    return
+
+
+def _from_door(w: Words) -> Iterator[Text]:
+    """What is on the left, on the right and straight ahead of a visitor."""
+    facts = w.facts
+    sides: dict[str, list[Body]] = defaultdict(list)
+    for body in (b for b in facts.furniture if b.id in w.names):
+        side = door_side(facts, body)
+        if side is not None and len(sides[side]) < 2:
+            sides[side].append(body)
+    words = {"left": "on the left", "right": "on the right", "ahead": "straight ahead"}
+    chosen = [side for side in words if sides[side]]
+    predicates = {"left": "left_from_door", "right": "right_from_door", "ahead": "ahead_of_door"}
+    if chosen:
+        said_of = [
+            f"{words[s]} {be} {listed([w.names[b.id].text for b in sides[s]])}"
+            for s in chosen
+            for be in ["is" if len(sides[s]) == 1 else "are"]
+        ]
+        stated = [Statement(predicates[s], (b.id,)) for s in chosen for b in sides[s]]
+        yield said(f"as you come in, {listed(said_of)}", *stated)
+
+
+def _over(a: Body, b: Body) -> bool:
+    return a.z[0] >= b.z[1] or b.z[0] >= a.z[1]
+
+
+def door_side(facts: Facts, body: Body) -> str | None:
+    """Whether a body is on the "left" or "right" of who comes in, or "ahead"; None between these."""
+    place = facts.from_door(body)
+    if place is None or place[0] < 0.4:
+        return None
+    bearing = math.degrees(math.atan2(place[1], place[0]))
+    if abs(bearing) < 10:
+        return "ahead"
+    return "left" if bearing > 25 else "right" if bearing < -25 else None

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from sceneweaver.assets.roles import has_role
 from sceneweaver.assets.taxonomy import category_named
 from sceneweaver.scene import Relation, Scene
 from sceneweaver.verify.relations import judge_relation
@@ -26,12 +27,6 @@ PLAIN = 0.7
 CLOSE = 0.12
 """Distance [m] from a wall up to which something stands against it."""
 
-_BACKLESS = frozenset(
-    ("stool", "bar_stool", "shower_stool", "step_stool", "pouf", "ottoman", "bean_bag", "bench", "storage_bench",
-     "piano_bench", "waiting_bench", "floor_cushion", "hammock", "wheelchair")
-)  # fmt: skip
-_SCREENS = frozenset(("tv", "tv_on_stand", "monitor", "computer", "arcade_machine"))
-
 
 def group_of(category: str) -> str:
     """The widest group of the taxonomy that a category belongs to."""
@@ -41,7 +36,7 @@ def group_of(category: str) -> str:
 def is_seat(body: Body) -> bool:
     """Whether it is a seat with a back, so that its front is plain to see."""
     category = body.item.category
-    return group_of(category) in ("chair_group", "seating") and category not in _BACKLESS
+    return group_of(category) in ("chair_group", "seating") and not has_role(category, "backless_seat")
 
 
 def is_bed(body: Body) -> bool:
@@ -53,14 +48,14 @@ def has_front(body: Body) -> bool:
     """Whether everyone sees where its front is."""
     category = body.item.category
     sides = category_named(category).sides
-    if is_seat(body) or is_bed(body) or category in _SCREENS:
+    if is_seat(body) or is_bed(body) or has_role(category, "display"):
         return True
     return "front" in sides and "back" not in sides and body.size[2] >= PLAIN
 
 
 def is_watcher(body: Body) -> bool:
     """Whether people say of it that it faces something."""
-    return is_seat(body) or body.item.category in _SCREENS
+    return is_seat(body) or has_role(body.item.category, "display")
 
 
 class Facts:

@@ -1,22 +1,240 @@
-"""Instructions for rearranging a scene, each with its goal as relations and poses that reach it."""
+"""Instructions for rearranging a scene: goals as words and relations, and poses that reach them."""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from itertools import islice
 from typing import Any
 
 import numpy as np
 
+from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.scene import Pose, Relation, Scene, Support
 from sceneweaver.scene.edits import carried
 from sceneweaver.verify.solids import Body
 
-from .facts import Facts
-from .goals import FLOOR_GOALS, Goal, onto
+from .asker import Asker
+from .english import sentence
+from .facts import Facts, group_of, has_front, is_bed, is_seat, is_watcher
 from .moves import Space, is_movable, judged_locally
-from .nouns import sentence
-from .questions.question import Asker
+
+_NO_TABLES = frozenset(("seating", "chair_group", "bed_group", "sanitary", "sport", "electronics", "plant_group"))
+"""Groups of the taxonomy that nobody puts small things on."""
+
+
+@dataclass(frozen=True, eq=False)
+class Goal:
+    """What to do with a thing.
+
+    Attributes:
+        words: what is asked, after the name of the thing: "against the wall with the door".
+        verb: "Move", "Turn", "Put" or "Push".
+        relations: what has to hold afterwards; `sceneweaver.check` judges it.
+        poses: candidates [n, 3] (x, y, yaw) of the bottom centre [m, rad].
+        height: of the bottom [m].
+        support: carrier and surface that it is put on; None: the floor.
+        objects: ids that the words speak of.
+    """
+
+    verb: str
+    words: str
+    relations: tuple[Relation, ...]
+    poses: np.ndarray
+    height: float = 0.0
+    support: tuple[str, str] | None = None
+    objects: tuple[str, ...] = ()
+
+    def words_of(self, thing: str) -> str:
+        """The whole of it for a thing by name, without a full stop."""
+        if self.verb == "Put":
+            return (
+                f"Take {thing} and put it {self.words}"
+                if " on " in thing or " in " in thing
+                else f"Put {thing} {self.words}"
+            )
+        return f"{self.verb} {thing} {self.words}"
+
+
+def _relation(kind: str, body: Body, target: str | None, **params: object) -> Relation:
+    return Relation(type=kind, subject=body.id, target=target, params=params)
+
+
+def against_wall(asker: Asker, body: Body) -> Iterator[Goal]:
+    """With its back to a wall."""
+    facts = asker.facts
+    for k, name in asker.shuffled(facts.wall_names.items()) if has_front(body) else ():
+        wall = facts.placed.walls[k]
+        free = wall.length - body.size[1]
+        if free < 0.1 or facts.wall_at(body, 0.9) == k:
+            continue
+        offsets = body.size[1] / 2 + free * asker.rng.random(24)
+        x, y = wall.point(offsets, body.size[0] / 2 + 0.01)
+        yaw = np.full(24, math.atan2(wall.inward[1], wall.inward[0]))
+        words = asker.say("goal_wall", wall=name)
+        yield Goal("Move", words, (_relation("against_wall", body, f"wall:{k}"),), np.stack([x, y, yaw], axis=1))
+
+
+def turned_to(asker: Asker, body: Body) -> Iterator[Goal]:
+    """Where it is, facing another thing."""
+    if not is_watcher(body):
+        return
+    for other in _targets(asker, body):
+        away = (other.centre[0] - body.centre[0], other.centre[1] - body.centre[1])
+        yaw = math.atan2(away[1], away[0])
+        if math.hypot(*away) < 0.5 or abs(wrap_angle(yaw - body.yaw)) < 0.6:
+            continue
+        words = asker.say("goal_facing", other=asker.name(other))
+        pose = np.array([[*body.centre, yaw]])
+        yield Goal("Turn", words, (_relation("facing", body, other.id),), pose, objects=asker.names[other.id].ids)
+
+
+def next_to(asker: Asker, body: Body) -> Iterator[Goal]:
+    """Beside another thing, looking the same way."""
+    for other in _targets(asker, body):
+        if asker.facts.distance(body, other) < 0.6:
+            continue
+        words = asker.say("goal_near", other=asker.name(other))
+        poses = np.concatenate([_beyond(asker, body, other, side) for side in ("left", "right", "front")])
+        relation = _relation("near", body, other.id, max=0.3)
+        yield Goal("Move", words, (relation,), poses, objects=asker.names[other.id].ids)
+
+
+def on_side(asker: Asker, body: Body) -> Iterator[Goal]:
+    """To the left or right of a thing, for who sits on it or looks at it."""
+    for other in _targets(asker, body):
+        if not has_front(other):
+            continue
+        left = asker.coin()
+        side, viewer = ("left" if left else "right"), ("right" if left else "left")
+        if is_seat(other):
+            words = f"just to the {side} of {asker.name(other)}, as seen by someone who sits on it"
+        elif is_bed(other):
+            words = f"just to the {viewer} of {asker.name(other)}, as seen from the foot of it"
+        else:
+            words = f"just to the {viewer} of {asker.name(other)}, as seen by someone who faces it"
+        if asker.facts.holds(f"{side}_of", body, other.id):
+            continue
+        poses = _beyond(asker, body, other, side)
+        yield Goal("Move", words, (_relation(f"{side}_of", body, other.id),), poses, objects=asker.names[other.id].ids)
+
+
+def before(asker: Asker, body: Body) -> Iterator[Goal]:
+    """In front of a thing, facing it where it can."""
+    for other in _targets(asker, body):
+        if not has_front(other) or asker.facts.holds("in_front_of", body, other.id):
+            continue
+        relations = [_relation("in_front_of", body, other.id)]
+        words = f"just in front of {asker.name(other)}"
+        poses = _beyond(asker, body, other, "front", (0.3, 0.9))
+        if is_watcher(body):
+            relations.append(_relation("facing", body, other.id))
+            words += ", facing it"
+            away = np.array(other.centre) - poses[:, :2]
+            poses[:, 2] = np.arctan2(away[:, 1], away[:, 0])
+        yield Goal("Move", words, tuple(relations), poses, objects=asker.names[other.id].ids)
+
+
+def into_corner(asker: Asker, body: Body) -> Iterator[Goal]:
+    """Into some corner of the room."""
+    facts = asker.facts
+    if facts.holds("in_corner", body, None) or max(body.size[:2]) > 1.2:
+        return
+    walls, poses = facts.placed.walls, []
+    d, w, _ = body.size
+    for wall in walls:
+        previous = walls[wall.index - 1]
+        if abs(np.dot(previous.along, wall.along)) > 0.05 or np.dot(previous.along, wall.inward) > 0:
+            continue
+        yaw = math.atan2(wall.inward[1], wall.inward[0])
+        poses.append((*wall.point(w / 2 + 0.02, d / 2 + 0.02), yaw))
+        poses.append((*wall.point(d / 2 + 0.02, w / 2 + 0.02), yaw - math.pi / 2))
+    if poses:
+        words = asker.say("goal_corner")
+        yield Goal("Move", words, (_relation("in_corner", body, None),), np.array(asker.shuffled(poses)))
+
+
+def to_window(asker: Asker, body: Body) -> Iterator[Goal]:
+    """Close to the only window, perhaps facing something."""
+    facts = asker.facts
+    if len(facts.placed.windows) != 1 or facts.holds("near_window", body, facts.placed.windows[0].item.id):
+        return
+    window = facts.placed.windows[0]
+    u = window.item.offset + window.item.width * (asker.rng.random(24) * 1.4 - 0.2)
+    x, y = window.wall.point(u, max(body.size[:2]) / 2 + 0.1 + 0.5 * asker.rng.random(24))
+    yaw = math.atan2(window.wall.inward[1], window.wall.inward[0])
+    poses = np.stack([x, y, np.full(24, yaw)], axis=1)
+    relations, words, objects = [_relation("near_window", body, window.item.id)], "close to the window", ()
+    others = [o for o in _targets(asker, body) if o.item.mount == "floor"] if is_watcher(body) else []
+    if others:
+        away = np.array(others[0].centre) - poses[:, :2]
+        poses[:, 2] = np.arctan2(away[:, 1], away[:, 0])
+        relations.append(_relation("facing", body, others[0].id))
+        words, objects = f"{words} so that it faces {asker.name(others[0])}", asker.names[others[0].id].ids
+    yield Goal("Move", words, tuple(relations), poses, objects=objects)
+
+
+def onto(asker: Asker, body: Body) -> Iterator[Goal]:
+    """On top of another carrier."""
+    for other in asker.shuffled(asker.standing):
+        tops = [s for s in other.item.surfaces if s.headroom is None]
+        support = body.item.support
+        if not tops or other.tilted or (support is not None and support.object == other.id):
+            continue
+        top = max(tops, key=lambda s: s.z)
+        if group_of(other.item.category) in _NO_TABLES or not 0.3 < other.position[2] + top.z < 1.5:
+            continue
+        corners = np.array(top.polygon)
+        spread = corners.min(axis=0) + np.ptp(corners, axis=0) * asker.rng.random((24, 2))
+        turns = np.array(asker.shuffled([0.0, math.pi / 2, math.pi, -math.pi / 2] * 6))
+        poses = np.column_stack([other.frame.to_world(spread), other.yaw + turns])
+        words = f"on {asker.name(other)}"
+        yield Goal(
+            "Put",
+            words,
+            (_relation("on_top", body, other.id),),
+            poses,
+            height=other.position[2] + top.z,
+            support=(other.id, top.name),
+            objects=asker.names[other.id].ids,
+        )
+
+
+def _targets(asker: Asker, body: Body) -> list[Body]:
+    """Named furniture in a drawn order, the thing itself and what its name speaks of left out."""
+    mine = asker.names[body.id].ids
+    return [b for b in asker.shuffled(asker.standing) if b.id not in mine and body.id not in asker.names[b.id].ids][:4]
+
+
+def _beyond(
+    asker: Asker, body: Body, other: Body, side: str, gaps: tuple[float, float] = (0.03, 0.25), count: int = 10
+) -> np.ndarray:
+    """Poses [n, 3] beyond a side of another thing, turned as it is or a quarter further."""
+    face, poses = other.face(side), []
+    for _ in range(count):
+        yaw = other.yaw + (0.0, math.pi / 2, -math.pi / 2, math.pi)[int(asker.rng.integers(4))]
+        along_front = abs(math.cos(yaw) * face.normal[0] + math.sin(yaw) * face.normal[1]) > 0.7
+        depth, width = body.size[:2] if along_front else body.size[1::-1]
+        gap = gaps[0] + (gaps[1] - gaps[0]) * asker.rng.random()
+        aside = (asker.rng.random() - 0.5) * max(0.0, 2 * face.half - 0.3 * width)
+        x = face.centre[0] + face.normal[0] * (gap + depth / 2) - face.normal[1] * aside
+        y = face.centre[1] + face.normal[1] * (gap + depth / 2) + face.normal[0] * aside
+        poses.append((x, y, yaw))
+    return np.array(poses)
+
+
+FLOOR_GOALS: tuple[Callable[[Asker, Body], Iterator[Goal]], ...] = (
+    against_wall,
+    turned_to,
+    next_to,
+    on_side,
+    before,
+    into_corner,
+    to_window,
+)
+"""What furniture can be asked to be."""
+
 
 SINGLE, MOST_MOVES = 2, 3
 """Instructions of one move in a scene, and the most moves of the one after them, which has at least two."""

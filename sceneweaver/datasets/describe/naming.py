@@ -1,29 +1,28 @@
-"""Names for the things of a scene: words that mean one of them and no other."""
+"""Names for the things of a scene, which mean one of them and no other, and groups of things in words."""
 
 from __future__ import annotations
 
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache, lru_cache
+from importlib import resources
+from typing import Any, TypeVar
 
+import numpy as np
+
+from sceneweaver.assets.category import read_yaml
 from sceneweaver.assets.materials import finishes
+from sceneweaver.assets.roles import has_role
 from sceneweaver.verify.solids import Body
 
+from .english import Statement, Text, color_families, counted, listed, noun, nouns, number, said
 from .facts import Facts, group_of
-from .nouns import noun, nouns
 
 _COLOURED = frozenset(("furniture", "seating", "chair_group", "table_group", "bed_group", "storage", "textile"))
-_OWN_COLOURS = frozenset(("window_blind", "curtain", "sheer_curtain", "display_cabinet", "display_case", "bath_mat"))
-_UPHOLSTERED = frozenset(("sofa", "loveseat", "sectional_sofa", "sofa_bed", "recliner", "armchair", "mattress", "pouf"))
-"""What nobody calls wooden, even where its frame is what its material names."""
 
-_PLAIN = {
-    "white": "pale", "cream": "pale", "beige": "pale", "light grey": "pale", "silver": "pale", "tan": "tan",
-    "gold": "tan", "mustard": "yellow", "yellow": "yellow", "orange": "orange", "brown": "brown",
-    "dark brown": "brown", "black": "black", "grey": "grey", "red": "red", "burgundy": "red", "pink": "pink",
-    "green": "green", "dark green": "green", "sage": "green", "teal": "teal", "blue": "blue", "light blue": "blue",
-    "navy": "navy", "purple": "purple",
-}  # fmt: skip
-"""Colours that nobody confuses, by name; those of one value are near to each other."""
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
@@ -34,18 +33,13 @@ class Name:
     ids: tuple[str, ...]
 
 
-def color_families() -> dict[str, str]:
-    """The colours that have a name here, each with the family in which one may be taken for the other."""
-    return dict(_PLAIN)
-
-
 def color(body: Body) -> str | None:
     """The colour of a body as a word, where its kind has one that is seen at a glance."""
     said = body.item.attributes.get("color")
-    if not isinstance(said, str) or said not in _PLAIN or body.item.category in _OWN_COLOURS:
+    if not isinstance(said, str) or said not in color_families() or has_role(body.item.category, "own_colours"):
         return None
     material = finishes().get(str(body.item.attributes.get("material")))
-    if material is not None and material.family == "wood" and body.item.category in _UPHOLSTERED:
+    if material is not None and material.family == "wood" and has_role(body.item.category, "upholstered"):
         return None
     return said if group_of(body.item.category) in _COLOURED else None
 
@@ -83,10 +77,10 @@ def _names(facts: Facts) -> dict[str, Name]:
         if category in ambiguous or len(bodies) < 2:
             continue
         colors = [color(b) for b in bodies]
-        hues = [_PLAIN[c] if c else None for c in colors]
-        for body, said, hue in zip(bodies, colors, hues, strict=True):
-            if said is not None and None not in hues and hues.count(hue) == 1:
-                found[body.id] = Name(f"the {said} {noun(category)}", (body.id,))
+        hues = [color_families()[c] if c else None for c in colors]
+        for body, shown, hue in zip(bodies, colors, hues, strict=True):
+            if shown is not None and None not in hues and hues.count(hue) == 1:
+                found[body.id] = Name(f"the {shown} {noun(category)}", (body.id,))
         _by_carrier(facts, category, bodies, plain, found)
         _by_wall(facts, category, bodies, found)
     return found
@@ -118,3 +112,99 @@ def _may_mean(category: str, other: str) -> bool:
     """Whether the noun of one category may be said of the other: "chair" of a dining chair."""
     mine, theirs = noun(category), noun(other)
     return theirs.endswith(f" {mine}") or theirs == mine or nouns(category) in theirs
+
+
+@cache
+def wordings() -> dict[str, dict[str, Any]]:
+    """``wordings.yaml``: by template its wordings, and of questions how the answer is given and found."""
+    return read_yaml(resources.files(__package__ or "").joinpath("wordings.yaml"))
+
+
+class Speaker:
+    """The facts of a scene, the names of its things, and draws of what is said of it."""
+
+    def __init__(self, facts: Facts, rng: np.random.Generator):
+        self.facts = facts
+        self.rng = rng
+        self.names: dict[str, Name] = names(facts)
+
+    def coin(self) -> bool:
+        """True or false, each as often."""
+        return bool(self.rng.integers(2))
+
+    def one(self, items: Sequence[T]) -> T:
+        """One of some items."""
+        return items[int(self.rng.integers(len(items)))]
+
+    def shuffled(self, items: Iterable[T]) -> list[T]:
+        """The items in a drawn order."""
+        found = list(items)
+        return [found[int(k)] for k in self.rng.permutation(len(found))]
+
+    def name(self, body: Body) -> str:
+        """The words that mean a body."""
+        return self.names[body.id].text
+
+    def say(self, template: str, *things: str, **fields: Any) -> str:
+        """One of the wordings of a template."""
+        return self.one(wordings()[template]["say"]).format(*things, **fields)
+
+
+class Words(Speaker):
+    """Words for the things of one scene, with what they state."""
+
+    def __init__(self, facts: Facts, rng: np.random.Generator):
+        super().__init__(facts, rng)
+        self.told: set[frozenset[str]] = set()
+
+    def groups(self, bodies: Sequence[Body]) -> list[tuple[str, list[Body]]]:
+        """Bodies by category, in the order in which they come."""
+        found: dict[str, list[Body]] = defaultdict(list)
+        for body in bodies:
+            found[body.item.category].append(body)
+        return list(found.items())
+
+    def group(self, category: str, bodies: Sequence[Body], looks: bool = True) -> Text:
+        """Some things of one category: "two cream nightstands"."""
+        seen = {look(b) for b in bodies}
+        shared = next(iter(seen)) if len(seen) == 1 and looks else None
+        statements = []
+        words = counted(len(bodies), category)
+        if shared is not None and not set(shared[0].split()) & set(noun(category).split()):
+            words = counted(len(bodies), category, shared[0])
+            statements = [Statement(shared[1], (b.id,), shared[0]) for b in bodies]
+        return Text(words, tuple(statements))
+
+    def inventory(self, bodies: Sequence[Body], looks: bool = False) -> Text:
+        """Things in a row: "a vase, two books and a lamp"."""
+        parts = [self.group(category, group, looks) for category, group in self.groups(bodies)]
+        return Text(listed([p.words for p in parts]), tuple(s for p in parts for s in p.statements))
+
+    def totals(self, bodies: Sequence[Body]) -> tuple[Statement, ...]:
+        """That there are so many of each category, of what is all there."""
+        everything = self.facts.by_category
+        return tuple(
+            Statement("count", tuple(b.id for b in everything[c]), {"category": c, "count": len(everything[c])})
+            for c, _ in self.groups(bodies)
+        )
+
+    def main(self) -> list[tuple[str, list[Body]]]:
+        """Categories of furniture by how much room they take."""
+        groups = [(c, [b for b in bs if b.item.mount == "floor"]) for c, bs in self.groups(self.facts.furniture)]
+        return sorted(groups, key=lambda g: (-round(sum(b.size[0] * b.size[1] * b.size[2] for b in g[1]), 6), g[0]))
+
+    def resting(self, body: Body, how: str, things: Sequence[Body]) -> Text:
+        """What rests on or in a thing, all of it or with the number of the rest."""
+        chosen = list(things)
+        groups = self.groups(chosen)
+        if len(groups) > 5:
+            groups = groups[:4]
+            rest = len(chosen) - sum(len(bodies) for _, bodies in groups)
+            chosen = [b for _, bodies in groups for b in bodies]
+            others = f"{number(rest)} other {'thing' if rest == 1 else 'things'}"
+            words = listed([*(counted(len(bs), c) for c, bs in groups), others])
+        else:
+            words = self.inventory(chosen).words
+        be = "is" if len(things) == 1 else "are"
+        stated = [Statement(f"rests_{how}", (b.id, body.id)) for b in things]
+        return said(f"{how} {self.names[body.id].text} {be} {words}", *stated)

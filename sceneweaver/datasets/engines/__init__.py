@@ -1,12 +1,11 @@
 """Runs of data sets: begun, interrupted, resumed, spread over workers and machines. What comes out is the same."""
 
-from .estimate import Estimate, estimate
 from .manifest import Dataset, begin, open_dataset
 from .merge import merge
-from .records import read_records
 from .run import Options, missing, resume
 from .schedule import Listener
-from .status import Status, status
+from .status import Estimate, Status, estimate, status
+from .tasks import read_records
 
 __all__ = [
     "Dataset",

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import faulthandler
-import math
 import os
 import shutil
 import socket
@@ -14,15 +13,15 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
+from sceneweaver.runtime.processes import THREADS
 from sceneweaver.scene import MissingDependencyError, SceneWeaverError
 from sceneweaver.scene.files import reason
 
-from ..processes import THREADS
 from ..work import Produce
+from .local import START
 from .manifest import Dataset, open_dataset
-from .schedule import Listener, Schedule
+from .schedule import Job, Schedule
 from .tasks import Message, Task, attempt
-from .worker import START
 
 RETRIES = 1
 """How often Ray begins a task anew whose worker or node is gone, before that counts as the fault of the task."""
@@ -50,28 +49,12 @@ class RayEngine:
     """Tasks of a Ray cluster, one core each, and a share of a GPU where rooms are laid out on one.
 
     Args:
-        dataset: what they make, in a folder that all nodes see.
+        job: what is asked for; its data set lies in a folder that all nodes see.
         address: of the cluster; None: one of this machine, for as long as the run goes on.
-        workers: tasks at a time at most; None: one for each core of the cluster.
-        produce: what makes scenes, if not `produce`.
-        listener: hears of blocks and troubles.
-        patient: wait when the disk is full, or end.
-        until: when to end at the latest, by `time.monotonic` [s].
     """
 
-    def __init__(
-        self,
-        dataset: Dataset,
-        address: str | None,
-        workers: int | None,
-        produce: Produce | None,
-        listener: Listener,
-        *,
-        patient: bool = True,
-        until: float = math.inf,
-    ):
-        self._dataset, self._address, self._workers = dataset, address, workers
-        self._produce, self._listener, self._patient, self._until = produce, listener, patient, until
+    def __init__(self, job: Job, address: str | None):
+        self._job, self._address = job, address
 
     def run(self, numbers: Iterable[int]) -> None:
         """Make these blocks.
@@ -80,10 +63,10 @@ class RayEngine:
             DiskFullError: the disk is full, and the engine is not patient. MissingDependencyError: of Ray or a worker.
         """
         ray = ray_module()
-        with _connected(self._address, self._workers):
+        with _connected(self._address, self._job.workers):
             cores = int(ray.cluster_resources().get("CPU", 1))
-            workers = self._workers or cores
-            schedule = Schedule(self._dataset, numbers, self._listener, workers, self._patient, self._until)
+            workers = self._job.workers or cores
+            schedule = Schedule(self._job, numbers, workers)
             work: dict[Any, Task] = {}
             try:
                 while not schedule.over:
@@ -98,16 +81,16 @@ class RayEngine:
     def _submit(self, ray: Any, schedule: Schedule, work: dict[Any, Task]) -> None:
         resources = ray.cluster_resources()
         cores, gpus = int(resources.get("CPU", 1)), resources.get("GPU", 0)
-        share = min(1.0, gpus / cores) if self._dataset.device == "cuda" else 0.0
+        share = min(1.0, gpus / cores) if self._job.dataset.device == "cuda" else 0.0
         remote = ray.remote(_remote).options(
             num_cpus=1, num_gpus=share, max_retries=RETRIES, runtime_env={"env_vars": THREADS}
         )
-        path, device = str(self._dataset.folder.path.absolute()), self._dataset.device
-        while len(work) < (self._workers or 2 * cores):  # some lie ready, so that no worker waits for the next
+        path, device = str(self._job.dataset.folder.path.absolute()), self._job.dataset.device
+        while len(work) < (self._job.workers or 2 * cores):  # some lie ready, so that no worker waits for the next
             task = schedule.take()
             if task is None:
                 return
-            work[remote.remote(path, task, device, self._produce)] = task
+            work[remote.remote(path, task, device, self._job.produce)] = task
 
     def _ended(self, ray: Any, ref: Any, task: Task, schedule: Schedule) -> None:
         try:

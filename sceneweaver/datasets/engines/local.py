@@ -1,20 +1,92 @@
-"""Blocks made by processes of this machine."""
+"""Blocks made by processes of this machine, each of which may crash or hang without an end to the run."""
 
 from __future__ import annotations
 
-import math
+import contextlib
+import os
+import signal
 import socket
 import time
 from collections.abc import Iterable, Sequence
-from multiprocessing.connection import wait
+from multiprocessing.connection import Connection, wait
+from pathlib import Path
 
+from sceneweaver.runtime import processes
 from sceneweaver.scene import SceneWeaverError
 
 from ..work import Produce
-from .manifest import Dataset
-from .schedule import Listener, Schedule
-from .tasks import Message
-from .worker import Worker
+from .manifest import Dataset, open_dataset
+from .schedule import Job, Schedule
+from .tasks import Message, Task, attempt
+
+START = 300.0
+"""Seconds that a worker gets to load what it needs."""
+
+
+class Worker:
+    """The near end of a worker."""
+
+    def __init__(self, index: int, dataset: Dataset, device: str, produce: Produce | None):
+        self.index, self.ready, self.used = index, False, False
+        self.task: Task | None = None
+        self._spec = dataset.spec
+        self._process = processes.Worker(serve, dataset.folder.path, device, produce)
+        self.end, self.pid = self._process.connection, self._process.pid
+        self._deadline = time.monotonic() + START
+
+    def give(self, task: Task) -> None:
+        """Ask for a block. A process that has just ended will be heard of as one that ended at it."""
+        self.task, self.used = task, True
+        with contextlib.suppress(OSError):
+            self.end.send(task)
+        self.alive()
+
+    def alive(self) -> None:
+        """A sign of life: from now on the worker may be silent as long as its task allows."""
+        patience = START if self.task is None else self.task.patience(self._spec)
+        self._deadline = time.monotonic() + patience + (0.0 if self.ready else START)
+
+    @property
+    def hung(self) -> bool:
+        """Whether it was silent for too long."""
+        return (self.task is not None or not self.ready) and time.monotonic() > self._deadline
+
+    def close(self, wait: float = 0.0) -> str:
+        """End the process, at once or when it has not ended by itself after some seconds; how it ended."""
+        if self.end.closed:
+            return ""
+        code = self._process.end(wait)
+        if code is None:
+            return "worker hung: no scene for too long"
+        return f"worker killed by signal {-code}" if code < 0 else f"worker ended with exit code {code}"
+
+
+def serve(end: Connection, path: Path, device: str, produce: Produce | None) -> None:
+    """Make blocks until nobody asks any more."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches the whole group; the run ends its workers itself
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    _be_quiet()
+    dataset = open_dataset(path)
+
+    def alive() -> None:
+        end.send(("alive", None))
+
+    end.send(("ready", None))
+    while True:
+        try:
+            task = end.recv()
+        except EOFError:
+            return
+        end.send(attempt(dataset, task, device, produce, alive))
+
+
+def _be_quiet() -> None:
+    """Keep what libraries say off the output of the run."""
+    if not os.environ.get("SCENEWEAVER_DEBUG"):
+        with open(os.devnull, "wb") as nowhere:
+            os.dup2(nowhere.fileno(), 1)
+            os.dup2(nowhere.fileno(), 2)
+
 
 TICK = 1.0
 """Seconds between looks at silent workers and at a full disk."""
@@ -27,30 +99,12 @@ class LocalEngine:
     """Workers of this machine, with a block each until all are made.
 
     Args:
-        dataset: what they make.
+        job: what is asked for, with the number of workers.
         devices: where they lay out rooms, in turns.
-        workers: how many.
-        produce: what makes scenes.
-        listener: hears of blocks and troubles.
-        memory: resident bytes above which a worker is replaced between two tasks; None: any number.
-        patient: wait when the disk is full, or end.
-        until: when to end at the latest, by `time.monotonic` [s].
     """
 
-    def __init__(
-        self,
-        dataset: Dataset,
-        devices: Sequence[str],
-        workers: int,
-        produce: Produce | None,
-        listener: Listener,
-        *,
-        memory: int | None = None,
-        patient: bool = True,
-        until: float = math.inf,
-    ):
-        self._dataset, self._devices, self._count, self._produce = dataset, devices, workers, produce
-        self._listener, self._memory, self._patient, self._until = listener, memory, patient, until
+    def __init__(self, job: Job, devices: Sequence[str]):
+        self._job, self._devices, self._count = job, devices, job.workers or 1
         self._workers: list[Worker] = []
         self._false_starts = 0
         self.began = 0.0
@@ -64,7 +118,7 @@ class LocalEngine:
             SceneWeaverError: workers do not even begin.
         """
         self.began = time.time()
-        schedule = Schedule(self._dataset, numbers, self._listener, self._count, self._patient, self._until)
+        schedule = Schedule(self._job, numbers, self._count)
         try:
             for index in range(min(self._count, schedule.waiting)):
                 self._workers.append(self._worker(index))
@@ -75,7 +129,7 @@ class LocalEngine:
                 worker.close()
 
     def _worker(self, index: int) -> Worker:
-        return Worker(index, self._dataset, self._devices[index % len(self._devices)], self._produce)
+        return Worker(index, self._job.dataset, self._devices[index % len(self._devices)], self._job.produce)
 
     def _step(self, schedule: Schedule) -> None:
         ends = {worker.end: worker for worker in self._workers}
@@ -111,7 +165,7 @@ class LocalEngine:
             task, worker.task = worker.task, None
             who = {"worker": worker.index, "host": socket.gethostname(), "pid": worker.pid}
             schedule.heard(task, message, who)
-            heavy = kind == "done" and self._memory is not None and value["rss"] > self._memory
+            heavy = kind == "done" and self._job.memory is not None and value["rss"] > self._job.memory
             if kind == "error" or (heavy and schedule.waiting):  # after an error its process is not to be trusted
                 self._replace(worker)
 

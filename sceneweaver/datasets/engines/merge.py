@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 import os
 import re
 import shutil
@@ -16,14 +15,13 @@ from typing import Any
 from sceneweaver.scene import InputError, Scene, write_atomic
 from sceneweaver.scene.files import temporary_folder
 
-from ..blocks import write_block
 from ..folder import Folder
-from ..reading import rows_of, scenes_of, shards_of, spans_of
-from ..sample import Sample
+from ..reading import link, rows_of, scenes_of, shards_of, spans_of
+from ..samples import Sample, write_block
 from ..spec import Spec
-from .locks import run_lock
+from ..tables import read_table, write_lines
 from .manifest import PROMPTS, Dataset, create, digests, open_dataset
-from .run import missing, whole
+from .run import missing, run_lock, whole
 
 BLOCK = 64
 """Scenes of a block of joined data sets."""
@@ -157,8 +155,6 @@ def _of_part(part: Dataset, first: int, first_room: int) -> Iterator[Sample]:
 
 def _times(folder: Folder) -> dict[int, dict[str, float]]:
     """How long each stage of each scene took [s], by its number."""
-    from ..files.tables import read_table
-
     found: dict[int, dict[str, float]] = {}
     path = folder.meta / "seconds.parquet"
     for row in read_table(path) if path.exists() else ():
@@ -172,31 +168,17 @@ def _take_assets(source: Folder, target: Folder, number: int) -> None:
         place = target.path / path.relative_to(source.path)
         if path.is_file() and not place.exists():
             place.parent.mkdir(parents=True, exist_ok=True)
-            _link(path, place)
+            link(path, place)
     place = target.work / "assets"
     place.mkdir(parents=True, exist_ok=True)
     for path in (source.work / "assets").glob("*.jsonl"):
         write_atomic(place / f"{number:04d}-{path.name}", path.read_bytes())
     if source.asset_table.exists():
-        from ..files.tables import read_table
-
-        lines = "".join(json.dumps(row) + "\n" for row in read_table(source.asset_table))
-        write_atomic(place / f"{number:04d}.jsonl", lines)
+        write_lines(place / f"{number:04d}.jsonl", read_table(source.asset_table))
 
 
 def _take_folder(source: Path, target: Path) -> None:
     target.parent.mkdir(parents=True, exist_ok=True)
     with temporary_folder(target.parent) as folder:
-        shutil.copytree(source, folder / target.name, copy_function=_link)
+        shutil.copytree(source, folder / target.name, copy_function=link)
         os.rename(folder / target.name, target)
-
-
-def _link(source: str | Path, target: str | Path) -> None:
-    """The same file at another place: by a link where both are on one disk, else copied whole."""
-    try:
-        os.link(source, target)
-    except OSError:
-        with temporary_folder(Path(target).parent) as folder:
-            draft = folder / Path(target).name
-            shutil.copyfile(source, draft)
-            os.replace(draft, target)

@@ -3,24 +3,25 @@
 from __future__ import annotations
 
 import math
+import random
 import shutil
 import time
 from collections.abc import Callable, Iterator
-from contextlib import suppress
-from dataclasses import dataclass
+from contextlib import ExitStack, contextmanager, suppress
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.scene import InputError, sweep, write_atomic
+from sceneweaver.runtime.processes import cores
+from sceneweaver.scene import InputError, locked, sweep, write_atomic
+from sceneweaver.scene.files import TEMPORARY
 
 from .. import work
-from ..disk import disk_full, waiting
-from ..processes import cores
+from ..folder import Folder, disk_full, waiting
 from .local import TICK, LocalEngine
-from .locks import run_lock
 from .manifest import Dataset, agreed_device, devices
-from .records import Records
-from .schedule import Listener
+from .schedule import Job, Listener
+from .tasks import Records
 
 ONLY_MAKING = ("rooms", "journal")
 """What lies in ``work/`` and is of no use once all blocks are made: gigabytes, where there are many scenes."""
@@ -117,15 +118,13 @@ def _make(
         listener.block(record)
 
     told = Listener(block, listener.notice)
+    job = Job(dataset, told, options.workers, produce, options.memory, options.patient, until)
     if options.engine == "ray":
         from .cluster import RayEngine
 
-        workers, patient = options.workers, options.patient
-        engine = RayEngine(dataset, options.address, workers, produce, told, patient=patient, until=until)
+        engine = RayEngine(job, options.address)
     else:
-        workers, places = options.workers or cores(), devices(device, dataset.spec)
-        memory, patient = options.memory, options.patient
-        engine = LocalEngine(dataset, places, workers, produce, told, memory=memory, patient=patient, until=until)
+        engine = LocalEngine(replace(job, workers=options.workers or cores()), devices(device, dataset.spec))
     engine.run(numbers)
 
 
@@ -175,3 +174,40 @@ def _folders(path: Path) -> Iterator[Path]:
     yield path
     with suppress(FileNotFoundError):
         yield from (place for place in path.iterdir() if place.is_dir())
+
+
+PATIENCE = 5.0
+"""Seconds that a shard waits for others which look, as it does, whether a whole run is at work."""
+
+
+@contextmanager
+def run_lock(folder: Folder, shard: tuple[int, int] | None) -> Iterator[None]:
+    """Keep other runs out while the block goes on; runs of other shards may work beside one of a shard.
+
+    Raises:
+        InputError: another run is at work, with its process number.
+    """
+    what, shards = f"--out: {folder.path}", folder.work / "shards"
+    with ExitStack() as held:
+        if shard is None:
+            held.enter_context(locked(folder.manifest, what))
+            for lock in shards.glob(f"{TEMPORARY}*.lock"):
+                with locked(shards / lock.name.removeprefix(TEMPORARY).removesuffix(".lock"), what):
+                    pass
+        else:
+            shards.mkdir(parents=True, exist_ok=True)
+            held.enter_context(locked(shards / f"{shard[0]}-of-{shard[1]}", f"{what}, shard {shard[0]}/{shard[1]}"))
+            _require_no_whole_run(folder.manifest, what)
+        yield
+
+
+def _require_no_whole_run(manifest: Path, what: str) -> None:
+    until = time.monotonic() + PATIENCE
+    while True:
+        try:
+            with locked(manifest, what):
+                return
+        except InputError:
+            if time.monotonic() > until:
+                raise
+        time.sleep(random.uniform(0.02, 0.2))

@@ -11,7 +11,8 @@ from typing import Any
 
 from sceneweaver.scene import MissingDependencyError
 
-from ..disk import LEAST, Wait, waiting
+from ..folder import LEAST, Wait, waiting
+from ..work import Produce
 from .manifest import Dataset
 from .tasks import Message, Task
 
@@ -35,6 +36,29 @@ class Listener:
     notice: Callable[[str], None]
 
 
+@dataclass(frozen=True)
+class Job:
+    """What an engine is asked for.
+
+    Attributes:
+        dataset: what it makes.
+        listener: hears of blocks and troubles.
+        workers: how many tasks at a time; of a cluster None: one for each of its cores.
+        produce: what makes scenes, if not `produce`.
+        memory: resident bytes above which a worker is replaced between two tasks; None: any number.
+        patient: wait when the disk is full, or end.
+        until: when to end at the latest, by `time.monotonic` [s]; nothing begins that would not be made by then.
+    """
+
+    dataset: Dataset
+    listener: Listener
+    workers: int | None = None
+    produce: Produce | None = None
+    memory: int | None = None
+    patient: bool = True
+    until: float = math.inf
+
+
 @dataclass
 class _Apart:
     """A block whose rooms are made one by one: how many are left, and why others are given up."""
@@ -47,43 +71,31 @@ class Schedule:
     """The tasks of a run.
 
     Args:
-        dataset: what they make.
-        numbers: the blocks that it lacks.
-        listener: hears of blocks and troubles.
+        job: what is asked for.
+        numbers: the blocks that the data set lacks.
         workers: how many there are, for the room on the disk that they need.
-        patient: wait when the disk is full, or end.
-        until: when all has to end, by `time.monotonic` [s]; nothing begins that would not be made by then.
     """
 
-    def __init__(
-        self,
-        dataset: Dataset,
-        numbers: Iterable[int],
-        listener: Listener,
-        workers: int,
-        patient: bool,
-        until: float = math.inf,
-    ):
-        self._dataset, self._listener, self._patient = dataset, listener, patient
+    def __init__(self, job: Job, numbers: Iterable[int], workers: int):
+        self._dataset, self._listener, self._job = job.dataset, job.listener, job
         self._tasks = deque(Task(number) for number in numbers)
         self._apart: dict[int, _Apart] = {}
         self._taken = 0
         self._pause: Wait | None = None
         self._workers, self._largest = workers, 0
-        self._until = until
         self._seconds: deque[float] = deque(maxlen=RECENT)
 
     @property
     def over(self) -> bool:
         """Whether all is made, or the time is over: what is in hand then is dropped."""
-        if time.monotonic() >= self._until:
+        if time.monotonic() >= self._job.until:
             return True
         return not self._taken and (not self._tasks or self._late)
 
     @property
     def _late(self) -> bool:
         """Whether a block that begins now would not be made in time."""
-        return time.monotonic() + max(self._seconds, default=0.0) > self._until
+        return time.monotonic() + max(self._seconds, default=0.0) > self._job.until
 
     @property
     def waiting(self) -> int:
@@ -161,5 +173,5 @@ class Schedule:
     def _wait(self) -> None:
         if self._pause is None:
             needed = max(LEAST, 2 * self._largest * self._workers)
-            self._pause = waiting(self._dataset.folder.path, needed, wait=self._patient)
+            self._pause = waiting(self._dataset.folder.path, needed, wait=self._job.patient)
             self._listener.notice(f"{self._pause}; waiting")

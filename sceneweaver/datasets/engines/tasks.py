@@ -2,25 +2,27 @@
 
 from __future__ import annotations
 
-import shutil
+import json
+import os
+import resource
+import socket
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal
 
 from sceneweaver.scene import MissingDependencyError
 
-from ..blocks import read_rows, read_samples, write_block
-from ..disk import disk_full
+from ..folder import Folder, disk_full
 from ..requests import Request
-from ..sample import Sample
+from ..samples import Sample, read_rows
 from ..spec import Spec
 from ..store import AssetStore
-from ..work import Produce, failed_samples, make_block, store_of, usual
+from ..work import Produce, join_rooms, make_block, make_rooms, usual
 from .manifest import Dataset
-from .records import memory
 
 Message = tuple[Literal["ready", "alive", "done", "full", "missing", "error"], Any]
 """What a worker says: it is ready or alive; its task is done, with a record; the disk is full; something that it needs
@@ -85,16 +87,12 @@ def _carry_out(
             yield sample
 
     if task.join:
-        _join(dataset, task)
+        join_rooms(folder, dataset.requests, task.number, task.failed)
     elif task.room is None:
         make_block(folder, dataset.requests, task.number, device, watched)
     elif not whole.exists():
         request = dataset.requests.block(task.number)[task.room]
-        path = folder.rooms(task.number) / f"{task.room:04d}"
-        if dataset.spec.product == "layouts":
-            _write_programs(dataset, path, request, device, {})
-        elif not path.exists():
-            write_block(path, watched(dataset.spec, [request], store_of(folder), device))
+        make_rooms(folder, dataset.requests, folder.room(task.number, task.room), [request], device, watched)
     rss, peak = memory()
     record = {"block": task.number, "start": start, "end": time.time(), "rss": rss, "peak_rss": peak}
     if not whole.exists():  # a room alone is no news yet
@@ -107,32 +105,39 @@ def _carry_out(
     }
 
 
-def _join(dataset: Dataset, task: Task) -> None:
-    """Make a block of its rooms, which were made one by one."""
-    place, block = dataset.folder.rooms(task.number), dataset.folder.block(task.number)
+class Records:
+    """The file that a run adds its records to."""
 
-    requests = dataset.requests.block(task.number)
-    paths = [place / f"{number:04d}" for number in range(len(requests))]
+    def __init__(self, folder: Folder):
+        self._path = folder.records / f"{socket.gethostname()}-{os.getpid()}.jsonl"
 
-    def samples() -> Iterator[Sample]:
-        for number, request in enumerate(requests):
-            if number in task.failed:
-                yield from failed_samples(request, task.failed[number])
-            else:
-                yield from read_samples(paths[number])
-
-    if dataset.spec.product == "layouts":
-        from ..layouts import join
-
-        for number, reason in task.failed.items():
-            _write_programs(dataset, paths[number], requests[number], "cpu", {requests[number].room: reason})
-        join(block, dataset.requests, paths)
-    elif not block.exists():
-        write_block(block, samples())
-    shutil.rmtree(place, ignore_errors=True)
+    def add(self, record: dict[str, Any]) -> None:
+        """Write one record; without room on the disk it is lost, as nothing depends on it."""
+        with suppress(OSError):
+            self._path.parent.mkdir(parents=True, exist_ok=True)
+            with open(self._path, "a", encoding="utf-8") as file:
+                file.write(json.dumps(record) + "\n")
 
 
-def _write_programs(dataset: Dataset, path: Path, request: Request, device: str, failed: dict[int, str]) -> None:
-    from ..layouts import write_programs
+def read_records(folder: Folder) -> list[dict[str, Any]]:
+    """The records of all runs of a data set, in order of their end.
 
-    write_programs(path, dataset.requests, [request], device, failed)
+    Each has ``block``, ``start`` and ``end`` [s since 1970], ``worker``, ``host``, ``pid``, ``rss`` and ``peak_rss``
+    [bytes], ``bytes`` (of the block), ``rooms``, and how many scenes were ``ok``, ``rejected`` and ``failed``.
+    """
+    found = []
+    for path in sorted(folder.records.glob("*.jsonl")):
+        for line in path.read_text(encoding="utf-8", errors="replace").splitlines():
+            with suppress(ValueError):  # the last line of a run that was killed may be torn
+                found.append(json.loads(line))
+    return sorted(found, key=lambda record: record["end"])
+
+
+def memory() -> tuple[int, int]:
+    """Resident memory of this process now and at its peak [bytes]."""
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
+    try:
+        pages = int(Path("/proc/self/statm").read_text().split()[1])
+    except OSError:
+        return peak, peak
+    return pages * resource.getpagesize(), peak

@@ -1,9 +1,8 @@
 """Files as users of data sets expect them: shards, index, splits without near-duplicates, card, checksums."""
 
+from .card import push_card
 from .fingerprint import fingerprint, signature
-from .finish import finish
-from .hub import push_card
-from .packing import pack
-from .plan import packing
+from .packing import finish, pack
+from .plan import packing_began
 
-__all__ = ["finish", "fingerprint", "pack", "packing", "push_card", "signature"]
+__all__ = ["finish", "fingerprint", "pack", "packing_began", "push_card", "signature"]

@@ -1,58 +1,70 @@
-"""Croissant metadata (version 1.1): files with checksums, and the index as a set of records."""
+"""Licences of a data set, and its Croissant metadata (version 1.1): files with checksums, and the index as records."""
 
 from __future__ import annotations
 
+import json
+from collections import Counter
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import sceneweaver
 
 from ..folder import Folder
 from ..spec import Spec
-from .licences import TEXTS, Licence
-from .tables import read_schema, table_of
+from ..tables import read_schema, read_table
 
-CONTEXT = {
-    "@language": "en",
-    "@vocab": "https://schema.org/",
-    "citeAs": "cr:citeAs",
-    "column": "cr:column",
-    "conformsTo": "dct:conformsTo",
-    "cr": "http://mlcommons.org/croissant/",
-    "rai": "http://mlcommons.org/croissant/RAI/",
-    "data": {"@id": "cr:data", "@type": "@json"},
-    "dataType": {"@id": "cr:dataType", "@type": "@vocab"},
-    "dct": "http://purl.org/dc/terms/",
-    "equivalentProperty": "cr:equivalentProperty",
-    "examples": {"@id": "cr:examples", "@type": "@json"},
-    "extract": "cr:extract",
-    "field": "cr:field",
-    "fileProperty": "cr:fileProperty",
-    "fileObject": "cr:fileObject",
-    "fileSet": "cr:fileSet",
-    "format": "cr:format",
-    "includes": "cr:includes",
-    "isArray": "cr:isArray",
-    "arrayShape": "cr:arrayShape",
-    "isLiveDataset": "cr:isLiveDataset",
-    "jsonPath": "cr:jsonPath",
-    "key": "cr:key",
-    "md5": "cr:md5",
-    "parentField": "cr:parentField",
-    "path": "cr:path",
-    "recordSet": "cr:recordSet",
-    "references": "cr:references",
-    "regex": "cr:regex",
-    "repeated": "cr:repeated",
-    "replace": "cr:replace",
-    "samplingRate": "cr:samplingRate",
-    "sc": "https://schema.org/",
-    "separator": "cr:separator",
-    "source": "cr:source",
-    "subField": "cr:subField",
-    "transform": "cr:transform",
+TEXTS = {
+    "Apache-2.0": "https://www.apache.org/licenses/LICENSE-2.0",
+    "BSD-3-Clause": "https://opensource.org/license/bsd-3-clause",
+    "CC-BY-4.0": "https://creativecommons.org/licenses/by/4.0/",
+    "CC-BY-NC-4.0": "https://creativecommons.org/licenses/by-nc/4.0/",
+    "CC0-1.0": "https://creativecommons.org/publicdomain/zero/1.0/",
+    "MIT": "https://opensource.org/license/mit",
 }
+"""Where the text of a licence stands."""
+
+OWN = "Apache-2.0"
+"""The licence of what the library itself draws and lays out."""
+
+
+class Licence(NamedTuple):
+    """A licence, with a source of assets that are under it, who is to be named, and how many assets these are."""
+
+    name: str
+    source: str
+    attribution: str
+    assets: int
+
+
+DRAWN = Licence(OWN, "parametric", "sceneweaver", 0)
+"""What holds where nothing came from elsewhere."""
+
+
+def licences(folder: Folder) -> list[Licence]:
+    """The licences of the assets of a data set, by name; one without assets is under the library's own."""
+    rows = read_table(folder.asset_table) if folder.asset_table.exists() else ()
+    found = Counter((row["licence"], row["source"], row["attribution"]) for row in rows)
+    return [Licence(*key, count) for key, count in sorted(found.items())] or [DRAWN]
+
+
+def licences_text(spec: Spec, used: list[Licence]) -> str:
+    """``LICENSES.md``: every source of assets with its licence and attribution."""
+    rows = "".join(
+        f"| {one.source} | {_linked(one.name)} | {one.attribution or '-'} | {one.assets:,} |\n" for one in used
+    )
+    return (
+        f"# Licences of {spec.name}\n\n"
+        f"Layouts, descriptions and tables were made by sceneweaver and are under {_linked(OWN)}.\n"
+        "Assets lie in `assets/`, each once; `meta/assets.parquet` names the licence of each, and the column\n"
+        "`licences` of `meta/index.parquet` those of each scene.\n\n"
+        "| source of assets | licence | attribution | assets |\n| --- | --- | --- | --- |\n" + rows
+    )
+
+
+def _linked(name: str) -> str:
+    return f"[{name}]({TEXTS[name]})" if name in TEXTS else name
+
 
 TYPES = {"bool": "sc:Boolean", "int32": "cr:Int32", "int64": "cr:Int64", "double": "cr:Float64", "string": "sc:Text"}
 
@@ -72,13 +84,13 @@ def croissant(
     from pyarrow.types import is_struct
 
     names = dict.fromkeys(one.name for one in used)
-    table = table_of(folder, spec)
+    table = folder.table(spec.product)
     index = _file(folder, table, "application/x-parquet", sums)
     columns = [column for column in read_schema(table) if not is_struct(column.type)]
     key, made = columns[0].name, f"made with sceneweaver {sceneweaver.__version__}"
     shards = sorted(path for path in folder.data.iterdir() if path.suffix in KINDS) if folder.data.exists() else []
     return {
-        "@context": CONTEXT,
+        "@context": json.loads((Path(__file__).parent / "croissant_context.json").read_bytes()),
         "@type": "sc:Dataset",
         "conformsTo": "http://mlcommons.org/croissant/1.1",
         "name": spec.name,

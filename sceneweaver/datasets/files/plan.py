@@ -5,9 +5,9 @@ The plan is a function of the rows of all blocks. It is there whole or not at al
 
 from __future__ import annotations
 
-import json
-import os
+import hashlib
 from collections.abc import Iterator
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
@@ -15,23 +15,19 @@ import numpy as np
 from scipy.cluster.hierarchy import DisjointSet
 
 from sceneweaver.scene import InputError
-from sceneweaver.scene.files import temporary_folder
 
-from ..blocks import SECONDS, read_rows
-from ..columns import arrow, index_schema
 from ..folder import Folder
 from ..requests import Requests
+from ..samples import SECONDS, read_rows, whole_folder
 from ..spec import Spec
 from ..store import AssetStore
-from .fingerprint import Layout
-from .near_duplicates import join_near_duplicates, smallest
-from .splits import assign_splits
-from .tables import write_table
+from ..tables import read_lines, schema_of, write_table
+from .fingerprint import Layout, join_near_duplicates, smallest
 
 INDEX, SECONDS_TABLE, ASSETS = "index.parquet", "seconds.parquet", "assets.parquet"
 
 
-def packing(folder: Folder) -> bool:
+def packing_began(folder: Folder) -> bool:
     """Whether packing has begun: then blocks may be gone, and none is to be made."""
     return folder.plan.exists() or folder.index.exists()
 
@@ -47,13 +43,10 @@ def write_plan(folder: Folder, requests: Requests) -> None:
     if missing:
         raise InputError(f"{folder.path}: block {missing[0]} of {len(blocks)} is missing; resume the data set")
     placed = _placed(requests.spec, blocks)
-    with temporary_folder(folder.plan.parent) as parent:
-        draft = parent / folder.plan.name
-        draft.mkdir()
-        write_table(draft / INDEX, _indexed(blocks, placed), index_schema())
-        write_table(draft / SECONDS_TABLE, seconds_rows(blocks), seconds_schema())
-        write_table(draft / ASSETS, _assets(folder, blocks), _assets_schema())
-        os.rename(draft, folder.plan)
+    with whole_folder(folder.plan) as draft:
+        write_table(draft / INDEX, _indexed(blocks, placed), schema_of("index"))
+        write_table(draft / SECONDS_TABLE, seconds_rows(blocks), schema_of("seconds"))
+        write_table(draft / ASSETS, _assets(folder, blocks), schema_of("assets"))
 
 
 def _placed(spec: Spec, blocks: list[Path]) -> Iterator[dict[str, Any]]:
@@ -90,8 +83,7 @@ def _indexed(blocks: list[Path], placed: Iterator[dict[str, Any]]) -> Iterator[d
 
 
 def _rows(blocks: list[Path]) -> Iterator[dict[str, Any]]:
-    for path in blocks:
-        yield from read_rows(path)
+    return chain.from_iterable(map(read_rows, blocks))
 
 
 def _delivered(blocks: list[Path]) -> Iterator[dict[str, Any]]:
@@ -101,11 +93,9 @@ def _delivered(blocks: list[Path]) -> Iterator[dict[str, Any]]:
 def seconds_rows(blocks: list[Path]) -> Iterator[dict[str, Any]]:
     """The times of some blocks, a row a stage."""
     for path in blocks:
-        with open(path / SECONDS, encoding="utf-8") as file:
-            for line in file:
-                row = json.loads(line)
-                index = row.pop("index")
-                yield from ({"index": index, "stage": stage, "seconds": took} for stage, took in row.items())
+        for row in read_lines(path / SECONDS):
+            index = row.pop("index")
+            yield from ({"index": index, "stage": stage, "seconds": took} for stage, took in row.items())
 
 
 def _assets(folder: Folder, blocks: list[Path]) -> Iterator[dict[str, Any]]:
@@ -116,13 +106,25 @@ def _assets(folder: Folder, blocks: list[Path]) -> Iterator[dict[str, Any]]:
     return (row for row in asset_rows(AssetStore(folder.path)) if row["asset"] in used)
 
 
-def _assets_schema():
-    pa = arrow()
-    columns = [(name, pa.string()) for name in ("asset", "category", "source", "licence", "attribution")]
-    return pa.schema([*columns, ("files", pa.list_(pa.string())), ("bytes", pa.int64())])
+def assign_splits(spec: Spec, families: np.ndarray) -> np.ndarray:
+    """The split of each scene, as its place among the names of the splits in ascending order.
+
+    Families lie in the order of a hash; each is in the split within whose share of all scenes its middle falls. So the
+    shares are as exact as whole families allow, and no family is in two splits.
+
+    Args:
+        spec: says the shares.
+        families: a number for each scene; scenes of one family share a split. Shape [scene].
+    """
+    names, places, sizes = np.unique(families, return_inverse=True, return_counts=True)
+    order = np.array(sorted(range(len(names)), key=lambda i: _hash(spec.seed, int(names[i]))), dtype=int)
+    middles = np.cumsum(sizes[order]) - sizes[order] / 2
+    shares = np.array([spec.splits[name] for name in sorted(spec.splits)])
+    ends = np.cumsum(shares / shares.sum())[:-1] * len(families)
+    split = np.empty(len(names), dtype=int)
+    split[order] = np.searchsorted(ends, middles, side="right")
+    return split[places]
 
 
-def seconds_schema():
-    """What ``meta/seconds.parquet`` holds."""
-    pa = arrow()
-    return pa.schema([("index", pa.int64()), ("stage", pa.string()), ("seconds", pa.float64())])
+def _hash(seed: int, family: int) -> bytes:
+    return hashlib.sha256(f"{seed} {family}".encode()).digest()

@@ -1,7 +1,7 @@
 """Layouts by the million: rooms as programs, their valid layouts as rows of Parquet."""
 
-from .block import join, make_block, write_programs
+from .block import join, write_programs
 from .pack import pack
 from .read import load_layout, load_program
 
-__all__ = ["join", "load_layout", "load_program", "make_block", "pack", "write_programs"]
+__all__ = ["join", "load_layout", "load_program", "pack", "write_programs"]

@@ -3,29 +3,129 @@
 from __future__ import annotations
 
 import json
-import os
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import cache, partial
+from multiprocessing import current_process
 from pathlib import Path
 from typing import Any
 
-import sceneweaver
+from sceneweaver.agent.design import chosen_room
+from sceneweaver.agent.loop import empty_scene
+from sceneweaver.agent.riders import searched
+from sceneweaver.assets import Library
 from sceneweaver.geometry.polygons import signed_area
+from sceneweaver.language import read_request
 from sceneweaver.layout.compile import CompiledScene, compile_scene
 from sceneweaver.layout.devices import pick_devices
 from sceneweaver.layout.sampling import Drawn, first_layouts, joined
-from sceneweaver.scene import Scene
-from sceneweaver.scene.files import temporary_folder
+from sceneweaver.runtime.processes import pool
+from sceneweaver.scene import InputError, Scene
+from sceneweaver.scene.edits import apply_all
+from sceneweaver.scene.threads import cores
+from sceneweaver.tools.base import Context
+from sceneweaver.tools.registry import tools
 
-from ..blocks import ROWS, SECONDS
-from ..folder import Folder
 from ..requests import Request, Requests
+from ..samples import ROWS, SECONDS, scene_columns, whole_folder
 from ..spec import Spec
+from ..tables import write_lines
 from .collect import Collection, collect
-from .programs import Program, drawing
 from .tables import Writers, row_groups, schema, tables
+
+AT_ONCE = 8
+"""Programs from which on other processes draw them."""
+
+
+@dataclass(frozen=True)
+class Program:
+    """What layouts are wanted of: a scene of boxes and prisms, or the reason why there is none."""
+
+    request: Request
+    attempt: int
+    scene: Scene | None
+    reason: str = ""
+
+    @property
+    def seed(self) -> int:
+        """What its layouts follow from."""
+        return self.request.attempt(self.attempt)
+
+
+def draw(spec: Spec, one: tuple[Request, int]) -> Program:
+    """An attempt at the program of a request.
+
+    What stands on furniture is part of its boxes. Scenes of users are taken as they are.
+    """
+    request, attempt = one
+    try:
+        if request.scene is not None:
+            scene = Scene.load(request.scene)
+        else:
+            scene = _furnished(request, request.attempt(attempt))
+    except InputError as error:
+        return Program(request, attempt, None, str(error))
+    least, most = spec.rooms.objects
+    if not least <= len(scene.objects) <= most:
+        return Program(request, attempt, None, f"{len(scene.objects)} objects, not {least} to {most}")
+    return Program(request, attempt, scene)
+
+
+Draw = Callable[[Sequence[tuple[Request, int]]], list[Program]]
+"""What draws the programs of some attempts, in their order."""
+
+
+@contextmanager
+def drawing(spec: Spec, requests: Sequence[Request]) -> Iterator[Draw]:
+    """What draws programs of some requests, attempt after attempt.
+
+    Other processes do it where there are many and this is not one of several workers; they stay until the end, since
+    to begin one costs as much as to draw ten programs.
+    """
+    helpers = min(cores(), sum(request.scene is None for request in requests))
+    if len(requests) < AT_ONCE or helpers < 2 or current_process().daemon:
+        yield lambda attempts: [draw(spec, one) for one in attempts]
+        return
+    with pool(helpers) as processes:
+        yield lambda attempts: list(processes.map(partial(draw, spec), attempts))
+
+
+@cache
+def _library() -> Library:
+    return Library()
+
+
+def _furnished(request: Request, seed: int) -> Scene:
+    """The room of a request as the search sees it."""
+    brief = read_request(request.prompt)
+    kind, _ = chosen_room(brief)
+    context = Context(brief, kind, empty_scene(brief, kind), _library(), seed)
+    proposal = tools()["init_prior"].load().propose(context)
+    assert proposal.scene is not None
+    scene = apply_all(proposal.scene, proposal.edits)[0]
+    if proposal.variants:
+        chosen = proposal.variants[seed % len(proposal.variants)]
+        scene = scene.model_copy(update={"relations": (*scene.relations, *chosen)})
+    return as_tall_as_it_stands(searched(scene))
+
+
+def as_tall_as_it_stands(scene: Scene) -> Scene:
+    """The scene with sizes that reach up to what stands on things, which is part of them.
+
+    By these sizes a search keeps a shelf above a counter; the judge keeps it above all parts of the counter.
+    """
+    tops = [max(part.z[1] for part in o.solids) for o in scene.objects]
+    return scene.model_copy(
+        update={
+            "objects": tuple(
+                o.model_copy(update={"size": (*o.size[:2], top)}) if top > o.size[2] else o
+                for o, top in zip(scene.objects, tops, strict=True)
+            )
+        }
+    )
+
 
 ATTEMPTS = {"cpu": 4, "gpu": 20}
 """How often each of the first layouts is begun anew; attempts on a GPU are shorter."""
@@ -46,18 +146,6 @@ class Taken:
     first: Drawn
 
 
-def make_block(folder: Folder, requests: Requests, number: int, device: str = "auto") -> None:
-    """Make one block of programs and their layouts, unless it is there.
-
-    Args:
-        folder: the data set.
-        requests: what is asked for, with its specification.
-        number: which block.
-        device: where layouts are made.
-    """
-    write_programs(folder.block(number), requests, requests.block(number), device)
-
-
 def write_programs(
     path: Path, requests: Requests, chosen: Sequence[Request], device: str, failed: Mapping[int, str] | None = None
 ) -> None:
@@ -73,7 +161,7 @@ def write_programs(
     if path.exists():
         return
     where, given_up = pick_devices(device)[0], failed or {}
-    with _draft(path) as draft, Writers(draft, schema(width(requests))) as writers:
+    with whole_folder(path) as draft, Writers(draft, schema(width(requests))) as writers:
         tried = [request for request in chosen if request.room not in given_up]
         found = {row["room"]: (row, times) for row, times in _made(requests.spec, tried, writers, where)}
         for request in chosen:
@@ -81,40 +169,21 @@ def write_programs(
                 reason = given_up[request.room]
                 row = _base(Program(request, 0, None)) | {"status": "failed", "reason": reason}
                 found[request.room] = row, {"index": request.index}
-        _write_rows(draft, [found[request.room] for request in chosen])
+        pairs = [found[request.room] for request in chosen]
+        write_lines(draft / ROWS, (row for row, _ in pairs))
+        write_lines(draft / SECONDS, (times for _, times in pairs))
 
 
 def join(path: Path, requests: Requests, parts: Sequence[Path]) -> None:
     """Write a block from folders of one program each, as if it had been written at once."""
     if path.exists():
         return
-    with _draft(path) as draft, Writers(draft, schema(width(requests))) as writers:
+    with whole_folder(path) as draft, Writers(draft, schema(width(requests))) as writers:
         for position, part in enumerate(parts):
             for table in tables(row_groups(part)):
                 writers.write(position, table)
         for name in (ROWS, SECONDS):
             (draft / name).write_bytes(b"".join((part / name).read_bytes() for part in parts))
-
-
-@contextmanager
-def _draft(path: Path) -> Iterator[Path]:
-    """A folder that is renamed to a path when it is whole."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with temporary_folder(path.parent) as temporary:
-        draft = temporary / path.name
-        draft.mkdir()
-        yield draft
-        try:
-            os.rename(draft, path)
-        except OSError:  # the folder is not empty: another process was as quick
-            if not path.exists():
-                raise
-
-
-def _write_rows(folder: Path, found: Sequence[tuple[dict[str, Any], dict[str, Any]]]) -> None:
-    for name, data in zip((ROWS, SECONDS), zip(*found, strict=True), strict=True):
-        text = "".join(json.dumps(row, ensure_ascii=False) + "\n" for row in data)
-        (folder / name).write_text(text)
 
 
 def width(requests: Requests) -> int:
@@ -196,16 +265,7 @@ def _first(scenes: Sequence[CompiledScene], candidates: int, seeds: Sequence[int
 
 def _base(program: Program) -> dict[str, Any]:
     request = program.request
-    return {
-        "index": request.index,
-        "key": request.key(0),
-        "room": request.room,
-        "attempt": program.attempt,
-        "seed": request.seed,
-        "prompt": request.prompt,
-        "kind": request.kind,
-        "version": sceneweaver.__version__,
-    }
+    return {"index": request.index, "key": request.key(0), **request.columns(program.attempt)}
 
 
 def _row(taken: Taken, count: int, spec: Spec, steps: int) -> dict[str, Any]:
@@ -215,11 +275,7 @@ def _row(taken: Taken, count: int, spec: Spec, steps: int) -> dict[str, Any]:
         "reason": None if count == wanted else f"{count} of {wanted} layouts after {steps} steps",
         "layouts": count,
         "first_valid": len(taken.first.poses) / spec.rooms.candidates,
-        "room_type": scene.room.type,
+        **scene_columns(scene),
         "area": round(abs(float(signed_area(scene.room.outline))), 3),
-        "wall_count": len(scene.room.outline),
-        "object_count": len(scene.objects),
-        "categories": sorted({o.category for o in scene.objects}),
-        "relation_count": len(scene.relations),
         "scene": json.dumps(scene.to_json(), ensure_ascii=False, separators=(",", ":")),
     }

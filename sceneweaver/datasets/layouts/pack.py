@@ -13,53 +13,21 @@ import numpy as np
 
 from sceneweaver.scene.files import sweep, temporary_folder
 
-from ..blocks import read_rows
-from ..columns import arrow
-from ..files.finish import finish
-from ..files.plan import SECONDS_TABLE, seconds_rows, seconds_schema
-from ..files.tables import write_table
+from ..files.packing import finish
+from ..files.plan import SECONDS_TABLE, seconds_rows
 from ..folder import Folder
 from ..requests import Requests
+from ..samples import read_rows
 from ..spec import Spec
+from ..tables import arrow, schema_of, write_table
 from .block import width
 from .tables import COMPRESSION, RowGroup, row_groups, schema, tables
 
 if TYPE_CHECKING:
     import pyarrow as pa
 
-PROGRAMS = "programs.parquet"
 SIDES = 0.25
 """Grid [m] of sizes in which two programs of the same furniture count as near-duplicates."""
-
-
-def programs_schema() -> pa.Schema:
-    """The columns of ``meta/programs.parquet``: a row a program, delivered or not."""
-    pa = arrow()
-    text, whole, number = pa.string(), pa.int32(), pa.float64()
-    return pa.schema(
-        [
-            ("program", whole),
-            ("status", text),
-            ("reason", text),
-            ("split", text),
-            ("shards", pa.list_(text)),
-            ("layouts", whole),
-            ("first_valid", number),
-            ("attempt", whole),
-            ("seed", pa.int64()),
-            ("prompt", text),
-            ("kind", text),
-            ("room_type", text),
-            ("area", number),
-            ("wall_count", whole),
-            ("object_count", whole),
-            ("relation_count", whole),
-            ("categories", pa.list_(text)),
-            ("near_duplicate_group", whole),
-            ("scene", text),
-            ("version", text),
-        ]
-    )
 
 
 def pack(folder: Folder, requests: Requests) -> None:
@@ -73,7 +41,7 @@ def pack(folder: Folder, requests: Requests) -> None:
     if folder.checksums.exists():
         return
     sweep(folder.path)
-    if not (folder.meta / PROGRAMS).exists():
+    if not folder.programs.exists():
         _write(folder, requests)
     shutil.rmtree(folder.blocks, ignore_errors=True)
     finish(folder, requests.spec)
@@ -98,11 +66,11 @@ def _write(folder: Folder, requests: Requests) -> None:
                 rows.append(row)
         shards.close()
         blocks = [folder.block(number) for number in range(requests.blocks)]
-        write_table(temporary / SECONDS_TABLE, seconds_rows(blocks), seconds_schema())
-        write_table(temporary / PROGRAMS, rows, programs_schema())
+        write_table(temporary / SECONDS_TABLE, seconds_rows(blocks), schema_of("seconds"))
+        write_table(temporary / folder.programs.name, rows, schema_of("programs"))
         shutil.rmtree(folder.data, ignore_errors=True)  # of a packing that was cut off
         os.rename(temporary / "data", folder.data)
-        for name in (SECONDS_TABLE, PROGRAMS):
+        for name in (SECONDS_TABLE, folder.programs.name):
             os.replace(temporary / name, folder.meta / name)
 
 

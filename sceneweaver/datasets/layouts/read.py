@@ -1,16 +1,34 @@
-"""Scenes from the rows of a data set of layouts."""
+"""Programs and layouts of a data set of layouts, packed or still being made."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from sceneweaver.scene import InputError, Pose, Scene
 
-from ..columns import arrow
 from ..folder import Folder
-from .pack import PROGRAMS
+from ..reading import block_folders
+from ..samples import read_rows
+from ..tables import arrow, read_table
+
+
+def programs_of(folder: Folder) -> Iterator[dict[str, Any]]:
+    """The programs as rows: of the table, or of the blocks made so far."""
+    if folder.programs.exists():
+        yield from read_table(folder.programs)
+    else:
+        for block in block_folders(folder):
+            yield from (row | {"program": row["room"]} for row in read_rows(block))
+
+
+def layout_files(folder: Folder) -> list[Path]:
+    """The files with layouts: shards, or those of blocks."""
+    packed = folder.programs.exists()
+    return sorted(folder.data.glob("*.parquet") if packed else folder.blocks.glob("*/*/layouts-*.parquet"))
 
 
 def load_program(folder: Path | str, program: int) -> Scene:
@@ -59,8 +77,8 @@ def posed(scene: Scene, poses: np.ndarray) -> Scene:
     )
 
 
-def _row(folder: Path | str, program: int) -> dict:
-    path = Folder(Path(folder)).meta / PROGRAMS
+def _row(folder: Path | str, program: int) -> dict[str, Any]:
+    path = Folder(Path(folder)).programs
     if not path.exists():
         raise InputError(f"{folder}: no data set of layouts, or not packed yet: {path} is missing")
     found = arrow().parquet.read_table(path, filters=[("program", "=", program)]).to_pylist()

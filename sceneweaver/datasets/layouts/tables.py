@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..columns import arrow
+from ..tables import arrow
 
 if TYPE_CHECKING:
     import pyarrow as pa

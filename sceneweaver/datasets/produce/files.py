@@ -12,19 +12,18 @@ from typing import Any
 
 import shapely
 
-import sceneweaver
 from sceneweaver.assets import Library
 from sceneweaver.scene import Scene
 from sceneweaver.verify import Report
 
-from ..counterfactuals import twin_files, twins
 from ..describe import describe
 from ..files import fingerprint
-from ..requests import Request
+from ..samples import report_columns, scene_columns
 from ..spec import Spec, Views
 from ..store import AssetStore
 from ..store.scene_files import scene_files
-from .finish import Finished
+from ..twins import twin_files, twins
+from .drafts import Finished
 
 
 def files_of(
@@ -55,39 +54,14 @@ def _metrics(spec: Spec, done: Finished) -> Report:
     )
 
 
-def columns_of(request: Request, layout: int, attempt: int) -> dict[str, Any]:
-    """The columns of a row that follow from the request alone."""
-    return {
-        "room": request.room,
-        "layout": layout,
-        "attempt": attempt,
-        "seed": request.seed,
-        "prompt": request.prompt,
-        "kind": request.kind,
-        "clutter": request.clutter,
-        "version": sceneweaver.__version__,
-    }
-
-
 def measured(done: Finished, library: Library) -> dict[str, Any]:
     """The columns of a row that tell of a scene that was made."""
     scene, report, review = done.outcome.scene, done.outcome.report, done.outcome.review
     asset_ids = sorted({o.asset for o in scene.objects if o.asset is not None})
-    tallies = (report.relations.hard, report.relations.soft)
-    total = sum(t.total for t in tallies)
     return {
-        "room_type": scene.room.type,
+        **scene_columns(scene),
+        **report_columns(report),
         "area": round(shapely.Polygon(scene.room.outline).area, 3),
-        "wall_count": len(scene.room.outline),
-        "object_count": len(scene.objects),
-        "categories": sorted({o.category for o in scene.objects}),
-        "relation_count": len(scene.relations),
-        "valid": report.valid,
-        "collisions": report.collisions,
-        "out_of_bounds": report.out_of_bounds,
-        "relations_satisfied": sum(t.satisfied for t in tallies) / total if total else 1.0,
-        "openable_share": report.openable_share,
-        "walkable_share": report.walkable_share,
         "grade": round(review.total, 4),
         "grades": {name: round(grade, 4) for name, grade in review.grades.items()},
         "unmet": list(done.unmet),

@@ -14,16 +14,15 @@ from sceneweaver.agent.interrupt import TimeUp
 from sceneweaver.assets import Library
 from sceneweaver.scene import InputError, MissingDependencyError, Scene
 
-from ..disk import disk_full
+from ..folder import disk_full
 from ..requests import Request
-from ..sample import Sample
+from ..samples import Sample
 from ..spec import Spec
 from ..store import AssetStore
 from ..store.pool import dataset_library
 from ..store.scene_files import references
-from .drafts import Draft, drafted
-from .files import columns_of, files_of, measured
-from .finish import Finished, designed, finished
+from .drafts import Draft, Finished, designed, drafted, finished
+from .files import files_of, measured
 from .layouts import chosen, laid_out
 
 LAYOUT_SEED = 0x85EBCA6B
@@ -124,7 +123,7 @@ def _scene(
     reason = room.reason or ("" if first else "no valid layout was found")
 
     def sample(status: Any, row: dict[str, Any], files: dict[str, bytes] | None = None) -> Sample:
-        index, named = request.index + layout, columns_of(request, layout, attempt)
+        index, named = request.index + layout, request.columns(attempt) | {"layout": layout}
         rounded = {name: round(value, 4) for name, value in seconds.items()}
         return Sample(index, request.key(layout), status, named | row, files or {}, rounded)
 

@@ -13,13 +13,81 @@ from typing import Any
 
 import numpy as np
 
+from sceneweaver.geometry.rotations import from_yaw
+from sceneweaver.runtime.processes import pool
+
 from ..folder import Folder
-from ..processes import pool
+from ..layouts.read import layout_files, programs_of
 from ..reading import Span, rows_of, scenes_of, shards_of, spans_of
 from ..statistics import statistics
-from .layouts import layout_files, program_layouts, program_rows
-from .plan import box_of, plan
-from .sampling import PICTURES, Sampler
+from ..tables import arrow
+from .charts import box_of, plan
+
+PICTURES, PAIRS = 400, 8
+"""Plans on the wall, and pairs of near-duplicates, at most."""
+
+_SHOWN = ("key", "prompt", "room_type", "grade", "object_count", "area", "split")
+
+
+class Sampler:
+    """Of each kind of room equally many scenes, spread over the set; and the first near-duplicates.
+
+    Args:
+        pictures: scenes on the wall, at most.
+
+    Attributes:
+        pairs: keys of near-duplicates, two and two.
+    """
+
+    def __init__(self, pictures: int = PICTURES) -> None:
+        self._most = pictures
+        self.pairs: list[tuple[str, str]] = []
+        self._kept: dict[str, list[dict[str, Any]]] = {}
+        self._seen: Counter[str] = Counter()
+        self._groups: dict[int, str] = {}
+        self._rng = np.random.default_rng(0)
+
+    def watch(self, rows: Iterable[dict[str, Any]]) -> Iterator[dict[str, Any]]:
+        """The rows as they come."""
+        for row in rows:
+            if row["status"] == "ok":
+                self._choose(row)
+                self._group(row)
+            yield row
+
+    def wall(self) -> dict[str, dict[str, Any]]:
+        """The rows for the wall by key; one kind of room after the other takes its turn."""
+        order = np.random.default_rng(0).permutation
+        left = {kind: [rows[k] for k in order(len(rows))] for kind, rows in sorted(self._kept.items())}
+        chosen: dict[str, dict[str, Any]] = {}
+        while left and len(chosen) < self._most:
+            for kind in list(left):
+                row = left[kind].pop(0)
+                chosen[row["key"]] = row
+                if not left[kind]:
+                    del left[kind]
+        return dict(list(chosen.items())[: self._most])
+
+    def _choose(self, row: dict[str, Any]) -> None:
+        """Reservoir sampling within a kind of room."""
+        kind = row.get("room_type") or ""
+        kept = self._kept.setdefault(kind, [])
+        self._seen[kind] += 1
+        place = len(kept) if len(kept) < self._most else int(self._rng.integers(self._seen[kind]))
+        if place < self._most:
+            kept[place : place + 1] = [{name: row.get(name) for name in _SHOWN}]
+
+    def _group(self, row: dict[str, Any]) -> None:
+        group, key = row.get("near_duplicate_group"), row["key"]
+        if group is None or len(self.pairs) == PAIRS:
+            return
+        first = self._groups.setdefault(group, key)
+        if first != key and all(first != pair[0] for pair in self.pairs):
+            self.pairs.append((first, key))
+
+
+LAYOUTS = 16
+"""How many layouts of a row group are read as scenes."""
 
 CELLS = 24
 """Cells of a heat map along each side of a room."""
@@ -46,7 +114,7 @@ class Gathered:
             first door is in the lower side; first axis upwards.
         together: in how many scenes two categories stand on the floor, by their names in order.
         present: in how many scenes a category does.
-        relations: by type, how many are hard and how many soft.
+        relations: how many there are, by type and whether they are hard.
         shells: outlines that differ, by their signature, with how many scenes have each.
         palettes: how many scenes have a palette.
         read: how many scenes were read.
@@ -59,7 +127,7 @@ class Gathered:
     heat: dict[str, np.ndarray] = field(default_factory=dict)
     together: Counter[tuple[str, str]] = field(default_factory=Counter)
     present: Counter[str] = field(default_factory=Counter)
-    relations: dict[str, list[int]] = field(default_factory=dict)
+    relations: Counter[tuple[str, bool]] = field(default_factory=Counter)
     shells: dict[str, tuple[Sequence[Sequence[float]], int]] = field(default_factory=dict)
     palettes: Counter[str] = field(default_factory=Counter)
     read: int = 0
@@ -71,7 +139,7 @@ class Gathered:
         self.present.update(named)
         self.together.update(combinations(named, 2))
         for relation in scene.get("relations", ()):
-            self.relations.setdefault(relation["type"], [0, 0])[0 if relation.get("hard", True) else 1] += 1
+            self.relations[relation["type"], bool(relation.get("hard", True))] += 1
         if scene.get("palette"):
             self.palettes[scene["palette"]["name"]] += 1
         outline = scene["room"]["outline"]
@@ -87,8 +155,7 @@ class Gathered:
         self.together.update(other.together)
         self.present.update(other.present)
         self.palettes.update(other.palettes)
-        for name, counts in other.relations.items():
-            self.relations[name] = [a + b for a, b in zip(self.relations.get(name, (0, 0)), counts, strict=True)]
+        self.relations.update(other.relations)
         for signature, (outline, count) in other.shells.items():
             self.shells[signature] = (outline, self.shells.get(signature, (outline, 0))[1] + count)
         self.read += other.read
@@ -127,35 +194,27 @@ def gather(folder: Folder, product: str = "scenes", *, pictures: int = PICTURES,
     tasks = list(_tasks(folder, step, drawn))
     if workers == 1 or len(tasks) < MANY:
         for task in tasks:
-            found.take_over(task.gather())
+            found.take_over(_gathered(task))
     else:
         with pool(workers) as processes:
-            for part in processes.map(_Scenes.gather, tasks, chunksize=4):
+            for part in processes.map(_gathered, tasks, chunksize=4):
                 found.take_over(part)
     return found
 
 
-@dataclass(frozen=True)
-class _Scenes:
-    """Scenes of a shard to look at, and the number of the first of them."""
-
-    span: Span
-    first: int
-    step: int
-    drawn: frozenset[str]
-
-    def gather(self) -> Gathered:
-        found, scenes = Gathered({}, {}, []), scenes_of(self.span, ("scene.json",))
-        texts = ((number, (key, files["scene.json"])) for number, (key, files) in enumerate(scenes, self.first))
-        _look_at(found, texts, self.step, self.drawn)
-        return found
+def _gathered(task: tuple[Span, int, int, frozenset[str]]) -> Gathered:
+    """What is gathered of the scenes of a span: it, the number of its first scene, the step, and who is drawn."""
+    span, first, step, drawn = task
+    found, scenes = Gathered({}, {}, []), scenes_of(span, ("scene.json",))
+    _look_at(found, ((k, (key, files["scene.json"])) for k, (key, files) in enumerate(scenes, first)), step, drawn)
+    return found
 
 
-def _tasks(folder: Folder, step: int, drawn: Collection[str]) -> Iterator[_Scenes]:
+def _tasks(folder: Folder, step: int, drawn: Collection[str]) -> Iterator[tuple[Span, int, int, frozenset[str]]]:
     first = 0
     for shard in shards_of(folder):
         for span in spans_of(shard, _TOGETHER):
-            yield _Scenes(span, first, step, frozenset(drawn).intersection(span.keys))
+            yield span, first, step, frozenset(drawn).intersection(span.keys)
             first += len(span.keys)
 
 
@@ -171,6 +230,41 @@ def _look_at(
             found.plans[key] = plan(scene)
         if number % step == 0:
             found.add(scene)
+
+
+def program_rows(folder: Folder) -> Iterator[dict[str, Any]]:
+    """The programs as rows like those of scenes, with ``key``; without the scene itself."""
+    for row in programs_of(folder):
+        row["key"] = _program_key(row["program"])
+        row["index"] = row["room"] = row["program"]
+        row["bytes"] = None
+        del row["scene"]
+        yield row
+
+
+def program_layouts(folder: Folder) -> Iterator[tuple[str, str]]:
+    """Key of the program and JSON of the scene of some layouts of each."""
+    scenes = {row["program"]: row["scene"] for row in programs_of(folder) if row.get("scene")}
+    for path in layout_files(folder):
+        file = arrow().parquet.ParquetFile(path)
+        for number in range(file.metadata.num_row_groups):
+            table = file.read_row_group(number, columns=["program", "poses"])
+            rows = np.unique(np.linspace(0, len(table) - 1, min(LAYOUTS, len(table))).astype(int))
+            for row in table.take(rows).to_pylist():
+                if row["program"] in scenes:
+                    yield _program_key(row["program"]), _posed(scenes[row["program"]], row["poses"])
+
+
+def _posed(text: str, poses: list[float]) -> str:
+    scene = json.loads(text)
+    for obj, (x, y, z, yaw) in zip(scene["objects"], np.reshape(poses, (-1, 4)).tolist(), strict=False):
+        if not obj.get("fixed"):
+            obj["pose"] = {"position": [x, y, z], "quaternion": list(from_yaw(yaw))}
+    return json.dumps(scene)
+
+
+def _program_key(program: int) -> str:
+    return f"{program:08d}"
 
 
 def shell_signature(outline: Iterable[Iterable[float]]) -> str:

@@ -15,11 +15,8 @@ from sceneweaver.report.html import esc
 from sceneweaver.scene import InputError, write_atomic
 
 from ..engines import open_dataset, read_records
-from ..reading import packed
 from . import sections
-from .collect import Gathered, gather
-from .layouts import programs_packed
-from .sampling import PICTURES
+from .collect import PICTURES, Gathered, gather
 
 NAME = "report.html"
 
@@ -48,12 +45,11 @@ def write_report(
     """
     dataset = open_dataset(Path(path))
     folder = dataset.folder
-    layouts = dataset.spec.product == "layouts"
     found = gather(folder, dataset.spec.product, pictures=pictures, workers=workers)
     if not found.numbers["requests"]:
         raise InputError(f"{folder.path}: nothing is made yet; try again when the first block is there")
     verification = folder.path / "verification.json"
-    whole = programs_packed(folder) if layouts else packed(folder)
+    whole = folder.table(dataset.spec.product).is_file()
     verified = json.loads(verification.read_bytes()) if verification.is_file() and whole else None
     target = folder.path / NAME if out is None else Path(out)
     write_atomic(target, page(dataset.spec.name, found, read_records(folder), verified, whole))

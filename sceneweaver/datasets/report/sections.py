@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -10,9 +11,9 @@ import numpy as np
 from sceneweaver.knowledge.palettes import palettes
 from sceneweaver.report.html import esc
 
-from . import charts, run
+from . import charts
+from .charts import box_of, extent_of, image_url, path_of
 from .collect import Gathered
-from .plan import box_of, image_url, path_of
 
 _SPREADS = {
     "area": "Floor area [m²]",
@@ -23,6 +24,14 @@ _SPREADS = {
     "walkable_share": "Floor that can be walked on",
     "openable_share": "Doors and drawers that open",
     "relations_satisfied": "Relations that hold",
+}
+_CONTENTS = {"room_type": "Rooms", "split": "Splits", "licence": "Licences of assets"}
+_GATES = {
+    "status": "Requests",
+    "reasons": "Why scenes are missing",
+    "gates_failed": "Gates not passed at last",
+    "attempt": "Attempts before the delivered one",
+    "unmet": "Wishes not met, of delivered scenes",
 }
 _MAPS, _NAMES, _OUTLINES, _SCALE = 18, 26, 60, 9.0  # heat maps, names of the matrix, shells; widest shell drawn [m]
 
@@ -103,19 +112,14 @@ def _card(row: Mapping[str, Any], svg: str) -> str:
 def contents(found: Gathered) -> str:
     """Kinds of rooms, splits and the spread of what is measured of each scene."""
     numbers = found.numbers
-    total = numbers["scenes"] or 1
-    parts = [
-        f"<div><h3>{title}</h3>{charts.bars(_counted(numbers[key], total))}</div>"
-        for title, key in (("Rooms", "room_type"), ("Splits", "split"), ("Licences of assets", "licence"))
-        if numbers[key]
-    ]
+    parts = _panels(numbers, numbers["scenes"], _CONTENTS)
     spreads = {name: spread for name, spread in numbers["spreads"].items() if spread["count"]}
     parts_of = "".join(
         f"<div><h3>{_SPREADS[name]}</h3>{charts.histogram(spread, percent=spread['high'] == 1.0)}"
         f"<small>{_spread_text(spread)}</small></div>"
         for name, spread in spreads.items()
     )
-    return section("What is in it", f'<div class="columns">{"".join(parts)}</div>') + section(
+    return section("What is in it", f'<div class="columns">{parts}</div>') + section(
         "Spread", f'<div class="grid">{parts_of}</div>', "Over the delivered scenes; the dashed line is the mean."
     )
 
@@ -162,8 +166,11 @@ def together(found: Gathered) -> str:
 
 def relations(found: Gathered) -> str:
     """How often each relation is asked for."""
-    often = sorted(found.relations.items(), key=lambda pair: (-sum(pair[1]), pair[0]))
-    rows = [(_words(name), sum(n), f"{sum(n):,} ({n[0]:,} hard)") for name, n in often]
+    total: Counter[str] = Counter()
+    for (name, _), count in found.relations.items():
+        total[name] += count
+    often = sorted(total.items(), key=lambda pair: (-pair[1], pair[0]))
+    rows = [(_words(name), n, f"{n:,} ({found.relations[name, True]:,} hard)") for name, n in often]
     return section("Relations", _card_of(charts.bars(rows)) if rows else "", "What the scenes ask for, by type.")
 
 
@@ -171,18 +178,15 @@ def shells(found: Gathered) -> str:
     """Outlines of rooms, all to one scale."""
     if not found.shells:
         return ""
-    rows = sorted(found.shells.items(), key=lambda pair: pair[0])
-    ranked = sorted(rows, key=lambda pair: (len(pair[1][0]), _area(pair[1][0])))
+    ranked = sorted(found.shells.items(), key=lambda pair: (len(pair[1][0]), _area(pair[1][0]), pair[0]))
     shown = [ranked[k][1] for k in np.linspace(0, len(ranked) - 1, min(_OUTLINES, len(ranked))).round().astype(int)]
-    widest = max(max(_extents(outline)) for outline, _ in shown)
+    widest = max(extent_of(outline) for outline, _ in shown)
     drawn = "".join(_shell(outline, count, min(1.0, _SCALE / widest)) for outline, count in shown)
-    corners: dict[str, float] = {}
+    corners: Counter[int] = Counter()
     for outline, count in found.shells.values():
-        name = f"{len(outline)} walls"
-        corners[name] = corners.get(name, 0) + count
-    counted = sorted(corners.items(), key=lambda pair: int(pair[0].split()[0]))
-    total = sum(corners.values())
-    table = charts.bars([(name, value, _percent(value / total)) for name, value in counted])
+        corners[len(outline)] += count
+    total = corners.total()
+    table = charts.bars([(f"{n} walls", count, _percent(count / total)) for n, count in sorted(corners.items())])
     return section(
         "Shells of rooms",
         f'{_card_of(table)}<div class="shells">{drawn}</div>',
@@ -198,11 +202,6 @@ def _shell(outline: Sequence[Sequence[float]], count: int, scale: float) -> str:
         f'<svg viewBox="{box}" style="width:{0.75 * width:.2f}rem;height:{0.75 * height:.2f}rem">'
         f'<title>{_area(outline):.1f} m², {count} scenes</title><path d="{path_of(outline)}"/></svg>'
     )
-
-
-def _extents(outline: Sequence[Sequence[float]]) -> tuple[float, float]:
-    left, low, right, high = box_of(outline)
-    return right - left, high - low
 
 
 def _area(outline: Sequence[Sequence[float]]) -> float:
@@ -241,18 +240,17 @@ def coverage(found: Gathered) -> str:
 def gates(found: Gathered) -> str:
     """What was not delivered, and why."""
     numbers = found.numbers
-    total = numbers["requests"] or 1
-    status = charts.bars(_counted(numbers["status"], total))
-    parts = [f"<div><h3>Requests</h3>{status}</div>"]
-    for title, key in (
-        ("Why scenes are missing", "reasons"),
-        ("Gates not passed at last", "gates_failed"),
-        ("Attempts before the delivered one", "attempt"),
-        ("Wishes not met, of delivered scenes", "unmet"),
-    ):
-        if numbers[key] and set(numbers[key]) != {"0"}:
-            parts.append(f"<div><h3>{title}</h3>{charts.bars(_counted(numbers[key], total))}</div>")
-    return section("Delivered and not", f'<div class="columns">{"".join(parts)}</div>')
+    parts = _panels(numbers, numbers["requests"], _GATES)
+    return section("Delivered and not", f'<div class="columns">{parts}</div>')
+
+
+def _panels(numbers: Mapping[str, Any], total: int, titles: Mapping[str, str]) -> str:
+    """Bars of some tallies of the statistics, by name; those that say nothing are left out."""
+    return "".join(
+        f"<div><h3>{title}</h3>{charts.bars(_counted(numbers[name], total or 1))}</div>"
+        for name, title in titles.items()
+        if numbers[name] and set(numbers[name]) != {"0"}
+    )
 
 
 def near_duplicates(found: Gathered) -> str:
@@ -273,10 +271,9 @@ def progress(records: Sequence[Mapping[str, Any]]) -> str:
     """How the run went."""
     if not records:
         return ""
-    lines = run.memory(records)
-    parts = f"<div><h3>Scenes a second</h3>{run.throughput_svg(records)}</div>"
-    if lines:
-        parts += f"<div><h3>Memory of each worker</h3>{run.memory_svg(records)}</div>"
+    parts = f"<div><h3>Scenes a second</h3>{charts.throughput_svg(records)}</div>"
+    if charts.memory(records):
+        parts += f"<div><h3>Memory of each worker</h3>{charts.memory_svg(records)}</div>"
     hosts = len({record.get("host") for record in records})
     workers = len({(record.get("host"), record.get("worker")) for record in records})
     aside = f"{len(records):,} blocks by {workers} workers on {hosts} machine{'s' if hosts != 1 else ''}."

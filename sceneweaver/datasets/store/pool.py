@@ -10,6 +10,7 @@ from functools import cache, lru_cache
 from sceneweaver.assets import Asset, Library, categories
 from sceneweaver.assets.looks import read_words
 from sceneweaver.assets.materials import STYLES, own_look
+from sceneweaver.assets.roles import has_role
 from sceneweaver.assets.sources import Card, ParametricSource
 from sceneweaver.assets.sources.base import Wish
 from sceneweaver.assets.sources.parametric import keep_drawings
@@ -24,47 +25,11 @@ RATIOS = {"surface": (1.25, 1.25), "wall": (1.2, 1.2), "floor": (1.15, 1.03), "c
 Heights of furniture are fine: a seat goes under a table, a lamp hangs close above it.
 """
 
-FINE = frozenset(("rug", "round_rug", "runner_rug", "standing_books", "binder_row", "basket", "storage_box"))
-"""What has to reach so far: under furniture, or along a shelf."""
-
 FINE_RATIO = 1.1
-"""How much larger a size of these is than the next smaller one, in depth and width."""
+"""How much larger a size of what has to reach exactly so far is than the next smaller one, in depth and width."""
 
 MEMORY = 384 * 2**20
 """Drawings that a process keeps [bytes]."""
-
-FITTED = frozenset(("curtain", "sheer_curtain", "window_blind"))
-"""What is as wide as something else: it keeps its size."""
-
-ALONE = frozenset(("bath_mat", "vanity", "double_vanity", "linen_cabinet"))
-"""Pieces of a suite that match it in look alone; others stand in a row with it and keep their size."""
-
-STYLED = frozenset(
-    (
-        "bar_cabinet",
-        "bar_counter",
-        "bookcase",
-        "buffet_table",
-        "canopy_bed",
-        "coffee_station",
-        "corner_cabinet",
-        "corner_wall_cabinet",
-        "display_cabinet",
-        "double_vanity",
-        "freestanding_bathtub",
-        "kitchen_cabinet",
-        "kitchen_counter",
-        "kitchen_island",
-        "sink_cabinet",
-        "tall_cabinet",
-        "toilet",
-        "vanity",
-        "waiting_bench",
-        "wall_cabinet",
-        "wardrobe",
-    )
-)
-"""What is drawn otherwise in another style; in a palette all else looks the same in each."""
 
 CHOICES = 2**15
 """Wishes of which a process remembers what was chosen."""
@@ -133,12 +98,13 @@ def dataset_library(variants: int) -> Library:
 
 
 def _is_fitted(category: str, wish: Wish) -> bool:
-    return wish.beyond or category in FITTED or (wish.suite is not None and category not in ALONE)
+    in_a_row = wish.suite is not None and not has_role(category, "suite_match")
+    return wish.beyond or in_a_row or has_role(category, "window_wide")
 
 
 def _shows_style(category: str, wish: Wish) -> bool:
     """Whether a drawing depends on the style: by its form, or by finishes that are asked for and not the palette's."""
-    if category in STYLED or wish.color is not None or wish.material is not None:
+    if has_role(category, "drawn_by_style") or wish.color is not None or wish.material is not None:
         return True
     return wish.palette is None and category not in own_look()
 
@@ -161,7 +127,7 @@ def _floor(extent: float, sizes: tuple[float, ...]) -> float:
 
 def ratio_of(category: str, axis: int) -> float:
     """About how much larger a size of a category is along an axis (depth, width, height) than the next smaller one."""
-    if axis < 2 and category in FINE:
+    if axis < 2 and has_role(category, "fine_sized"):
         return FINE_RATIO
     return RATIOS[categories()[category].mount[0]][axis == 2]
 

@@ -11,16 +11,14 @@ from typing import Any
 from sceneweaver.assets.journal import Journal
 from sceneweaver.assets.placed import Load
 from sceneweaver.assets.sources.parametric import share_drawings
-from sceneweaver.export.glb import glb_bytes
-from sceneweaver.export.mjcf import mjcf
+from sceneweaver.export import FORMATS
 from sceneweaver.export.shared import SharedFiles
-from sceneweaver.export.usd import usd_bytes
 from sceneweaver.physics.hulls import share_parts
 from sceneweaver.scene import Scene
 
-from .content import NAME, AssetStore
+from . import NAME, AssetStore
 
-SUFFIXES = {"glb": "glb", "mjcf": "xml", "usd": "usdc"}
+SUFFIXES = {name: one.file.rpartition(".")[2] for name, one in FORMATS.items() if one.shared}
 """By format, the suffix of its file."""
 
 RECORDS = "work/assets"
@@ -69,12 +67,7 @@ class SceneFiles:
             InputError: when an asset cannot be loaded.
             OSError: the store cannot be written.
         """
-        write = {
-            "glb": lambda: glb_bytes(scene, self._load, shared=self._shared),
-            "mjcf": lambda: mjcf(scene, self._load, shared=self._shared).xml.encode(),
-            "usd": lambda: usd_bytes(scene, self._load, self._shared),
-        }
-        found = {SUFFIXES[name]: write[name]() for name in formats}
+        found = {SUFFIXES[name]: FORMATS[name].shared_bytes(scene, self._load, self._shared) for name in formats}
         self._record()
         return found
 

@@ -16,9 +16,6 @@ from sceneweaver.scene import InputError, MissingDependencyError
 
 ENV_ID = "SceneWeaverRoom-v1"
 
-COVERINGS = ("rug", "carpet", "_mat")
-"""In names of categories: they lie under what stands on the floor."""
-
 
 def room_files(folder: str | os.PathLike[str]) -> list[dict[str, Any]]:
     """What stands in an exported room: ``file`` (absolute), ``position`` [3], ``quaternion`` (x, y, z, w), ``fixed``.
@@ -93,8 +90,7 @@ def register(rooms: Sequence[str | os.PathLike[str]], env_id: str = ENV_ID) -> s
                 x, y, z, w = row["quaternion"]
                 builder.initial_pose = sapien.Pose(p=row["position"], q=[w, x, y, z])
                 builder.set_scene_idxs([k])
-                if any(word in row["category"] for word in COVERINGS):
-                    builder.collision_records.clear()  # what stands over it shares its layer
+                # Rugs and mats are written without collision parts, as what stands over them shares their layer.
                 still = not articulated and (row["fixed"] or not builder.collision_records)
                 found[row["name"]] = (builder.build_kinematic if still else builder.build)(name=loader.name)
             return found

@@ -9,9 +9,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import asdict, dataclass, replace
-from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
@@ -20,13 +18,14 @@ import numpy as np
 from sceneweaver.assets.placed import Load
 from sceneweaver.envs.geometry import SceneGeometry
 from sceneweaver.envs.layouts import layouts_of
+from sceneweaver.envs.predicates import product
 from sceneweaver.envs.robots import Robot, robot_named
-from sceneweaver.envs.tasks import Task
+from sceneweaver.envs.tasks import KINDS, Task
 from sceneweaver.geometry.rotations import matrix, xyzw
+from sceneweaver.runtime.processes import pool
 from sceneweaver.scene import InputError, Room, Scene
 
-from .goals import GOAL, KINDS, TaskRow, goal_rows, has_goal, task_rows
-from .quaternions import product
+from .goals import GOAL, TaskRow, goal_rows, has_goal, task_rows
 from .room import (
     ANCHORED,
     BODY_FIELDS,
@@ -165,8 +164,8 @@ class Bank:
             for scene, some in zip(scenes, chosen, strict=True)
         ]
         if jobs > 1:
-            with ProcessPoolExecutor(min(jobs, len(work)), mp_context=get_context("spawn")) as pool:
-                rooms = list(pool.map(_read, work))
+            with pool(min(jobs, len(work))) as processes:
+                rooms = list(processes.map(_read, work))
         else:
             rooms = [_read(one) for one in work]
         slots = slots or Slots.fit([room.bodies for room in rooms])
@@ -273,8 +272,7 @@ def _still(room: RoomBodies, hinges: int, slides: int, free: int) -> Boxes:
         b.name for kind, most in ((HINGE, hinges), (SLIDE, slides), (FREE, free)) for b in _chosen(room, kind, most)
     }
     found = [room.still] + [_on_owner(b) for b in (*room.links, *room.free) if b.name not in kept]
-    names = ("owner", "pos", "quat", "size", "friction")
-    boxes = Boxes(*(np.concatenate([getattr(r, f) for r in found]) for f in names))
+    boxes = Boxes.joined(found)
     face = np.prod(np.sort(boxes.size, axis=1)[:, 1:], axis=1)  # of a board what counts is how much it carries
     return boxes.take(np.argsort(-face, kind="stable"))
 

@@ -10,16 +10,16 @@ import warp as wp
 
 from sceneweaver.envs.control import LEAD
 from sceneweaver.envs.env import PERIOD
+from sceneweaver.envs.joining import PREFIX, indices_of
 from sceneweaver.envs.robots import Robot, robot_named
-from sceneweaver.envs.tasks import RELEASED
+from sceneweaver.envs.tasks import KINDS, RELEASED
 from sceneweaver.physics.batch import device_named
 from sceneweaver.scene import InputError, MissingDependencyError, Scene
 
 from . import reset_kernels, task_kernels
 from .bank import Bank
-from .goals import KINDS
-from .physics import ThreadPhysics, WarpPhysics
-from .template import RobotIndices, indices_of, template_of
+from .physics import FIELDS, ThreadPhysics, WarpPhysics
+from .template import FIRST, template_of
 
 try:
     import gymnasium
@@ -90,7 +90,7 @@ class BatchedRoomEnv(VectorEnv):
         slots = self.bank.slots
         self.num_envs, self.max_steps, self._seed = num_envs, max_steps, seed
         self.template = template_of(slots, self.robot)
-        self._find: RobotIndices = indices_of(self.template, slots, self.robot)
+        self._find = indices_of(self.template, self.robot)
         self._substeps = max(round(PERIOD / self.template.opt.timestep), 1)
         with wp.ScopedDevice(self.device):
             self._put_bank()
@@ -193,59 +193,50 @@ class BatchedRoomEnv(VectorEnv):
         bank, slots, worlds = self._bank, self.bank.slots, self.num_envs
         model, data, k = self.physics.model, self.physics.data, reset_kernels
         positions = slots.links + 7 * len(slots.free)
-        room = bank["room"]
+        fresh, layout, room = self._fresh, self._layout, self._room_of
         wp.launch(
             k.begin_episodes,
             dim=worlds,
-            inputs=[self._seed, self.bank.layouts, bank["goal_count"], self._done, self._wanted, self._episode],
-            outputs=[self._fresh, self._layout, self._chosen, self._steps, self._draw],
+            inputs=[self._seed, self.bank.layouts, bank["goal_count"], bank["room"]]
+            + [self._done, self._wanted, self._episode],
+            outputs=[fresh, layout, room, self._chosen, self._steps, self._draw],
         )
-        now = [self._fresh, self._layout]
+        for name in FIELDS:
+            if name in bank:
+                first = FIRST.get(name.partition("_")[0], 0)
+                self._copy(name, room, getattr(model, name), first)
+        # Boxes that stand still have their places by layout, after those of the room were written to all.
+        self._copy("still_pos", layout, model.geom_pos, FIRST["geom"])
+        self._copy("still_quat", layout, model.geom_quat, FIRST["geom"])
+        self._copy("link_pos", layout, model.body_pos, FIRST["body"])
+        self._copy("link_quat", layout, model.body_quat, FIRST["body"])
         wp.launch(
-            k.reset_boxes,
+            k.bound_boxes,
             dim=(worlds, slots.geoms),
-            inputs=[1, slots.still, room, bank["still_pos"], bank["still_quat"], bank["geom_size"]]
-            + [bank["geom_friction"], bank["geom_pos"], bank["geom_quat"], *now],
-            outputs=[model.geom_size, model.geom_friction, model.geom_pos, model.geom_quat, model.geom_rbound]
-            + [model.geom_aabb, data.geom_xpos, data.geom_xmat],
+            inputs=[FIRST["geom"], slots.still, fresh, model.geom_size, model.geom_pos, model.geom_quat],
+            outputs=[model.geom_rbound, model.geom_aabb, data.geom_xpos, data.geom_xmat],
         )
-        wp.launch(
-            k.reset_bodies,
-            dim=(worlds, len(slots.parts)),
-            inputs=[1, slots.links, room, bank["link_pos"], bank["link_quat"], bank["body_mass"]]
-            + [bank["body_gravcomp"], bank["body_subtreemass"], bank["body_inertia"], bank["body_ipos"]]
-            + [bank["body_iquat"], bank["body_invweight0"], *now],
-            outputs=[model.body_mass, model.body_gravcomp, model.body_subtreemass, model.body_inertia]
-            + [model.body_ipos, model.body_iquat, model.body_invweight0, model.body_pos, model.body_quat],
-        )
-        wp.launch(
-            k.reset_links,
-            dim=(worlds, slots.links),
-            inputs=[0, room, bank["jnt_pos"], bank["jnt_axis"], bank["jnt_range"], *now],
-            outputs=[model.jnt_pos, model.jnt_axis, model.jnt_range],
-        )
-        wp.launch(
-            k.reset_velocities,
-            dim=(worlds, self.template.nv),
-            inputs=[slots.dofs, room, bank["dof_frictionloss"], bank["dof_damping"], bank["dof_armature"]]
-            + [bank["dof_invweight0"], *now],
-            outputs=[model.dof_frictionloss, model.dof_damping, model.dof_armature, model.dof_invweight0]
-            + [data.qvel, data.qacc_warmstart],
-        )
+        wp.launch(k.stop, dim=(worlds, self.template.nv), inputs=[fresh], outputs=[data.qvel, data.qacc_warmstart])
         wp.launch(
             k.reset_positions,
             dim=(worlds, self.template.nq),
-            inputs=[slots.links, positions, bank["free_pose"], bank["spawns"], wp.vec3i(*self._find.base), self._home]
-            + [bank["goals"], *now, self._chosen, self._draw],
+            inputs=[slots.links, positions, bank["free_pose"], bank["spawns"], self._base, self._home]
+            + [bank["goals"], fresh, layout, self._chosen, self._draw],
             outputs=[data.qpos],
         )
         wp.launch(
             k.reset_controls,
             dim=(worlds, self.template.nu),
-            inputs=[self._position, self._fresh, data.qpos],
+            inputs=[self._position, fresh, data.qpos],
             outputs=[data.ctrl],
         )
-        self.physics.refresh(self._fresh)
+        self.physics.refresh(fresh)
+
+    def _copy(self, name: str, row: wp.array, out: Any, first: int) -> None:
+        """Copy a field of the bank into the model of worlds that begin."""
+        source = self._bank[name]
+        shape = (self.num_envs, source.shape[1])
+        wp.launch(reset_kernels.copy_rows, dim=shape, inputs=[first, source, self._fresh, row], outputs=[out])
 
     def _look(self) -> None:
         """Judge the tasks and write observations."""
@@ -253,7 +244,7 @@ class BatchedRoomEnv(VectorEnv):
         wp.launch(
             task_kernels.judge,
             dim=self.num_envs,
-            inputs=[1, wp.vec3i(*find.base), find.body, find.tool, self.max_steps, RELEASED, bank["goals"]]
+            inputs=[1, self._base, find.body, find.tool, self.max_steps, RELEASED, bank["goals"]]
             + [self._fresh, self._layout, self._chosen, data.qpos, data.xpos, data.xquat, data.site_xpos]
             + [self._steps, self._potential, self._start_height, self._start_goal],
             outputs=[self.rewards, self.terminated, self.truncated, self._done]
@@ -283,22 +274,22 @@ class BatchedRoomEnv(VectorEnv):
 
     def _make_buffers(self) -> None:
         worlds, model, find, slots = self.num_envs, self.template, self._find, self.bank.slots
-        driven = [*self.robot.base, *self.robot.arm]
-        home = find.home.copy()
-        home[np.array(find.finger_position, dtype=int) - slots.links - 7 * len(slots.free)] = model.actuator_ctrlrange[
-            list(find.fingers), 1
-        ]  # the hand begins open
-        self._home = wp.array(home, dtype=float)
-        self._speeds = wp.array([self.robot.speeds.get(name, 1.0) for name in driven], dtype=float)
-        self._drive, self._drive_position = wp.array(find.drive, dtype=int), wp.array(find.drive_position, dtype=int)
-        joints = model.actuator_trnid[:, 0]
-        self._drive_dof = wp.array(model.jnt_dofadr[joints[list(find.drive)]], dtype=int)
-        self._fingers, self._finger_position = (wp.array(x, dtype=int) for x in (find.fingers, find.finger_position))
+        home = np.array(model.qpos0)
+        for joint, value in self.robot.home.items():
+            home[model.joint(PREFIX + joint).qposadr[0]] = value
+        home[find.finger_position] = model.actuator_ctrlrange[find.fingers, 1]  # the hand begins open
+        self._home = wp.array(home[slots.links + 7 * len(slots.free) :], dtype=float)
+        self._base = wp.vec3i(*find.base.tolist())
+        self._speeds = wp.array(find.speeds, dtype=float)
+        self._drive, self._drive_position, self._drive_dof, self._fingers, self._finger_position = (
+            wp.array(numbers, dtype=int)
+            for numbers in (find.drive, find.drive_position, find.drive_dof, find.fingers, find.finger_position)
+        )
         span = np.where(model.actuator_ctrllimited[:, None].astype(bool), model.actuator_ctrlrange, [-1e9, 1e9])
         self._ctrl_range = wp.array(span, dtype=wp.vec2)
-        self._position = wp.array(model.jnt_qposadr[joints], dtype=int)
-        self._done, self._episode, self._fresh, self._layout, self._chosen, self._steps = (
-            wp.zeros(worlds, dtype=int) for _ in range(6)
+        self._position = wp.array(model.jnt_qposadr[model.actuator_trnid[:, 0]], dtype=int)
+        self._done, self._episode, self._fresh, self._layout, self._room_of, self._chosen, self._steps = (
+            wp.zeros(worlds, dtype=int) for _ in range(7)
         )
         self._wanted = wp.full(worlds, -1, dtype=int)
         self._draw, self._potential, self._start_height, self.rewards = (
@@ -306,8 +297,8 @@ class BatchedRoomEnv(VectorEnv):
         )
         self._start_goal = wp.zeros(worlds, dtype=wp.vec3)
         self.terminated, self.truncated = wp.zeros(worlds, dtype=bool), wp.zeros(worlds, dtype=bool)
-        self.action = wp.zeros((worlds, len(driven) + bool(find.fingers)), dtype=float)
-        shapes = {"robot": (2 * len(driven),), "base": (3,), "tool": (7,), "gripper": (1,), "subject": (7,)}
+        self.action = wp.zeros((worlds, len(find.drive) + bool(len(find.fingers))), dtype=float)
+        shapes = {"robot": (2 * len(find.drive),), "base": (3,), "tool": (7,), "gripper": (1,), "subject": (7,)}
         shapes |= {"goal": (3,), "objects": (len(slots.free), 7), "doors": (slots.links,), "task": (len(KINDS),)}
         self.observations = {name: wp.zeros((worlds, *shape), dtype=float) for name, shape in shapes.items()}
 

@@ -10,10 +10,10 @@ import numpy as np
 from sceneweaver.envs.geometry import SceneGeometry
 from sceneweaver.envs.robots import Robot
 from sceneweaver.envs.sampling import tasks_of
-from sceneweaver.envs.tasks import Close, NavigateTo, Open, PutIn, PutOn, Take, Task
+from sceneweaver.envs.tasks import KINDS, Close, JointTask, NavigateTo, Open, PutTask, Take, Task, point_of
 
-KINDS: tuple[type[Task], ...] = (Open, Close, NavigateTo, PutIn, PutOn, Take)
-"""Kinds of tasks that batches know, by number."""
+LIMITS: dict[type[Task], str] = {Open: "share", Close: "share", NavigateTo: "reach", Take: "height"}
+"""By kind of task, the number of it that a goal is judged by."""
 
 GOAL = np.dtype(
     [
@@ -37,7 +37,7 @@ GOAL = np.dtype(
 )
 """One task of a layout.
 
-- ``kind``: number in ``KINDS``; -1: none.
+- ``kind``: number in `tasks.KINDS`; -1: none.
 - ``subject``, ``holder``: slots of the moving bodies that it is about and that holds or carries it; -1: it stands
   still, at ``subject_pose`` or ``holder_pose`` (position [m], w, x, y, z).
 - ``joint``: slot of the link that is to be opened or closed; -1: none. ``open_end`` of its range [rad] or [m],
@@ -107,7 +107,7 @@ def goal_rows(tasks: Sequence[TaskRow], names: Sequence[str], poses: np.ndarray)
         row = task.row.copy()
         row["subject"], row["holder"] = slot.get(task.subject, -1), slot.get(task.holder, -1)
         row["subject_pose"], row["holder_pose"] = poses[task.subject_owner], poses[task.holder_owner]
-        if isinstance(task.task, Open | Close):
+        if isinstance(task.task, JointTask):
             row["joint"] = row["subject"]
         if has_goal(task, names):
             rows.append(row)
@@ -120,29 +120,18 @@ def has_goal(task: TaskRow, names: Sequence[str]) -> bool:
 
 
 def _row(geometry: SceneGeometry, task: Task, number: dict[str, int]) -> TaskRow:
-    row, name, holder = np.zeros((), GOAL), task.subject, ""
-    row["kind"], row["joint"] = KINDS.index(type(task)), -1
-    if isinstance(task, Open | Close):
-        link = geometry.articulations[task.joint]
-        row["share"], row["open_end"] = task.share, link.open_end
-        row["begin"] = task.begin * link.open_end if isinstance(task, Close) else 0.0
-        grasps = geometry.grasps.get(task.joint)
-        row["centre"] = grasps[0].position if grasps else geometry.items[link.object].centre
+    row, name, holder, owner = np.zeros((), GOAL), task.subject, "", geometry.owner
+    row["kind"], row["joint"], row["centre"] = KINDS.index(type(task)), -1, point_of(geometry, name)
+    if type(task) in LIMITS:
+        row["share"] = getattr(task, LIMITS[type(task)])
+    if name in geometry.articulations:
+        row["open_end"] = geometry.articulations[name].open_end
+        row["begin"] = task.start_joints(geometry).get(name, 0.0)
     else:
         item = geometry.items[name]
-        row["centre"], row["item_low"], row["item_high"] = item.centre, item.low, item.high
-        row["radius"] = np.linalg.norm(item.size) / 2
-    if isinstance(task, NavigateTo):
-        row["share"] = task.reach
-    elif isinstance(task, Take):
-        row["share"] = task.height
-    elif isinstance(task, PutIn):
-        holder, inside = task.container, geometry.interior(task.container, task.interior)
-        row["low"], row["high"], row["oval"] = inside.low, inside.high, inside.oval
-    elif isinstance(task, PutOn):
-        holder, top = task.support, geometry.surface(task.support, task.surface)
-        row["low"], row["high"] = (*top.low, top.z), (*top.high, top.z)
-    owner = geometry.owner
-    return TaskRow(
-        task, task.instruction(geometry), row, name, holder, number[owner[name]], number[owner[holder or name]]
-    )
+        row["item_low"], row["item_high"], row["radius"] = item.low, item.high, np.linalg.norm(item.size) / 2
+    if isinstance(task, PutTask):
+        place = task.place(geometry)
+        holder, row["low"], row["high"], row["oval"] = place.body, place.low, place.high, place.oval
+    words = task.instruction(geometry)
+    return TaskRow(task, words, row, name, holder, number[owner[name]], number[owner[holder or name]])

@@ -7,7 +7,8 @@ robots that manipulate; what is light is a free body. Rugs and mats touch nothin
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from dataclasses import dataclass, fields, replace
 from importlib import import_module
 from typing import Any
 from xml.etree import ElementTree as Xml
@@ -15,13 +16,12 @@ from xml.etree import ElementTree as Xml
 import numpy as np
 
 from sceneweaver.assets.placed import Load
+from sceneweaver.envs.predicates import product
 from sceneweaver.geometry.rotations import matrix, xyzw
 from sceneweaver.physics.batch import model_of
 from sceneweaver.physics.boxes import boxed
 from sceneweaver.physics.model import COVERING
 from sceneweaver.scene import Scene
-
-from .quaternions import product
 
 ANCHORED = 15.0
 """Mass [kg] from which a body stands still in a batch."""
@@ -53,9 +53,14 @@ class Boxes:
     def __len__(self) -> int:
         return len(self.owner)
 
+    @classmethod
+    def joined(cls, parts: Sequence[Boxes]) -> Boxes:
+        """All boxes of at least one part, in their order."""
+        return cls(*(np.concatenate([getattr(part, each.name) for part in parts]) for each in fields(cls)))
+
     def take(self, rows: np.ndarray) -> Boxes:
         """Those rows."""
-        return Boxes(*(getattr(self, f)[rows] for f in ("owner", "pos", "quat", "size", "friction")))
+        return Boxes(*(getattr(self, each.name)[rows] for each in fields(self)))
 
 
 @dataclass(frozen=True)
@@ -152,27 +157,22 @@ def _moving(model: Any, b: int, owner: int) -> MovingBody:
     parts = np.arange(model.body_geomadr[b], model.body_geomadr[b] + model.body_geomnum[b])
     boxes = _boxes(model, parts, owner)
     boxes = boxes.take(np.argsort(-np.prod(boxes.size, axis=1), kind="stable")[:MOST_PARTS])
-    body = {name: np.array(getattr(model, name)[b], dtype=np.float32) for name in BODY_FIELDS}
-    joint = {} if kind == FREE else {name: np.array(getattr(model, name)[j], dtype=np.float32) for name in JOINT_FIELDS}
+
+    def read(names: Sequence[str], rows: Any) -> dict[str, np.ndarray]:
+        return {name: np.array(getattr(model, name)[rows], dtype=np.float32) for name in names}
+
+    body = read(BODY_FIELDS, b)
     # Of a free body the six numbers of its degrees of freedom.
-    count = 6 if kind == FREE else 1
-    joint |= {name: np.array(getattr(model, name)[dof : dof + count], dtype=np.float32) for name in DOF_FIELDS}
+    joint = read(DOF_FIELDS, slice(dof, dof + 6)) if kind == FREE else read(DOF_FIELDS, slice(dof, dof + 1))
+    if kind != FREE:
+        joint |= read(JOINT_FIELDS, j)
     # The base of a link stands at its object's frame; a leaf of the room is a body of the world.
     top = int(model.body_parentid[b]) == 0
     on_object = kind == FREE or (owner >= 0 and not top)
     pos = np.zeros(3) if kind == FREE else np.array(model.body_pos[b])
     quat = np.array([1.0, 0, 0, 0]) if kind == FREE else np.array(model.body_quat[b])
-    return MovingBody(
-        str(model.body(b).name),
-        kind,
-        owner if on_object else -1,
-        pos,
-        quat,
-        float(body["body_mass"]),
-        body,
-        joint,
-        boxes,
-    )
+    name, owner = str(model.body(b).name), owner if on_object else -1
+    return MovingBody(name, kind, owner, pos, quat, float(body["body_mass"]), body, joint, boxes)
 
 
 def _boxes(model: Any, geoms: np.ndarray, owner: int) -> Boxes:
@@ -195,5 +195,4 @@ def _still(model: Any, geoms: np.ndarray, owner: np.ndarray) -> Boxes:
             quat = product(np.array(model.body_quat[b]), one.quat[0])
             one = Boxes(one.owner, pos[None], quat[None], one.size, one.friction)
         rows.append(one)
-    names = ("owner", "pos", "quat", "size", "friction")
-    return Boxes(*(np.concatenate([getattr(r, f) for r in rows]) for f in names))
+    return Boxes.joined(rows)

@@ -9,18 +9,15 @@ from __future__ import annotations
 
 import warp as wp
 
+from sceneweaver.envs.predicates import FACING, LEVEL
+from sceneweaver.envs.tasks import KINDS
+
 wp.set_module_options({"enable_backward": False})
 
-OPEN = wp.constant(0)
-CLOSE = wp.constant(1)
-NAVIGATE = wp.constant(2)
-PUT_IN = wp.constant(3)
-PUT_ON = wp.constant(4)
-TAKE = wp.constant(5)
+OPEN, CLOSE, NAVIGATE, PUT_IN, PUT_ON, TAKE = (wp.constant(k) for k in range(len(KINDS)))  # as `tasks.KINDS` has them
 
-_FACING = wp.constant(wp.pi / 6.0)  # [rad] as `predicates.faces`
+_FACING, _ON = wp.constant(FACING), wp.constant(LEVEL)
 _HUGE = wp.constant(1.0e6)  # positions beyond it are of a simulation that went astray
-_ON = wp.constant(0.02)  # [m] as `predicates.is_on`
 
 
 @wp.struct

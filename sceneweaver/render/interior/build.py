@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -12,21 +11,14 @@ from sceneweaver.assets.body import Mesh
 from sceneweaver.geometry.shell import outer_outline
 from sceneweaver.scene import Scene
 
+from ..blocks import Builder, Finishes
 from ..camera import Camera
-from ..room_blocks import Builder
-from ..room_finish import Finishes
-from .doors import REACH, add_door, is_in_doorway
+from ..shell import add_wall, add_wall_finish, floor_mesh
+from ..words import is_one_of
 from .fittings import add_fittings, plan_fittings
+from .openings import REACH, add_door, add_window, is_in_doorway
 from .outside import outside_mesh
-from .surfaces import add_wall_faces, floor_plane
 from .trim import add_ceiling, add_coving, add_skirting
-from .windows import add_window
-
-_FLUSH = re.compile(
-    r"\b(office|meeting|conference|classroom|school|laboratory|lab|gym|clinic|hospital|examination|dentist|waiting|shop|"
-    r"restaurant|cafe|canteen|garage|warehouse|storage|server|workshop|reception|lobby|kindergarten|supermarket)\b"
-)
-"""Words in kinds of rooms whose doors are plain and of wood; elsewhere they have panels and are painted."""
 
 
 @dataclass(frozen=True)
@@ -56,10 +48,11 @@ def build_interior(scene: Scene, look: Finishes, cameras: Sequence[Camera] = ())
             found.append(Element(name, category, mesh))
 
     outer = np.array(outer_outline(room.walls))
-    found.append(Element("floor", "floor", floor_plane(look.looks.floor, outer)))
+    found.append(Element("floor", "floor", floor_mesh(look.looks.floor, outer)))
     for wall in room.walls:
         builder = Builder()
-        add_wall_faces(builder, room, wall, look)
+        add_wall(builder, room, wall, room.height, look)
+        add_wall_finish(builder, room, wall, look, room.height)
         take(f"wall:{wall.index}", "wall", builder)
     builder = Builder()
     add_ceiling(builder, room, look)
@@ -70,7 +63,7 @@ def build_interior(scene: Scene, look: Finishes, cameras: Sequence[Camera] = ())
     builder = Builder()
     add_skirting(builder, room, look, REACH)
     take("skirting", "skirting", builder)
-    panelled = _FLUSH.search(room.type.lower().replace("-", " ").replace("_", " ")) is None
+    panelled = not is_one_of(room.type, "plain doors")
     for door in room.doors:
         wall, builder = room.walls[door.wall], Builder()
         is_open = any(is_in_doorway(wall, door, np.asarray(camera.eye)) for camera in cameras)

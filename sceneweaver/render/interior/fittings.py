@@ -12,9 +12,9 @@ from sceneweaver.geometry.shell import heights
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.scene import Door, Scene, Window
 
-from ..room_blocks import Builder
-from ..room_finish import Finishes
-from .mouldings import Plane, disc, plate, rectangle, rod
+from ..blocks import Builder, Finishes
+from ..mouldings import Plane, disc, plate, rectangle, rod
+from ..words import is_one_of
 
 SWITCH, SOCKET = 1.05, 0.3
 """Heights of the middles of switches and sockets [m]."""
@@ -28,8 +28,6 @@ LEAST_SILL = 0.45
 _SIDE = 0.081  # of a switch or socket
 _RADIATOR = (0.03, 0.095)  # depths into the room [m]
 _AIR = 0.1  # what furniture must keep from a radiator [m]
-_POWERED = ("desk", "tv", "television", "workstation", "nightstand", "bedside", "computer")
-"""Parts of categories of things that have a socket near by."""
 
 _PLASTIC = Material("switch plate", (0.94, 0.935, 0.92), roughness=0.35)
 _SHADE = Material("socket recess", (0.80, 0.795, 0.78), roughness=0.4)
@@ -158,7 +156,7 @@ def _socket_wishes(scene: Scene) -> Iterator[Spot]:
     """Where sockets would go: beside what needs power, then every few metres."""
     walls = scene.room.walls
     for thing in scene.objects:
-        if not any(word in thing.category for word in _POWERED) or thing.mount == "surface":
+        if not is_one_of(thing.category, "powered") or thing.mount == "surface":
             continue
         places = [(wall, *wall.coordinates(thing.pose.position[:2])) for wall in walls]
         wall, at, depth = min(places, key=lambda one: (round(abs(one[2]), 6), one[0].index))

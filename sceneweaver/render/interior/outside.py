@@ -12,7 +12,7 @@ from sceneweaver.assets.body import Material, Mesh
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.scene import Room
 
-from ..room_blocks import Builder
+from ..blocks import Builder
 
 GROUND = -0.42
 """Height of the ground outside [m]."""

@@ -1,8 +1,7 @@
-"""Skirting boards along the walls, coving under the ceiling, the ceiling itself and the roses of its lamps."""
+"""Floor, walls and ceiling at eye level, with skirting boards, coving and the roses of lamps."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
 
 import numpy as np
@@ -12,22 +11,15 @@ from sceneweaver.geometry.shell import WALL_THICKNESS, outer_outline
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.scene import Room, SceneObject
 
-from ..room_blocks import Builder
-from ..room_finish import Finishes
-from .mouldings import Plane, disc, moulding, plate
+from ..blocks import Builder, Finishes
+from ..mouldings import Plane, disc, moulding, plate
+from ..words import is_one_of
 
 SKIRTING = ((0.0, 0.0), (0.014, 0.0), (0.014, 0.058), (0.0115, 0.067), (0.006, 0.0735), (0.005, 0.078), (0.0, 0.078))
 """Profile of a skirting board (depth, height) [m], counter-clockwise."""
 
 _COVE = 0.07
 """Height and depth [m] of coving."""
-
-_PLAIN_CEILINGS = re.compile(
-    r"\b(bathroom|toilet|kitchen|laundry|garage|workshop|storage|warehouse|gym|office|server)\b"
-)
-"""Words in kinds of rooms that have no coving."""
-
-_HANGING = ("pendant", "chandelier")
 
 
 def add_skirting(builder: Builder, room: Room, look: Finishes, reach: float) -> None:
@@ -76,12 +68,12 @@ def add_ceiling(builder: Builder, room: Room, look: Finishes) -> None:
 
 def add_coving(builder: Builder, room: Room, look: Finishes, things: Iterable[SceneObject]) -> None:
     """Coving along the ceiling where the kind of room has it, and roses over hanging lamps."""
-    if _PLAIN_CEILINGS.search(room.type.lower().replace("-", " ").replace("_", " ")) or room.height < 2.2:
+    if is_one_of(room.type, "plain ceiling") or room.height < 2.2:
         return
     moulding(builder, Plane.floor(), np.asarray(room.outline), _cove(room.height), look.ceiling, closed=True)
     under = Plane(np.array([0.0, 0.0, room.height]), *(np.eye(3) * (1, 1, -1)))
     for thing in things:
-        if thing.mount == "ceiling" and any(word in thing.category for word in _HANGING):
+        if thing.mount == "ceiling" and is_one_of(thing.category, "hanging lamp"):
             x, y, _ = thing.pose.position
             for radius, thick in ((0.17, 0.008), (0.145, 0.016), (0.10, 0.024)):
                 plate(builder, under, disc((x, y), radius, 40), (-0.001, thick), look.ceiling, bevel=0.006)

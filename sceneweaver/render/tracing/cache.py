@@ -13,8 +13,8 @@ import numpy as np
 import warp as wp
 
 from . import cache_kernels, world_kernels
-from .bands import launch
 from .lights import Emitters, emitters
+from .rays import launch
 from .world import Geometry, linear_color
 
 CELL = 0.11

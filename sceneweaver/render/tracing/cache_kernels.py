@@ -2,10 +2,10 @@
 
 import warp as wp
 
-from ..point_kernels import even_point
 from .light_kernels import Lights, escaped_light, in_room, lamp_light, sun_light, window_light
+from .ray_kernels import FAR, even_point, hit_solid
 from .sampling_kernels import cosine_direction
-from .world_kernels import FAR, OFFSET, Cache, World, cell_of, diffuse_of, hit_solid, shade_of
+from .world_kernels import OFFSET, Cache, World, cell_of, diffuse_of, shade_of
 
 wp.set_module_options({"enable_backward": False, "fast_math": True, "max_unroll": 1})
 
@@ -31,7 +31,7 @@ def see_out(
         r = wp.sqrt(wp.randf(random))
         s = wp.randf(random)
         p = a * (1.0 - r) + b * (r * (1.0 - s)) + c * (r * s)
-        hit = hit_solid(world, p + n * OFFSET, cosine_direction(n, even_point(k)), 1.0)
+        hit = hit_solid(world.meshes, p + n * OFFSET, cosine_direction(n, even_point(k)), 1.0)
         own = int(0)
         if hit.face >= 0:
             if world.face_instance[hit.face] == owner[i]:
@@ -79,7 +79,7 @@ def light_points(
     for k in range(bounce_rays):
         row = i * bounce_rays + k
         way = cosine_direction(n, even_point(row))
-        hit = hit_solid(world, p + n * OFFSET, way, FAR)
+        hit = hit_solid(world.meshes, p + n * OFFSET, way, FAR)
         hit_out[row] = -1
         color_out[row] = wp.vec3(0.0)
         if hit.face < 0:

@@ -2,31 +2,31 @@
 
 import warp as wp
 
-from ..point_kernels import even_point
-from ..raycast_kernels import Lens, camera_ray
-from .filter_kernels import akin, alike
-from .light_kernels import Lights
-from .view_kernels import is_matt, pixel_width, what_is_seen
-from .world_kernels import Cache, World, cached_light
+from .filter_kernels import Grid, akin, alike, pixel_at
+from .light_kernels import Lights, light_around
+from .ray_kernels import Lens, camera_ray, even_point
+from .view_kernels import Seen, is_matt, pixel_width, what_is_seen
+from .world_kernels import Cache, World
 
 wp.set_module_options({"enable_backward": False, "fast_math": True, "max_unroll": 1})
 
 
 @wp.struct
 class Film:
-    """Exposure, the gains of the white balance, and rays for pixels at an edge and for all others."""
+    """Exposure, contrast, the gains of the white balance, and rays for pixels at an edge and for all others."""
 
     exposure: float
+    contrast: float
     balance: wp.vec3
     rays: int
     plain_rays: int
 
 
 @wp.func
-def shoulder(x: float):
+def shoulder(x: float, contrast: float):
     """Contrast about the middle, linear up to 0.6, then bent toward 1."""
     knee = 0.6
-    x = 0.4 * wp.pow(x / 0.4, 1.22)
+    x = 0.4 * wp.pow(x / 0.4, contrast)
     if x <= knee:
         return x
     t = (x - knee) / (1.0 - knee)
@@ -34,12 +34,12 @@ def shoulder(x: float):
 
 
 @wp.func
-def tone_mapped(color: wp.vec3):
+def tone_mapped(color: wp.vec3, contrast: float):
     """Linear colour to display values 0..1 in sRGB: bright colours are bent toward white, hues stay."""
     c = wp.vec3(wp.max(color[0], 0.0), wp.max(color[1], 0.0), wp.max(color[2], 0.0))
     peak = wp.max(c[0], wp.max(c[1], c[2]))
     if peak > 1.0e-6:
-        low = shoulder(peak)
+        low = shoulder(peak, contrast)
         c = c * (low / peak)
         # What is far over white loses its colour.
         fade = 1.0 - 1.0 / (0.12 * wp.max(peak - low, 0.0) + 1.0)
@@ -54,33 +54,24 @@ def tone_mapped(color: wp.vec3):
 @wp.kernel
 def find_edges(
     # Problem:
-    width: int,
-    height: int,
-    eye: wp.vec3,
-    spread: float,
+    grid: Grid,
     start: int,
-    # State in:
-    sun: wp.array(dtype=wp.vec3),
-    point: wp.array(dtype=wp.vec3),
-    normal: wp.array(dtype=wp.vec3),
-    key: wp.array(dtype=int),
     # State out:
     edge_out: wp.array(dtype=wp.uint8),
 ):
-    """Marks places where a surface or a patch of sun ends."""
+    """Marks places where a surface ends."""
     i = start + wp.tid()
-    x, y = i % width, i // width
-    p, n = point[i], normal[i]
-    slack = 0.002 + 1.5 * spread * wp.length(p - eye)
+    x, y = i % grid.columns, i // grid.columns
+    p, n = grid.point[i], grid.normal[i]
+    slack = 0.002 + 1.5 * grid.spread * wp.length(p - grid.eye)
     found = int(0)
     for dy in range(-1, 2):
         for dx in range(-1, 2):
-            u, v = x + dx, y + dy
-            if u >= 0 and v >= 0 and u < width and v < height and found == 0:
-                j = v * width + u
-                if key[j] != key[i]:
+            j = pixel_at(grid, x + dx, y + dy)
+            if j >= 0 and found == 0:
+                if grid.key[j] != grid.key[i]:
                     found = 1
-                elif key[i] >= 0 and alike(p, n, key[i], point[j], normal[j], key[j], slack) < 0.3:
+                elif grid.key[i] >= 0 and alike(grid, j, p, n, grid.key[i], slack) < 0.3:
                     found = 1
     edge_out[i] = wp.uint8(found)
 
@@ -93,19 +84,15 @@ def develop(
     cache: Cache,
     lens: Lens,
     film: Film,
+    grid: Grid,
     width: int,
     height: int,
-    columns: int,
-    rows: int,
     start: int,
     # State in:
     soft: wp.array(dtype=wp.vec3),
     sun: wp.array(dtype=wp.vec3),
     gloss: wp.array(dtype=wp.vec3),
     toward: wp.array(dtype=wp.vec3),
-    point: wp.array(dtype=wp.vec3),
-    normal: wp.array(dtype=wp.vec3),
-    key: wp.array(dtype=int),
     edge: wp.array(dtype=wp.uint8),
     # State out:
     rgb_out: wp.array(dtype=wp.vec3),
@@ -119,22 +106,36 @@ def develop(
     i = start + wp.tid()
     px, py = i % width, i // width
     size = pixel_width(lens, height)
-    scale_x, scale_y = float(columns) / float(width), float(rows) / float(height)
-    here = wp.min(int(float(py) * scale_y), rows - 1) * columns + wp.min(int(float(px) * scale_x), columns - 1)
+    scale_x, scale_y = float(grid.columns) / float(width), float(grid.rows) / float(height)
+    column, row = wp.min(int(float(px) * scale_x), grid.columns - 1), wp.min(int(float(py) * scale_y), grid.rows - 1)
+    here = row * grid.columns + column
     rays = wp.where(edge[here] > wp.uint8(0), film.rays, film.plain_rays)
+    cast = float(0.0)
+    first = Seen()
+    differs = int(0)
     total = wp.vec3(0.0)
     linear = wp.vec3(0.0)
     for s in range(rays):
         e = even_point(s)
         if s == 0:
             e = wp.vec2(0.5, 0.5)
+        elif lights.direct.on == 1:
+            # In pairs on either side of the middle, so that the first one tells whether something ends in the pixel.
+            e = even_point((s + 1) // 2)
+            if s % 2 == 0:
+                e = wp.vec2(1.0) - e
         jx, jy = float(px) + e[0], float(py) + e[1]
         seen = what_is_seen(world, lights, cache, camera_ray(lens, jx, jy, width, height), size)
         if s == 0:
+            first = seen
             albedo_out[i] = seen.first_color
             normal_out[i] = seen.first_normal
             depth_out[i] = seen.first_depth
             instance_out[i] = seen.first_instance
+        elif seen.instance != first.instance or seen.path != first.path or wp.dot(seen.normal, first.normal) < 0.96:
+            differs = 1
+        elif wp.abs(seen.depth - first.depth) > 0.02 * first.depth:
+            differs = 1
         color = seen.shine
         if seen.instance >= 0:
             mine = seen.instance + 65536 * (seen.path // 100 + 1)
@@ -153,11 +154,10 @@ def develop(
                 if corner >= 4:
                     cx, cy = (corner - 4) % 4 - 1, (corner - 4) // 4 - 1
                 if corner < 4 or weight < 0.02:
-                    u, v = left + cx, top + cy
-                    if u >= 0 and v >= 0 and u < columns and v < rows:
-                        j = v * columns + u
+                    j = pixel_at(grid, left + cx, top + cy)
+                    if j >= 0:
                         near = wp.max(1.0 - wp.abs(fx - float(cx)), 0.02) * wp.max(1.0 - wp.abs(fy - float(cy)), 0.02)
-                        w = near * (alike(seen.point, seen.normal, mine, point[j], normal[j], key[j], slack))
+                        w = near * alike(grid, j, seen.point, seen.normal, mine, slack)
                         a = a + soft[j] * w
                         b = b + sun[j] * w
                         g = g + gloss[j] * w
@@ -165,10 +165,9 @@ def develop(
                         weight += w
             if weight < 1.0e-3:
                 for corner in range(16):
-                    u, v = left + corner % 4 - 1, top + corner // 4 - 1
-                    if u >= 0 and v >= 0 and u < columns and v < rows:
-                        j = v * columns + u
-                        w = akin(seen.normal, mine, normal[j], key[j])
+                    j = pixel_at(grid, left + corner % 4 - 1, top + corner // 4 - 1)
+                    if j >= 0:
+                        w = akin(grid, j, seen.normal, mine)
                         a = a + soft[j] * w
                         b = b + sun[j] * w
                         g = g + gloss[j] * w
@@ -176,7 +175,7 @@ def develop(
                         weight += w
             if weight < 1.0e-3:
                 # Too narrow for any place around to show it: in the light of its surroundings.
-                plain = cached_light(cache, seen.point, seen.flat, e)
+                plain = light_around(lights, cache, seen.point, seen.flat, e)
                 a = plain
                 b = wp.vec3(0.0)
                 g = plain
@@ -190,11 +189,15 @@ def develop(
             glare = wp.max(wp.dot(seen.bump, lights.sun), 0.0) / wp.max(wp.dot(seen.normal, lights.sun), 0.1)
             lit = lit + b * (wp.clamp(glare, 0.3, 2.0) / weight)
             shine = g / weight
-            if is_matt(seen) == 1:
+            if is_matt(lights, seen) == 1:
                 shine = lit
             color = color + wp.cw_mul(seen.color, lit) + wp.cw_mul(seen.gloss, shine)
-        linear = linear + color / float(rays)
+        linear = linear + color
         shown = wp.cw_mul(color, film.balance) * film.exposure
-        total = total + tone_mapped(shown) / float(rays)
-    rgb_out[i] = total
-    linear_out[i] = linear
+        total = total + tone_mapped(shown, film.contrast)
+        cast += 1.0
+        # A draft looks closer only where the first rays show that something ends in this pixel.
+        if s == 2 and differs == 0 and lights.direct.on == 1:
+            break
+    rgb_out[i] = total / cast
+    linear_out[i] = linear / cast

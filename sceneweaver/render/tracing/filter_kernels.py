@@ -12,11 +12,35 @@ from .world_kernels import luminance
 wp.set_module_options({"enable_backward": False, "fast_math": True, "max_unroll": 1})
 
 
+@wp.struct
+class Grid:
+    """Pixels that are lit, row by row, and the ``point``, ``normal`` and ``key`` of the surface that each shows (a
+    negative key: none). ``spread`` is how much wider a pixel gets over a metre from ``eye``."""
+
+    columns: int
+    rows: int
+    eye: wp.vec3
+    spread: float
+    point: wp.array(dtype=wp.vec3)
+    normal: wp.array(dtype=wp.vec3)
+    key: wp.array(dtype=int)
+
+
 @wp.func
-def alike(p: wp.vec3, n: wp.vec3, key: int, q: wp.vec3, m: wp.vec3, other: int, slack: float):
-    """Whether two pixels show one surface: 0..1, by instance, normals and distance from the plane [``slack``, m]."""
-    if key != other:
+def pixel_at(grid: Grid, x: int, y: int):
+    """The number of a pixel, -1 beside the picture."""
+    if x >= 0 and y >= 0 and x < grid.columns and y < grid.rows:
+        return y * grid.columns + x
+    return -1
+
+
+@wp.func
+def alike(grid: Grid, j: int, p: wp.vec3, n: wp.vec3, key: int, slack: float):
+    """Whether a pixel shows the surface of a point: 0..1, by instance, normals and distance from the plane [``slack``,
+    m]."""
+    if key != grid.key[j]:
         return 0.0
+    q, m = grid.point[j], grid.normal[j]
     away = wp.abs(wp.dot(q - p, n)) + wp.abs(wp.dot(q - p, m))
     bend = wp.max(wp.dot(n, m), 0.0)
     bend = bend * bend
@@ -33,28 +57,22 @@ def _spline(step: int):
 
 
 @wp.func
-def akin(n: wp.vec3, key: int, m: wp.vec3, other: int):
-    """Whether two pixels show faces of one object that look about the same way: for what is narrower than a pixel."""
-    if key != other:
+def akin(grid: Grid, j: int, n: wp.vec3, key: int):
+    """Whether a pixel shows a face of one object that looks about the same way: for what is narrower than a pixel."""
+    if key != grid.key[j]:
         return 0.0
-    bend = wp.max(wp.dot(n, m), 0.0)
+    bend = wp.max(wp.dot(n, grid.normal[j]), 0.0)
     return bend * bend * 0.2
 
 
 @wp.kernel
 def find_guide(
     # Problem:
-    width: int,
-    height: int,
-    eye: wp.vec3,
-    spread: float,
+    grid: Grid,
     start: int,
     # State in:
     soft: wp.array(dtype=wp.vec4),
     gloss: wp.array(dtype=wp.vec3),
-    point: wp.array(dtype=wp.vec3),
-    normal: wp.array(dtype=wp.vec3),
-    key: wp.array(dtype=int),
     # State out:
     soft_out: wp.array(dtype=wp.vec3),
     gloss_out: wp.array(dtype=wp.vec3),
@@ -63,19 +81,18 @@ def find_guide(
     """How bright a pixel is by its surroundings, and by how much that may be wrong: few samples know little of their
     own. No pixel stays much brighter than all around it."""
     i = start + wp.tid()
-    x, y = i % width, i // width
-    p, n = point[i], normal[i]
-    slack = 0.002 + 0.6 * spread * wp.length(p - eye)
+    x, y = i % grid.columns, i // grid.columns
+    p, n = grid.point[i], grid.normal[i]
+    slack = 0.002 + 0.6 * grid.spread * wp.length(p - grid.eye)
     count = float(0.0)
     noise = float(0.0)
     first = wp.vec2(0.0, 0.0)
     second = wp.vec2(0.0, 0.0)
     for dy in range(-2, 3):
         for dx in range(-2, 3):
-            u, v = x + dx, y + dy
-            if u >= 0 and v >= 0 and u < width and v < height and (dx != 0 or dy != 0):
-                j = v * width + u
-                w = alike(p, n, key[i], point[j], normal[j], key[j], slack) * _spline(dx) * _spline(dy)
+            j = pixel_at(grid, x + dx, y + dy)
+            if j >= 0 and j != i:
+                w = alike(grid, j, p, n, grid.key[i], slack) * _spline(dx) * _spline(dy)
                 if w > 1.0e-3:
                     c = soft[j]
                     bright = wp.vec2(luminance(wp.vec3(c[0], c[1], c[2])), luminance(gloss[j]))
@@ -102,20 +119,14 @@ def find_guide(
 @wp.kernel
 def smooth(
     # Problem:
-    width: int,
-    height: int,
+    grid: Grid,
     step: int,
-    eye: wp.vec3,
-    spread: float,
     start: int,
     # State in:
     guide: wp.array(dtype=wp.vec2),
     soft: wp.array(dtype=wp.vec3),
     gloss: wp.array(dtype=wp.vec3),
     toward: wp.array(dtype=wp.vec3),
-    point: wp.array(dtype=wp.vec3),
-    normal: wp.array(dtype=wp.vec3),
-    key: wp.array(dtype=int),
     # State out:
     soft_out: wp.array(dtype=wp.vec3),
     gloss_out: wp.array(dtype=wp.vec3),
@@ -124,15 +135,15 @@ def smooth(
 ):
     """One level: every pixel with 24 around it that are ``step`` pixels apart."""
     i = start + wp.tid()
-    x, y = i % width, i // width
-    mine = key[i]
+    x, y = i % grid.columns, i // grid.columns
+    mine = grid.key[i]
     soft_out[i] = soft[i]
     gloss_out[i] = gloss[i]
     toward_out[i] = toward[i]
     guide_out[i] = guide[i]
     if mine >= 0:
-        p, n = point[i], normal[i]
-        slack = 0.002 + 0.6 * spread * wp.length(p - eye) * float(step)
+        p, n = grid.point[i], grid.normal[i]
+        slack = 0.002 + 0.6 * grid.spread * wp.length(p - grid.eye) * float(step)
         bright = guide[i]
         shine = luminance(gloss[i])
         lone = int(0)
@@ -146,12 +157,11 @@ def smooth(
             sum_guide = float(0.0)
             for dy in range(-2, 3):
                 for dx in range(-2, 3):
-                    u, v = x + dx * step, y + dy * step
-                    if u >= 0 and v >= 0 and u < width and v < height:
-                        j = v * width + u
-                        w = alike(p, n, mine, point[j], normal[j], key[j], slack)
+                    j = pixel_at(grid, x + dx * step, y + dy * step)
+                    if j >= 0:
+                        w = alike(grid, j, p, n, mine, slack)
                         if lone == 1:
-                            w = wp.max(w, akin(n, mine, normal[j], key[j]))
+                            w = wp.max(w, akin(grid, j, n, mine))
                         if w > 1.0e-4:
                             support += w
                             w = w * _spline(dx) * _spline(dy)
@@ -180,34 +190,27 @@ def smooth(
 @wp.kernel
 def smooth_sun(
     # Problem:
-    width: int,
-    height: int,
-    eye: wp.vec3,
-    spread: float,
+    grid: Grid,
     start: int,
     # State in:
     sun: wp.array(dtype=wp.vec3),
-    point: wp.array(dtype=wp.vec3),
-    normal: wp.array(dtype=wp.vec3),
-    key: wp.array(dtype=int),
     # State out:
     sun_out: wp.array(dtype=wp.vec3),
 ):
     """Sunlight with its noisy rims smoothed over two pixels."""
     i = start + wp.tid()
-    x, y = i % width, i // width
+    x, y = i % grid.columns, i // grid.columns
     sun_out[i] = sun[i]
-    if key[i] >= 0:
-        p, n = point[i], normal[i]
-        slack = 0.002 + 0.6 * spread * wp.length(p - eye)
+    if grid.key[i] >= 0:
+        p, n = grid.point[i], grid.normal[i]
+        slack = 0.002 + 0.6 * grid.spread * wp.length(p - grid.eye)
         total = float(0.0)
         found = wp.vec3(0.0)
         for dy in range(-2, 3):
             for dx in range(-2, 3):
-                u, v = x + dx, y + dy
-                if u >= 0 and v >= 0 and u < width and v < height:
-                    j = v * width + u
-                    w = alike(p, n, key[i], point[j], normal[j], key[j], slack)
+                j = pixel_at(grid, x + dx, y + dy)
+                if j >= 0:
+                    w = alike(grid, j, p, n, grid.key[i], slack)
                     w = w * _spline(dx) * _spline(dy)
                     found = found + sun[j] * w
                     total += w

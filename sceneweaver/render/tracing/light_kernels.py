@@ -2,9 +2,8 @@
 
 import warp as wp
 
-from ..point_kernels import even_point
+from .ray_kernels import FAR, PI, even_point, hit_any, hit_solid
 from .sampling_kernels import (
-    PI,
     cone_direction,
     cosine_direction,
     rectangle_sample,
@@ -12,13 +11,12 @@ from .sampling_kernels import (
     spherical_rectangle,
 )
 from .world_kernels import (
-    FAR,
     OFFSET,
     Cache,
     World,
     bounced_only,
+    cached_light,
     diffuse_of,
-    hit_solid,
     luminance,
     shade_of,
     transmitted,
@@ -71,6 +69,30 @@ class LampFace:
 
 
 @wp.struct
+class Direct:
+    """Plain light without bounces, for a draft; with ``on`` it takes the place of sky, windows and lamps.
+
+    ``reach`` [m] is how far what hides the sky is looked for, ``bounce`` how much light near surfaces throw back in
+    their own colour (0: a plain share of the sky's). The beam is a second sun that shines through windows alone, and
+    on nothing below ``beam_floor`` [m]. ``glows`` are small lights without shadows: place, power.
+    """
+
+    on: int
+    sky: wp.vec3
+    ground: wp.vec3
+    background: wp.vec3
+    reach: float
+    bounce: float
+    beam: wp.vec3
+    beam_softness: float
+    beam_color: wp.vec3
+    beam_floor: float
+    glows: wp.array(dtype=wp.vec4)
+    glow_count: int
+    glow_color: wp.vec3
+
+
+@wp.struct
 class Lights:
     """Sun, sky, windows and lamps. With ``enclosed`` daylight comes by the portals alone, all else sees ``hall``.
 
@@ -93,6 +115,7 @@ class Lights:
     lamps: wp.array(dtype=Lamp)
     lamp_count: int
     faces: wp.array(dtype=LampFace)
+    direct: Direct
 
 
 @wp.struct
@@ -107,6 +130,8 @@ class Arriving:
 def sky_light(lights: Lights, way: wp.vec3):
     """Radiance of the world outside that lights the room: a clear sky over a ground."""
     up = way[2]
+    if lights.direct.on == 1:
+        return lights.direct.ground * (0.5 - 0.5 * up) + lights.direct.sky * (0.5 + 0.5 * up)
     if up < 0.0:
         return lights.ground
     t = wp.sqrt(up)
@@ -154,6 +179,8 @@ def escaped_light(lights: Lights, origin: wp.vec3, way: wp.vec3):
 @wp.func
 def seen_outside(lights: Lights, origin: wp.vec3, way: wp.vec3):
     """Radiance of a ray that hits nothing, as an eye sees it: through a window the world, else the hall."""
+    if lights.direct.on == 1:
+        return lights.direct.background
     if lights.enclosed == 1 and portal_distance(lights, origin, way) < 0.0:
         return lights.hall
     return sky_light(lights, way)
@@ -176,6 +203,63 @@ def sun_light(world: World, lights: Lights, p: wp.vec3, n: wp.vec3, flat: wp.vec
             return none
         reach = out + _BEYOND
     return wp.cw_mul(lights.sun_color, transmitted(world, p + flat * OFFSET, way, reach)) * (cosine / PI)
+
+
+@wp.func
+def beam_light(world: World, lights: Lights, p: wp.vec3, n: wp.vec3, flat: wp.vec3, e: wp.vec2):
+    """Irradiance over pi by the beam of plain light, by one ray toward its disc through a window."""
+    none = wp.vec3(0.0)
+    if lights.direct.on == 0 or lights.direct.beam_color[0] <= 0.0 or p[2] < lights.direct.beam_floor:
+        return none
+    way = cone_direction(lights.direct.beam, lights.direct.beam_softness, e)
+    cosine = wp.dot(n, way)
+    out = portal_distance(lights, p, way)
+    if cosine <= 0.0 or wp.dot(flat, way) <= 0.0 or out < 0.0:
+        return none
+    return wp.cw_mul(lights.direct.beam_color, transmitted(world, p + flat * OFFSET, way, out)) * cosine
+
+
+@wp.func
+def glow_light(lights: Lights, p: wp.vec3, n: wp.vec3):
+    """Irradiance over pi by the small lights of plain light, which reach 3 m."""
+    total = float(0.0)
+    for k in range(lights.direct.glow_count):
+        glow = lights.direct.glows[k]
+        gap = wp.vec3(glow[0], glow[1], glow[2]) - p
+        square = wp.dot(gap, gap)
+        if square < 9.0:
+            facing = wp.max(0.0, 0.25 + 0.75 * wp.dot(n, gap) / wp.sqrt(square + 1.0e-6))
+            fade = 1.0 - square / 9.0
+            total += glow[3] * facing * fade * fade / (0.12 + square)
+    return lights.direct.glow_color * total
+
+
+@wp.func
+def near_light(world: World, lights: Lights, p: wp.vec3, flat: wp.vec3, way: wp.vec3):
+    """Plain light along a ray: that of the sky, or of a near surface that throws some back in its colour."""
+    sky = sky_light(lights, way)
+    reach = lights.direct.reach
+    if wp.dot(flat, way) <= 0.0:
+        return sky * 0.28
+    if lights.direct.bounce <= 0.0:
+        return wp.cw_mul(sky, wp.vec3(0.28) + transmitted(world, p + flat * OFFSET, way, reach) * 0.72)
+    hit = hit_any(world.meshes, p + flat * OFFSET, way, reach)
+    if hit.face < 0:
+        return sky
+    finish = world.finishes[world.face_finish[hit.face]]
+    # What is near hides all of the sky, what is far hardly any of it: there is no edge where the reach ends.
+    far = hit.t / reach
+    share = finish.opacity * (1.0 - far * far)
+    thrown = wp.cw_mul(finish.plain * 0.75 + wp.vec3(0.12), lights.direct.sky) * lights.direct.bounce
+    return sky * (1.0 - share) + (thrown + finish.emission) * share
+
+
+@wp.func
+def light_around(lights: Lights, cache: Cache, p: wp.vec3, n: wp.vec3, e: wp.vec2):
+    """Irradiance over pi near a point without any ray: from the cache, or plain light without shadows."""
+    if lights.direct.on == 1:
+        return sky_light(lights, n) * 0.75 + lights.sun_color * (0.06 * wp.max(wp.dot(n, lights.sun), 0.0))
+    return cached_light(cache, p, n, e)
 
 
 @wp.func
@@ -361,9 +445,12 @@ def bounced_light(
     found = Arriving()
     way = cosine_direction(n, e)
     found.way = way
+    if lights.direct.on == 1:
+        found.light = near_light(world, lights, p, flat, way)
+        return found
     if wp.dot(flat, way) <= 1.0e-3:
         return found
-    hit = hit_solid(world, p + flat * OFFSET, way, FAR)
+    hit = hit_solid(world.meshes, p + flat * OFFSET, way, FAR)
     if hit.face < 0:
         found.light = escaped_light(lights, p, way)
         return found

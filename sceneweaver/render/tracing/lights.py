@@ -3,22 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from sceneweaver.assets.body import Mesh
+from sceneweaver.assets.body import Material, Mesh
 from sceneweaver.geometry.shell import WALL_THICKNESS
+from sceneweaver.geometry.walls import Wall
 from sceneweaver.scene import InputError, Room, Scene
-
-from ..caster import Instance
 
 Color = tuple[float, float, float]
 
 _SUN_HEIGHT = math.radians(36.0)
 _SUN_SLANT = 0.42  # sideways, so that bars and curtains draw lines that run into the room
 _FAINT = 1.2  # radiance of a white screen with an emission of 1
+_PLAIN = 1.6  # radiance of what is white with an emission of 1, in plain light
 _LAMP = 0.3  # emission from which on a material is a lamp's
 _LEAST_LAMP = 0.012  # what glows on less [m2] is a display or a flame
 _LEAST_SQUARE = 0.002  # of the distance to a lamp's triangle [m2]
@@ -66,12 +66,48 @@ class Lights:
     room: tuple[Color, Color] | None = None
 
     def __post_init__(self) -> None:
-        if not 0 < float(np.linalg.norm(self.sun)) < math.inf:
-            raise InputError(f"lights.sun: {self.sun} is no direction")
+        _check_sun(self.sun)
         for key in ("sun_color", "zenith", "horizon", "ground", "hall", "lamp_color"):
             value = np.asarray(getattr(self, key), dtype=float)
             if value.shape != (3,) or not np.isfinite(value).all() or (value < 0).any():
                 raise InputError(f"lights.{key}: {getattr(self, key)} is no colour of three numbers from 0 on")
+
+
+@dataclass(frozen=True)
+class DirectLights:
+    """Sun and sky without bounces, for drafts, in linear light: what a white surface at right angles shows.
+
+    ``sun`` points toward it, ``softness`` is the tangent of its half angle, ``reach`` how far what hides the sky is
+    looked for [m]. ``bounce`` is how much light near surfaces throw back in their own colour (0: a plain share of the
+    sky's). ``beam`` is a second sun that shines in by the ``portals`` only, and on nothing below the height
+    ``beam_floor`` [m]; when it is black there is none. ``glows`` are small lights (x, y, z [m], power) in one colour;
+    they reach 3 m and throw no shadows. ``exposure`` is what all is multiplied by.
+    """
+
+    sun: Color = (0.55, -0.35, 0.75)
+    softness: float = 0.08
+    sun_color: Color = (1.25, 1.16, 1.02)
+    sky: Color = (0.78, 0.82, 0.88)
+    ground: Color = (0.46, 0.43, 0.40)
+    background: Color = (0.86, 0.86, 0.85)
+    reach: float = 1.5
+    exposure: float = 0.92
+    bounce: float = 0.0
+    beam: Color = (0.0, 0.0, 1.0)
+    beam_softness: float = 0.02
+    beam_color: Color = (0.0, 0.0, 0.0)
+    beam_floor: float = -math.inf
+    portals: tuple[Portal, ...] = ()
+    glows: tuple[tuple[float, float, float, float], ...] = ()
+    glow_color: Color = (1.0, 0.78, 0.52)
+
+    def __post_init__(self) -> None:
+        _check_sun(self.sun)
+
+
+def _check_sun(sun: Color) -> None:
+    if not 0 < float(np.linalg.norm(sun)) < math.inf:
+        raise InputError(f"lights.sun: {sun} is no direction")
 
 
 def interior_lights(scene: Scene) -> Lights:
@@ -80,11 +116,11 @@ def interior_lights(scene: Scene) -> Lights:
     It follows from the scene alone. A room without windows has its lamps.
     """
     room = scene.room
+    sunny = most_glass(room, range(len(room.walls))) or room.walls[0]
     outline = np.asarray(room.outline, dtype=float)
     low, high = outline.min(axis=0) - 2 * WALL_THICKNESS, outline.max(axis=0) + 2 * WALL_THICKNESS
-    x, y, height = _sun(room)
     return Lights(
-        sun=(x, y, height),
+        sun=slant_of(sunny),
         enclosed=True,
         portals=portals_of(room),
         room=((float(low[0]), float(low[1]), -0.3), (float(high[0]), float(high[1]), room.height + 0.4)),
@@ -92,24 +128,30 @@ def interior_lights(scene: Scene) -> Lights:
     )
 
 
-def portals_of(room: Room) -> tuple[Portal, ...]:
-    """Each window as a rectangle in the middle of its wall's thickness."""
+def portals_of(room: Room, depth: float = 0.5) -> tuple[Portal, ...]:
+    """Each window as a rectangle at a depth in its wall, in shares of the wall's thickness."""
     found = []
     for window in room.windows:
         wall = room.walls[window.wall]
-        x, y = wall.point(window.offset, -0.5 * WALL_THICKNESS)
+        x, y = wall.point(window.offset, -depth * WALL_THICKNESS)
         across = (wall.along[0] * window.width, wall.along[1] * window.width, 0.0)
         inward = (float(wall.inward[0]), float(wall.inward[1]), 0.0)
         found.append(Portal((float(x), float(y), window.sill), across, (0.0, 0.0, window.height), inward))
     return tuple(found)
 
 
-def _sun(room: Room) -> Color:
-    """Toward the sun: it shines in by the wall with the most glass, a little aslant."""
-    glass = {wall.index: 0.0 for wall in room.walls}
+def most_glass(room: Room, walls: Iterable[int]) -> Wall | None:
+    """The one of some walls with the largest windows; None where they have none."""
+    glass = {k: 0.0 for k in walls}
     for window in room.windows:
-        glass[window.wall] += window.width * window.height
-    wall = room.walls[max(glass, key=lambda k: (round(glass[k], 6), -k))]
+        if window.wall in glass:
+            glass[window.wall] += window.width * window.height
+    best = max(glass, key=lambda k: (round(glass[k], 6), -k), default=None)
+    return None if best is None or glass[best] <= 0 else room.walls[best]
+
+
+def slant_of(wall: Wall) -> Color:
+    """Toward a sun that shines in by a wall, a little aslant: unit vector [3]."""
     way = np.asarray(wall.outward) + _SUN_SLANT * np.asarray(wall.along)
     way = way / np.linalg.norm(way) * math.cos(_SUN_HEIGHT)
     return float(way[0]), float(way[1]), math.sin(_SUN_HEIGHT)
@@ -148,13 +190,24 @@ def areas(corners: np.ndarray) -> np.ndarray:
     return np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
 
 
-def emission_of(mesh: Mesh, area: np.ndarray, lights: Lights) -> np.ndarray:
-    """Radiance [M, 3] that each material of a mesh sends out, whose triangles have ``area`` [F] in the world.
+def linear_color(material: Material) -> np.ndarray:
+    """The base colour [3] in linear light."""
+    color = np.asarray(material.color, dtype=np.float64)
+    return np.where(color <= 0.04045, color / 12.92, ((color + 0.055) / 1.055) ** 2.4)
+
+
+def emission_of(mesh: Mesh, area: np.ndarray | None, lights: Lights | DirectLights) -> np.ndarray:
+    """Radiance [M, 3] that each material of a mesh sends out, whose triangles have ``area`` [F] in the world
+    (None: nothing of it shines).
 
     A lamp sends out what its size says, however its shade is drawn: bulbs are bright, panels are pale. What shines
-    faintly is a screen, what shines on very little a display or a flame.
+    faintly is a screen, what shines on very little a display or a flame. In plain light all shine in their colour.
     """
+    if isinstance(lights, DirectLights):
+        return np.array([_PLAIN * m.emission * linear_color(m) for m in mesh.materials]).reshape(-1, 3)
     radiance = np.zeros((len(mesh.materials), 3))
+    if area is None:
+        return radiance
     shining = np.array([m.emission for m in mesh.materials])
     total = np.bincount(mesh.face_material, area, len(mesh.materials)) if len(mesh.faces) else np.zeros(len(shining))
     lamp = float(total[shining >= _LAMP].sum())
@@ -187,6 +240,3 @@ def emitters(groups: Sequence[tuple[np.ndarray, np.ndarray, int]], as_discs: boo
     return Emitters(
         every, np.concatenate(radiance), np.ones(len(every)), least, np.concatenate(owner), np.asarray(start)
     )
-
-
-__all__ = ["Emitters", "Instance", "Lights", "Portal", "emission_of", "emitters", "interior_lights", "portals_of"]

@@ -2,7 +2,7 @@
 
 import warp as wp
 
-from ..point_kernels import PI, tangent
+from .ray_kernels import PI, tangent
 
 wp.set_module_options({"enable_backward": False, "fast_math": True, "max_unroll": 1})
 

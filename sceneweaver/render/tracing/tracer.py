@@ -1,4 +1,4 @@
-"""Pictures with the light of the real world: several bounces, sun and sky by the windows, lamps, gloss and mirrors."""
+"""Pictures of meshes: with the light of the real world and all its bounces, or in plain light for a draft."""
 
 from __future__ import annotations
 
@@ -13,26 +13,33 @@ import warp as wp
 from sceneweaver.scene import InputError
 
 from ..camera import Camera
-from ..caster import Instance, check_device
-from ..raycast_kernels import Lens
-from . import develop_kernels, filter_kernels, view_kernels
-from .bands import launch
+from ..instances import Instance
+from . import develop_kernels, filter_kernels, view_kernels, world_kernels
 from .cache import build_cache
-from .exposure import exposed
-from .lights import Lights
-from .world import bounds_of, collect, lights_on, seen_of, world_on
+from .lights import DirectLights, Lights
+from .rays import MAX_RAYS, check_device, launch, lens_of
+from .world import bounds_of, collect, direct_lights_on, lights_on, seen_of, triangles_on, world_on
 
-_MAX_PIXELS = 64_000_000
+_CONTRAST = 1.22
+_DIRECT_SPACING = 2  # of the pixels for which plain light is cast
 _OUTSIDE = 2.4  # what the horizon is at most, as white is 1: photographers balance what is outside with the room
+
+_WHITE = 0.47
+"""Value, before tone mapping, of white paint in the middling light of a picture."""
+
+_PAINT = 0.82
+_EVERY = 5  # pixel that is looked at
+_ADAPTED = 0.65  # share of the colour of the light that an eye gets used to
 
 
 @dataclass(frozen=True)
-class TraceQuality:
+class Quality:
     """Rays of each kind at a pixel that is lit, and how many pixels there are to one that is.
 
     ``windows``, ``lamps``, ``bounces`` and ``suns`` are rays to the sky, to lamps, to other surfaces and to the sun;
     every ``spacing``-th pixel of each row and column is lit. ``levels`` is how often the light is smoothed, each time
-    over twice the distance. ``rays`` are those of a pixel where something ends.
+    over twice the distance. ``rays`` are those of a pixel where something ends, ``plain_rays`` of all others. Of
+    plain light, which is even, every other pixel gets some, by ``bounces`` rays around and ``suns`` to the sun.
     """
 
     windows: int = 4
@@ -52,39 +59,50 @@ class TraceQuality:
                 raise InputError(f"quality.{field.name}: {value} is too few")
 
     @classmethod
-    def draft(cls) -> TraceQuality:
+    def draft(cls) -> Quality:
         """For a quick look."""
         return cls(windows=3, lamps=2, bounces=4, suns=2, spacing=2, levels=3, rays=4)
 
     @classmethod
-    def normal(cls) -> TraceQuality:
+    def normal(cls) -> Quality:
         """To show."""
         return cls()
 
     @classmethod
-    def fine(cls) -> TraceQuality:
+    def fine(cls) -> Quality:
         """For a front page."""
         return cls(windows=12, lamps=8, bounces=24, suns=8, levels=3, rays=16, plain_rays=4)
 
 
 @dataclass(frozen=True)
 class TracedPicture:
-    """What was seen, [H, W] each.
+    """What a camera saw, [H, W] each.
 
     ``rgb`` uint8 [H, W, 3] is exposed and tone mapped, ``linear`` float32 [H, W, 3] is neither. Of the first surface in
-    the middle of a pixel: ``instance`` int32 is its number or -1, ``distance`` float32 [m] that along the ray and
-    ``depth`` that along the camera's axis, inf for nothing; ``position`` and ``normal`` float32 [H, W, 3] in the
-    world's frame, the normal turned to the camera; ``albedo`` float32 [H, W, 3] its linear base colour.
+    the middle of a pixel: ``instance`` int32 is its number or -1, ``distance`` float32 [m] that along the ray, inf for
+    nothing; ``normal`` float32 [H, W, 3] is turned to the camera, ``albedo`` float32 [H, W, 3] its linear base colour.
     """
 
+    camera: Camera
     rgb: np.ndarray
     linear: np.ndarray
     instance: np.ndarray
     distance: np.ndarray
-    depth: np.ndarray
-    position: np.ndarray
     normal: np.ndarray
     albedo: np.ndarray
+
+    @property
+    def position(self) -> np.ndarray:
+        """World points float32 [H, W, 3] of the first surfaces; where nothing is seen, where the ray begins."""
+        height, width = self.distance.shape
+        step = np.where(np.isfinite(self.distance), self.distance, 0.0)[..., None]
+        return (self.camera.origins(width, height) + self.camera.rays(width, height) * step).astype(np.float32)
+
+    @property
+    def depth(self) -> np.ndarray:
+        """Their distances along the camera's axis, float32 [H, W] in metres; inf for nothing."""
+        depth = (self.position - np.asarray(self.camera.eye)) @ self.camera.axis
+        return np.where(np.isfinite(self.distance), depth, np.inf).astype(np.float32)
 
 
 class Tracer:
@@ -92,7 +110,7 @@ class Tracer:
 
     Args:
         instances: What is drawn.
-        lights: What lights it; see `interior_lights`.
+        lights: What lights it; see `interior_lights`. `DirectLights` make a draft: no bounces, and no radiance cache.
         device: Where it is drawn: "cpu" or "cuda:0".
 
     Raises:
@@ -100,15 +118,22 @@ class Tracer:
         MissingDependencyError: a GPU that is not there.
     """
 
-    def __init__(self, instances: Sequence[Instance], lights: Lights | None = None, device: str = "cpu") -> None:
+    def __init__(
+        self, instances: Sequence[Instance], lights: Lights | DirectLights | None = None, device: str = "cpu"
+    ) -> None:
         check_device(device)
         self._device, self._lights = device, lights or Lights()
         geometry = collect(instances, self._lights)
+        self._triangles = triangles_on(geometry, device)
+        with wp.ScopedDevice(device):
+            self._world = world_on(geometry, self._triangles)
+            if isinstance(self._lights, DirectLights):
+                self._light, self._cache = direct_lights_on(self._lights), world_kernels.Cache()
+                return
         low, high = bounds_of(geometry.corners)
         if self._lights.room is not None:
             low, high = np.maximum(low, self._lights.room[0]), np.minimum(high, self._lights.room[1])
         with wp.ScopedDevice(device):
-            self._world, self._keep = world_on(geometry)
             shining = seen_of(self._world, geometry.emitters)
             lamps = lights_on(self._lights, shining, low, high)
             self._cache, patches = build_cache(self._world, lamps, geometry, low, high)
@@ -119,7 +144,7 @@ class Tracer:
         camera: Camera,
         width: int,
         height: int,
-        quality: TraceQuality | None = None,
+        quality: Quality | None = None,
         deadline: float | None = None,
     ) -> TracedPicture:
         """What a camera sees; equal input gives equal pictures on one kind of device.
@@ -128,90 +153,103 @@ class Tracer:
             camera: From where.
             width: Width of the picture in pixels.
             height: Its height in pixels.
-            quality: How carefully; None: `TraceQuality.normal`.
+            quality: How carefully; None: `Quality.normal`.
             deadline: A time of ``time.monotonic`` after which it is given up.
 
         Raises:
             InputError: a picture without pixels or one that is too large.
             TimeoutError: the deadline has passed.
         """
-        if width < 1 or height < 1 or width * height > _MAX_PIXELS:
-            raise InputError(f"picture: {width} x {height} pixels; between 1 and {_MAX_PIXELS} are drawn")
-        quality = quality or TraceQuality.normal()
-        lens = Lens()
-        for key in ("eye", "forward", "right", "up"):
-            setattr(lens, key, wp.vec3(*getattr(camera, key)))
-        lens.flat = int(camera.flat)
+        if width < 1 or height < 1 or width * height > MAX_RAYS:
+            raise InputError(f"picture: {width} x {height} pixels; between 1 and {MAX_RAYS} are drawn")
+        quality = quality or Quality.normal()
         with wp.ScopedDevice(self._device):
-            return self._picture(camera, lens, width, height, quality, deadline)
+            return self._picture(camera, width, height, quality, deadline)
 
     def _picture(
-        self, camera: Camera, lens, width: int, height: int, quality: TraceQuality, deadline: float | None
+        self, camera: Camera, width: int, height: int, quality: Quality, deadline: float | None
     ) -> TracedPicture:
-        columns, rows = -(-width // quality.spacing), -(-height // quality.spacing)
-        count, pixels = columns * rows, width * height
-        scene = [self._world, self._light, self._cache]
-        eye, spread = lens.eye, 2.0 * float(np.linalg.norm(camera.up)) / rows
-        (noisy,) = _empty(1, count, wp.vec4)
-        guide, guide2 = _empty(2, count, wp.vec2)
-        soft, sun, sun2, gloss, gloss2, toward, toward2, point, normal = _empty(9, count, wp.vec3)
-        key = wp.empty(count, dtype=int)
-        surface = [point, normal, key]
-        order = wp.array(hilbert_order(), dtype=int)
-        # Without windows their rays go to the lamps.
-        more = 0 if self._lights.portals else quality.windows
-        rays = [quality.windows, quality.lamps + more, quality.bounces, quality.suns]
-        launch(
-            view_kernels.light_pixels,
-            count,
-            [*scene, lens, order, width, height, quality.spacing, *rays],
-            [],
-            [noisy, sun, gloss2, toward, *surface],
-            deadline,
-        )
-        before = [columns, rows, eye, spread]
-        found = [soft, gloss, guide]
-        launch(filter_kernels.find_guide, count, before, [noisy, gloss2, *surface], found, deadline)
-        if quality.levels:
-            launch(filter_kernels.smooth_sun, count, before, [sun, *surface], [sun2], deadline)
-            sun = sun2
-        (soft2,) = _empty(1, count, wp.vec3)
-        for level in range(quality.levels):
-            launch(
-                filter_kernels.smooth,
-                count,
-                [columns, rows, 2**level, eye, spread],
-                [guide, soft, gloss, toward, *surface],
-                [soft2, gloss2, toward2, guide2],
-                deadline,
-            )
-            soft, soft2, gloss, gloss2, toward, toward2 = soft2, soft, gloss2, gloss, toward2, toward
-            guide, guide2 = guide2, guide
+        lights, lens, pixels = self._lights, lens_of(camera), width * height
+        spacing = _DIRECT_SPACING if isinstance(lights, DirectLights) else quality.spacing
+        grid = filter_kernels.Grid()
+        grid.columns, grid.rows = -(-width // spacing), -(-height // spacing)
+        count = grid.columns * grid.rows
+        grid.eye, grid.spread = lens.eye, 2.0 * float(np.linalg.norm(camera.up)) / grid.rows
+        grid.point, grid.normal = _empty(2, count, wp.vec3)
+        grid.key = wp.empty(count, dtype=int)
+        light = self._smooth_light(lens, width, height, spacing, grid, quality, deadline)
         film = develop_kernels.Film()
-        film.exposure, balance = exposed(soft.numpy(), key.numpy())
-        film.balance = wp.vec3(*balance)
-        if self._lights.enclosed:
-            self._light.view = wp.vec3(*(min(self._lights.view, _OUTSIDE / film.exposure) / balance))
         film.rays, film.plain_rays = quality.rays, quality.plain_rays
+        if isinstance(lights, DirectLights):
+            film.exposure, film.contrast, film.balance = lights.exposure, 1.0, wp.vec3(1.0)
+        else:
+            film.contrast = _CONTRAST
+            film.exposure, balance = exposed(light[0].numpy(), grid.key.numpy())
+            film.balance = wp.vec3(*balance)
+            if lights.enclosed:
+                self._light.view = wp.vec3(*(min(lights.view, _OUTSIDE / film.exposure) / balance))
         (edge,) = _empty(1, count, wp.uint8)
-        launch(develop_kernels.find_edges, count, before, [sun, *surface], [edge], deadline)
-        rgb, linear, albedo, first_normal = _empty(4, pixels, wp.vec3)
+        launch(develop_kernels.find_edges, count, [grid], [], [edge], deadline)
+        rgb, linear, albedo, normal = _empty(4, pixels, wp.vec3)
         depth, instance = wp.empty(pixels, dtype=float), wp.empty(pixels, dtype=int)
         launch(
             develop_kernels.develop,
             pixels,
-            [*scene, lens, film, width, height, columns, rows],
-            [soft, sun, gloss, toward, *surface, edge],
-            [rgb, linear, albedo, first_normal, depth, instance],
+            [self._world, self._light, self._cache, lens, film, grid, width, height],
+            [*light, edge],
+            [rgb, linear, albedo, normal, depth, instance],
             deadline,
         )
         shape = (height, width)
         seen = instance.numpy().reshape(shape)
         distance = np.where(seen >= 0, depth.numpy().reshape(shape), np.float32(np.inf))
         shown = (rgb.numpy().reshape(*shape, 3) * 255.0 + 0.5).astype(np.uint8)
-        images = [a.numpy().reshape(*shape, 3) for a in (linear, first_normal, albedo)]
-        position, planar = _places(camera, distance)
-        return TracedPicture(shown, images[0], seen, distance, planar, position, images[1], images[2])
+        linear, normal, albedo = (a.numpy().reshape(*shape, 3) for a in (linear, normal, albedo))
+        return TracedPicture(camera, shown, linear, seen, distance, normal, albedo)
+
+    def _smooth_light(
+        self,
+        lens: Any,
+        width: int,
+        height: int,
+        spacing: int,
+        grid: Any,
+        quality: Quality,
+        deadline: float | None,
+    ) -> list[wp.array]:
+        """Light without the sun's, that, gloss and the direction of light where pixels are lit; fills ``grid``."""
+        count = grid.columns * grid.rows
+        noisy, *guides = *_empty(1, count, wp.vec4), *_empty(2, count, wp.vec2)
+        soft, soft2, sun, sun2, gloss, gloss2, toward, toward2 = _empty(8, count, wp.vec3)
+        order = wp.array(hilbert_order(), dtype=int)
+        rays = [0, 0, quality.bounces, quality.suns]
+        if isinstance(self._lights, Lights):
+            # Without windows their rays go to the lamps.
+            rays[:2] = quality.windows, quality.lamps + (0 if self._lights.portals else quality.windows)
+        launch(
+            view_kernels.light_pixels,
+            count,
+            [self._world, self._light, self._cache, lens, order, width, height, spacing, *rays],
+            [],
+            [noisy, sun, gloss2, toward, grid.point, grid.normal, grid.key],
+            deadline,
+        )
+        launch(filter_kernels.find_guide, count, [grid], [noisy, gloss2], [soft, gloss, guides[0]], deadline)
+        if quality.levels:
+            launch(filter_kernels.smooth_sun, count, [grid], [sun], [sun2], deadline)
+            sun = sun2
+        for level in range(quality.levels):
+            launch(
+                filter_kernels.smooth,
+                count,
+                [grid, 2**level],
+                [guides[0], soft, gloss, toward],
+                [soft2, gloss2, toward2, guides[1]],
+                deadline,
+            )
+            soft, soft2, gloss, gloss2, toward, toward2 = soft2, soft, gloss2, gloss, toward2, toward
+            guides.reverse()
+        return [soft, sun, gloss, toward]
 
 
 def trace(
@@ -220,8 +258,8 @@ def trace(
     width: int,
     height: int,
     *,
-    lights: Lights | None = None,
-    quality: TraceQuality | None = None,
+    lights: Lights | DirectLights | None = None,
+    quality: Quality | None = None,
     device: str = "cpu",
     deadline: float | None = None,
 ) -> TracedPicture:
@@ -231,25 +269,6 @@ def trace(
 
 def _empty(number: int, count: int, kind: Any) -> list[wp.array]:
     return [wp.empty(count, dtype=kind) for _ in range(number)]
-
-
-def _places(camera: Camera, distance: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """World points [H, W, 3] at distances along the rays [H, W], and their depths along the camera's axis [H, W]."""
-    height, width = distance.shape
-    u = (2 * (np.arange(width, dtype=np.float32) + 0.5) / width - 1)[None, :, None]
-    v = (1 - 2 * (np.arange(height, dtype=np.float32) + 0.5) / height)[:, None, None]
-    vectors = (np.asarray(getattr(camera, key), dtype=np.float32) for key in ("eye", "forward", "right", "up"))
-    eye, forward, right, up = vectors
-    axis = np.cross(up, right)
-    axis = axis / np.linalg.norm(axis)
-    origin, way = eye, forward + right * u + up * v
-    if camera.flat:
-        origin, way = eye + right * u + up * v, forward + 0.0 * (u + v)
-    way = way / np.linalg.norm(way, axis=2, keepdims=True)
-    found = np.isfinite(distance)
-    step = np.where(found, distance, 0.0)[..., None]
-    depth = np.where(found, ((origin - eye) + way * step) @ axis, np.inf)
-    return (origin + way * step).astype(np.float32), depth.astype(np.float32)
 
 
 @cache
@@ -266,3 +285,27 @@ def hilbert_order(side: int = 64) -> np.ndarray:
         x, y = np.where(ry, x, y), np.where(ry, y, x)
         s //= 2
     return place.astype(np.int32)
+
+
+def exposed(soft: np.ndarray, key: np.ndarray) -> tuple[float, np.ndarray]:
+    """Exposure, and the gains of red, green and blue [3].
+
+    Args:
+        soft: Light without that of the sun, over pi, RGB [N, 3].
+        key: Negative where nothing is seen [N].
+    """
+    soft, key = soft[::_EVERY], key[::_EVERY]
+    seen = key >= 0
+    if not seen.any():
+        return 1.0, np.ones(3)
+    light = soft[seen].astype(np.float64)
+    bright = light @ (0.2126, 0.7152, 0.0722)
+    lit = bright > 1e-6
+    if not lit.any():
+        return 1.0, np.ones(3)
+    low, high = np.quantile(bright[lit], (0.1, 0.9))
+    middling = lit & (bright >= low) & (bright <= high)
+    level = float(np.exp(np.log(bright[middling]).mean()))
+    mean = light[middling].mean(axis=0)
+    gains = (mean @ (0.2126, 0.7152, 0.0722) / np.maximum(mean, 1e-9)) ** _ADAPTED
+    return _WHITE / (_PAINT * level), gains

@@ -2,35 +2,25 @@
 
 import warp as wp
 
-from ..point_kernels import even_point
-from ..raycast_kernels import Lens, Ray, camera_ray
 from .light_kernels import (
     Lights,
+    beam_light,
     bounced_light,
     clamped,
     escaped_light,
+    glow_light,
     hazy,
     in_room,
     lamp_light,
+    light_around,
     outdoor_light,
     seen_outside,
     sun_light,
     window_light,
 )
+from .ray_kernels import FAR, Lens, Ray, camera_ray, even_point, hit_any
 from .sampling_kernels import glossy_direction, glossy_lobe, reflected, split_sum
-from .world_kernels import (
-    FAR,
-    OFFSET,
-    Cache,
-    World,
-    cached_light,
-    diffuse_of,
-    hit_any,
-    luminance,
-    passed,
-    schlick,
-    shade_of,
-)
+from .world_kernels import OFFSET, Cache, World, diffuse_of, luminance, passed, schlick, shade_of
 
 wp.set_module_options({"enable_backward": False, "fast_math": True, "max_unroll": 1})
 
@@ -91,13 +81,13 @@ def what_is_seen(world: World, lights: Lights, cache: Cache, ray: Ray, width: wp
     way = ray.direction
     through = wp.vec3(1.0)
     for layer in range(_LAYERS):
-        hit = hit_any(world, at, way, FAR)
+        hit = hit_any(world.meshes, at, way, FAR)
         if hit.face < 0:
             seen.shine = seen.shine + wp.cw_mul(wp.cw_mul(through, seen_outside(lights, at, way)), lights.view)
             seen.depth += 1000.0
             break
         seen.depth += hit.t
-        s = shade_of(world, hit, way, width[0] + width[1] * seen.depth, 1)
+        s = shade_of(world, hit, way, width[0] + width[1] * seen.depth, 1 - lights.direct.on)
         p = at + way * hit.t
         if layer == 0:
             seen.first_instance = s.instance
@@ -109,8 +99,8 @@ def what_is_seen(world: World, lights: Lights, cache: Cache, ray: Ray, width: wp
             finish = world.finishes[world.face_finish[hit.face]]
             if s.roughness > 0.3:
                 # Cloth and frosted panes glow with the light of both sides.
-                near = cached_light(cache, p, s.flat, wp.vec2(0.5, 0.5))
-                far = cached_light(cache, p, -s.flat, wp.vec2(0.5, 0.5))
+                near = light_around(lights, cache, p, s.flat, wp.vec2(0.5, 0.5))
+                far = light_around(lights, cache, p, -s.flat, wp.vec2(0.5, 0.5))
                 lit = near * 0.6 + far * 0.4
                 seen.shine = seen.shine + wp.cw_mul(wp.cw_mul(through, s.color) * s.opacity, lit)
             elif seen.path < 10000 and s.back == 0:
@@ -147,6 +137,9 @@ def what_is_seen(world: World, lights: Lights, cache: Cache, ray: Ray, width: wp
             f0 = wp.vec3(0.04 * (1.0 - s.metallic)) + s.color * s.metallic
             fit = split_sum(s.roughness, facing)
             thrown = f0 * fit[0] + wp.vec3(fit[1])
+            if lights.direct.on == 1:
+                # Plain light comes from everywhere: a rough surface would have a veil of it over its colour.
+                thrown = thrown * (1.0 - (1.0 - s.metallic) * (2.0 - s.roughness) * s.roughness)
             seen.color = wp.cw_mul(through, s.color) * ((1.0 - s.metallic) * (1.0 - thrown[0] * (1.0 - s.metallic)))
             if seen.path < 10000:
                 seen.gloss = wp.cw_mul(through, thrown)
@@ -168,7 +161,7 @@ def reflected_light(world: World, lights: Lights, cache: Cache, seen: Seen, e: w
     at = seen.glossy_point + seen.glossy_normal * OFFSET
     if wp.dot(way, seen.glossy_normal) <= 0.0:
         return wp.vec3(0.0)
-    hit = hit_any(world, at, way, FAR)
+    hit = hit_any(world.meshes, at, way, FAR)
     share = wp.vec3(1.0)
     for _layer in range(3):
         if hit.face >= 0:
@@ -176,7 +169,7 @@ def reflected_light(world: World, lights: Lights, cache: Cache, seen: Seen, e: w
             if finish.opacity < 0.999:
                 share = wp.cw_mul(share, passed(finish))
                 at = at + way * (hit.t + OFFSET)
-                hit = hit_any(world, at, way, FAR)
+                hit = hit_any(world.meshes, at, way, FAR)
     sharp = seen.glossy_roughness < _SHARP
     if hit.face < 0:
         if sharp:
@@ -186,16 +179,23 @@ def reflected_light(world: World, lights: Lights, cache: Cache, seen: Seen, e: w
     p = at + way * hit.t
     if in_room(lights, p) == 0:
         return wp.cw_mul(share, wp.cw_mul(diffuse_of(s), outdoor_light(lights, s.normal))) * wp.where(sharp, 1.0, 0.0)
-    lit = wp.cw_mul(diffuse_of(s), cached_light(cache, p, s.flat, even_point(k * 3 + 1)))
+    lit = wp.cw_mul(diffuse_of(s), light_around(lights, cache, p, s.flat, even_point(k * 3 + 1)))
     if sharp:
         lit = lit + s.emission
     return wp.cw_mul(share, lit)
 
 
 @wp.func
-def is_matt(seen: Seen):
-    """Whether what is reflected is as blurred as diffuse light, and stands for it."""
-    return wp.where(seen.glossy_roughness > _MATT and seen.path < 10000, 1, 0)
+def is_matt(lights: Lights, seen: Seen):
+    """Whether what is reflected is as blurred as diffuse light, which then stands for it; sooner so in plain light."""
+    least = wp.where(lights.direct.on == 1, _SHARP, _MATT)
+    return wp.where(seen.glossy_roughness > least and seen.path < 10000, 1, 0)
+
+
+@wp.func
+def all_sun(world: World, lights: Lights, p: wp.vec3, n: wp.vec3, flat: wp.vec3, e: wp.vec2):
+    """Irradiance over pi by the sun, and by the beam of plain light."""
+    return sun_light(world, lights, p, n, flat, e) + beam_light(world, lights, p, n, flat, wp.vec2(e[1], e[0]))
 
 
 @wp.kernel
@@ -273,9 +273,11 @@ def light_pixels(
             soft = soft + c
             toward = toward + a.way * luminance(c)
             square += luminance(c) * luminance(c)
+        if lights.direct.on == 1:
+            soft = soft + glow_light(lights, p, n)
         least = float(1.0e6)
         for k in range(suns):
-            c = sun_light(world, lights, p, n, flat, even_point(place * suns + k))
+            c = all_sun(world, lights, p, n, flat, even_point(place * suns + k))
             least = wp.min(least, luminance(c))
             sun = sun + c / float(suns)
         if luminance(sun) > 1.05 * least:
@@ -283,8 +285,8 @@ def light_pixels(
             sun = sun * 0.2
             for k in range(4 * suns):
                 e = even_point((place + 4096) * 4 * suns + k)
-                sun = sun + sun_light(world, lights, p, n, flat, e) / float(5 * suns)
-        if seen.path < 10000 and is_matt(seen) == 0:
+                sun = sun + all_sun(world, lights, p, n, flat, e) / float(5 * suns)
+        if seen.path < 10000 and is_matt(lights, seen) == 0:
             gloss = gloss + clamped(sun * glossy_lobe(-seen.way, seen.glossy_normal, rough, lights.sun), 12.0)
     bright = luminance(soft)
     rays = float(windows + lamps + bounces)
@@ -292,6 +294,6 @@ def light_pixels(
     sun_out[i] = sun
     toward_out[i] = toward / wp.max(bright, 1.0e-6)
     if luminance(seen.gloss) > 1.0e-4:
-        if is_matt(seen) == 0:
+        if is_matt(lights, seen) == 0:
             gloss = gloss + clamped(reflected_light(world, lights, cache, seen, even_point(place), place), 12.0)
     gloss_out[i] = gloss

@@ -1,9 +1,10 @@
-"""The world of a picture as arrays on a device: meshes, materials, maps and lights of all instances."""
+"""The world of a picture: triangles, materials, maps and lights of all instances, also as structs on a device."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import pairwise
 from typing import Any
 
@@ -12,18 +13,19 @@ import warp as wp
 
 from sceneweaver.assets import textures
 from sceneweaver.assets.body import Material, Mesh
+from sceneweaver.assets.by_identity import ByIdentity
 from sceneweaver.scene import InputError
 
-from ..caster import Instance
-from ..maps import MapTable
-from ..mesh_shading import prepared
+from ..instances import Instance
 from . import cache_kernels, light_kernels, world_kernels
-from .bands import launch
-from .lights import Emitters, Lights, emission_of, emitters
+from .lights import DirectLights, Emitters, Lights, Portal, areas, emission_of, emitters, linear_color
+from .maps import MapTable
+from .rays import Triangles, launch
 
 MAX_TRIANGLES = 20_000_000
 MAX_LAMPS = 256
 _OUTWARD_RAYS = 24
+_CREASE = np.cos(np.radians(36.0))
 _HIDDEN = 0.06  # share of a face's light that leaves its lamp under which it is left out
 
 
@@ -44,7 +46,7 @@ class Geometry:
     emitters: Emitters
 
 
-def collect(instances: Sequence[Instance], lights: Lights) -> Geometry:
+def collect(instances: Sequence[Instance], lights: Lights | DirectLights) -> Geometry:
     """The triangles of all instances.
 
     Raises:
@@ -60,12 +62,11 @@ def collect(instances: Sequence[Instance], lights: Lights) -> Geometry:
             continue
         turn = np.linalg.inv(matrix[:3, :3])
         placed = (mesh.vertices @ matrix[:3, :3].T + matrix[:3, 3])[mesh.faces]
-        bent = prepared(mesh) @ turn
+        bent = _prepared(ByIdentity(mesh)) @ turn
         bent = bent / np.maximum(np.linalg.norm(bent, axis=1, keepdims=True), 1e-12)
-        area = np.linalg.norm(np.cross(placed[:, 1] - placed[:, 0], placed[:, 2] - placed[:, 0]), axis=1) / 2
-        shine = emission_of(mesh, area, lights)
+        shine = emission_of(mesh, areas(placed) if any(m.emission for m in mesh.materials) else None, lights)
         bright = shine.max(axis=1)[mesh.face_material] > 0
-        if bright.any():
+        if bright.any() and isinstance(lights, Lights):
             lamps.append((placed[bright], shine[mesh.face_material[bright]], number))
         corners.append(placed)
         normals.append(bent.reshape(-1, 3, 3))
@@ -101,17 +102,16 @@ def checked(transform: np.ndarray, number: int) -> np.ndarray:
     return matrix
 
 
-def world_on(geometry: Geometry) -> tuple[Any, list]:
-    """The world as a struct on the current device, and what must live as long as it is used."""
+def triangles_on(geometry: Geometry, device: str) -> Triangles:
+    """The triangles on a device, numbered as in ``geometry``."""
+    faces = np.arange(3 * len(geometry.corners)).reshape(-1, 3)
+    return Triangles(geometry.corners.reshape(-1, 3), faces, device, geometry.opaque)
+
+
+def world_on(geometry: Geometry, triangles: Triangles) -> Any:
+    """The world as a struct on the current device; ``triangles`` have to live as long as it is used."""
     world = world_kernels.World()
-    first, rest = geometry.corners[: geometry.opaque], geometry.corners[geometry.opaque :]
-    speck = np.array([[[0, 0, -1e6], [1e-3, 0, -1e6], [0, 1e-3, -1e6]]], dtype=float)
-    kept = [_mesh(first if len(first) else speck)]
-    world.solid = kept[0].id
-    world.clear_start, world.clear_count = geometry.opaque, len(rest)
-    if len(rest):
-        kept.append(_mesh(rest))
-        world.clear = kept[1].id
+    world.meshes = triangles.meshes
     table = MapTable()
     finishes = [_finish(m, e, table) for m, e in zip(geometry.materials, geometry.emission, strict=True)]
     world.normals = wp.array(geometry.normals.reshape(-1, 3), dtype=wp.vec3)
@@ -121,7 +121,7 @@ def world_on(geometry: Geometry) -> tuple[Any, list]:
     world.face_instance = wp.array(geometry.instance, dtype=int)
     world.finishes = wp.array(finishes, dtype=world_kernels.Finish)
     world.patterns, world.colors, world.bumps = table.rows, table.colors, table.bumps
-    return world, kept
+    return world
 
 
 def lights_on(lights: Lights, found: Emitters, low: np.ndarray, high: np.ndarray) -> Any:
@@ -133,15 +133,7 @@ def lights_on(lights: Lights, found: Emitters, low: np.ndarray, high: np.ndarray
         setattr(light, key, wp.vec3(*getattr(lights, key)))
     light.softness, light.view = lights.softness, wp.vec3(lights.view)
     light.low, light.high = wp.vec3(*low), wp.vec3(*high)
-    portals = []
-    for one in lights.portals:
-        portal = light_kernels.Portal()
-        portal.corner, portal.ex, portal.ey = wp.vec3(*one.corner), wp.vec3(*one.across), wp.vec3(*one.up)
-        portal.normal = wp.vec3(*one.inward)
-        portal.area = float(np.linalg.norm(one.across) * np.linalg.norm(one.up))
-        portals.append(portal)
-    light.portals = wp.array(portals or [light_kernels.Portal()], dtype=light_kernels.Portal)
-    light.portal_count = len(portals)
+    _put_portals(light, lights.portals)
     lamps = [_lamp(found, k) for k in range(len(found.start) - 1)]
     light.lamps = wp.array(lamps or [light_kernels.Lamp()], dtype=light_kernels.Lamp)
     light.lamp_count = len(lamps)
@@ -160,6 +152,40 @@ def lights_on(lights: Lights, found: Emitters, low: np.ndarray, high: np.ndarray
             faces["area"][start:end] = weight[-1] / found.visible[start:end]
     light.faces = wp.array(faces, dtype=face_type)
     return light
+
+
+def direct_lights_on(lights: DirectLights) -> Any:
+    """Plain light as a struct on the current device."""
+    light = light_kernels.Lights()
+    light.sun = wp.vec3(*(np.asarray(lights.sun) / np.linalg.norm(lights.sun)))
+    light.sun_color = wp.vec3(*(np.pi * np.asarray(lights.sun_color)))  # of what a surface at right angles shows
+    light.softness, light.view = lights.softness, wp.vec3(1.0)
+    _put_portals(light, lights.portals)
+    light.lamps = wp.array([light_kernels.Lamp()], dtype=light_kernels.Lamp)
+    light.faces = wp.array([light_kernels.LampFace()], dtype=light_kernels.LampFace)
+    direct = light_kernels.Direct()
+    direct.on = 1
+    for key in ("sky", "ground", "background", "beam_color", "glow_color"):
+        setattr(direct, key, wp.vec3(*getattr(lights, key)))
+    direct.reach, direct.bounce = lights.reach, lights.bounce
+    direct.beam = wp.vec3(*(np.asarray(lights.beam) / np.linalg.norm(lights.beam)))
+    direct.beam_softness, direct.beam_floor = lights.beam_softness, lights.beam_floor
+    direct.glow_count = len(lights.glows)
+    direct.glows = wp.array(np.asarray(lights.glows or ((0.0,) * 4,), dtype=np.float32), dtype=wp.vec4)
+    light.direct = direct
+    return light
+
+
+def _put_portals(light: Any, found: Sequence[Portal]) -> None:
+    portals = []
+    for one in found:
+        portal = light_kernels.Portal()
+        portal.corner, portal.ex, portal.ey = wp.vec3(*one.corner), wp.vec3(*one.across), wp.vec3(*one.up)
+        portal.normal = wp.vec3(*one.inward)
+        portal.area = float(np.linalg.norm(one.across) * np.linalg.norm(one.up))
+        portals.append(portal)
+    light.portals = wp.array(portals or [light_kernels.Portal()], dtype=light_kernels.Portal)
+    light.portal_count = len(portals)
 
 
 def _lamp(found: Emitters, k: int) -> Any:
@@ -190,25 +216,15 @@ def seen_of(world: Any, found: Emitters) -> Emitters:
     return Emitters(found.corners[kept], radiance, visible[kept], least, owner, start)
 
 
-def _mesh(corners: np.ndarray) -> wp.Mesh:
-    indices = wp.array(np.arange(3 * len(corners)), dtype=int)
-    return wp.Mesh(points=wp.array(corners.reshape(-1, 3), dtype=wp.vec3), indices=indices, bvh_leaf_size=4)
-
-
 def _finish(material: Material, emission: np.ndarray, table: MapTable) -> Any:
     finish = world_kernels.Finish()
     finish.pattern, gain, rough_gain = table.add(material.texture)
+    finish.plain = wp.vec3(*linear_color(material))
     finish.color = wp.vec3(*(linear_color(material) * gain))
     finish.emission = wp.vec3(*emission)
     finish.roughness = material.roughness * rough_gain
     finish.metallic, finish.opacity = material.metallic, material.opacity
     return finish
-
-
-def linear_color(material: Material) -> np.ndarray:
-    """The base colour [3] in linear light."""
-    color = np.asarray(material.color, dtype=np.float64)
-    return np.where(color <= 0.04045, color / 12.92, ((color + 0.055) / 1.055) ** 2.4)
 
 
 def _tangents(corners: np.ndarray, uvs: np.ndarray) -> np.ndarray:
@@ -227,4 +243,30 @@ def bounds_of(mesh_corners: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return flat.min(axis=0) - 0.05, flat.max(axis=0) + 0.05
 
 
-__all__ = ["Geometry", "Mesh", "bounds_of", "collect", "lights_on", "world_on"]
+@lru_cache(maxsize=512)
+def _prepared(mesh: ByIdentity[Mesh]) -> np.ndarray:
+    """Corner normals [3 F, 3] of a mesh, kept for when it is drawn again."""
+    return corner_normals(mesh.it)
+
+
+def corner_normals(mesh: Mesh) -> np.ndarray:
+    """A unit normal for each triangle corner, [3 F, 3]: smooth over edges that bend by less than 36 degrees."""
+    v, f = mesh.vertices, mesh.faces
+    normal = np.cross(v[f[:, 1]] - v[f[:, 0]], v[f[:, 2]] - v[f[:, 0]])
+    unit = normal / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-18)
+    corner = f.reshape(-1)
+    owner = np.repeat(np.arange(len(f)), 3)
+    order = np.argsort(corner, kind="stable")
+    counts = np.bincount(corner, minlength=len(v))
+    starts = np.concatenate([[0], np.cumsum(counts)[:-1]])
+    # Every pair of triangles around a vertex.
+    size = counts[corner]
+    mine = np.repeat(np.arange(len(corner)), size)
+    step = np.arange(len(mine)) - np.repeat(np.cumsum(size) - size, size)
+    other = owner[order[starts[corner[mine]] + step]]
+    alike = np.einsum("ij,ij->i", unit[owner[mine]], unit[other]) > _CREASE
+    total = np.zeros((len(corner), 3))
+    for k in range(3):
+        total[:, k] = np.bincount(mine[alike], normal[other[alike], k], len(corner))
+    length = np.linalg.norm(total, axis=1, keepdims=True)
+    return np.where(length > 1e-18, total / np.maximum(length, 1e-18), unit[owner])

@@ -1,28 +1,34 @@
-"""What rays meet: an opaque and a see-through mesh, materials with seamless maps, and the radiance cache of the room.
+"""What rays meet: surfaces of materials with seamless maps, and the radiance cache of the room.
 
 Radiance is relative: that of the sky's zenith is about 1. Lengths are in metres.
 """
 
-import os
-
 import warp as wp
 
-from ..map_kernels import Pattern, map_texel, mip_of
-from .sampling_kernels import PI
+from .ray_kernels import Hit, Meshes
 
-if not os.environ.get("SCENEWEAVER_DEBUG"):
-    wp.config.log_level = wp.LOG_ERROR  # no greeting, no notes on what is compiled
 wp.set_module_options({"enable_backward": False, "fast_math": True, "max_unroll": 1})
 
-FAR = wp.constant(1.0e4)
 OFFSET = wp.constant(4.0e-4)  # by which a ray starts off its surface
 
 
 @wp.struct
+class Pattern:
+    """Where the maps of a texture are: one over the metres that they cover, and the mips from the largest on."""
+
+    scale: wp.vec2
+    start: int
+    width: int
+    levels: int
+
+
+@wp.struct
 class Finish:
-    """A material: linear base colour, radiance that it emits, and its numbers; ``pattern`` -1 has no maps."""
+    """A material: linear base colour, with what its maps are multiplied by and without (``plain``), radiance that it
+    emits, and its numbers; ``pattern`` -1 has no maps."""
 
     color: wp.vec3
+    plain: wp.vec3
     emission: wp.vec3
     roughness: float
     metallic: float
@@ -32,16 +38,13 @@ class Finish:
 
 @wp.struct
 class World:
-    """Two meshes, of which the faces of the see-through one are counted on after the opaque ones, and their looks.
+    """Meshes and what they look like.
 
     Corner normals and texture coordinates are [3 F]. ``colors`` holds tint and roughness and ``bumps`` the tangent
     space normal and metal of each texel, 8 bits each; tints are square roots of linear values.
     """
 
-    solid: wp.uint64
-    clear: wp.uint64
-    clear_start: int
-    clear_count: int
+    meshes: Meshes
     normals: wp.array(dtype=wp.vec3)
     uvs: wp.array(dtype=wp.vec2)
     tangents: wp.array(dtype=wp.vec3)
@@ -71,17 +74,6 @@ class Cache:
 
 
 @wp.struct
-class Hit:
-    """A point of the world: face (-1: nothing), distance along the ray, barycentric u and v, and flat normal."""
-
-    face: int
-    t: float
-    u: float
-    v: float
-    normal: wp.vec3
-
-
-@wp.struct
 class Shade:
     """What a surface is like at a point: normals turned against the ray, and its finish with the maps applied.
 
@@ -100,34 +92,69 @@ class Shade:
 
 
 @wp.func
-def hit_solid(world: World, origin: wp.vec3, way: wp.vec3, reach: float):
-    """The first opaque surface along a ray."""
-    hit = Hit()
-    hit.face = -1
-    hit.t = reach
-    found = wp.mesh_query_ray(world.solid, origin, way, reach)
-    if found.result:
-        hit.face = found.face
-        hit.t = found.t
-        hit.u = found.u
-        hit.v = found.v
-        hit.normal = found.normal
-    return hit
+def _channel(texel: wp.uint32, shift: int):
+    return float((texel >> wp.uint32(shift)) & wp.uint32(255)) * (1.0 / 255.0)
 
 
 @wp.func
-def hit_any(world: World, origin: wp.vec3, way: wp.vec3, reach: float):
-    """The first surface along a ray, see-through or not."""
-    hit = hit_solid(world, origin, way, reach)
-    if world.clear_count > 0:
-        found = wp.mesh_query_ray(world.clear, origin, way, hit.t)
-        if found.result and found.t < hit.t:
-            hit.face = found.face + world.clear_start
-            hit.t = found.t
-            hit.u = found.u
-            hit.v = found.v
-            hit.normal = found.normal
-    return hit
+def _unpacked(texel: wp.uint32):
+    return wp.vec4(_channel(texel, 0), _channel(texel, 8), _channel(texel, 16), _channel(texel, 24))
+
+
+@wp.func
+def _tint(texel: wp.uint32):
+    c = _unpacked(texel)
+    return wp.vec4(c[0] * c[0], c[1] * c[1], c[2] * c[2], c[3])
+
+
+@wp.func
+def _level_start(pattern: Pattern, level: int):
+    """Where the texels of a mip begin."""
+    start = pattern.start
+    width = pattern.width
+    for _k in range(level):
+        start += width * width
+        width = width // 2
+    return start
+
+
+@wp.func
+def _bilinear(texels: wp.array(dtype=wp.uint32), start: int, width: int, uv: wp.vec2, tint: int):
+    """The texel values around a point of a seamless map; v runs up, rows run down."""
+    x = uv[0] * float(width) - 0.5
+    y = (1.0 - uv[1]) * float(width) - 0.5
+    fx, fy = wp.floor(x), wp.floor(y)
+    ax, ay = x - fx, y - fy
+    mask = width - 1
+    x0, y0 = int(fx) & mask, int(fy) & mask
+    x1, y1 = (x0 + 1) & mask, (y0 + 1) & mask
+    t00, t10 = texels[start + y0 * width + x0], texels[start + y0 * width + x1]
+    t01, t11 = texels[start + y1 * width + x0], texels[start + y1 * width + x1]
+    if tint == 1:
+        top = _tint(t00) * (1.0 - ax) + _tint(t10) * ax
+        return top * (1.0 - ay) + (_tint(t01) * (1.0 - ax) + _tint(t11) * ax) * ay
+    top = _unpacked(t00) * (1.0 - ax) + _unpacked(t10) * ax
+    return top * (1.0 - ay) + (_unpacked(t01) * (1.0 - ax) + _unpacked(t11) * ax) * ay
+
+
+@wp.func
+def mip_of(pattern: Pattern, footprint: float):
+    """Which mip, as a fraction, has texels as large as a footprint [m]."""
+    texels = footprint * wp.min(pattern.scale[0], pattern.scale[1]) * float(pattern.width)
+    return wp.clamp(wp.log2(wp.max(texels, 1.0)), 0.0, float(pattern.levels - 1))
+
+
+@wp.func
+def map_texel(texels: wp.array(dtype=wp.uint32), pattern: Pattern, mip: float, uv: wp.vec2, tint: int):
+    """Map values at a point between two mips."""
+    level = int(mip)
+    share = mip - float(level)
+    start = _level_start(pattern, level)
+    width = pattern.width >> level
+    value = _bilinear(texels, start, width, uv, tint)
+    if share > 0.01 and level + 1 < pattern.levels:
+        value = value * (1.0 - share) + _bilinear(texels, start + width * width, width // 2, uv, tint) * share
+    return value
 
 
 @wp.func
@@ -142,16 +169,16 @@ def passed(finish: Finish):
 def transmitted(world: World, origin: wp.vec3, way: wp.vec3, reach: float):
     """How much light comes along a ray: nothing past what is opaque, most of it through glass."""
     share = wp.vec3(1.0)
-    if wp.mesh_query_ray_anyhit(world.solid, origin, way, reach):
+    if wp.mesh_query_ray_anyhit(world.meshes.solid, origin, way, reach):
         return wp.vec3(0.0)
-    if world.clear_count > 0:
+    if world.meshes.clear_count > 0:
         at = origin
         left = reach
         for _k in range(8):
-            found = wp.mesh_query_ray(world.clear, at, way, left)
+            found = wp.mesh_query_ray(world.meshes.clear, at, way, left)
             if not found.result:
                 break
-            share = wp.cw_mul(share, passed(world.finishes[world.face_finish[world.clear_start + found.face]]))
+            share = wp.cw_mul(share, passed(world.finishes[world.face_finish[world.meshes.clear_start + found.face]]))
             at = at + way * (found.t + OFFSET)
             left = left - found.t - OFFSET
     return share
@@ -295,6 +322,3 @@ def schlick(cosine: float, f0: float):
     """Fresnel reflectance of a dielectric, after Schlick."""
     m = wp.clamp(1.0 - cosine, 0.0, 1.0)
     return f0 + (1.0 - f0) * m * m * m * m * m
-
-
-__all__ = ["PI"]

@@ -7,7 +7,7 @@ from typing import Any
 
 from sceneweaver.agent.by_model.look_reply import Look
 from sceneweaver.agent.by_model.plan_reply import Plan
-from sceneweaver.agent.by_model.request_reply import RequestReply
+from sceneweaver.language.by_model.reply import RequestReply
 from tests.llm.model_server import Asked, Said, answering
 
 ROOM = "a store room with one shelf"

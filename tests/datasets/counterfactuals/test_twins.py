@@ -7,7 +7,7 @@ from collections import Counter
 
 import pytest
 
-from sceneweaver.datasets.counterfactuals import Twin, twin_files, twins
+from sceneweaver.datasets.twins import Twin, twin_files, twins
 from sceneweaver.knowledge.library import load_scene
 from sceneweaver.scene import Scene
 from sceneweaver.verify import check

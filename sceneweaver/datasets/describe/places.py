@@ -1,0 +1,262 @@
+"""Questions of where things are and how large: sides, walls, what faces what, distances, areas."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from sceneweaver.verify.contacts import turn
+from sceneweaver.verify.solids import Body
+
+from .asker import Asker, Question, rounded
+from .facts import FLAT, has_front, is_bed, is_seat, is_watcher
+
+TURNED = 25.0
+"""Angle [deg] from straight ahead from which something is on one's left or right."""
+
+
+def side_from_door(asker: Asker) -> Question | None:
+    """Which of two things is farther to the left, seen from the door."""
+    facts = asker.facts
+    if facts.doorway is None:
+        return None
+    for a, b in asker.pairs(asker.standing, asker.standing):
+        corners_a, corners_b = (_corners(asker, body) for body in (a, b))
+        if min(corners_a[:, 0].min(), corners_b[:, 0].min()) < 0.3:
+            continue
+        # Both views have to agree with a margin: across the direction into the room, and by bearing from the door.
+        left_of, right_of = _beyond(corners_a, corners_b), _beyond(corners_b, corners_a)
+        lefter, righter = (aside > 0.05 and turned > 2 for aside, turned in (left_of, right_of))
+        if lefter == righter:
+            continue
+        if asker.coin():
+            a, b, lefter = b, a, not lefter
+        aside = {body.id: rounded(facts.from_door(body)[1]) for body in (a, b)}  # pyright: ignore[reportOptionalSubscript]
+        return asker.ask(
+            "side_from_door",
+            "left" if lefter else "right",
+            (a, b),
+            {"left_of_axis": aside},
+            margin=rounded(max(left_of[0], right_of[0])),
+            options=("left", "right"),
+        )
+    return None
+
+
+def _corners(asker: Asker, body: Body) -> np.ndarray:
+    """Corners [4, 2] of a box, ahead and to the left [m] of who looks in from the door."""
+    start, inward, left = asker.facts.doorway  # pyright: ignore[reportGeneralTypeIssues]
+    return (np.array(body.corners) - start) @ np.stack([inward, left], axis=1)
+
+
+def _beyond(one: np.ndarray, other: np.ndarray) -> tuple[float, float]:
+    """How far all corners [4, 2] of one box are to the left of those of another, aside [m] and by bearing [deg]."""
+    bearings = [np.degrees(np.arctan2(corners[:, 1], corners[:, 0])) for corners in (one, other)]
+    return float(one[:, 1].min()) - float(other[:, 1].max()), float(bearings[0].min()) - float(bearings[1].max())
+
+
+def side_of_thing(asker: Asker) -> Question | None:
+    """Whether a thing is on the left or right of who sits in a seat, or looks at a piece of furniture."""
+    fronted = [b for b in asker.standing if has_front(b) and not b.tilted]
+
+    def answer(pair: tuple[Body, Body]) -> tuple[bool | None, float]:
+        a, b = pair
+        if asker.facts.boxes_apart(a, b) > 3.0:
+            return None, 0.0
+        corners = np.array([b.local(corner) for corner in a.corners])
+        angles = np.degrees(np.arctan2(corners[:, 1], corners[:, 0]))
+        sides = np.sign(corners[:, 1])
+        if abs(sides.sum()) < 4 or np.abs(angles).min() < TURNED or np.abs(angles).max() > 180 - TURNED:
+            return None, 0.0
+        return bool((sides[0] > 0) == is_seat(b)), float(np.abs(corners[:, 1]).min())
+
+    found = asker.balanced(asker.pairs(asker.standing, fronted), answer)
+    if found is None:
+        return None
+    (a, b), left, margin = found
+    if is_seat(b):
+        start = f"You sit on {asker.name(b)} and look straight ahead."
+    elif is_bed(b):
+        start = f"You stand at the foot of {asker.name(b)} and look at it."
+    else:
+        start = f"You stand before the front of {asker.name(b)} and look at it."
+    operands = {
+        "in_frame_of": b.id,
+        "centre": [rounded(v) for v in b.local(a.centre)],
+        "viewer": "own" if is_seat(b) else "opposite",
+    }
+    side = "left" if left else "right"
+    margin, options = rounded(margin), ("left", "right")
+    return asker.ask("side_of_thing", side, (a, b), operands, margin=margin, options=options, start=start)
+
+
+def faces(asker: Asker) -> Question | None:
+    """Whether a seat or a screen faces a thing."""
+    watchers = [b for b in asker.named if is_watcher(b) and not b.tilted]
+    targets = asker.standing + [b for b in asker.named if b.item.mount == "wall"]
+
+    def answer(pair: tuple[Body, Body]) -> tuple[bool | None, float]:
+        a, b = pair
+        away = (b.centre[0] - a.centre[0], b.centre[1] - a.centre[1])
+        if not 0.3 <= math.hypot(*away) <= 6:
+            return None, 0.0
+        angle = turn(a.front, away)
+        return (True if angle <= 12 else False if angle >= 45 else None), angle
+
+    near = sorted(asker.pairs(watchers, targets), key=lambda p: answer(p)[0] is not True)
+    found = asker.balanced([*near[:6], *asker.shuffled(near[6:])], answer)
+    if found is None:
+        return None
+    pair, said, angle = found
+    margin = rounded(15 - angle if said else angle - 40, 1)
+    return asker.ask("faces", said, pair, {"degrees_off": rounded(angle, 1)}, margin=margin)
+
+
+def which_wall(asker: Asker) -> Question | None:
+    """The wall that a thing stands against."""
+    facts = asker.facts
+    if len(facts.wall_names) < 3:
+        return None
+    walls = {b.id: facts.wall_at(b, 0.9) for b in asker.standing}
+    # A wall is drawn first, so that none is the usual answer.
+    for wall, body in ((k, b) for k in asker.shuffled(facts.wall_names) for b in asker.shuffled(asker.standing)):
+        if walls[body.id] != wall or facts.wall_gap(body, wall) > 0.08:
+            continue
+        gap, clear = facts.wall_gap(body, wall), min(facts.wall_gap(body, k) for k in facts.wall_names if k != wall)
+        if clear < 0.3:
+            continue
+        return asker.ask(
+            "which_wall",
+            facts.wall_names[wall],
+            (body,),
+            {"wall": f"wall:{wall}", "distance": rounded(gap), "next_nearest": rounded(clear)},
+            margin=rounded(clear - gap),
+            options=asker.shuffled(facts.wall_names.values()),
+        )
+    return None
+
+
+def between(asker: Asker) -> Question | None:
+    """Which thing stands between two others."""
+    for a, b in list(asker.pairs(asker.standing, asker.standing))[:12]:
+        if not 1.2 < math.dist(a.centre, b.centre) < 5:
+            continue
+        others = [c for c in asker.standing if c not in (a, b)]
+        places = {c.id: asker.facts.beside_line(c, a, b) for c in others}
+        inside = [c for c in others if 0.22 < places[c.id][0] < 0.78 and places[c.id][1] < 0.3]
+        maybe = [c for c in others if 0.05 < places[c.id][0] < 0.95 and places[c.id][1] < 0.8]
+        far = [c for c in others if c not in maybe]
+        if len(inside) != 1 or len(maybe) != 1 or len(far) < 3:
+            continue
+        options = asker.shuffled([inside[0], *asker.shuffled(far)[:3]])
+        operands = {"relation": "between", "subject": inside[0].id, "target": [a.id, b.id]}
+        return asker.ask("between", inside[0], (inside[0], a, b), operands, margin=0.2, options=options)
+    return None
+
+
+def how_far(asker: Asker) -> Question | None:
+    """The distance between two things."""
+    for pair in asker.pairs(asker.standing, asker.standing):
+        apart = asker.facts.distance(*pair)
+        if apart >= 0.3:
+            tolerance = rounded(max(0.1, 0.1 * apart), 2)
+            return asker.ask("distance", rounded(apart, 1), pair, {"distance": rounded(apart)}, tolerance=tolerance)
+    return None
+
+
+def within(asker: Asker) -> Question | None:
+    """Whether two things are at most so far apart."""
+    limit = asker.one((0.5, 1.0, 1.5, 2.0, 3.0))
+
+    def answer(pair: tuple[Body, Body]) -> tuple[bool | None, float]:
+        apart = asker.facts.distance(*pair)
+        return (None if abs(apart - limit) < 0.15 else apart < limit), apart
+
+    found = asker.balanced(asker.pairs(asker.standing, asker.standing), answer)
+    if found is None:
+        return None
+    pair, said, apart = found
+    operands = {"distance": rounded(apart), "limit": limit}
+    return asker.ask("within", said, pair, operands, margin=rounded(abs(apart - limit)), limit=limit)
+
+
+def nearest(asker: Asker) -> Question | None:
+    """Which of some things is nearest to another."""
+    for body in asker.shuffled(asker.standing):
+        others = [b for b in asker.standing if b is not body and body.id not in asker.names[b.id].ids]
+        chosen = [b for b in asker.shuffled(others) if b.id not in asker.names[body.id].ids][:4]
+        if len(chosen) < 3:
+            return None
+        apart = {b.id: asker.facts.distance(body, b) for b in chosen}
+        ranked = sorted(chosen, key=lambda b: apart[b.id])
+        margin = apart[ranked[1].id] - apart[ranked[0].id]
+        if margin >= 0.25:
+            operands = {"distances": {i: rounded(v) for i, v in apart.items()}}
+            about = (body, *chosen)
+            return asker.ask("nearest", ranked[0], about, operands, margin=rounded(margin), options=chosen)
+    return None
+
+
+def taller(asker: Asker) -> Question | None:
+    """Whether one thing is taller than another."""
+
+    def answer(pair: tuple[Body, Body]) -> tuple[bool | None, tuple[float, float]]:
+        a, b = (body.z[1] - body.z[0] for body in pair)
+        return (a > b if 0.08 < abs(a - b) < 0.6 else None), (a, b)
+
+    found = asker.balanced(asker.pairs(asker.standing, asker.standing), answer)
+    if found is None:
+        return None
+    pair, said, heights = found
+    operands = {"heights": {body.id: rounded(h) for body, h in zip(pair, heights, strict=True)}}
+    return asker.ask("taller", said, pair, operands, margin=rounded(abs(heights[0] - heights[1])))
+
+
+def largest(asker: Asker) -> Question | None:
+    """Which of some things takes up most of the floor."""
+    size = {b.id: b.size[0] * b.size[1] for b in asker.standing}
+    by_size = sorted(asker.standing, key=lambda b: (-size[b.id], b.id))
+    if len(by_size) < 3:
+        return None
+    # Things of like sizes, so that knowing furniture does not do.
+    start = int(asker.rng.integers(max(1, len(by_size) - 3)))
+    ranked = by_size[start : start + 4]
+    chosen = asker.shuffled(ranked)
+    first, second = size[ranked[0].id], size[ranked[1].id]
+    if first < 1.2 * second:
+        return None
+    operands = {"areas": {b.id: rounded(size[b.id]) for b in chosen}}
+    return asker.ask("largest", ranked[0], chosen, operands, margin=rounded(first - second), options=chosen)
+
+
+def floor_area(asker: Asker) -> Question | None:
+    """The area of the floor, all of it or what no furniture stands on."""
+    import shapely
+
+    facts, area = asker.facts, asker.facts.area
+    if asker.coin():
+        return asker.ask("floor_area", rounded(area, 1), (), {"area": rounded(area)}, tolerance=rounded(0.05 * area, 2))
+    rows = [r for b in facts.bodies if b.z[0] < FLAT < b.z[1] for r in range(*facts.placed.part_rows(b).indices(10**9))]
+    taken = shapely.intersection(shapely.union_all(facts.placed.parts.polygons[rows]), facts.placed.floor)
+    free = area - float(shapely.area(taken))
+    operands = {"area": rounded(area), "taken": rounded(area - free)}
+    tolerance = rounded(max(0.3, 0.05 * area), 2)
+    return asker.ask("free_floor", rounded(free, 1), (), operands, tolerance=tolerance, flat=FLAT)
+
+
+def how_high(asker: Asker) -> Question | None:
+    """How high a thing is, of what is not quite flat."""
+    bodies = [b for b in asker.standing if b.z[1] - b.z[0] > 0.3]
+    if not bodies:
+        return None
+    body = asker.one(bodies)
+    height = body.z[1] - body.z[0]
+    tolerance = float(max(5, math.ceil(10 * height)))
+    return asker.ask("height", round(100 * height), (body,), {"height": rounded(height)}, tolerance=tolerance)
+
+
+TEMPLATES = (
+    *(side_from_door, side_from_door, side_of_thing, side_of_thing, faces, which_wall, between),
+    *(how_far, how_far, within, nearest, taller, largest, floor_area, how_high),
+)

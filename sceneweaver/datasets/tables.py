@@ -1,0 +1,91 @@
+"""The tables of a data set: columns as ``columns.yaml`` says, rows of Parquet or lines of JSON, some at a time."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Iterator, Sequence
+from functools import cache
+from importlib import resources
+from itertools import islice
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from sceneweaver.assets.category import read_yaml
+from sceneweaver.scene import MissingDependencyError
+
+from .gates import gate_names
+
+if TYPE_CHECKING:
+    import pyarrow as pa
+
+GROUP = 1024
+"""Rows in memory at a time: one of a large room names a thousand files."""
+
+DICTIONARY = 2**24
+"""Most bytes of the different values of a column, up to which each is written once."""
+
+
+def arrow():
+    """The module pyarrow.
+
+    Raises:
+        MissingDependencyError: when it is not installed.
+    """
+    try:
+        import pyarrow
+        import pyarrow.parquet
+    except ModuleNotFoundError:
+        raise MissingDependencyError(
+            "data sets need pyarrow; install it with: pip install sceneweaver[datasets]"
+        ) from None
+    return pyarrow
+
+
+@cache
+def schema_of(table: str) -> pa.Schema:
+    """The columns of a table: "index", "programs", "assets" or "seconds"."""
+    columns = read_yaml(resources.files(__package__ or "").joinpath("columns.yaml"))[table]
+    return arrow().schema([(name, _type(kind)) for name, kind in columns.items()])
+
+
+def _type(kind: Any) -> pa.DataType:
+    pa = arrow()
+    if kind == "gates":
+        kind = dict.fromkeys(gate_names(), "bool")
+    if isinstance(kind, list):
+        return pa.list_(_type(kind[0]))
+    if isinstance(kind, dict):
+        return pa.struct([(name, _type(field)) for name, field in kind.items()])
+    return pa.type_for_alias(kind)
+
+
+def read_schema(path: Path) -> pa.Schema:
+    """The columns of a Parquet file."""
+    return arrow().parquet.read_schema(path)
+
+
+def write_table(path: Path, rows: Iterable[dict[str, Any]], schema: pa.Schema) -> None:
+    """Write rows to a Parquet file, some thousands at a time; keys that are no columns are left out."""
+    pa, left = arrow(), iter(rows)
+    with pa.parquet.ParquetWriter(path, schema, compression="zstd", dictionary_pagesize_limit=DICTIONARY) as writer:
+        while some := list(islice(left, GROUP)):
+            writer.write_table(pa.Table.from_pylist(some, schema=schema))
+
+
+def read_table(path: Path, columns: Sequence[str] | None = None) -> Iterator[dict[str, Any]]:
+    """The rows of a Parquet file, in order, some thousands in memory at a time; columns that it lacks are left out."""
+    with arrow().parquet.ParquetFile(path) as file:
+        names = None if columns is None else [name for name in columns if name in file.schema_arrow.names]
+        for some in file.iter_batches(GROUP, columns=names):
+            yield from some.to_pylist()
+
+
+def write_lines(path: Path, rows: Iterable[dict[str, Any]]) -> None:
+    """Write rows to a file, a line of JSON each."""
+    path.write_text("".join(json.dumps(row, ensure_ascii=False) + "\n" for row in rows), encoding="utf-8")
+
+
+def read_lines(path: Path) -> Iterator[dict[str, Any]]:
+    """The rows of a file with a line of JSON each."""
+    with open(path, encoding="utf-8") as file:
+        yield from map(json.loads, file)

@@ -1,0 +1,578 @@
+"""From a kind of room and a request to a list of objects: what, how many, beside which, and how badly needed."""
+
+from __future__ import annotations
+
+import random
+import zlib
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from sceneweaver.assets import Asset, Library, Look, Wish, categories, drawable
+from sceneweaver.assets.plurals import singular
+from sceneweaver.assets.taxonomy import category_named, members, narrower
+from sceneweaver.assets.zones import cleared, hung_at
+from sceneweaver.knowledge import Item, RoomType
+from sceneweaver.knowledge.kin import excluded_kinds, kin
+from sceneweaver.knowledge.usual_places import UsualPlace, usual_places_of
+from sceneweaver.language import Entity, SceneGraph
+from sceneweaver.rules.design import limit
+from sceneweaver.scene import PRIORITIES, InputError, Palette, SceneObject, Zone
+
+from .draft import CRAMMED, groups_of
+from .lights import OVER, TABLE, hanging_height
+
+FULL_LENGTH, BLIND = ("curtain", "sheer_curtain"), "window_blind"
+
+ABOVE_PANE = 0.1
+"""Height [m] of a curtain beyond that of the top of its window: its rod hangs over the window."""
+
+GENERAL = (
+    "table",
+    "chair",
+    "bed",
+    "desk",
+    "lamp",
+    "shelf",
+    "cabinet",
+    "sink",
+    "light",
+    "seat",
+    "plant",
+    "rack",
+    "sofa",
+)
+"""Words of a request that leave the kind to the room."""
+
+MANY = (5, 10)
+"""Things that a request names from which on nothing optional, and nothing usual, is added."""
+
+SMALL, SPARE = 0.3, 0.05
+"""What takes at most this floor [m2] may take this share of the floor beyond what furniture fills."""
+
+RUN = 0.6
+"""Share of the floor under the units of a run that counts as taken: no ways lead around and between them."""
+
+HUNG = 0.75
+"""Height of furniture hung on a wall, as a share of the least usual: its top is where it usually is."""
+
+BY_RANK = PRIORITIES[::-1]
+"""Priorities by rank, what is most wanted first."""
+
+SEATS = frozenset(("chair_group", "stool"))
+"""Groups and categories of seats without a place of their own."""
+
+RANK = {priority: rank for rank, priority in enumerate(BY_RANK)}
+
+
+@dataclass
+class Wanted:
+    """One object to be.
+
+    ``parent`` is the instance that it goes with, ``support`` the one that it stands on (``inside``: on a board in it;
+    ``share``: where, as depth and side),
+    ``held`` what holds it where the request has it otherwise than usual, ``wish`` what its body was chosen by.
+    """
+
+    item: Item | None
+    category: str
+    asset: Asset
+    rank: int
+    number: int
+    parent: Wanted | None = None
+    support: Wanted | None = None
+    asked: str | None = None
+    id: str = ""
+    inside: bool = False
+    share: tuple[float, float] | None = None
+    held: str | None = None
+    wish: Wish | None = None
+
+    @property
+    def mount(self) -> str:
+        """What holds it."""
+        if self.support is not None:
+            return "surface"
+        if self.held is not None:
+            return self.held
+        return (self.item and self.item.mount) or self.asset.mount
+
+    @property
+    def footprint(self) -> float:
+        """Floor [m2] under it; less of it for a unit of a run, half for a seat, as it goes partly under its table, and
+        nothing for a rug."""
+        d, w, h = self.asset.size
+        if self.mount != "floor" or h < 0.02:
+            return 0.0
+        seat = self.parent is not None and "seating" in groups_of(self.category)
+        run = self.item is not None and self.item.row == "run"
+        return d * w * (0.5 if seat else RUN if run else 1.0)
+
+    @property
+    def mounted_from_behind(self) -> bool:
+        """Whether it stands in a line at a wall with its front to it, as it is entered from its back: a treadmill."""
+        free = {zone.name for zone in self.asset.zones if zone.hard}
+        return self.item is not None and self.item.row == "line" and "back" in free and "front" not in free
+
+    @property
+    def usual(self) -> tuple[UsualPlace, ...]:
+        """Where it usually goes: of what was asked for and is no item of the room; chairs go to what they are for."""
+        groups = groups_of(self.category)
+        if self.item is not None or self.support is not None or SEATS & groups:
+            return ()
+        return usual_places_of(groups)
+
+    @property
+    def wall(self) -> float:
+        """Wall [m] that it takes."""
+        places = self.item.place if self.item else [usual.place for usual in self.usual]
+        if self.mount == "floor" and any(p.type == "against_wall" and not p.soft for p in places):
+            return self.asset.size[1]
+        return 0.0
+
+
+@dataclass(frozen=True)
+class Demand:
+    """One kind of object with its count, before bodies are chosen."""
+
+    item: Item | None
+    categories: tuple[str, ...]
+    count: int
+    rank: int
+    asked: Entity | None = None
+    least: int = 0
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """Something that is not in the program: the id of what in the request it stands for, if anything, and why."""
+
+    asked: str | None
+    reason: str
+
+
+@dataclass
+class Program:
+    """All objects to be, in order of need, parents before what goes with them; ``left_out`` says what did not fit."""
+
+    wanted: list[Wanted] = field(default_factory=list)
+    left_out: list[LeftOut] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+
+    @property
+    def footprint(self) -> float:
+        """Floor [m2] that all take together."""
+        return sum(w.footprint for w in self.wanted)
+
+    @property
+    def wall(self) -> float:
+        """Wall [m] that all take together."""
+        return sum(w.wall for w in self.wanted)
+
+
+def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, windows: int, seed: int) -> list[Demand]:
+    """What the room should hold: what was asked, then the room's items by need, without what must not be there.
+
+    Of a kind that was named there is what was named: it takes the place of the room's own, of which none is added.
+    """
+    rng = random.Random(seed)
+    banned = decided_kinds(brief)
+    asked = {a.id: a for a in brief.entities}
+    shares = _shares(room_type, brief, area, people)
+    roles = _roles(room_type, brief)
+    holders = {i.with_ for i in room_type.items if any(i.id in items for items in roles.values())}
+    skipped: set[str] = set()
+    found: list[Demand] = []
+    for item in room_type.items:
+        draw, pick, keep = rng.random(), rng.random(), rng.random()
+        meant = [a for a in asked.values() if item.id in roles[a.id]]
+        if meant:
+            for one in meant:
+                share = shares.get(one.id)
+                if share is None:
+                    del asked[one.id]
+                    found.append(_asked_demand(one, item, area, people, draw, brief))
+                elif item.id in share:
+                    many = share.pop(item.id)
+                    if many:
+                        found.append(Demand(item, (one.category,), many, 0, one, many))
+                    if not share:
+                        del asked[one.id]
+            continue
+        names = tuple(c for c in item.what if c not in banned)
+        if not names and item.with_:
+            skipped.add(item.with_)
+        if _hangs_at_windows(item) and _something_at_windows(room_type, brief):
+            names = tuple(c for c in names if c not in FULL_LENGTH) or tuple({BLIND} - banned)
+        if not names or (brief.only and item.need != "needed") or (brief.only and brief.entities):
+            continue
+        if item.id not in holders and not room_type.for_request and not _usual_enough(item, brief, keep):
+            continue
+        count = windows if _hangs_at_windows(item) else item.count.of(area, people, draw)
+        start = int(pick * len(names)) if item.need != "needed" or len(names) > 1 else 0
+        names = names[start:] + names[:start]
+        if count > 0:
+            found.append(Demand(item, names, count, RANK[item.need], least=min(count, item.count.least)))
+    # A table whose seats were named for another place is not set out without any.
+    found = [d for d in found if d.asked or d.item is None or d.item.id not in skipped or d.item.need == "needed"]
+    found += [_asked_demand(one, None, area, people, rng.random(), brief) for one in asked.values()]
+    return found
+
+
+def named_kinds(brief: SceneGraph) -> frozenset[str]:
+    """The categories of all kinds that a request names: of these there is what it asks for, and no more."""
+    return frozenset(c for one in brief.entities for c in kin(one.category, one.noun))
+
+
+def decided_kinds(brief: SceneGraph) -> frozenset[str]:
+    """The categories of which nothing is added of our own: those that a request names, and those that it excludes."""
+    return named_kinds(brief) | excluded_kinds(brief.without)
+
+
+def _usual_enough(item: Item, brief: SceneGraph, keep: float) -> bool:
+    """Whether something that nobody asked for is added; the more a request says, the less."""
+    if item.need == "needed":
+        return True
+    said = len(brief.entities)
+    sparse = brief.density == "sparse"
+    if item.need == "optional":
+        return said < MANY[0] and keep >= (0.75 if sparse else 0.3)
+    return said < MANY[1] and not (sparse and keep < 0.4)
+
+
+def _roles(room_type: RoomType, brief: SceneGraph) -> dict[str, tuple[str, ...]]:
+    """For each thing asked for the items of the room that it stands for: of its category, of a general word, or, where
+    there is none of these and nothing else has it, of its kind: a daybed takes the place of the bed."""
+    found = {one.id: tuple(item.id for item in room_type.items if meant_by(one, item, brief)) for one in brief.entities}
+    taken = {name for items in found.values() for name in items}
+    for one in brief.entities:
+        own = kin(one.category)
+        needed = [i.id for i in room_type.items if i.need == "needed" and i.id not in taken and set(i.what) <= own]
+        if needed:
+            found[one.id] = (needed[0],)
+            taken.add(needed[0])
+        if found[one.id]:
+            continue
+        free = [item.id for item in room_type.items if item.id not in taken and own & set(item.what)]
+        if free:
+            found[one.id] = (free[0],)
+            taken.add(free[0])
+    return found
+
+
+def _shares(room_type: RoomType, brief: SceneGraph, area: float, people: int) -> dict[str, dict[str, int]]:
+    """Where several items of the room stand for something asked for, how its number is spread over them.
+
+    Each takes what it usually has, in the order of the room's file, and the last takes the rest: of eight bar stools
+    four stand at the counter and four at the tables.
+    """
+    found: dict[str, dict[str, int]] = {}
+    for one in brief.entities:
+        items = [item for item in room_type.items if matches(one.category, item)]
+        if one.count is None or len(items) < 2:
+            continue
+        left = _asked_demand(one, items[0], area, people, 0.5, brief).count
+        share = found[one.id] = {}
+        for item in items:
+            hosts = room_type.item(item.with_).count.of(area, people, 0.5) if item.with_ else 1
+            usual = item.count.of(area, people, 0.5) * max(1, hosts)
+            share[item.id] = left if item is items[-1] else min(left, usual)
+            left -= share[item.id]
+    return found
+
+
+def matches(category: str, item: Item) -> bool:
+    """Whether a category is what an item of the room stands for."""
+    return category in item.what or any(category in members(name) for name in item.what)
+
+
+def meant_by(asked: Entity, item: Item, brief: SceneGraph) -> bool:
+    """Whether something asked for is what an item of the room stands for; a "table" is a conference table, too."""
+    if matches(asked.category, item):
+        return True
+    if not loose(asked, brief) or not any(name.endswith("_" + singular(asked.noun)) for name in item.what):
+        return False
+    return bool(kin(asked.category) & set(item.what)) or not _sat_at(asked, brief)
+
+
+def _sat_at(asked: Entity, brief: SceneGraph) -> bool:
+    """Whether chairs are said to be at something: then "table" means one to sit at."""
+    seats = {e.id for e in brief.entities if "chair_group" in groups_of(e.category) or e.category in ("stool", "bench")}
+    return any(r.subject in seats and asked.id in r.targets for r in brief.relations)
+
+
+def loose(asked: Entity, brief: SceneGraph) -> bool:
+    """Whether a request used a general word ("chair"), which each kind of room has its own kind of.
+
+    What it puts on something is small: a lamp on a sideboard is no floor lamp.
+    """
+    carried = any(r.subject == asked.id and r.type in ("on", "inside") and r.targets for r in brief.relations)
+    if carried and "surface" in category_named(asked.category).mount:
+        return False
+    return singular(asked.noun) in GENERAL and not asked.style and not any(asked.size)
+
+
+def _hangs_at_windows(item: Item) -> bool:
+    return (
+        any(p.type == "at_window" and not p.soft for p in item.place)
+        and item.mount != "floor"
+        and all(categories()[c].mount[0] == "wall" for c in item.what if c in categories())
+    )
+
+
+def _something_at_windows(room_type: RoomType, brief: SceneGraph) -> bool:
+    """Whether furniture should stand under a window, where a curtain down to the floor would be in its way."""
+    asked = {a.id for a in brief.entities}
+    return any("window" in said.targets and said.subject in asked for said in brief.relations) or any(
+        p.type == "at_window" and not _hangs_at_windows(item) and item.need != "optional"
+        for item in room_type.items
+        for p in item.place
+    )
+
+
+def _asked_demand(asked: Entity, item: Item | None, area: float, people: int, draw: float, brief: SceneGraph) -> Demand:
+    if asked.count is not None:
+        low, high = asked.count
+        usual = item.count.of(area, people, draw) if item else low
+        count = max(low, min(high, usual))
+    else:
+        plural = singular(asked.noun.lower()) != asked.noun.lower()
+        count = item.count.of(area, people, draw) if item and plural else 1
+    names = (asked.category,)
+    if item is not None and asked.category not in item.what and loose(asked, brief):
+        words = " ".join(a.words for a in asked.attributes)
+        names = tuple(narrower(name, words) for name in item.what)
+    return Demand(item, names, count, 0, asked, count)
+
+
+@dataclass(frozen=True)
+class Limits:
+    """How much a room holds: its floor [m2] and the share of it that may be taken, its walls [m], and how much of them.
+
+    What is asked for or needed ends where not even `CRAMMED` would do.
+    """
+
+    area: float
+    fill: float
+    walls: float
+    taken: float
+
+    def fits(self, program: Program, one: Wanted, must: bool) -> bool:
+        """Whether there is floor and wall for one more thing, which is needed with ``must``."""
+        fill, wall = (CRAMMED[0], self.walls * CRAMMED[1]) if must else (self.fill, self.taken)
+        if one.footprint <= SMALL:  # a bin or a plant still goes into a room that is full of furniture
+            fill, wall = fill + SPARE, wall * (1 + 2 * SPARE)
+        floor_fits = one.footprint == 0 or program.footprint + one.footprint <= fill * self.area
+        return floor_fits and (one.wall == 0 or program.wall + one.wall <= wall)
+
+
+def build(
+    wishes: Iterable[Demand],
+    room_type: RoomType,
+    library: Library,
+    limits: Limits,
+    seed: int,
+    palette: Palette,
+    pane: tuple[float, float, float] | None = None,
+    ceiling: float = 2.6,
+) -> Program:
+    """Choose bodies for all demands, as long as the floor and the walls have room for them.
+
+    Args:
+        wishes: what the room should hold.
+        room_type: the kind of room, whose file says what comes first.
+        library: where bodies come from.
+        limits: how much the room holds.
+        seed: decides bodies.
+        palette: that of the room.
+        pane: width, height and top [m] of the windows, for what hangs before them.
+        ceiling: height [m] of the room, for lamps that hang down.
+    """
+    program, by_item = Program(), dict[str, list[Wanted]]()
+    for number, demand in enumerate(sorted(wishes, key=_order(room_type))):
+        item, own = demand.item, seed + 101 * number
+        parents = _parents(demand, by_item)
+        # A count that the request gives is that of all together, one of the room's file is for each parent.
+        total = demand.asked is not None and demand.asked.count is not None
+        pieces = demand.count if total else demand.count * len(parents)
+        if not pieces:
+            continue
+        wish, held = _wish(demand, palette, own)
+        wish = _sized(demand, wish, held, parents[0], by_item, own, pane, ceiling)
+        asked = demand.asked.id if demand.asked else None
+        try:
+            assets = _bodies(demand, pieces, wish, library)
+        except InputError as error:
+            program.left_out.append(LeftOut(asked, str(error)))
+            continue
+        supports = [w for name in (item.on if item else ()) for w in by_item.get(name, ())]
+        least = demand.least * (1 if total else len(parents))
+        for k, asset in enumerate(assets):
+            parent = parents[k % len(parents)] if total else parents[k // demand.count]
+            support = supports[k % len(supports)] if supports else None
+            one = Wanted(item, asset.category, asset, demand.rank, k, parent, support, asked, held=held, wish=wish)
+            if not limits.fits(program, one, must=demand.rank <= 1 and k < least):
+                program.left_out.append(LeftOut(asked, f"{one.category}: the floor or the walls are full"))
+                break
+            program.wanted.append(one)
+            if item is not None:
+                by_item.setdefault(item.id, []).append(one)
+    _name(program.wanted)
+    return program
+
+
+def _parents(demand: Demand, by_item: Mapping[str, Sequence[Wanted]]) -> Sequence[Wanted | None]:
+    """What each of a demand goes with: [None] for what stands for itself, nothing where that parent is not there."""
+    item = demand.item
+    if item is None or item.with_ is None:
+        return [None]
+    found = [w for w in by_item.get(item.with_, ()) if not item.when or w.category in item.when]
+    return found or ([None] if demand.asked is not None else [])
+
+
+def _sized(
+    demand: Demand,
+    wish: Wish,
+    held: str | None,
+    parent: Wanted | None,
+    by_item: Mapping[str, Sequence[Wanted]],
+    seed: int,
+    pane: tuple[float, float, float] | None,
+    ceiling: float,
+) -> Wish:
+    """A wish with the sizes that follow from the room: from its windows, its ceiling, and what a thing goes with."""
+    item = demand.item
+    if item is not None and _hangs_at_windows(item) and pane and wish.size[1] is None:
+        high = wish.size[2] or drop_at_window(demand.categories[0], pane[1], pane[2], ceiling)
+        wish = replace(wish, size=(wish.size[0], pane[0] + 2 * limit("curtain_width", "beyond") + 0.04, high))
+    if demand.categories and wish.size[2] is None and held is None:
+        drop = hanging_height(demand.categories[0], ceiling, _hung_over(item, by_item))
+        wish = replace(wish, size=(*wish.size[:2], drop)) if drop is not None else wish
+    if item is not None and parent is not None:
+        wish = replace(wish, size=_around(item, parent.asset.size, wish, seed))
+    return wish
+
+
+def drop_at_window(category: str, height: float, top: float, ceiling: float) -> float | None:
+    """Height [m] of what hangs before a window of a height with its top at ``top``.
+
+    A blind is drawn up half the way, the rod of a curtain down to the floor is above the window; None for others.
+    """
+    if category == BLIND:
+        return 0.5 * height
+    usual = category_named(category).size
+    if category not in FULL_LENGTH or usual is None:
+        return None
+    return round(min(max(min(top + ABOVE_PANE, ceiling - 0.05), usual.height[0]), usual.height[1]), 3)
+
+
+def _hung_over(item: Item | None, by_item: Mapping[str, Sequence[Wanted]]) -> float | None:
+    """The height [m] of the furniture that lamps of an item hang over; None where that is no table."""
+    for place in item.place if item is not None else ():
+        under = by_item.get(place.to or "", ()) if place.type in OVER else ()
+        if under and under[0].asset.size[2] >= TABLE and "table_group" in groups_of(under[0].category):
+            return under[0].asset.size[2]
+    return None
+
+
+def free_zones(item: Item | None, obj: SceneObject) -> tuple[Zone, ...]:
+    """The zones of an object with what its item keeps free before it here."""
+    if item is None or not item.clear:
+        return obj.zones
+    low = (item.bottom[0] if item.bottom else hung_at(category_named(obj.category))) if obj.mount == "wall" else 0.0
+    return cleared(obj.zones, item.clear, obj.size, low)
+
+
+def _around(
+    item: Item, parent: Sequence[float], wish: Wish, seed: int
+) -> tuple[float | None, float | None, float | None]:
+    """The size [m] of a wish, where it is not given as far as the item reaches beyond what it goes with."""
+    rng = random.Random(seed ^ 0xBE)
+    depth, width = (
+        own if own is not None or more is None else round(side + 2 * rng.uniform(*more), 3)
+        for own, side, more in zip(wish.size, parent, item.beyond, strict=False)
+    )
+    return depth, width, wish.size[2]
+
+
+def _order(room_type: RoomType):
+    """By need, an item never before what it goes with or stands on; then as the room's file has them."""
+    at = {item.id: k for k, item in enumerate(room_type.items)}
+
+    def rank(item: Item, own: int) -> int:
+        above = [room_type.item(name) for name in ((item.with_,) if item.with_ else ()) + item.on if name in at]
+        return max([own, *(rank(a, RANK[a.need]) for a in above)])
+
+    def key(demand: Demand) -> tuple[int, int]:
+        if demand.item is None:
+            return 1, 1000
+        return max(1, rank(demand.item, demand.rank)), at.get(demand.item.id, 1000)
+
+    return key
+
+
+def suite_of(item: Item | None, seed: int) -> int | None:
+    """The number of the suite that an item of a room belongs to, if any; ``seed`` is the room's."""
+    return None if item is None or item.suite is None else zlib.crc32(f"{seed}/{item.suite}".encode())
+
+
+def _wish(demand: Demand, palette: Palette, seed: int) -> tuple[Wish, str | None]:
+    """What a body is chosen by, and what holds it where the words say so."""
+    item, asked = demand.item, demand.asked
+    size: list[float | None] = [None, None, None]
+    rng = random.Random(seed)
+    look = drawable(demand.categories[0], " ".join(a.words for a in asked.attributes)) if asked else Look("")
+    if item is not None:
+        size = [None if r is None else round(rng.uniform(*r), 3) for r in item.size]
+    if asked is not None:
+        if any(said is not None for said in look.size):
+            size = list(look.size)
+        if hung_furniture(demand.categories[0], look.mount) and size[2] is None:
+            usual = category_named(demand.categories[0]).size
+            assert usual is not None
+            size[2] = round(usual.height[0] * HUNG, 3)
+        size = [a if a is not None else s for a, s in zip(asked.size, size, strict=True)]
+        if asked.scale != 1.0 and size == [None, None, None]:
+            ranges = category_named(asked.category).size
+            if ranges is not None:
+                at = min(1.0, max(0.0, 0.5 + 1.5 * (asked.scale - 1.0)))
+                # Rounded within the range: the pile of a rug is half a millimetre high.
+                size = [min(max(round(lo + at * (hi - lo), 3), lo), hi) for lo, hi in ranges.ranges]
+    wish = Wish(
+        size=(size[0], size[1], size[2]),
+        color=(asked and asked.color) or (item and item.color) or None,
+        material=look.material or (asked.material if asked else None),
+        shape=look.shape,
+        parts=look.parts,
+        beyond=any(said is not None for said in look.size) or look.mount is not None,
+        style=(asked and asked.style) or palette.style,
+        palette=palette.code,
+        words=" ".join(asked.words) if asked else "",
+        seed=seed,
+        count=1,
+        suite=suite_of(item, palette.seed),
+    )
+    return wish, look.mount
+
+
+def hung_furniture(category: str, mount: str | None) -> bool:
+    """Whether a thing that usually stands on the floor is hung on the wall."""
+    return mount == "wall" and category_named(category).mount[0] == "floor"
+
+
+def _bodies(demand: Demand, pieces: int, wish: Wish, library: Library) -> list[Asset]:
+    name = demand.categories[0]
+    same = demand.item.same if demand.item else True
+    if same:
+        return library.choose(name, pieces, wish)
+    out = []
+    for k in range(pieces):
+        category = demand.categories[k % len(demand.categories)]
+        out += library.choose(category, 1, replace(wish, seed=wish.seed + 7 * k))
+    return out
+
+
+def _name(wanted: list[Wanted]) -> None:
+    counts: dict[str, int] = {}
+    for one in wanted:
+        k = counts.get(one.category, 0)
+        one.id, counts[one.category] = f"{one.category}-{k}", k + 1

@@ -1,0 +1,360 @@
+"""The first draft of a room: outline, doors and windows, objects with bodies, relations; none of them placed."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+
+from sceneweaver.assets.taxonomy import category_named
+from sceneweaver.knowledge.palettes import Palette as RoomPalette
+from sceneweaver.knowledge.palettes import palette_for
+from sceneweaver.language import Grounded, SceneGraph
+from sceneweaver.scene import CATALOGUE, Intent, Palette, Pose, Relation, Room, Scene, SceneObject
+from sceneweaver.scene.palette import MOST_COLORS
+
+from .draft import walls_of
+from .finish import finished
+from .fit import POOR, fitted
+from .lights import lamp_count
+from .program import BLIND, BY_RANK, Limits, Program, Wanted, build, demands, free_zones
+from .relations import of_brief, of_items, rows_of
+from .rooms import larger_rooms, may_hold, other_rooms, same_walls, walls_hold
+from .rows import in_rows, lines_of, row_variants
+from .run import Variant, has_place
+from .setup import Setup
+from .shell import floor_area, shell
+from .supports import Places, laid, supported
+from .tables import lengthened
+
+FILL = {"sparse": 0.73, "normal": 1.0, "full": 1.21}
+"""Share of what a kind of room usually has under furniture up to which more is put in."""
+
+WALLED = 0.62
+"""Share of the walls, less doors, that furniture may take."""
+
+WAY = 0.9
+"""Way [m] between a grid and what stands at the walls."""
+
+SHELLS = 4
+"""Shells that are drawn before the floor grows, where the walls of one are too short for what stands at them."""
+
+DRAWN, ROOMS = 12, 5
+"""Other rooms that are drawn, and of those that may hold everything how many are laid out beside the first."""
+
+PLACING = CATALOGUE.with_role("placing") | {
+    "distance",
+    "near_door",
+    "near_window",
+    "at_window",
+    "in_corner",
+    "in_middle",
+}
+"""Types of relations that, asked for, take a thing out of the row that it usually stands in."""
+
+LED = CATALOGUE.with_role("placing") | {"at_window", "near_door"}
+"""Types of relations that of a line only the first piece has."""
+
+LEAN, LEAST = 0.62, 0.75
+"""Share of what a kind of room usually has under furniture below which a floor that nobody fixed shrinks to what it
+holds, and the least share of the floor that is left."""
+
+GROWTH, GROWTHS = 1.12, 10
+"""Factor by which a floor that nobody fixed grows when what is needed does not fit, and how often."""
+
+
+LARGEST = 1.5
+"""Times the largest floor of a kind of room up to which one that nobody fixed grows."""
+
+
+@dataclass(frozen=True)
+class RoomDraft:
+    """A room to be laid out.
+
+    Attributes:
+        scene: all objects, at the origin but for what stands on others, and the relations.
+        variants: sets of relations of which one has to hold as well.
+        rooms: other rooms for the same things.
+        larger: larger ones, for what has no place.
+        notes: what was decided.
+        unmet: what could not be done, and why.
+    """
+
+    scene: Scene
+    variants: tuple[Variant, ...]
+    rooms: tuple[Room, ...]
+    larger: tuple[Room, ...]
+    notes: tuple[str, ...]
+    unmet: tuple[str, ...]
+
+
+@dataclass
+class _Floor:
+    """The floor [m2] of an attempt: whether the request fixes it, and whether it may shrink to what it holds."""
+
+    area: float
+    people: int
+    given: bool
+    shrinks: bool
+
+
+@dataclass
+class _Attempt:
+    """A shell with what stands in it."""
+
+    space: Room
+    program: Program
+    rows: list[Grounded]
+    corners: list[Variant]
+    remarks: list[str]
+    places: Places = field(default_factory=Places)
+    variants: list[Variant] = field(default_factory=list)
+
+
+def first_draft(
+    setup: Setup, *, style: str = "", roomier: float = 1.0, hurried: Callable[[], bool] = bool
+) -> RoomDraft:
+    """Draw the room that the knowledge base and the request describe.
+
+    Args:
+        setup: request, kind of room, library and seed; its scene is not read.
+        style: where the request names none; empty: one of the room's.
+        roomier: factor on a floor that nobody fixed.
+        hurried: whether what could be drawn once more is left as it is.
+    """
+    room, brief, seed = setup.room_type, setup.brief, setup.seed
+    area, people, given, notes = floor_area(room, brief, seed)
+    most = LARGEST * room.area[2]
+    shrinks = not given and brief.people is None and brief.scale == 1.0
+    floor = _Floor(area if given else min(area * roomier, most), people, given, shrinks)
+    style = brief.style or style or random.Random(seed ^ 0x57).choice(room.styles)
+    look = palette_for(room.name, style, brief.colors, seed)
+    palette = kept(look, style, seed)
+
+    made = _shelled(setup, floor, palette, roomier, hurried)
+    for attempt in range(1, GROWTHS + 1):
+        _furnished(setup, made, palette)
+        # Where a grid or a line fits no shell of this size, or all is crowded, only more floor helps.
+        crowded = made.program.footprint > FILL["full"] * room.fill * floor.area
+        crowded = crowded or made.program.wall > WALLED * walls_of(made.space)
+        astray = not made.variants and in_rows(_free_of_rows(made.program.wanted, made.rows))
+        if given or not (crowded or astray) or attempt == GROWTHS or floor.area >= most or hurried():
+            break
+        floor.area *= GROWTH
+        made = _shelled(setup, floor, palette, roomier, hurried)
+
+    space = finished(made.space, room, look, seed, brief.text)
+    scene, unmet = _scene(setup, space, made, palette, people)
+    rooms, larger = ([], []) if hurried() else _alternatives(setup, floor, made, space, scene)
+    notes += made.remarks + made.program.notes
+    if given and made.program.left_out:
+        reasons = sorted({one.reason for one in made.program.left_out})
+        notes.append("left out, as the floor asked for is full: " + ", ".join(reasons[:8]))
+    return RoomDraft(
+        scene,
+        tuple(made.variants),
+        tuple(finished(r, room, look, seed, brief.text) for r in rooms[:ROOMS]),
+        tuple(finished(r, room, look, seed, brief.text) for r in larger),
+        tuple(notes),
+        (*unmet, *made.places.unmet, *_missing(brief, made.program)),
+    )
+
+
+def _shelled(setup: Setup, floor: _Floor, palette: Palette, roomier: float, hurried: Callable[[], bool]) -> _Attempt:
+    """The first shell of a floor whose walls and corners may hold what stands at them; the last one if none does."""
+    room, brief, drawn = setup.room_type, setup.brief, 0
+    while True:
+        space, remarks = shell(room, brief, floor.area, setup.seed, drawn)
+        program = _program(setup, space, floor.area, floor.people, palette)
+        # Nobody asked for this size: a floor that would stay empty shrinks, once, to what it holds.
+        needed = roomier * program.footprint / (LEAN * room.fill)
+        if floor.shrinks and needed < floor.area:
+            floor.area, floor.shrinks = max(needed, LEAST * floor.area, 0.8 * room.area[0]), False
+            continue
+        rows = rows_of(brief, program.wanted)
+        corners, cost = fitted(program, _free_of_rows(program.wanted, rows), space, setup.library)
+        suits = cost < POOR and walls_hold(space, program.wanted) and may_hold(space, program.wanted, rows)
+        if suits or drawn == SHELLS or hurried():
+            return _Attempt(space, program, rows, corners, remarks)
+        drawn += 1
+
+
+def _furnished(setup: Setup, made: _Attempt, palette: Palette) -> None:
+    """Decide what stands on what, how long tables are and how rows may go; changes the program of an attempt."""
+    program, brief = made.program, setup.brief
+    supported(program, brief)
+    program.wanted = _not_before_windows(program.wanted, rows_of(brief, program.wanted))
+    rows = rows_of(brief, program.wanted)
+    if lengthened(program, rows, setup.library, brief):
+        rows = rows_of(brief, program.wanted)  # more seats may be told of a longer table
+    made.rows = rows
+    # Small things are laid out now, in the frame of what carries them: the search moves both as one.
+    made.places = laid(program, rows, setup.library, brief, palette, setup.seed)
+    loose = _free_of_rows(program.wanted, rows)
+    made.variants = row_variants(loose, made.space, _strip(program.wanted), made.corners)
+
+
+def _alternatives(
+    setup: Setup, floor: _Floor, made: _Attempt, space: Room, scene: Scene
+) -> tuple[list[Room], list[Room]]:
+    """Other rooms for the same things, and larger ones, as far as the request leaves them to us."""
+    room, brief, wanted = setup.room_type, setup.brief, made.program.wanted
+    others, larger = list[Room](), list[Room]()
+    if not made.variants:
+        fixed = floor.given or brief.shape == "round"
+        others = other_rooms(room, brief, space, floor.area, setup.seed, fixed, DRAWN)
+    if not floor.given:
+        larger = larger_rooms(room, brief, space, floor.area, setup.seed)
+    said = [*scene.relations, *(r for variant in made.variants for r in variant)]
+    others, larger = (
+        [r for r in found if may_hold(r, wanted, made.rows) and same_walls(r, space, said)]
+        for found in (others, larger)
+    )
+    return others, larger
+
+
+def kept(look: RoomPalette, style: str, seed: int) -> Palette:
+    """A palette in a style as a scene keeps it."""
+    return Palette(
+        name=look.name,
+        style=style,
+        woods=look.woods,
+        paints=look.paints,
+        metals=look.metals,
+        textiles=look.textiles[:MOST_COLORS],
+        seed=seed,
+    )
+
+
+def _free_of_rows(wanted: Sequence[Wanted], rows: Sequence[Grounded]) -> list[Wanted]:
+    """What may stand in a run, a line or a grid: what the request gives no other place."""
+    placed = {(row.subject, row.type) for row in rows if row.hard and row.type in PLACING}
+    return [one for one in wanted if not any(i == one.id and not has_place(one, type) for i, type in placed)]
+
+
+def _not_before_windows(wanted: list[Wanted], rows: Sequence[Grounded]) -> list[Wanted]:
+    """What was wanted, without what nobody asked for that hangs over a thing which was asked for at a window."""
+    at_window = {row.subject for row in rows if row.type == "at_window" and row.hard}
+    before = {one.item.id for one in wanted if one.item is not None and one.id in at_window}
+
+    def hidden(one: Wanted) -> bool:
+        places = one.item.place if one.item is not None and one.asked is None and one.mount == "wall" else ()
+        return any(place.type == "above" and place.to in before for place in places)
+
+    return [one for one in wanted if not hidden(one)]
+
+
+def _at_walls(wanted: Sequence[Wanted], rows: Sequence[Grounded]) -> list[Relation]:
+    """Pieces of a run that stand elsewhere do so at a wall, too, where the request does not keep them off it."""
+    off = {row.subject for row in rows if row.type in ("in_middle", "over", "behind", "around")}
+    free = {one.id for one in _free_of_rows(wanted, rows)}
+    return [
+        Relation(type="against_wall", subject=one.id)
+        for one in wanted
+        if one.item is not None and one.item.row == "run" and one.mount == "floor" and one.id not in free | off
+    ]
+
+
+def _scene(setup: Setup, space: Room, made: _Attempt, palette: Palette, people: int) -> tuple[Scene, list[str]]:
+    """The scene of an attempt in a room, and what of the request cannot be said in it."""
+    room, brief = setup.room_type, setup.brief
+    program, places, rows = made.program, made.places, made.rows
+    asked, placed, unmet = of_brief(brief, program.wanted, space, places.failed)
+    for line in lines_of(_free_of_rows(program.wanted, rows)):
+        for one in line[1:]:  # its place is in the line; the first of it says where the line is
+            placed[one.id] = placed.get(one.id, frozenset()) | LED
+    relations = _consistent(asked, [*of_items(program.wanted, space, placed), *_at_walls(program.wanted, rows)])
+    tall = {w.id: w.asset.size[2] for w in program.wanted}
+    over = {r.subject: tall[r.target] for r in relations if r.type == "above" and r.target in tall}
+    before = {r.subject for r in relations if r.type == "at_window"}
+    scene = Scene(
+        id=room.name,
+        prompt=brief.text,
+        room=space,
+        objects=tuple(_object(w, space, over.get(w.id, 0.0), w.id not in before, places) for w in program.wanted),
+        relations=tuple(relations),
+        palette=palette,
+        provenance={
+            "tool": "init_prior",
+            "room": room.name,
+            "seed": setup.seed,
+            "style": palette.style,
+            "people": people,
+        },
+    )
+    return scene, unmet
+
+
+def _program(setup: Setup, space: Room, area: float, people: int, palette: Palette) -> Program:
+    room, brief = setup.room_type, setup.brief
+    wishes = [
+        replace(wish, count=lamp_count(wish.item, space.outline, wish.count)) if wish.asked is None else wish
+        for wish in demands(room, brief, area, people, len(space.windows), setup.seed)
+    ]
+    first = space.windows[0] if space.windows else None
+    pane = (first.width, first.height, first.sill + first.height) if first is not None else None
+    fill = FILL[brief.density] * room.fill
+    walls = walls_of(space)
+    limits = Limits(area, fill, walls, WALLED * walls)
+    return build(wishes, room, setup.library, limits, setup.seed, palette, pane, space.height)
+
+
+def _object(one: Wanted, space: Room, over: float, clear: bool, places: Places) -> SceneObject:
+    """The scene object; ``over`` is the height [m] of what it hangs above, ``clear`` keeps it off windows and doors."""
+    heights = _hang(one, space, over) if one.mount == "wall" else None
+    pose = Pose(position=(0.0, 0.0, sum(heights) / 2)) if heights is not None else Pose()
+    intent = Intent(
+        priority=BY_RANK[one.rank],
+        request=one.asked,
+        program_item=one.item.id if one.item is not None else None,
+        mounting_height=heights,
+        keep_clear=one.mount == "wall" and clear,
+    )
+    obj = places.objects.get(one.id) or one.asset.object(one.id, pose=pose, mount=one.mount)  # type: ignore[arg-type]
+    zones = free_zones(one.item, obj)
+    top = (places.tops[one.id],) if one.id in places.tops and not obj.surfaces else obj.surfaces
+    return obj.model_copy(update={"intent": intent, "surfaces": top, "zones": zones})
+
+
+def _hang(one: Wanted, space: Room, over: float) -> tuple[float, float]:
+    """Heights [m] between which the bottom of a thing on a wall is: the item's or the category's, under the ceiling."""
+    if one.category == BLIND and space.windows:
+        window = space.windows[one.number % len(space.windows)]
+        top = min(window.sill + window.height + 0.04, space.height - 0.02) - one.asset.size[2]
+        return round(top - 0.01, 3), round(top + 0.01, 3)
+    own = one.item.hung(one.asset.size[2]) if one.item else None
+    low, high = own or category_named(one.category).bottom or (1.2, 1.5)
+    if over:
+        low, high = max(low, over + 0.08), max(high, over + (0.12 if own else 0.3))
+    most = max(0.0, space.height - one.asset.size[2] - 0.02)
+    return round(min(low, max(0.0, most - 0.1)), 3), round(min(high, most), 3)
+
+
+def _consistent(asked: list[Relation], usual: list[Relation]) -> list[Relation]:
+    """What was asked, then of the room's own relations those that do not say the same of the same objects again, nor
+    hang something where another thing was asked for: over the same basin."""
+    said = {(r.type, r.subject, r.target) for r in asked}
+    over = {r.target for r in asked if r.type == "above" and r.hard}
+    astray = {(r.subject, r.target) for r in usual if r.type == "above" and r.target in over}
+    return asked + [
+        r for r in usual if (r.type, r.subject, r.target) not in said and (r.subject, r.target) not in astray
+    ]
+
+
+def _missing(brief: SceneGraph, program: Program) -> list[str]:
+    made: dict[str, int] = {}
+    for one in program.wanted:
+        if one.asked is not None:
+            made[one.asked] = made.get(one.asked, 0) + 1
+    out = []
+    for asked in brief.entities:
+        least = asked.count[0] if asked.count else 1
+        if made.get(asked.id, 0) < least:
+            reasons = [one.reason for one in program.left_out if one.asked == asked.id]
+            out.append(f"{asked.noun}: {made.get(asked.id, 0)} of {least}" + (f" ({reasons[0]})" if reasons else ""))
+    return out
+
+
+def _strip(program: Sequence[Wanted]) -> float:
+    """Depth [m] along the walls that other things need, a way included."""
+    return max((w.asset.size[0] for w in program if w.wall > 0.0), default=0.0) + WAY

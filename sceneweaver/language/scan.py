@@ -1,0 +1,100 @@
+"""What a token is at its place: a verb, or a part of a noun phrase."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from .chunks import CLOSED, QUALITIES, Chunk, Kind
+from .tokens import Token
+from .vocabulary import Verb, frame
+
+_BASES = ("stand", "rest", "face", "display", "frame", "support", "house", "line", "open")
+"""Verbs in the plural that look like nouns."""
+
+
+class Scan:
+    """Tokens and where the reader of them is."""
+
+    def __init__(self, tokens: list[Token]):
+        self.tokens = tokens
+        self.at = 0
+        self.out: list[Chunk] = []
+        self.noun_before = False  # whether the last chunk was a noun phrase
+
+    def peek(self, offset: int = 0) -> Token | None:
+        k = self.at + offset
+        return self.tokens[k] if 0 <= k < len(self.tokens) else None
+
+    def add(self, kind: Kind, count: int = 1, value: Any = None, **more: Any) -> Chunk:
+        first, last = self.tokens[self.at], self.tokens[min(self.at + count, len(self.tokens)) - 1]
+        text = " ".join(t.text for t in self.tokens[self.at : self.at + count])
+        chunk = Chunk(kind, text, first.start, last.end, value, **more)
+        self.out.append(chunk)
+        self.at += count
+        if kind != "word":
+            self.noun_before = kind == "noun"
+        return chunk
+
+
+def participle_next(scan: Scan, token: Token, after: Token | None) -> bool:
+    """Whether a participle stands without a noun before it, as after a comma or "is"."""
+    last = scan.out[-1].kind if scan.out else "stop"
+    if token.get("verb").form not in ("ed", "ing") or last not in (
+        "verb",
+        "comma",
+        "and",
+        "word",
+        "while",
+        "place",
+    ):
+        return False
+    if after is None or after.has(*CLOSED):
+        return True
+    return token.get("verb").form == "ing" and after.has("number", "amount") and last != "place"
+
+
+def _of_several(scan: Scan, k: int) -> bool:
+    """Whether several things, or where they are, stand just before: "shelves at the wall hold folded towels"."""
+    before = scan.tokens[k - 1] if k > 0 else None
+    if before is None or not before.has("plural", "place"):
+        return False
+    start = next((i for i in range(k - 1, -1, -1) if scan.tokens[i].has("break")), -1)
+    return any(token.has("plural") for token in scan.tokens[start + 1 : k])
+
+
+def is_verb(scan: Scan, k: int, seen_noun: bool) -> bool:
+    """Whether a token that can be a verb is one: after a noun, and not followed by the noun that it would name."""
+    token = scan.tokens[k]
+    verb = token.get("verb")
+    if not isinstance(verb, Verb):
+        return False
+    after = scan.tokens[k + 1] if k + 1 < len(scan.tokens) else None
+    closed = (
+        after is None
+        or after.has(*CLOSED)
+        or after.has("number", "amount", "adverbs", "partial")
+        or (after.has("stop") and not after.has("noun", *QUALITIES))
+    )
+    other = token.has("noun", "abstract", "collective", "region", "parts", *QUALITIES)
+    if verb.form == "s":
+        return not other or (seen_noun and (closed or not token.has("noun")))
+    if verb.form == "base":
+        several = k > 0 and scan.tokens[k - 1].has("plural") and after is not None and after.has("det", "preposition")
+        return seen_noun and (
+            (closed and (not other or several or token.text in _BASES)) or (not other and _of_several(scan, k))
+        )
+    if verb.form == "ed":
+        if (
+            token.text in ("set", "built", "fit")
+            and after is not None
+            and (after.has("verb") or after.has("break", "and", "with"))
+        ):
+            return False
+        if token.has("noun") and not closed:
+            return False
+        return seen_noun
+    if token.has("abstract") or (token.has("noun") and not (closed and seen_noun)):  # "a painting"
+        return False
+    if not seen_noun:
+        return False
+    return closed or frame(verb) is not None
