@@ -15,7 +15,7 @@ from sceneweaver.verify.solids import Body
 
 from . import kinds
 from .grade import Call, moved
-from .place_measures import segments
+from .places import segments
 from .survey import Survey
 
 

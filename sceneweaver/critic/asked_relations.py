@@ -7,12 +7,16 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from sceneweaver.language import StatedRelation
-from sceneweaver.verify.measure import Measurement
+from sceneweaver.geometry.walls import Wall
+from sceneweaver.language import StatedRelation, Thing
+from sceneweaver.rules.stated import Word, word_of_place, word_of_things
+from sceneweaver.verify.measure import Measurement, Measurements
 from sceneweaver.verify.solids import Body
+from sceneweaver.verify.stated import Target, sides_named, stated
 
-from . import group_measures, pair_measures, place_measures
+from . import group_measures
 from .asked_calls import adding, relating
+from .places import corners, segments, whole
 from .survey import Survey
 from .verdict import Asked, Verdict, counted, decide, met, not_understood, text_of, unmet, weight_of
 
@@ -55,7 +59,7 @@ def _outcome(survey: Survey, said: StatedRelation, item: str) -> Asked:
         call = adding(survey, asked, 1) if asked is not None else None
         reason = f"'{words}' does not hold: there is no '{noun}'"
         return unmet("relation", item, ids, reason, fault="asked_relation", suggestion=f"add '{noun}'", call=call)
-    absent = [p for p in said.targets if p in ("window", "door") and not place_measures.segments(survey, p)]
+    absent = [p for p in said.targets if p in ("window", "door") and not segments(survey, p)]
     if absent:
         reason = f"'{words}' does not hold: the room has no {absent[0]}"
         return unmet("relation", item, ids, reason, fault="asked_relation", suggestion=f"add a {absent[0]}")
@@ -122,40 +126,53 @@ def _table(
 
 def _verdicts(survey: Survey, said: StatedRelation, body: Body, name: str) -> dict[str, Verdict] | None:
     """Whether it holds of a subject for every instance of a target; None when it says nothing of such a target."""
-    kind, params = said.type, dict(said.params)
     if survey.brief.entity(name) is not None:
-        rule = pair_measures.PAIRS.get(kind)
-        if rule is None:
+        word = word_of_things(said.type)
+        if word is None or not word.holds:
             return None
         found = {}
         for other in survey.standing_for(name):
             if other is body:
                 continue
-            ways = rule(survey, body, other, params)
             if said.side is None:
-                found[other.id] = decide(ways)
+                found[other.id] = _judged(survey, word, said, body, other)
                 continue
-            for side in pair_measures.sides_named(other, said.side):
-                at_side = pair_measures.beyond(survey, body, other, side)[:2]
-                found[f"{other.id} {side}"] = decide([(*way, *at_side) for way in ways])
+            for side in sides_named(other, said.side):
+                found[f"{other.id} {side}"] = _judged(survey, word, said, body, other, side)
         return found
-    if name == "corner":
-        return {
-            f"corner {c[1].index}": decide([place_measures.of_corner(survey, body, c)])
-            for c in place_measures.corners(survey)
-        }
-    if name in ("ceiling", "floor"):
-        measure = place_measures.of_ceiling(survey, body) if name == "ceiling" else place_measures.of_floor(body)
-        return {name: decide([measure])}
     if name == "room":
         return {name: Verdict(True)}
-    found = {}
-    for segment in place_measures.segments(survey, name):
-        ways = place_measures.of_segment(survey, body, kind, segment, params)
-        if ways is None:
-            return None
-        found[segment.id] = decide(ways)
-    return found
+    word = word_of_place(said.type, name)
+    if not word.holds:
+        return None
+    if name == "corner":
+        return {f"corner {b.index}": _in_corner(survey, word, said, body, (a, b)) for a, b in corners(survey)}
+    if name in ("ceiling", "floor"):
+        return {name: _judged(survey, word, said, body, None)}
+    return {segment.id: _judged(survey, word, said, body, segment) for segment in segments(survey, name)}
+
+
+def _judged(
+    survey: Survey, word: Word, said: StatedRelation, body: Body, target: Target | None, side: str | None = None
+) -> Verdict:
+    return decide(_ways(survey, word, said, body, target, side))
+
+
+def _ways(
+    survey: Survey, word: Word, said: StatedRelation, body: Body, target: Target | None, side: str | None = None
+) -> Iterator[Measurements]:
+    other = _thing(target) if isinstance(target, Body) else None
+    scope = {"a": _thing(body), "b": other, "diagonal": survey.diagonal, "area": survey.area}
+    return stated(word, survey, body, target, scope, dict(said.params), side)
+
+
+def _in_corner(survey: Survey, word: Word, said: StatedRelation, body: Body, walls: Sequence[Wall]) -> Verdict:
+    """As it is said of both walls of a corner."""
+    return decide([[m for wall in walls for way in _ways(survey, word, said, body, whole(wall)) for m in way]])
+
+
+def _thing(body: Body) -> Thing:
+    return Thing(body.id, body.item.category, body.size, body.item.mount)
 
 
 def _between(survey: Survey, said: StatedRelation, body: Body) -> dict[str, Verdict] | None:
@@ -167,7 +184,7 @@ def _between(survey: Survey, said: StatedRelation, body: Body) -> dict[str, Verd
                 [(b.id, group_measures.outline(survey, b)) for b in survey.standing_for(name) if b is not body]
             )
         else:
-            pools.append([(s.id, s.line) for s in place_measures.segments(survey, name)])
+            pools.append([(s.id, s.line) for s in segments(survey, name)])
     if len(pools) == 1:
         pools *= 2
     if len(pools) < 2:
@@ -255,7 +272,7 @@ def _of_group(survey: Survey, said: StatedRelation, subjects: Sequence[Body]) ->
         if survey.brief.entity(name) is not None:
             targets += [b for b in survey.standing_for(name) if b not in subjects or len(subjects) > 1]
         elif said.type == "flanking" and name in ("window", "door"):
-            targets += place_measures.segments(survey, name)
+            targets += segments(survey, name)
         else:
             return None
     if said.type == "flanking" and not said.each:

@@ -8,32 +8,13 @@ from typing import Any
 
 import numpy as np
 
+from sceneweaver.rules.stated import number, word_of_place
 from sceneweaver.verify.measure import TOLERANCE, Measurement, Measurements, at_least, at_most
 from sceneweaver.verify.solids import Body
+from sceneweaver.verify.stated import Target, extent, gap, spans
 
-from .pair_measures import gap, spans
-from .place_measures import Segment
 from .survey import Survey
 from .verdict import Verdict, counted, decide
-
-BESIDE = 1.0
-"""Gap [m] up to which something belongs to a group that flanks a thing or stands around it."""
-
-UNEVEN = 60.0
-"""Angle [deg] by which the largest step around a thing may be more than that of even ones: at a long table the steps
-over its ends are larger than those along its sides."""
-
-HULL = 0.25
-"""How far [m] the region between two things reaches beyond the hull of both."""
-
-ALONG = (0.1, 0.9)
-"""Part of the way between two things in which something is between them."""
-
-MIDDLE, LEAST_MIDDLE = 0.2, 0.3
-"""How far from the middle of the room "in the middle" reaches: a share of the side of a square of its floor, and at
-least so many metres."""
-
-Target = Body | Segment
 
 
 def outline(survey: Survey, body: Body) -> Any:
@@ -48,7 +29,9 @@ def of_middle(survey: Survey, subjects: Sequence[Body]) -> Measurement:
     centroid = survey.placed.floor.centroid
     x, y = np.mean([b.centre for b in subjects], axis=0)
     away = math.hypot(float(x - centroid.x), float(y - centroid.y))
-    return at_most("off the middle of the room", away, max(LEAST_MIDDLE, MIDDLE * math.sqrt(survey.area)))
+    row = word_of_place("at", "middle").holds[0].rows[0]
+    _, most = row.interval({"area": survey.area}) or (0.0, math.inf)
+    return at_most(row.text, away, most)
 
 
 def of_between(survey: Survey, body: Body, shapes: Sequence[Any]) -> Measurements:
@@ -56,16 +39,16 @@ def of_between(survey: Survey, body: Body, shapes: Sequence[Any]) -> Measurement
     import shapely
 
     footprint = survey.footprint(body)
-    hull = shapely.buffer(shapely.convex_hull(shapely.geometrycollections(list(shapes))), HULL)
+    hull = shapely.buffer(shapely.convex_hull(shapely.geometrycollections(list(shapes))), number("hull"))
     share = float(shapely.area(shapely.intersection(footprint, hull)) / max(1e-9, shapely.area(footprint)))
-    inside = at_least("share of it between them", share, 0.5, "")
+    inside = at_least("share of it between them", share, number("between")["share"], "")
     if len(shapes) != 2:
         return (inside,)
     (ax, ay), (bx, by) = (shapely.get_coordinates(shapely.centroid(s))[0] for s in shapes)
     length = (bx - ax) ** 2 + (by - ay) ** 2
     x, y = body.centre
     part = ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / max(1e-9, length)
-    return (inside, Measurement("part of the way between them", float(part), *ALONG, "", 1e-6))
+    return (inside, Measurement("part of the way between them", float(part), *number("between")["along"], "", 1e-6))
 
 
 def shared_out(survey: Survey, subjects: Sequence[Body], targets: Sequence[Target], kind: str) -> list[list[Body]]:
@@ -74,7 +57,7 @@ def shared_out(survey: Survey, subjects: Sequence[Body], targets: Sequence[Targe
     parts: list[list[Body]] = [[] for _ in targets]
     for body, row in zip(subjects, gaps, strict=True):
         for k, distance in enumerate(row):
-            if distance <= BESIDE + TOLERANCE and (kind == "flanking" or k == int(np.argmin(row))):
+            if distance <= number("beside") + TOLERANCE and (kind == "flanking" or k == int(np.argmin(row))):
                 parts[k].append(body)
     return parts
 
@@ -90,7 +73,7 @@ def _gap(survey: Survey, body: Body, target: Target) -> float:
 def of_flanking(survey: Survey, subjects: Sequence[Body], target: Target) -> Verdict:
     """On both of two opposite sides of a thing, each past that side."""
     ways = []
-    for axis in (1, 0) if isinstance(target, Body) else (0,):
+    for axis in (1, 0) if isinstance(target, Body) else (1,):
         sides = []
         for body in subjects:
             middle, half = _across(survey, body, target, axis)
@@ -104,11 +87,8 @@ def of_flanking(survey: Survey, subjects: Sequence[Body], target: Target) -> Ver
 
 def _across(survey: Survey, body: Body, target: Target, axis: int) -> tuple[float, float]:
     """Where the middle of a subject is along an axis of a target, and half the extent of that [m]."""
-    if isinstance(target, Body):
-        low, high = spans(survey, body, target)[axis]
-        return (low + high) / 2, target.size[axis] / 2
-    u, _ = target.wall.coordinates(survey.outline(body).T)
-    return (float(u.min()) + float(u.max())) / 2 - (target.start + target.end) / 2, (target.end - target.start) / 2
+    low, high = spans(survey, body, target)[axis]
+    return (low + high) / 2, extent(target, axis) / 2
 
 
 def of_around(survey: Survey, subjects: Sequence[Body], target: Target) -> Verdict:
@@ -123,4 +103,4 @@ def of_around(survey: Survey, subjects: Sequence[Body], target: Target) -> Verdi
     (x, y), n = target.centre, len(subjects)
     bearings = np.sort([math.degrees(math.atan2(b.centre[1] - y, b.centre[0] - x)) for b in subjects])
     step = float(np.diff(bearings, append=bearings[0] + 360.0).max())
-    return decide([(at_most("largest step around it", step, 360.0 / n + UNEVEN, "deg", slack=1e-6),)])
+    return decide([(at_most("largest step around it", step, 360.0 / n + number("uneven"), "deg", slack=1e-6),)])

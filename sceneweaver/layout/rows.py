@@ -1,15 +1,16 @@
-"""Relations as interval rows: a relation has options (this wall, that side), an option is a set of rows, and a row
-asks one feature of the poses to lie in an interval.
+"""Relations as interval rows of the kernels: a relation has options (this wall, that side), an option is a set of rows,
+and a row asks one feature of the poses to lie in an interval.
 
-Each row has two intervals: ``hold`` is the judge's, narrowed by more than float32 loses, and decides; ``aim`` is
-narrower still and is what the energy pulls into, so that the optimum lies strictly inside. A row may also have the
-value that it takes when the relation is exact; a row without intervals is there for that alone.
+What a type means stands in `sceneweaver.rules`; here is how the engine finds its sites and computes its measures, one
+function for each. Each row has two intervals: ``hold`` is the judge's, narrowed by more than float32 loses, and
+decides; ``aim`` is narrower still and is what the energy pulls into, so that the optimum lies strictly inside. A row
+may also have the value that it takes when the relation is exact; a row without intervals is there for that alone.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
@@ -21,6 +22,9 @@ from sceneweaver.geometry.shell import WALL_THICKNESS
 from sceneweaver.geometry.spread import even_places
 from sceneweaver.geometry.walls import Wall, walls_of
 from sceneweaver.kernels import tables as k
+from sceneweaver.rules import MEASURES
+from sceneweaver.rules.relation import OPPOSITE, Interval, Way, opposed, own_side
+from sceneweaver.rules.relation import Row as Rule
 from sceneweaver.scene import CATALOGUE, Door, Relation, RelationSpec, SceneObject, Window
 from sceneweaver.scene.catalogue import sides_named
 
@@ -34,10 +38,7 @@ SLACK = 5.0e-4  # of the judge's 1 mm tolerance on lengths, what the engine allo
 TIGHT = 2.0e-4  # where the judge has no tolerance
 TIGHT_ANGLE = math.radians(0.02)
 
-LOW = 0.2  # [m] what is lower than its target by more is not pushed under it as a seat is
-LOOSE = 0.5  # [m] a relation that leaves more aside means no one place
 HUNG = 1.0  # [m] beyond the heights where a thing should hang, from where it is brought to their middle
-FLAT = 0.02  # [m] height of what lies on the floor like a rug
 
 Vector = tuple[float, float]
 OPEN: Vector = (-INF, INF)
@@ -100,7 +101,7 @@ class CompiledRelation:
 
 @dataclass
 class Frame:
-    """What the builders need to know: the objects of one problem, where they stand, their footprints."""
+    """What compiling needs to know: the objects of one problem, where they stand, their footprints."""
 
     objects: Sequence[SceneObject]
     index: dict[str, int]
@@ -132,7 +133,7 @@ def _angle(degrees: float) -> tuple[Vector, Vector]:
     return (-aim, aim), (-hold, hold)
 
 
-def line(point: Vector, normal, offset: float, lo: float, hi: float, slack: float = SLACK) -> Row:
+def line(point: Vector, normal, offset: float, lo: float = -INF, hi: float = INF, slack: float = SLACK) -> Row:
     """A point of the subject lies between lo and hi along a direction of the target."""
     if slack < 0 and hi - lo < 4 * TIGHT:
         return NEVER  # no room for rounding: nothing that is computed would be sure to hold
@@ -140,9 +141,9 @@ def line(point: Vector, normal, offset: float, lo: float, hi: float, slack: floa
     return Row(k.FEATURE_LINE, aim, hold, point=point, normal=(float(normal[0]), float(normal[1])), offset=offset)
 
 
-def yaw(offset: float, degrees: float, period: float = 2 * math.pi) -> Row:
-    """The subject's yaw is within some degrees of the target's plus an offset, modulo the period."""
-    aim, hold = _angle(degrees)
+def yaw(offset: float, degrees: float | None, period: float = 2 * math.pi) -> Row:
+    """The subject's yaw is within some degrees of the target's plus an offset, modulo the period; None: any will do."""
+    aim, hold = (OPEN, OPEN) if degrees is None else _angle(degrees)
     return Row(k.FEATURE_YAW, aim, hold, normal=(period, 0.0), offset=offset, scale=LEVER)
 
 
@@ -150,15 +151,6 @@ def height(offset: float, lo: float, hi: float, slack: float = SLACK) -> Row:
     """The subject's bottom lies between lo and hi above the target's plus an offset."""
     aim, hold = _span(lo, hi, slack)
     return Row(k.FEATURE_HEIGHT, aim, hold, offset=offset)
-
-
-def _open_line(point: Vector, normal, offset: float) -> Row:
-    """A coordinate along a direction of the target on which the relation itself does not insist."""
-    return Row(k.FEATURE_LINE, OPEN, OPEN, point=point, normal=(float(normal[0]), float(normal[1])), offset=offset)
-
-
-def _open_yaw(offset: float, period: float = 2 * math.pi) -> Row:
-    return Row(k.FEATURE_YAW, OPEN, OPEN, normal=(period, 0.0), offset=offset, scale=LEVER)
 
 
 NEVER = Row(k.FEATURE_CONSTANT, (0.0, 0.0), (0.0, 0.0), offset=1.0)
@@ -176,105 +168,363 @@ def _bearing(v) -> float:
     return math.atan2(v[1], v[0])
 
 
-def _facing_rows(
-    a: SceneObject,
-    side: str,
-    normal,
-    reach: float,
-    middle: float,
-    half: float,
-    gap: Vector,
-    degrees: float,
-    overlap: float,
-) -> list[Row]:
-    """a's side face opposite a face of b (normal, distance and lateral middle in b's frame)."""
-    point, _, half_a = _face(a, side)
-    across = half_a + half - 2 * overlap * min(half_a, half)
-    tangent = (-normal[1], normal[0])
-    return [
-        yaw(_bearing(normal) + math.pi - _bearing(SIDES[side]), degrees),
-        line(point, normal, reach, *gap),
-        line(point, tangent, middle, -across, across, -TIGHT),
-    ]
+# ---- sites -----------------------------------------------------------------------------------------------------------
 
 
-def _wall_rows(
-    a: SceneObject, side: str, wall: Wall, gap: Vector, degrees: float, overlap: float, spec: RelationSpec
-) -> list[Row] | None:
-    """a's side face at a wall; None when the wall is too short for it."""
-    point, _, half = _face(a, side)
-    across = wall.length / 2 + half - 2 * half * overlap
-    if wall.length < 2 * half * overlap + 4 * TIGHT:
-        return None
-    return [
-        yaw(_bearing(wall.inward) + math.pi - _bearing(SIDES[side]), degrees).snapped(spec, "degrees", DEGREE),
-        line(point, wall.inward, dot(wall.inward, wall.start), *gap).snapped(spec, "gap"),
-        line(point, wall.along, dot(wall.along, wall.start) + wall.length / 2, -across, across, -TIGHT),
-    ]
+class Site(NamedTuple):
+    """Where a relation may hold, in the frame of the target, or of the room where there is none.
+
+    Attributes:
+        normal, level: direction of a face, wall or opening, and its offset along that.
+        along, middle, half: direction along it, its middle there and half its width [m].
+        face, side: the face of the subject that is meant here; the side of the target.
+        axes, origin: of the frame in which "ahead" and "left" are measured.
+        polygon: the footprint from which distances are taken; None: the target's.
+        before: normal and offset of the wall before a corner.
+        names: what expressions call the site's numbers.
+    """
+
+    normal: Vector = (1.0, 0.0)
+    level: float = 0.0
+    along: Vector = (0.0, 1.0)
+    middle: float = 0.0
+    half: float = 0.0
+    face: str = "front"
+    side: str = "front"
+    axes: tuple[Vector, Vector] = ((1.0, 0.0), (0.0, 1.0))
+    origin: Vector = (0.0, 0.0)
+    polygon: Points | None = None
+    before: tuple[Vector, float] = ((1.0, 0.0), 0.0)
+    names: Mapping[str, Any] = {}
 
 
-def _at_walls(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    a = frame.object(rel.subject)
-    wanted = int(rel.target.split(":")[1]) if isinstance(rel.target, str) else None
-    gap, spec = value("gap"), CATALOGUE[rel.type]
-    avoided = set()
-    if "door_walls" in spec.params and value("door_walls") == "avoided":
-        avoided = {door.wall for door in frame.doors}
-    options = []
-    sides = [side for side in spec.subject_sides if "side" not in spec.params or value("side") in ("any", side)]
-    for i, wall in enumerate(frame.region.walls):
-        if (wanted is not None and i != wanted) or i in avoided:
-            continue
-        for side in sides:
-            # the judge knows no lower limit but its 1 mm; objects stay inside the room anyway
-            rows = _wall_rows(a, side, wall, (0.0, gap[1]), value("degrees"), value("overlap"), spec)
-            if rows:
-                options.append(rows)
-    return options
+class Case(NamedTuple):
+    """A relation to compile, with the names that the expressions of its rules know."""
+
+    frame: Frame
+    rel: Relation
+    spec: RelationSpec
+    scope: dict[str, Any]
+
+    @property
+    def a(self) -> SceneObject:
+        """The subject."""
+        return self.scope["a"]
+
+    @property
+    def b(self) -> SceneObject:
+        """The target object."""
+        return self.scope["b"]
 
 
-def _at_sides(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    a, b = frame.object(rel.subject), frame.object(_one(rel))
-    gap, spec = value("gap"), CATALOGUE[rel.type]
-    offset = value("offset") if "offset" in spec.params else None
-    options = []
-    backs = value("backs") if "backs" in spec.params else None
-    for side_a in spec.subject_sides:
-        for side_b in spec.target_sides:
-            if backs is not None and {side_a, side_b} != {"left", "right"}:
-                continue
-            _, reach, half = _face(b, side_b)
-            rows = _facing_rows(a, side_a, SIDES[side_b], reach, 0.0, half, gap, value("degrees"), value("overlap"))
-            if offset is not None:
-                rows[2] = line(rows[2].point, rows[2].normal, 0.0, -offset, offset)
-            options.append(_exact_faces(frame, rel, rows) + _backs(a, side_a, b, side_b, spec, backs))
-    return options
+def _nowhere(case: Case) -> Iterator[Site]:
+    """The target itself, or the room."""
+    yield Site()
 
 
-def _exact_faces(frame: Frame, rel: Relation, rows: list[Row]) -> list[Row]:
-    """Rows of two faces with their exact values: a gap only where the relation does not say one itself, the middles
-    only for what is alone there."""
-    a, b, spec = frame.object(rel.subject), frame.object(_one(rel)), CATALOGUE[rel.type]
-    angle, gap, lateral = rows
-    angle = angle.snapped(spec, "degrees", DEGREE)
-    exact = spec.snap.get("gap")
-    low = exact is not None and exact.alike is not None and (a.mount != "floor" or a.size[2] < b.size[2] - LOW)
-    if "gap" not in rel.params and not low:
-        gap = gap.snapped(spec, "gap")
-    if frame.tied.get((rel.type, b.id), 1) == 1:
-        lateral = lateral.snapped(spec, "lateral")
-    return [angle, gap, lateral]
+def _target_side(b: SceneObject, side: str) -> Site:
+    _, reach, half = _face(b, side)
+    normal = SIDES[side]
+    return Site(normal, reach, (-normal[1], normal[0]), 0.0, half, side=side)
 
 
-def _backs(
-    a: SceneObject, side_a: str, b: SceneObject, side_b: str, spec: RelationSpec, most: float | None
-) -> list[Row]:
-    """The back of a in line with that of b, where both look the same way; at most so far off, where that is said."""
-    if {side_a, side_b} != {"left", "right"}:
+def _faces(case: Case) -> Iterator[Site]:
+    """Each face of the subject that may take part at each of the target's."""
+    for face in case.spec.subject_sides:
+        for side in case.spec.target_sides:
+            yield _target_side(case.b, side)._replace(face=face, names={"opposed": opposed(face, side)})
+
+
+def _sides(case: Case) -> Iterator[Site]:
+    """The sides of the target that the relation names or its type has, with the middle of the part that is meant."""
+    scope, b = case.scope, case.b
+    if "side" in case.spec.params:
+        sides = sides_named(scope["side"], b.size, scope["frame"])
+    else:
+        sides = tuple(own_side(side, scope["frame"]) for side in case.spec.target_sides)
+    for side in sides:
+        site = _target_side(b, side)
+        part = ((scope.get("k", 0) + 0.5) / scope.get("n", 1) - 0.5) * 2 * site.half
+        yield site._replace(names={"half": site.half, "part": part, "sideways": side in ("left", "right")})
+
+
+def _at_wall(wall: Wall, face: str = "back") -> Site:
+    level, start = dot(wall.inward, wall.start), dot(wall.along, wall.start)
+    return Site(wall.inward, level, wall.along, start + wall.length / 2, wall.length / 2, face)
+
+
+def _walls(case: Case) -> Iterator[Site]:
+    """Each wall that is meant, for each face of the subject that may be there."""
+    target, scope = case.rel.target, case.scope
+    wanted = int(target.split(":")[1]) if isinstance(target, str) else None
+    avoided = {door.wall for door in case.frame.doors} if scope.get("door_walls") == "avoided" else ()
+    word = scope.get("side", "any")
+    faces = [face for face in case.spec.subject_sides if word in ("any", face)]
+    for i, wall in enumerate(case.frame.region.walls):
+        if wanted in (None, i) and i not in avoided:
+            yield from (_at_wall(wall, face) for face in faces)
+
+
+def _corners(case: Case) -> Iterator[Site]:
+    """The convex corners of the room."""
+    walls = case.frame.region.walls
+    for i, wall in enumerate(walls):
+        last = walls[i - 1]
+        if dot(last.along, wall.inward) <= -0.17:  # at least 10 degrees
+            before = (last.inward, dot(last.inward, wall.start))
+            yield _at_wall(wall)._replace(polygon=np.array([wall.start]), before=before)
+
+
+def _openings(case: Case, openings: Sequence[Door | Window]) -> Iterator[Site]:
+    for opening in openings:
+        if case.rel.target in (None, opening.id):
+            wall = case.frame.region.walls[opening.wall]
+            ends = np.array([wall.point(opening.offset), wall.point(opening.offset + opening.width)])
+            middle = dot(wall.along, wall.start) + opening.offset + opening.width / 2
+            yield _at_wall(wall)._replace(middle=middle, half=opening.width / 2, polygon=ends)
+
+
+def _windows(case: Case) -> Iterator[Site]:
+    return _openings(case, case.frame.windows)
+
+
+def _doors(case: Case) -> Iterator[Site]:
+    return _openings(case, case.frame.doors)
+
+
+def _either(case: Case) -> Iterator[Site]:
+    return _windows(case) if case.spec.target_kind == "window" else _doors(case)
+
+
+def _door_zones(case: Case) -> Iterator[Site]:
+    """What doors need free."""
+    doors = case.frame.region.doors
+    wanted = [case.rel.target] if isinstance(case.rel.target, str) else doors
+    return (Site(polygon=doors[name].polygon) for name in wanted)
+
+
+def _wall_bodies(case: Case) -> Iterator[Site]:
+    """The bodies of the walls, which lie outside of the room."""
+    walls = case.frame.region.walls
+    return (Site(polygon=np.array(wall.strip(0.0, wall.length, -WALL_THICKNESS, 0.0))) for wall in walls)
+
+
+def _edges(case: Case) -> Iterator[Site]:
+    """The edges of the hull of the target's footprint."""
+    import shapely
+
+    footprint = case.frame.footprints[case.frame.index[case.b.id]]
+    hull = shapely.MultiPolygon([shapely.Polygon(p) for p in footprint]).convex_hull
+    for edge in walls_of(tidy(shapely.get_coordinates(hull)[:-1])):
+        normal, half = edge.outward, edge.length / 2
+        along = (-normal[1], normal[0])
+        yield Site(normal, dot(normal, edge.start), along, dot(along, edge.point(half)), half)
+
+
+def _middle(case: Case) -> Iterator[Site]:
+    """The middle of the room, along x and y."""
+    yield Site(origin=case.frame.region.middle)
+
+
+def _places(case: Case) -> Iterator[Site]:
+    """The k-th of the even places, along the first wall and across."""
+    walls = case.frame.region.walls
+    places = even_places([w.start for w in walls], case.scope["n"])
+    if case.scope["k"] < len(places):
+        axes = (walls[0].along, walls[0].inward)
+        place = places[case.scope["k"]]
+        yield Site(axes=axes, origin=(dot(axes[0], place), dot(axes[1], place)))
+
+
+SITES: dict[str, Callable[[Case], Iterator[Site]]] = {
+    "none": _nowhere,
+    "faces": _faces,
+    "sides": _sides,
+    "walls": _walls,
+    "corners": _corners,
+    "windows": _windows,
+    "doors": _doors,
+    "openings": _either,
+    "door_zones": _door_zones,
+    "wall_bodies": _wall_bodies,
+    "edges": _edges,
+    "middle": _middle,
+    "places": _places,
+}
+"""How the engine finds the sites of a way."""
+
+
+# ---- measures --------------------------------------------------------------------------------------------------------
+
+
+class Asked(NamedTuple):
+    """A row of a rule at a site: the interval in m or deg, None where any value will do, and where it starts."""
+
+    rule: Rule
+    site: Site
+    interval: Interval | None
+    start: float
+
+    @property
+    def ends(self) -> Interval:
+        """The interval with finite ends, for the kernels."""
+        low, high = self.interval or OPEN
+        return max(low, -INF), min(high, INF)
+
+    @property
+    def slack(self) -> float:
+        """What is allowed beyond the interval of lengths [m]."""
+        return -TIGHT if self.rule.strict else SLACK
+
+    @property
+    def degrees(self) -> float | None:
+        """The most of a symmetric interval of angles."""
+        return None if self.interval is None else self.interval[1]
+
+    def face(self) -> str:
+        """The face of the subject that is measured."""
+        named = self.rule.face
+        return self.site.face if named is None else OPPOSITE[self.site.side] if named == "opposite" else named
+
+    def point(self, a: SceneObject) -> Vector:
+        """The point of the subject that is measured, in its frame."""
+        return (0.0, 0.0) if self.rule.face == "centre" else _face(a, self.face())[0]
+
+    def line(self, point: Vector, normal: Vector, offset: float) -> list[Row]:
+        """The row of a coordinate of that point."""
+        if self.interval is None:
+            return [Row(k.FEATURE_LINE, OPEN, OPEN, point=point, normal=normal, offset=offset)]
+        return [line(point, normal, offset, *self.ends, self.slack)]
+
+
+def _turned(case: Case, asked: Asked) -> list[Row]:
+    return [yaw(_bearing(asked.site.normal) + math.pi - _bearing(SIDES[asked.face()]), asked.degrees)]
+
+
+def _gap(case: Case, asked: Asked) -> list[Row]:
+    return asked.line(asked.point(case.a), asked.site.normal, asked.site.level + asked.start)
+
+
+def _aside(case: Case, asked: Asked) -> list[Row]:
+    return asked.line(asked.point(case.a), asked.site.along, asked.site.middle + asked.start)
+
+
+def _overlap(case: Case, asked: Asked) -> list[Row] | None:
+    site, share = asked.site, asked.ends[0]
+    point, _, half = _face(case.a, asked.face())
+    counted = half if asked.rule.of == "face" else min(half, site.half)
+    if 2 * site.half < 2 * counted * share + 4 * TIGHT and asked.rule.of == "face":
+        return None  # the wall is too short for it
+    across = site.half + half - 2 * share * counted
+    return [line(point, site.along, site.middle, -across, across, -TIGHT)]
+
+
+def _ahead(case: Case, asked: Asked) -> list[Row]:
+    return asked.line(asked.point(case.a), asked.site.axes[0], asked.site.origin[0] + asked.start)
+
+
+def _left(case: Case, asked: Asked) -> list[Row]:
+    return asked.line(asked.point(case.a), asked.site.axes[1], asked.site.origin[1] + asked.start)
+
+
+def _turn(case: Case, asked: Asked) -> list[Row]:
+    options = asked.rule.options
+    return [yaw(math.radians(options.get("by", 0.0)), asked.degrees, math.radians(options.get("modulo", 360.0)))]
+
+
+def _bearing_of(case: Case, asked: Asked) -> list[Row]:
+    aim, hold = _angle(asked.ends[1])
+    return [Row(k.FEATURE_BEARING, aim, hold, scale=LEVER)]
+
+
+def _distance(case: Case, asked: Asked) -> list[Row]:
+    low, high = asked.ends
+    aim, hold = _span(low, high, asked.slack, inset=0.005)
+    if low <= 0:  # overlapping footprints are at distance 0
+        aim, hold = (-INF, aim[1]), (-INF, hold[1])
+    return [Row(k.FEATURE_DISTANCE, aim, hold, polygon=asked.site.polygon)]
+
+
+def _box_gap(case: Case, asked: Asked) -> list[Row]:
+    normal, level = asked.site.before if asked.rule.of == "before" else (asked.site.normal, asked.site.level)
+    aim, hold = _span(*asked.ends, asked.slack)
+    return [Row(k.FEATURE_EXTENT, aim, hold, normal=normal, offset=level)]
+
+
+def _before(case: Case, asked: Asked) -> list[Row]:
+    site, share = asked.site, asked.ends[0]
+    aim, hold = (-INF, -0.003), (-INF, -TIGHT)
+    return [Row(k.FEATURE_WINDOW, aim, hold, (site.half, share), site.along, site.middle)]
+
+
+def _part_between(case: Case, asked: Asked) -> list[Row]:
+    low, high = asked.ends
+    return [Row(k.FEATURE_BETWEEN, (low + 0.01, high - 0.01), (low + 1e-4, high - 1e-4))]
+
+
+def _off_line(case: Case, asked: Asked) -> list[Row]:
+    aim, hold = _span(*asked.ends, asked.slack)
+    return [Row(k.FEATURE_ASIDE, aim, hold)]
+
+
+def _spread(case: Case, asked: Asked) -> list[Row]:
+    """The angle from the next child around the same target back to this one: children keep the order of their
+    relations, so that each has one neighbour to either side."""
+    group = case.frame.around[_one(case.rel)]
+    if len(group) < 2:
         return []
-    back, ahead, level = (-a.size[0] / 2, 0.0), (1.0, 0.0), -b.size[0] / 2
-    row = _open_line(back, ahead, level) if most is None else line(back, ahead, level, -most, most)
-    return [row.snapped(spec, "backs")]
+    aim, hold = _angle(asked.ends[1])
+    return [Row(k.FEATURE_SPREAD, aim, hold, offset=-2 * math.pi / (case.scope["n"] or len(group)), scale=LEVER)]
+
+
+def _height(case: Case, asked: Asked) -> list[Row]:
+    if case.spec.target == "none" and case.a.mount == "floor":
+        return []  # what stands on the floor does so by construction
+    return [height(0.0, *asked.ends, asked.slack)]
+
+
+def _above(case: Case, asked: Asked) -> list[Row]:
+    return [height(case.b.size[2], *asked.ends, asked.slack)]
+
+
+def _below(case: Case, asked: Asked) -> list[Row]:
+    low, high = asked.ends
+    return [height(-case.a.size[2], -high, -low, asked.slack)]
+
+
+def _carried(case: Case, asked: Asked) -> list[Row] | None:
+    """A choice of a surface, true by construction or not at all."""
+    support = case.a.support
+    if support is None or support.object != case.rel.target:
+        return None
+    surface = next(s for s in case.frame.object(support.object).surfaces if s.name == support.surface)
+    return [] if asked.rule.of != "inner" or surface.headroom is not None else None
+
+
+MEASURED: dict[str, Callable[[Case, Asked], list[Row] | None]] = {
+    "turned": _turned,
+    "gap": _gap,
+    "aside": _aside,
+    "overlap": _overlap,
+    "ahead": _ahead,
+    "left": _left,
+    "turn": _turn,
+    "bearing": _bearing_of,
+    "distance": _distance,
+    "box_gap": _box_gap,
+    "before": _before,
+    "part_between": _part_between,
+    "off_line": _off_line,
+    "spread": _spread,
+    "height": _height,
+    "above": _above,
+    "below": _below,
+    "carried": _carried,
+}
+"""The rows of each measure; None where it cannot hold at a site."""
+
+
+# ---- relations -------------------------------------------------------------------------------------------------------
 
 
 def _one(rel: Relation) -> str:
@@ -282,312 +532,76 @@ def _one(rel: Relation) -> str:
     return rel.target
 
 
-def _distance(lo: float, hi: float, polygon: Points | None = None, slack: float = SLACK) -> Row:
-    aim, hold = _span(lo, hi, slack, inset=0.005)
-    if lo <= 0:  # overlapping footprints are at distance 0
-        aim, hold = (-INF, aim[1]), (-INF, hold[1])
-    return Row(k.FEATURE_DISTANCE, aim, hold, polygon=polygon)
+def _case(frame: Frame, rel: Relation) -> Case:
+    spec, a = CATALOGUE[rel.type], frame.object(rel.subject)
+    b = frame.object(_one(rel)) if spec.target_kind == "object" else None
+    alone = frame.tied.get((rel.type, b.id), 1) == 1 if b is not None else True
+    scope = spec.scope(rel, a.size[0])
+    return Case(frame, rel, spec, {**scope, "a": a, "b": b, "alone": alone, "default_gap": "gap" not in rel.params})
 
 
-def _near(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    middle = _middle(rel) if frame.object(rel.subject).mount == "ceiling" else []
-    return [[_distance(0.0, value("max")), *middle]]
-
-
-def _middle(rel: Relation, at: Vector = (0.0, 0.0)) -> list[Row]:
-    """Exact rows of what belongs right over or under a place of its target, turned as it is or by quarters."""
-    spec = CATALOGUE[rel.type]
-    axes = ((1.0, 0.0), (0.0, 1.0))
-    lines = [_open_line((0.0, 0.0), n, off).snapped(spec, "lateral") for n, off in zip(axes, at, strict=True)]
-    return [*lines, _open_yaw(0.0, math.pi / 2).snapped(spec, "degrees", DEGREE)]
-
-
-def _apart(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    lo, hi = value("min"), value("max")
-    return [[_distance(0.0 if lo is None else lo, INF if hi is None else hi)]]
-
-
-def _bearing_row(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    aim, hold = _angle(value("degrees"))
-    turned, aside = _opposite(rel, math.pi)
-    if (offset := value("offset")) is not None:
-        aside = line((0.0, 0.0), (0.0, 1.0), 0.0, -offset, offset).snapped(CATALOGUE[rel.type], "lateral")
-    return [[Row(k.FEATURE_BEARING, aim, hold, scale=LEVER), turned, aside]]
-
-
-def _opposite(rel: Relation, turned: float) -> list[Row]:
-    """Exact rows of the two middles in line along b's front, for what is turned so against b."""
-    spec = CATALOGUE[rel.type]
-    return [
-        _open_yaw(turned).snapped(spec, "degrees", DEGREE),
-        _open_line((0.0, 0.0), (0.0, 1.0), 0.0).snapped(spec, "lateral"),
-    ]
-
-
-def _aligned(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    return [[yaw(0.0, value("degrees"), math.pi / 2).snapped(CATALOGUE[rel.type], "degrees", DEGREE)]]
-
-
-def _parallel(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    return [[yaw(0.0, value("degrees"), math.pi).snapped(CATALOGUE[rel.type], "degrees", DEGREE)]]
-
-
-def _beyond(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    """The centre of a beyond a side of b that the catalogue names, in a band about the middle of it."""
-    options = []
-    for side in CATALOGUE[rel.type].target_sides:
-        _, reach, half = _face(frame.object(_one(rel)), side)
-        n, across = SIDES[side], half * value("band")
-        options.append(
-            [
-                line((0.0, 0.0), n, reach, value("min"), value("max")),
-                line((0.0, 0.0), (-n[1], n[0]), 0.0, -across, across, -TIGHT),
-            ]
-        )
-    return options
-
-
-def _centered(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    limit, spec, a, ahead = value("offset"), CATALOGUE[rel.type], frame.object(rel.subject), value("ahead")
-    flat = a.mount == "ceiling" or a.size[2] < FLAT
-    across, along = (line((0.0, 0.0), n, 0.0, -limit, limit).snapped(spec, "lateral") for n in ((0.0, 1.0), (1.0, 0.0)))
-    if value("axis") == "either" and ahead is None:
-        return [[row, *(_middle(rel) if flat else ())] for row in (across, along)]
-    turned = [_open_yaw(0.0, math.pi / 2).snapped(spec, "degrees", DEGREE)] if flat else []
-    if ahead is not None:
-        return [[across, line((0.0, 0.0), (1.0, 0.0), 0.0, *ahead), *turned]]
-    return [[across, *([along] if value("axis") == "both" else ()), *turned]]
-
-
-def _over(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    """The centre of a over the box of b, or near its place there; a ceiling lamp, a rug and what is alone on it right
-    over that place, the middle."""
-    a, b, inset, offset = frame.object(rel.subject), frame.object(_one(rel)), value("inset"), value("offset")
-    alone = a.mount == "ceiling" or a.size[2] < FLAT or (b.size[2] < FLAT and frame.tied.get((rel.type, b.id), 1) == 1)
-    at = (value("forward") * b.size[0], value("left") * b.size[1])
-    rows = []
-    for middle, size, n in zip(at, b.size, ((1.0, 0.0), (0.0, 1.0)), strict=False):
-        reach = max(size / 2 - inset, 0.0)
-        low, high = -reach, reach
-        if offset is not None:
-            low, high = max(low, middle - offset), min(high, middle + offset)
-        rows.append(line((0.0, 0.0), n, 0.0, low, high) if low <= high else NEVER)
-    return [[*rows, *(_middle(rel, at) if alone else ())]]
-
-
-def _corner(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    walls = frame.region.walls
-    aim, hold = _span(-INF, value("to_wall"), -TIGHT)
-    options = []
-    for i, wall in enumerate(walls):
-        before = walls[i - 1]
-        if dot(before.along, wall.inward) > -0.17:  # not a convex corner of at least 10 degrees
+def _options(case: Case) -> list[list[Row]]:
+    """The options of a relation: each site of each of its ways, or all sites of a way at once."""
+    options: list[list[Row]] = []
+    for way in case.spec.ways:
+        if way.when is not None and not way.when.value(case.scope):
             continue
-        rows = [_distance(0.0, value("to_corner"), np.array([wall.start]), -TIGHT)]
-        for w in (before, wall):
-            row = Row(k.FEATURE_EXTENT, aim, hold, normal=w.inward, offset=dot(w.inward, wall.start))
-            rows.append(row.snapped(CATALOGUE[rel.type], "gap"))
-        options.append(rows)
+        found = []
+        for site in SITES[way.sites](case):
+            scope = {**case.scope, **site.names}
+            if way.where is None or way.where.value(scope):
+                rows = _rows(case._replace(scope=scope), way, site)
+                found += [] if rows is None else [rows]
+        options += [[row for rows in found for row in rows]] if way.every else found
     return options
 
 
-def _at_window(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    options = []
-    for window in frame.windows:
-        if rel.target not in (None, window.id):
+def _rows(case: Case, way: Way, site: Site) -> list[Row] | None:
+    """The kernels' rows of a way at a site; None where it cannot hold there."""
+    found: list[Row] = []
+    for rule in way.rows:
+        if not rule.counts(case.scope):
             continue
-        wall = frame.region.walls[window.wall]
-        middle = dot(wall.along, wall.start) + window.offset + window.width / 2
-        aim, hold = _span(-INF, value("max"), -TIGHT)
-        hung, offset = frame.object(rel.subject).mount == "wall", value("offset")
-        centre = []
-        if hung:
-            centre = [_open_yaw(_bearing(wall.inward)).snapped(CATALOGUE[rel.type], "degrees", DEGREE)]
-        aside = line((0.0, 0.0), wall.along, middle, -offset, offset)
-        centre.append(aside.snapped(CATALOGUE[rel.type], "lateral") if hung or offset <= LOOSE else aside)
-        options.append(
-            [
-                Row(
-                    k.FEATURE_WINDOW,
-                    (-INF, -0.003),
-                    (-INF, -TIGHT),
-                    point=(window.width / 2, value("overlap")),
-                    normal=wall.along,
-                    offset=middle,
-                ),
-                Row(k.FEATURE_EXTENT, aim, hold, normal=wall.inward, offset=dot(wall.inward, wall.start)),
-                *centre,
-            ]
+        made = MEASURED[rule.measure](
+            case, Asked(rule, site, rule.interval(case.scope), float(rule.start.value(case.scope)))
         )
-    return options
+        if made is None:
+            return None
+        if rule.snap is not None and (rule.snap_if is None or rule.snap_if.value(case.scope)):
+            unit = DEGREE if MEASURES[rule.measure].unit == "deg" else 1.0
+            made = [row.snapped(case.spec, rule.snap, unit) for row in made]
+        for row in made:
+            _add(found, row)
+    return found
 
 
-def _between(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    lo, hi = value("along")
-    side = value("aside")
-    aim, hold = _span(-side, side, -TIGHT)
-    return [
-        [
-            Row(k.FEATURE_BETWEEN, (lo + 0.01, hi - 0.01), (lo + 1e-4, hi - 1e-4)),
-            Row(k.FEATURE_ASIDE, aim, hold),
-        ]
-    ]
+def _add(rows: list[Row], row: Row) -> None:
+    """Add a row to those of an option: two intervals of one coordinate become one, what asks for nothing goes."""
+    if row.is_open and row.exact is None:
+        return
+    if not row.is_open and row.feature == k.FEATURE_LINE and row.exact is None:
+        for i, other in enumerate(rows):
+            if (other.feature, other.point, other.normal) == (row.feature, row.point, row.normal) and not other.is_open:
+                rows[i] = _both(other, row, row.offset - other.offset)
+                return
+    rows.append(row)
 
 
-def _seated(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    a, b, spec = frame.object(rel.subject), frame.object(_one(rel)), CATALOGUE[rel.type]
-    normal = SIDES[value("side")]
-    point, _, _ = _face(a, "front")
-    _, reach, half = _face(b, value("side"))
-    place = ((value("k") + 0.5) / value("n") - 0.5) * 2 * half
-    offset = value("offset")
-    angle, gap, lateral = _exact_faces(
-        frame,
-        rel,
-        [
-            yaw(_bearing(normal) + math.pi, value("degrees")),
-            line(point, normal, reach, *value("gap")),
-            line(point, (-normal[1], normal[0]), place, -offset, offset),
-        ],
-    )
-    return [[angle, lateral.snapped(spec, "lateral"), gap]]
+def _both(row: Row, other: Row, shift: float) -> Row:
+    """A row whose intervals are what two rows have in common, the other's being shifted."""
+    aim = (max(row.aim[0], other.aim[0] + shift), min(row.aim[1], other.aim[1] + shift))
+    hold = (max(row.hold[0], other.hold[0] + shift), min(row.hold[1], other.hold[1] + shift))
+    if hold[0] > hold[1]:
+        return NEVER
+    if aim[0] > aim[1]:
+        aim = (0.5 * (hold[0] + hold[1]),) * 2
+    return row._replace(aim=aim, hold=hold)
 
 
-def _next(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    return [_straight(frame, rel, value)]
+Builder = Callable[[Frame, Relation, Callable], list[list[Row]]]
 
-
-def _straight(frame: Frame, rel: Relation, value) -> list[Row]:
-    """Rows of the next in a row beyond a side of b: the boxes apart, the backs or else the middles in line."""
-    a, b, spec = frame.object(rel.subject), frame.object(_one(rel)), CATALOGUE[rel.type]
-    normal, offset = SIDES[value("side")], value("offset")
-    _, reach_a, _ = _face(a, value("side"))
-    _, reach_b, _ = _face(b, value("side"))
-    near = (-normal[0] * reach_a, -normal[1] * reach_a)
-    if normal[0] == 0.0:
-        level = line((-a.size[0] / 2, 0.0), (1.0, 0.0), -b.size[0] / 2, -offset, offset)
-    else:
-        level = line((0.0, 0.0), (0.0, 1.0), 0.0, -offset, offset)
-    return [
-        yaw(0.0, value("degrees")).snapped(spec, "degrees", DEGREE),
-        line(near, normal, reach_b, *value("gap")).snapped(spec, "gap"),
-        level.snapped(spec, "lateral"),
-    ]
-
-
-def _run(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    """Straight on, or around the corner: before b, the back in line with the side of b that is in the corner."""
-    a, b, spec = frame.object(rel.subject), frame.object(_one(rel)), CATALOGUE[rel.type]
-    side = SIDES[value("side")]
-    turned = -side[1]  # to the right the run goes on facing b's left
-    offset = value("offset")
-    corner = [
-        yaw(turned * math.pi / 2, value("degrees")).snapped(spec, "degrees", DEGREE),
-        line((0.0, turned * a.size[1] / 2), (1.0, 0.0), b.size[0] / 2, *value("gap")).snapped(spec, "gap"),
-        line((-a.size[0] / 2, 0.0), side, b.size[1] / 2, -offset, offset).snapped(spec, "lateral"),
-    ]
-    return [_straight(frame, rel, value), corner]
-
-
-def _in_middle(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    (x, y), offset = frame.region.middle, value("offset")
-    return [
-        [line((0.0, 0.0), (1.0, 0.0), x, -offset, offset), line((0.0, 0.0), (0.0, 1.0), y, -offset, offset)],
-    ]
-
-
-def _on_grid(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    """The k-th of the even places, along the first wall and across."""
-    places, spec, offset = (
-        even_places([w.start for w in frame.region.walls], value("n")),
-        CATALOGUE[rel.type],
-        value("offset"),
-    )
-    if value("k") >= len(places):
-        return []
-    wall = frame.region.walls[0]
-    return [
-        [
-            line((0.0, 0.0), n, dot(n, places[value("k")]), -offset, offset).snapped(spec, "lateral")
-            for n in (wall.along, wall.inward)
-        ]
-    ]
-
-
-def _across(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    """The front before one side of b, in the middle of a part of it; the gap anywhere in its interval."""
-    a, b, spec, offset = frame.object(rel.subject), frame.object(_one(rel)), CATALOGUE[rel.type], value("offset")
-    point, _, _ = _face(a, "front")
-    options = []
-    for side in sides_named(value("side"), b.size):
-        normal = SIDES[side]
-        _, reach, half = _face(b, side)
-        place = ((value("k") + 0.5) / value("n") - 0.5) * 2 * half
-        lateral = line(point, (-normal[1], normal[0]), place, -offset, offset)
-        options.append(
-            [
-                yaw(_bearing(normal) + math.pi, value("degrees")).snapped(spec, "degrees", DEGREE),
-                lateral.snapped(spec, "lateral") if offset <= LOOSE else lateral,
-                line(point, normal, reach, *value("gap")),
-            ]
-        )
-    return options
-
-
-def _facing_door(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    options, most = [], value("aside")
-    for door in frame.doors:
-        if rel.target not in (None, door.id):
-            continue
-        wall = frame.region.walls[door.wall]
-        rows = [yaw(_bearing(wall.outward), value("degrees"))]
-        if most is not None:
-            middle = wall.point(door.offset + door.width / 2)
-            rows.append(line((0.0, 0.0), wall.along, dot(wall.along, middle), -most, most))
-        options.append(rows)
-    return options
-
-
-def _off_walls(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    """The distance from the body of every wall, which lies outside of the room."""
-    bodies = [np.array(wall.strip(0.0, wall.length, -WALL_THICKNESS, 0.0)) for wall in frame.region.walls]
-    return [[_distance(value("min"), INF, body) for body in bodies]]
-
-
-def _around(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    import shapely
-
-    a = frame.object(rel.subject)
-    target = frame.index[_one(rel)]
-    hull = shapely.MultiPolygon([shapely.Polygon(p) for p in frame.footprints[target]]).convex_hull
-    spread = _spread(frame, rel)
-    options = []
-    for edge in walls_of(tidy(shapely.get_coordinates(hull)[:-1])):
-        (nx, ny), half = edge.outward, edge.length / 2
-        rows = _facing_rows(
-            a,
-            "front",
-            edge.outward,
-            dot(edge.outward, edge.start),
-            dot((-ny, nx), edge.point(half)),
-            half,
-            value("gap"),
-            value("degrees"),
-            value("overlap"),
-        )
-        options.append(_exact_faces(frame, rel, rows) + spread)
-    return options
-
-
-def _spread(frame: Frame, rel: Relation) -> list[Row]:
-    """The angle from the next child around the same target back to this one: children keep the order of their
-    relations, so that each has one neighbour to either side."""
-    group = frame.around[_one(rel)]
-    if len(group) < 2:
-        return []
-    value = _values(rel, frame.object(rel.subject))
-    aim, hold = _angle(value("spread"))
-    return [Row(k.FEATURE_SPREAD, aim, hold, offset=-2 * math.pi / (value("n") or len(group)), scale=LEVER)]
+BUILDERS: dict[str, Builder] = {}
+"""The options of relation types that users have defined."""
 
 
 def _neighbours(frame: Frame, rel: Relation) -> tuple[Relation, Relation]:
@@ -597,12 +611,19 @@ def _neighbours(frame: Frame, rel: Relation) -> tuple[Relation, Relation]:
     return group[i - 1], group[(i + 1) % len(group)]
 
 
+def _spread_rows(frame: Frame, rel: Relation) -> list[Row]:
+    """The rows of an around relation that are about its neighbours."""
+    case = _case(frame, rel)
+    rules = (rule for way in case.spec.ways for rule in way.rows if rule.measure == "spread")
+    return [row for r in rules for row in _spread(case, Asked(r, Site(), r.interval(case.scope), 0.0))]
+
+
 def spread_before(frame: Frame, rel: Relation) -> CompiledRelation | None:
     """The angle to the child before, for an around relation whose neighbour does not vouch for it: because that one is
     soft, or has another count or spread. None where nothing is missing."""
     before, _ = _neighbours(frame, rel)
-    rows = _spread(frame, rel)
-    same = _spread(frame, before) == rows and (before.hard or not rel.hard)
+    rows = _spread_rows(frame, rel)
+    same = _spread_rows(frame, before) == rows and (before.hard or not rel.hard)
     if not rows or same:
         return None
     index = frame.index
@@ -611,112 +632,13 @@ def spread_before(frame: Frame, rel: Relation) -> CompiledRelation | None:
     return CompiledRelation(objects, [rows], weight, 2 if rel.hard else 0, rel.hard)
 
 
-def _away_from_door(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    doors = frame.region.doors
-    wanted = [rel.target] if isinstance(rel.target, str) else list(doors)
-    return [[_distance(value("min"), INF, doors[d].polygon) for d in wanted]]
-
-
-def _near_opening(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    """The distance from the line that a door or window takes in its wall."""
-    openings = frame.windows if rel.type == "near_window" else frame.doors
-    options = []
-    for opening in openings:
-        if rel.target in (None, opening.id):
-            wall = frame.region.walls[opening.wall]
-            ends = np.array([wall.point(opening.offset), wall.point(opening.offset + opening.width)])
-            options.append([_distance(value("min"), value("max"), ends)])
-    return options
-
-
-def _stacked(above: bool) -> Callable[[Frame, Relation, Callable], list[list[Row]]]:
-    def build(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-        a, b = frame.object(rel.subject), frame.object(_one(rel))
-        half = b.size[1] * value("lateral")
-        lateral = line((0.0, 0.0), (0.0, 1.0), 0.0, -half, half)
-        vertical = height(b.size[2], 0.0, INF) if above else height(-a.size[2], -INF, 0.0)
-        return [[lateral, vertical, *(_opposite(rel, 0.0) if a.mount == "wall" else ())]]
-
-    return build
-
-
-def _same_height(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    limit = value("tolerance")
-    return [[height(0.0, -limit, limit)]]
-
-
-def _on_floor(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    return [[]] if frame.object(rel.subject).mount == "floor" else [[height(0.0, -0.002, 0.002, -TIGHT)]]
-
-
-def _supported(frame: Frame, rel: Relation, value) -> list[list[Row]]:
-    """on_top and inside are choices of a surface, true by construction or not at all."""
-    support = frame.object(rel.subject).support
-    if support is None or support.object != rel.target:
-        return []
-    surface = next(s for s in frame.object(support.object).surfaces if s.name == support.surface)
-    return [[]] if rel.type == "on_top" or surface.headroom is not None else []
-
-
-Builder = Callable[[Frame, Relation, Callable], list[list[Row]]]
-
-BUILDERS: dict[str, Builder] = {
-    "against_wall": _at_walls,
-    "side_against_wall": _at_walls,
-    "front_against": _at_sides,
-    "front_to_front": _at_sides,
-    "leftright_to_leftright": _at_sides,
-    "side_by_side": _at_sides,
-    "back_to_back": _at_sides,
-    "on_floor": _on_floor,
-    "on_top": _supported,
-    "inside": _supported,
-    "near": _near,
-    "distance": _apart,
-    "facing": _bearing_row,
-    "aligned": _aligned,
-    "parallel": _parallel,
-    "left_of": _beyond,
-    "right_of": _beyond,
-    "in_front_of": _beyond,
-    "behind": _beyond,
-    "beside": _beyond,
-    "centered_on": _centered,
-    "in_corner": _corner,
-    "at_window": _at_window,
-    "between": _between,
-    "around": _around,
-    "away_from_door": _away_from_door,
-    "above": _stacked(True),
-    "below": _stacked(False),
-    "same_height": _same_height,
-    "seated_at": _seated,
-    "next_to": _next,
-    "run_on": _run,
-    "in_middle": _in_middle,
-    "over": _over,
-    "near_window": _near_opening,
-    "near_door": _near_opening,
-    "across_from": _across,
-    "facing_door": _facing_door,
-    "off_walls": _off_walls,
-    "on_grid": _on_grid,
-}
-
-
-def _values(rel: Relation, subject: SceneObject) -> Callable[[str], Any]:
-    """Reads a relation's numbers: its params, else the catalogue's defaults."""
-    spec = CATALOGUE[rel.type]
-    return lambda name: spec.gap_range(rel, subject.size[0]) if name == "gap" else spec.value(rel, name)
-
-
 SOFT_WEIGHT = 0.2  # of a hard relation's, times the relation's own weight
 
 
 def compile_relation(frame: Frame, rel: Relation) -> CompiledRelation:
     """Rows of one relation of the scene."""
-    a = frame.object(rel.subject)
-    options = BUILDERS[rel.type](frame, rel, _values(rel, a))
+    build = BUILDERS.get(rel.type)
+    options = _options(_case(frame, rel)) if build is None else build(frame, rel, _values(rel))
     b = c = -1
     if isinstance(rel.target, tuple):
         b, c = frame.index[rel.target[0]], frame.index[rel.target[1]]
@@ -730,14 +652,18 @@ def compile_relation(frame: Frame, rel: Relation) -> CompiledRelation:
     )
 
 
+def _values(rel: Relation) -> Callable[[str], Any]:
+    """Reads a relation's numbers: its params, else the catalogue's defaults."""
+    return lambda name: CATALOGUE[rel.type].value(rel, name)
+
+
 def mounting(frame: Frame, obj: int) -> CompiledRelation:
     """What holds a wall-mounted object: its back at some wall, as against_wall has it."""
     a = frame.objects[obj]
-    rel = Relation(type="against_wall", subject=a.id)
-    options = _at_walls(frame, rel, _values(rel, a))
+    options = _options(_case(frame, Relation(type="against_wall", subject=a.id)))
     hung = a.intent.mounting_height
     if hung is not None:
-        # The judge knows no such limit. What hangs where nobody looks for it is no less valid, only ugly.
+        # The judge knows no such limit. What hangs too high or too low is no less valid, only ugly.
         middle = 0.5 * (hung[0] + hung[1])
         level = height(0.0, *hung)._replace(exact=Snap(middle, middle, (hung[0] - HUNG, hung[1] + HUNG)))
         options = [[*rows, level] for rows in options]

@@ -1,8 +1,9 @@
 """A scene as a MuJoCo model: the text of an MJCF file and the meshes that it names.
 
 Floor and walls stand still; so do what hangs on walls and ceilings, what the scene calls fixed, and what is built in
-(sanitary ware and the kitchen run, which are plumbed in or screwed together). All else is a free body, however heavy: nothing that a person would call movable is welded. A body has the name of its object; its frame is
-the object's (bottom centre, front +x), so that its position and rotation are the scene's.
+(sanitary ware and the kitchen run, which are plumbed in or screwed together). All else is a free body, however heavy:
+nothing that a person would call movable is welded. A body has the name of its object; its frame is the object's
+(bottom centre, front +x), so that its position and rotation are the scene's.
 
 What lies in or on an object as part of it, as fruit in a bowl, is a free body of its own, ``<object>.<item>``, in the
 frame of the object. Doors and drawers are bodies in the object's, ``<object>.<link>``, closed at 0 and held there by

@@ -45,8 +45,8 @@ class Builder:
         self._paint(start, lid, top or material)
 
     def add(self, vertices: np.ndarray, faces: np.ndarray, material: Material) -> None:
-        """Any triangles: ``vertices`` [V, 3], ``faces`` [F, 3]."""
-        self._paint(self._join(vertices), faces, material)
+        """Any triangles: ``vertices`` [V, 3], ``faces`` [F, 3]; what is higher than ``top`` is pressed flat to it."""
+        self._paint(self._join(np.minimum(vertices, (np.inf, np.inf, self.top))), faces, material)
 
     def _join(self, vertices: np.ndarray) -> int:
         start = self._count

@@ -162,6 +162,13 @@ class Canvas:
         scaled = tuple(v * self._s for v in box)
         self._draw.rounded_rectangle(scaled, radius * self._s, fill=fill, outline=line, width=self._width(1.2))
 
+    def disc(self, at: Point, radius: float, fill: Color, line: Color | None = None) -> None:
+        """A disc; with ``line``, in a ring of that colour."""
+        for share, color in ((1.0, line), (0.84, fill)) if line is not None else ((1.0, fill),):
+            r = share * radius
+            if color is not None:
+                self.pill((at[0] - r, at[1] - r, at[0] + r, at[1] + r), r, color)
+
     # Text.
 
     def text(self, text: Text) -> None:

@@ -332,19 +332,10 @@ def box_of(label: Placed) -> tuple[float, float, float, float]:
 
 def _boxes(owners: np.ndarray) -> dict[int, tuple[int, int, int, int]]:
     """Top, bottom, left and right of the visible cells of every object."""
-    ys, xs = np.nonzero(owners > 0)
-    values = owners[ys, xs]
-    count = int(values.max()) + 1 if values.size else 1
-    low = np.full((count, 2), np.iinfo(np.int64).max)
-    high = np.full((count, 2), -1)
-    places = np.stack((ys, xs), 1)
-    np.minimum.at(low, values, places)
-    np.maximum.at(high, values, places)
-    return {
-        k: (int(low[k, 0]), int(high[k, 0]) + 1, int(low[k, 1]), int(high[k, 1]) + 1)
-        for k in range(1, count)
-        if high[k, 0] >= 0
-    }
+    from scipy.ndimage import find_objects
+
+    found = enumerate(find_objects(np.maximum(owners, 0)), 1)
+    return {k: (box[0].start, box[0].stop, box[1].start, box[1].stop) for k, box in found if box is not None}
 
 
 def _cells(pixels: float) -> int:

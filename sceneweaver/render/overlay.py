@@ -14,7 +14,7 @@ from sceneweaver.scene import Scene, SceneObject
 from sceneweaver.scene.messages import shorten
 
 from . import labels, palette
-from .canvas import Canvas, Point, Text, text_width
+from .canvas import Canvas, Text, text_width
 from .palette import Rgb
 from .plan_objects import items_of, owner_grid
 from .shapes import View, bounds_of, step_for, to_world
@@ -112,8 +112,8 @@ def _axes(canvas: Canvas, view: View, unit: float) -> None:
         )
         at = (tip[0] + dx * 10 * unit, tip[1] + dy * 10 * unit)
         canvas.text(Text((name,), at, size, color, palette.PAPER, max(1, round(2 * unit)), bold=True))
-    _disc(canvas, origin, 8 * unit, (255, 255, 255), Z_AXIS)
-    _disc(canvas, origin, 3 * unit, Z_AXIS)
+    canvas.disc(origin, 8 * unit, (255, 255, 255), Z_AXIS)
+    canvas.disc(origin, 3 * unit, Z_AXIS)
     at = (origin[0] - 14 * unit, origin[1] + 14 * unit)
     canvas.text(Text(("Z",), at, size, Z_AXIS, palette.PAPER, max(1, round(2 * unit)), bold=True))
 
@@ -173,7 +173,7 @@ def _names(
             start, end = label.leader
             canvas.line((start, end), (255, 255, 255, 180), 3.0 * unit)
             canvas.line((start, end), color, 1.3 * unit)
-            _disc(canvas, end, 2.6 * unit, color)
+            canvas.disc(end, 2.6 * unit, color)
         halo = max(2, round(2.6 * unit))
         canvas.text(Text(label.lines, label.at, label.size, color, (255, 255, 255), halo, label.upright))
 
@@ -196,11 +196,11 @@ def _numbers(
         at = view.point((thing.pose.position[0], thing.pose.position[1]))
         if math.dist(at, spot) > radius:
             canvas.line((at, (float(spot[0]), float(spot[1]))), (*palette.INK, 170), 1.1 * unit)
-            _disc(canvas, at, 2.0 * unit, color_of(thing.category))
+            canvas.disc(at, 2.0 * unit, color_of(thing.category))
     size = max(7, round(1.22 * radius))
     for number, (spot, thing) in enumerate(zip(discs, small, strict=True), start=1):
         at = (float(spot[0]), float(spot[1]))
-        _disc(canvas, at, radius, color_of(thing.category), (255, 255, 255))
+        canvas.disc(at, radius, color_of(thing.category), (255, 255, 255))
         canvas.text(Text((str(number),), at, size, (255, 255, 255)))
 
 
@@ -249,13 +249,3 @@ def _key(
             canvas.text(Text((str(number),), (x + 1.6 * size, y), size, color, anchor="r", bold=True))
             canvas.text(Text((text,), (x + 2.1 * size, y), size, palette.INK, anchor="l"))
         x += width
-
-
-def _disc(canvas: Canvas, at: Point, radius: float, fill: Rgb, line: Rgb | None = None) -> None:
-    box = (at[0] - radius, at[1] - radius, at[0] + radius, at[1] + radius)
-    if line is not None:
-        canvas.pill(box, radius, line)
-        inner = radius * 0.84
-        box = (at[0] - inner, at[1] - inner, at[0] + inner, at[1] + inner)
-        radius = inner
-    canvas.pill(box, radius, fill)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sceneweaver.geometry.prisms import prism_mesh
+from sceneweaver.assets.placed import parts_mesh, plain_material
 from sceneweaver.geometry.rotations import matrix
 from sceneweaver.geometry.shell import wall_pieces
 from sceneweaver.scene import Door, Room, Scene, SceneObject
@@ -116,11 +116,8 @@ _EMPTY = (np.empty((0, 3)), np.empty((0, 3), dtype=np.int32))
 
 
 def _object_mesh(thing: SceneObject) -> tuple[np.ndarray, np.ndarray]:
-    pieces = [prism_mesh(part.polygon, part.z) for part in thing.solids]
-    starts = np.cumsum([0, *(len(vertices) for vertices, _ in pieces)])
-    vertices = np.concatenate([vertices for vertices, _ in pieces])
-    faces = np.concatenate([own + start for (_, own), start in zip(pieces, starts, strict=False)])
-    return vertices @ matrix(thing.pose.quaternion).T + np.asarray(thing.pose.position), faces
+    mesh = parts_mesh(thing.solids, plain_material(thing))
+    return mesh.vertices @ matrix(thing.pose.quaternion).T + np.asarray(thing.pose.position), mesh.faces
 
 
 def _shell(room: Room, cut: Collection[int], ceiling: bool) -> list[tuple[tuple[np.ndarray, np.ndarray], int]]:

@@ -34,8 +34,7 @@ def draw_title(width: int, unit: float, title: str, facts: str, prompt: str, bad
         right, middle = width - margin, 58 * unit
         box = (right - wide, middle - 20 * unit, right, middle + 20 * unit)
         canvas.pill(box, 20 * unit, palette.mixed(palette.PAPER, color, 0.1), (*color, 120))
-        dot = (right - wide + 20 * unit, middle, 5 * unit)
-        canvas.pill((dot[0] - dot[2], dot[1] - dot[2], dot[0] + dot[2], dot[1] + dot[2]), dot[2], color)
+        canvas.disc((right - wide + 20 * unit, middle), 5 * unit, color)
         canvas.text(Text((badge.text,), (right - wide + 32 * unit, middle), size, color, anchor="l"))
         room -= wide + 20 * unit
     size = max(9, round(34 * unit))
@@ -130,8 +129,7 @@ def draw_footer(
         y += row
     y += 0.2 * row if alarms else 0.0
     for alarm in alarms:
-        r = 4 * unit
-        canvas.pill((margin, y - r, margin + 2 * r, y + r), r, palette.ALARM)
+        canvas.disc((margin + 4 * unit, y), 4 * unit, palette.ALARM)
         text = shortened(alarm, size, width - 2 * margin - 20 * unit)
         canvas.text(Text((text,), (margin + 18 * unit, y), size, palette.ALARM, anchor="l"))
         y += row

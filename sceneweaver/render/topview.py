@@ -231,10 +231,9 @@ def _draw_labels(
     for label in result.placed:
         if label.leader is not None:
             start, end = label.leader
-            r = 2.6 * unit
             canvas.line((start, end), (*palette.FLOOR, 150), 3.0 * unit)
             canvas.line((start, end), palette.INK, 1.2 * unit)
-            canvas.pill((end[0] - r, end[1] - r, end[0] + r, end[1] + r), r, palette.INK)
+            canvas.disc(end, 2.6 * unit, palette.INK)
     for label in result.placed:
         item = by_id[label.key]
         color = palette.INK if label.beside else palette.ink_on(item.ground)

@@ -192,6 +192,8 @@ def _row(rule: str, data: dict[str, Any]) -> Row:
     found["rooms"], found["objects"] = _rooms(data), tuple(data.get("objects", ()))
     for key in data.keys() - {*plain, "rooms", "objects"}:
         value = data[key]
+        if isinstance(value, bool):
+            raise ValueError(f"a row of {rule}: {key}: a bare on, off, yes or no is a truth value of YAML, so quote it")
         if key == "allowed":
             found[key] = tuple(None if v is None else Expression(v) for v in value)
         elif isinstance(value, dict):

@@ -1,4 +1,4 @@
-"""The relation catalogue: what each relation type means, as data (``relations.json``) that kernels and judge both read.
+"""The relation catalogue: what each relation type means, as data (``rules/relations.yaml``) that engine and judge read.
 
 Lengths are metres, angles degrees, overlaps shares of the narrower face. Faces are named in an object's own frame:
 front is +x, back -x, left +y, right -y.
@@ -6,13 +6,13 @@ front is +x, back -x, left +y, right -y.
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Literal, Protocol
+
+from sceneweaver.rules.relation import Way, load, own_side, ways_of
 
 from .errors import InputError
 from .messages import FieldError, clean, show, suggest
@@ -42,12 +42,17 @@ Side = Literal["front", "back", "left", "right"]
 Gap = tuple[float, float]
 
 
-def sides_named(word: str, size: Sequence[float]) -> tuple[str, ...]:
-    """The sides of a box of some size (depth, width, ...) that a word names: a side, ``ends`` for the two short ones,
-    ``any``."""
+def sides_named(word: str, size: Sequence[float], frame: str = "own") -> tuple[str, ...]:
+    """The sides of a box of some size (depth, width, ...), in its own frame, that a word names in a frame.
+
+    Args:
+        word: a side, ``ends`` for the two short ones, ``any``.
+        size: of the box [m].
+        frame: ``own``, or ``viewer`` where left and right are those of who looks at its front.
+    """
     if word == "ends":
         return ("left", "right") if size[1] >= size[0] else ("front", "back")
-    return SIDES if word == "any" else (word,)
+    return SIDES if word == "any" else (own_side(word, frame),)
 
 
 class HasParams(Protocol):
@@ -147,6 +152,8 @@ class RelationSpec:
         constants: numbers of the type's definition that nothing overrides.
         ties_zones: subject and target are exempt from each other's hard zones.
         roles: what relations of the type are for, see `ROLES`.
+        ways: the rows that make it hold; none of a registered type, which brings functions of its own.
+        frame: whose sides are meant: ``own``, or ``frame`` where the param of that name says it; None: no side matters.
         snap: the exact values of quantities: ``degrees`` off, ``gap``, ``lateral`` (the two middles, along the
             target's face), ``backs`` (the two back faces, along the front).
     """
@@ -164,6 +171,8 @@ class RelationSpec:
     ties_zones: bool = False
     roles: frozenset[str] = frozenset(("placing",))
     snap: Mapping[str, Exact] = field(default_factory=lambda: MappingProxyType({}))
+    ways: tuple[Way, ...] = ()
+    frame: str | None = None
 
     @property
     def target_kind(self) -> str:
@@ -198,6 +207,20 @@ class RelationSpec:
         if name in ("degrees", "gap", "overlap"):
             return getattr(self, name)
         raise InputError(f'{self.type}: no number "{clean(name)}"{suggest(name, [*self.params, *self.constants])}')
+
+    def scope(self, relation: HasParams, depth: float) -> dict[str, Any]:
+        """The names of its rows' expressions that a relation fixes: params, constants and numbers of the type.
+
+        Args:
+            relation: a relation of the type.
+            depth: the subject's depth [m], which a "tucked" gap refers to.
+        """
+        found: dict[str, Any] = {"degrees": self.degrees, "overlap": self.overlap, **self.constants}
+        found.update({name: param.default for name, param in self.params.items()})
+        found.update(relation.params)
+        if self.gap is not None:
+            found["gap"] = self.gap_range(relation, depth)
+        return {"frame": self.frame, **found}
 
     def gap_range(self, relation: HasParams | Mapping[str, Any] | None, depth: float) -> Gap:
         """The gap [m] as numbers; ``depth`` is the subject's depth (``size[0]``), which "tucked" refers to.
@@ -238,27 +261,29 @@ def _pair(value: Any) -> Any:
     return (float(value[0]), float(value[1])) if isinstance(value, list) else value
 
 
-def _spec(entry: Mapping[str, Any]) -> RelationSpec:
-    gap = _pair(entry["gap"])
+def _spec(name: str, entry: Mapping[str, Any]) -> RelationSpec:
+    gap = _pair(entry.get("gap"))
     params: dict[str, ParamSpec] = {}
-    for name, p in entry["params"].items():  # a param without a default of its own overrides the field of its name
-        default = _pair(p["default"]) if "default" in p else {**entry, "gap": gap}[name]
+    for key, p in entry.get("params", {}).items():  # a param without a default overrides the field of its name
+        default = _pair(p["default"]) if "default" in p else {**entry, "gap": gap}[key]
         words = {"choices": tuple(p["choices"])} if "choices" in p else {}
-        params[name] = ParamSpec(**{"name": name, **p, **words, "default": default})
+        params[key] = ParamSpec(**{"name": key, **p, **words, "default": default})
     return RelationSpec(
-        type=entry["type"],
+        type=name,
         description=entry["description"],
         target=entry["target"],
-        subject_sides=tuple(entry["subject_sides"]),
-        target_sides=tuple(entry["target_sides"]),
-        degrees=entry["degrees"],
+        subject_sides=tuple(entry.get("subject_sides", ())),
+        target_sides=tuple(entry.get("target_sides", ())),
+        degrees=entry.get("degrees"),
         gap=gap,
-        overlap=entry["overlap"],
+        overlap=entry.get("overlap"),
         params=MappingProxyType(params),
-        constants=MappingProxyType(dict(entry["constants"])),
-        ties_zones=entry["ties_zones"],
-        roles=frozenset(entry["roles"]),
-        snap=MappingProxyType({name: _exact(e) for name, e in entry.get("snap", {}).items()}),
+        constants=MappingProxyType(entry.get("constants", {})),
+        ties_zones=entry.get("ties_zones", False),
+        roles=frozenset(entry.get("roles", ())),
+        snap=MappingProxyType({key: _exact(e) for key, e in entry.get("snap", {}).items()}),
+        ways=ways_of(name, entry["ways"], entry.get("frame")),
+        frame=entry.get("frame"),
     )
 
 
@@ -267,12 +292,9 @@ def _exact(entry: Mapping[str, Any]) -> Exact:
     return Exact("middle" if value == "middle" else float(value), _pair(entry["within"]), entry.get("alike"))
 
 
-def _load() -> dict[str, RelationSpec]:
-    data = json.loads(Path(__file__).with_name("relations.json").read_text("utf-8"))
-    return {entry["type"]: _spec(entry) for entry in data["relations"]}
-
-
-_specs: dict[str, RelationSpec] = _load()
+_specs: dict[str, RelationSpec] = {
+    name: _spec(name, entry) for name, entry in load("relations.yaml")["relations"].items()
+}
 
 
 class Catalogue(Mapping[str, RelationSpec]):

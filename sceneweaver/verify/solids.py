@@ -78,6 +78,11 @@ class Body:
         return sum(abs(signed_area(p.polygon)) * (p.z[1] - p.z[0]) for p in self.item.solids)
 
     @property
+    def bottom(self) -> float:
+        """Height of the bottom [m]: the origin's, or that of the lowest vertex of a tilted body."""
+        return self.z[0] if self.tilted else self.position[2]
+
+    @property
     def centre(self) -> Point:
         """The object's origin in the plane [m]."""
         return self.position[0], self.position[1]

@@ -17,9 +17,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from sceneweaver.geometry.prisms import prism_vertices
-from sceneweaver.scene import Surface
-from sceneweaver.verify.contacts import wall_contacts
-from sceneweaver.verify.measure import Measurement, at_most, judge, length
+from sceneweaver.scene import Relation, Surface
+from sceneweaver.verify.case import Case
+from sceneweaver.verify.measure import Measurement, at_most, length
+from sceneweaver.verify.measures import judge_ways
 from sceneweaver.verify.solids import DEPTH, Body, Placed
 
 LEVEL = 2e-3
@@ -78,11 +79,6 @@ class Rest(NamedTuple):
         return " and ".join(said)
 
 
-def bottom(body: Body) -> float:
-    """Height of the bottom [m]: the origin's, or that of the lowest vertex of a tilted body."""
-    return body.z[0] if body.tilted else body.position[2]
-
-
 def rest(placed: Placed, body: Body, supporter: Body, surface: Surface) -> Rest:
     """Measure how ``body`` rests on ``surface`` of ``supporter``."""
     import shapely
@@ -121,7 +117,7 @@ def find(placed: Placed) -> list[Unsupported]:
 def _mounting(placed: Placed, body: Body) -> Unsupported | None:
     mount = body.item.mount
     if mount == "floor":
-        z = bottom(body)
+        z = body.bottom
         if abs(z) > LEVEL:
             verb = "floats" if z > 0 else "sinks"
             return Unsupported(
@@ -134,7 +130,7 @@ def _mounting(placed: Placed, body: Body) -> Unsupported | None:
             worst = _height("height below the ceiling", gap)
             return Unsupported(body.index, f"hangs {length(gap)} {where} the ceiling", worst)
     elif mount == "wall":
-        hung = judge(wall_contacts(placed.walls, body, ("back",)), "the room has no wall")
+        hung = judge_ways(Case.of(placed, Relation(type="against_wall", subject=body.id)))
         if not hung.holds:
             return Unsupported(body.index, f"does not hang on a wall: {hung.text}", hung.worst)
     elif body.item.support is None:

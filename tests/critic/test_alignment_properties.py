@@ -14,10 +14,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sceneweaver.critic.asked import measured
-from sceneweaver.critic.place_measures import CORNER
 from sceneweaver.critic.survey import Survey
 from sceneweaver.knowledge import room_types
 from sceneweaver.language import SceneGraph
+from sceneweaver.rules.stated import number
 from sceneweaver.scene import CATALOGUE, InputError, Relation, Scene
 from sceneweaver.verify.relations import judge_relation
 from tests.reports import empty_report
@@ -196,4 +196,4 @@ def test_what_the_judge_accepts_people_accept(name: str) -> None:
         if judge_relation(view.placed, relation).holds:
             held += 1
             assert status == "met", (relation, said, value)
-    assert held > 20 and set(IMPLIED) | set(IMPLIED_PLACES) <= set(CATALOGUE) and CORNER < 1.0
+    assert held > 20 and set(IMPLIED) | set(IMPLIED_PLACES) <= set(CATALOGUE) and number("corner") < 1.0

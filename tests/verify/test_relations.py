@@ -25,7 +25,7 @@ def holds(objects, rel, **room) -> bool:
 
 
 def test_every_type_has_a_judge():
-    assert set(JUDGES) == set(catalogue.BUILT_IN)
+    assert all(CATALOGUE[name].ways for name in catalogue.BUILT_IN) and not JUDGES
 
 
 @pytest.mark.parametrize("yaw", [0.0, 30.0, 205.0])

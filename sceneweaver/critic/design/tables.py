@@ -109,7 +109,7 @@ def unlaid(survey: Survey, tables: Sequence[Body]) -> list[str]:
 @measure
 def seat_height(_: Survey, seat: Body) -> float | None:
     """Height [m] that people sit at: the top of the highest wide part that is low enough; None without such a part."""
-    d, w, _ = seat.size
+    d, w, _h = seat.size
     tops = []
     for part in seat.item.solids:
         xs, ys = [p[0] for p in part.polygon], [p[1] for p in part.polygon]

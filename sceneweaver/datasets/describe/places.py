@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from sceneweaver.verify.contacts import turn
+from sceneweaver.verify.measures import turn
 from sceneweaver.verify.solids import Body
 
 from .asker import Asker, Question, rounded

@@ -20,7 +20,6 @@ NAME = re.compile(rb"assets/[0-9a-f]{2}/[0-9a-f]{%d}\.[a-z0-9]{1,8}" % DIGITS)
 """How files name those of the store."""
 
 
-
 class AssetStore:
     """Files in ``assets/<two digits>/<hash>.<suffix>`` below the root of a data set; many processes may write.
 

@@ -99,7 +99,7 @@ def dataset_library(variants: int) -> Library:
 
 def _is_fitted(category: str, wish: Wish) -> bool:
     in_a_row = wish.suite is not None and not has_role(category, "suite_match")
-    return wish.beyond or in_a_row or has_role(category, "window_wide")
+    return wish.beyond or in_a_row or has_role(category, "window_cover")
 
 
 def _shows_style(category: str, wish: Wish) -> bool:

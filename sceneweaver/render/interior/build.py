@@ -13,10 +13,10 @@ from sceneweaver.scene import Scene
 
 from ..blocks import Builder, Finishes
 from ..camera import Camera
+from ..openings import add_door, add_window, is_in_doorway
 from ..shell import add_wall, add_wall_finish, floor_mesh
 from ..words import is_one_of
 from .fittings import add_fittings, plan_fittings
-from .openings import REACH, add_door, add_window, is_in_doorway
 from .outside import outside_mesh
 from .trim import add_ceiling, add_coving, add_skirting
 
@@ -61,13 +61,13 @@ def build_interior(scene: Scene, look: Finishes, cameras: Sequence[Camera] = ())
     add_coving(builder, room, look, scene.objects)
     take("coving", "coving", builder)
     builder = Builder()
-    add_skirting(builder, room, look, REACH)
+    add_skirting(builder, room, look)
     take("skirting", "skirting", builder)
     panelled = not is_one_of(room.type, "plain doors")
     for door in room.doors:
         wall, builder = room.walls[door.wall], Builder()
         is_open = any(is_in_doorway(wall, door, np.asarray(camera.eye)) for camera in cameras)
-        add_door(builder, wall, door, look, panelled, is_open)
+        add_door(builder, wall, door, look, panelled, None if is_open else 0.0)
         take(door.id, "door", builder)
     for window in room.windows:
         builder = Builder()

@@ -8,11 +8,11 @@ import numpy as np
 
 from sceneweaver.assets.body import Material
 from sceneweaver.geometry.shell import WALL_THICKNESS, outer_outline
-from sceneweaver.geometry.walls import Wall
 from sceneweaver.scene import Room, SceneObject
 
 from ..blocks import Builder, Finishes
 from ..mouldings import Plane, disc, moulding, plate
+from ..shell import bare_stretches
 from ..words import is_one_of
 
 SKIRTING = ((0.0, 0.0), (0.014, 0.0), (0.014, 0.058), (0.0115, 0.067), (0.006, 0.0735), (0.005, 0.078), (0.0, 0.078))
@@ -22,18 +22,18 @@ _COVE = 0.07
 """Height and depth [m] of coving."""
 
 
-def add_skirting(builder: Builder, room: Room, look: Finishes, reach: float) -> None:
-    """Boards along all walls but tiled ones, from door frame to door frame; ``reach`` [m] is how far these reach."""
-    for run in _runs(room, look, reach):
+def add_skirting(builder: Builder, room: Room, look: Finishes) -> None:
+    """Boards along all walls but tiled ones, from door frame to door frame."""
+    for run in _runs(room, look):
         closed = len(run) > 2 and bool(np.allclose(run[0], run[-1]))
         moulding(builder, Plane.floor(), run[:-1] if closed else run, SKIRTING, look.trim, closed)
 
 
-def _runs(room: Room, look: Finishes, reach: float) -> Iterator[np.ndarray]:
+def _runs(room: Room, look: Finishes) -> Iterator[np.ndarray]:
     """The paths [N, 2] of skirting boards around the room, counter-clockwise."""
     pieces: list[list[tuple[float, float]]] = []
     for wall in room.walls:
-        for a, b in _free(room, wall, look, reach):
+        for a, b in bare_stretches(room, wall, look, SKIRTING[-1][1]):
             ends = [wall.point(a), wall.point(b)]
             joins = a == 0.0 and pieces and np.allclose(pieces[-1][-1], ends[0])
             if joins:
@@ -44,20 +44,6 @@ def _runs(room: Room, look: Finishes, reach: float) -> Iterator[np.ndarray]:
         pieces[0] = pieces.pop()[:-1] + pieces[0]
     for piece in pieces:
         yield np.array(piece)
-
-
-def _free(room: Room, wall: Wall, look: Finishes, reach: float) -> Iterator[tuple[float, float]]:
-    """The stretches of a wall [m] that have a skirting board."""
-    tiled = look.tiled(wall.index)
-    if tiled is not None and tiled[0] < SKIRTING[-1][1]:
-        return
-    gaps = [(d.offset - reach, d.offset + d.width + reach) for d in room.doors if d.wall == wall.index]
-    gaps += [(w.offset, w.offset + w.width) for w in room.windows if w.wall == wall.index and w.sill < SKIRTING[-1][1]]
-    at = 0.0
-    for a, b in [*sorted(gaps), (wall.length, wall.length)]:
-        if a - at > 0.02:
-            yield at, a
-        at = max(at, b)
 
 
 def add_ceiling(builder: Builder, room: Room, look: Finishes) -> None:

@@ -41,6 +41,7 @@ def see_out(
     share_out[i] = free / float(rays)
 
 
+# Over 10 parameters: five of them are the arrays that it fills.
 @wp.kernel
 def light_points(
     # Problem:

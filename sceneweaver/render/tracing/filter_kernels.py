@@ -116,6 +116,7 @@ def find_guide(
     guide_out[i] = wp.vec2(level, 7.0 * error + 0.02 * level + 1.0e-4)
 
 
+# Over 10 parameters: four arrays are smoothed side by side.
 @wp.kernel
 def smooth(
     # Problem:

@@ -70,6 +70,7 @@ def pixel_width(lens: Lens, height: int):
     return wp.vec2(0.0, width)
 
 
+# Over 80 lines: one walk along a ray, whose state would have to be handed from part to part.
 @wp.func
 def what_is_seen(world: World, lights: Lights, cache: Cache, ray: Ray, width: wp.vec2):
     """Follow a ray, whose width is that of a pixel, to the surface whose light it brings."""
@@ -198,6 +199,7 @@ def all_sun(world: World, lights: Lights, p: wp.vec3, n: wp.vec3, flat: wp.vec3,
     return sun_light(world, lights, p, n, flat, e) + beam_light(world, lights, p, n, flat, wp.vec2(e[1], e[0]))
 
 
+# Over 80 lines and 10 parameters: all light of a pixel by one thread, numbers of rays in and arrays out.
 @wp.kernel
 def light_pixels(
     # Problem:

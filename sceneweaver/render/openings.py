@@ -1,16 +1,19 @@
-"""Doors and windows at eye level: lining, leaf with panels and lever; frame, sashes, board and ledge."""
+"""Doors and windows: lining, leaf with panels and lever; frame, sashes, board and ledge."""
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 import numpy as np
 
 from sceneweaver.assets.body import Material
+from sceneweaver.geometry.angles import heading
 from sceneweaver.geometry.shell import WALL_THICKNESS
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.scene import Door, Window
 
-from ..blocks import Builder, Finishes, wall_block
-from ..mouldings import Plane, disc, moulding, plate, rectangle, rod
+from .blocks import Builder, Finishes, wall_block
+from .mouldings import Plane, disc, moulding, plate, rectangle, rod
 
 REACH = 0.058
 """How far the architrave reaches beside the opening [m]."""
@@ -25,7 +28,7 @@ _LEAF = 0.04  # thickness [m]
 _STILE = 0.11  # width [m] of what is around the panels of a leaf
 
 
-def add_door(builder: Builder, wall: Wall, door: Door, look: Finishes, panelled: bool, is_open: bool) -> None:
+def add_door(builder: Builder, wall: Wall, door: Door, look: Finishes, panelled: bool, ajar: float | None) -> None:
     """A door in its opening.
 
     Args:
@@ -34,7 +37,8 @@ def add_door(builder: Builder, wall: Wall, door: Door, look: Finishes, panelled:
         door: The door.
         look: What the shell is made of.
         panelled: Whether the leaf has panels and is painted; else it is plain and of wood.
-        is_open: Whether somebody stands in it: it has no leaf, and a bit of a corridor is behind it.
+        ajar: How far a leaf that swings in stands open [rad]. None: somebody stands in the door, it has no leaf, and a
+            bit of a corridor is behind it.
     """
     start, end, top = door.offset, door.offset + door.width, door.height
     for s in ((start, start + _LINING), (end - _LINING, end)):
@@ -45,17 +49,19 @@ def add_door(builder: Builder, wall: Wall, door: Door, look: Finishes, panelled:
     for plane in (inside, outside):
         moulding(builder, plane, path, _ARCHITRAVE, look.trim)
     builder.prism(wall_block(wall, (start, end), (0.0, WALL_THICKNESS)), (-0.002, 0.005), look.leaf)
-    if is_open:
+    if ajar is None:
         _corridor(builder, wall, door, look)
         return
     far = {"out": WALL_THICKNESS - 0.006, "slide": 0.5 * (WALL_THICKNESS + _LEAF)}.get(door.swing, _LEAF + 0.006)
     span = (start + _LINING + 0.003, end - _LINING - 0.003)
+    at_end = door.swing == "in-right"  # left and right are those of somebody who comes in
+    edge, way = (span[0], 1.0) if at_end else (span[1], -1.0)
+    if ajar and door.swing.startswith("in"):
+        wall = _turned(wall, span[1] if at_end else span[0], -ajar if at_end else ajar)
     faces = (Plane.on_wall(wall, far - _LEAF), Plane.on_wall(wall, far))
     front = Plane(faces[0].origin, faces[0].u, faces[0].v, -faces[0].w)
     leaf = look.trim if panelled else look.leaf
     builder.prism(wall_block(wall, span, (far - _LEAF, far)), (0.008, top - _LINING - 0.003), leaf)
-    at_end = door.swing == "in-right"  # left and right are those of somebody who comes in
-    edge, way = (span[0], 1.0) if at_end else (span[1], -1.0)
     for plane in (front, faces[1]):
         if panelled:
             _panels(builder, plane, span, top - _LINING, leaf)
@@ -67,6 +73,15 @@ def add_door(builder: Builder, wall: Wall, door: Door, look: Finishes, panelled:
         hung = span[1] if at_end else span[0]
         for z in (0.22, 0.5 * top, top - 0.25):
             rod(builder, front, ((hung, z - 0.045, 0.006), (hung, z + 0.045, 0.006)), 0.007, look.metal)
+
+
+def _turned(wall: Wall, hinge: float, angle: float) -> Wall:
+    """The wall turned counter-clockwise about a point of it, as a leaf that hangs there is."""
+    along = heading(wall.yaw + angle)
+    x, y = wall.point(hinge)
+    start = (x - along[0] * hinge, y - along[1] * hinge)
+    end = (start[0] + along[0] * wall.length, start[1] + along[1] * wall.length)
+    return replace(wall, start=start, end=end, along=along, inward=(-along[1], along[0]))
 
 
 def _panels(builder: Builder, plane: Plane, span: tuple[float, float], top: float, material: Material) -> None:
@@ -130,8 +145,8 @@ _BOARD = (
 """Profile of a window board (above the sill, into the room) [m]."""
 
 
-def add_window(builder: Builder, wall: Wall, window: Window, look: Finishes) -> None:
-    """A window in its opening, with clear panes: what is outside is seen."""
+def add_window(builder: Builder, wall: Wall, window: Window, look: Finishes, bright: bool = False) -> None:
+    """A window in its opening, with clear panes: what is outside is seen, or ``bright`` daylight."""
     start, end = window.offset, window.offset + window.width
     low, high = window.sill, window.sill + window.height
     plane = Plane.on_wall(wall)
@@ -158,6 +173,8 @@ def add_window(builder: Builder, wall: Wall, window: Window, look: Finishes) -> 
         moulding(builder, plane, ends, _BOARD, look.trim)
     ledge = wall_block(wall, (start, end), (0.085, WALL_THICKNESS + 0.04))
     builder.prism(ledge, (low - 0.012, low + 0.002), look.metal)
+    if bright:
+        builder.prism(wall_block(wall, (start, end), (0.095, 0.097)), (low, high), look.daylight)
 
 
 def _handle_height(low: float, high: float) -> float:
