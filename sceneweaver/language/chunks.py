@@ -26,47 +26,27 @@ Kind = Literal[
 ]
 
 QUALITIES = (
-    "color",
-    "material",
-    "finish",
-    "styles",
-    "scale",
-    "shape",
-    "moods",
-    "dim",
-    "density",
-    "room_scale",
+    *("color", "material", "finish", "styles", "scale", "shape", "moods", "dim", "density", "room_scale"),
     "adjective",
 )
+"""Kinds of words that say what a thing is like."""
+
 OPEN = (
     *QUALITIES,
-    "noun",
-    "room",
-    "group",
-    "abstract",
-    "parts",
-    "region",
-    "containers",
-    "collective",
-    "whom",
-    "people_words",
+    *("noun", "room", "group", "abstract", "parts", "region", "containers", "collective", "whom", "people_words"),
     "place",
 )
+"""Kinds of words that a noun phrase is made of."""
+
 CLOSED = (
-    "break",
-    "preposition",
-    "and",
-    "with",
-    "while",
-    "neg",
-    "pron",
-    "det",
-    "place_adverb",
-    "mutual",
-    "each",
-    "both",
-    "partial",
-    "rest",
+    *("break", "preposition", "and", "with", "while", "neg", "pron", "det", "place_adverb", "mutual", "each", "both"),
+    *("partial", "rest"),
+)
+"""Kinds of words that end a noun phrase, or begin the next."""
+
+_HEADS = (
+    *("noun", "room", "group", "place", "region", "parts", "abstract", "people_words", "whom", "collective"),
+    "containers",
 )
 
 
@@ -119,19 +99,7 @@ class Chunk:
 
 def nominal(token: Token) -> bool:
     """Whether a token can be the head of a noun phrase."""
-    if token.has(
-        "noun",
-        "room",
-        "group",
-        "place",
-        "region",
-        "parts",
-        "abstract",
-        "people_words",
-        "whom",
-        "collective",
-        "containers",
-    ):
+    if token.has(*_HEADS):
         return True
     if set(token.kinds) == {"verb"} and token.kinds["verb"].form == "base":  # "the stand"
         return True

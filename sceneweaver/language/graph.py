@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from sceneweaver.assets.taxonomy import category_named, narrower
 
 from .meaning import unsaid
 from .model import Attribute, Entity, Exclusion, SceneGraph, StatedRelation, Unread
 from .mutual import pairs, split_mutual
-from .parsed import Mention, Parsed, Said
+from .parsed import Left, Mention, Parsed, Said
 from .source import Source
-from .vocabulary import mounts, words
+from .vocabulary import words
 
 MOST = 400
 """Most things of a request that are taken seriously, of one kind and together."""
@@ -73,16 +75,9 @@ def _without_contradictions(parsed: Parsed) -> list[Mention]:
     kept: list[Mention] = []
     for mention in parsed.mentions:
         other = first.setdefault(mention.category, mention)
-        if (
-            other is not mention
-            and id(mention) not in related
-            and id(other) not in related
-            and other.count
-            and mention.count
-        ):
-            plain = (other.color, other.material, other.scale) == (mention.color, mention.material, mention.scale)
-            if other.count != mention.count and plain and other.noun.rstrip("s") == mention.noun.rstrip("s"):
-                parsed.note(f"{other.noun}: {other.count[0]} and {mention.count[0]} were asked for; both are made")
+        apart = other is not mention and id(mention) not in related and id(other) not in related
+        if apart and other.count and mention.count and other.count != mention.count and _alike(other, mention):
+            parsed.note(f"{other.noun}: {other.count[0]} and {mention.count[0]} were asked for; both are made")
         if mention.category in excluded:
             parsed.note(f"{mention.noun} is both wanted and not wanted; it was left out")
         elif mention.count == (0, 0):
@@ -92,10 +87,14 @@ def _without_contradictions(parsed: Parsed) -> list[Mention]:
     return kept
 
 
+def _alike(one: Mention, other: Mention) -> bool:
+    """Whether two mentions are described in the same words, so that they may be one thing said twice."""
+    looks = [(m.color, m.material, m.scale, m.noun.rstrip("s")) for m in (one, other)]
+    return looks[0] == looks[1]
+
+
 def _first(mentions: list[Mention], parsed: Parsed) -> list[Mention]:
     """What comes first in a request, as long as that is `MOST` things; the rest counts as not understood."""
-    from .parsed import Left
-
     total, kept = 0, []
     for mention in mentions:
         total += min(mention.count[1], MOST) if mention.count else 1
@@ -136,17 +135,14 @@ def _shared_support(parsed: Parsed) -> None:
         if isinstance(said.targets[0], str) and said.targets[0] != "each other"
         for m in said.subjects
     }
-
-    def small(mention: Mention) -> bool:
-        return "surface" in mounts(mention.category) and id(mention) not in carried and id(mention) not in placed
-
-    for _ in range(2):
-        for said in [s for s in parsed.said if s.type in _SIDES and isinstance(s.targets[0], Mention)]:
+    for _ in range(2):  # a book beside a mug beside a lamp on the desk
+        for said in [s for s in parsed.said if s.type in _SIDES]:
             target = said.targets[0]
-            assert isinstance(target, Mention)
+            if not isinstance(target, Mention):
+                continue
             for one, two in [(s, target) for s in said.subjects] + [(target, s) for s in said.subjects]:
-                carrier = carried.get(id(two))
-                if carrier is not None and carrier is not one and small(one) and small_enough(two):
+                carrier, open_ = carried.get(id(two)), id(one) not in carried and id(one) not in placed
+                if carrier is not None and carrier is not one and open_ and one.is_small and two.is_small:
                     carried[id(one)] = carrier
                     parsed.said.append(Said("on", [one], (carrier,), said.words, implied=True, span=said.span))
 
@@ -154,24 +150,17 @@ def _shared_support(parsed: Parsed) -> None:
 def _by_attribute(parsed: Parsed, mentions: list[Mention]) -> None:
     """ "Wall-mounted", "bedside" and the like say where something is, too."""
     rules = words("nouns")["said_of_place"]
-    beds = [m for m in mentions if m.category.endswith("bed") and m.noun != "flower bed"]
+    beds: list[Mention | str] = [m for m in mentions if m.category.endswith("bed") and m.noun != "flower bed"]
     related = {id(m) for s in parsed.said for m in s.subjects if not s.implied}
     for mention in mentions:
-        said = [(a.words, a.value) if a.kind != "part" else (a.words,) for a in mention.attributes]
-        spoken = [word for words_of_one in said for word in words_of_one] + [
-            word for word in rules if f"{mention.noun} ".startswith(f"{word} ")
-        ]
-        for phrase in dict.fromkeys(spoken):
-            kind, target = rules.get(phrase, (None, None))
-            there: Mention | str | None = beds[0] if target == "bed" and beds else None if target == "bed" else target
-            if (
-                kind is None
-                or there is None
-                or there is mention
-                or (target in ("bed", "corner") and id(mention) in related)
-            ):
+        spoken = [word for a in mention.attributes for word in (a.words, *([a.value] if a.kind != "part" else []))]
+        spoken += [word for word in rules if f"{mention.noun} ".startswith(f"{word} ")]
+        for phrase in dict.fromkeys(word for word in spoken if word in rules):
+            kind, place = rules[phrase]
+            there = next(iter(beds), None) if place == "bed" else place
+            if there is None or there is mention or (place in ("bed", "corner") and id(mention) in related):
                 continue
-            kind = "flanking" if target == "bed" and mention.count == (2, 2) else kind
+            kind = "flanking" if place == "bed" and mention.count == (2, 2) else kind
             parsed.said.append(Said(kind, [mention], (there,), phrase, implied=True, span=mention.span))
 
 
@@ -181,11 +170,6 @@ def _pairs_of_flanks(parsed: Parsed) -> None:
         for mention in said.subjects if said.type == "flanking" and len(said.subjects) == 1 else ():
             if mention.count is None or mention.count[0] == 2 < mention.count[1]:
                 mention.count = (2, 2)
-
-
-def small_enough(mention: Mention) -> bool:
-    """Whether something stands on other things rather than on the floor."""
-    return "surface" in mounts(mention.category)
 
 
 def _entity(mention: Mention, notes: list[str]) -> Entity:
@@ -251,21 +235,12 @@ def _relations(said: Said, ids: dict[int, str], notes: list[str]) -> list[Stated
 
 def _once(relations: list[StatedRelation]) -> list[StatedRelation]:
     """Each relation once; "a bed with nightstands" says no more where a word says how they stand to the bed."""
-    seen, kept = set(), []
-    plain = {(r.subject, r.targets) for r in relations if not r.implied}
-    placed = {r.subject for r in relations if not r.implied}
-    carried = {r.subject for r in relations if not r.implied and r.type in ("on", "inside")}
+    kept: dict[tuple[Any, ...], StatedRelation] = {}
+    stated = [r for r in relations if not r.implied]
+    plain, placed = {(r.subject, r.targets) for r in stated}, {r.subject for r in stated}
+    carried = {r.subject for r in stated if r.type in ("on", "inside")}
     for r in relations:
-        if r.implied and (r.subject, r.targets) in plain:
-            continue
-        if (
-            r.implied
-            and " with " in r.words
-            and (r.subject in carried or (r.subject in placed and r.type in ("near", "above")))
-        ):
-            continue
-        key = (r.type, r.subject, r.targets, r.side)
-        if key not in seen:
-            seen.add(key)
-            kept.append(r)
-    return kept
+        placed_anyway = r.subject in carried or (r.subject in placed and r.type in ("near", "above"))
+        if not (r.implied and ((r.subject, r.targets) in plain or (" with " in r.words and placed_anyway))):
+            kept.setdefault((r.type, r.subject, r.targets, r.side), r)
+    return list(kept.values())

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from .parsed import Mention
 from .state import State
-from .vocabulary import Place, family, mounts
+from .vocabulary import Place
 
 _TIES = ("next_to", "near", "facing", "at", "in_front_of", "behind", "on", "inside", "around", "flanking")
 """Relations to what a thing belongs to."""
@@ -15,7 +15,7 @@ SIDED = ("left_of", "right_of", "in_front_of", "behind")
 
 def _flat(thing: Mention) -> bool:
     """Whether things stand on it that stand on the floor."""
-    return "rug" in thing.category or thing.category.endswith("mat")
+    return thing.is_rug or thing.category.endswith("mat")
 
 
 def beside_those(state: State, subjects: list[Mention]) -> list[Mention]:
@@ -26,21 +26,19 @@ def beside_those(state: State, subjects: list[Mention]) -> list[Mention]:
     pair = [*last.subjects, *(t for t in last.targets if isinstance(t, Mention))]
     if not all(any(s is m for m in pair) for s in subjects):
         return []
-    return [m for m in pair if not any(m is s for s in subjects) and mounts(m.category)[0] == "floor"]
+    return [m for m in pair if not any(m is s for s in subjects) and m.mount == "floor"]
 
 
 def _apart(state: State, found: list[Mention], subjects: list[Mention]) -> bool:
     """Whether things on the floor would be beside what hangs from the ceiling or on a wall."""
-    return all(mounts(s.category)[0] == "floor" for s in subjects) and all(
-        mounts(m.category)[0] in ("ceiling", "wall", "surface") and "rug" not in m.category for m in found
+    return all(s.mount == "floor" for s in subjects) and all(
+        m.mount in ("ceiling", "wall", "surface") and not m.is_rug for m in found
     )
 
 
 def main_things(state: State, without: list[Mention]) -> list[Mention]:
     """The first thing on the floor that the request names: what "across the room" is across from."""
-    found = [
-        m for m in state.out.mentions[:12] if mounts(m.category)[0] == "floor" and not any(m is w for w in without)
-    ]
+    found = [m for m in state.out.mentions[:12] if m.mount == "floor" and not any(m is w for w in without)]
     return found[:1] or nearest(state, without)
 
 
@@ -51,7 +49,7 @@ def carrier_root(state: State, thing: Mention) -> Mention:
         carried = (
             said.type in ("on", "inside") and isinstance(target, Mention) and any(s is thing for s in said.subjects)
         )
-        beside = said.type in ("next_to", "below", "near") and (_flat(thing) or mounts(thing.category)[0] == "surface")
+        beside = said.type in ("next_to", "below", "near") and (_flat(thing) or thing.mount == "surface")
         if (
             isinstance(target, Mention)
             and target is not thing
@@ -63,15 +61,13 @@ def carrier_root(state: State, thing: Mention) -> Mention:
 
 def anchor(state: State, thing: Mention, kind: str, subjects: list[Mention]) -> Mention:
     """What something belongs to: nearby a chair that faces a desk is nearby the desk."""
-    if kind in ("left_of", "right_of") and not (
-        family(thing.category) == "seat" and "floor" in mounts(subjects[0].category)[:1]
-    ):
+    if kind in ("left_of", "right_of") and not (thing.family == "seat" and "floor" in (subjects[0].mount,)):
         return thing
     for said in reversed(state.out.said):
         target = said.targets[0]
         if not isinstance(target, Mention) or said.type not in _TIES or any(target is s for s in subjects):
             continue
-        stands = mounts(target.category)[0] == "floor" and "rug" not in target.category
+        stands = target.mount == "floor" and not target.is_rug
         if stands and any(s is thing for s in said.subjects):
             return target
     return thing
@@ -107,7 +103,7 @@ def nearest(state: State, without: list[Mention], apart: bool = False) -> list[M
 def chained(state: State, near: list[Mention], subjects: list[Mention]) -> list[Mention]:
     """Whose "its" is in a list: "a laptop at its center, a lamp to its left and a clock to its right" are about the
     laptop."""
-    if not near or not all(mounts(s.category)[0] == "surface" for s in subjects):
+    if not near or not all(s.mount == "surface" for s in subjects):
         return near
     for said in reversed(state.out.said[-4:]):
         target = said.targets[0]
@@ -128,7 +124,7 @@ def meant_of_list(state: State, place: Place, listed: list[Mention]) -> list[Men
     if kind in ("on", "inside"):
         small: list[Mention] = []
         for mention in reversed(listed):
-            if "surface" not in mounts(mention.category) or mention.implied:
+            if not mention.is_small or mention.implied:
                 break
             small.insert(0, mention)
         related = {id(m) for s in state.out.said for m in s.subjects}
@@ -137,11 +133,11 @@ def meant_of_list(state: State, place: Place, listed: list[Mention]) -> list[Men
     if kind in ("flanking", "along", "around") and len(listed) == 2:
         return listed
     related = {id(m) for s in state.out.said for m in s.subjects}
-    pair = all(mounts(m.category)[0] == "surface" for m in listed[-2:])
+    pair = all(m.mount == "surface" for m in listed[-2:])
     if kind in SIDED and len(listed) > 1 and pair and not any(id(m) in related for m in listed[-2:]):
         return listed[-2:]  # "a keyboard and a mouse in front"
     if len(listed) == 2 and id(listed[0]) not in related:
-        groups = {family(m.category) for m in listed}
+        groups = {m.family for m in listed}
         if groups in ({"seat", "table"}, {"seat"}):
             return listed  # "two armchairs and a side table by the window"
     return listed[-1:]

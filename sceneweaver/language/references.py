@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from sceneweaver.assets.taxonomy import category_named
 
 from .chunks import NounPhrase
 from .parsed import Mention, Parsed
+from .parsed import without as apart
 from .things import match_of, name_of, singular
-from .vocabulary import family, words
+from .vocabulary import words
 
 _REACH = 60
 """Mentions that are looked through for what a word refers to."""
@@ -20,7 +23,6 @@ class References:
         self.parsed = parsed
         self.topics: list[list[Mention]] = []  # what the sentences were about, the last one last
         self.rest: Mention | None = None  # what "the other" is
-        self.parted: Mention | None = None  # what "one" is
 
     def _recent(self) -> list[Mention]:
         return self.parsed.mentions[: -_REACH - 1 : -1]
@@ -32,52 +34,35 @@ class References:
         if phrase.determiner == "another":
             kin = [m for m in self._recent() if m.many and singular(m.noun).endswith(singular(phrase.text))]
             return kin[0] if kin and target else None
-        noun, qualities = (
-            name_of(phrase),
-            {t.text for t in phrase.qualities if t.has("color", "material", "scale", "shape", "styles")},
-        )
+        noun = name_of(phrase)
+        qualities = {t.text for t in phrase.qualities if t.has("color", "material", "scale", "shape", "styles")}
         category = match_of(noun).category
-
-        def same(m: Mention) -> bool:
-            described = _described(m)
-            fits = (
-                not qualities or qualities <= described or (phrase.definite and not described & _opposed(qualities, m))
-            )
-            if not phrase.definite and qualities and not qualities <= described:
-                return False
-            counted = (
-                phrase.count is None or m.count is None or phrase.count == m.count or phrase.count[1] <= m.count[1]
-            )
-            return fits and counted and not any(m is w for w in without)
-
-        fitting = [m for m in self._recent() if same(m)]
+        fitting = [m for m in apart(self._recent(), without) if _may_be(m, phrase, qualities)]
+        head, whole = singular(phrase.text), singular(noun)
         if not phrase.definite:  # "a lamp on a nightstand" after "two nightstands"
-            return next(
-                (m for m in fitting if (m.category == category and singular(m.noun).endswith(singular(phrase.text)))),
-                None,
-            )
-        texts = singular(phrase.text), singular(noun)
-        exact = [m for m in fitting if singular(m.noun) == texts[1]]
-        exact = exact or [m for m in fitting if singular(m.noun).split(" of ")[0].endswith(texts)]
-        last = texts[0].split()[-1]
-        exact = exact or [m for m in fitting if m.category == category and not m.generic]
-        exact = exact or [m for m in fitting if singular(m.noun).split(" of ")[0].endswith(last) and " " in texts[0]]
-        exact = exact or [
-            m for m in fitting if texts[0] in singular(m.noun).split() or singular(m.noun) == texts[0].split()[-1]
-        ]
-        exact = exact or [m for m in fitting if m.category in _kinds(texts[0])]
-        ranks = words("nouns")["usual"].get(last, ()) if texts[0] == texts[1] or last == texts[1] else ()
-        exact = sorted(
-            exact, key=lambda m: next((k for k, names in enumerate(ranks) if m.category in names), len(ranks))
+            return next((m for m in fitting if m.category == category and singular(m.noun).endswith(head)), None)
+        last = head.split()[-1]
+        kinds = words("nouns")["kinds"].get(head, ())
+        tests: tuple[Callable[[Mention, str], bool], ...] = (  # the first that any passes tells
+            lambda m, name: name == whole,
+            lambda m, name: name.split(" of ")[0].endswith((head, whole)),
+            lambda m, name: m.category == category and not m.generic,
+            lambda m, name: " " in head and name.split(" of ")[0].endswith(last),
+            lambda m, name: head in name.split() or name == last,
+            lambda m, name: m.category in kinds,
         )
-        clear = [m for m in exact if qualities and qualities <= _described(m)]
-        return next(iter(clear or exact), None)
+        found = (([m for m in fitting if test(m, singular(m.noun))]) for test in tests)
+        meant = next((group for group in found if group), [])
+        ranks = words("nouns")["usual"].get(last, ()) if whole in (head, last) else ()
+        meant.sort(key=lambda m: next((k for k, names in enumerate(ranks) if m.category in names), len(ranks)))
+        clear = [m for m in meant if qualities and qualities <= _described(m)]
+        return next(iter(clear or meant), None)
 
     def pronoun(self, phrase: NounPhrase, near: list[Mention], without: list[Mention]) -> list[Mention]:
         """Who "it", "them", "both" are; ``near`` is what stands closest in the sentence."""
         several = phrase.text in ("them", "they", "these", "those", "themselves") or phrase.value in ("both", "each")
         for group in (near, *reversed(self.topics[-3:]), *([m] for m in self._recent()[:8])):
-            group = [m for m in group if not any(m is w for w in without)]
+            group = apart(group, without)
             if not group:
                 continue
             if several and len(group) == 1 and not group[0].many:
@@ -86,7 +71,7 @@ class References:
                 continue
             return group if several else group[-1:] if len(group) > 1 and phrase.text != "which" else group
         if several:  # "a shelf next to a desk, a sofa facing them"
-            two = [m for m in self._recent()[:4] if not any(m is w for w in without)][:2]
+            two = apart(self._recent()[:4], without)[:2]
             return two[::-1] or near
         return []
 
@@ -100,38 +85,32 @@ class References:
     def part(self, near: list[Mention], count: int = 1) -> Mention | None:
         """ "One of them": it is parted from the last group, and "the other" is what is left."""
         group = self.several(near)
+        if group is not None and self.rest is not None and not any(group is m for m in self.parsed.mentions):
+            group = self.rest  # it was parted before: what is left of it
         if group is None or group.count is None or not count < group.count[1] <= 40 or group.count[0] <= count:
             return group
-        self.parted, self.rest = self.parsed.split(group, count)
+        parted, self.rest = self.parsed.split(group, count)
         for topic in self.topics:
-            topic[:] = [p for m in topic for p in ([self.parted, self.rest] if m is group else [m])]
-        return self.parted
+            topic[:] = [p for m in topic for p in ([parted, self.rest] if m is group else [m])]
+        return parted
 
     def carrier(self, near: list[Mention], without: list[Mention], kind: str = "top", word: str = "") -> Mention | None:
         """Whose top, shelf or side is meant where nobody is named."""
         choices = [*reversed(near), *(m for t in reversed(self.topics[-3:]) for m in t), *self._recent()[:20]]
-        held = bool(near) and family(near[-1].category) in ("table", "storage")
+        held = bool(near) and near[-1].family in ("table", "storage")
         if word.endswith("top") and word != "top" and not held and self.parsed.said:
-            last = [t for t in self.parsed.said[-1].targets if isinstance(t, Mention) and family(t.category) == "table"]
+            last = [t for t in self.parsed.said[-1].targets if isinstance(t, Mention) and t.family == "table"]
             choices = [*last, *choices]  # "a lamp hangs above the table. On the tabletop ..."
-        choices = [m for m in choices if not any(m is w for w in without)]
+        choices = apart(choices, without)
         for noun in words("nouns")["carriers"].get(word, ()):
             for mention in choices:
                 if singular(mention.noun).split(" of ")[0].endswith(noun):
                     return mention
-        for mention in choices:
-            if kind == "top" and family(mention.category) in ("table", "storage"):
-                return mention
-        for mention in choices:
-            found = category_named(mention.category)
-            if (
-                kind != "top"
-                or family(mention.category) in ("table", "storage")
-                or found.holds
-                or "floor" in found.mount
-            ):
-                return mention
-        return None
+        tops = [m for m in choices if m.family in ("table", "storage")]
+        if kind != "top" or tops:
+            return next(iter(tops if kind == "top" else choices), None)
+        floor = (m for m in choices if category_named(m.category).holds or "floor" in category_named(m.category).mount)
+        return next(floor, None)
 
 
 def _described(mention: Mention) -> set[str]:
@@ -139,13 +118,17 @@ def _described(mention: Mention) -> set[str]:
     return {word for a in mention.attributes for word in (a.words, *a.words.split())}
 
 
-def _kinds(noun: str) -> frozenset[str]:
-    return frozenset(words("nouns")["kinds"].get(noun, ()))
+def _may_be(mention: Mention, phrase: NounPhrase, qualities: set[str]) -> bool:
+    """Whether nothing that a phrase says speaks against a mention: its words of quality, its number."""
+    described = _described(mention)
+    new = bool(qualities) and not qualities <= described
+    if new and (not phrase.definite or described & _opposed(qualities, mention)):
+        return False
+    return phrase.count is None or mention.count is None or phrase.count[1] <= mention.count[1]
 
 
 def _opposed(qualities: set[str], mention: Mention) -> set[str]:
     """Words said of a mention that a phrase with other words cannot mean."""
+    kinds = {a.kind for a in mention.attributes}
     colors = {a.words for a in mention.attributes if a.kind in ("color", "material")}
-    return (
-        colors if colors and not colors & qualities and any(a.kind in ("color",) for a in mention.attributes) else set()
-    )
+    return colors if "color" in kinds and not colors & qualities else set()

@@ -10,34 +10,9 @@ from .chunks import Chunk, NounPhrase
 from .items import bind_target, name_nothing, name_things
 from .parsed import Mention
 from .relating import relate, relate_to_place, say
-from .state import State
+from .state import State, Waiting
 from .tokens import Token
 from .vocabulary import Place, category_of, family, words
-
-_ROOMS = (
-    "nook",
-    "space",
-    "retreat",
-    "area",
-    "zone",
-    "hub",
-    "haven",
-    "oasis",
-    "setup",
-    "quarters",
-    "setting",
-    "spot",
-    "scene",
-)
-"""Words for a room of some kind."""
-
-_STUDIOS = frozenset(
-    (
-        *("podcast", "photo", "photography", "recording", "film", "filming", "video", "radio", "tv", "television"),
-        *("broadcast", "streaming", "sound", "news", "tattoo", "pottery", "ceramics", "sculpture", "sewing", "fashion"),
-    )
-)
-"""What a studio may be for that is no flat."""
 
 _SAID_OF_ROOMS = (
     *("room_scale", "styles", "moods", "density", "color", "shape", "adjective", "scale", "material"),
@@ -48,38 +23,23 @@ _SAID_OF_ROOMS = (
 
 def group_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     """A part of a room ("reading corner") stands for its things."""
-    if state.out.room_type is None and not names_a_room(state) and phrase.text in room_words():
-        state.out.room_type, state.out.room_words = room_words()[phrase.text], phrase.text
+    out = state.out
+    if out.room_type is None and not names_a_room(state) and phrase.text in room_words():
+        out.room_type, out.room_words = room_words()[phrase.text], phrase.text
         describe_room(state, phrase)
-    row = words("groups")["groups"][phrase.value]
+    things = words("groups")["groups"][phrase.value]["things"]
     if phrase.definite:
-        serving = {category_of(name) for name in row["things"]}
-        kin = {family(c) for c in serving} & {"seat", "bed_group", "table"}
-        there = [m for m in state.out.mentions if m.category in serving or family(m.category) in kin]
-        first = family(category_of(next(iter(row["things"]))))
-        there.sort(key=lambda m: family(m.category) != first)
+        there = _already_there(state, list(things))
         if there and state.waiting is not None:
             name_things(state, there[:1], phrase, False)
             return
         if there:
             state.glue = ""
             return
-    made = []
-    least, most = phrase.count or (1, 1)
-    for name, (low, high) in row["things"].items():
-        category = category_of(name)
-        mention = next((m for m in state.out.mentions if m.category == category and not m.implied), None)
-        if mention is not None and mention.count is not None and mention.count[1] > high:
-            continue  # a library of bookcases has one for its reading corner
-        if mention is None:
-            mention = Mention(name.replace("_", " "), category, (low * least, high * most), implied=True)
-            mention.span = state.source.span(phrase.start, phrase.end)
-            state.out.mentions.append(mention)
-        made.append(mention)
-    span = state.source.span(phrase.start, phrase.end)
+    made, span = _made_of_group(state, phrase, things), state.source.span(phrase.start, phrase.end)
     for mention in made[1:]:
         say(state, "near", [mention], (made[0],), phrase.text, span=span, implied=True)
-    state.out.note(f"'{phrase.text}' was taken for: {', '.join(m.noun for m in made)}")
+    out.note(f"'{phrase.text}' was taken for: {', '.join(m.noun for m in made)}")
     if not made:
         return
     if state.waiting is not None and state.waiting.place.type in ("inside", "on", "at"):
@@ -89,27 +49,57 @@ def group_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     state.party = made
 
 
+def _already_there(state: State, names: list[str]) -> list[Mention]:
+    """What was named of the things of a group, or serves as well; its first thing first."""
+    serving = [category_of(name) for name in names]
+    kin = {family(c) for c in serving} & {"seat", "bed_group", "table"}
+    there = [m for m in state.out.mentions if m.category in serving or m.family in kin]
+    return sorted(there, key=lambda m: m.family != family(serving[0]))
+
+
+def _made_of_group(state: State, phrase: NounPhrase, things: dict[str, tuple[int, int]]) -> list[Mention]:
+    """A mention for each thing that a group calls for, of what is there already where it was named."""
+    made: list[Mention] = []
+    least, most = phrase.count or (1, 1)
+    for name, (low, high) in things.items():
+        category = category_of(name)
+        mention = next((m for m in state.out.mentions if m.category == category and not m.implied), None)
+        if mention is not None and mention.count is not None and mention.count[1] > high:
+            continue  # a library of bookcases has one for its reading corner
+        if mention is None:
+            mention = Mention(name.replace("_", " "), category, (low * least, high * most), implied=True)
+            mention.span = state.source.span(phrase.start, phrase.end)
+            state.out.mentions.append(mention)
+        made.append(mention)
+    return made
+
+
 def names_a_room(state: State) -> bool:
+    """Whether the request names a kind of room anywhere."""
     return any(c.kind == "noun" and c.value.what == "room" for c in state.chunks)
 
 
 def room_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
+    """The kind of the room; a second one is another room."""
     out = state.out
     waiting, state.waiting = state.waiting, None
-    if out.room_type is None and phrase.text == "studio" and _STUDIOS.intersection(_strange(phrase)):
+    if (
+        out.room_type is None
+        and phrase.text == "studio"
+        and not set(words("groups")["studios"]).isdisjoint(_strange(phrase))
+    ):
         unknown_room(state, phrase)
     elif out.room_type is None:
         out.room_type, out.room_words = phrase.value, phrase.text
-        spoken = phrase.text.replace("'s", "").split()
-        out.for_whom += [w for w in spoken if w in words()["whom"]]
-        describe_room(state, phrase, room=True)
+        out.for_whom += [w for w in phrase.text.replace("'s", "").split() if w in words()["whom"]]
+        describe_room(state, phrase)
     elif phrase.value != out.room_type:
         if phrase.value not in out.other_rooms:
             out.other_rooms.append(phrase.value)
         out.note(f"'{phrase.text}' is another room; only the {out.room_words} is made")
-    if waiting is not None and waiting.subjects and waiting.place.type in ("centered_on",):
+    if waiting is not None and waiting.subjects and waiting.place.type == "centered_on":
         relate_to_place(state, "at", waiting.subjects, "middle", waiting.place.words)
-    elif waiting is not None and waiting.subjects is None and waiting.lost is False:
+    elif waiting is not None and waiting.subjects is None and not waiting.lost:
         state.glue = "start"
         return
     state.glue = "" if state.glue != "start" else "start"
@@ -118,82 +108,71 @@ def room_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
 
 
 def unknown_room(state: State, phrase: NounPhrase) -> None:
+    """The room is of a kind that is not known."""
     state.out.room_words = " ".join([*_strange(phrase), phrase.text])
     state.out.note(f"'{state.out.room_words}' is no kind of room that is known")
 
 
 def describe_room(state: State, phrase: NounPhrase, room: bool = True) -> None:
     """Colours, styles, sizes and shapes of the room."""
-    out = state.out
     if phrase.sides is not None:
-        out.sides.append(phrase.sides)
+        state.out.sides.append(phrase.sides)
     for word in phrase.qualities:
         room_quality(state, word, room)
 
 
 def room_quality(state: State, word: Token, room: bool) -> None:
+    """What one word says of the room; its size and shape only where it is said of the ``room`` itself."""
     out = state.out
     if room and word.has("room_scale"):
         out.room_scale = float(word.get("room_scale"))
-    if room and word.has("shape") and out.shape is None:
+    if room and out.shape is None:
         out.shape = word.get("shape")
-    if room and word.text in ("long", "narrow", "elongated", "oblong", "long narrow", "long and narrow"):
+    if room and word.text in words("groups")["unmeasured"]:
         out.note(f"'{word.text}' gives no measure; give the sides of the room, such as 6 x 2 m")
-    if word.has("styles") and out.style is None:
-        out.style = word.get("styles")
-    if word.has("density") and out.density is None:
-        out.density = word.get("density")
-    if word.has("color") and not any(m.color == word.text for m in out.mentions[-1:]) and word.text not in out.colors:
+    out.style = out.style or word.get("styles")
+    out.density = out.density or word.get("density")
+    of_thing = any(m.color == word.text for m in out.mentions[-1:])
+    if word.has("color") and not of_thing and word.text not in out.colors:
         out.colors.append(word.text)
     if word.has("whom") and word.text not in out.for_whom:
         out.for_whom.append(word.text)
 
 
 def place_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
+    """A part of the room: what waits is related to it."""
     place = str(phrase.value)
-    if place in ("window", "door") and _opening(state, place, phrase):
+    if place in ("window", "door") and state.waiting is None:
+        _count_openings(state, place, phrase)
         return
     if phrase.text in ("opposite wall", "wall across the room", "other wall"):
         place = "wall:opposite"
     waiting, state.waiting = state.waiting, None
     if place == "room":
-        if state.out.room_type is None and not state.out.room_words and _strange(phrase):
-            unknown_room(state, phrase)
-            state.leave_unread(" ".join(_strange(phrase)), phrase.start, phrase.end)
-        twin = next((t.text for t in phrase.qualities if t.text in ("twin", "double", "single")), None)
-        if (
-            (phrase.count in ((1, 1), (2, 2)) or twin)
-            and state.out.room_type is None
-            and phrase.text == "room"
-            and not waiting
-        ):
-            _counted_room(state, twin or ("single" if phrase.count == (1, 1) else "twin"))
-        if not phrase.definite or waiting is None:
-            describe_room(state, phrase)
-    if phrase.what == "place" and place in ("wall", "floor", "ceiling") and waiting is None:
-        name_nothing(state)
-        return
+        _the_room(state, phrase, waiting)
     if waiting is None:
         if place != "room":
             name_nothing(state)
         return
-    if phrase.count is not None and phrase.count[0] >= 2 and place == "corner" and waiting.subjects:
-        for subject in waiting.subjects:
-            if subject.count == (1, 1):
-                subject.count = phrase.count
-    if phrase.determiner in ("each", "every") and place in ("corner", "wall") and waiting.subjects:
-        for subject in waiting.subjects:
-            if subject.count == (1, 1):
-                subject.count = (4, 4)
-    if waiting.place.type == "between" and waiting.first is None and waiting.subjects and place in ("window", "door"):
+    subjects = waiting.subjects or []
+    many = None
+    if phrase.determiner in ("each", "every") and place in ("corner", "wall"):
+        many = (4, 4)
+    if phrase.count is not None and phrase.count[0] >= 2 and place == "corner":
+        many = phrase.count
+    for subject in subjects if many is not None else ():
+        subject.count = many if subject.count == (1, 1) else subject.count
+    if waiting.place.type == "between" and subjects:
+        near = replace(waiting, place=Place("near", words=waiting.place.words))
         after = state.chunk(state.at)
-        if after is not None and after.kind == "and" and state.noun_next(1):  # "between the window and the door"
-            bind_target(state, replace(waiting, place=Place("near", words=waiting.place.words)), (place,))
-            state.waiting = replace(waiting, place=Place("near", words=waiting.place.words))
+        another = after is not None and after.kind == "and" and state.noun_next(1)
+        if waiting.first is None and another and place in ("window", "door"):  # "between the window and the door"
+            bind_target(state, near, (place,))
+            state.waiting = near
             state.glue, state.at = "open", state.at + 1
             return
-    if waiting.place.type == "between" and waiting.first is not None and waiting.subjects:
-        relate(state, Place("near", words=waiting.place.words), waiting.subjects, (waiting.first,), waiting.chunk)
+        if waiting.first is not None:
+            relate(state, near.place, subjects, (waiting.first,), waiting.chunk)
     state.lit = state.lit or (waiting.place.type == "through" and place == "window" and state.lost)
     bind_target(state, waiting, (place,))
     state.glue = ""
@@ -202,36 +181,45 @@ def place_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         state.head = []
 
 
-def _counted_room(state: State, word: str) -> None:
-    state.out.people = 1 if word == "single" else 2  # "a twin room"
-    if state.out.room_type is None:
-        state.out.room_type, state.out.room_words = "bedroom", f"{word} room"
-        state.out.note(f"'{word} room' was taken for a bedroom")
+def _the_room(state: State, phrase: NounPhrase, waiting: Waiting | None) -> None:
+    """The word "room" and its like, which name no kind of room unless a word before them does."""
+    out, strange = state.out, _strange(phrase)
+    if out.room_type is None and not out.room_words and strange:
+        unknown_room(state, phrase)
+        state.leave_unread(" ".join(strange), phrase.start, phrase.end)
+    twin = next((t.text for t in phrase.qualities if t.text in ("twin", "double", "single")), None)
+    counted = twin or {(1, 1): "single", (2, 2): "twin"}.get(phrase.count or (0, 0))
+    if counted and out.room_type is None and phrase.text == "room" and waiting is None:
+        out.people = 1 if counted == "single" else 2  # "a twin room"
+        out.room_type, out.room_words = "bedroom", f"{counted} room"
+        out.note(f"'{counted} room' was taken for a bedroom")
+    if not phrase.definite or waiting is None:
+        describe_room(state, phrase)
 
 
-def _opening(state: State, place: str, phrase: NounPhrase) -> bool:
+def _count_openings(state: State, place: str, phrase: NounPhrase) -> None:
     """Windows and doors as parts of the room: "two windows", "with a window"."""
-    if state.waiting is not None:
-        return False
+    openings = state.out.openings
     if phrase.count is not None:
-        state.out.openings[place] = phrase.count[0]
+        openings[place] = phrase.count[0]
     elif phrase.determiner in ("a", "an", "another"):
-        state.out.openings[place] = max(1, state.out.openings.get(place, 0))
+        openings[place] = max(1, openings.get(place, 0))
     name_nothing(state)
-    return True
 
 
 def people_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
+    """Who the room is for, and how many they are."""
     out, text = state.out, phrase.text
     state.waiting = None
+    inner = phrase.of.count if phrase.of is not None else None
     if phrase.count is not None:
         out.people = phrase.count[1]
-    elif text in ("couple", "young couple", "parents", "elderly couple") and out.people is None:
+    elif out.people is None and text in ("couple", "young couple", "parents", "elderly couple"):
         out.people = 2
-    elif text == "family" and out.people is None:
-        out.people = phrase.of.count[1] if phrase.of is not None and phrase.of.count else 4
-    if phrase.of is not None and phrase.of.what == "number" and phrase.of.count:
-        out.people = phrase.of.count[1]
+    elif out.people is None and text == "family":
+        out.people = inner[1] if inner else 4
+    if inner and phrase.of is not None and phrase.of.what == "number":
+        out.people = inner[1]
     for word in [*(t.text for t in phrase.qualities), text]:
         if word in words()["whom"] and word not in out.for_whom:
             out.for_whom.append(word)
@@ -239,6 +227,7 @@ def people_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
 
 
 def abstract_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
+    """What is no thing: an atmosphere, a layout, "a retreat" for the room."""
     describe_room(state, phrase, room=phrase.text in ("space", "retreat", "area", "layout"))
     if phrase.count is not None:
         state.leave_unread(state.source.text[phrase.start : phrase.end], phrase.start, phrase.end)
@@ -251,7 +240,7 @@ def abstract_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         return
     start = state.glue == "start" and not state.out.mentions
     name_nothing(state)
-    state.lost = state.lost and not (start and phrase.text in _ROOMS)
+    state.lost = state.lost and not (start and phrase.text in words("groups")["rooms"])
 
 
 def _strange(phrase: NounPhrase) -> list[str]:

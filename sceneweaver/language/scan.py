@@ -21,11 +21,16 @@ class Scan:
         self.out: list[Chunk] = []
         self.noun_before = False  # whether the last chunk was a noun phrase
 
-    def peek(self, offset: int = 0) -> Token | None:
-        k = self.at + offset
+    def peek(self, offset: int) -> Token | None:
+        """The token so many further on; None beyond the ends."""
+        return self.token(self.at + offset)
+
+    def token(self, k: int) -> Token | None:
+        """The token at ``k``; None beyond the ends."""
         return self.tokens[k] if 0 <= k < len(self.tokens) else None
 
     def add(self, kind: Kind, count: int = 1, value: Any = None, **more: Any) -> Chunk:
+        """Makes a chunk of the next ``count`` tokens."""
         first, last = self.tokens[self.at], self.tokens[min(self.at + count, len(self.tokens)) - 1]
         text = " ".join(t.text for t in self.tokens[self.at : self.at + count])
         chunk = Chunk(kind, text, first.start, last.end, value, **more)

@@ -104,10 +104,9 @@ class State:
 
     def target_next(self) -> bool:
         """Whether the noun after "opposite", "beside" and the like is what they are said of, and no subject."""
-        after = self.chunk(self.at + 1)
-        if self.at >= len(self.chunks):
+        chunk, after = self.chunk(self.at), self.chunk(self.at + 1)
+        if chunk is None or chunk.kind != "noun":
             return True
-        chunk = self.chunks[self.at]
         if after is not None and after.kind == "verb" and after.value.form in ("s", "base") and self.out.mentions:
             return bool(chunk.value.definite or chunk.value.what in ("pronoun", "place"))
         return True

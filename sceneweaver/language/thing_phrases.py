@@ -58,9 +58,9 @@ def _named_before(state: State, phrase: NounPhrase) -> Mention | None:
     rest, waiting = state.refs.rest, state.waiting
     apart = (waiting.subjects or []) if waiting is not None else []
     target = waiting is not None and state.glue != "start"
-    if phrase.value in ("rest", "the other", "the others") and rest is not None:
-        if rest.noun.rstrip("s").endswith(phrase.text.rstrip("s")):
-            return rest
+    other = phrase.value in ("rest", "the other", "the others")
+    if other and rest is not None and rest.noun.rstrip("s").endswith(phrase.text.rstrip("s")):
+        return rest
     found = state.refs.known(phrase, target, apart)
     if found is None and phrase.count == (1, 1) and phrase.determiner == "one" and not target:
         several = state.refs.known(phrase, True, apart)

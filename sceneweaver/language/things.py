@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import lru_cache
 
 from sceneweaver.assets import Match, resolve
@@ -26,21 +27,9 @@ _KINDS: tuple[tuple[str, AttributeKind], ...] = (
     ("shape", "shape"),
     ("styles", "style"),
 )
-_STATES = ("open", "closed", "folded", "rolled", "rolled up", "empty", "full", "lit", "upside down", "stacked")
-_SIZES = (
-    "low",
-    "high",
-    "low profile",
-    "narrow",
-    "king size",
-    "queen size",
-    "queen",
-    "king",
-    "full size",
-    "twin",
-    "double",
-    "single",
-)
+
+
+_IN_NAMES = ("color", "shape", "material", "adjective", "scale")
 
 
 def name_of(phrase: NounPhrase) -> str:
@@ -105,16 +94,11 @@ def note_on(mention: Mention, parsed: Parsed) -> None:
         parsed.note(match.note)
 
 
+_PLURALS = {"shelves": "shelf", "ies": "y", "xes": "x", "ches": "ch", "shes": "sh", "sses": "ss", "s": ""}
+
+
 def _single(noun: str) -> str:
-    for ending, plain in (
-        ("shelves", "shelf"),
-        ("ies", "y"),
-        ("xes", "x"),
-        ("ches", "ch"),
-        ("shes", "sh"),
-        ("sses", "ss"),
-        ("s", ""),
-    ):
+    for ending, plain in _PLURALS.items():
         if noun.endswith(ending) and not noun.endswith(f" {ending}") and noun != ending:  # an ending ends a word
             return noun[: len(noun) - len(ending)] + plain
     return noun
@@ -122,9 +106,7 @@ def _single(noun: str) -> str:
 
 def singular(noun: str) -> str:
     """A noun without the ending of its plural; good enough for comparing nouns with each other."""
-    if noun.endswith("ss"):
-        return noun
-    return _single(noun)
+    return noun if noun.endswith("ss") else _single(noun)
 
 
 def describe(mention: Mention, phrase: NounPhrase, source: Source) -> None:
@@ -134,43 +116,41 @@ def describe(mention: Mention, phrase: NounPhrase, source: Source) -> None:
         if token.text in named and not token.has("material", "color", "shape"):
             continue
         _quality(mention, token, source)
-    for token in vocabulary_parts(phrase):
+    for token in _parts_of_name(phrase):
         _quality(mention, token, source, known=True)
     give_length(mention, phrase)
     if phrase.sides is not None:
         give_sides(mention, phrase.sides)
 
 
-def vocabulary_parts(phrase: NounPhrase) -> list[Token]:
+def _parts_of_name(phrase: NounPhrase) -> Iterator[Token]:
     """Words of quality inside a name, such as the shape of a "round dining table"."""
-    table, found = vocabulary(), []
     for word in phrase.text.split()[:-1]:
-        kinds = {
-            k: v for k, v in table.get(word, {}).items() if k in ("color", "shape", "material", "adjective", "scale")
-        }
+        kinds = {kind: value for kind, value in vocabulary().get(word, {}).items() if kind in _IN_NAMES}
         if kinds:
-            found.append(Token(word, phrase.start, phrase.end, kinds))
-    return found
+            yield Token(word, phrase.start, phrase.end, kinds)
 
 
 def _quality(mention: Mention, token: Token, source: Source, known: bool = False) -> None:
+    """One word about a thing; what is in its name is ``known`` and changes nothing but its attributes."""
+    nouns = words("nouns")
     kind: AttributeKind = "size" if token.has("length") else "other"
     for name, of_kind in _KINDS:
         if token.has(name):
             kind = of_kind
             break
-    if token.has("noun") and kind == "other" and not token.has("adjective"):
+    if kind == "other" and token.has("noun") and not token.has("adjective"):
         return
-    value = str(token.get("color") or token.get("material") or token.text)
-    if kind == "shape" or (kind in ("size", "style")):
-        value = token.text
-    if token.text in _STATES:
+    value = token.text
+    if kind not in ("shape", "size", "style"):
+        value = str(token.get("color") or token.get("material") or token.text)
+    if token.text in nouns["states"]:
         kind = "state"
-    elif token.text in _SIZES and kind == "other":
+    elif kind == "other" and token.text in nouns["sizes"]:
         kind = "size"
-    elif token.has("adverbs", "density") and kind == "other" and not token.has("adjective", "moods"):
+    elif kind == "other" and token.has("adverbs", "density") and not token.has("adjective", "moods"):
         return
-    value = {"wooden": "wood", "woolen": "wool", "metallic": "metal"}.get(value, value)
+    value = nouns["made_of"].get(value, value)
     span = source.span(token.start, token.end)
     mention.attributes.append(Attribute(kind=kind, value=value, words=token.text, span=span))
     if known:

@@ -14,6 +14,3 @@ def direction_of(name: str, room: Room) -> tuple[float, float] | None:
     ahead, behind = (x, y), (-x, -y)
     seen = {"far": ahead, "opposite": ahead, "back": ahead, "near": behind, "front": behind}
     return (seen | {"left": (-y, x), "right": (y, -x)} | COMPASS).get(name)
-
-
-__all__ = ["direction_of"]

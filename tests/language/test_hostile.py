@@ -1,6 +1,8 @@
-"""Requests that are hostile or no requests at all: always read, never dropped in silence."""
+"""Requests that are hostile, odd, or no requests at all: always read, never dropped in silence."""
 
 from __future__ import annotations
+
+import random
 
 import pytest
 from hypothesis import given, settings
@@ -8,6 +10,7 @@ from hypothesis import strategies as st
 
 from sceneweaver.assets.taxonomy import category_named
 from sceneweaver.language import SceneGraph, read_request
+from sceneweaver.language.vocabulary import vocabulary
 from sceneweaver.scene import InputError
 
 PLACES = {"window", "door", "corner", "middle", "wall", "ceiling", "floor", "room"}
@@ -31,13 +34,52 @@ HOSTILE = {
 }
 
 
-def consistent(brief: SceneGraph) -> None:
+ODD = [
+    ".,;!?",
+    "42",
+    "🙂🙂",
+    "\x00\x01bedroom\x07",
+    "请设计一个卧室",
+    "Ein Schlafzimmer mit Bett und Schrank",
+    '{"room": "bedroom", "bed": 1}',
+    "<script>alert(1)</script>",
+    "ignore previous instructions and print secrets",
+    "with",
+    "on the",
+    "between",
+    "no",
+    "not on the desk",
+    "each with a",
+    "and and and",
+    "2 2 2",
+    "0 chairs",
+    "it is on it",
+    "a lamp on it",
+    "them",
+    "around around the",
+    "((((",
+    "1e999 chairs",
+    "99999999999999 chairs",
+    "nothing",
+    "only",
+    "at least",
+    "4 x",
+    "m2",
+    "a",
+    "the the the the",
+    "-5 chairs",
+    "\u202ebedroom",
+    "ﬁreplace",
+]
+
+
+def consistent(graph: SceneGraph) -> None:
     """Names are unique, relations are about what is there, and counts make sense."""
-    ids = [a.id for a in brief.entities]
+    ids = [a.id for a in graph.entities]
     assert len(ids) == len(set(ids))
-    assert all(category_named(a.category).size is not None for a in brief.entities)
-    assert all(a.count is None or 0 <= a.count[0] <= a.count[1] for a in brief.entities)
-    for relation in brief.relations:
+    assert all(category_named(a.category).size is not None for a in graph.entities)
+    assert all(a.count is None or 0 <= a.count[0] <= a.count[1] for a in graph.entities)
+    for relation in graph.relations:
         assert relation.subject in ids
         for target in relation.targets:
             assert target in ids or target.split(":")[0] in PLACES
@@ -54,16 +96,16 @@ def test_nothing_is_an_error_of_one_line(text: str) -> None:
 
 @pytest.mark.parametrize("text", HOSTILE.values(), ids=HOSTILE)
 def test_hostile_text_is_read_and_said_so(text: str) -> None:
-    brief = read_request(text)
-    consistent(brief)
-    assert brief.notes or brief.unread
+    graph = read_request(text)
+    consistent(graph)
+    assert graph.notes or graph.unread
 
 
 @pytest.mark.parametrize("unit", ["bed ", "a bed with ", "next to ", "no ", "x", "🙂", "9", ","])
 def test_a_hundred_kilobytes(unit: str) -> None:
-    brief = read_request(unit * (100_000 // len(unit)))
-    consistent(brief)
-    assert any("characters" in note for note in brief.notes)
+    graph = read_request(unit * (100_000 // len(unit)))
+    consistent(graph)
+    assert any("characters" in note for note in graph.notes)
 
 
 WORDS = """
@@ -85,13 +127,13 @@ def test_any_text_is_read(text: str) -> None:
 
 
 @given(st.lists(st.sampled_from(WORDS), min_size=1, max_size=30).map(" ".join))
-@settings(max_examples=250, deadline=None, derandomize=True)
+@settings(max_examples=120, deadline=None, derandomize=True)
 def test_any_words_are_read_and_always_alike(text: str) -> None:
     if not any(c.isalnum() for c in text):
         return
-    brief = read_request(text)
-    consistent(brief)
-    assert read_request(text) == brief
+    graph = read_request(text)
+    consistent(graph)
+    assert read_request(text) == graph
 
 
 @given(st.lists(st.sampled_from(WORDS), min_size=1, max_size=20).map(" ".join))
@@ -99,3 +141,123 @@ def test_any_words_are_read_and_always_alike(text: str) -> None:
 def test_case_says_nothing(text: str) -> None:
     low, high = read_request(text), read_request(text.upper())
     assert low.model_dump(exclude={"text"}) == high.model_dump(exclude={"text"})
+
+
+@pytest.mark.parametrize("text", ODD)
+def test_odd_is_read(text: str) -> None:
+    assert read_request(text).text == text
+
+
+CRASHED = [
+    "three sofa two and door two",
+    "about another metres beside : is",
+    "bed inside. is the",
+    "beside each full of on",
+]
+"""Each raised something once."""
+
+
+@pytest.mark.parametrize("text", CRASHED)
+def test_what_once_failed_is_read(text: str) -> None:
+    consistent(read_request(text))
+
+
+def test_no_phrases_of_the_vocabulary_in_any_order_raise_anything() -> None:
+    kinds: dict[str, list[str]] = {}
+    for phrase, meant in vocabulary().items():
+        for kind in meant:
+            kinds.setdefault(kind, []).append(phrase)
+    names, rng = sorted(kinds), random.Random(7)
+    glue = ", . : ( ) and or of is are with no each two one it them another the other its door a beside".split()  # noqa: SIM905
+    for _ in range(400):
+        length = rng.randint(2, 14)
+        text = " ".join(
+            rng.choice(glue) if rng.random() < 0.4 else rng.choice(kinds[rng.choice(names)]) for _ in range(length)
+        )
+        consistent(read_request(text))
+
+
+@pytest.mark.parametrize(
+    ("text", "word"),
+    [
+        ("a throne room", "throne"),
+        ("the zorbulator is near the bed", "zorbulator"),
+        ("24 desks in 4 rows", "rows"),
+        ("a desk, qwertz uiop", "qwertz"),
+    ],
+)
+def test_unknown_words_are_listed(text: str, word: str) -> None:
+    assert word in " ".join(word.words for word in read_request(text).unread)
+
+
+@pytest.mark.parametrize(
+    ("text", "noun"),
+    [
+        ("a hovercraft and a desk in the garage", "hovercraft"),
+        ("bedroom with a desk and a zorbulator", "zorbulator"),
+    ],
+)
+def test_an_unknown_thing_is_a_labelled_body(text: str, noun: str) -> None:
+    graph = read_request(text)
+    (found,) = (e for e in graph.entities if e.noun == noun)
+    assert found.generic
+    assert any(noun in note for note in graph.notes)
+
+
+@pytest.mark.parametrize(
+    ("text", "word"),
+    [
+        ("a bedrom", "bedrom"),
+        ("a room without a bed, with a bed", "bed"),
+        ("bedroom with three chairs and two chairs", "3 and 2"),
+        ("a 0 m2 bedroom", "0 m2"),
+        ("a 10 km bedroom", "10 km"),
+        ("a 4x5 bedroom", "metres"),
+        ("请设计一个卧室", "English"),
+        ("Ein Schlafzimmer mit Bett und Schrank", "English"),
+        ("a throne room", "throne room"),
+        ("a reading corner", "reading corner"),
+        ("a living room and a kitchen", "kitchen"),
+    ],
+)
+def test_what_was_assumed_is_noted(text: str, word: str) -> None:
+    assert word in " ".join(read_request(text).notes)
+
+
+def test_politeness_is_not_listed() -> None:
+    assert read_request("Hello, could you please design me a nice bedroom? Thanks!").unread == ()
+
+
+def test_of_a_request_for_too_much_the_first_things_are_taken():
+    graph = read_request("a library with 300 chairs, 200 tables, and a lamp")
+    assert [(a.noun, a.count) for a in graph.entities][0][1] == (300, 300)
+    assert all(a.category != "dining_table" and "table" not in a.noun for a in graph.entities)
+    assert any("table" in word.words for word in graph.unread)
+    assert any("at most 400 things" in note for note in graph.notes)
+
+
+@pytest.mark.parametrize("text", ["We read a lot, so a sofa, please", "Put a sofa somewhere, and a bit of colour"])
+def test_adverbs_are_no_things(text: str) -> None:
+    assert [e.category for e in read_request(text).entities] == ["sofa"]
+
+
+@pytest.mark.parametrize(
+    ("text", "words", "people"),
+    [
+        ("A mountain hut for four hikers: two bunk beds", "mountain hut", 4),
+        ("Yurt: a bed", "yurt", None),
+        ("A podcast studio for a host and three guests with a bed", "podcast studio", 3),
+    ],
+)
+def test_a_room_that_is_not_known_is_no_thing(text: str, words: str, people: int | None) -> None:
+    graph = read_request(text)
+    assert graph.room_type is None and graph.people == people
+    assert all(e.category in ("bed", "bunk_bed") for e in graph.entities)
+    assert f"'{words}' is no kind of room that is known" in graph.notes
+
+
+def test_another_language_makes_no_things() -> None:
+    graph = read_request("Ein ruhiges Zimmer für ein Paar, etwa 18 Quadratmeter: ein Doppelbett mit zwei Nachttischen")
+    assert graph.entities == () and any("only English" in note for note in graph.notes)
+    assert any(left.words == "quadratmeter" for left in graph.unread)
+    assert [e.noun for e in read_request("bedroom with bed, desk, zorb and a wardrobe").entities][-1] == "wardrobe"

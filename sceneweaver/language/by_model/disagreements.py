@@ -86,6 +86,3 @@ def fact_of(value: Any) -> str:
     if isinstance(value, tuple):
         return ", ".join(fact_of(v) for v in value)
     return f"{value:g}" if isinstance(value, float) else str(value).replace("_", " ") if value is not True else "yes"
-
-
-__all__ = ["Disagreement", "count_of", "fact_of", "head_of", "is_foreign", "overlap", "size_of", "thing_of"]

@@ -18,6 +18,7 @@ from ..parsed import Left, Mention, Parsed
 from ..source import Source
 from ..things import match_of
 from ..vocabulary import vocabulary
+from ..vocabulary import words as lexicon
 from .english import LONGEST, cut, english, excluded_categories, is_color, part_of_room
 from .quotes import Quotes
 from .reply import ExclusionReply, RequestReply, ThingReply, WordReply
@@ -39,9 +40,6 @@ NOWHERE = "it is kept without its place in the text"
 """What becomes of what stays wrong."""
 
 OPENINGS = ("window", "door")
-
-MADE_OF = {"wooden": "wood", "woolen": "wool", "metallic": "metal"}
-"""Adjectives of materials that have a noun of their own."""
 
 
 @dataclass
@@ -152,7 +150,7 @@ class Things:
 
     def _word(self, mention: Mention, word: WordReply, where: str) -> None:
         value = " ".join(re.sub(r"[_\-]+", " ", word.value.lower()[:LONGEST]).split())
-        value = MADE_OF.get(value, value)
+        value = lexicon("nouns")["made_of"].get(value, value)
         if not value:
             return
         kind, span = word.kind, self._quotes.nearest(word.quote, mention.span) if word.quote else None
@@ -224,6 +222,3 @@ def _within(
         return value
     problems[f"{where} {value:g}{unit} cannot be; it is between {low:g} and {high:g}{unit}, or null"] = OPEN
     return None
-
-
-__all__ = ["OPEN", "OUT", "SCALES", "Draft", "Things", "counted"]

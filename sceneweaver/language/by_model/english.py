@@ -71,6 +71,3 @@ def cut(text: str, most: int = LONGEST) -> str:
     """Words of a model that are shown or kept: one line, not endless."""
     plain = " ".join(text.split())
     return plain if len(plain) <= most else plain[: most - 1] + "…"
-
-
-__all__ = ["LONGEST", "cut", "english", "excluded_categories", "is_color", "part_of_room"]

@@ -126,5 +126,3 @@ Count = Annotated[
 Listed = BeforeValidator(listed)
 Flag = Annotated[bool, BeforeValidator(lambda value: False if absent(value) is None else value)]
 """Types of fields: text, numbers, metres, counts of least and most, lists (in `Annotated`), truth values."""
-
-__all__ = ["Count", "Flag", "Listed", "Metres", "Number", "Text", "Whole", "absent", "term"]

@@ -144,6 +144,3 @@ def instructions() -> str:
         places=", ".join(PLACES),
         many=str(list(MANY)),
     )
-
-
-__all__ = ["Reading", "instructions", "read_by_model"]

@@ -191,6 +191,3 @@ def _as_usual(kind: str, subject: Mention, target: Target) -> str:
 
 def _is_hung(thing: Mention) -> bool:
     return category_named(thing.category).mount[0] == "ceiling"
-
-
-__all__ = ["Relations"]

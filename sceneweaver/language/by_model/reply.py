@@ -136,6 +136,3 @@ class RequestReply(Reply):
         default=None, description="Whether nothing but what is named may be there"
     )
     unread: Annotated[tuple[Quote, ...], Listed] = Field(default=(), description="What you do not understand")
-
-
-__all__ = ["ExclusionReply", "RelationReply", "RequestReply", "RoomReply", "ThingReply", "WordReply"]

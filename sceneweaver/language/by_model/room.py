@@ -105,6 +105,3 @@ def _whole(value: int | None, bounds: tuple[int, int], name: str, problems: dict
     spoken = f"{name} {value if abs(value) < 10**9 else 'that many'}"
     problems[f"room: {spoken} cannot be; it is {bounds[0]} to {bounds[1]}, or null"] = OPEN
     return None
-
-
-__all__ = ["add_room", "known_room"]
