@@ -31,7 +31,7 @@ from scipy.stats import spearmanr
 from benchmarks.console import say
 from benchmarks.strict_eyes import GRADED, Comparison, comparisons, labels
 from sceneweaver.critic.grade import FULL, older_lost
-from sceneweaver.knowledge import design_rules as knowledge
+from sceneweaver.rules import design as knowledge
 
 Array = NDArray[np.float64]
 

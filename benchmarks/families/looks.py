@@ -21,9 +21,9 @@ from sceneweaver.agent.by_model.pictures import room_pictures
 from sceneweaver.assets import Library
 from sceneweaver.critic import Fault
 from sceneweaver.knowledge import room_type
-from sceneweaver.knowledge.design_rules import drafted_rules
 from sceneweaver.language import read_request
 from sceneweaver.llm import ModelClient, ModelError, open_client
+from sceneweaver.rules.design import drafted_rules
 from sceneweaver.scene import MissingDependencyError
 from sceneweaver.verify import check
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from benchmarks.designs import LIBRARY
 from sceneweaver.assets.placed import scaled_asset
-from sceneweaver.critic.design.walls import CURTAINS
+from sceneweaver.assets.roles import with_role
 from sceneweaver.critic.survey import Survey
 from sceneweaver.scene import Window
 from sceneweaver.verify.solids import Body, Opening
@@ -26,7 +26,7 @@ LOWEST = 0.1
 def pierced(survey: Survey) -> tuple[list[Body], list[Body]]:
     """The curtains that a sill goes through, and all that hang at a window with a sill."""
     found, all_ = [], []
-    for body in survey.of_kind(CURTAINS):
+    for body in survey.of_kind(with_role("curtain")):
         windows = [w for w in survey.placed.windows if _at(body, w)]
         if windows:
             all_.append(body)

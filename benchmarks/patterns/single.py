@@ -14,16 +14,15 @@ from benchmarks.patterns.room import Hits, Room
 from benchmarks.patterns.sills import pierced
 from benchmarks.patterns.views import hidden_keys, lights_hidden
 from sceneweaver.critic import kinds
-from sceneweaver.critic.design.gym import CARDIO, MIRRORS
-from sceneweaver.critic.design.light import HANGING
+from sceneweaver.critic.design.cover import spans_of
+from sceneweaver.critic.design.looks import off_palette
 from sceneweaver.critic.design.measure import named, top_of
-from sceneweaver.critic.design.style import off_palette
-from sceneweaver.critic.design.walls import CURTAINS, covered
+from sceneweaver.critic.design.query import kind_set
 from sceneweaver.critic.groups import ALL_BEDS, groups_of
 from sceneweaver.critic.survey import turn_to
 from sceneweaver.geometry.angles import wrap_angle
-from sceneweaver.knowledge.design_rules import limit
 from sceneweaver.knowledge.small_things import belongs
+from sceneweaver.rules.design import limit
 from sceneweaver.scene import Scene
 from sceneweaver.verify.solids import Body
 
@@ -77,7 +76,7 @@ def bare_wall(room: Room) -> Hits:
     least, short = limit("wall_covered", "share"), limit("wall_covered", "length")
     bare = []
     for wall in room.survey.placed.walls:
-        length = sum(span.end - span.start for span in covered(room.survey, wall))
+        length = sum(span.end - span.start for span in spans_of(room.survey, wall))
         if wall.length >= short and length < least * wall.length:
             bare.append(f"wall:{wall.index}")
     return _room(bare)
@@ -153,7 +152,7 @@ def back_to_screen(room: Room) -> Hits:
 
 def curtain_off(room: Room) -> Hits:
     """Curtains off the middle of their window."""
-    curtains, bad = room.survey.of_kind(CURTAINS), set(room.named("curtain_centred"))
+    curtains, bad = room.survey.of_kind(kind_set("curtain")), set(room.named("curtain_centred"))
     return _things([b for b in curtains if b.id in bad], curtains)
 
 
@@ -217,7 +216,7 @@ def unlit(room: Room) -> Hits:
 
 def low_pendant(room: Room) -> Hits:
     """Pendants that hang low over a way."""
-    lamps, bad = room.survey.of_kind(HANGING), set(room.named("pendant_clear"))
+    lamps, bad = room.survey.of_kind(kind_set("hanging_light")), set(room.named("pendant_clear"))
     return _things([b for b in lamps if b.id in bad], lamps)
 
 
@@ -225,7 +224,7 @@ def machines_anyhow(room: Room) -> Hits:
     """Gyms whose cardio machines face several ways or stand out of their row."""
     if room.kind not in ("gym", "home_gym"):
         return NONE
-    cardio, ways = room.survey.on_floor(CARDIO), []
+    cardio, ways = room.survey.on_floor(kind_set("cardio_machine")), []
     for body in cardio:
         if not any(abs(wrap_angle(body.yaw - other)) < math.radians(10.0) for other in ways):
             ways.append(body.yaw)
@@ -237,7 +236,7 @@ def gym_lacks(room: Room) -> Hits:
     """Gyms without a mirror, lockers or enough small things."""
     if room.kind != "gym":
         return NONE
-    lacking = [] if room.survey.of_kind(MIRRORS) else ["no mirror"]
+    lacking = [] if room.survey.of_kind(kind_set("=wall_mirror =standing_mirror =gym_mirror")) else ["no mirror"]
     lacking += [] if room.survey.of_kind(("locker",)) else ["no locker"]
     few = sum(b.item.mount == "surface" for b in room.survey.bodies) < limit("enough_small_things", "gym")
     return _room([*lacking, *(["few small things"] if few else [])])

@@ -16,13 +16,13 @@ from sceneweaver.critic.grade import KIND_LIMIT
 from sceneweaver.critic.order import CROOKED, STRAIGHT
 from sceneweaver.critic.physical import NEEDED
 from sceneweaver.geometry.angles import wrap_angle
-from sceneweaver.knowledge.design_rules import design_points
 from sceneweaver.knowledge.lived_in import left_about
 from sceneweaver.layout import QualityTerm
+from sceneweaver.rules.design import design_points
 from sceneweaver.scene import CATALOGUE, SceneObject
 from sceneweaver.verify.walkable import ARM, RADIUS
 
-from .choice_rules import Rules
+from .planned import Planned
 
 _FELT = design_points()
 SHARE = 4.0 / (sum(_FELT.weights.values()) + 3.0 * sum(_FELT.others.values()))
@@ -34,12 +34,12 @@ MOST_REACHED = 32
 QUARTER = math.pi / 2
 
 
-def terms(rules: Rules) -> Iterator[QualityTerm]:
+def terms(plan: Planned) -> Iterator[QualityTerm]:
     """The terms of order and access of a scene."""
-    yield from _reached(rules)
-    yield from _cramped(rules)
-    yield from _turned(rules)
-    yield from _rows(rules)
+    yield from _reached(plan)
+    yield from _cramped(plan)
+    yield from _turned(plan)
+    yield from _rows(plan)
 
 
 def _term(
@@ -57,14 +57,14 @@ def _term(
     return QualityTerm(kind, objects, span=span, weight=SHARE * points, params=params, rule=rule, most=most, **bounds)
 
 
-def _reached(rules: Rules) -> Iterator[QualityTerm]:
+def _reached(plan: Planned) -> Iterator[QualityTerm]:
     """Pieces that a robot gets to at a side where they are used: to seats and what has seats at any."""
-    if not rules.scene.room.doors:
+    if not plan.scene.room.doors:
         return
     ties = CATALOGUE.with_role("seat")
-    tucked = {name for r in rules.scene.relations if r.type in ties for name in (r.subject, *r.targets)}
+    tucked = {name for r in plan.scene.relations if r.type in ties for name in (r.subject, *r.targets)}
     grave = ("asked", "needed")
-    pieces = sorted(rules.standing, key=lambda o: o.intent.priority not in grave)[:MOST_REACHED]
+    pieces = sorted(plan.standing, key=lambda o: o.intent.priority not in grave)[:MOST_REACHED]
     for o in pieces:
         side, depth = _used_side(o, o.id in tucked)
         points = NEEDED if o.intent.priority in grave else 0.25 * NEEDED
@@ -88,30 +88,30 @@ def _used_side(o: SceneObject, tucked: bool) -> tuple[float, float]:
     return -1.0, 0.0
 
 
-def _cramped(rules: Rules) -> Iterator[QualityTerm]:
+def _cramped(plan: Planned) -> Iterator[QualityTerm]:
     """Seats at tables with hardly any room behind them."""
     least = 0.4 * RISE
-    seats = [o.id for o in rules.standing if kinds.upright_seat(o.category) or o.category in ("bench", "booth_seat")]
-    for seat in rules.standing:
-        tables = [o.id for o in rules.tied(seat, kinds.SEATED_AT)]
+    seats = [o.id for o in plan.standing if kinds.upright_seat(o.category) or o.category in ("bench", "booth_seat")]
+    for seat in plan.standing:
+        tables = [o.id for o in plan.tied(seat, "seated_at")]
         if kinds.upright_seat(seat.category) and tables:
             others = [name for name in seats if name != seat.id] + tables
             yield _term("cramped_seat", "clear", seat.id, *others, points=0.8, low=least, span=0.05, side=2)
 
 
-def _turned(rules: Rules) -> Iterator[QualityTerm]:
+def _turned(plan: Planned) -> Iterator[QualityTerm]:
     """Pieces that are not parallel to a wall or to their table."""
-    walls = rules.scene.room.walls
+    walls = plan.scene.room.walls
     axes = {round(math.degrees(wrap_angle(w.yaw - walls[0].yaw, QUARTER))) % 90 for w in walls if w.length >= 0.4}
     if axes not in ({0}, {0, 45}):
         return
     period = QUARTER if axes == {0} else QUARTER / 2
-    for o in rules.standing:
-        if _round(o) or o.category in kinds.TALL_PLANTS or left_about(o.category, rules.room):
+    for o in plan.standing:
+        if _round(o) or o.category in kinds.TALL_PLANTS or left_about(o.category, plan.room):
             continue
         base, turn = "wall:0", period
         if kinds.upright_seat(o.category):
-            tables = rules.tied(o, kinds.SEATED_AT)
+            tables = plan.tied(o, "seated_at")
             if not tables or "round" in tables[0].category or tables[0].category == "conference_table":
                 continue
             base, turn = tables[0].id, QUARTER
@@ -126,12 +126,12 @@ def _round(o: SceneObject) -> bool:
     return "round" in o.category or (abs(d - w) < 0.03 * max(d, w) and (row is None or not row.sides))
 
 
-def _rows(rules: Rules) -> Iterator[QualityTerm]:
+def _rows(plan: Planned) -> Iterator[QualityTerm]:
     """Equals that nearly stand in line: pieces of a kind, and the seats at one side of a table."""
     sets: dict[tuple[str, str], list[SceneObject]] = defaultdict(list)
-    for o in rules.standing:
+    for o in plan.standing:
         seat = kinds.upright_seat(o.category)
-        tables = rules.tied(o, kinds.SEATED_AT) if seat else []
+        tables = plan.tied(o, "seated_at") if seat else []
         if o.category not in kinds.TALL_PLANTS and bool(tables) == seat:
             sets[o.category, tables[0].id if tables else ""].append(o)
     for (_, table), pieces in sets.items():

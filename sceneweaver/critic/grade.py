@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sceneweaver.knowledge.design_rules import design_points, design_rules
+from sceneweaver.rules.design import design_points, design_rules
 
 from .model import CRITERIA, Fault
 

@@ -8,7 +8,7 @@ from typing import Any
 from sceneweaver.assets.taxonomy import category_named
 from sceneweaver.geometry.spread import even_count
 from sceneweaver.knowledge import Item
-from sceneweaver.knowledge.design_rules import design_rules
+from sceneweaver.rules.design import design_rules
 
 OVER_TABLE = 0.7
 """Height [m] between a table and the lamp that hangs over it."""

@@ -11,7 +11,7 @@ from sceneweaver.assets import Asset, Wish, drawable, resolve
 from sceneweaver.assets.roles import has_role
 from sceneweaver.assets.taxonomy import category_named, likeliness
 from sceneweaver.knowledge import Item
-from sceneweaver.knowledge.design_rules import limit
+from sceneweaver.rules.design import limit
 from sceneweaver.scene import InputError, Intent, Pose, SceneObject
 from sceneweaver.scene.edits import Add, AnyEdit, Relate
 

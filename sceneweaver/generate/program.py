@@ -13,10 +13,10 @@ from sceneweaver.assets.roles import has_role, with_role
 from sceneweaver.assets.taxonomy import category_named, members, narrower
 from sceneweaver.assets.zones import cleared, hung_at
 from sceneweaver.knowledge import Item, RoomType
-from sceneweaver.knowledge.design_rules import limit
 from sceneweaver.knowledge.kin import excluded_kinds, kin
 from sceneweaver.knowledge.usual_places import UsualPlace, usual_places_of
 from sceneweaver.language import Entity, SceneGraph, Thing
+from sceneweaver.rules.design import limit
 from sceneweaver.scene import PRIORITIES, InputError, Palette, SceneObject, Zone
 
 from .draft import CRAMMED, groups_of

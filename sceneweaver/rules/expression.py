@@ -1,4 +1,7 @@
-"""Numbers and conditions of data files: plain ones, or arithmetic over named things such as ``half * band``."""
+"""Numbers and conditions of data files: plain ones, or arithmetic over named things such as ``half * band``.
+
+An expression may call functions of its scope: ``gap(sofa, table) < reach``.
+"""
 
 from __future__ import annotations
 
@@ -13,9 +16,13 @@ _NODES = (
     (ast.Expression, ast.Constant, ast.Name, ast.Load, ast.Attribute, ast.Subscript, ast.Call, ast.Tuple)
     + (ast.BinOp, ast.Add, ast.Sub, ast.Mult, ast.Div, ast.UnaryOp, ast.USub, ast.Not)
     + (ast.BoolOp, ast.And, ast.Or, ast.Compare, ast.Eq, ast.NotEq, ast.Lt, ast.LtE, ast.Gt, ast.GtE)
-    + (ast.Is, ast.IsNot, ast.In, ast.NotIn, ast.IfExp)
+    + (ast.Is, ast.IsNot, ast.In, ast.NotIn, ast.IfExp, ast.keyword)
 )
-_FUNCTIONS = {"min": min, "max": max, "round": round, "sqrt": math.sqrt, "inf": math.inf, "__builtins__": {}}
+_FUNCTIONS: dict[str, Any] = {"min": min, "max": max, "round": round, "abs": abs, "sqrt": math.sqrt, "inf": math.inf}
+_FUNCTIONS["__builtins__"] = {}
+
+CALLED = "()"
+"""What follows the name of a function in a scope, so that a function and a number may have one name."""
 
 
 class Expression:
@@ -23,7 +30,8 @@ class Expression:
 
     Args:
         text: a value, or in words an expression over names: arithmetic, comparisons, ``and``, ``or``, ``not``,
-            ``min``, ``max``, ``round``, ``sqrt``, ``inf``, public attributes, and brackets for an end of a range.
+            ``min``, ``max``, ``round``, ``abs``, ``sqrt``, ``inf``, public attributes, brackets for an end of a range,
+            and calls of functions of the scope.
 
     Raises:
         ValueError: when the text has anything else in it.
@@ -40,7 +48,13 @@ class Expression:
 
     def value(self, scope: Mapping[str, Any]) -> Any:
         """What it is where the names mean what ``scope`` says."""
-        return self.text if self._code is None else eval(self._code, _FUNCTIONS, scope)  # its nodes are checked
+        if self._code is None:
+            return self.text
+        try:
+            return eval(self._code, _FUNCTIONS, scope)  # its nodes are checked
+        except Exception as error:
+            error.add_note(f"in the expression {self.text!r} of a rule")
+            raise
 
     def __repr__(self) -> str:
         return str(self.text)
@@ -54,5 +68,8 @@ def _parsed(text: str) -> tuple[CodeType, frozenset[str]]:
         called = isinstance(node, ast.Call) and getattr(node.func, "id", None) not in _FUNCTIONS
         if private or called or not isinstance(node, _NODES):
             raise ValueError(f"{text!r}: only arithmetic and comparisons can stand here, no {type(node).__name__}")
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id not in _FUNCTIONS:
+            node.func.id += CALLED
     names = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)} - set(_FUNCTIONS)
+    names = {name for name in names if not name.endswith(CALLED)}
     return compile(tree, "<rule>", "eval"), frozenset(names)

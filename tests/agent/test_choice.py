@@ -13,11 +13,11 @@ from sceneweaver.agent.executor import Executor
 from sceneweaver.agent.settings import Settings
 from sceneweaver.critic import review_scene
 from sceneweaver.knowledge import room_type
-from sceneweaver.knowledge.design_rules import design_rules
 from sceneweaver.knowledge.library import library_scenes, load_scene
 from sceneweaver.language import SceneGraph
 from sceneweaver.layout import rate
 from sceneweaver.layout.rate import measures
+from sceneweaver.rules.design import design_rules
 from sceneweaver.scene import Door, Pose, Relation, Room, Scene, SceneObject, Window
 from sceneweaver.tools.base import Proposal
 from sceneweaver.verify import check

@@ -9,8 +9,8 @@ from sceneweaver.agent.lived_in import DONE, lived_in
 from sceneweaver.agent.settings import Settings
 from sceneweaver.assets import Library, make
 from sceneweaver.knowledge import room_types
-from sceneweaver.knowledge.design_rules import limit
 from sceneweaver.language import read_request
+from sceneweaver.rules.design import limit
 from sceneweaver.scene import Door, InputError, Pose, Relation, Room, Scene
 from sceneweaver.tools.add_clutter import AddClutter
 from sceneweaver.tools.base import Context

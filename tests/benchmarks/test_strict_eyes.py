@@ -8,7 +8,7 @@ from benchmarks.families.critic import tabulate
 from benchmarks.results import Result
 from benchmarks.strict_eyes import Comparison, labels, load_scene, read_labels
 from sceneweaver.critic import Fault, Review
-from sceneweaver.knowledge.design_rules import design_rules
+from sceneweaver.rules.design import design_rules
 
 OLDER = {"askew", "away_from_wall", "wrong_orientation"}
 """Kinds of older checks that labels name."""

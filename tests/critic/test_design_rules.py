@@ -10,7 +10,7 @@ import pytest
 
 from sceneweaver.critic.design.breach import breach
 from sceneweaver.critic.grade import Finding, grades
-from sceneweaver.knowledge.design_rules import DesignRule, design_points, design_rules, drafted_rules, limit
+from sceneweaver.rules.design import DesignRule, design_points, design_rules, drafted_rules, limit
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "design_rules.md"
 

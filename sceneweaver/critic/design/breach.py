@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 
-from sceneweaver.knowledge.design_rules import design_rules
+from sceneweaver.rules.design import design_rules
 
 from ..grade import Call, Finding
 from ..model import Fault
@@ -27,7 +27,7 @@ def breach(
     """A finding for one breach of a rule.
 
     Args:
-        rule_id: id in ``design_rules.yaml``; KeyError when there is none.
+        rule_id: id in ``sceneweaver/rules/design``; KeyError when there is none.
         objects: ids of the objects that it is about; none for the room as a whole.
         reason: one sentence with what was measured.
         measured: the value, in the unit of the rule; an infinite one is none.

@@ -1,4 +1,4 @@
-"""What the checks of the design rules measure: free depth before a side, who overlaps a strip, where doors are."""
+"""Shapes in plan that measures of the design rules share: strips before sides, what reaches into them, door leaves."""
 
 from __future__ import annotations
 
@@ -6,8 +6,9 @@ import math
 from collections.abc import Callable, Iterable
 from typing import Any
 
+import numpy as np
+
 from sceneweaver.assets.roles import with_role
-from sceneweaver.knowledge.design_rules import design_rules
 from sceneweaver.verify.solids import Body, Opening
 
 from .. import kinds
@@ -23,11 +24,6 @@ LIGHT_SEATS = with_role("light_seat")
 def named(text: str) -> frozenset[str]:
     """The categories of a list in one text."""
     return frozenset(text.split())
-
-
-def applies(survey: Survey, *rules: str) -> bool:
-    """Whether any of some rules is for this kind of room."""
-    return any(design_rules()[rule].applies(survey.room_type.name) for rule in rules)
 
 
 def movable(body: Body) -> bool:
@@ -78,31 +74,9 @@ def clear_depth(
     return best, who
 
 
-def outlook(body: Body, point: tuple[float, float]) -> float:
-    """Angle [deg] in 0..180 between a body's front and the way from its centre to a point."""
-    ahead, aside = body.local(point)
-    return abs(math.degrees(math.atan2(aside, ahead))) if math.hypot(ahead, aside) > 1e-6 else 0.0
-
-
 def middle(opening: Opening, depth: float = 0.0) -> tuple[float, float]:
     """The point before the middle of a door or window at a depth [m]."""
     return opening.wall.point(opening.item.offset + opening.item.width / 2, depth)
-
-
-def door_distance(survey: Survey, body: Body) -> float:
-    """Distance [m] from a body's centre to the nearest door; infinite without one."""
-    return min((math.dist(body.centre, middle(door)) for door in survey.placed.doors), default=math.inf)
-
-
-def asked_for(survey: Survey, body: Body) -> bool:
-    """Whether the request names it."""
-    return body.id in survey.program.asked_of or body.item.intent.priority == "asked"
-
-
-def names(bodies: Iterable[Body], most: int = 3) -> str:
-    """The ids of some objects in words, the first few."""
-    ids = [b.id for b in bodies]
-    return ", ".join(ids[:most]) + (f" and {len(ids) - most} more" if len(ids) > most else "")
 
 
 def top_of(body: Body) -> float:
@@ -129,3 +103,24 @@ def along(opening_or_wall: Any, body: Body) -> tuple[tuple[float, float], tuple[
     spots = [wall.coordinates(c) for c in body.corners]
     us, vs = [float(u) for u, _ in spots], [float(v) for _, v in spots]
     return (min(us), max(us)), (min(vs), max(vs))
+
+
+def end_of(opening: Opening) -> float:
+    """Where along its wall [m] an opening ends."""
+    return opening.item.offset + opening.item.width
+
+
+def swing(door: Opening) -> Any:
+    """The quarter disc that a leaf sweeps in plan; None where it opens outward or slides."""
+    import shapely
+
+    kind = getattr(door.item, "swing", "")
+    if not kind.startswith("in-"):
+        return None
+    width, start = door.item.width, door.item.offset
+    left = kind == "in-left"
+    turns = np.linspace(0.0, math.pi / 2, 9)
+    u = start + width * np.cos(turns) if left else start + width - width * np.cos(turns)
+    v = width * np.sin(turns)
+    hinge = door.wall.point(start if left else start + width)
+    return shapely.Polygon([hinge, *(door.wall.point(float(a), float(b)) for a, b in zip(u, v, strict=True))])

@@ -1,80 +1,32 @@
-"""Clear ways: from the door to windows and groups, and to what is used."""
+"""Ways: how wide the widest one from the doors to a thing is."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sceneweaver.geometry.se2 import SE2
-from sceneweaver.knowledge.design_rules import design_rules, limit
-from sceneweaver.verify.solids import Body
+from sceneweaver.verify.solids import Body, Opening
 
-from .. import kinds
-from ..grade import Finding
 from ..space import floor_of
 from ..survey import Survey
-from .breach import breach
-from .measure import applies, clear_depth, middle, named, names
+from .measure import middle
+from .plan import measure
+from .query import listed
 
 Cells = NDArray[np.float64]
+
+Shape = tuple[NDArray[np.intp], NDArray[np.intp]]
+"""Rows and columns of cells."""
 
 ENTRY = 0.6
 """Distance [m] around the middle of a door's inside within which a way begins."""
 
-REACH = 0.4
-"""Distance [m] from a way beyond half its width at which what a way leads to is reached."""
-
-ACROSS = 1.3
-"""The same [m] for a window, across the furniture below it."""
-
-GRID = 0.1
-"""Width [m] that a way may lack, as the floor is measured on a grid."""
-
 NARROWER = (0.8, 0.7, 0.6, 0.5, 0.4, 0.3, 0.2)
 """Widths [m] that are tried where the wanted one leads nowhere."""
-
-BODY = 0.5
-"""Width [m] that a person needs to get to a thing, in the way of light seats or not."""
-
-GOALS = (
-    kinds.BEDS
-    | kinds.SOFAS
-    | kinds.DESKS
-    | kinds.DINING
-    | named("wardrobe fridge stove toilet vanity double_vanity corner_shower shower bathtub freestanding_bathtub")
-)
-"""What a way should lead to."""
-
-BINS = named("laundry_hamper pedal_bin trash_can wastebasket recycling_bin")
-"""What things are thrown into."""
-
-STEPPED_ON = 0.15
-"""Distance [m] beyond half of a person's width from which something on the floor is stepped on."""
-
-WEDGED = 0.06
-"""Gap [m] on either side up to which something is wedged between others."""
-
-USED = named(
-    "laundry_hamper pedal_bin trash_can wastebasket recycling_bin low_bookcase bookcase pouf armchair loveseat"
-    " activity_table kids_table toy_chest toy_shelf cube_shelf scale wardrobe dresser desk filing_cabinet cabinet"
-    " water_cooler coat_rack wine_rack locker"
-)
-"""What people walk up to."""
-
-
-def faults(survey: Survey) -> Iterator[Finding]:
-    """Breaches of the rules for ways."""
-    if survey.placed.doors and survey.standing:
-        plan = Plan(survey)
-        yield from _ways(survey, plan)
-        yield from _unreached(survey, plan)
-
-
-# ---- ways ------------------------------------------------------------------------------------------------------------
 
 
 class Plan:
@@ -137,92 +89,43 @@ def _dense(outline: NDArray[np.float64], step: float) -> NDArray[np.float64]:
     return outline[edge] + (ends - outline)[edge] * number[:, None] / counts[edge, None]
 
 
-def _ways(survey: Survey, plan: Plan) -> Iterator[Finding]:
-    if not applies(survey, "way_to_group", "way_to_window"):
-        return
-    width = limit("way_to_group", "width")
-    groups: dict[float, list[Body]] = {}
-    for body in survey.of_kind(GOALS):
-        if body.item.mount != "floor":
-            continue
-        shape = plan.along(np.array(body.corners))
-        if not plan.reached(width - GRID, shape, REACH):
-            groups.setdefault(_widest(plan, shape, REACH), []).append(body)
-    for wide, bodies in groups.items():
-        yield breach(
-            "way_to_group",
-            (b.id for b in bodies),
-            f"the way from the door to {names(bodies)} is {wide:g} m wide",
-            measured=wide,
-            allowed=(width, None),
-            weight=0.5 if wide >= 0.6 else 1.0,
-            suggestion=f"clear a way {width:g} m wide from the door to {names(bodies)}",
-        )
-    width, narrow = limit("way_to_window", "width"), {}
-    for window in survey.placed.windows:
-        shape = plan.along(np.array(window.wall.strip(window.item.offset, window.item.width, 0.0, 0.05)))
-        if not plan.reached(width - GRID, shape, ACROSS):
-            narrow[window.item.id] = _widest(plan, shape, ACROSS)
-    if narrow:
-        wide = min(narrow.values())
-        yield breach(
-            "way_to_window",
-            narrow,
-            f"the way from the door to {', '.join(narrow)} is {wide:g} m wide",
-            measured=wide,
-            allowed=(width, None),
-            weight=0.5 if wide >= 0.6 else 1.0,
-        )
+def _plan(survey: Survey) -> Plan:
+    kept = survey.__dict__.get("_plan")
+    if kept is None:
+        kept = survey.__dict__["_plan"] = Plan(survey)
+    return kept
 
 
-def _widest(plan: Plan, shape: tuple[NDArray[np.intp], NDArray[np.intp]], within: float) -> float:
-    return next((w for w in NARROWER if plan.reached(w, shape, within)), 0.0)
+def _shape(survey: Survey, thing: Body | Opening, front_only: bool = False) -> Shape:
+    """The cells along a body, along its front alone, or along an opening."""
+    plan = _plan(survey)
+    if isinstance(thing, Opening):
+        return plan.along(np.array(thing.wall.strip(thing.item.offset, thing.item.width, 0.0, 0.05)))
+    if not front_only:
+        return plan.along(np.array(thing.corners))
+    (x, y), (nx, ny), half = thing.face("front")
+    half *= 0.7
+    return plan.along(np.array([(x - ny * half, y + nx * half), (x + ny * half, y - nx * half)]))
 
 
-def _unreached(survey: Survey, plan: Plan) -> Iterator[Finding]:
-    rule = design_rules()["reachable"]
-    if not rule.applies(survey.room_type.name):
-        return
-    for body in survey.on_floor(USED):
-        if body.item.category in BINS and (hidden := _hidden(survey, body)):
-            yield breach(
-                "reachable",
-                (body.id, *hidden),
-                f"{body.id} is {'under' if len(hidden) == 1 else 'wedged between'} {' and '.join(hidden)}",
-                suggestion=f"move {body.id} to where it can be reached",
-            )
-            continue
-        sides = np.array(body.corners)
-        if body.item.category in kinds.WALL_BACKED:
-            face = body.face("front")
-            x, y = face.centre
-            nx, ny = face.normal
-            half = 0.7 * face.half
-            sides = np.array([(x - ny * half, y + nx * half), (x + ny * half, y - nx * half)])
-        near = STEPPED_ON if body.item.category == "scale" else rule.limits["gap"] - 0.1
-        if not plan.reached(BODY, plan.along(sides), near):
-            yield breach(
-                "reachable",
-                (body.id,),
-                f"nobody who needs {BODY:g} m gets to {body.id}",
-                suggestion=f"move {body.id} to where it can be reached",
-            )
+@measure
+def reached(survey: Survey, thing: Body | Opening, width: float, within: float, front_only: bool = False) -> bool:
+    """Whether a way of a width [m] comes within a distance [m], beyond half of it, of a thing or of its front."""
+    return _plan(survey).reached(width, _shape(survey, thing, front_only), within)
 
 
-def _hidden(survey: Survey, body: Body) -> list[str]:
-    """The table above a bin, or what it is wedged between: another thing and a wall, or two things."""
-    import shapely
+@measure
+def widest_way(survey: Survey, things: Any, within: float) -> float:
+    """Width [m] of the widest of some ways to a thing, the least of several; 0 where there is none."""
+    return min(_widest(survey, thing, within) for thing in listed(things))
 
-    box = survey.boxes[body.index]
-    for other, _ in survey.near(body, 0.0):
-        if other.item.category in kinds.DINING and shapely.area(box & survey.boxes[other.index]) > 0.5 * box.area:
-            return [other.id]
-    if body.item.category != "laundry_hamper":
-        return []  # a bin stands well between others
-    found = []
-    for side in ("left", "right"):
-        gap, other = clear_depth(survey, body, side, 0.3, lambda b: b.z[1] < 0.6 * body.z[1])
-        if gap > WEDGED:
-            return []
-        found.append("the wall" if other is None else other.id)
-    return [] if found[0] == found[1] else found
+
+def _widest(survey: Survey, thing: Body | Opening, within: float) -> float:
+    shape = _shape(survey, thing)
+    return next((w for w in NARROWER if _plan(survey).reached(w, shape, within)), 0.0)
+
+
+@measure
+def ways_to(survey: Survey, things: list[Body], within: float) -> list[float]:
+    """The widths [m] of the ways to some things, each once."""
+    return list(dict.fromkeys(_widest(survey, thing, within) for thing in listed(things)))

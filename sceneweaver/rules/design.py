@@ -1,0 +1,214 @@
+"""The design rules as rows: what a row is about, its measure, the interval, what a breach costs and how to mend it.
+
+``design/*.yaml`` has the rules, one file for each family of rooms or things; docs/design_rules.md says how rows are
+read. The critic makes findings of rows with a ``text`` (`sceneweaver.critic.design`), the choice among many layouts
+makes terms of the engine of rows with a ``span`` (`sceneweaver.agent.choice`). What a breach costs is drafted in the
+rule and fitted to the grades of strict eyes; the fitted points stand in ``design_points.yaml``, which
+``python -m benchmarks.critic_fit`` writes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields, replace
+from functools import cache
+from importlib import resources
+from types import MappingProxyType
+from typing import Any
+
+import yaml
+
+from .expression import Expression
+
+CRITERIA = ("realism", "functionality", "layout", "completion")
+
+
+@dataclass(frozen=True)
+class Row:
+    """One way to keep or break a rule. All texts but templates and selectors are expressions over its case.
+
+    Attributes:
+        of: what the row is about: a named selector, or the members of a query by name.
+        where: condition on the case.
+        let: further quantities of the case by name.
+        measure: what is measured; none where the condition is the breach.
+        low, high: the interval in which the measure lies.
+        slack: how far it may lie outside before that is a breach.
+        span: how far outside all points of a term are gone; none: no term is made.
+        share: share of the rule's points that such a term has.
+        params: further numbers of a term.
+        kind: measure of the engine where that is another than the critic's.
+        objects: names of the case that a finding or term is about.
+        text: what a finding says; none: no finding is made.
+        mend: what would mend it.
+        call: a tool and its inputs that do mend it.
+        measured, allowed: what a finding gives for both, where that is not the measure and its interval.
+        weight: share of the rule's points, for what is not all of a breach, or more than one.
+        rooms: kinds of rooms, or names of groups of them, that the row is for.
+    """
+
+    of: str | Mapping[str, str] = ""
+    where: Expression | None = None
+    let: Mapping[str, Expression] = field(default_factory=dict)
+    measure: Expression | None = None
+    low: Expression | None = None
+    high: Expression | None = None
+    slack: Expression = Expression(0.0)
+    span: Expression | None = None
+    share: Expression = Expression(1.0)
+    params: Mapping[str, Expression] = field(default_factory=dict)
+    kind: str = ""
+    objects: tuple[str, ...] = ()
+    text: str = ""
+    mend: str = ""
+    call: Mapping[str, Any] | None = None
+    measured: Expression | None = None
+    allowed: tuple[Expression | None, Expression | None] | None = None
+    weight: Expression = Expression(1.0)
+    rooms: frozenset[str] = frozenset()
+
+    def applies(self, room: str) -> bool:
+        """Whether the row is for a kind of room."""
+        return not self.rooms or room in self.rooms
+
+
+@dataclass(frozen=True)
+class DesignRule:
+    """One rule: what it says, the grade that a breach lowers, its numbers and its rows.
+
+    Attributes:
+        id: its name.
+        statement: one plain sentence.
+        criterion: the grade that a breach lowers.
+        points: what one breach takes off the grade.
+        most: what all breaches of it take off together.
+        drafted: the points that it was given before the fit.
+        rooms: kinds of rooms that it is for; empty: all.
+        limits: its numbers by name: metres, degrees, counts, shares.
+        rows: what is looked at.
+    """
+
+    id: str
+    statement: str
+    criterion: str
+    points: float
+    most: float
+    drafted: float = 0.0
+    rooms: frozenset[str] = frozenset()
+    limits: Mapping[str, float] = field(default_factory=dict)
+    rows: tuple[Row, ...] = ()
+
+    def applies(self, room: str) -> bool:
+        """Whether the rule is for a kind of room."""
+        return not self.rooms or room in self.rooms
+
+
+@dataclass(frozen=True)
+class DesignPoints:
+    """What the fit found: the points of each rule, and how grades follow from them.
+
+    Attributes:
+        baseline: by criterion, points lost to what only eyes can tell.
+        weights: by criterion, how much it feels breaches of its own rules.
+        others: by criterion, how much it feels those of the other rules.
+        scale: by what drafted points are multiplied where a rule was not fitted.
+        points: what one breach of each rule takes off.
+    """
+
+    baseline: Mapping[str, float]
+    weights: Mapping[str, float]
+    others: Mapping[str, float]
+    scale: float
+    points: Mapping[str, float]
+
+
+@cache
+def design_points() -> DesignPoints:
+    """The fitted numbers."""
+    return DesignPoints(**_read(resources.files(__package__ or "") / "design_points.yaml"))
+
+
+@cache
+def room_groups() -> Mapping[str, frozenset[str]]:
+    """Kinds of rooms that rules name together."""
+    data = _read(resources.files(__package__ or "") / "design" / "rooms.yaml")
+    return MappingProxyType({name: frozenset(rooms) for name, rooms in data.items()})
+
+
+@cache
+def drafted_rules() -> Mapping[str, DesignRule]:
+    """All rules by id, file by file, with the points that they were given before the fit.
+
+    Raises:
+        ValueError: a rule or row has a field that is unknown, or an id is there twice.
+    """
+    files = sorted((resources.files(__package__ or "") / "design").iterdir(), key=lambda f: f.name)
+    found: dict[str, DesignRule] = {}
+    for file in files:
+        if file.name == "rooms.yaml" or not file.name.endswith(".yaml"):
+            continue
+        for data in _read(file):
+            rule = _rule(data)
+            if rule.id in found or rule.criterion not in CRITERIA:
+                raise ValueError(f"{file.name}: {rule.id} is there twice, or has no criterion of {CRITERIA}")
+            found[rule.id] = rule
+    return MappingProxyType(found)
+
+
+@cache
+def design_rules() -> Mapping[str, DesignRule]:
+    """All rules by id with their fitted points; ValueError as `drafted_rules`."""
+    fitted, found = design_points(), {}
+    for rule in drafted_rules().values():
+        points = fitted.points.get(rule.id, fitted.scale * rule.drafted)
+        most = rule.most / rule.drafted * points if rule.drafted else 0.0
+        found[rule.id] = replace(rule, points=round(points, 3), most=round(most, 3))
+    return MappingProxyType(found)
+
+
+def limit(rule: str, name: str) -> float:
+    """A number of a rule; KeyError when there is none of that name."""
+    return design_rules()[rule].limits[name]
+
+
+def _read(file: Any) -> Any:
+    return yaml.load(file.read_text(encoding="utf-8"), Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
+
+
+def _rule(data: dict[str, Any]) -> DesignRule:
+    name = data.get("id", "?")
+    rows = tuple(_row(name, row) for row in data.pop("rows", ()))
+    _known(f"{name}", data, DesignRule)
+    return DesignRule(**{**data, "rooms": _rooms(data), "rows": rows, "drafted": data["points"]})
+
+
+def _row(rule: str, data: dict[str, Any]) -> Row:
+    """A row of a file; `if` is its condition, and what is no template is an expression."""
+    if "if" in data:
+        data = {**{k: v for k, v in data.items() if k != "if"}, "where": data["if"]}
+    _known(f"a row of {rule}", data, Row)
+    plain = ("of", "text", "mend", "call", "kind")
+    found: dict[str, Any] = {k: v for k, v in data.items() if k in plain}
+    found["rooms"], found["objects"] = _rooms(data), tuple(data.get("objects", ()))
+    for key in data.keys() - {*plain, "rooms", "objects"}:
+        value = data[key]
+        if isinstance(value, bool):
+            raise ValueError(f"a row of {rule}: {key}: a bare on, off, yes or no is a truth value of YAML, so quote it")
+        if key == "allowed":
+            found[key] = tuple(None if v is None else Expression(v) for v in value)
+        elif isinstance(value, dict):
+            found[key] = {k: Expression(v) for k, v in value.items()}
+        else:
+            found[key] = Expression(value)
+    return Row(**found)
+
+
+def _known(what: str, data: Mapping[str, Any], kind: type) -> None:
+    unknown = set(data) - {f.name for f in fields(kind)}
+    if unknown:
+        raise ValueError(f"{what}: unknown key {', '.join(sorted(unknown))}")
+
+
+def _rooms(data: Mapping[str, Any]) -> frozenset[str]:
+    groups = room_groups()
+    return frozenset(room for name in data.get("rooms", ()) for room in groups.get(name, (name,)))

@@ -1,0 +1,54 @@
+"""Rows of the design rules: what they name exists, and what cannot be read is refused."""
+
+from __future__ import annotations
+
+import ast
+import string
+
+import pytest
+
+from sceneweaver.critic.design.plan import MEASURES
+from sceneweaver.critic.design.query import Member, kind_set
+from sceneweaver.critic.design.world import SELECTORS
+from sceneweaver.rules import design
+from sceneweaver.rules.design import Row, design_rules
+from sceneweaver.rules.expression import _FUNCTIONS, Expression
+
+ROWS = [(rule.id, row) for rule in design_rules().values() for row in rule.rows]
+
+
+def texts(row: Row) -> list[str]:
+    """The expressions of a row."""
+    found = [row.where, row.measure, row.low, row.high, row.slack, row.measured, row.weight, *row.let.values()]
+    for name, text in row.of.items() if not isinstance(row.of, str) else ():
+        if name != "from":
+            member = Member.parse(name, text)
+            found += [member.source, member.where, member.key, member.distance]
+    fields = (f for t in (row.text, row.mend) for _, f, _, _ in string.Formatter().parse(t) if f is not None)
+    return [e.text for e in found if e is not None and isinstance(e.text, str)] + [*fields, *row.objects]
+
+
+@pytest.mark.parametrize(("rule", "row"), [r for r in ROWS if r[1].text])
+def test_what_a_row_of_the_critic_names_exists(rule: str, row: Row) -> None:
+    named = row.of if isinstance(row.of, str) else row.of.get("from", "")
+    assert not named or named in SELECTORS, rule
+    for text in texts(row):
+        calls = {n.func.id for n in ast.walk(ast.parse(text.strip(), mode="eval")) if isinstance(n, ast.Call)}
+        assert calls <= set(MEASURES) | set(_FUNCTIONS), (rule, text)
+
+
+@pytest.mark.parametrize("row", [{"of": "door", "hgih": 1}, {"of": "door", "measured": False}, {"if": "x.__class__"}])
+def test_rows_that_cannot_be_read_are_refused(row: dict) -> None:
+    with pytest.raises(ValueError):
+        design._row("a_rule", row)
+
+
+def test_sets_of_categories() -> None:
+    assert "sectional_sofa" in kind_set("sofa") and "sectional_sofa" not in kind_set("sofa -=sectional_sofa")
+    assert "sofa" not in kind_set("-sofa") and "desk" in kind_set("-sofa")
+    with pytest.raises(ValueError, match="no role"):
+        kind_set("=soffa")
+
+
+def test_functions_and_numbers_may_have_one_name() -> None:
+    assert Expression("gap(2) < gap").value({"gap()": lambda x: x, "gap": 3}) is True
