@@ -65,7 +65,7 @@ def _parsed(text: str) -> tuple[CodeType, frozenset[str]]:
     tree = ast.parse(text.strip(), mode="eval")
     for node in ast.walk(tree):
         private = isinstance(node, ast.Attribute) and node.attr.startswith("_")
-        called = isinstance(node, ast.Call) and getattr(node.func, "id", None) not in _FUNCTIONS
+        called = isinstance(node, ast.Call) and not isinstance(node.func, ast.Name)
         if private or called or not isinstance(node, _NODES):
             raise ValueError(f"{text!r}: only arithmetic and comparisons can stand here, no {type(node).__name__}")
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id not in _FUNCTIONS:
