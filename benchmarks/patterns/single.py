@@ -74,9 +74,10 @@ NONE = Hits(0, 0)
 def bare_wall(room: Room) -> Hits:
     """Rooms with a wall that is hardly covered."""
     least, short = limit("wall_covered", "share"), limit("wall_covered", "length")
+    tall, close = limit("wall_covered", "tall"), limit("wall_covered", "close")
     bare = []
     for wall in room.survey.placed.walls:
-        length = sum(span.end - span.start for span in spans_of(room.survey, wall))
+        length = sum(span.end - span.start for span in spans_of(room.survey, wall, tall, close))
         if wall.length >= short and length < least * wall.length:
             bare.append(f"wall:{wall.index}")
     return _room(bare)
@@ -238,7 +239,7 @@ def gym_lacks(room: Room) -> Hits:
         return NONE
     lacking = [] if room.survey.of_kind(kind_set("=wall_mirror =standing_mirror =gym_mirror")) else ["no mirror"]
     lacking += [] if room.survey.of_kind(("locker",)) else ["no locker"]
-    few = sum(b.item.mount == "surface" for b in room.survey.bodies) < limit("enough_small_things", "gym")
+    few = sum(b.item.mount == "surface" for b in room.survey.bodies) < limit("enough_small_things", "bedroom")
     return _room([*lacking, *(["few small things"] if few else [])])
 
 

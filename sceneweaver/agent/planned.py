@@ -144,7 +144,6 @@ class Planned:
             "sill": lambda window: heights(window)[0],
             "tall": lambda o: o.size[2],
             "tied": lambda a, b: b in self.near(a),
-            "wall_length": lambda wall: wall.length,
             "walls": lambda: walls,
             "width": lambda o: o.size[1],
             "windows": lambda: tuple(self.scene.room.windows),

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import ast
+import re
 import string
+from importlib import resources
 
 import pytest
 
-from sceneweaver.critic.design.plan import MEASURES
 from sceneweaver.critic.design.query import Member, kind_set
+from sceneweaver.critic.design.registry import MEASURES
 from sceneweaver.critic.design.world import SELECTORS
 from sceneweaver.rules import design
 from sceneweaver.rules.design import Row, design_rules
@@ -35,6 +37,13 @@ def test_what_a_row_of_the_critic_names_exists(rule: str, row: Row) -> None:
     for text in texts(row):
         calls = {n.func.id for n in ast.walk(ast.parse(text.strip(), mode="eval")) if isinstance(n, ast.Call)}
         assert calls <= set(MEASURES) | set(_FUNCTIONS), (rule, text)
+
+
+def test_every_measure_is_called_by_a_row_and_says_what_it_measures() -> None:
+    files = (resources.files(design.__package__ or "") / "design").iterdir()
+    rows = "".join(file.read_text("utf-8") for file in files if file.name.endswith(".yaml"))
+    assert [name for name in MEASURES if not re.search(rf"\b{name}\(", rows)] == []
+    assert [name for name, function in MEASURES.items() if not function.__doc__] == []
 
 
 @pytest.mark.parametrize("row", [{"of": "door", "hgih": 1}, {"of": "door", "measured": False}, {"if": "x.__class__"}])

@@ -21,14 +21,9 @@ from ..space import floor_of
 from ..survey import Survey
 from .measure import along, end_of, strip
 from .measure import overlap as shared
-from .plan import Reading, measure, over
+from .plan import over
 from .query import kind_set
-
-TALL = 1.2
-"""Height [m] from which furniture covers the wall behind it."""
-
-CLOSE = 0.35
-"""Gap [m] to a wall up to which tall furniture covers it."""
+from .registry import Reading, measure
 
 SPOTS = 300
 """Points of the floor at which its light is looked at."""
@@ -76,15 +71,15 @@ class Span(NamedTuple):
     end: float
 
 
-def spans_of(survey: Survey, wall: Wall) -> list[Span]:
-    """Stretches of a wall with an opening, something hung, or tall furniture; in order, not overlapping."""
+def spans_of(survey: Survey, wall: Wall, tall: float, close: float) -> list[Span]:
+    """Stretches of a wall with an opening, something hung, or furniture of a height [m] within a gap [m]; in order."""
     spans = [Span(o.item.offset, o.item.offset + o.item.width) for o in _openings(survey) if o.wall.index == wall.index]
     for body in survey.bodies:
         hung = body.item.mount == "wall"
-        if not hung and not (body.item.mount == "floor" and body.size[2] >= TALL):
+        if not hung and not (body.item.mount == "floor" and body.size[2] >= tall):
             continue
         alongs, depths = zip(*(wall.coordinates(corner) for corner in body.corners), strict=True)
-        if min(depths) > CLOSE or max(alongs) < 0.0 or min(alongs) > wall.length:
+        if min(depths) > close or max(alongs) < 0.0 or min(alongs) > wall.length:
             continue
         if hung and wall_behind(survey.placed.walls, body.position, body.front) != wall.index:
             continue
@@ -102,10 +97,10 @@ def _openings(survey: Survey) -> list[Opening]:
     return [*survey.placed.doors, *survey.placed.windows]
 
 
-def free_runs(survey: Survey, wall: Wall) -> list[Span]:
+def free_runs(survey: Survey, wall: Wall, tall: float, close: float) -> list[Span]:
     """Stretches of a wall with nothing on them."""
     at, runs = 0.0, []
-    for span in [*spans_of(survey, wall), Span(wall.length, wall.length)]:
+    for span in [*spans_of(survey, wall, tall, close), Span(wall.length, wall.length)]:
         if span.start > at:
             runs.append(Span(at, span.start))
         at = max(at, span.end)
@@ -113,27 +108,15 @@ def free_runs(survey: Survey, wall: Wall) -> list[Span]:
 
 
 @measure
-def wall_length(_: Survey, wall: Wall) -> float:
-    """Length [m] of a wall."""
-    return wall.length
-
-
-@measure
-def wall_number(_: Survey, wall: Wall) -> int:
-    """The number of a wall."""
-    return wall.index
-
-
-@measure
-def bare(survey: Survey, wall: Wall, run: float) -> float:
+def bare(survey: Survey, wall: Wall, run: float, tall: float, close: float) -> float:
     """Length [m] of a wall in stretches, longer than ``run`` [m], that have nothing on them."""
-    return sum(r.end - r.start for r in free_runs(survey, wall) if r.end - r.start > run)
+    return sum(r.end - r.start for r in free_runs(survey, wall, tall, close) if r.end - r.start > run)
 
 
 @measure
-def covered(survey: Survey, wall: Wall) -> float:
+def covered(survey: Survey, wall: Wall, tall: float, close: float) -> float:
     """Share of a wall with an opening, something hung, or tall furniture."""
-    return 1.0 - sum(r.end - r.start for r in free_runs(survey, wall)) / wall.length
+    return 1.0 - sum(r.end - r.start for r in free_runs(survey, wall, tall, close)) / wall.length
 
 
 @measure
@@ -226,19 +209,6 @@ def shaded(survey: Survey, window: Opening, o: Body, depth: float) -> float:
 
 
 # ---- light -----------------------------------------------------------------------------------------------------------
-
-
-@measure
-def lit_from_above(survey: Survey, table: Body, slack: float) -> bool:
-    """Whether a lamp at the ceiling is over a table."""
-    lamps = [b for b in survey.of_kind(kind_set("ceiling_light")) if b.item.mount == "ceiling"]
-    return any(over(survey, table, b, slack) for b in lamps)
-
-
-@measure
-def over_some(survey: Survey, lamp: Body, slack: float) -> bool:
-    """Whether a lamp hangs over any table that people sit around."""
-    return any(over(survey, t, lamp, slack) for t in survey.on_floor(kind_set("dining_table")))
 
 
 @measure

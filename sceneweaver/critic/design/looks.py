@@ -17,8 +17,9 @@ from sceneweaver.verify.solids import Body
 
 from .. import finish, kinds
 from ..survey import Survey
-from .plan import asked, measure
+from .bodies import asked
 from .query import kind_set
+from .registry import measure
 
 DARK = frozenset(("black", "dark brown"))
 

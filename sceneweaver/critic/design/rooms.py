@@ -10,9 +10,11 @@ from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.verify.solids import Body, Opening
 
 from ..survey import QUARTER, Survey
+from .free import wall_ahead
 from .measure import along, end_of, inside, middle, overlap, strip, top_of
-from .plan import bearing, measure, spot, wall_ahead
+from .plan import bearing
 from .query import listed
+from .registry import measure, spot
 
 # ---- bath ------------------------------------------------------------------------------------------------------------
 

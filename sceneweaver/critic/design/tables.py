@@ -17,8 +17,9 @@ from sceneweaver.verify.solids import Body
 
 from ..survey import Survey
 from .measure import along, top_of
-from .plan import measure, seats_at
+from .plan import seats_at
 from .query import kind_set
+from .registry import measure
 
 PLATES = "=plate =place_setting"
 

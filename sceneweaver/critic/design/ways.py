@@ -14,8 +14,8 @@ from sceneweaver.verify.solids import Body, Opening
 from ..space import floor_of
 from ..survey import Survey
 from .measure import middle
-from .plan import measure
 from .query import listed
+from .registry import measure
 
 Cells = NDArray[np.float64]
 

@@ -12,12 +12,12 @@ from sceneweaver.verify.solids import Body
 
 from ..groups import groups_of
 from ..survey import Survey
-from . import cover, looks, rooms, tables, ways
-from .plan import MEASURES
+from . import bodies, cover, doors, free, looks, plan, rooms, tables, ways
 from .query import Case, kind_set
+from .registry import MEASURES
 
-MODULES = (cover, looks, rooms, tables, ways)
-"""What has measures beside `plan`; they put them into `MEASURES` as they are read."""
+MODULES = (bodies, cover, doors, free, looks, plan, rooms, tables, ways)
+"""What has measures, by subject; they put them into `MEASURES` as they are read."""
 
 OFF = 0.4
 """Distance [m] behind the back of a bed or sofa up to which something hangs over it."""
