@@ -188,9 +188,10 @@ class Rounds:
         """Append the next job of every candidate."""
         batch, state, common = self.batch, self.state, [self.batch.problems, self.plan]
         lanes = threads_per_candidate(batch.device)
+        threads = 128 if batch.objects <= CROWD else 64  # in a crowd warps of a block take unlike times
         drawers = min(1 + self.plan.proposals, lanes)
         block.add(draw, (batch.size, drawers), common, [state, self.proposals, jobs], 128)
-        block.add(rate, batch.size * lanes, [*common, self.proposals], [state, jobs], 128)
+        block.add(rate, batch.size * lanes, [*common, self.proposals], [state, jobs], threads)
         if self.plan.polish:
             block.add(take_gradients, batch.size * lanes, [batch.problems, state], [jobs], 64)
         block.add(advance, batch.size, common, [state, jobs, run], 64)

@@ -6,6 +6,8 @@ import doctest
 import importlib
 import importlib.util
 import inspect
+from collections.abc import Callable
+from typing import get_args, get_type_hints
 
 import pytest
 
@@ -59,6 +61,17 @@ def test_the_examples_of_a_public_name_run(name, tmp_path, monkeypatch):
     assert runner.failures == 0, "".join(said)
 
 
+def parameters_of(function: Callable) -> tuple[set[str], set[str]]:
+    """The names of its arguments, and those of the typed dictionary that ``**options`` unpack."""
+    plain, packed = set(), set()
+    for name, parameter in inspect.signature(function).parameters.items():
+        if parameter.kind is parameter.VAR_KEYWORD and "Unpack" in str(parameter.annotation):
+            packed |= set(get_type_hints(get_args(get_type_hints(function)[name])[0]))
+        else:
+            plain.add(name)
+    return plain, packed
+
+
 def test_a_docstring_that_lists_arguments_lists_them_all():
     wrong = []
     for name in PUBLIC:
@@ -73,6 +86,9 @@ def test_a_docstring_that_lists_arguments_lists_them_all():
             if line.startswith("    ") and not line.startswith("     ")
             for part in line.split(":")[0].split(",")
         }
-        if differ := listed ^ set(inspect.signature(found).parameters):
+        plain, packed = parameters_of(found)
+        together = listed - plain - packed if packed else set()  # ``options`` stands for those that are not listed
+        missing = plain - listed if together else (plain | packed) - listed
+        if differ := missing | (listed - plain - packed - {"options"}):
             wrong.append(f"{name}: {sorted(differ)}")
     assert wrong == []

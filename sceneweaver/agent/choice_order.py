@@ -12,13 +12,13 @@ from collections.abc import Iterator
 from sceneweaver.assets import categories
 from sceneweaver.critic import kinds
 from sceneweaver.critic.access import RISE
-from sceneweaver.critic.grade import KIND_LIMIT
 from sceneweaver.critic.order import CROOKED, STRAIGHT
 from sceneweaver.critic.physical import NEEDED
 from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.knowledge.lived_in import left_about
 from sceneweaver.layout import QualityTerm
 from sceneweaver.rules.design import design_points
+from sceneweaver.rules.faults import fault_kind
 from sceneweaver.scene import CATALOGUE, SceneObject
 from sceneweaver.verify.walkable import ARM, RADIUS
 
@@ -53,7 +53,7 @@ def _term(
     **params: float,
 ) -> QualityTerm:
     bounds = {name: value for name, value in (("low", low), ("high", high)) if math.isfinite(value)}
-    most = SHARE * KIND_LIMIT
+    most = SHARE * fault_kind(rule).most
     return QualityTerm(kind, objects, span=span, weight=SHARE * points, params=params, rule=rule, most=most, **bounds)
 
 
@@ -91,12 +91,13 @@ def _used_side(o: SceneObject, tucked: bool) -> tuple[float, float]:
 def _cramped(plan: Planned) -> Iterator[QualityTerm]:
     """Seats at tables with hardly any room behind them."""
     least = 0.4 * RISE
+    seated = fault_kind("cramped_seat").points or 0.0
     seats = [o.id for o in plan.standing if kinds.upright_seat(o.category) or o.category in ("bench", "booth_seat")]
     for seat in plan.standing:
         tables = [o.id for o in plan.tied(seat, "seated_at")]
         if kinds.upright_seat(seat.category) and tables:
             others = [name for name in seats if name != seat.id] + tables
-            yield _term("cramped_seat", "clear", seat.id, *others, points=0.8, low=least, span=0.05, side=2)
+            yield _term("cramped_seat", "clear", seat.id, *others, points=seated, low=least, span=0.05, side=2)
 
 
 def _turned(plan: Planned) -> Iterator[QualityTerm]:

@@ -14,9 +14,6 @@ from .grade import Finding, finding, moved, related
 from .needs import seat_like, table_of
 from .survey import FLAT, Survey
 
-GRADE_CAP = 5.0
-"""Highest grade of a layout in which something cannot be got at."""
-
 DEEP = 0.45
 """Depth [m] of the room that a front needs, where the category asks for no less."""
 
@@ -71,7 +68,7 @@ def _fronts(survey: Survey) -> Iterator[Finding]:
                     f"{worst.id} takes {total:.0%} of the {depth:.2f} m before {body.id}",
                     f"move {worst.id} away from the front of {body.id}",
                     points=1.2 + total,
-                    cap=GRADE_CAP,
+                    grave=True,
                     call=moved(worst.id),
                 )
 
@@ -105,7 +102,6 @@ def _seats(survey: Survey) -> Iterator[Finding]:
             names,
             f"{what} leaves less than {RISE:g} m behind {seat.id}: {min(1.0, total):.0%} of it is taken",
             f"leave at least {RISE:g} m behind {seat.id}",
-            points=0.8,
             call=moved(seat.id, *([table.id] if table else [])),
         )
 
@@ -122,7 +118,7 @@ def _doors(survey: Survey) -> Iterator[Finding]:
                     f"{other.id} takes {share:.0%} of the {ENTRY:g} m behind {door.item.id}",
                     f"move {other.id} away from {door.item.id}",
                     points=0.6 + share,
-                    cap=GRADE_CAP if share > 0.5 else None,
+                    grave=share > 0.5,
                     call=related("away_from_door", other.id),
                 )
 
@@ -172,7 +168,6 @@ def _hung(survey: Survey) -> Iterator[Finding]:
                     (body.id, opening.item.id),
                     f"{body.id} hangs {wide:.2f} m across {opening.item.id}",
                     f"move {body.id} to a free wall",
-                    points=1.2,
                     call=moved(body.id),
                 )
 

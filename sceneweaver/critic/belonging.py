@@ -18,9 +18,6 @@ from . import kinds
 from .grade import Finding, finding
 from .survey import Survey
 
-GRADE_CAP = 5.0
-"""Highest grade of a room with something from another kind of place in it."""
-
 DOMINANT = 0.4
 """Share of the furniture up to which one kind may make up a room."""
 
@@ -75,7 +72,7 @@ def _foreign(survey: Survey) -> Iterator[Finding]:
         strange = _strangeness(body, places, elsewhere)
         if strange is None:
             continue
-        points, lid, why = strange
+        points, grave, why = strange
         yield finding(
             "realism",
             "foreign_object",
@@ -83,7 +80,7 @@ def _foreign(survey: Survey) -> Iterator[Finding]:
             f"{kinds.a(category)} is {why} {kinds.a(survey.room_type.name)}",
             f"remove {body.id}",
             points=points,
-            cap=lid,
+            grave=grave,
             call=("remove_objects", {"ids": [body.id]}),
         )
 
@@ -96,17 +93,15 @@ def _elsewhere(room: str) -> frozenset[str]:
     return frozenset(c for name, r in room_types().items() if name != room for i in r.items for c in i.what)
 
 
-def _strangeness(
-    body: Body, places: frozenset[str], elsewhere: frozenset[str]
-) -> tuple[float, float | None, str] | None:
-    """Points, lid and words for something that the room does not list; None when it may well be there."""
+def _strangeness(body: Body, places: frozenset[str], elsewhere: frozenset[str]) -> tuple[float, bool, str] | None:
+    """Points, whether it is grave, and words for what the room does not list; None when it may well be there."""
     category = body.item.category
     place = place_of(category)
     if place is not None and place not in places:
         large = body.item.mount == "floor" or max(body.size) > 0.5
         if any(neighbouring(place, other) for other in places):
-            return 0.6, None, "unusual in"
-        return (3.0, GRADE_CAP, "out of place in") if large else (1.0, None, "out of place in")
+            return 0.6, False, "unusual in"
+        return (3.0, True, "out of place in") if large else (1.0, False, "out of place in")
     row = categories().get(category)
     if row is None or fits_anywhere(category):
         return None
@@ -117,10 +112,10 @@ def _strangeness(
     if "gym" in places and "sport" in kinds.groups_of(category):
         return None
     if kinds.groups_of(category) & {"sport", "tool_group"}:
-        return 1.2, None, "unusual in"
+        return 1.2, False, "unusual in"
     if category in elsewhere or row.parent == "furniture":
-        return 0.7, None, "unusual in"
-    return 0.25, None, "not usual in"
+        return 0.7, False, "unusual in"
+    return 0.25, False, "not usual in"
 
 
 def _lifeless(survey: Survey) -> Iterator[Finding]:

@@ -18,9 +18,6 @@ from .grade import Finding, finding, moved, related
 from .needs import table_of
 from .survey import Survey, turn_to
 
-GRADE_CAP = 5.0
-"""Highest grade of a layout in which something cannot be used as it stands."""
-
 SEAT, SCREEN, LOUNGE = 35.0, 45.0, 65.0
 """Angles [deg] up to which a chair faces its table, a screen its viewer, a sofa what it looks at."""
 
@@ -85,7 +82,7 @@ def _wrong(ids: list[str], reason: str, fix: str, grave: bool, points: float = 1
         reason,
         fix,
         points=points,
-        cap=GRADE_CAP if grave else None,
+        grave=grave,
         call=("update_rotation", {"ids": ids[:1], **inputs}),
     )
 
@@ -119,7 +116,7 @@ def _chairs(survey: Survey) -> Iterator[Finding]:
                 f"{seat.id} is not at the front of {table.id}",
                 f"put {seat.id} in front of {table.id}",
                 points=1.5,
-                cap=GRADE_CAP,
+                grave=True,
                 call=related("front_to_front", seat.id, table.id),
             )
     for table_id, found in turned.items():
@@ -135,7 +132,7 @@ def _chairs(survey: Survey) -> Iterator[Finding]:
             reason,
             f"turn {', '.join(ids)} toward {table_id}",
             points=min(4.0, 1.2 * len(ids)),
-            cap=GRADE_CAP if worst > GRAVE else None,
+            grave=worst > GRAVE,
             call=("update_rotation", {"ids": ids, "toward": table_id}),
         )
 
@@ -334,7 +331,6 @@ def _televisions(survey: Survey) -> Iterator[Finding]:
                 (tv.id, seat.id, other.id),
                 f"{other.id} stands between {seat.id} and {tv.id}",
                 f"move {other.id} out of the way",
-                points=1.2,
                 call=moved(other.id),
             )
 
@@ -371,7 +367,7 @@ def _beds(survey: Survey) -> Iterator[Finding]:
             reason,
             f"put the head of {bed.id} against a wall",
             points=2.0,
-            cap=GRADE_CAP if gap > 0.5 else None,
+            grave=gap > 0.5,
             call=related("against_wall", bed.id),
         )
     for stand in survey.of_kind(("nightstand",)):
@@ -444,7 +440,6 @@ def _walled_in(survey: Survey) -> Iterator[Finding]:
                 (body.id,),
                 reason,
                 f"move {body.id} away from the wall",
-                points=1.5,
                 call=moved(body.id),
             )
 

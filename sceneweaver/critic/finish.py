@@ -15,9 +15,6 @@ from .needs import placing
 from .space import floor_of
 from .survey import Survey
 
-GRADE_CAP = 5.0
-"""Highest grade of a room that is half empty, or that has nothing on its furniture."""
-
 BARE = 0.5
 """Share of the floor that furniture should use."""
 
@@ -87,7 +84,7 @@ def _supports(survey: Survey) -> Iterator[Finding]:
     empty = [b for b in bases if level[b.id] == 0.0]
     poor = [b for b in bases if 0.0 < level[b.id] < 0.5]
     share = populated(survey)
-    lid = GRADE_CAP if share < 0.5 and len(bases) >= 2 else None
+    grave = share < 0.5 and len(bases) >= 2
     groups: dict[tuple[str, str | None], list[Body]] = {}
     for body in empty:
         groups.setdefault(_call(survey, body), []).append(body)
@@ -104,7 +101,7 @@ def _supports(survey: Survey) -> Iterator[Finding]:
             f"{share:.0%} of the tables and shelves are in use",
             f"put things on {', '.join(ids[:4])}",
             points=0.4 + 3.0 * len(ids) / len(bases),
-            cap=lid,
+            grave=grave,
             call=(tool, inputs),
         )
     if poor:
@@ -146,7 +143,7 @@ def _floor(survey: Survey) -> Iterator[Finding]:
             f"{1 - used:.0%} of the floor is more than 0.6 m from any furniture",
             "add furniture to the empty part of the room",
             points=1.0 + 6.0 * (bare - used),
-            cap=GRADE_CAP,
+            grave=True,
             call=("add_objects", {"objects": _more(survey)}),
         )
     elif used < bare + 0.15:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from sceneweaver.rules.design import design_points, design_rules
+from sceneweaver.rules.faults import fault_kind
 
 from .model import CRITERIA, Fault
 
@@ -17,27 +18,6 @@ FULL = 10.0
 LINEAR = 5.0
 """Points up to which every point of what was asked for counts in full; what comes after counts less and less, so that
 grades never stop telling a bad scene from a worse one."""
-
-KIND_LIMIT = 3.0
-"""Most points that faults of one kind take together, where `LIMITS` says nothing else."""
-
-LIMITS = {
-    "collision": 6.0,
-    "out_of_bounds": 6.0,
-    "unsupported": 6.0,
-    "dropped": 6.0,
-    "blocked_zone": 5.0,
-    "blocked_opening": 5.0,
-    "missing_needed": 8.0,
-    "foreign_object": 7.0,
-    "wrong_orientation": 6.0,
-    "wrong_size": 6.0,
-    "missing_usual": 1.5,
-    "empty_support": 4.0,
-    "bare": 6.0,
-    "unwalkable": 5.0,
-    "empty_room": 10.0,
-}
 
 SLOPE = 0.2
 """How much a point beside the capping faults lowers a capped grade."""
@@ -62,11 +42,23 @@ def finding(
     reason: str,
     suggestion: str = "",
     *,
-    points: float = 1.0,
+    points: float | None = None,
+    grave: bool = False,
     cap: float | None = None,
     call: Call | None = None,
 ) -> Finding:
-    """A finding in one call."""
+    """A finding in one call.
+
+    Args:
+        points: what it takes off; None: what the row of the kind says, or else 1.
+        grave: whether the lid of the kind's row lies on the grade.
+        cap: a lid of its own.
+    """
+    row = fault_kind(kind)
+    if points is None:
+        points = 1.0 if row.points is None else row.points
+    if grave:
+        cap = row.lid
     tool, inputs = call or (None, {})
     fault = Fault(
         criterion=criterion,
@@ -154,7 +146,7 @@ def _lost(found: Sequence[Finding]) -> float:
 def _most(kind: str) -> float:
     """Most points that faults of one kind take together."""
     rule = design_rules().get(kind)
-    return rule.most if rule is not None else LIMITS.get(kind, KIND_LIMIT)
+    return rule.most if rule is not None else fault_kind(kind).most
 
 
 def eased(lost: float) -> float:

@@ -15,9 +15,6 @@ from .grade import Finding, finding
 from .program import Need
 from .survey import Survey
 
-GRADE_CAP = 5.5
-"""Highest grade of a room in which something needed is missing."""
-
 SPARE = 0.15
 """Share of the usual items of a kind of room that one room may do without."""
 
@@ -83,10 +80,10 @@ def _missing(survey: Survey, need: Need) -> Finding:
     share = need.missing / need.least
     call = ("add_objects", {"objects": calls})
     if item.need == "needed":
-        points, lid = 1.5 + 2.5 * share, GRADE_CAP if share > 0.5 else None
+        points, grave = 1.5 + 2.5 * share, share > 0.5
         others = not have and any(serves(b.item.category, item.what) for b in survey.bodies)
         if have >= need.core or others:
-            points, lid = (0.4 + 1.6 * share), None  # too few for its size, or others do its work
+            points, grave = (0.4 + 1.6 * share), False  # too few for its size, or others do its work
         return finding(
             "functionality",
             "missing_needed",
@@ -94,7 +91,7 @@ def _missing(survey: Survey, need: Need) -> Finding:
             reason,
             fix,
             points=points,
-            cap=lid,
+            grave=grave,
             call=call,
         )
     show = bool(kinds.groups_of(category) & SHOW)

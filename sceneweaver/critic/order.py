@@ -197,7 +197,6 @@ def _heights(survey: Survey) -> Iterator[Finding]:
             (body.id,),
             f"{body.id} hangs {bottom:.2f} m above the floor; usual are {low:.2f} to {high:.2f} m",
             f"hang {body.id} at {(low + high) / 2:.2f} m",
-            points=0.8,
             call=moved(body.id),
         )
 
@@ -236,7 +235,6 @@ def _off_centre(survey: Survey) -> Iterator[Finding]:
                     (tv.id, stand.id),
                     f"{tv.id} hangs {abs(aside):.2f} m beside the middle of {stand.id}",
                     f"hang {tv.id} over the middle of {stand.id}",
-                    points=0.7,
                     call=related("above", tv.id, stand.id),
                 )
             break

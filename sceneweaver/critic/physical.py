@@ -12,9 +12,6 @@ from . import kinds
 from .grade import Finding, finding, moved
 from .survey import Survey
 
-GRADE_CAP = 5.0
-"""Highest grade of a layout whose faults hinder its use."""
-
 WALKABLE, REACHABLE = 0.9, 0.97
 """Shares of the free floor, and of the furniture, that a person should get to."""
 
@@ -44,22 +41,18 @@ def _violation(survey: Survey, v: Violation) -> Iterator[Finding]:
         case "collision" | "out_of_bounds" | "unsupported":
             floating = v.kind == "unsupported"
             fix = "set it down on what carries it" if floating else f"lay out {' and '.join(ids)} again"
-            yield finding("layout", v.kind, ids, v.detail, fix, points=2.0, cap=GRADE_CAP, call=again)
+            yield finding("layout", v.kind, ids, v.detail, fix, points=2.0, grave=True, call=again)
             points = 2.0 if floating else 1.0
-            yield finding(
-                "realism", v.kind, ids, v.detail, fix, points=points, cap=GRADE_CAP if floating else None, call=again
-            )
+            yield finding("realism", v.kind, ids, v.detail, fix, points=points, grave=floating, call=again)
         case "blocked_zone" if len(ids) == 2 and _on_companion(survey, *ids):
             return
         case "blocked_zone" | "blocked_opening":
             fix = f"move {ids[-1]} out of the way" if ids else "clear the way"
             points = min(2.0, 1.2 + 2.0 * v.amount)
-            yield finding(
-                "layout", v.kind, v.objects, v.detail, fix, points=points, cap=GRADE_CAP, call=moved(*ids[-1:])
-            )
+            yield finding("layout", v.kind, v.objects, v.detail, fix, points=points, grave=True, call=moved(*ids[-1:]))
         case "relation":
             fix = f"lay out {v.objects[0]} again so that it holds"
-            yield finding("layout", "broken_relation", v.objects, v.detail, fix, points=1.0, call=again)
+            yield finding("layout", "broken_relation", v.objects, v.detail, fix, call=again)
         case "soft_relation" if _slight(survey, v):
             return
         case "soft_relation":
@@ -71,7 +64,7 @@ def _violation(survey: Survey, v: Violation) -> Iterator[Finding]:
             fix = f"make room for the {why} and add it again"
             for criterion in ("completion", "alignment"):
                 call = ("add_objects", {"objects": [{"category": why, "count": 1}]})
-                yield finding(criterion, "dropped", v.objects, v.detail, fix, points=1.5, call=call)
+                yield finding(criterion, "dropped", v.objects, v.detail, fix, call=call)
 
 
 def _on_companion(survey: Survey, owner: str, other: str) -> bool:
@@ -116,7 +109,7 @@ def _ways(survey: Survey) -> Iterator[Finding]:
             f"{walk:.0%} of the free floor can be reached from the door",
             "lay out the room again with wider ways",
             points=0.5 + 8.0 * (WALKABLE - walk),
-            cap=GRADE_CAP if walk < 0.7 else None,
+            grave=walk < 0.7,
             call=moved(),
         )
     if reach is not None and reach < 1.0:
@@ -135,6 +128,6 @@ def _ways(survey: Survey) -> Iterator[Finding]:
                 f"{reach:.0%} of the furniture can be reached from the door{which}",
                 "lay out the room again so that all furniture can be reached",
                 points=0.3 + 5.0 * max(0.0, REACHABLE - reach) + NEEDED * len(grave),
-                cap=5.5 if reach < 0.7 else None,
+                grave=reach < 0.7,
                 call=moved(),
             )

@@ -91,7 +91,7 @@ def _short(faults: Sequence[Fault]) -> tuple[Fault, ...]:
 def _empty(survey: Survey) -> Iterator[Finding]:
     yield from needs.faults(survey)
     for criterion in ("realism", "functionality", "layout", "completion"):
-        yield finding(criterion, "empty_room", (), "the room is empty", "furnish the room", points=9.0, cap=1.0)
+        yield finding(criterion, "empty_room", (), "the room is empty", "furnish the room", grave=True)
 
 
 def _measures(survey: Survey) -> dict[str, float]:

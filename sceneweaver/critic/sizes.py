@@ -73,7 +73,7 @@ def _range(survey: Survey, body: Body) -> Iterator[Finding]:
             f"{body.id} ({kinds.words(body.item.category)}) has {words}",
             f"give {body.id} the size {' x '.join(f'{t:.2f}' for t in target)} m",
             points=1.0 if worst < WRONG else min(3.0, 1.0 + worst),
-            cap=5.0 if worst >= WRONG else None,
+            grave=worst >= WRONG,
             call=("update_size", {"sizes": {body.id: [round(t, 3) for t in target]}}),
         )
 
@@ -100,7 +100,6 @@ def _equals(survey: Survey) -> Iterator[Finding]:
                 (b.id for b in odd),
                 f"{odd[0].id} differs from {middle.id} by a factor of {_factor(odd[0], middle):.1f}",
                 f"give them the size of {middle.id}",
-                points=0.6,
                 call=("update_size", {"sizes": {b.id: list(middle.size) for b in odd}}),
             )
 

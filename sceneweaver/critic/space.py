@@ -167,7 +167,7 @@ def faults(survey: Survey) -> Iterator[Finding]:
             f"furniture covers {covered:.0%} of the floor",
             f"remove {', '.join(spare)}",
             points=0.5 + 12.0 * (covered - CROWDED),
-            cap=5.0 if covered > CROWDED + 0.15 else None,
+            grave=covered > CROWDED + 0.15,
             call=("remove_objects", {"ids": spare}),
         )
     cells, row, column, rows, columns = _idle(survey)

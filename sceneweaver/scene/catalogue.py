@@ -153,6 +153,7 @@ class RelationSpec:
         ties_zones: subject and target are exempt from each other's hard zones.
         roles: what relations of the type are for, see `ROLES`.
         ways: the rows that make it hold; none of a registered type, which brings functions of its own.
+        rounded: whether the judge forgives what float64 loses, see `sceneweaver.verify.measure.ROUNDING`.
         frame: whose sides are meant: ``own``, or ``frame`` where the param of that name says it; None: no side matters.
         snap: the exact values of quantities: ``degrees`` off, ``gap``, ``lateral`` (the two middles, along the
             target's face), ``backs`` (the two back faces, along the front).
@@ -172,6 +173,7 @@ class RelationSpec:
     roles: frozenset[str] = frozenset(("placing",))
     snap: Mapping[str, Exact] = field(default_factory=lambda: MappingProxyType({}))
     ways: tuple[Way, ...] = ()
+    rounded: bool = False
     frame: str | None = None
 
     @property
@@ -282,6 +284,7 @@ def _spec(name: str, entry: Mapping[str, Any]) -> RelationSpec:
         ties_zones=entry.get("ties_zones", False),
         roles=frozenset(entry.get("roles", ())),
         snap=MappingProxyType({key: _exact(e) for key, e in entry.get("snap", {}).items()}),
+        rounded=entry.get("rounded", False),
         ways=ways_of(name, entry["ways"], entry.get("frame")),
         frame=entry.get("frame"),
     )

@@ -427,7 +427,8 @@ def judge_ways(case: Case) -> Judgement:
     """Whether some way of a relation's type holds, at one of its sites or at every one."""
     target = case.relation.target
     missing = SITES[case.spec.ways[0].sites][1].format(target=target or case.spec.target_kind)
-    return judge(_alternatives(case), missing, ROUNDING)
+    whole = case.spec.overlap is not None and case.number("overlap") >= 1.0  # else rounding alone would decide
+    return judge(_alternatives(case), missing, ROUNDING if case.spec.rounded or whole else 0.0)
 
 
 def _alternatives(case: Case) -> Iterator[Measurements]:

@@ -1,4 +1,4 @@
-"""Every kernel compiles for a GPU (sm_90), which takes no GPU."""
+"""Every kernel compiles for a GPU (sm_90), which takes no GPU: three here, all of them in `make bench`."""
 
 from __future__ import annotations
 
@@ -18,6 +18,9 @@ MODULES = [importlib.import_module(name) for name in (*NAMES, *TRACING, *BATCHED
 # Modules without kernels of their own are compiled with those that use them.
 WITH_KERNELS = [m for m in MODULES if wp.get_module(m.__name__).kernels]
 
+# Those that only a GPU runs, that use what only it has, and that trace rays.
+QUICK = {"gradients_gpu", "proposals", "ray_kernels"}
+
 
 def test_modules_are_found():
     names = {m.__name__.rpartition(".")[2] for m in WITH_KERNELS}
@@ -26,7 +29,13 @@ def test_modules_are_found():
     assert expected <= names
 
 
-@pytest.mark.parametrize("module", WITH_KERNELS, ids=lambda m: m.__name__.rpartition(".")[2])
+def short(module) -> str:
+    return module.__name__.rpartition(".")[2]
+
+
+@pytest.mark.parametrize(
+    "module", [pytest.param(m, id=short(m), marks=() if short(m) in QUICK else pytest.mark.slow) for m in WITH_KERNELS]
+)
 def test_module_compiles(module, tmp_path):
     files = wp.compile_aot_module(module, arch=ARCH, module_dir=tmp_path, use_ptx=True)
     assert files and all(f.stat().st_size > 0 for f in files)

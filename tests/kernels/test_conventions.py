@@ -15,17 +15,6 @@ FOLDER = Path(sceneweaver.kernels.__file__).parent
 PICTURES = Path(sceneweaver.__file__).parent / "render"
 FILES = [
     *sorted(p for p in FOLDER.glob("*.py") if p.name != "__init__.py"),
-    *(
-        PICTURES / f"{name}.py"
-        for name in (
-            "first_hit_kernels",
-            "map_kernels",
-            "point_kernels",
-            "raycast_kernels",
-            "raycast_world",
-            "smoothing_kernels",
-        )
-    ),
     *sorted((PICTURES / "tracing").glob("*_kernels.py")),
     *sorted((PICTURES.parent / "envs" / "batched").glob("*_kernels.py")),
 ]
@@ -146,7 +135,6 @@ def test_kernels_are_found():
         "verdict.judge_objects",
         "search.search",
         "descent.step",
-        "raycast_kernels.cast",
         "view_kernels.light_pixels",
     }
     assert expected <= {k.name for k in KERNELS}

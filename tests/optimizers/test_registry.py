@@ -7,9 +7,10 @@ import importlib
 import numpy as np
 import pytest
 import warp as wp
+from typer.testing import CliRunner
 
 import sceneweaver as sw
-from sceneweaver.cli.app import OPTIMIZERS as NAMED
+from sceneweaver.cli.app import app
 from sceneweaver.layout.compile import compile_scene
 from sceneweaver.layout.engine import _modules
 from sceneweaver.layout.job import Job
@@ -32,7 +33,8 @@ def test_modules_hold_kernels(name):
 
 
 def test_the_command_line_names_them():
-    assert set(NAMED) == set(OPTIMIZERS)
+    said = " ".join(CliRunner().invoke(app, ["refine", "--help"], env={"COLUMNS": "200"}).output.split())
+    assert ", ".join(OPTIMIZERS) in said
 
 
 def test_only_what_is_needed_is_compiled():

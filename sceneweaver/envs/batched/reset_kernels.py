@@ -71,12 +71,12 @@ def copy_rows(
     fresh: wp.array(dtype=int),
     row: wp.array(dtype=int),
     # State out:
-    out: wp.array2d(dtype=Any),
+    field_out: wp.array2d(dtype=Any),
 ):
     """A field of the bank, its rows [R, n] by room or by layout, into the model [W, m], from ``first`` on."""
     world, k = wp.tid()
     if fresh[world] != 0:
-        out[world, first + k] = source[row[world], k]
+        field_out[world, first + k] = source[row[world], k]
 
 
 @wp.kernel
