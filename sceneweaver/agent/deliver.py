@@ -35,6 +35,9 @@ PACKING = 4
 LEAST = 0.5
 """Seconds without which no further file is begun."""
 
+HANGS = 0.3
+"""Seconds after which a file is given up that comes to no checkpoint: less than the report takes."""
+
 AMPLE = 60.0
 """Seconds in which pictures of full size are drawn for sure."""
 
@@ -110,7 +113,7 @@ def _exported(
         try:
             if deadline.left < LEAST:
                 raise TimeUp
-            with deadline.enforced():
+            with deadline.enforced(patience=HANGS):
                 export_scene(scene, folder, (name,), load)
         except TimeUp:
             missed.append(name)
@@ -169,7 +172,7 @@ class _Album:
         drawn: dict[str, Image] = {}
         levels = EYE_LEVEL if self.deadline.left <= AMPLE else EYE_LEVEL[-1:]
         try:
-            with self.deadline.before(self.page).enforced():
+            with self.deadline.before(self.page).enforced(patience=HANGS):
                 if self.deadline.before(self.page).left < LEAST:
                     raise TimeUp
                 room = EyeLevel(self.scene, self.load, device=self.device)
@@ -205,7 +208,7 @@ class _Album:
 
         started, drawn = time.monotonic(), {}
         try:
-            with self.deadline.before(kept).enforced():
+            with self.deadline.before(kept).enforced(patience=HANGS):
                 for views in VIEWS:
                     drawn |= draw_rooms(self.scene, self.load, views, *size, device=self.device)
         except SceneWeaverError:
@@ -231,7 +234,7 @@ def _report(result: Result, folder: Path, load: Callable, drawn: dict, deadline:
         kept = folder / "steps" / f"{step.number:02d}" / "scene.json"
         picture = None
         if kept.exists() and step.accepted and not deadline.passed:
-            with suppress(TimeUp), deadline.enforced():
+            with suppress(TimeUp), deadline.enforced(patience=HANGS):
                 picture = draw_top(Scene.load(kept), width=STEP_WIDTH)
         rows.append(
             StepRow(

@@ -8,6 +8,7 @@ from collections.abc import Callable, Hashable, Sequence
 from typing import Any
 
 from sceneweaver.assets import Asset, Material, Mesh
+from sceneweaver.runtime.deadline import checkpoint
 
 from .glb_mesh import PackedMesh, layout, packed
 from .images import images, linear, tinted
@@ -53,6 +54,7 @@ class GlbFile:
             asset: What it is of, if others may have it: its data go to the shared files, where there are some.
             part: Which part of the asset, in which size; its materials are those of the asset.
         """
+        checkpoint()
         if key not in self._meshes:
             if self._shared is None or asset is None:
                 mesh = make()

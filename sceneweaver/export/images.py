@@ -13,6 +13,7 @@ import numpy as np
 from sceneweaver.assets import Material
 from sceneweaver.assets.by_identity import ByIdentity
 from sceneweaver.assets.textures import Maps, maps
+from sceneweaver.runtime.deadline import checkpoint
 
 _FLAT = 0.012  # mean slope below which a normal map cannot be seen
 _EVEN = 0.03  # share by which roughness has to differ to be worth a map
@@ -35,6 +36,7 @@ def images(texture: str, side: int = 1024) -> Images | None:
     Raises:
         InputError: nobody knows the texture.
     """
+    checkpoint()
     found = maps(texture)
     return None if found is None else _files(ByIdentity(found), side)
 

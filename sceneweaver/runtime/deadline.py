@@ -102,14 +102,14 @@ class Deadline:
         """An earlier one, which keeps so many seconds for what comes after."""
         return replace(self, margin=self.margin + seconds)
 
-    def enforced(self, grace: Callable[[], float] = float) -> _Block:
+    def enforced(self, grace: Callable[[], float] = float, patience: float = PATIENCE) -> _Block:
         """A ``with`` block that ends by `TimeUp` at the first `checkpoint` after this deadline, or one around it.
 
         What asks the deadline itself has some seconds of ``grace`` more to end in good order, none unless given, and
-        none when a stop is asked for. A library that calls no checkpoint is broken off in the middle after `PATIENCE`,
-        in the main thread of a process that does not use the alarm clock for something else.
+        none when a stop is asked for. What calls no checkpoint is broken off in the middle after ``patience`` [s], in
+        the main thread of a process that does not use the alarm clock for something else.
         """
-        return _Block(self, grace)
+        return _Block(self, grace, patience)
 
 
 NEVER = Deadline()
@@ -135,8 +135,8 @@ def end_of_block() -> float:
 class _Block:
     """A block under a deadline, which knows the one around it."""
 
-    def __init__(self, deadline: Deadline, grace: Callable[[], float]) -> None:
-        self._deadline, self._grace = deadline, grace
+    def __init__(self, deadline: Deadline, grace: Callable[[], float], patience: float) -> None:
+        self._deadline, self._grace, self.patience = deadline, grace, patience
         self._outer: _Block | None = None
         self._rings = False  # whether it has set the alarm clock going
         self.frame: FrameType | None = None
@@ -190,14 +190,14 @@ def _set_alarm() -> None:
         signal.setitimer(signal.ITIMER_REAL, 1e-3, AGAIN)
         return
     block = _BLOCK.get()
-    late = math.inf if block is None else block.end + PATIENCE - time.monotonic()
+    late = math.inf if block is None else block.end + block.patience - time.monotonic()
     signal.setitimer(signal.ITIMER_REAL, *((0.0,) if math.isinf(late) else (max(1e-3, late), AGAIN)))
 
 
 def _rung(number: int, frame: FrameType | None) -> None:
     """Break off what runs, unless that has time left or must be done as a whole; then the alarm rings again."""
     block = _BLOCK.get()
-    if block is None or time.monotonic() < block.end + PATIENCE:
+    if block is None or time.monotonic() < block.end + block.patience:
         _set_alarm()
     elif not _leaving() and _may_break(frame, block.frame):
         raise TimeUp

@@ -208,6 +208,19 @@ def test_pictures_that_take_too_long_are_left_out(result, tmp_path, monkeypatch)
 
 
 @pytest.mark.usefixtures("ours")
+@pytest.mark.parametrize("call", ["sceneweaver.render.draw_rooms", "sceneweaver.export.export_scene"])
+def test_what_never_comes_back_is_given_up_and_the_report_is_written(result, tmp_path, monkeypatch, call):
+    def hanging(*_: object, **__: object) -> None:
+        while True:  # no checkpoint
+            time.sleep(0.01)
+
+    monkeypatch.setattr(call, hanging)
+    end = time.monotonic() + 2.0
+    done = deliver(result, tmp_path, Library(), "cpu", True, ("glb",), Deadline(end))
+    assert time.monotonic() < end + 0.5 and done.undone
+    assert (tmp_path / "report.html").exists() and "report" not in done.undone
+
+
 def test_the_pictures_that_there_was_time_for_are_kept_and_the_report_shows_them(result, tmp_path, monkeypatch):
     def drawn(scene: Scene, load: object, views: tuple[str, ...], *_: object, **__: object) -> dict[str, Image.Image]:
         while "corner" in views:

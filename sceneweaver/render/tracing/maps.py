@@ -10,6 +10,7 @@ import warp as wp
 
 from sceneweaver.assets import textures
 from sceneweaver.assets.by_identity import ByIdentity
+from sceneweaver.runtime.deadline import checkpoint
 
 from .world_kernels import Pattern
 
@@ -28,7 +29,9 @@ class MapTable:
     def add(self, texture: str) -> tuple[int, float, float]:
         """The row of a texture, -1 for none, and what its maps' tint and roughness are multiplied by."""
         if texture not in self._rows:
+            checkpoint()  # the first use of a map reads it and works out its mips
             maps = textures.maps(texture)
+            checkpoint()
             self._rows[texture] = (-1, 1.0, 1.0) if maps is None else self._put(maps)
         return self._rows[texture]
 
@@ -89,6 +92,7 @@ def _levels(image: np.ndarray) -> list[np.ndarray]:
     """An image [n, n, 4] and its halves, down to the smallest mip."""
     found = [image]
     while len(found[-1]) > _LEAST_LEVEL:
+        checkpoint()
         found.append(_halved(found[-1]))
     return found
 

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import warp as wp
 
+from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.runtime.threads import cores, map_threads
 from sceneweaver.scene import InputError, MissingDependencyError
 
@@ -106,6 +107,7 @@ def launch(kernel: Any, count: int, before: list, after: list, out: list, deadli
     Raises:
         TimeoutError: ``deadline``, a time of ``time.monotonic``, has passed.
     """
+    checkpoint()
     _check(deadline)
     if count == 0:
         return

@@ -14,6 +14,7 @@ import warp as wp
 from sceneweaver.assets import textures
 from sceneweaver.assets.body import Material, Mesh
 from sceneweaver.assets.by_identity import ByIdentity
+from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.scene import InputError
 
 from ..instances import Instance
@@ -57,6 +58,7 @@ def collect(instances: Sequence[Instance], lights: Lights | DirectLights) -> Geo
     if sum(len(one.mesh.faces) for one in instances) > MAX_TRIANGLES:
         raise InputError(f"instances: more than {MAX_TRIANGLES} triangles")
     for number, one in enumerate(instances):
+        checkpoint()
         mesh, matrix = one.mesh, checked(one.transform, number)
         if not len(mesh.faces):
             continue
