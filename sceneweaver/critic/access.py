@@ -11,7 +11,7 @@ from sceneweaver.verify.solids import Body, Opening
 from . import kinds
 from .design.measure import HEAD, along, overlap, strip
 from .grade import Finding, finding, moved, related
-from .needs import seat_like, table_of
+from .seats import seat_like, table_of
 from .survey import FLAT, Survey
 
 DEEP = 0.45

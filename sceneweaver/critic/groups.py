@@ -13,7 +13,7 @@ from functools import cached_property
 from sceneweaver.verify.solids import Body
 
 from . import kinds
-from .needs import table_of
+from .seats import table_of
 from .survey import FLAT, Survey, turn_to
 
 REACH = 1.2

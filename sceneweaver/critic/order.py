@@ -14,7 +14,7 @@ from sceneweaver.verify.solids import Body
 from . import kinds
 from .grade import Finding, finding, moved, related
 from .groups import groups_of
-from .needs import table_of
+from .seats import table_of
 from .survey import QUARTER, Survey
 
 BACK_GAP = 0.15

@@ -10,7 +10,7 @@ from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Scene
 from sceneweaver.verify import Report
 
-from . import access, asked, belonging, design, facing, finish, needs, order, own, physical, rows, sizes, space
+from . import access, asked, belonging, checks, design, finish, needs, order, own, physical, rows, sizes, space
 from .grade import Finding, finding, grades
 from .model import Fault, Review
 from .survey import Survey
@@ -20,7 +20,7 @@ CHECKS: tuple[Callable[[Survey], Iterator[Finding]], ...] = (
     needs.faults,
     belonging.faults,
     sizes.faults,
-    facing.faults,
+    design.other_faults,
     access.faults,
     order.faults,
     rows.faults,

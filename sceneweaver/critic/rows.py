@@ -15,7 +15,7 @@ from sceneweaver.verify.solids import Body
 
 from . import kinds
 from .grade import Finding, finding, moved
-from .needs import seat_like, table_of
+from .seats import seat_like, table_of
 from .survey import QUARTER, Survey
 
 ROW_GAP = (0.03, 0.12)

@@ -8,7 +8,7 @@ from typing import Any
 from sceneweaver.verify.solids import Body, Opening
 
 from .. import kinds
-from ..needs import seat_like as likely_seat
+from ..seats import seat_like as likely_seat
 from ..survey import Survey
 from .measure import movable as is_movable
 from .query import kind_set

@@ -9,7 +9,7 @@ from typing import Any
 from sceneweaver.verify.solids import Body
 
 from .. import kinds
-from ..needs import table_of
+from ..seats import table_of
 from ..survey import FLAT, Survey
 from .measure import HEAD, clear_depth, strip
 from .measure import movable as is_movable

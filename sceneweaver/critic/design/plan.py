@@ -9,8 +9,8 @@ from typing import Any
 from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.verify.solids import Body, Opening
 
-from ..needs import seats_at as seats_of
-from ..needs import table_of
+from ..seats import seats_at as seats_of
+from ..seats import table_of
 from ..survey import FLAT, Survey, turn_to
 from .query import kind_set, listed
 from .registry import measure, spot
