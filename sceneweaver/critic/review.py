@@ -10,20 +10,16 @@ from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Scene
 from sceneweaver.verify import Report
 
-from . import access, asked, belonging, checks, design, finish, needs, order, own, physical, rows, sizes, space
+from . import asked, belonging, checks, design, finish, needs, own, sizes, space
 from .grade import Finding, finding, grades
 from .model import Fault, Review
 from .survey import Survey
 
 CHECKS: tuple[Callable[[Survey], Iterator[Finding]], ...] = (
-    physical.faults,
     needs.faults,
     belonging.faults,
     sizes.faults,
     design.other_faults,
-    access.faults,
-    order.faults,
-    rows.faults,
     space.faults,
     finish.faults,
     design.faults,

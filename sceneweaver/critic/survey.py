@@ -17,6 +17,7 @@ from sceneweaver.geometry.polygons import union
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.knowledge import RoomType
 from sceneweaver.language import Grounded, Meaning, SceneGraph, StatedRelation, Thing, grounded, meanings
+from sceneweaver.rules.faults import number as fault_number
 from sceneweaver.rules.stated import number
 from sceneweaver.scene import CATALOGUE, Scene
 from sceneweaver.verify import Report
@@ -129,7 +130,7 @@ class Survey:
         """Directions [rad] of the walls modulo 90 degrees, each once."""
         found: list[float] = []
         for wall in self.placed.walls:
-            if wall.length < 0.4:
+            if wall.length < fault_number("short_wall"):
                 continue
             if all(abs(wrap_angle(wall.yaw - other, QUARTER)) > math.radians(1.0) for other in found):
                 found.append(wall.yaw % QUARTER)

@@ -1,5 +1,5 @@
 """Measures of the faults beside the design rules, as `sceneweaver/rules/faults` asks for them."""
 
-from . import bodies, facing
+from . import access, bodies, facing, order, report
 
-__all__ = ["bodies", "facing"]
+__all__ = ["access", "bodies", "facing", "order", "report"]

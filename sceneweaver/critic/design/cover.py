@@ -16,7 +16,6 @@ from sceneweaver.knowledge.kin import at_home_in
 from sceneweaver.rules.design import room_groups
 from sceneweaver.verify.solids import Body, Opening
 
-from ..rows import UNITS
 from ..space import floor_of
 from ..survey import Survey
 from .measure import along, end_of, strip
@@ -293,7 +292,7 @@ def _worked_on(survey: Survey, depth: float) -> NDArray[np.bool_]:
         return np.zeros_like(floor.inside)
     areas = [shapely.Polygon(zone) for zone in survey.placed.opening_zones.xy[: len(survey.placed.doors)]]
     areas += [
-        strip(body, "front", depth, 1.0) for body in survey.on_floor(kind_set("opened washbasin bathtub shower"), UNITS)
+        strip(body, "front", depth, 1.0) for body in survey.on_floor(kind_set("opened washbasin bathtub shower kitchen_unit"))
     ]
     rows, columns = np.indices(floor.inside.shape)
     x, y = floor.world(rows + 0.5, columns + 0.5)

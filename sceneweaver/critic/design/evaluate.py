@@ -36,7 +36,7 @@ def other_faults(survey: Survey) -> Iterator[Finding]:
     world = Surveyed(survey)
     for kind in fault_kinds().values():
         for row in kind.rows if survey.bodies or kind.empty else ():
-            for case, *_ in _broken(world, row, kind.limits):
+            for case, *_ in _broken(world, row, kind.limits) if row.text else ():
                 for criterion in (row.criterion,) if row.criterion else kind.criteria:
                     yield finding(
                         criterion,
