@@ -10,6 +10,7 @@ from sceneweaver.knowledge.lived_in import left_about as is_left_about
 from sceneweaver.verify.solids import Body
 
 from .. import kinds
+from ..design.query import kind_set
 from ..design.registry import measure
 from ..survey import Survey
 
@@ -57,12 +58,19 @@ def whole(_: Survey, value: float) -> int:
 
 
 @measure
+def in_set(_: Survey, category: str, kinds_: str) -> bool:
+    """Whether a category is in a set."""
+    return category in kind_set(kinds_)
+
+
+@measure
+def phrase(_: Survey, category: str) -> str:
+    """A category in words."""
+    return kinds.words(category)
+
+
+@measure
 def article(_: Survey, category: str) -> str:
     """A category in words, with its article."""
     return kinds.a(category)
 
-
-@measure
-def resized(_: Survey, bodies: Any, size: Sequence[float]) -> dict[str, list[float]]:
-    """By id one size [m] for all of some bodies, as ``update_size`` takes it."""
-    return {b.id: list(size) for b in ((bodies,) if isinstance(bodies, Body) else bodies)}
