@@ -10,14 +10,15 @@ from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Scene
 from sceneweaver.verify import Report
 
-from . import asked, checks, design, own
+from . import asked, design, own
+from . import checks as checks  # whose measures rows call
 from .grade import Finding, grades
 from .model import Fault, Review
 from .survey import Survey
 from .totals import measures
 
 CHECKS: tuple[Callable[[Survey], Iterator[Finding]], ...] = (design.other_faults, design.faults, own.faults)
-"""All checks but those of the request; each reads the survey and gives what it finds. Without objects only the first."""
+"""All checks but those of the request; each gives what it finds in a survey. Without objects only the first is done."""
 
 MOST, MOST_ASKED = 8, 64
 """Faults of one kind that are listed one by one; of what was asked for."""

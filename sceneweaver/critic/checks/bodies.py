@@ -73,4 +73,3 @@ def phrase(_: Survey, category: str) -> str:
 def article(_: Survey, category: str) -> str:
     """A category in words, with its article."""
     return kinds.a(category)
-

@@ -20,7 +20,7 @@ from ..survey import QUARTER, Survey, turn_to
 
 @measure
 def off_front(survey: Survey, o: Body, others: Any, reach: float) -> float:
-    """Least angle [deg] by which a front misses some targets; 0 where one is met within a reach [m], inf without any."""
+    """Least angle [deg] by which a front misses some targets; 0 where it meets one within a reach [m], inf without."""
     return min((_off_front(survey, o, target, reach) for target in listed(others)), default=math.inf)
 
 

@@ -67,5 +67,7 @@ def emptiest_half(survey: Survey) -> Half:
         area = np.cumsum(floor.inside.sum(axis=1 - axis))
         cut = int(np.searchsorted(area, area[-1] / 2)) + 1
         taken = floor.taken.sum(axis=1 - axis)
-        halves += [Half(float(part.sum()) / total, side) for part, side in zip((taken[:cut], taken[cut:]), sides)]
+        halves += [
+            Half(float(part.sum()) / total, side) for part, side in zip((taken[:cut], taken[cut:]), sides, strict=True)
+        ]
     return min(halves, key=lambda half: half.share)

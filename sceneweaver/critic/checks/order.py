@@ -136,10 +136,10 @@ def out_of_line(
     survey: Survey, bodies: Sequence[Body], least: float, most: float, reach: float, angle: float, along: float,
     beside: float,
 ) -> list[Offset]:  # fmt: skip
-    """Near neighbours of one direction, up to an angle [deg], that nearly stand in line: off it by ``least`` to ``most``.
+    """Near neighbours of one direction, up to an angle [deg], that nearly stand in line: off by ``least`` to ``most``.
 
-    Neighbours are from ``along`` to ``reach`` [m] on, and up to ``beside`` [m] off. Seats at one table are compared side
-    by side only: how far each is pushed in. Things of different sizes are in line where their fronts or backs are.
+    Neighbours are from ``along`` to ``reach`` [m] on, and up to ``beside`` [m] off. Seats at one table are compared
+    side by side only: how far each is pushed in. Things of different sizes are in line where fronts or backs are.
     """
     centres = np.array([b.centre for b in bodies])
     yaws = np.array([b.yaw for b in bodies])

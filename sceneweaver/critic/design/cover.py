@@ -292,7 +292,8 @@ def _worked_on(survey: Survey, depth: float) -> NDArray[np.bool_]:
         return np.zeros_like(floor.inside)
     areas = [shapely.Polygon(zone) for zone in survey.placed.opening_zones.xy[: len(survey.placed.doors)]]
     areas += [
-        strip(body, "front", depth, 1.0) for body in survey.on_floor(kind_set("opened washbasin bathtub shower kitchen_unit"))
+        strip(body, "front", depth, 1.0)
+        for body in survey.on_floor(kind_set("opened washbasin bathtub shower kitchen_unit"))
     ]
     rows, columns = np.indices(floor.inside.shape)
     x, y = floor.world(rows + 0.5, columns + 0.5)

@@ -9,7 +9,7 @@ from typing import Any
 
 from sceneweaver.rules.design import DesignRule, Row, design_rules
 from sceneweaver.rules.expression import Expression
-from sceneweaver.rules.faults import FaultKind, fault_kinds
+from sceneweaver.rules.faults import fault_kinds
 from sceneweaver.verify.solids import Body, Opening
 
 from ..grade import Finding, finding
@@ -111,7 +111,9 @@ def filled(template: str | Mapping[str, str], case: Mapping[str, Any]) -> str:
     Of several templates by condition the first whose condition holds; "else" always does.
     """
     if not isinstance(template, str):
-        template = next(t for condition, t in template.items() if condition == "else" or Expression(condition).value(case))
+        template = next(
+            t for condition, t in template.items() if condition == "else" or Expression(condition).value(case)
+        )
     parts = []
     for text, name, spec, _ in string.Formatter().parse(template):
         parts.append(text)
