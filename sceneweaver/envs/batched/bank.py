@@ -25,7 +25,7 @@ from sceneweaver.geometry.rotations import matrix, xyzw
 from sceneweaver.runtime.processes import pool
 from sceneweaver.scene import InputError, Room, Scene
 
-from .goals import GOAL, TaskRow, goal_rows, has_goal, task_rows
+from .goals import TaskRow, goal_rows, has_goal, task_rows
 from .room import (
     ANCHORED,
     BODY_FIELDS,
@@ -39,6 +39,7 @@ from .room import (
     RoomBodies,
     bodies_of,
 )
+from .structs import GOAL
 
 PARKED = 500.0
 """Height [m] from which unused slots are parked, each on a place of its own."""
@@ -107,7 +108,7 @@ class Bank:
             ``jnt_axis`` [R, L, 3], ``dof_damping`` [R, D] ...
         layout: Fields of each layout: ``room`` [V] its room; ``still_pos`` [V, S, 3], ``still_quat`` [V, S, 4],
             ``link_pos`` [V, L, 3], ``link_quat`` [V, L, 4], ``free_pose`` [V, F, 7] (position, w, x, y, z); ``spawns``
-            [V, P, 3] free places of the robot's base; ``goals`` [V, K] rows of ``goals.GOAL`` and ``goal_count`` [V].
+            [V, P, 3] free places of the robot's base; ``goals`` [V, K] rows of ``structs.GOAL`` and ``goal_count`` [V].
         names: By room, the name of the body in each moving slot; "" where it is not used.
         instructions: By room, what each of its goals asks for, in words.
         dropped: By room, how many boxes were left out.
@@ -226,6 +227,7 @@ class Bank:
             ]
         still, *moving = about["slots"].values()
         slots = Slots(still, *map(tuple, moving))
+        parts[1]["goals"] = parts[1]["goals"].view(GOAL)  # older files name its poses otherwise
         return cls(slots, parts[0], parts[1], about["names"], about["instructions"], about["dropped"])
 
 
