@@ -22,14 +22,14 @@ from sceneweaver.scene import Scene
 
 from .articulations import (
     BASE,
-    EFFORT,
     KINDS,
     OURS,
-    SPEED,
     ArticulatedLink,
     PlacedArticulation,
     Shape,
+    limits_of,
     placed_articulations,
+    tensor_entries,
 )
 from .folder import write_beside
 
@@ -122,9 +122,8 @@ def _link(model: Xml.Element, link: ArticulatedLink, placed: PlacedArticulation,
     _text(inertial, "pose", (*link.inertia.centre, 0, 0, 0))
     _text(inertial, "mass", link.inertia.mass)
     inertia = Xml.SubElement(inertial, "inertia")
-    for i, one in enumerate("xyz"):
-        for k, two in list(enumerate("xyz"))[i:]:
-            _text(inertia, f"i{one}{two}", f"{float(link.inertia.tensor[i, k]):.12g}")
+    for tag, value in tensor_entries(link.inertia).items():
+        _text(inertia, tag, value)
     if bullet:
         _text(Xml.SubElement(element, "contact"), "lateral_friction", placed.model.friction)
     for number, (shape, look) in enumerate(link.visuals):
@@ -194,9 +193,7 @@ def _joint(model: Xml.Element, link: ArticulatedLink) -> None:
     axis = Xml.SubElement(made, "axis")
     _text(axis, "xyz", joint.axis)
     limit = Xml.SubElement(axis, "limit")
-    low, high = joint.limits
-    limits = {"lower": low, "upper": high, "effort": EFFORT[joint.kind], "velocity": SPEED[joint.kind]}
-    for tag, value in limits.items():
+    for tag, value in limits_of(joint).items():
         _text(limit, tag, value)
     dynamics = Xml.SubElement(axis, "dynamics")
     _text(dynamics, "damping", joint.hold)

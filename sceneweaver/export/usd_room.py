@@ -19,7 +19,7 @@ from sceneweaver.scene import Room
 from .openings import window_mesh
 from .room import floor_mesh, leaf_mesh, wall_mesh
 from .usd_bodies import Solids, filter_pair, join, rigid, weld
-from .usd_layer import Names, Prim, apply, label, place, prim
+from .usd_layer import Prim, apply, label, place, prim, prim_names
 from .usd_looks import Looks
 from .usd_mesh import box_collider, render_mesh
 from .usd_views import add_frames
@@ -31,7 +31,7 @@ def add_room(parent: Prim, room: Room, looks: Looks) -> list[Solids]:
     walls = prim(parent, "Walls", kind="group")
     stays = [_wall(walls, room, k, looks) for k in range(len(room.outline))]
     if room.windows:
-        windows, names = prim(parent, "Windows", kind="group"), Names()
+        windows, names = prim(parent, "Windows", kind="group"), prim_names()
         for window in room.windows:
             made = prim(windows, names(window.id), kind="component", displayName=window.id)
             label(made, "window")
@@ -44,7 +44,7 @@ def add_room(parent: Prim, room: Room, looks: Looks) -> list[Solids]:
     if not found:
         return []
     add_frames(prim(parent, "Spawns", kind="group"), spawns(room))
-    doors, names = prim(parent, "Doors", kind="group"), Names()
+    doors, names = prim(parent, "Doors", kind="group"), prim_names()
     moving = []
     for leaf, door in zip(found, room.doors, strict=True):
         moving.append(_door(doors, names(leaf.door), leaf, looks))
