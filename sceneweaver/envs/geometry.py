@@ -212,12 +212,6 @@ def grasps_of(geometry: SceneGeometry, body: str) -> list[GraspFrame]:
     """Grasps of a body in its frame, the best first; empty: a hand of 8 cm cannot hold it.
 
     A thing whose asset names none is taken from above: a vessel by its rim, any other across its narrow side.
-
-    Examples:
-        >>> import sceneweaver as sw
-        >>> from sceneweaver.envs import SceneGeometry
-        >>> grasps_of(SceneGeometry(sw.Scene.example("bedroom")), "bed")
-        []
     """
     given = [frame for frame in geometry.grasps.get(body, ()) if frame.width < OPENING - _SPARE]
     if given or body not in geometry.items:

@@ -201,7 +201,7 @@ def test_only_worlds_that_end_begin_anew(env):
     start(env, 0, 1, 2)
     env.step(np.ones(env.action.shape))
     before = env.physics.data.qpos.numpy().copy()
-    env._done.assign(np.array([0, 1, 0], dtype=np.int32))
+    env._episodes.done.assign(np.array([0, 1, 0], dtype=np.int32))
     env._begin()
     after = env.physics.data.qpos.numpy()
     assert np.array_equal(after[[0, 2]], before[[0, 2]]) and not np.array_equal(after[1], before[1])
