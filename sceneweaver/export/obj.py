@@ -18,14 +18,10 @@ def obj(
     material: tuple[str, str] | None = None,
     digits: int = 9,
 ) -> bytes:
-    """The file of a mesh.
+    """The file of points [V, 3] with so many digits and faces [F, 3].
 
-    Args:
-        points: [V, 3], written with so many ``digits``.
-        faces: [F, 3].
-        places: Texture coordinates [T, 2] with which of them each corner has [3 F].
-        material: A library and the name of one of its materials.
-        digits: Of points; texture coordinates have five.
+    ``places`` are texture coordinates [T, 2] with which of them each corner has [3 F], ``material`` is a library and
+    the name of one of its materials.
     """
     lines = [f"mtllib {material[0]}\n"] if material else []
     lines.append(_lines("v" + 3 * f" %.{digits}g", points))

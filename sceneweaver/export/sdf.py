@@ -41,16 +41,9 @@ _LEVEL = 1e-3  # [m] within which corners belong to the underside
 
 
 def sdf(scene: Scene, load: Load | None = None, *, loose: bool = True, bullet: bool = False) -> dict[str, bytes]:
-    """All files by path, ``scene.sdf`` among them.
+    """All files by path, ``scene.sdf`` among them; for the arguments see `placed_articulations`.
 
-    Args:
-        scene: The scene.
-        load: From asset id to asset; None: the library of this user.
-        loose: Whether what can be taken off an object is a model of its own.
-        bullet: For PyBullet, which departs from the standard in what stands still and in friction.
-
-    Raises:
-        InputError: when an asset cannot be loaded.
+    ``bullet`` is for PyBullet, which departs from the standard in what stands still and in friction.
     """
     root = Xml.Element("sdf", {} if bullet else {"xmlns:drake": "http://drake.mit.edu"}, version="1.7")
     world = Xml.SubElement(root, "world", name=model_name(scene.id))

@@ -79,16 +79,7 @@ def urdf(piece: Asset | SceneObject, load: Load | None = None) -> tuple[str, dic
 
 
 def room_urdf(scene: Scene, load: Load | None = None, *, loose: bool = True) -> dict[str, bytes]:
-    """All files by path, ``scene.urdf.json`` among them.
-
-    Args:
-        scene: The scene.
-        load: From asset id to asset; None: the library of this user.
-        loose: Whether what can be taken off an object is a robot of its own.
-
-    Raises:
-        InputError: when an asset cannot be loaded.
-    """
+    """All files by path, ``scene.urdf.json`` among them; for the arguments see `placed_articulations`."""
     files: dict[str, bytes] = {}
     rows = []
     for placed in placed_articulations(scene, load, loose=loose):

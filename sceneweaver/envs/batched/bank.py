@@ -317,7 +317,7 @@ def _room_row(room: RoomBodies, slots: Slots) -> _Row:
     return _Row(f, ["" if b is None else b.name for b in moving], still, moving, dropped)
 
 
-_UNUSED: dict[str, Any] = {
+UNUSED: dict[str, Any] = {
     "geom_size": [_TINY] * 3,
     "geom_friction": [0.5, 0.005, 0.0001],
     "geom_pos": [0.0] * 3,
@@ -345,7 +345,7 @@ def _empty(slots: Slots) -> dict[str, np.ndarray]:
     count = {"geom": slots.geoms, "body": len(slots.parts), "jnt": slots.links, "dof": slots.dofs}
     return {
         name: np.tile(np.asarray(row, dtype=np.float32), (count[name.partition("_")[0]], *[1] * np.ndim(row)))
-        for name, row in _UNUSED.items()
+        for name, row in UNUSED.items()
     }
 
 

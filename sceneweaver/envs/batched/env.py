@@ -18,7 +18,7 @@ from sceneweaver.scene import InputError, MissingDependencyError, Scene
 
 from . import reset_kernels, task_kernels
 from .bank import Bank
-from .physics import FIELDS, ThreadPhysics, WarpPhysics
+from .physics import FIELDS, ThreadPhysics, WarpPhysics, kind_of
 from .structs import Episodes, Goal, Layouts, Observations, RobotArrays, Simulation, filled
 from .template import FIRST, template_of
 
@@ -63,6 +63,7 @@ class BatchedRoomEnv(VectorEnv):
 
     metadata = {"autoreset_mode": AutoresetMode.NEXT_STEP, "render_modes": []}
 
+    # Options of an environment are keyword arguments, as those of `RoomEnv`, hence more than ten.
     def __init__(
         self,
         bank: Bank | Sequence[Scene],
@@ -232,13 +233,10 @@ class BatchedRoomEnv(VectorEnv):
 
     def _put_bank(self) -> None:
         """The bank on the device: fields by name, and its layouts for kernels."""
-        kinds = {"pos": wp.vec3, "quat": wp.quat, "size": wp.vec3, "friction": wp.vec3, "inertia": wp.vec3}
-        kinds |= {"axis": wp.vec3, "range": wp.vec2, "body_invweight0": wp.vec2, "goals": Goal}
         self._bank: dict[str, Any] = {}
         for name, values in (self.bank.room | self.bank.layout).items():
-            kind = next((kind for end, kind in kinds.items() if name.endswith(end)), None)
-            dtype = kind or wp.dtype_from_numpy(values.dtype)
-            self._bank[name] = wp.array(np.ascontiguousarray(values), dtype=dtype)
+            kind = Goal if name == "goals" else kind_of(name) or wp.dtype_from_numpy(values.dtype)
+            self._bank[name] = wp.array(np.ascontiguousarray(values), dtype=kind)
         used = wp.array(np.array([[bool(n) for n in row] for row in self.bank.names], dtype=np.int32))
         shared = ("room", "goals", "goal_count", "free_pose", "spawns")
         self._layouts = filled(Layouts, used=used, **{name: self._bank[name] for name in shared})
