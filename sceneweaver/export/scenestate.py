@@ -72,7 +72,7 @@ def write_scenestate(
     return target
 
 
-def write_file(scene: Scene, path: Path, load: Load, *, textures: bool = True, client: None = None) -> None:
+def write_file(scene: Scene, path: Path, load: Load, *, textures: bool = True) -> None:
     """As `formats.Format.write` calls it; models always have their maps, as scenes share them."""
     write_scenestate(scene, path, load, models=True)
 

@@ -103,7 +103,7 @@ def room_urdf(scene: Scene, load: Load | None = None, *, loose: bool = True) -> 
     return files
 
 
-def write_file(scene: Scene, path: Path, load: Load, *, textures: bool = True, client: None = None) -> None:
+def write_file(scene: Scene, path: Path, load: Load, *, textures: bool = True) -> None:
     """As `formats.Format.write` calls it; meshes have plain colours."""
     files = room_urdf(scene, load)
     files[path.name] = files.pop("scene.urdf.json")

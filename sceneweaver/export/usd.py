@@ -65,11 +65,6 @@ def write_usd(scene: Scene, path: str | os.PathLike[str], load: Load | None = No
     _save(layer, name, files)
 
 
-def write_file(scene: Scene, path: Path, load: Load, *, textures: bool = True, client: None = None) -> None:
-    """As `formats.Format.write` calls it."""
-    write_usd(scene, path, load, textures=textures)
-
-
 def usd_layer(scene: Scene, load: Load | None = None) -> Any:
     """The scene as a ``pxr.Sdf.Layer`` in memory, without maps; ``Usd.Stage.Open`` takes it.
 
