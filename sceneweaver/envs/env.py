@@ -128,7 +128,7 @@ class RoomEnv(gymnasium.Env):
     @property
     def tasks(self) -> tuple[Task, ...]:
         """Those that are feasible in the room that is open now."""
-        return tuple(tasks_of(self.world.geometry, self.robot, dict(self._rest.bodies)))
+        return tuple(tasks_of(self.world.geometry, self.robot, self._rest.bodies))
 
     def reset(self, *, seed: int | None = None, options: Mapping[str, Any] | None = None) -> tuple[dict, dict]:
         """Begin an episode.

@@ -230,8 +230,8 @@ def link_pose(door: Articulation, pose: Array, position: float) -> Array:
     """The pose [7] of a door's body, opened by ``position`` [rad] or [m], of an object at ``pose`` [7]."""
     mujoco: Any = import_module("mujoco")
     if door.slides:
-        return np.concatenate([to_world(pose, position * door.axis), pose[3:]])
+        return np.concatenate([to_world(pose, position * door.joint.axis), pose[3:]])
     turn, total = np.empty(4), np.empty(4)
-    mujoco.mju_axisAngle2Quat(turn, door.axis, position)
+    mujoco.mju_axisAngle2Quat(turn, door.joint.axis, position)
     mujoco.mju_mulQuat(total, pose[3:], turn)
-    return np.concatenate([to_world(pose, door.anchor - rotate(turn, door.anchor)), total])
+    return np.concatenate([to_world(pose, door.joint.anchor - rotate(turn, door.joint.anchor)), total])

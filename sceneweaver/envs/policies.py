@@ -188,7 +188,7 @@ class _Run:
         door = geometry.articulations[joint]
         pose, now = state.bodies[door.object], state.joints[joint]
         solids, grasp = geometry.leaf_of(joint), grasps_of(geometry, joint)[0]
-        height = float((grasp.position - door.anchor) @ door.axis)
+        height = float((grasp.position - door.joint.anchor) @ door.joint.axis)
         planner = Planner(self.world, self.env.data)
         openings = np.linspace(now, end, max(int(np.ceil(abs(end - now) / 0.09)), 2))
         poses = [link_pose(door, pose, q) for q in openings]
@@ -298,16 +298,16 @@ def _behind(
         tilt: Of the hand off the plane of the door [rad].
         inset: Of the fingertips from its free edge [m].
     """
-    across = np.cross(door.axis, inner)
-    ends = [points - door.anchor for points in solids]
+    across = np.cross(door.joint.axis, inner)
+    ends = [points - door.joint.anchor for points in solids]
     edge = max((np.concatenate(ends) @ across).tolist(), key=abs)
     free, length = across * np.sign(edge), abs(edge) - inset
 
     def covers(points: Array, axis: Array, at: float) -> bool:
         return bool((points @ axis).min() - 0.02 < at < (points @ axis).max() + 0.02)
 
-    met = [p for p in ends if covers(p, free, length) and covers(p, door.axis, height)]
+    met = [p for p in ends if covers(p, free, length) and covers(p, door.joint.axis, height)]
     behind = max((float((p @ inner).max()) for p in met), default=0.0) + _CONTACT
-    place = door.anchor + length * free + height * door.axis + behind * inner
+    place = door.joint.anchor + length * free + height * door.joint.axis + behind * inner
     approach = -np.cos(tilt) * free - np.sin(tilt) * inner
-    return ToolPose(to_world(pose, place), rotate(pose[3:], approach), rotate(pose[3:], door.axis))
+    return ToolPose(to_world(pose, place), rotate(pose[3:], approach), rotate(pose[3:], door.joint.axis))
