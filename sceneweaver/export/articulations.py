@@ -12,7 +12,7 @@ Collision parts are boxes where they are boxes, else convex meshes.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -120,7 +120,8 @@ def placed_articulations(scene: Scene, load: Load | None = None, *, loose: bool 
     for thing in things_of(scene, load, loose=loose):
         checkpoint()
         pose = thing.object.pose
-        for bodies in _apart(thing):
+        hanging = [body for body in thing.bodies if not body.loose]
+        for bodies in (hanging, *([body] for body in thing.bodies if body.loose)):
             base = bodies[0]
             kind = thing.object.category if base.link is None else base.link.category or base.link.name
             stem = model_name(f"{thing.key}:{base.number}:{thing.friction}:{thing.mass}", kind)
@@ -131,14 +132,6 @@ def placed_articulations(scene: Scene, load: Load | None = None, *, loose: bool 
             model = _without_collisions(made[stem]) if covers else made[stem]
             found.append(PlacedArticulation(base.name, kind, model, pose.position, pose.quaternion, fixed))
     return found
-
-
-def _apart(thing: Thing) -> Iterator[list[RigidBody]]:
-    """Bodies that hang together: the base with its joints, then one by one what can be taken off."""
-    yield [body for body in thing.bodies if not body.loose]
-    for body in thing.bodies:
-        if body.loose:
-            yield [body]
 
 
 def _without_collisions(model: Articulation) -> Articulation:

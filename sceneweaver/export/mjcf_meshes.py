@@ -7,8 +7,6 @@ from collections.abc import Mapping
 import numpy as np
 
 from sceneweaver.assets.textures import maps
-from sceneweaver.geometry.hulls import hull_mesh
-from sceneweaver.physics.hulls import Solid
 from sceneweaver.physics.model import hull_name, mesh_stem
 from sceneweaver.physics.things import Thing
 
@@ -32,11 +30,6 @@ def seen_of(thing: Thing) -> Mapping[int, list[Seen]]:
         link, number = divmod(pair, count)
         found.setdefault(link, []).append((f"{stem}-{link}-{number}", number))
     return found
-
-
-def hull_obj(solid: Solid) -> bytes:
-    """A collision part as Wavefront OBJ."""
-    return obj(*hull_mesh(solid.points), digits=6)
 
 
 def seen_obj(thing: Thing, link: int, number: int, textured: bool) -> bytes:

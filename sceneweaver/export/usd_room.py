@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -38,8 +40,7 @@ def add_room(parent: Prim, room: Room, looks: Looks) -> list[Solids]:
             place(made, *wall_pose(room.walls[window.wall]))
             render_mesh(made, "Mesh", _in_wall(window_mesh(room, window), room, window.wall), looks)
             pane = wall_slab((window.offset, window.offset + window.width), heights(window), pane=True)
-            scope = prim(made, "Collision", "Scope")
-            box_collider(scope, "part_0", pane.centre, pane.half, looks, FLOOR_FRICTION)
+            _boxes(made, [(pane.centre, pane.half)], looks, FLOOR_FRICTION)
     found = leaves(room)
     if not found:
         return []
@@ -63,7 +64,7 @@ def _floor(parent: Prim, room: Room, looks: Looks) -> None:
     label(made, "floor")
     render_mesh(made, "Mesh", floor_mesh(room), looks)
     slab = floor_slab(room)
-    box_collider(prim(made, "Collision", "Scope"), "part_0", slab.centre, slab.half, looks, FLOOR_FRICTION)
+    _boxes(made, [(slab.centre, slab.half)], looks, FLOOR_FRICTION)
 
 
 def _wall(parent: Prim, room: Room, wall: int, looks: Looks) -> Solids:
@@ -71,11 +72,16 @@ def _wall(parent: Prim, room: Room, wall: int, looks: Looks) -> Solids:
     label(made, "wall")
     place(made, *wall_pose(room.walls[wall]))
     render_mesh(made, "Mesh", _in_wall(wall_mesh(room, wall), room, wall), looks)
-    scope, paths = prim(made, "Collision", "Scope"), []
-    for number, slab in enumerate(slab for slab in wall_slabs(room, wall) if not slab.pane):
-        box_collider(scope, f"part_{number}", slab.centre, slab.half, looks, FLOOR_FRICTION)
-        paths.append(scope.path.AppendChild(f"part_{number}"))
-    return Solids((), tuple(paths))
+    slabs = [(slab.centre, slab.half) for slab in wall_slabs(room, wall) if not slab.pane]
+    return Solids((), _boxes(made, slabs, looks, FLOOR_FRICTION))
+
+
+def _boxes(made: Prim, boxes: Sequence[Any], looks: Looks, friction: float) -> tuple[Any, ...]:
+    """Colliders below a prim, by centres [3] and half extents [3]; returns their paths."""
+    scope = prim(made, "Collision", "Scope")
+    for number, (centre, half) in enumerate(boxes):
+        box_collider(scope, f"part_{number}", np.asarray(centre), np.asarray(half), looks, friction)
+    return tuple(scope.path.AppendChild(f"part_{number}") for number in range(len(boxes)))
 
 
 def _in_wall(mesh: Mesh, room: Room, wall: int) -> Mesh:
@@ -98,9 +104,7 @@ def _door(parent: Prim, name: str, leaf: Leaf, looks: Looks) -> Solids:
     rigid(panel, leaf.inertia)
     render_mesh(panel, "Mesh", leaf_mesh(leaf), looks)
     add_frames(panel, leaf_frames(leaf))
-    scope = prim(panel, "Collision", "Scope")
-    for number, (center, half) in enumerate(leaf.boxes):
-        box_collider(scope, f"part_{number}", np.asarray(center), np.asarray(half), looks, LEAF_FRICTION)
+    _boxes(panel, leaf.boxes, looks, LEAF_FRICTION)
     joints = prim(made, "joints", "Scope")
     weld(joints, "world", made, frame)
     join(joints, "leaf", frame, panel, leaf.moves)
