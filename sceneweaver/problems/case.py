@@ -6,7 +6,7 @@ import hashlib
 import json
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,7 +15,7 @@ from sceneweaver.geometry.se2 import absolute, relative
 from sceneweaver.scene import SCHEMA, InputError, Pose, Scene
 
 from .certificates import prove
-from .recipes import families
+from .recipes import MOST_SEED, families, whole_number
 
 if TYPE_CHECKING:
     from sceneweaver.layout import Problem
@@ -123,12 +123,10 @@ class ProblemCase:
         """
         if name not in self.starts:
             raise InputError(f"start: {name!r} is none of {', '.join(self.starts)} of {self.name}")
-        for what, value, least in (("count", count, 1), ("seed", seed, 0)):
-            if isinstance(value, bool) or not isinstance(value, int | np.integer) or not least <= value < 2**32:
-                raise InputError(f"{what}: {value!r} is not a whole number from {least} to 2**32 - 1")
+        count, seed = whole_number("count", count, 1, MOST_SEED), whole_number("seed", seed, 0, MOST_SEED)
         if name == "sample":
-            return self.compile("cpu").sample(int(seed), int(count))
-        return draw(self.scene, self.witness if name == "perturbed" else None, int(count), int(seed))
+            return self.compile("cpu").sample(seed, count)
+        return draw(self.scene, self.witness if name == "perturbed" else None, count, seed)
 
     def layout(self, poses: np.ndarray) -> Scene:
         """The scene at poses [N, 4].
@@ -174,8 +172,6 @@ def canonical(case: ProblemCase) -> bytes:
 
 def from_plain(data: Json, facts: Mapping[str, float], **known: Any) -> ProblemCase:
     """A problem from its plain data, with its hash. Each call reads the scene anew."""
-    from dataclasses import replace
-
     witness = None if data["witness"] is None else np.array(data["witness"], dtype=np.float32).reshape(-1, 4)
     if witness is not None:
         witness.flags.writeable = False

@@ -16,11 +16,10 @@ from sceneweaver.scene import InputError, MissingDependencyError
 
 from ..folder import Folder
 from ..spec import Spec
+from ..templates import render
 from .croissant import Licence
 
 SIZES = ((10**3, "n<1K"), (10**4, "1K<n<10K"), (10**5, "10K<n<100K"), (10**6, "100K<n<1M"), (10**7, "1M<n<10M"))
-TEMPLATES = Path(__file__).parent
-"""Where the texts lie, with fields in braces: ``card_<product>.md`` and how all end."""
 
 SEEN = 1000
 """Files of the first shard that are looked at for suffixes."""
@@ -53,33 +52,20 @@ def card(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Licence
         used: licences of its assets.
     """
     front = yaml.safe_dump(_front(folder, spec, numbers, used), sort_keys=False, allow_unicode=True)
-    diversity, found = numbers["diversity"], suffixes(folder)
-    names = (f"card_{spec.product}.md", "card_end.md")
-    template = "\n".join((TEMPLATES / name).read_text(encoding="utf-8") for name in names)
-    text = template.format(
-        name=spec.name,
-        product="furnished scenes" if spec.product == "scenes" else "layouts",
-        requests=f"{numbers['requests']:,}",
-        scenes=f"{numbers['scenes']:,}",
-        rooms=f"{numbers['rooms']:,}",
-        served=f"{numbers['served']:.2%}",
-        invalid=f"{numbers['invalid']:,}",
-        objects=f"{numbers['objects']:,}",
-        categories=diversity["categories"],
-        twins=f"{diversity['near_duplicate_share']:.2%}",
-        megabytes=f"{numbers['bytes'] / 1e6:,.1f}",
-        splits=_table(("split", "scenes"), numbers["split"]),
-        kinds=_table(("kind of room", "scenes"), numbers["room_type"]),
-        reasons=_table(("why a request was not served", "scenes"), numbers["reasons"]) or "All requests were served.\n",
-        grades=_grades(numbers["grades"]),
-        layouts=f"{numbers.get('layouts', 0):,}",
-        files="".join(f"| `<key>.{name}` | {what} |\n" for name, what in FILES.items() if fnmatch.filter(found, name)),
-        licences=", ".join(dict.fromkeys(one.name for one in used)),
-        version=sceneweaver.__version__,
-        hash=spec.hash,
-        spec=yaml.safe_dump(spec.model_dump(mode="json", by_alias=True), sort_keys=False, allow_unicode=True).rstrip(),
-    )
-    return f"---\n{front}---\n\n{text}"
+    found = suffixes(folder)
+    fields: dict[str, Any] = {
+        "spec": spec,
+        "numbers": numbers,
+        "product": "furnished scenes" if spec.product == "scenes" else "layouts",
+        "files": [(name, what) for name, what in FILES.items() if fnmatch.filter(found, name)],
+        "licences": list(dict.fromkeys(one.name for one in used)),
+        "version": sceneweaver.__version__,
+        "text": yaml.safe_dump(
+            spec.model_dump(mode="json", by_alias=True), sort_keys=False, allow_unicode=True
+        ).rstrip(),
+    }
+    texts = (render(f"files/{name}.md", **fields) for name in (f"card_{spec.product}", "card_end"))
+    return f"---\n{front}---\n\n" + "\n".join(texts)
 
 
 def _front(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Licence]) -> dict[str, Any]:
@@ -125,23 +111,6 @@ def suffixes(folder: Folder) -> set[str]:
         with tarfile.open(path, "r:") as tar:
             return {member.name.partition(".")[2] for member in islice(tar, SEEN)}
     return set()
-
-
-def _table(heads: tuple[str, str], rows: dict[str, int]) -> str:
-    if not rows:
-        return ""
-    lines = "".join(f"| {name} | {count:,} |\n" for name, count in rows.items())
-    return f"| {heads[0]} | {heads[1]} |\n| --- | ---: |\n{lines}"
-
-
-def _grades(grades: dict[str, Any]) -> str:
-    if not grades:
-        return ""
-    lines = "".join(
-        f"| {name} | {one['mean']:.2f} | {one['deviation']:.2f} | {one['least']:.2f} |\n"
-        for name, one in grades.items()
-    )
-    return f"\n| grade of the critic, 0 to 10 | mean | deviation | least |\n| --- | ---: | ---: | ---: |\n{lines}"
 
 
 NAMES = ("README.md", "LICENSES.md", "croissant.json", "checksums.sha256", "dataset.json", "spec.yaml", "meta/*")

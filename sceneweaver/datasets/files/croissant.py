@@ -13,6 +13,7 @@ import sceneweaver
 from ..folder import Folder
 from ..spec import Spec
 from ..tables import read_schema, read_table
+from ..templates import render
 
 TEXTS = {
     "Apache-2.0": "https://www.apache.org/licenses/LICENSE-2.0",
@@ -50,20 +51,7 @@ def licences(folder: Folder) -> list[Licence]:
 
 def licences_text(spec: Spec, used: list[Licence]) -> str:
     """``LICENSES.md``: every source of assets with its licence and attribution."""
-    rows = "".join(
-        f"| {one.source} | {_linked(one.name)} | {one.attribution or '-'} | {one.assets:,} |\n" for one in used
-    )
-    return (
-        f"# Licences of {spec.name}\n\n"
-        f"Layouts, descriptions and tables were made by sceneweaver and are under {_linked(OWN)}.\n"
-        "Assets lie in `assets/`, each once; `meta/assets.parquet` names the licence of each, and the column\n"
-        "`licences` of `meta/index.parquet` those of each scene.\n\n"
-        "| source of assets | licence | attribution | assets |\n| --- | --- | --- | --- |\n" + rows
-    )
-
-
-def _linked(name: str) -> str:
-    return f"[{name}]({TEXTS[name]})" if name in TEXTS else name
+    return render("files/licences.md", spec=spec, used=used, own=OWN, texts=TEXTS)
 
 
 TYPES = {"bool": "sc:Boolean", "int32": "cr:Int32", "int64": "cr:Int64", "double": "cr:Float64", "string": "sc:Text"}
