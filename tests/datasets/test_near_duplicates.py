@@ -10,7 +10,7 @@ import sceneweaver as sw
 from sceneweaver.datasets import Folder
 from sceneweaver.datasets.files import pack, signature
 from sceneweaver.datasets.files.fingerprint import Layout, join_near_duplicates, near_duplicates, smallest
-from sceneweaver.datasets.files.plan import assign_splits
+from sceneweaver.datasets.files.packing import assign_splits
 from sceneweaver.datasets.tables import arrow
 from tests.datasets.small import make_small, small_scene, small_spec
 

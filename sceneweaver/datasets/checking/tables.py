@@ -17,7 +17,7 @@ from sceneweaver.verify import check
 from ..digests import TIMES, read_checksums, sha256
 from ..folder import Folder
 from ..gates import failures
-from ..layouts.read import posed
+from ..layouts.tables import posed
 from ..reading import Span
 from ..spec import Spec
 from ..statistics import statistics

@@ -11,9 +11,8 @@ import numpy as np
 
 from sceneweaver.verify.solids import Body
 
-from .english import Statement, Text, counted, joined, listed, noun, number, room_noun, said, with_article
 from .facts import FLAT, Facts, is_seat, is_watcher
-from .naming import Words
+from .naming import Statement, Text, Words, counted, joined, listed, noun, number, room_noun, said, with_article
 
 
 class Captioner:

@@ -16,9 +16,9 @@ from sceneweaver.scene.edits import carried
 from sceneweaver.verify.solids import Body
 
 from .asker import Asker
-from .english import sentence
 from .facts import Facts, group_of, has_front, is_seat, is_watcher, viewer_of
 from .moves import Space, is_movable, judged_locally
+from .naming import sentence
 
 _NO_TABLES = frozenset(("seating", "chair_group", "bed_group", "sanitary", "sport", "electronics", "plant_group"))
 """Groups of the taxonomy that small things are not put on."""

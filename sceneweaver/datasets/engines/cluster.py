@@ -20,8 +20,7 @@ from sceneweaver.scene.files import reason
 from ..work import Produce
 from .local import START
 from .manifest import Dataset, open_dataset
-from .schedule import Job, Schedule
-from .tasks import Message, Task, attempt
+from .schedule import Job, Message, Schedule, Task, attempt
 
 RETRIES = 1
 """How often Ray begins a task anew whose worker or node is gone, before that counts as the fault of the task."""

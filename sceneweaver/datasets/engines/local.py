@@ -16,8 +16,7 @@ from sceneweaver.scene import SceneWeaverError
 
 from ..work import Produce
 from .manifest import Dataset, open_dataset
-from .schedule import Job, Schedule
-from .tasks import Message, Task, attempt
+from .schedule import Job, Message, Schedule, Task, attempt
 
 START = 300.0
 """Seconds that a worker gets to load what it needs."""

@@ -20,8 +20,7 @@ from .. import work
 from ..folder import Folder, disk_full, waiting
 from .local import TICK, LocalEngine
 from .manifest import Dataset, agreed_device, devices
-from .schedule import Job, Listener
-from .tasks import Records
+from .schedule import Job, Listener, Records
 
 ONLY_MAKING = ("rooms", "journal")
 """What lies in ``work/`` and is of no use once all blocks are made: gigabytes, where there are many scenes."""

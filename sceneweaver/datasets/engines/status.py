@@ -20,8 +20,7 @@ from ..work import Produce
 from .local import LocalEngine
 from .manifest import Dataset, create, devices, load_source
 from .run import whole
-from .schedule import Job, Listener
-from .tasks import read_records
+from .schedule import Job, Listener, read_records
 
 RECENT = 600.0
 """Seconds over which the rate of a run is measured."""

@@ -2,7 +2,6 @@
 
 from .card import push_card
 from .fingerprint import fingerprint, signature
-from .packing import finish, pack
-from .plan import packing_began
+from .packing import finish, pack, packing_began
 
 __all__ = ["finish", "fingerprint", "pack", "packing_began", "push_card", "signature"]

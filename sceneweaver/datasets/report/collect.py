@@ -17,7 +17,7 @@ from sceneweaver.geometry.rotations import from_yaw
 from sceneweaver.runtime.processes import pool
 
 from ..folder import Folder
-from ..layouts.read import layout_files, programs_of
+from ..layouts.tables import layout_files, programs_of
 from ..reading import Span, rows_of, scenes_of, shards_of, spans_of
 from ..statistics import statistics
 from ..tables import arrow
