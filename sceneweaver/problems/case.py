@@ -7,8 +7,10 @@ import json
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import jinja2
 import numpy as np
 
 from sceneweaver.geometry.se2 import absolute, relative
@@ -184,39 +186,25 @@ def from_plain(data: Json, facts: Mapping[str, float], **known: Any) -> ProblemC
 def card_of(case: ProblemCase) -> str:
     """A title, a line on the family, a table of figures, what proves the problem, how hard it is."""
     scene = case.scene
-    lines = [f"# {case.name}", "", families()[case.family], ""]
     relations = [
         f"{len(some)} {word}: {', '.join(sorted({r.type for r in some}))}"
         for word, hard in (("hard", True), ("soft", False))
         if (some := [r for r in scene.relations if r.hard == hard])
     ]
-    carried = sum(o.support is not None for o in scene.objects)
-    zones = sum(z.hard for o in scene.objects for z in o.zones)
-    parts = sum(len(o.solids) for o in scene.objects)
-    rows = {
-        "objects": f"{len(scene.objects)}" + (f", {carried} of them on surfaces" if carried else ""),
-        "bodies": f"{parts} convex prisms, {zones} hard zones",
-        "relations": "; ".join(relations) or "none",
-        "room": f"{len(scene.room.outline)} walls, {len(scene.room.doors)} doors, {len(scene.room.windows)} windows",
-        **{text: f"{case.facts[key]:g}" for key, text in FACTS.items() if key in case.facts},
-        "starts": ", ".join(case.starts),
-        "version": f"{case.version}, SHA-256 {case.hash[:16]}",
-    }
-    lines += ["| | |", "| --- | --- |", *(f"| {key} | {value} |" for key, value in rows.items()), ""]
-    if case.certificate is not None:
-        lines += [f"**No layout is valid**: {prove(scene, case.certificate)} (`{case.certificate['kind']}`).", ""]
-    else:
-        best = "not measured" if case.best_energy is None else f"{case.best_energy:.4g} m"
-        lines += [f"A valid layout is known. Lowest energy of a valid one: {best}.", ""]
-    shares = [(name, row) for name, row in case.difficulty.items() if isinstance(row, dict)]
-    if shares:
-        lines += ["| optimiser | start | layouts | valid | CPU seconds |", "| --- | --- | ---: | ---: | ---: |"]
-        lines += [
-            f"| {name} | {row['start']} | {row['candidates']} | {row['valid']:.0%} | {row['seconds']:.1f} |"
-            for name, row in shares
-        ]
-        lines.append("")
-    return "\n".join(lines)
+    text = (Path(__file__).parent / "card.md").read_text("utf-8")
+    return jinja2.Template(text, trim_blocks=True, lstrip_blocks=True).render(
+        case=case,
+        scene=scene,
+        about=families()[case.family],
+        carried=sum(o.support is not None for o in scene.objects),
+        zones=sum(z.hard for o in scene.objects for z in o.zones),
+        parts=sum(len(o.solids) for o in scene.objects),
+        relations="; ".join(relations) or "none",
+        facts={text: f"{case.facts[key]:g}" for key, text in FACTS.items() if key in case.facts},
+        proof=prove(scene, case.certificate) if case.certificate is not None else None,
+        best="not measured" if case.best_energy is None else f"{case.best_energy:.4g} m",
+        tried={name: row for name, row in case.difficulty.items() if isinstance(row, dict)},
+    )
 
 
 def draw(scene: Scene, witness: np.ndarray | None, count: int, seed: int) -> np.ndarray:

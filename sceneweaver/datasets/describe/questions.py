@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 
@@ -136,11 +137,8 @@ def is_on(asker: Asker) -> Question | None:
 
     likely = [(b, facts.by_id[b.item.support.object]) for b in small if b.item.support is not None]
     direct = [(b, c) for b, c in asker.shuffled(likely) if c.id in asker.names][:8]
-    found = asker.balanced(asker.shuffled([*direct, *list(asker.pairs(small, carriers))[:8]]), answer)
-    if found is None:
-        return None
-    pair, said, support = found
-    return asker.ask("is_on", said, pair, {"support": support})
+    pairs = asker.shuffled([*direct, *list(asker.pairs(small, carriers))[:8]])
+    return asker.ask_balanced("is_on", pairs, answer, lambda said, support: {"operands": {"support": support}})
 
 
 def _stands_over(facts: Facts, thing: Body, carrier: Body) -> bool:
@@ -241,12 +239,12 @@ def faces(asker: Asker) -> Question | None:
         return (True if angle <= 12 else False if angle >= 45 else None), angle
 
     near = sorted(asker.pairs(watchers, targets), key=lambda p: answer(p)[0] is not True)
-    found = asker.balanced([*near[:6], *asker.shuffled(near[6:])], answer)
-    if found is None:
-        return None
-    pair, said, angle = found
-    margin = rounded(15 - angle if said else angle - 40, 1)
-    return asker.ask("faces", said, pair, {"degrees_off": rounded(angle, 1)}, margin=margin)
+
+    def details(said: bool, angle: float) -> dict[str, Any]:
+        margin = rounded(15 - angle if said else angle - 40, 1)
+        return {"operands": {"degrees_off": rounded(angle, 1)}, "margin": margin}
+
+    return asker.ask_balanced("faces", [*near[:6], *asker.shuffled(near[6:])], answer, details)
 
 
 def which_wall(asker: Asker) -> Question | None:
@@ -309,12 +307,10 @@ def within(asker: Asker) -> Question | None:
         apart = asker.facts.distance(*pair)
         return (None if abs(apart - limit) < 0.15 else apart < limit), apart
 
-    found = asker.balanced(asker.pairs(asker.standing, asker.standing), answer)
-    if found is None:
-        return None
-    pair, said, apart = found
-    operands = {"distance": rounded(apart), "limit": limit}
-    return asker.ask("within", said, pair, operands, margin=rounded(abs(apart - limit)), limit=limit)
+    def details(said: bool, apart: float) -> dict[str, Any]:
+        return {"operands": {"distance": rounded(apart), "limit": limit}, "margin": rounded(abs(apart - limit))}
+
+    return asker.ask_balanced("within", asker.pairs(asker.standing, asker.standing), answer, details, limit=limit)
 
 
 def nearest(asker: Asker) -> Question | None:
@@ -337,16 +333,16 @@ def nearest(asker: Asker) -> Question | None:
 def taller(asker: Asker) -> Question | None:
     """Whether one thing is taller than another."""
 
-    def answer(pair: tuple[Body, Body]) -> tuple[bool | None, tuple[float, float]]:
-        a, b = (body.z[1] - body.z[0] for body in pair)
-        return (a > b if 0.08 < abs(a - b) < 0.6 else None), (a, b)
+    def answer(pair: tuple[Body, Body]) -> tuple[bool | None, dict[str, float]]:
+        heights = {body.id: body.z[1] - body.z[0] for body in pair}
+        a, b = heights.values()
+        return (a > b if 0.08 < abs(a - b) < 0.6 else None), heights
 
-    found = asker.balanced(asker.pairs(asker.standing, asker.standing), answer)
-    if found is None:
-        return None
-    pair, said, heights = found
-    operands = {"heights": {body.id: rounded(h) for body, h in zip(pair, heights, strict=True)}}
-    return asker.ask("taller", said, pair, operands, margin=rounded(abs(heights[0] - heights[1])))
+    def details(said: bool, heights: dict[str, float]) -> dict[str, Any]:
+        a, b = heights.values()
+        return {"operands": {"heights": {i: rounded(h) for i, h in heights.items()}}, "margin": rounded(abs(a - b))}
+
+    return asker.ask_balanced("taller", asker.pairs(asker.standing, asker.standing), answer, details)
 
 
 def largest(asker: Asker) -> Question | None:

@@ -2,8 +2,8 @@
 
 from .manifest import Dataset, begin, open_dataset
 from .merge import merge
-from .run import Options, missing, resume
-from .schedule import Listener, read_records
+from .run import missing, resume
+from .schedule import Listener, Options, read_records
 from .status import Estimate, Status, estimate, status
 
 __all__ = [

@@ -165,25 +165,46 @@ class Listener:
 
 
 @dataclass(frozen=True)
+class Options:
+    """How a run works. What comes out depends on none of it.
+
+    Attributes:
+        workers: processes; None: one for each core.
+        device: where rooms are laid out: auto, cpu, cuda, cuda:k, or cuda:all for all GPUs in turns.
+        shard: (i, N) makes the blocks i, i + N, i + 2 N ... only, and does not pack them.
+        engine: "local" for processes of this machine, "ray" for a cluster.
+        address: of the cluster; None: one of this machine.
+        memory: resident bytes above which a worker is replaced between two blocks.
+        patient: wait when the disk is full, or end.
+        time_limit: seconds after which a run ends with whole blocks and leaves the rest to another; None: none.
+    """
+
+    workers: int | None = None
+    device: str = "auto"
+    shard: tuple[int, int] | None = None
+    engine: str = "local"
+    address: str | None = None
+    memory: int | None = None
+    patient: bool = True
+    time_limit: float | None = None
+
+
+@dataclass(frozen=True)
 class Job:
     """What an engine is asked for.
 
     Attributes:
         dataset: what it makes.
         listener: hears of blocks and troubles.
-        workers: how many tasks at a time; of a cluster None: one for each of its cores.
+        options: how to work.
         produce: what makes scenes, if not `produce`.
-        memory: resident bytes above which a worker is replaced between two tasks; None: any number.
-        patient: wait when the disk is full, or end.
         until: when to end at the latest, by `time.monotonic` [s]; nothing begins that would not be made by then.
     """
 
     dataset: Dataset
     listener: Listener
-    workers: int | None = None
+    options: Options = Options()
     produce: Produce | None = None
-    memory: int | None = None
-    patient: bool = True
     until: float = math.inf
 
 
@@ -301,5 +322,5 @@ class Schedule:
     def _wait(self) -> None:
         if self._pause is None:
             needed = max(LEAST, 2 * self._largest * self._workers)
-            self._pause = waiting(self._dataset.folder.path, needed, wait=self._job.patient)
+            self._pause = waiting(self._dataset.folder.path, needed, wait=self._job.options.patient)
             self._listener.notice(f"{self._pause}; waiting")

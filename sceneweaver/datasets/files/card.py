@@ -148,20 +148,6 @@ SEEN = 1000
 HUB_LICENCES = {"Apache-2.0", "BSD-3-Clause", "CC-BY-4.0", "CC-BY-NC-4.0", "CC0-1.0", "MIT"}
 """Licences that Hugging Face knows by their name in lower case."""
 
-FILES = {
-    "scene.json": "the scene: room, objects, poses, relations (`sceneweaver.scene/1`)",
-    "metrics.json": "what the judge and the critic measured",
-    "glb": "glTF 2.0, whose buffers and pictures lie in `assets/`",
-    "xml": "MJCF for MuJoCo, whose meshes and textures lie in `assets/`",
-    "usdc": "USD, whose meshes and textures lie in `assets/`",
-    "*.png": "pictures and data passes",
-    "captions.json": "descriptions, each statement with what makes it true",
-    "questions.jsonl": "questions with answers by geometry",
-    "instructions.jsonl": "instructions for rearrangement with their goals",
-    "twin-*.scene.json": "a changed twin of the scene",
-    "twin-*.difference.json": "what the twin differs in, and the measured effect",
-}
-
 
 def card(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Licence]) -> str:
     """The text of ``README.md``.
@@ -178,7 +164,7 @@ def card(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Licence
         "spec": spec,
         "numbers": numbers,
         "product": "furnished scenes" if spec.product == "scenes" else "layouts",
-        "files": [(name, what) for name, what in FILES.items() if fnmatch.filter(found, name)],
+        "there": lambda pattern: bool(fnmatch.filter(found, pattern)),
         "licences": list(dict.fromkeys(one.name for one in used)),
         "version": sceneweaver.__version__,
         "text": yaml.safe_dump(

@@ -25,16 +25,6 @@ from .collect import PICTURES, Gathered, gather
 
 NAME, WEB = "report.html", Path(__file__).parent / "web"
 
-_SPREADS = {
-    "area": "Floor area [m²]",
-    "object_count": "Objects",
-    "relation_count": "Relations",
-    "grade": "Grade by the critic, of 10",
-    "clutter": "Clutter asked for",
-    "walkable_share": "Floor that can be walked on",
-    "openable_share": "Doors and drawers that open",
-    "relations_satisfied": "Relations that hold",
-}
 _MAPS, _NAMES, _OUTLINES, _SCALE = 18, 26, 60, 9.0  # heat maps, names of the matrix, shells; widest shell drawn [m]
 
 
@@ -86,6 +76,8 @@ def page(
     environment = html()
     environment.filters |= {
         "histogram": charts.histogram,
+        "percent": _percent,
+        "size": _size,
         "image": image_url,
         "shares": _shares,
         "spread_words": _spread_words,
@@ -101,8 +93,6 @@ def page(
         style=(WEB / "report.css").read_text("utf-8"),
         script=script,
         noun="layouts" if found.numbers.get("layouts") else "scenes",
-        tiles=_tiles(found.numbers, whole),
-        spread_titles=_SPREADS,
         places=_places(found),
         together=_together(found),
         relations=_relations(found),
@@ -112,22 +102,6 @@ def page(
         run=_run(records),
     )
     return text + "\n"
-
-
-def _tiles(numbers: Mapping[str, Any], whole: bool) -> list[tuple[str, str]]:
-    """The numbers that matter most, with what they are."""
-    variety, layouts = numbers["diversity"], numbers.get("layouts")
-    noun = "layouts" if layouts else "scenes"
-    return [
-        (f"{layouts or numbers['scenes']:,}", noun),
-        (f"{numbers['rooms']:,}", "programs" if layouts else "rooms"),
-        (f"{numbers['objects']:,}", "objects in programs" if layouts else "objects"),
-        (_percent(numbers["served"]), "of requests served"),
-        (f"{numbers['invalid']:,}", "of these not valid"),
-        (_percent(variety["near_duplicate_share"]) if whole else "\u2013", "near-duplicates"),
-        (f"{variety['categories']:,}", "categories"),
-        (_size(numbers["bytes"]), f"of {noun}"),
-    ]
 
 
 def _places(found: Gathered) -> list[tuple[str, int, str]]:
