@@ -27,14 +27,6 @@ Json = dict[str, Any]
 NOISE_M, NOISE_RAD = 0.3, math.radians(15)
 """Deviations of the noise on a witness to start from [m], [rad]."""
 
-FACTS = {
-    "tightness": "share of the floor that is taken",
-    "density": "hard relations an object",
-    "wishes": "soft relations an object",
-    "wall_fill": "share of the walls that backs stand at",
-    "surface_tightness": "share of the boards that is taken",
-}
-
 
 @dataclass(frozen=True, eq=False)
 class ProblemCase:
@@ -200,7 +192,6 @@ def card_of(case: ProblemCase) -> str:
         zones=sum(z.hard for o in scene.objects for z in o.zones),
         parts=sum(len(o.solids) for o in scene.objects),
         relations="; ".join(relations) or "none",
-        facts={text: f"{case.facts[key]:g}" for key, text in FACTS.items() if key in case.facts},
         proof=prove(scene, case.certificate) if case.certificate is not None else None,
         best="not measured" if case.best_energy is None else f"{case.best_energy:.4g} m",
         tried={name: row for name, row in case.difficulty.items() if isinstance(row, dict)},

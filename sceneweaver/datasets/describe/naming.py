@@ -283,6 +283,7 @@ class Words(Speaker):
     def __init__(self, facts: Facts, rng: np.random.Generator):
         super().__init__(facts, rng)
         self.told: set[frozenset[str]] = set()
+        self.furniture = [b for b in facts.furniture if b.id in self.names]
 
     def groups(self, bodies: Sequence[Body]) -> list[tuple[str, list[Body]]]:
         """Bodies by category, in the order in which they come."""
