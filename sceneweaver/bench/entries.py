@@ -9,7 +9,7 @@ from functools import lru_cache
 from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
@@ -107,43 +107,6 @@ def _methods(given: Any) -> list[Method]:
 NOISE_M, NOISE_RAD = 0.3, np.deg2rad(15.0)  # of perturbed starts
 
 
-class Task(Protocol):
-    """What the harness asks of a problem."""
-
-    @property
-    def name(self) -> str:
-        """In results."""
-        ...
-
-    @property
-    def family(self) -> str:
-        """That of the zoo, or "scenes"."""
-        ...
-
-    @property
-    def hash(self) -> str:
-        """SHA-256 of what it is."""
-        ...
-
-    @property
-    def scene(self) -> Scene:
-        """What is laid out; it is left as it is."""
-        ...
-
-    @property
-    def best_energy(self) -> float | None:
-        """The lowest energy of a valid layout that is known [m]."""
-        ...
-
-    def compile(self, device: str = "auto") -> Problem:
-        """The problem on a device."""
-        ...
-
-    def start(self, name: str, count: int, seed: int) -> np.ndarray:
-        """Poses [count, N, 4] float32 to start from."""
-        ...
-
-
 @dataclass(frozen=True)
 class SceneTask:
     """A scene as a problem. "perturbed" starts are the scene's own poses, N(0, 0.3 m) and N(0, 15 degrees) off."""
@@ -173,6 +136,10 @@ class SceneTask:
         else:
             moved = home + rng.normal(0.0, (NOISE_M, NOISE_M, 0.0, NOISE_RAD), home.shape)
         return problem.carry(np.where(problem.free[0], moved, home))
+
+
+Task = problems.ProblemCase | SceneTask
+"""A problem of a comparison: of the zoo, or a scene."""
 
 
 @lru_cache(maxsize=4)
