@@ -30,7 +30,7 @@ TEXTS = {
     "CC0-1.0": "https://creativecommons.org/publicdomain/zero/1.0/",
     "MIT": "https://opensource.org/license/mit",
 }
-"""Where the text of a licence stands."""
+"""Where the text of a licence stands; Hugging Face knows these by their name in lower case."""
 
 OWN = "Apache-2.0"
 """The licence of what the library itself draws and lays out."""
@@ -84,27 +84,16 @@ def croissant(
     columns = [column for column in read_schema(table) if not is_struct(column.type)]
     key, made = columns[0].name, f"made with sceneweaver {sceneweaver.__version__}"
     shards = sorted(path for path in folder.data.iterdir() if path.suffix in KINDS) if folder.data.exists() else []
-    return {
-        "@context": json.loads((Path(__file__).parent / "croissant_context.json").read_bytes()),
-        "@type": "sc:Dataset",
-        "conformsTo": "http://mlcommons.org/croissant/1.1",
+    fixed = json.loads((Path(__file__).parent / "croissant.json").read_bytes())
+    (records,) = fixed["recordSet"]
+    fields = [_field(index["@id"], column) for column in columns]
+    return fixed | {
         "name": spec.name,
         "description": f"Indoor {spec.product} of {numbers['rooms']} rooms, {made}.",
         "license": [TEXTS.get(name, name) for name in names],
-        "version": "1.0.0",
         "citeAs": f"{spec.name}: {made}, specification {spec.hash}",
-        "keywords": ["indoor scenes", "layout", "synthetic", "simulation"],
         "distribution": [index, *(_file(folder, path, KINDS[path.suffix], sums) for path in shards)],
-        "recordSet": [
-            {
-                "@type": "cr:RecordSet",
-                "@id": "scenes",
-                "name": "scenes",
-                "description": "One row a request; columns that are structs are left out.",
-                "key": {"@id": f"scenes/{key}"},
-                "field": [_field(index["@id"], column) for column in columns],
-            }
-        ],
+        "recordSet": [records | {"key": {"@id": f"scenes/{key}"}, "field": fields}],
     }
 
 
@@ -145,9 +134,6 @@ SIZES = ((10**3, "n<1K"), (10**4, "1K<n<10K"), (10**5, "10K<n<100K"), (10**6, "1
 SEEN = 1000
 """Files of the first shard that are looked at for suffixes."""
 
-HUB_LICENCES = {"Apache-2.0", "BSD-3-Clause", "CC-BY-4.0", "CC-BY-NC-4.0", "CC0-1.0", "MIT"}
-"""Licences that Hugging Face knows by their name in lower case."""
-
 
 def card(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Licence]) -> str:
     """The text of ``README.md``.
@@ -178,7 +164,7 @@ def card(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Licence
 def _front(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Licence]) -> dict[str, Any]:
     """The YAML at the head of the card."""
     names = list(dict.fromkeys(one.name for one in used))
-    one = names[0] if len(names) == 1 and names[0] in HUB_LICENCES else None
+    one = names[0] if len(names) == 1 and names[0] in TEXTS else None
     mixed = {"license": "other", "license_name": "mixed", "license_link": "LICENSES.md"}
     licence = {"license": one.lower()} if one else mixed
     suffix = "tar" if spec.product == "scenes" else "parquet"
