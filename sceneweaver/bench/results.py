@@ -77,10 +77,6 @@ class Row:
     outcome: Annotated[str, "string", '"running"; at the last look "ended", "budget", "failed" or "killed"'] = "running"
     reason: Annotated[str, "string", "why it failed or was killed, in one line; empty otherwise"] = ""
 
-    def to_dict(self) -> dict[str, Any]:
-        """By column."""
-        return asdict(self)
-
 
 COLUMNS: dict[str, tuple[str, str]] = {
     name: hint.__metadata__ for name, hint in get_type_hints(Row, include_extras=True).items()
@@ -164,7 +160,7 @@ class Folder:
         """Write the rows of one run."""
         key = rows[0].method, rows[0].problem, rows[0].seed
         name = hashlib.sha256(json.dumps(key).encode()).hexdigest()[:24]
-        self._write(self.path / PARTS / f"{name}.parquet", [row.to_dict() for row in rows])
+        self._write(self.path / PARTS / f"{name}.parquet", [asdict(row) for row in rows])
         self.done.add(key)
 
     def close(self) -> Path:

@@ -142,6 +142,7 @@ def produce(spec: Spec, requests: Sequence[Request], store: AssetStore, device: 
     or takes too long is a row with the reason; errors of the machine, such as a full disk, are raised.
     """
     library = dataset_library(spec.variants)
+    maker = _Maker(spec, library, store, device)
     rooms = [_Room(request) for request in requests]
     for room in rooms:
         try:
@@ -151,7 +152,7 @@ def produce(spec: Spec, requests: Sequence[Request], store: AssetStore, device: 
             room.reason = _reason(error)
     _lay_out([room for room in rooms if room.draft is not None], device)
     for room in rooms:
-        yield from _scenes(spec, room, library, store, device)
+        yield from maker.scenes(room)
         room.draft, room.layouts = None, []
     store.sync()
 
@@ -172,82 +173,76 @@ def _lay_out(rooms: Sequence[_Room], device: str) -> None:
         room.spent["layouts"] = (time.monotonic() - began) / len(rooms)
 
 
-def _scenes(spec: Spec, room: _Room, library: Library, store: AssetStore, device: str) -> Iterator[Sample]:
-    request = room.request
-    shared = {name: seconds / request.layouts for name, seconds in room.spent.items()}
-    first: list[Outcome] = []
-    try:
-        with _lap(shared, "choice"), _limit(spec.time_limit).enforced():
-            if room.draft is not None:
-                first = chosen(room.draft, room.layouts, request.layouts)
-    except (Exception, TimeUp) as error:
-        room.reason = _reason(error)
-    for layout in range(request.layouts):
-        seconds = dict(shared)
-        yield _scene(
-            spec, room, layout, first[layout] if layout < len(first) else None, library, store, device, seconds
-        )
+@dataclass(frozen=True)
+class _Maker:
+    """Makes the scenes of rooms, one by one."""
 
+    spec: Spec
+    library: Library
+    store: AssetStore
+    device: str
 
-def _scene(
-    spec: Spec,
-    room: _Room,
-    layout: int,
-    first: Outcome | None,
-    library: Library,
-    store: AssetStore,
-    device: str,
-    seconds: dict[str, float],
-) -> Sample:
-    """A scene of a room; ``first`` is the layout that the first attempt found for it."""
-    request, done, attempt = room.request, None, 0
-    reason = room.reason or ("" if first else "no valid layout was found")
+    def scenes(self, room: _Room) -> Iterator[Sample]:
+        """The scenes of a room, whose layouts were searched for."""
+        spec, request = self.spec, room.request
+        shared = {name: seconds / request.layouts for name, seconds in room.spent.items()}
+        first: list[Outcome] = []
+        try:
+            with _lap(shared, "choice"), _limit(spec.time_limit).enforced():
+                if room.draft is not None:
+                    first = chosen(room.draft, room.layouts, request.layouts)
+        except (Exception, TimeUp) as error:
+            room.reason = _reason(error)
+        for layout in range(request.layouts):
+            yield self._scene(room, layout, first[layout] if layout < len(first) else None, dict(shared))
 
-    def sample(status: Any, row: dict[str, Any], files: dict[str, bytes] | None = None) -> Sample:
-        index, named = request.index + layout, request.columns(attempt) | {"layout": layout}
-        rounded = {name: round(value, 4) for name, value in seconds.items()}
-        return Sample(index, request.key(layout), status, named | row, files or {}, rounded)
+    def _scene(self, room: _Room, layout: int, first: Outcome | None, seconds: dict[str, float]) -> Sample:
+        """A scene of a room; ``first`` is the layout that the first attempt found for it."""
+        spec, library, request, done, attempt = self.spec, self.library, room.request, None, 0
+        reason = room.reason or ("" if first else "no valid layout was found")
 
-    try:
-        with _limit(spec.time_limit - sum(seconds.values())).enforced():
-            for attempt in range(spec.rooms.attempts):
-                try:
-                    with _lap(seconds, "finish" if attempt == 0 else "again"):
-                        made = _made(spec, room, layout, attempt, first, library)
-                    if made is None:
-                        continue
-                    done, reason = made, made.reason
-                    if not reason:
-                        with _lap(seconds, "files"):
-                            files = files_of(spec, done, request.seed + layout, library, store, device)
-                        row = measured(done, library) | {"assets": references(files)}
-                        return sample("ok", row, files)
-                except Exception as error:
-                    done, reason = None, _reason(error)
-                    if isinstance(error, InputError) and room.draft is None:
-                        break  # it is the request, which no other draw makes better
-    except TimeUp:
-        return sample("failed", {"reason": _reason(TimeUp())})
-    if done is not None:
-        return sample("rejected", measured(done, library) | {"reason": reason})
-    return sample("rejected" if room.draft is not None and not room.reason else "failed", {"reason": reason})
+        def sample(status: Any, row: dict[str, Any], files: dict[str, bytes] | None = None) -> Sample:
+            index, named = request.index + layout, request.columns(attempt) | {"layout": layout}
+            rounded = {name: round(value, 4) for name, value in seconds.items()}
+            return Sample(index, request.key(layout), status, named | row, files or {}, rounded)
 
+        try:
+            with _limit(spec.time_limit - sum(seconds.values())).enforced():
+                for attempt in range(spec.rooms.attempts):
+                    try:
+                        with _lap(seconds, "finish" if attempt == 0 else "again"):
+                            made = self._made(room, layout, attempt, first)
+                        if made is None:
+                            continue
+                        done, reason = made, made.reason
+                        if not reason:
+                            with _lap(seconds, "files"):
+                                files = files_of(spec, done, request.seed + layout, library, self.store, self.device)
+                            row = measured(done, library) | {"assets": references(files)}
+                            return sample("ok", row, files)
+                    except Exception as error:
+                        done, reason = None, _reason(error)
+                        if isinstance(error, InputError) and room.draft is None:
+                            break  # it is the request, which no other draw makes better
+        except TimeUp:
+            return sample("failed", {"reason": _reason(TimeUp())})
+        if done is not None:
+            return sample("rejected", measured(done, library) | {"reason": reason})
+        return sample("rejected" if room.draft is not None and not room.reason else "failed", {"reason": reason})
 
-def _made(
-    spec: Spec, room: _Room, layout: int, attempt: int, first: Outcome | None, library: Library
-) -> Finished | None:
-    """What an attempt at a scene leads to; None where the first found no layout."""
-    request, aside = room.request, layout * LAYOUT_SEED
-    if attempt == 0:
-        if room.draft is None or first is None:
-            return None
-        return finished(room.draft, first, (room.draft.seed + aside) % 2**32, spec.gates)
-    seed = (request.attempt(attempt) + aside) % 2**32
-    if attempt >= FULL:
-        return designed(spec, request, seed, library, ALONE)
-    draft = drafted(spec, request, seed, library, ALONE)
-    outcome = draft.executor.run(draft.context.scene, draft.proposal, seed)
-    return finished(draft, outcome, seed, spec.gates)
+    def _made(self, room: _Room, layout: int, attempt: int, first: Outcome | None) -> Finished | None:
+        """What an attempt at a scene leads to; None where the first found no layout."""
+        spec, library, request, aside = self.spec, self.library, room.request, layout * LAYOUT_SEED
+        if attempt == 0:
+            if room.draft is None or first is None:
+                return None
+            return finished(room.draft, first, (room.draft.seed + aside) % 2**32, spec.gates)
+        seed = (request.attempt(attempt) + aside) % 2**32
+        if attempt >= FULL:
+            return designed(spec, request, seed, library, ALONE)
+        draft = drafted(spec, request, seed, library, ALONE)
+        outcome = draft.executor.run(draft.context.scene, draft.proposal, seed)
+        return finished(draft, outcome, seed, spec.gates)
 
 
 def _limit(seconds: float) -> Deadline:
