@@ -10,8 +10,8 @@ import pytest
 import sceneweaver as sw
 from sceneweaver import problems
 from sceneweaver.bench import Method, Settings, read_about, read_runs, run
-from sceneweaver.bench.schema import COLUMNS, Row
-from sceneweaver.bench.starts import Starts
+from sceneweaver.bench.execute import Starts
+from sceneweaver.bench.results import COLUMNS, Row
 from tests.bench import optimizers
 from tests.kernels.harness import ZOO
 from tests.layout.made import BOX, relation, scene, thing
