@@ -87,7 +87,7 @@ def test_the_same_input_gives_the_same_picture() -> None:
 def test_nothing_but_background_where_nothing_is() -> None:
     picture = _draw(_at(CUBE, x=-100.0, y=60.0))
     assert (picture.instance == -1).all() and np.ptp(picture.rgb.reshape(-1, 3), axis=0).max() == 0
-    assert np.isinf(picture.distance).all() and np.isinf(picture.depth).all()
+    assert np.isinf(picture.distance).all()
 
 
 def test_normals_are_smooth_around_and_sharp_at_edges() -> None:
