@@ -1,27 +1,30 @@
-"""The search for the cause: proofs first, then what small refinements find, the most fundamental first."""
+"""Why nothing is valid: proofs first, then what small refinements find, the most fundamental cause first."""
 
 from __future__ import annotations
 
 import itertools
+import time
 from collections.abc import Iterator
 
 import numpy as np
 import shapely
 
-from sceneweaver.scene import Room
+from sceneweaver.layout import Solution
+from sceneweaver.scene import Room, Scene
 
-from .conflicts import Conflicts
-from .proofs import arithmetic, fixed_faults, never
+from .proofs import arithmetic, fixed_faults, hints, most_unmet, never
 from .search import CHUNK, CROWD, FIRM, SURE, Search
-from .study import LOOK, OutOfTime
+from .study import LOOK, OutOfTime, Study
 from .words import FOUND, LINES, crowd_words, few, listed, sized, span_words, surface_words
 
+LONGEST = 10.0  # [s] that an explanation may take
+RESERVE = 0.3  # [s] of it kept for the last words
 PAIRS = 144  # pairs of relations that are tried at most
 
 
-def lonely_objects(conflicts: Conflicts) -> Iterator[str]:
+def lonely_objects(search: Search) -> Iterator[str]:
     """Objects that find no place even with the movable rest away."""
-    search, study = conflicts.search, conflicts.study
+    study = search.study
     roots = [i for i in study.always_at_fault() if study.scene.objects[i].support is None]
     for i, can in zip(roots, search.can([study.presence([i]) for i in roots]), strict=True):
         if not can and search.surely_not(study.presence([i])):
@@ -45,9 +48,9 @@ def _why_no_place(search: Search, i: int) -> str:
     return ": the fixed objects leave none"
 
 
-def full_surfaces(conflicts: Conflicts) -> Iterator[str]:
+def full_surfaces(search: Search) -> Iterator[str]:
     """Surfaces whose things do not fit on them together, and carriers that fit nowhere with what they carry."""
-    search, study = conflicts.search, conflicts.study
+    study = search.study
     full = False
     for domain in study.compiled.domains:
         members = [i for i in domain.surface.members if not study.scene.objects[i].fixed]
@@ -89,30 +92,30 @@ def _hall(room: Room) -> Room:
     return Room(outline=tuple((float(x), float(y)) for x, y in outline), height=room.height + 5)
 
 
-def crowded_objects(conflicts: Conflicts) -> Iterator[str]:
+def crowded_objects(search: Search) -> Iterator[str]:
     """Objects that do not fit together even without relations."""
-    search, study = conflicts.search, conflicts.study
+    study = search.study
     everyone = study.presence(study.free)
     if np.any(study.solution.status == 2):  # only relations were unmet
         search.note(everyone, True)
     if len(study.free) <= (CROWD if study.units else 3 * CROWD) and not search.can([everyone])[0]:
         order = sorted(study.free, key=lambda i: (-study.fault[:, i].mean(), -study.area(i), i))
-        yield from conflicts.crowding(order)
+        yield from search.crowding(order)
 
 
-def single_relations(conflicts: Conflicts) -> Iterator[str]:
+def single_relations(search: Search) -> Iterator[str]:
     """Hard relations that no place was found for, though only they and their objects are in the room."""
-    search, study = conflicts.search, conflicts.study
+    study = search.study
     doubtful = [u for u in range(len(study.units)) if not study.good[:, u].any()]
     doubtful.sort(key=study.suspicion)
     for u, can in zip(doubtful, search.can([{u} for u in doubtful]), strict=True):
         if not can and search.surely_not({u}):
-            yield conflicts.settled(frozenset({u}))
+            yield search.settled(frozenset({u}))
 
 
-def pairs_of_relations(conflicts: Conflicts) -> Iterator[str]:
+def pairs_of_relations(search: Search) -> Iterator[str]:
     """Two hard relations that do not go together."""
-    search, study = conflicts.search, conflicts.study
+    study = search.study
     keys = [study.keys(u) for u in range(len(study.units))]
     seen = study.good.astype(np.float32)
     met = seen.T @ seen > 0  # some candidate has both
@@ -123,14 +126,14 @@ def pairs_of_relations(conflicts: Conflicts) -> Iterator[str]:
         for pair, can in zip(some, search.can(some), strict=True):
             if not can and not used.intersection(pair) and search.surely_not(pair):
                 used.update(pair)
-                yield conflicts.settled(frozenset(pair))
+                yield search.settled(frozenset(pair))
         if used:
             return
 
 
-def second_try(conflicts: Conflicts) -> Iterator[str]:
+def second_try(search: Search) -> Iterator[str]:
     """A valid layout after all, when the run was short."""
-    search, study = conflicts.search, conflicts.study
+    study = search.study
     weak = study.solution.timed_out or study.solution.candidates < LOOK
     everything = frozenset(range(len(study.units))) | study.presence(study.free)
     if weak and len(study.free) <= 3 * CROWD and search.can([everything])[0]:
@@ -140,14 +143,14 @@ def second_try(conflicts: Conflicts) -> Iterator[str]:
         )
 
 
-def grown_conflict(conflicts: Conflicts) -> Iterator[str]:
+def grown_conflict(search: Search) -> Iterator[str]:
     """A smallest set found of relations and objects, grown around the relations that are unmet most often."""
-    search, study = conflicts.search, conflicts.study
+    study = search.study
     seeds = sorted(range(len(study.units)), key=study.suspicion)
     best: frozenset[int] | None = None
     for seed in seeds[:LINES]:
         try:
-            found = conflicts.smallest(conflicts.outward(seed))
+            found = search.smallest(search.outward(seed))
         except OutOfTime:
             if best is None:
                 raise
@@ -158,9 +161,9 @@ def grown_conflict(conflicts: Conflicts) -> Iterator[str]:
         if best is not None and len(best) <= LINES:
             break
     if not seeds:
-        best = conflicts.smallest(sorted(study.presence(study.free)))
+        best = search.smallest(sorted(study.presence(study.free)))
     if best is not None:
-        yield conflicts.settled(best)
+        yield search.settled(best)
 
 
 # The most fundamental first.
@@ -175,15 +178,14 @@ FINDS = (
 )
 
 
-def find_causes(conflicts: Conflicts) -> tuple[list[str], bool]:
+def find_causes(search: Search) -> tuple[list[str], bool]:
     """Lines about the first kind of cause that there is, and whether they are proved."""
-    search = conflicts.search
     if lines := list(fixed_faults(search)) or arithmetic(search.study) or list(never(search.study)):
         return lines[: 2 * LINES], True
     for find in FINDS:
         lines = []
         try:
-            for line in find(conflicts):
+            for line in find(search):
                 lines.append(line)
         except OutOfTime:
             if not lines:
@@ -192,3 +194,42 @@ def find_causes(conflicts: Conflicts) -> tuple[list[str], bool]:
         if lines:
             return few(lines), False
     return [], False
+
+
+def explain(scene: Scene, solution: Solution, *, device: str, seed: int, deadline: float | None = None) -> str | None:
+    """Why no candidate of a refinement is valid: one to about six lines of plain English; None when one is valid.
+
+    Args:
+        scene: what was refined.
+        solution: what came of it.
+        device: where to run the small refinements, as for ``refine``.
+        seed: their seed.
+        deadline: when to be back, in the time of ``time.monotonic()``; it never takes much longer than 10 s anyway.
+    """
+    if np.any(solution.status == 0):
+        return None
+    start = time.monotonic()
+    end = start + LONGEST if deadline is None else min(deadline, start + LONGEST)
+    until = end - min(RESERVE, 0.1 * (end - start))
+    if until - start < 0.02:
+        return "\n".join([*_timed_out(solution, False), most_unmet(scene, solution)])
+    study = Study(scene, solution, device, until)
+    search = Search(study, seed)
+    proved = False
+    try:
+        lines, proved = find_causes(search)
+        if not lines:
+            lines = ["No single cause was found.", *hints(study)]
+        if search.cut:
+            lines.append(f"Looking further was stopped after {time.monotonic() - start:.1f} s.")
+    except OutOfTime as cut:
+        lines = [f"Looking for the cause was stopped after {time.monotonic() - start:.1f} s.", *cut.lines]
+        lines += hints(study) if time.monotonic() < end else [most_unmet(scene, solution)]
+    return "\n".join([*_timed_out(solution, proved), *lines])
+
+
+def _timed_out(solution: Solution, proved: bool) -> list[str]:
+    if not solution.timed_out:
+        return []
+    proof = "but more time would not have helped" if proved else "which is no proof that there is none"
+    return [f"The time limit stopped the run after {solution.elapsed:.1f} s, before any layout was valid, {proof}."]
