@@ -24,8 +24,8 @@ class Film:
 
 @wp.struct
 class Picture:
-    """What comes out, of each pixel: display colours 0..1, linear light, and distance [m] and instance (-1: none) of the
-    first surface in its middle."""
+    """What comes out, of each pixel: display colours 0..1, linear light, and distance [m] and instance (-1: none) of
+    the first surface in its middle."""
 
     rgb: wp.array(dtype=wp.vec3)
     linear: wp.array(dtype=wp.vec3)
