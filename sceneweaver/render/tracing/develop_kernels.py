@@ -89,13 +89,14 @@ def find_edges(
 
 @wp.struct
 class Blend:
-    """Sums of layers over neighbouring pixels of a grid, and of their weights."""
+    """Sums of layers over neighbouring pixels of a grid, and of their weights; ``lone``: none shows the surface."""
 
     soft: wp.vec3
     sun: wp.vec3
     gloss: wp.vec3
     toward: wp.vec3
     weight: float
+    lone: int
 
 
 @wp.func
@@ -127,6 +128,7 @@ def _blended(grid: Grid, layers: Layers, seen: Seen, gx: float, gy: float, slack
                 near = wp.max(1.0 - wp.abs(fx - float(cx)), 0.02) * wp.max(1.0 - wp.abs(fy - float(cy)), 0.02)
                 sums = _with_pixel(sums, layers, j, near * alike(grid, j, seen.point, seen.normal, mine, slack))
     if sums.weight < 1.0e-3:
+        sums.lone = 1
         for corner in range(16):
             j = pixel_at(grid, left + corner % 4 - 1, top + corner // 4 - 1)
             if j >= 0:
@@ -199,7 +201,9 @@ def develop(
     differs = int(0)
     total = wp.vec3(0.0)
     linear = wp.vec3(0.0)
-    for s in range(rays):
+    for s in range(wp.max(film.rays, film.plain_rays)):
+        if s >= rays:
+            break
         e = _place_in_pixel(s, lights.direct.on)
         jx, jy = float(px) + e[0], float(py) + e[1]
         seen = what_is_seen(world, lights, cache, camera_ray(lens, jx, jy), size)
@@ -216,6 +220,11 @@ def develop(
             slack = 0.004 + 2.0 * (size[0] + size[1] * seen.depth) / scale_x
             around = _blended(grid, layers, seen, jx * scale_x - 0.5, jy * scale_y - 0.5, slack)
             color = color + _lit(lights, cache, seen, around, e)
+            if s == 0 and around.lone == 1:
+                # One ray met by chance what is far narrower than the pixel, such as the side of a fold: by itself it
+                # would be a speck.
+                rays = wp.max(film.rays, film.plain_rays)
+                differs = 1
         linear = linear + color
         shown = wp.cw_mul(color, film.balance) * film.exposure
         total = total + tone_mapped(shown, film.contrast)
