@@ -9,8 +9,8 @@ What is wrong in a layout is what the judge finds in it.
 Everything is bounded by work, and the same call finds the same; the clock only cuts off, and the text says so.
 """
 
-from .causes import explain as explain
 from .refine import refine as refine
 from .refine import refine_many as refine_many
+from .report import explain as explain
 
 __all__ = ["explain", "refine", "refine_many"]

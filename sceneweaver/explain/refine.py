@@ -11,7 +11,7 @@ import numpy as np
 from sceneweaver.layout import Progress, QualityTerm, Solution, StepOptimizer, engine
 from sceneweaver.scene import Scene
 
-from .causes import explain as find_reason
+from .report import explain as find_reason
 
 GRACE = 1.0  # [s] beyond a time limit in which to explain why nothing is valid
 

@@ -159,7 +159,7 @@ class Tracer:
             film.balance = wp.vec3(*balance)
             if lights.enclosed:
                 self._light.view = wp.vec3(*(min(lights.view, _OUTSIDE / film.exposure) / balance))
-        edge = wp.empty(count, dtype=wp.uint8)
+        edge = wp.empty(count, dtype=wp.uint8)  # pyright: ignore[reportArgumentType]
         launch(develop_kernels.find_edges, count, [grid], [edge])
         made = develop_kernels.Picture()
         made.rgb, made.linear = _vectors(2, pixels)
@@ -177,7 +177,8 @@ class Tracer:
         layers, other = filter_kernels.Layers(), filter_kernels.Layers()
         for some in (layers, other):
             some.soft, some.sun, some.gloss, some.toward = _vectors(4, count)
-        variance, guide, next_guide = (wp.empty(count, dtype=kind) for kind in (float, wp.vec2, wp.vec2))
+        kinds: tuple[Any, ...] = (float, wp.vec2, wp.vec2)
+        variance, guide, next_guide = (wp.empty(count, dtype=kind) for kind in kinds)
         rays = view_kernels.Counts()
         rays.bounces, rays.suns = quality.bounces, quality.suns
         if isinstance(self._lights, Lights):
@@ -213,7 +214,8 @@ def trace(
 
 
 def _vectors(number: int, count: int) -> list[wp.array]:
-    return [wp.empty(count, dtype=wp.vec3) for _ in range(number)]
+    kind: Any = wp.vec3
+    return [wp.empty(count, dtype=kind) for _ in range(number)]
 
 
 @cache
