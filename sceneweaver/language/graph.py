@@ -179,9 +179,10 @@ def _entity(mention: Mention, notes: list[str]) -> Entity:
     seen: dict[tuple[str, str], Attribute] = {}
     for attribute in mention.attributes:
         seen.setdefault((attribute.kind, attribute.words), attribute)
-    numbered = {"attributes": [a.model_copy(update={"id": f"{mention.id}/{k}"}) for k, a in enumerate(seen.values())]}
-    given = {name: getattr(mention, name) for name in Entity.model_fields}
-    return Entity(**given | numbered | {"count": count, "words": tuple(dict.fromkeys(mention.words))})
+    given: dict[str, Any] = {name: getattr(mention, name) for name in Entity.model_fields}
+    given["attributes"] = [a.model_copy(update={"id": f"{mention.id}/{k}"}) for k, a in enumerate(seen.values())]
+    given |= {"count": count, "words": tuple(dict.fromkeys(mention.words))}
+    return Entity(**given)
 
 
 def _relations(said: Said, mentions: list[Mention], notes: list[str]) -> list[StatedRelation]:
