@@ -15,7 +15,7 @@ from sceneweaver.critic.access import RISE
 from sceneweaver.critic.order import CROOKED, STRAIGHT
 from sceneweaver.critic.physical import NEEDED
 from sceneweaver.geometry.angles import wrap_angle
-from sceneweaver.knowledge.lived_in import left_about
+from sceneweaver.knowledge.small_things import left_about
 from sceneweaver.layout import QualityTerm
 from sceneweaver.rules.design import design_points
 from sceneweaver.rules.faults import fault_kind

@@ -10,8 +10,7 @@ from sceneweaver.assets import categories
 from sceneweaver.knowledge import RoomType
 from sceneweaver.knowledge.complete import expected_of
 from sceneweaver.knowledge.kin import fits_anywhere, may_stand_in, neighbouring, place_of
-from sceneweaver.knowledge.lived_in import left_about
-from sceneweaver.knowledge.wall_things import wall_things
+from sceneweaver.knowledge.small_things import left_about, wall_things
 from sceneweaver.verify.solids import Body
 
 from . import kinds

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from sceneweaver.knowledge import Item, RoomType
-from sceneweaver.knowledge.lived_in import left_about
+from sceneweaver.knowledge.small_things import left_about
 from sceneweaver.verify.solids import Body
 
 from . import kinds

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from sceneweaver.assets import categories
 from sceneweaver.geometry.angles import wrap_angle
-from sceneweaver.knowledge.lived_in import left_about
+from sceneweaver.knowledge.small_things import left_about
 from sceneweaver.scene import CATALOGUE
 from sceneweaver.verify.solids import Body
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from sceneweaver.knowledge.lived_in import left_about
+from sceneweaver.knowledge.small_things import left_about
 from sceneweaver.verify import Violation
 from sceneweaver.verify.walkable import measure
 
