@@ -8,7 +8,6 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import partial
 from typing import Any, NamedTuple
 
-from sceneweaver.critic.design.cover import may_hide_kinds
 from sceneweaver.critic.design.query import Case, kind_set
 from sceneweaver.geometry.shell import heights
 from sceneweaver.geometry.walls import Wall
@@ -127,7 +126,6 @@ class Planned:
         walls = tuple(f"wall:{k}" for k in range(len(self.scene.room.outline)))
         return {
             "after": lambda row, o: row[row.index(o) + 1 :],
-            "count": len,
             "deg": math.degrees,
             "depth": lambda o: o.size[0],
             "has_doors": lambda: bool(self.scene.room.doors),
@@ -135,11 +133,7 @@ class Planned:
             "kind": lambda o, kinds: o.category in kind_set(kinds),
             "lean": lambda: False,
             "light": lambda: self.movable,
-            "may_hide": lambda o: o.category in may_hide_kinds(),
             "mount": lambda o: o.mount,
-            "movable": self.is_light,
-            "named_round": lambda o: "round" in o.category,
-            "rest": lambda row, start, end=None: tuple(row[start:end]),
             "same_kind": lambda a, b: a.category == b.category,
             "sill": lambda window: heights(window)[0],
             "tall": lambda o: o.size[2],
