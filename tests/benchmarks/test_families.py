@@ -52,7 +52,7 @@ def settings(tmp_path):
 
 
 SLOW = (
-    *("openable", "odd", "pictures", "ablations", "by_model", "stability", "variety"),
+    *("openable", "odd", "pictures", "ablations", "by_model", "requests", "stability", "variety"),
     *("cold", "memory", "throughput"),
 )
 """Families whose design is one that another family makes as well, and what takes longest."""
