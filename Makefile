@@ -33,6 +33,8 @@ install: $(READY) ## Make .venv from uv.lock (the other targets do it when neede
 demo: $(READY) ## Design the demo room; results in out/demo
 	$(BIN)/python -m sceneweaver.cli demo --out $(OUT)
 
+# Tests start many programs: without bytecode each would compile all sources of the library anew.
+test: export PYTHONDONTWRITEBYTECODE :=
 test: $(READY) ## Run the tests except the long ones
 	$(PYTEST) -n $(JOBS) --dist loadfile $(ARGS)
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from benchmarks.signature import signatures
-from sceneweaver.datasets.layouts.read import posed
+from sceneweaver.datasets.layouts.tables import posed
 from sceneweaver.datasets.tables import arrow
 from sceneweaver.runtime.processes import cores, pool
 from sceneweaver.scene import Scene

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sceneweaver.physics.batch import model_of, poses_of
+from sceneweaver.physics.batch import Shapes, model_of, poses_of
+from sceneweaver.physics.model import Model
 from sceneweaver.physics.worlds import Template
 from sceneweaver.scene import Scene
 
@@ -21,34 +22,36 @@ SEEDS = 20
 
 @dataclass(frozen=True)
 class Case:
-    """Models of one room (MJCF by shapes), its bodies as in ``Template``, and initial poses [B, N, 7]."""
+    """Models of one room by shapes, and initial poses [B, N, 7] in the order of ``Template``."""
 
     name: str
-    xml: dict[str, str]
-    free: tuple[str, ...]
-    fixed: tuple[str, ...]
-    middle: np.ndarray
+    scene: Scene
+    models: dict[str, Model]
     poses: np.ndarray
+
+    @property
+    def free(self) -> tuple[str, ...]:
+        """The bodies that may move."""
+        return self.models["hull"].free
 
     def template(self, shapes: str) -> Template:
         """The compiled model."""
-        return Template.of(self.xml[shapes], {}, self.free, self.fixed, self.middle)
+        return Template.of(self.models[shapes], self.scene)
 
 
 def case_of(scene: Scene, poses: np.ndarray, seed: int = 0) -> Case:
     """Layouts [B, N, 4] of a scene; in every second one, one free thing in five is lifted by up to 4 cm."""
-    models = {shapes: model_of(scene, shapes=shapes) for shapes in ("box", "hull")}
+    shapes: tuple[Shapes, ...] = ("box", "hull")
+    models = {each: model_of(scene, shapes=each) for each in shapes}
     free, fixed = models["hull"].free, models["hull"].fixed
-    index = {o.id: k for k, o in enumerate(scene.objects)}
-    order = [index[object_id] for object_id in (*free, *fixed)]
+    order = [scene.index(name) for name in (*free, *fixed)]
     start = poses_of(scene, poses)[:, order]
     random = np.random.default_rng(seed)
     shape = (len(start), len(free))
     lift = np.where(random.random(shape) < 0.2, random.uniform(0.0, 0.04, shape), 0.0)
     lift[::2] = 0.0
     start[:, : len(free), 2] += lift
-    middle = np.array([scene.objects[k].size[2] / 2 for k in order])
-    return Case(scene.id, {k: m.xml for k, m in models.items()}, free, fixed, middle, start)
+    return Case(scene.id, scene, dict(models), start)
 
 
 def designed(count: int, device: str = "cpu") -> Case:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 
 from sceneweaver.generate.traces import FreeFloor, moved_chairs
-from sceneweaver.knowledge.lived_in import traces
+from sceneweaver.knowledge.small_things import traces
 from sceneweaver.scene import InputError
 from sceneweaver.scene.edits import Add, AnyEdit
 from sceneweaver.scene.messages import show

@@ -6,11 +6,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
+from sceneweaver.generate.setup import Proposal as Proposal
 from sceneweaver.generate.setup import Setup
-from sceneweaver.knowledge.lived_in import CLUTTER
+from sceneweaver.knowledge.small_things import CLUTTER
 from sceneweaver.llm import ModelClient
-from sceneweaver.scene import Relation, Room, Scene
-from sceneweaver.scene.edits import AnyEdit
 
 
 @dataclass(frozen=True)
@@ -28,28 +27,6 @@ class Context(Setup):
     hurried: Callable[[], bool] = bool
     clutter: float = CLUTTER
     client: ModelClient | None = None
-
-
-@dataclass(frozen=True)
-class Proposal:
-    """What a tool answers.
-
-    ``scene`` replaces the whole scene (initialisers only), then ``edits`` apply to it in order. Poses in edits are
-    proposals: the executor refines them. Each of ``variants`` holds relations that are added to the scene's; of the
-    layouts of all variants the best wins. ``rooms`` are others for the same things, with as many walls, doors and
-    windows: where the scene's own does not do, the best is taken; ``larger`` ones are for what was asked for and has
-    no place. ``notes`` say what was decided, ``unmet`` what could not be done and why. ``fresh`` asks for a layout from
-    scratch instead of the least movement.
-    """
-
-    edits: tuple[AnyEdit, ...] = ()
-    scene: Scene | None = None
-    variants: tuple[tuple[Relation, ...], ...] = ()
-    rooms: tuple[Room, ...] = ()
-    larger: tuple[Room, ...] = ()
-    fresh: bool = False
-    notes: tuple[str, ...] = ()
-    unmet: tuple[str, ...] = ()
 
 
 class Tool(Protocol):

@@ -15,18 +15,5 @@ class InitPrior:
     def propose(self, context: Context) -> Proposal:
         """A new scene; ``inputs`` may hold ``style``, and ``roomier``, a factor on a floor that nobody fixed."""
         inputs = context.inputs
-        made = first_draft(
-            context,
-            style=str(inputs.get("style") or ""),
-            roomier=float(inputs.get("roomier", 1.0)),
-            hurried=context.hurried,
-        )
-        return Proposal(
-            scene=made.scene,
-            variants=made.variants,
-            rooms=made.rooms,
-            larger=made.larger,
-            fresh=True,
-            notes=made.notes,
-            unmet=made.unmet,
-        )
+        style, roomier = str(inputs.get("style") or ""), float(inputs.get("roomier", 1.0))
+        return first_draft(context, style=style, roomier=roomier, hurried=context.hurried)

@@ -14,10 +14,10 @@ from benchmarks.patterns.room import Hits, Room
 from benchmarks.patterns.sills import pierced
 from benchmarks.patterns.views import hidden_keys, lights_hidden
 from sceneweaver.critic import kinds
-from sceneweaver.critic.design.cover import spans_of
 from sceneweaver.critic.design.looks import off_palette
-from sceneweaver.critic.design.measure import named, top_of
+from sceneweaver.critic.design.measure import top_of
 from sceneweaver.critic.design.query import kind_set
+from sceneweaver.critic.design.walls import spans_of
 from sceneweaver.critic.groups import ALL_BEDS, groups_of
 from sceneweaver.critic.survey import turn_to
 from sceneweaver.geometry.angles import wrap_angle
@@ -44,9 +44,9 @@ ONE_ANGLE = 1.0
 WAYS = 3
 """Directions of gym machines from which on they face anywhere."""
 
-LIGHT = named(
-    "pouf ottoman stool bar_stool bench side_table nightstand yoga_mat exercise_mat exercise_ball locker chair armchair"
-    " floor_cushion bean_bag coffee_table"
+LIGHT = kind_set(
+    "=pouf =ottoman =stool =bar_stool =bench =side_table =nightstand =yoga_mat =exercise_mat =exercise_ball =locker"
+    " =chair =armchair =floor_cushion =bean_bag =coffee_table"
 )
 """Pieces that stand with others."""
 

@@ -9,12 +9,11 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from sceneweaver.assets import categories
-from sceneweaver.critic.design.cover import may_hide_kinds
 from sceneweaver.critic.design.query import Case, kind_set
 from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.geometry.shell import heights
 from sceneweaver.geometry.walls import Wall
-from sceneweaver.knowledge.lived_in import left_about
+from sceneweaver.knowledge.small_things import left_about
 from sceneweaver.layout.quality import KINDS
 from sceneweaver.rules.design import room_groups
 from sceneweaver.rules.expression import CALLED
@@ -183,7 +182,7 @@ class Planned:
             "after": lambda row, o: row[row.index(o) + 1 :],
             "arm": lambda: ARM,
             "axis_period": self.axis_period,
-            "count": len,
+            "category": lambda o: o.category,
             "deg": math.degrees,
             "depth": lambda o: o.size[0],
             "has_doors": lambda: bool(self.scene.room.doors),
@@ -192,16 +191,10 @@ class Planned:
             "lean": lambda: False,
             "left_about": lambda o: left_about(o.category, self.room),
             "light": lambda: self.movable,
-            "longest": lambda objects: max(max(o.size[:2]) for o in objects),
-            "may_hide": lambda o: o.category in may_hide_kinds(),
             "mount": lambda o: o.mount,
-            "movable": self.is_light,
-            "named_round": lambda o: "round" in o.category,
             "priority": lambda o: o.intent.priority,
-            "rest": lambda row, start, end=None: tuple(row[start:end]),
             "robot": lambda: RADIUS,
             "same_kind": lambda a, b: a.category == b.category,
-            "seat_like": lambda o: o.category in kind_set("upright_seat"),
             "sets_of_equals": self.sets_of_equals,
             "side_of_use": self.side_of_use,
             "sides_used": _sides_used,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pydantic import Field
 
-from sceneweaver.knowledge.lived_in import CLUTTER
+from sceneweaver.knowledge.small_things import CLUTTER
 from sceneweaver.scene.base import FrozenModel
 
 ASKED = 4.0

@@ -3,12 +3,12 @@
 It needs the extra ``bench`` (pyarrow, matplotlib): ``pip install 'sceneweaver[bench]'``.
 """
 
+from .curves import Profile as Profile
 from .curves import Target as Target
-from .methods import Method as Method
+from .curves import data_profile as data_profile
+from .curves import performance_profile as performance_profile
+from .entries import Method as Method
 from .plots import plot as plot
-from .profiles import Profile as Profile
-from .profiles import data_profile as data_profile
-from .profiles import performance_profile as performance_profile
 from .results import Run as Run
 from .results import read_about as read_about
 from .results import read_runs as read_runs

@@ -1,7 +1,8 @@
-"""One run: an optimiser on a problem from one seed, looked at while it goes on."""
+"""One run: an optimiser on a problem from one seed, measured while it goes on."""
 
 from __future__ import annotations
 
+import sys
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
@@ -10,15 +11,146 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from sceneweaver.layout import Problem, StepOptimizer
+from sceneweaver.layout import Problem, StepOptimizer, refine
+from sceneweaver.layout.arrays import poses_from
+from sceneweaver.layout.solution import differ
 
-from .clock import Stopwatch, settle
-from .looks import Layouts, look, measure
-from .methods import Method
-from .schema import Row
+from .entries import Method, Task
+from .results import Row
 from .settings import Settings
-from .starts import Starts
-from .tasks import Task
+
+
+class Stopwatch:
+    """Adds up the time inside ``with`` blocks [s]."""
+
+    def __init__(self, device: str) -> None:
+        self.device = device
+        self.wall = self.cpu = 0.0
+        self._began = (0.0, 0.0)
+
+    def __enter__(self) -> Stopwatch:
+        settle(self.device)
+        self._began = (time.perf_counter(), time.process_time())
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        settle(self.device)
+        wall, cpu = self._began
+        self.wall += time.perf_counter() - wall
+        self.cpu += time.process_time() - cpu
+
+
+def settle(device: str, state: Any = None) -> None:
+    """Wait for what is under way on a device, for PyTorch's work as well, and for the arrays of JAX in a state."""
+    wp.synchronize_device(device)
+    if (torch := sys.modules.get("torch")) and device != "cpu":
+        torch.cuda.synchronize(device)
+    if state is not None and (jax := sys.modules.get("jax")):
+        jax.block_until_ready(state)
+
+
+ROUND = 1_000_003  # between the seeds of a run's rounds
+
+
+@dataclass
+class Starts:
+    """Starts of one task by seed and round.
+
+    What stands on surfaces is solved beforehand, with as little change as that takes: an optimiser moves roots alone,
+    and no layout could become valid. That is done once a seed; later rounds carry what the first one had.
+    """
+
+    task: Task
+    settings: Settings
+    _solved: dict[int, np.ndarray] = field(default_factory=dict)
+
+    def draw(self, seed: int, attempt: int = 0) -> tuple[np.ndarray, int]:
+        """Poses [B, N, 4] of a round, and its seed."""
+        task, settings, own = self.task, self.settings, (seed + attempt * ROUND) % 2**32
+        drawn = np.asarray(task.start(settings.start, settings.candidates, own), dtype=np.float32)
+        problem = task.compile(settings.device)
+        if not problem.surfaces:
+            return drawn, own
+        if seed not in self._solved:
+            first = drawn if attempt == 0 else self.draw(seed)[0]
+            kept = refine(task.scene, init=first, optimizer=_Keep(), seed=seed, device=settings.device, walk=False)
+            self._solved[seed] = kept.poses.astype(np.float32)
+        return problem.carry(drawn, like=self._solved[seed]), own
+
+
+class _Keep:
+    """Leaves everything where it is; `refine` has solved surfaces before it begins."""
+
+    steps = 1
+
+    def init(self, problem: Any, poses: Any, key: int) -> Any:
+        return poses
+
+    def step(self, state: Any) -> Any:
+        return state
+
+    def best(self, state: Any) -> Any:
+        return state
+
+
+MOST_DISTINCT = 256  # valid layouts that are compared with one another: the first of them
+
+
+@dataclass(frozen=True)
+class Layouts:
+    """Candidates of one problem, measured: poses [B, N, 4], energy [B] (inf where it is no number), feasible [B]."""
+
+    poses: np.ndarray
+    energy: np.ndarray
+    feasible: np.ndarray
+
+    def better_of(self, other: Layouts | None) -> Layouts:
+        """Of two layouts of each candidate the better: a feasible one, then that of lower energy."""
+        if other is None:
+            return self
+        mine = np.where(self.feasible == other.feasible, self.energy <= other.energy, self.feasible)
+        return Layouts(
+            np.where(mine[:, None, None], self.poses, other.poses),
+            np.where(mine, self.energy, other.energy),
+            self.feasible | other.feasible,
+        )
+
+    def columns(self) -> dict[str, Any]:
+        """What goes into columns of `results.COLUMNS`."""
+        finite, good = self.energy[np.isfinite(self.energy)], self.energy[self.feasible]
+        return {
+            "valid": float(self.feasible.mean()),
+            "distinct": count_distinct(self.poses[self.feasible][:MOST_DISTINCT]),
+            "best_energy": float(finite.min()) if finite.size else None,
+            "best_valid_energy": float(good.min()) if good.size else None,
+            "median_energy": float(np.median(finite)) if finite.size else None,
+        }
+
+
+def measure(problem: Problem, poses: np.ndarray) -> Layouts:
+    """Measure poses [B, N, 4] of one scene."""
+    energy = np.asarray(problem.energy(poses), dtype=np.float64)
+    energy[~np.isfinite(energy)] = np.inf
+    return Layouts(poses, energy, np.asarray(problem.feasible(poses), dtype=bool) & np.isfinite(energy))
+
+
+def look(optimizer: StepOptimizer, state: Any, problem: Problem, given: np.ndarray) -> Layouts:
+    """An optimiser's best, as `sceneweaver.refine` takes it: free coordinates, and what is carried goes along.
+
+    ``given`` [B, N, 4] is where it began.
+    """
+    best = np.asarray(poses_from(optimizer.best(state), problem.objects, problem.device).numpy())
+    if best.shape != given.shape:
+        raise ValueError(f"best gave an array of shape {best.shape}; poses are {given.shape}")
+    return measure(problem, problem.carry(np.where(problem.free[0], best, given), like=given))
+
+
+def count_distinct(layouts: np.ndarray) -> int:
+    """Of how many layouts [K, N, 4], taken in turn, any two have an object 0.5 m or 45 degrees apart."""
+    found = 0
+    while len(layouts):
+        layouts, found = layouts[differ(layouts, layouts[0])], found + 1
+    return found
 
 
 @dataclass

@@ -10,10 +10,21 @@ import numpy as np
 
 from sceneweaver.scene import InputError
 
-from .curves import COSTS, Target, best_found, instances, interval, left_at, methods, table, value_at
-from .extras import figure
-from .profiles import Profile, data_profile, performance_profile
-from .results import Run
+from .curves import (
+    COSTS,
+    Profile,
+    Target,
+    best_found,
+    data_profile,
+    instances,
+    interval,
+    left_at,
+    methods,
+    performance_profile,
+    table,
+    value_at,
+)
+from .results import Run, needed
 
 FORMATS = ("png", "svg")
 POINTS = 60
@@ -63,7 +74,7 @@ def plot(runs: Sequence[Run], out: Path, *, target: Target | None = None, form: 
 
 def _curves(runs: Sequence[Run]) -> Any:
     """Share valid, best objective and distinct layouts, against each cost: means over problems and seeds."""
-    best, picture = best_found(runs), figure()(figsize=(15, 11), layout="constrained")
+    best, picture = best_found(runs), needed("matplotlib.figure").Figure(figsize=(15, 11), layout="constrained")
     axes = picture.subplots(len(QUANTITIES), len(COSTS), sharey="row", sharex="col")
     for j, (cost, words) in enumerate(COSTS.items()):
         points = _points(runs, cost)
@@ -107,7 +118,7 @@ def _points(runs: Sequence[Run], cost: str) -> np.ndarray:
 
 def _profiles(runs: Sequence[Run], target: Target) -> Any:
     """Performance profiles by seconds and evaluations, data profiles by evaluations, for two targets."""
-    picture = figure()(figsize=(15, 9), layout="constrained")
+    picture = needed("matplotlib.figure").Figure(figsize=(15, 9), layout="constrained")
     axes = picture.subplots(2, 3)
     for row, aim in enumerate((target, Target("objective", 0.1) if target.kind == "valid" else Target("valid", 0.5))):
         _panel(axes[row, 0], performance_profile(runs, aim, "seconds"), "multiple of the fastest, seconds", aim)

@@ -1,4 +1,4 @@
-"""The folder of a comparison: a file for every run that is done, one file in the end; and reading them."""
+"""The results of a comparison: columns, a file for every run that is done, one file in the end; and reading them."""
 
 from __future__ import annotations
 
@@ -8,18 +8,90 @@ import os
 import platform
 import shutil
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
+from importlib import import_module
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any, get_type_hints
 
 import numpy as np
 
-from sceneweaver.scene import InputError, write_atomic
+from sceneweaver.scene import InputError, MissingDependencyError, write_atomic
 
-from .extras import pyarrow
-from .schema import COLUMNS, KEY, Row, arrow_schema
 from .settings import Settings
+
+
+def needed(name: str) -> Any:
+    """A module that the extra ``bench`` brings.
+
+    Raises:
+        MissingDependencyError: it is not installed.
+    """
+    try:
+        return import_module(name)
+    except ImportError:
+        package = name.partition(".")[0]
+        raise MissingDependencyError(f"{package} is not installed; pip install 'sceneweaver[bench]'") from None
+
+
+def pyarrow() -> Any:
+    """The package, with what reads and writes Parquet."""
+    needed("pyarrow.parquet")
+    return needed("pyarrow")
+
+
+KEY = b"sceneweaver.bench"  # of the file's metadata: JSON, see `results.describe`
+
+
+@dataclass(frozen=True)
+class Row:
+    """One look at a run: each field with the type of its column in Parquet and what it is."""
+
+    method: Annotated[str, "string", "name of the optimiser"]
+    problem: Annotated[str, "string", "name of the problem"]
+    family: Annotated[str, "string", "family of the problem"]
+    problem_hash: Annotated[str, "string", "of what the problem was, SHA-256"]
+    objects: Annotated[int, "int32", "objects of the problem"]
+    variables: Annotated[int, "int32", "coordinates that may change"]
+    best_known: Annotated[float | None, "float64", "lowest energy of a valid layout known before [m], or null"]
+    seed: Annotated[int, "int64", "of the starts and of the method"]
+    candidates: Annotated[int, "int32", "layouts that the method moves at once"]
+    checkpoint: Annotated[int, "int32", "number of the look, 0 before the first step"] = 0
+    steps: Annotated[int, "int64", "steps of the method so far"] = 0
+    rounds: Annotated[int, "int32", "how often it began, the first time included"] = 0
+    seconds: Annotated[float, "float64", "time spent in the method by the run's clock, without looks and setup"] = 0.0
+    wall_seconds: Annotated[float, "float64", "the same by the wall clock, the device synchronised"] = 0.0
+    cpu_seconds: Annotated[float, "float64", "the same as processor time of all threads"] = 0.0
+    setup_seconds: Annotated[
+        float, "float64", "wall time of the uncounted first step: kernels and functions are compiled"
+    ] = 0.0
+    energy_calls: Annotated[int, "int64", "how often the method asked for energies"] = 0
+    evaluations: Annotated[int, "int64", "layouts whose energy it measured"] = 0
+    valid: Annotated[float, "float64", "share of candidates that the engine calls valid"] = 0.0
+    distinct: Annotated[int, "int32", "valid layouts, any two with an object 0.5 m or 45 degrees apart"] = 0
+    best_energy: Annotated[float | None, "float64", "lowest energy of any candidate [m]"] = None
+    best_valid_energy: Annotated[
+        float | None, "float64", "lowest energy of a valid candidate [m]; null: none is valid"
+    ] = None
+    median_energy: Annotated[float | None, "float64", "of all candidates [m]"] = None
+    outcome: Annotated[str, "string", '"running"; at the last look "ended", "budget", "failed" or "killed"'] = "running"
+    reason: Annotated[str, "string", "why it failed or was killed, in one line; empty otherwise"] = ""
+
+
+COLUMNS: dict[str, tuple[str, str]] = {
+    name: hint.__metadata__ for name, hint in get_type_hints(Row, include_extras=True).items()
+}
+"""The type and the meaning of each column of results."""
+
+
+def arrow_schema(metadata: bytes) -> Any:
+    """The schema of a file, with its metadata."""
+    pa = pyarrow()
+    fields = [
+        pa.field(name, pa.type_for_alias(kind), metadata={"about": about}) for name, (kind, about) in COLUMNS.items()
+    ]
+    return pa.schema(fields, metadata={KEY: metadata})
+
 
 RESULTS, PARTS, SETTINGS = "results.parquet", "runs", "settings.json"
 PACKAGES = ("sceneweaver", "warp-lang", "numpy", "jax", "torch", "optax", "optimistix", "blackjax", "evosax")
@@ -88,7 +160,7 @@ class Folder:
         """Write the rows of one run."""
         key = rows[0].method, rows[0].problem, rows[0].seed
         name = hashlib.sha256(json.dumps(key).encode()).hexdigest()[:24]
-        self._write(self.path / PARTS / f"{name}.parquet", [row.to_dict() for row in rows])
+        self._write(self.path / PARTS / f"{name}.parquet", [asdict(row) for row in rows])
         self.done.add(key)
 
     def close(self) -> Path:
@@ -135,6 +207,13 @@ def _files(path: Path) -> list[Path]:
     return [*([path / RESULTS] if (path / RESULTS).is_file() else []), *sorted((path / PARTS).glob("[!.]*.parquet"))]
 
 
+def _results(path: Path | str) -> list[Path]:
+    files = _files(Path(path))
+    if not files:
+        raise InputError(f"{path}: no results; sceneweaver bench run writes some")
+    return files
+
+
 def read_runs(path: Path | str) -> list[Run]:
     """The runs of a folder, or of a Parquet file.
 
@@ -149,14 +228,7 @@ def read_runs(path: Path | str) -> list[Run]:
         >>> sorted(run.key[0] for run in bench.read_runs("results"))
         ['adam', 'langevin']
     """
-    files = _files(Path(path))
-    if not files:
-        raise InputError(f"{path}: no results; sceneweaver bench run writes some")
-    runs: dict[Key, Run] = {}
-    for file in files:
-        for run in _read(file):
-            runs[run.key] = run
-    return list(runs.values())
+    return list({run.key: run for file in _results(path) for run in _read(file)}.values())
 
 
 def read_about(path: Path | str) -> dict[str, Any]:
@@ -173,11 +245,7 @@ def read_about(path: Path | str) -> dict[str, Any]:
         >>> sorted(bench.read_about(path))
         ['machine', 'settings', 'versions']
     """
-    files = _files(Path(path))
-    pa = pyarrow()
-    if not files:
-        raise InputError(f"{path}: no results; sceneweaver bench run writes some")
-    return json.loads(pa.parquet.read_schema(files[0]).metadata[KEY])
+    return json.loads(pyarrow().parquet.read_schema(_results(path)[0]).metadata[KEY])
 
 
 def _read(path: Path) -> Iterable[Run]:

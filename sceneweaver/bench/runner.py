@@ -1,22 +1,86 @@
-"""Run every method on every problem from every seed."""
+"""Run every method on every problem from every seed, here or in a process that may crash or hang."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import time
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
 from sceneweaver.layout.devices import pick_devices
+from sceneweaver.runtime import processes
 from sceneweaver.scene import InputError, Scene
 
-from .execute import Prepared, execute
-from .methods import find_methods
-from .results import Folder
-from .schema import Row
+from .entries import Method, Task, find_methods, find_tasks
+from .execute import Prepared, blank, execute, settle
+from .results import Folder, Row
 from .settings import Settings
-from .tasks import Task, find_tasks
-from .worker import Worker
+
+
+class Worker:
+    """A process that runs one method on one problem at a time; a new one takes its place where it had to end."""
+
+    def __init__(self) -> None:
+        self._process: processes.Worker | None = None
+
+    def execute(self, method: Method, task: Task, seed: int, settings: Settings) -> Iterator[Row]:
+        """Rows as of `execute.execute`; the last one says so where the process was killed or crashed."""
+        row, limit = blank(method, task, seed, settings), time.monotonic() + settings.limit
+        end = self._send((method, task, seed, settings))
+        while True:
+            if not end.poll(max(limit - time.monotonic(), 0.0)):
+                self.close()
+                reason = f"killed after {settings.limit:g} s"
+                break
+            try:
+                found = end.recv()
+            except EOFError:
+                reason = f"the process ended by itself, exit code {self.close()}"
+                break
+            if isinstance(found, bool):
+                if not found:
+                    self.close()
+                return
+            row = found
+            yield row
+        yield replace(row, checkpoint=row.checkpoint + 1, outcome="killed", reason=reason)
+
+    def _send(self, order: tuple[Method, Task, int, Settings]) -> Connection:
+        if self._process is None or not self._process.alive:
+            self.close()
+            self._process = processes.Worker(serve, threads=None)
+        self._process.connection.send(order)
+        return self._process.connection
+
+    def close(self) -> int | None:
+        """End the process; its exit code."""
+        process, self._process = self._process, None
+        return process.end(1.0) if process is not None else None
+
+
+def serve(end: Connection) -> None:
+    """Do what is asked for until nobody asks any more. Whether the device still works follows the last row of a run."""
+    prepared = Prepared()
+    while True:
+        try:
+            method, task, seed, settings = end.recv()
+        except EOFError:
+            return
+        for row in execute(method, task, seed, settings, prepared):
+            end.send(row)
+        end.send(works(settings.device))
+
+
+def works(device: str) -> bool:
+    """Whether a device still works for this process: an error of CUDA stays for good."""
+    try:
+        settle(device)
+    except Exception:  # Warp and PyTorch raise their own
+        return False
+    return True
+
 
 Progress = Callable[[int, int, Row], None]
 """``progress(done, total, last row)``, after every run."""

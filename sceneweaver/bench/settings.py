@@ -22,7 +22,7 @@ class Settings:
         evaluations: budget in layouts measured; None: no such budget.
         clock: "wall", or "cpu": the processor time of all threads, for machines with other work to do.
         device: a Warp device.
-        start: where candidates start, see `Task.start`; the same layouts for every method.
+        start: where candidates start, see `ProblemCase.start`; the same layouts for every method.
         checkpoints: looks at a run besides those at its start and its end, at times in equal ratios over three decades.
         restarts: a method that ends before the budget is spent begins again from new starts, as long as a candidate is
             not valid; each candidate keeps its best layout.

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
 import numpy as np
 
-from .curves import FLOOR, Target, best_found, cost_to, gap_at, interval, methods, table
+from .curves import COSTS, FLOOR, Target, best_found, cost_to, gap_at, interval, methods, table
 from .results import Run
 
 
@@ -82,9 +82,7 @@ def _line(method: str, runs: list[Run], shares: np.ndarray, target: Target, best
     def middle(values: list[float]) -> float:
         return float(np.percentile(values, 50, method="higher")) if values else np.inf
 
-    needed = {
-        cost: [cost_to(run, target, cost, best) for run in runs] for cost in ("seconds", "evaluations", "energy_calls")
-    }
+    needed = {cost: [cost_to(run, target, cost, best) for run in runs] for cost in COSTS}
     gaps = [float(gap_at(run, "seconds", np.array([np.inf]), best)[0]) for run in runs]
     return Line(
         method,
@@ -134,36 +132,8 @@ def markdown(runs: Sequence[Run], target: Target | None = None) -> str:
     """
     target = target or Target("valid", 0.5)
     lines = compare(runs, target)
-    rows = [
-        [
-            line.method,
-            f"{line.valid:.1%}",
-            f"{line.low:.1%} to {line.high:.1%}",
-            f"{line.solved:.1%}",
-            f"{line.distinct:.1f}",
-            _number(line.gap) if line.gap >= FLOOR or not np.isfinite(line.gap) else "0",
-            f"{line.reached:.1%}",
-            _number(line.seconds),
-            _number(line.evaluations),
-            _number(line.energy_calls),
-            _number(line.setup),
-            f"{line.failed}/{line.runs}",
-        ]
-        for line in lines
-    ]
-    head = [
-        "method",
-        "valid",
-        "95 %",
-        "solved",
-        "distinct",
-        "gap [m]",
-        "reached",
-        "seconds",
-        "evaluations",
-        "energy calls",
-    ]
-    parts = [f"Target: {target}.", "", *_table([*head, "setup [s]", "failed"], rows)]
+    rows = [[cell(line) for cell in _CELLS.values()] for line in lines]
+    parts = [f"Target: {target}.", "", *_table([*_CELLS], rows)]
     families = by_family(runs)
     names = sorted({name for row in families.values() for name in row})
     if len(names) > 1:
@@ -172,6 +142,23 @@ def markdown(runs: Sequence[Run], target: Target | None = None) -> str:
     if wrong := failures(runs):
         parts += ["", "Failed:", "", *(f"- {text}" for text in wrong)]
     return "\n".join(parts)
+
+
+_CELLS: dict[str, Callable[[Line], str]] = {
+    "method": lambda line: line.method,
+    "valid": lambda line: f"{line.valid:.1%}",
+    "95 %": lambda line: f"{line.low:.1%} to {line.high:.1%}",
+    "solved": lambda line: f"{line.solved:.1%}",
+    "distinct": lambda line: f"{line.distinct:.1f}",
+    "gap [m]": lambda line: "0" if line.gap < FLOOR else _number(line.gap),
+    "reached": lambda line: f"{line.reached:.1%}",
+    "seconds": lambda line: _number(line.seconds),
+    "evaluations": lambda line: _number(line.evaluations),
+    "energy calls": lambda line: _number(line.energy_calls),
+    "setup [s]": lambda line: _number(line.setup),
+    "failed": lambda line: f"{line.failed}/{line.runs}",
+}
+"""The table of methods: heads, and what stands below them."""
 
 
 def _share(value: float | None) -> str:

@@ -15,10 +15,9 @@ from sceneweaver.scene import InputError, Pose, Remove, Scene, SceneObject
 from sceneweaver.scene.edits import apply, carried
 from sceneweaver.verify.solids import Body
 
-from .describe.english import color_families
 from .describe.facts import Facts, has_front
 from .describe.moves import Space, is_movable
-from .describe.naming import color
+from .describe.naming import color, color_families
 
 Kind = Literal["moved", "turned", "removed", "recoloured", "exchanged"]
 

@@ -5,16 +5,23 @@ from __future__ import annotations
 import hashlib
 import json
 from pathlib import Path
-from typing import Annotated, Any, ClassVar, Literal
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 import yaml
 from pydantic import Field, model_validator
 
+from sceneweaver.export import FORMATS
 from sceneweaver.scene import InputError, read_bytes
 from sceneweaver.scene.base import FrozenModel
 from sceneweaver.scene.messages import suggest
 
 from .gates import Gates
+
+if TYPE_CHECKING:
+    Export = str
+else:
+    Export = Literal[tuple(sorted(name for name, one in FORMATS.items() if one.shared))]
+"""A format that data sets have, see `sceneweaver.export`."""
 
 EXAMPLES = {path.stem: path for path in sorted((Path(__file__).parent / "examples").glob("*.yaml"))}
 """Specifications that ship with the library, by name."""
@@ -81,7 +88,7 @@ class Spec(FrozenModel):
     seed: int = Field(default=0, ge=0, le=2**32 - 1)
     requests: Requests
     rooms: Rooms = Rooms()
-    exports: tuple[Literal["glb", "mjcf", "usd"], ...] = ("glb", "mjcf")
+    exports: tuple[Export, ...] = ("glb", "mjcf")
     views: Views = Views()
     captions: bool = True
     counterfactuals: int = Field(default=0, ge=0, le=16, description="Changed twins of each scene")

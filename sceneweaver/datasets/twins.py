@@ -60,11 +60,11 @@ def difference(before: Measured, after: Measured, change: Change) -> dict[str, A
     fields = {"moved": {"pose"}, "turned": {"pose"}, "recoloured": {"asset", "attributes", "description"}}
     shown = fields.get(change.kind)
     one, other = before.report, after.report
-    left = list(after.scene.relations)
+    left, hard = list(after.scene.relations), [v for v in other.violations if v.hard]
     measured: dict[str, Any] = {
         "valid": [one.valid, other.valid],
         **{name: [getattr(one, name), getattr(other, name)] for name in COUNTS},
-        "violations": [v.to_dict() for v in other.violations if v.hard],
+        "violations": [v.to_dict() for v in hard],
         "relations_lost": [_relation(before.scene, r) for r in after.broken if r not in before.broken],
         "relations_gained": [_relation(before.scene, r) for r in before.broken if r in left and r not in after.broken],
         "relations_removed": [_relation(before.scene, r) for r in before.scene.relations if r not in left],
@@ -83,16 +83,11 @@ def difference(before: Measured, after: Measured, change: Change) -> dict[str, A
         "carried": ids[1:],
         "valid": other.valid,
         "breaks": change.breaks,
-        "with": _others(after.report, ids) if change.breaks is not None else [],
+        "with": [name for v in hard for name in v.objects if name not in ids] if change.breaks is not None else [],
         "before": {i: old[i].model_dump(mode="json", include=shown) for i in ids},
         "after": {i: new[i].model_dump(mode="json", include=shown) for i in ids if i in new},
         "measured": measured,
     }
-
-
-def _others(report: Report, ids: list[str]) -> list[str]:
-    """What the violation names besides the changed objects."""
-    return [name for v in report.violations if v.hard for name in v.objects if name not in ids]
 
 
 def _relation(scene: Scene, relation: Relation) -> dict[str, Any]:

@@ -14,6 +14,7 @@ from sceneweaver.assets.placed import Load, loader
 from sceneweaver.scene import InputError, MissingDependencyError, Scene
 
 from .control import Control, Controller, control_named
+from .geometry import SceneGeometry
 from .layouts import layouts_of
 from .navigation import FloorMap
 from .pictures import Pictures
@@ -127,7 +128,7 @@ class RoomEnv(gymnasium.Env):
     @property
     def tasks(self) -> tuple[Task, ...]:
         """Those that are feasible in the room that is open now."""
-        return tuple(tasks_of(self.world.geometry, self.robot, dict(self._rest.bodies)))
+        return tuple(tasks_of(self.world.geometry, self.robot, self._rest.bodies))
 
     def reset(self, *, seed: int | None = None, options: Mapping[str, Any] | None = None) -> tuple[dict, dict]:
         """Begin an episode.
@@ -302,7 +303,5 @@ class RoomEnv(gymnasium.Env):
 
 def _sizes(scene: Scene, load: Load, loose: bool) -> tuple[int, int]:
     """How many objects with what can be taken, and how many doors and drawers a scene has."""
-    from .geometry import SceneGeometry
-
     geometry = SceneGeometry(scene, load, loose=loose)
     return len(geometry.items), len(geometry.articulations)

@@ -12,7 +12,7 @@ from functools import cached_property
 import numpy as np
 
 from sceneweaver.assets.placed import Load, loader
-from sceneweaver.physics.things import Thing, things_of
+from sceneweaver.physics.things import Joint, Thing, things_of
 from sceneweaver.scene import Scene
 
 Array = np.ndarray
@@ -29,29 +29,22 @@ _DOWN = np.array([0.0, 0.0, -1.0])
 
 @dataclass(frozen=True)
 class Articulation:
-    """A door, lid or drawer.
-
-    Attributes:
-        name: Of its body and joint.
-        object: Id of the piece that it belongs to.
-        role: As in `sceneweaver.assets.Link`.
-        slides: Whether it slides; else it turns.
-        axis: Unit vector [3] and ``anchor`` [3] a point on the axis, in the object's frame.
-        limits: Ends [rad] or [m]; it is closed at 0.
-    """
+    """A door, lid or drawer: the ``name`` of its body and joint, its piece, what it is, and how it moves against it."""
 
     name: str
     object: str
     role: str
-    slides: bool
-    axis: Array
-    anchor: Array
-    limits: tuple[float, float]
+    joint: Joint
+
+    @property
+    def slides(self) -> bool:
+        """Whether it is a drawer or the like, and not on a hinge."""
+        return self.joint.kind == "slide"
 
     @property
     def open_end(self) -> float:
         """The end that is farther from closed."""
-        return max(self.limits, key=abs)
+        return max(self.joint.limits, key=abs)
 
 
 @dataclass(frozen=True)
@@ -178,10 +171,7 @@ class SceneGeometry:
                 solids = [s.points for s in body.solids]
                 self.items[body.name] = _item(body.name, body.link.category, True, solids, body.mass)
                 continue
-            joint, slides = body.joint, body.joint.kind == "slide"
-            self.articulations[body.name] = Articulation(
-                body.name, base.name, body.link.role, slides, joint.axis, joint.anchor, joint.limits
-            )
+            self.articulations[body.name] = Articulation(body.name, base.name, body.link.role, body.joint)
 
     def _add_asset(self, thing: Thing) -> None:
         names = {body.number: body.name for body in thing.bodies}
@@ -212,12 +202,6 @@ def grasps_of(geometry: SceneGeometry, body: str) -> list[GraspFrame]:
     """Grasps of a body in its frame, the best first; empty: a hand of 8 cm cannot hold it.
 
     A thing whose asset names none is taken from above: a vessel by its rim, any other across its narrow side.
-
-    Examples:
-        >>> import sceneweaver as sw
-        >>> from sceneweaver.envs import SceneGeometry
-        >>> grasps_of(SceneGeometry(sw.Scene.example("bedroom")), "bed")
-        []
     """
     given = [frame for frame in geometry.grasps.get(body, ()) if frame.width < OPENING - _SPARE]
     if given or body not in geometry.items:

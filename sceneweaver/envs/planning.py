@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from importlib import import_module
+from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -29,7 +30,8 @@ EXTENSIONS = np.arange(0.0, 0.57, 0.08)
 
 _DEEP = -0.002  # [m]; contacts that are less deep than this do not count
 _TURN = 0.4  # cost [m] of a turn of the base by 1 rad
-
+_FAR = 0.6  # cost [m] of a move from one pose of the tool to the next at most
+_KEPT = 24  # configurations that are tried further for each pose of the tool
 
 WRIST = 0.25
 """From the axis of the base to the wrist with the telescope drawn in [m]."""
@@ -67,12 +69,6 @@ def configuration(tool: ToolPose, yaw: float, extend: float) -> Array | None:
 
     Returns:
         None where a joint would be beyond its limits.
-
-    Examples:
-        >>> from sceneweaver.envs.planning import ToolPose, configuration
-        >>> tool = ToolPose(np.array([1.0, 0, 0.5]), np.array([1.0, 0, 0]), np.array([0.0, 1, 0]))
-        >>> configuration(tool, 0.0, 0.2).round(2).tolist()
-        [0.29, 0.0, 0.0, 0.5, 0.1, 0.1, 0.0, 0.0, 0.0]
     """
     wrist = tool.position - HAND * tool.approach
     along = np.array([np.cos(yaw), np.sin(yaw)])
@@ -178,48 +174,43 @@ class Planner:
             touching: Bodies that may be touched.
             opening: Of each finger [m].
         """
-        layers: list[tuple[list[Array], list[float], list[int]]] = []
+        layers: list[list[_Stop]] = []
         for tool, there in zip(tools, doors, strict=True):
-            best: list[tuple[Array, float, int]] = []
+            best: list[_Stop] = []
             for joints in self.stations(tool):
                 if layers:
-                    before, costs, _ = layers[-1]
-                    prices = [c + _step(joints, b) for b, c in zip(before, costs, strict=True)]
-                    number = int(np.argmin(prices))
-                    if _step(joints, before[number]) > 0.6:
-                        continue
-                    price = prices[number]
+                    prices = [stop.price + _step(joints, stop.joints) for stop in layers[-1]]
+                    before = layers[-1][int(np.argmin(prices))]
+                    if _step(joints, before.joints) <= _FAR:
+                        best.append(_Stop(joints, min(prices), before))
                 else:
-                    number, price = -1, 0.0
-                best.append((joints, price, number))
-            best.sort(key=lambda entry: entry[1])
-            kept: list[tuple[Array, float, int]] = []
-            for entry in best:
-                if len(kept) >= 24:
-                    break
-                if self.is_free(entry[0], opening, touching, there):
-                    kept.append(entry)
+                    best.append(_Stop(joints, 0.0, None))
+            best.sort(key=lambda stop: stop.price)
+            free = (stop for stop in best if self.is_free(stop.joints, opening, touching, there))
+            kept = list(islice(free, _KEPT))
             if not kept:
                 break
-            layers.append(([k[0] for k in kept], [k[1] for k in kept], [k[2] for k in kept]))
-        if not layers:
-            return []
-        number = int(np.argmin(layers[-1][1]))
-        way = []
-        for joints, _, before in reversed(layers):
-            way.append(joints[number])
-            number = before[number]
+            layers.append(kept)
+        way: list[Array] = []
+        stop = min(layers[-1], key=lambda stop: stop.price) if layers else None
+        while stop is not None:
+            way.append(stop.joints)
+            stop = stop.before
         return way[::-1]
+
+
+@dataclass(frozen=True, eq=False)
+class _Stop:
+    """A configuration [9] on a way, the cost [m] of the way to it, and what comes before."""
+
+    joints: Array
+    price: float
+    before: _Stop | None
 
 
 def strain(joints: Array) -> float:
     """How far a configuration [9] is from the telescope half out and the wrist straight; what is low leaves most room
     both ways.
-
-    Examples:
-        >>> from sceneweaver.envs.planning import strain
-        >>> strain(np.array([0, 0, 0, 1, 0.15, 0.15, 0, 0, 0]))
-        0.0
     """
     return float(abs(joints[4] + joints[5] - 0.3) + 0.3 * abs(joints[6]))
 
@@ -239,8 +230,8 @@ def link_pose(door: Articulation, pose: Array, position: float) -> Array:
     """The pose [7] of a door's body, opened by ``position`` [rad] or [m], of an object at ``pose`` [7]."""
     mujoco: Any = import_module("mujoco")
     if door.slides:
-        return np.concatenate([to_world(pose, position * door.axis), pose[3:]])
+        return np.concatenate([to_world(pose, position * door.joint.axis), pose[3:]])
     turn, total = np.empty(4), np.empty(4)
-    mujoco.mju_axisAngle2Quat(turn, door.axis, position)
+    mujoco.mju_axisAngle2Quat(turn, door.joint.axis, position)
     mujoco.mju_mulQuat(total, pose[3:], turn)
-    return np.concatenate([to_world(pose, door.anchor - rotate(turn, door.anchor)), total])
+    return np.concatenate([to_world(pose, door.joint.anchor - rotate(turn, door.joint.anchor)), total])

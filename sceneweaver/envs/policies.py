@@ -6,7 +6,7 @@ They know the room: a plan is made on its geometry, and then followed by targets
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from itertools import product
 
 import numpy as np
 
@@ -142,18 +142,16 @@ class _Run:
         planner = Planner(self.world, self.env.data)
         count = max(int(np.ceil(abs(end) / (0.04 if door.slides else 0.09))), 2)
         openings = np.linspace(state.joints[joint], end, count)
-        best: tuple[list[Array], Any] = ([], None)
+        poses = [link_pose(door, pose, q) for q in openings]
+        doors = [{}, *({joint: q} for q in openings)]
+        ways = []
         for grasp in grasps_of(geometry, joint):
-            tools = [tool_of(grasp, link_pose(door, pose, q)) for q in openings]
-            before = tools[0].back(_STANDOFF)
-            way = planner.follow([before, *tools], [{}, *({joint: q} for q in openings)], [joint], 0.04)
-            if len(way) > len(best[0]):
-                best = way, tools
-        way = best[0]
+            tools = [tool_of(grasp, there) for there in poses]
+            ways.append(planner.follow([tools[0].back(_STANDOFF), *tools], doors, [joint], 0.04))
+        way = max(ways, key=len, default=[])
         if len(way) < 3:
             raise Failed(f"no way to the handle of {joint}")
-        first = way[0]
-        self._come(planner, first)
+        self._come(planner, way[0])
         self.move(way[1], 0.4, settle=8)
         self.grip(_CLOSED)
         self._swing(way[2:])
@@ -180,16 +178,8 @@ class _Run:
             if planner.on_floor(away):
                 break
         self.drive(planner, away[:2], station[2])
-        ready = away.copy()
-        ready[4:6] = 0.0
-        self.move(ready)
-        ready[4:6] = station[4:6]
-        if planner.is_free(ready):
-            self.move(ready)
-        else:
-            closer = station.copy()
-            closer[4:6] = 0.0
-            self.move(closer)
+        self.move(_drawn_in(away))
+        self.move(away if planner.is_free(away) else _drawn_in(station))
         self.move(station, 0.6, settle=8)
 
     def _push(self, joint: str, end: float) -> None:
@@ -198,18 +188,16 @@ class _Run:
         door = geometry.articulations[joint]
         pose, now = state.bodies[door.object], state.joints[joint]
         solids, grasp = geometry.leaf_of(joint), grasps_of(geometry, joint)[0]
-        height = float((grasp.position - door.anchor) @ door.axis)
+        height = float((grasp.position - door.joint.anchor) @ door.joint.axis)
         planner = Planner(self.world, self.env.data)
         openings = np.linspace(now, end, max(int(np.ceil(abs(end - now) / 0.09)), 2))
-        best: list[Array] = []
-        for inset in (0.06, 0.12):
-            for tilt in (0.3, 0.7, 1.1):
-                poses = [link_pose(door, pose, q) for q in openings]
-                tools = [_behind(door, solids, height, grasp.approach, there, tilt, inset) for there in poses]
-                doors = [{}, *({joint: q} for q in openings)]
-                way = planner.follow([tools[0].back(0.2), *tools], doors, [joint], 0.0)
-                if len(way) > len(best):
-                    best = way
+        poses = [link_pose(door, pose, q) for q in openings]
+        doors = [{}, *({joint: q} for q in openings)]
+        ways = []
+        for inset, tilt in product((0.06, 0.12), (0.3, 0.7, 1.1)):
+            tools = [_behind(door, solids, height, grasp.approach, there, tilt, inset) for there in poses]
+            ways.append(planner.follow([tools[0].back(0.2), *tools], doors, [joint], 0.0))
+        best = max(ways, key=len)
         if len(best) < 3:
             raise Failed(f"no way behind {joint}, open by {now / door.open_end:.0%}")
         self._come(planner, best[0])
@@ -223,40 +211,24 @@ class _Run:
         geometry, state = self.world.geometry, self.env.state
         pose = state.bodies[name]
         planner = Planner(self.world, self.env.data)
-        ways = []
-        for grasp in grasps_of(geometry, name):
-            tool = tool_of(grasp, pose)
-            ways += planner.stations(tool)
-        ways.sort(key=strain)
-        for joints in ways:
-            above = self._above(planner, joints, name)
-            if above is not None:
-                break
-        else:
-            raise Failed(f"no way to grasp {name}")
-        self._reach(planner, above)
+        ways = [way for grasp in grasps_of(geometry, name) for way in planner.stations(tool_of(grasp, pose))]
+        joints, above = self._reach(planner, sorted(ways, key=strain), name, "grasp {}")
         self.move(joints, 0.4, settle=6)
         self.grip(_CLOSED, 20)
         self.move(above, 0.4, settle=4)
         risen = self.env.state.bodies[name][2] - pose[2]
         if risen < _LIFTED / 2:
             raise Failed(f"{name} slipped out of the hand")
-        self._draw_in(above)
+        self.move(_drawn_in(above), 0.6)
 
     def put(self, name: str, goal: Array) -> None:
         """Bring the thing that is held to a place [3] of its middle, and let go a little above."""
         planner = Planner(self.world, self.env.data)
-        for joints in self._stations_over(planner, name, goal):
-            above = self._above(planner, joints, name)
-            if above is not None:
-                break
-        else:
-            raise Failed(f"no way to put {name} down")
-        self._reach(planner, above)
+        joints, above = self._reach(planner, self._stations_over(planner, name, goal), name, "put {} down")
         self.move(joints, 0.3, settle=8)
         self.grip(_OPEN, 10)
         self.move(above, 0.5)
-        self._draw_in(above)
+        self.move(_drawn_in(above), 0.6)
         for _ in range(25):
             if self.success:
                 break
@@ -294,18 +266,23 @@ class _Run:
                 return None
         return above
 
-    def _reach(self, planner: Planner, above: Array) -> None:
-        """Drive to where a lifted configuration has its base, lift, and extend."""
+    def _reach(self, planner: Planner, ways: list[Array], name: str, what: str) -> tuple[Array, Array]:
+        """Drive to the first configuration that is free, lift, and extend; returns it, and lifted."""
+        found = ((joints, self._above(planner, joints, name)) for joints in ways)
+        joints, above = next(((one, two) for one, two in found if two is not None), (None, None))
+        if joints is None or above is None:
+            raise Failed(f"no way to {what.format(name)}")
         self.drive(planner, above[:2], above[2])
-        ready = above.copy()
-        ready[4:6] = 0.0
-        self.move(ready)
+        self.move(_drawn_in(above))
         self.move(above, 0.7, settle=5)
+        return joints, above
 
-    def _draw_in(self, above: Array) -> None:
-        drawn = above.copy()
-        drawn[4:6] = 0.0
-        self.move(drawn, 0.6)
+
+def _drawn_in(joints: Array) -> Array:
+    """A configuration [9] with the telescope drawn in."""
+    drawn = joints.copy()
+    drawn[4:6] = 0.0
+    return drawn
 
 
 def _behind(
@@ -321,16 +298,16 @@ def _behind(
         tilt: Of the hand off the plane of the door [rad].
         inset: Of the fingertips from its free edge [m].
     """
-    across = np.cross(door.axis, inner)
-    ends = [points - door.anchor for points in solids]
+    across = np.cross(door.joint.axis, inner)
+    ends = [points - door.joint.anchor for points in solids]
     edge = max((np.concatenate(ends) @ across).tolist(), key=abs)
     free, length = across * np.sign(edge), abs(edge) - inset
 
     def covers(points: Array, axis: Array, at: float) -> bool:
         return bool((points @ axis).min() - 0.02 < at < (points @ axis).max() + 0.02)
 
-    met = [p for p in ends if covers(p, free, length) and covers(p, door.axis, height)]
+    met = [p for p in ends if covers(p, free, length) and covers(p, door.joint.axis, height)]
     behind = max((float((p @ inner).max()) for p in met), default=0.0) + _CONTACT
-    place = door.anchor + length * free + height * door.axis + behind * inner
+    place = door.joint.anchor + length * free + height * door.joint.axis + behind * inner
     approach = -np.cos(tilt) * free - np.sin(tilt) * inner
-    return ToolPose(to_world(pose, place), rotate(pose[3:], approach), rotate(pose[3:], door.axis))
+    return ToolPose(to_world(pose, place), rotate(pose[3:], approach), rotate(pose[3:], door.joint.axis))

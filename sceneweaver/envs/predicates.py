@@ -19,43 +19,23 @@ _NEXT, _LAST = [1, 2, 0], [2, 0, 1]  # axes after and before each
 
 
 def to_local(poses: Array, points: Array) -> Array:
-    """World points [..., 3] in the frames of poses [..., 7].
-
-    Examples:
-        >>> to_local(np.array([1.0, 0, 0, 1, 0, 0, 0]), np.array([1.5, 0, 0])).tolist()
-        [0.5, 0.0, 0.0]
-    """
+    """World points [..., 3] in the frames of poses [..., 7]."""
     return rotate(poses[..., 3:] * np.array([1.0, -1, -1, -1]), points - poses[..., :3])
 
 
 def to_world(poses: Array, points: Array) -> Array:
-    """Points [..., 3] in the frames of poses [..., 7] as world points.
-
-    Examples:
-        >>> to_world(np.array([1.0, 0, 0, 1, 0, 0, 0]), np.array([0.5, 0, 0])).tolist()
-        [1.5, 0.0, 0.0]
-    """
+    """Points [..., 3] in the frames of poses [..., 7] as world points."""
     return rotate(poses[..., 3:], points) + poses[..., :3]
 
 
 def rotate(quaternions: Array, vectors: Array) -> Array:
-    """Vectors [..., 3] turned by unit quaternions [..., 4], real part first.
-
-    Examples:
-        >>> rotate(np.array([0.0, 0, 0, 1]), np.array([1.0, 2, 3])).tolist()
-        [-1.0, -2.0, 3.0]
-    """
+    """Vectors [..., 3] turned by unit quaternions [..., 4], real part first."""
     w, axis = quaternions[..., :1], quaternions[..., 1:]
     return vectors + 2 * _cross(axis, _cross(axis, vectors) + w * vectors)
 
 
 def turned(vector: Array, angle: float) -> Array:
-    """A vector of the plane [2] turned by ``angle`` [rad].
-
-    Examples:
-        >>> turned(np.array([1.0, 0.0]), np.pi / 2).round(3).tolist()
-        [0.0, 1.0]
-    """
+    """A vector of the plane [2] turned by ``angle`` [rad]."""
     c, s = np.cos(angle), np.sin(angle)
     return np.array([c * vector[0] - s * vector[1], s * vector[0] + c * vector[1]])
 
@@ -66,12 +46,7 @@ def _cross(a: Array, b: Array) -> Array:
 
 
 def product(a: Array, b: Array) -> Array:
-    """The rotation b followed by a, quaternions [..., 4], real part first.
-
-    Examples:
-        >>> product(np.array([0.0, 0, 0, 1]), np.array([0.0, 0, 0, 1])).tolist()
-        [-1.0, 0.0, 0.0, 0.0]
-    """
+    """The rotation b followed by a, quaternions [..., 4], real part first."""
     w, x, y, z = np.moveaxis(np.asarray(a, dtype=float), -1, 0)
     p, q, r, s = np.moveaxis(np.asarray(b, dtype=float), -1, 0)
     parts = (
@@ -84,12 +59,7 @@ def product(a: Array, b: Array) -> Array:
 
 
 def open_share(position: Array | float, open_end: Array | float) -> Array:
-    """How far joints are open: 0 closed, 1 at the end ``open_end`` of their range.
-
-    Examples:
-        >>> float(open_share(-0.96, -1.92))
-        0.5
-    """
+    """How far joints are open: 0 closed, 1 at the end ``open_end`` of their range."""
     return np.clip(np.asarray(position) / np.asarray(open_end), 0.0, 1.0)
 
 
@@ -97,12 +67,6 @@ def is_inside(point: Array, pose: Array, low: Array, high: Array, oval: Array | 
     """Whether world points [..., 3] are in boxes ``low`` to ``high`` [..., 3] of frames ``pose`` [..., 7].
 
     Of an ``oval`` one only the upright elliptic cylinder in the box counts.
-
-    Examples:
-        >>> frame, low, high = np.array([0.0, 0, 0, 1, 0, 0, 0]), np.full(3, -1.0), np.ones(3)
-        >>> corner = np.array([0.9, 0.9, 0.0])
-        >>> bool(is_inside(corner, frame, low, high)), bool(is_inside(corner, frame, low, high, oval=True))
-        (True, False)
     """
     share = (to_local(pose, point) - (low + high) / 2) / np.maximum((high - low) / 2, 1e-9)
     within = (np.abs(share) <= 1).all(axis=-1)
@@ -112,11 +76,6 @@ def is_inside(point: Array, pose: Array, low: Array, high: Array, oval: Array | 
 def is_on(bottom: Array, pose: Array, low: Array, high: Array, z: Array | float, tolerance: float = LEVEL) -> Array:
     """Whether the lowest points of things [..., 3] lie on surfaces: over their plan ``low`` to ``high`` [..., 2] and at
     most ``tolerance`` [m] off their height ``z`` in the frame ``pose`` [..., 7].
-
-    Examples:
-        >>> frame = np.array([0.0, 0, 0.7, 1, 0, 0, 0])
-        >>> bool(is_on(np.array([0.1, 0, 0.71]), frame, -np.ones(2), np.ones(2), 0.0))
-        True
     """
     local = to_local(pose, bottom)
     over = ((local[..., :2] >= low) & (local[..., :2] <= high)).all(axis=-1)
@@ -124,44 +83,23 @@ def is_on(bottom: Array, pose: Array, low: Array, high: Array, z: Array | float,
 
 
 def is_near(point: Array, other: Array, within: Array | float) -> Array:
-    """Whether points [..., 3] are at most ``within`` [m] from others.
-
-    Examples:
-        >>> bool(is_near(np.zeros(3), np.array([0.0, 0.1, 0]), 0.2))
-        True
-    """
+    """Whether points [..., 3] are at most ``within`` [m] from others."""
     return np.linalg.norm(np.asarray(point) - other, axis=-1) <= within
 
 
 def bearing_off(base: Array, point: Array) -> Array:
-    """By how much [rad] bases [..., 3] (x, y, yaw) look past points [..., 2], 0 to pi.
-
-    Examples:
-        >>> float(bearing_off(np.zeros(3), np.array([0.0, 1.0])).round(4))
-        1.5708
-    """
+    """By how much [rad] bases [..., 3] (x, y, yaw) look past points [..., 2], 0 to pi."""
     bearing = np.arctan2(point[..., 1] - base[..., 1], point[..., 0] - base[..., 0])
     return np.abs((bearing - base[..., 2] + np.pi) % (2 * np.pi) - np.pi)
 
 
 def faces(base: Array, point: Array, within: float = FACING) -> Array:
-    """Whether bases [..., 3] (x, y, yaw) look at points [..., 2] to ``within`` [rad].
-
-    Examples:
-        >>> bool(faces(np.zeros(3), np.array([1.0, 0.1])))
-        True
-    """
+    """Whether bases [..., 3] (x, y, yaw) look at points [..., 2] to ``within`` [rad]."""
     return bearing_off(base, point) <= within
 
 
 def distance_to_box(point: Array, pose: Array, low: Array, high: Array) -> Array:
-    """Distance [m] in the plane from points [..., 2] to the plans of upright boxes in frames ``pose`` [..., 7].
-
-    Examples:
-        >>> frame = np.array([0.0, 0, 0, 1, 0, 0, 0])
-        >>> float(distance_to_box(np.array([3.0, 0]), frame, -np.ones(3), np.ones(3)))
-        2.0
-    """
+    """Distance [m] in the plane from points [..., 2] to the plans of upright boxes in frames ``pose`` [..., 7]."""
     flat = np.concatenate([point, np.broadcast_to(pose[..., 2:3], (*point.shape[:-1], 1))], axis=-1)
     local = to_local(pose, flat)[..., :2]
     gap = np.maximum(np.maximum(low[..., :2] - local, local - high[..., :2]), 0.0)

@@ -136,11 +136,6 @@ def robot_named(robot: str | Robot) -> Robot:
 
     Raises:
         InputError: for a name that is none.
-
-    Examples:
-        >>> from sceneweaver.envs.robots import robot_named
-        >>> robot_named("arm").name
-        'arm'
     """
     if isinstance(robot, Robot):
         return robot

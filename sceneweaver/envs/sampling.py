@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import islice
 
 import numpy as np
@@ -15,7 +15,7 @@ from .robots import Robot
 from .tasks import Close, JointTask, NavigateTo, Open, PutIn, PutOn, PutTask, Take, Task, Tidy
 
 Array = np.ndarray
-Poses = dict[str, Array]
+Poses = Mapping[str, Array]
 
 _MARGIN = 0.01  # [m] between a thing and the edge of what it goes into
 _FLAT = 0.1  # [m]; lower things, as rugs, are driven over
@@ -37,7 +37,7 @@ def tasks_of(geometry: SceneGeometry, robot: Robot, poses: Poses) -> list[Task]:
         >>> from sceneweaver.envs import NavigateTo, World, mobile_manipulator, tasks_of
         >>> world = World(sw.Scene.example("bedroom"), mobile_manipulator())
         >>> state = world.state(world.new_data())
-        >>> any(isinstance(t, NavigateTo) for t in tasks_of(world.geometry, world.robot, dict(state.bodies)))
+        >>> any(isinstance(t, NavigateTo) for t in tasks_of(world.geometry, world.robot, state.bodies))
         True
     """
     found: list[Task] = []

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import ClassVar
 
 import numpy as np
@@ -59,20 +59,27 @@ class Task(ABC):
 
 
 @dataclass(frozen=True)
-class JointTask(Task):
+class _Worded(Task):
+    """A task whose instruction names the bodies that its fields name."""
+
+    words: ClassVar[str]
+
+    def instruction(self, geometry: SceneGeometry) -> str:
+        """The words of such a task, as "open the fridge"."""
+        values = {field.name: getattr(self, field.name) for field in fields(self)}
+        return self.words.format_map({k: _words(geometry, v) for k, v in values.items() if v in geometry.owner})
+
+
+@dataclass(frozen=True)
+class JointTask(_Worded):
     """A task about a door, lid or drawer, by the name of its body."""
 
-    verb: ClassVar[str]
     joint: str
 
     @property
     def subject(self) -> str:
         """The door's body."""
         return self.joint
-
-    def instruction(self, geometry: SceneGeometry) -> str:
-        """ "open the fridge"."""
-        return f"{self.verb} {_words(geometry, self.joint)}"
 
     def potential(self, geometry: SceneGeometry, state: RoomState, start: RoomState) -> float:
         """The share of the range that is missing, and the way of the hand to the grip."""
@@ -97,7 +104,7 @@ class Open(JointTask):
         'fridge-0.door-0'
     """
 
-    verb: ClassVar[str] = "open"
+    words: ClassVar[str] = "open {joint}"
     share: float = 0.9
 
     def success(self, geometry: SceneGeometry, state: RoomState, start: RoomState) -> bool:
@@ -118,7 +125,7 @@ class Close(JointTask):
         0.7
     """
 
-    verb: ClassVar[str] = "close"
+    words: ClassVar[str] = "close {joint}"
     share: float = 0.05
     begin: float = 0.7
 
@@ -135,7 +142,7 @@ class Close(JointTask):
 
 
 @dataclass(frozen=True)
-class ItemTask(Task):
+class ItemTask(_Worded):
     """A task about an object or what can be taken out of one, by the name of its body."""
 
     item: str
@@ -185,6 +192,7 @@ class PutIn(PutTask):
         'mug-0'
     """
 
+    words: ClassVar[str] = "put {item} in {container}"
     container: str
     interior: str
 
@@ -192,10 +200,6 @@ class PutIn(PutTask):
         """The interior."""
         room = geometry.interior(self.container, self.interior)
         return Place(self.container, room.low, room.high, room.oval)
-
-    def instruction(self, geometry: SceneGeometry) -> str:
-        """ "put the mug in the sink"."""
-        return f"put {_words(geometry, self.item)} in {_words(geometry, self.container)}"
 
     def success(self, geometry: SceneGeometry, state: RoomState, start: RoomState) -> bool:
         """Whether the middle of its box is inside and the hand is away."""
@@ -214,6 +218,7 @@ class PutOn(PutTask):
         'top'
     """
 
+    words: ClassVar[str] = "put {item} on {support}"
     support: str
     surface: str
 
@@ -221,10 +226,6 @@ class PutOn(PutTask):
         """The surface."""
         top = geometry.surface(self.support, self.surface)
         return Place(self.support, np.append(top.low, top.z), np.append(top.high, top.z))
-
-    def instruction(self, geometry: SceneGeometry) -> str:
-        """ "put the mug on the dining table"."""
-        return f"put {_words(geometry, self.item)} on {_words(geometry, self.support)}"
 
     def success(self, geometry: SceneGeometry, state: RoomState, start: RoomState) -> bool:
         """Whether it rests on the surface and the hand is away."""
@@ -244,11 +245,8 @@ class Take(ItemTask):
         0.1
     """
 
+    words: ClassVar[str] = "pick up {item}"
     height: float = 0.1
-
-    def instruction(self, geometry: SceneGeometry) -> str:
-        """ "pick up the mug"."""
-        return f"pick up {_words(geometry, self.item)}"
 
     def success(self, geometry: SceneGeometry, state: RoomState, start: RoomState) -> bool:
         """Whether it is up and in the hand."""
@@ -275,11 +273,8 @@ class NavigateTo(ItemTask):
         'go to the bed'
     """
 
+    words: ClassVar[str] = "go to {item}"
     reach: float = 0.7
-
-    def instruction(self, geometry: SceneGeometry) -> str:
-        """ "go to the fridge"."""
-        return f"go to {_words(geometry, self.item)}"
 
     def success(self, geometry: SceneGeometry, state: RoomState, start: RoomState) -> bool:
         """Whether the base is near and looks there."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from importlib import import_module
@@ -76,12 +76,8 @@ class World:
         load = loader(load if loose else welded_assets(load))
         self.scene, self.robot = scene, robot
         self.geometry = SceneGeometry(scene, load)
-        self.model = _compile(scene, robot, load, visual)
-        self._find()
-
-    def _find(self) -> None:
-        """Numbers of what is read and written at every step."""
-        model, robot, geometry = self.model, self.robot, self.geometry
+        self.model = model = _compile(scene, robot, load, visual)
+        geometry = self.geometry  # from here on: numbers of what is read and written at every step
         self.item_names = tuple(geometry.items)
         self.joint_names = tuple(geometry.articulations)
         bodies = (*geometry.items, *geometry.articulations)
@@ -177,25 +173,10 @@ class World:
 
     def state(self, data: Any) -> RoomState:
         """What tasks look at, copied from the simulation."""
-        bodies = _Poses(self._bodies, np.hstack([data.xpos, data.xquat]))
+        poses = np.hstack([data.xpos, data.xquat])
+        bodies = {name: poses[number] for name, number in self._bodies.items()}
         joints = dict(zip(self.joint_names, data.qpos[self.joint_addresses].tolist(), strict=True))
         return RoomState(bodies, joints, self.tool(data), self.base(data))
-
-
-class _Poses(Mapping[str, Array]):
-    """Poses [7] of bodies by name, over one array of all of them."""
-
-    def __init__(self, numbers: Mapping[str, int], poses: Array) -> None:
-        self._numbers, self._poses = numbers, poses
-
-    def __getitem__(self, name: str) -> Array:
-        return self._poses[self._numbers[name]]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._numbers)
-
-    def __len__(self) -> int:
-        return len(self._numbers)
 
 
 def _compile(scene: Scene, robot: Robot, load: Load, visual: bool) -> Any:

@@ -16,8 +16,7 @@ from sceneweaver.layout.devices import pick_devices
 from sceneweaver.scene import CATALOGUE, Relation, Room, Scene, SceneObject, Surface
 from sceneweaver.verify import Violation, check
 
-from .areas import moved
-from .walls import Walls
+from .space import Walls, moved
 from .words import listed, relation_words
 
 LOOK = 64  # candidates of the solution that are judged again,

@@ -11,8 +11,8 @@ Collision parts are boxes where they are boxes, else convex meshes.
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterator, Mapping, Sequence
+import itertools
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -26,10 +26,12 @@ from sceneweaver.physics.leaves import Leaf, leaves
 from sceneweaver.physics.model import COVERING
 from sceneweaver.physics.shell import FLOOR_FRICTION, floor_slab, wall_slabs
 from sceneweaver.physics.things import Joint, RigidBody, Thing, things_of
-from sceneweaver.physics.xml import text
+from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.scene import Room, Scene
 
-from .bodies import Body, bodies_of, model_name
+from .bodies import body_of
+from .names import Names, legal_name, model_name
+from .obj import material_library, obj
 from .room import floor_mesh, wall_mesh
 
 BASE = "base"
@@ -41,12 +43,8 @@ OURS = r"(meshes/)?(room|[a-z0-9_]+-[0-9a-f]{10})(-.*)?\.(obj|mtl|urdf)"
 KINDS = {"hinge": "revolute", "slide": "prismatic"}
 """Kinds of joints, as URDF and SDF call them."""
 
-EFFORT = {"hinge": 50.0, "slide": 200.0}
-"""[N m], [N] by kind of joint: what a person's pull comes to."""
-
-SPEED = {"hinge": 3.0, "slide": 2.0}
-"""[rad/s], [m/s]"""
-
+_EFFORT = {"hinge": 50.0, "slide": 200.0}  # [N m], [N]: what a person's pull comes to
+_SPEED = {"hinge": 3.0, "slide": 2.0}  # [rad/s], [m/s]
 _LIBRARY = "room-materials.mtl"
 _LOOKS = {
     "glass": Material("glass", (0.86, 0.93, 0.95), opacity=0.2),
@@ -119,27 +117,21 @@ def placed_articulations(scene: Scene, load: Load | None = None, *, loose: bool 
     """
     found = [PlacedArticulation("room", "room", _room(scene.room), (0, 0, 0), (0, 0, 0, 1), True)]
     made: dict[str, Articulation] = {}
-    for thing, look in zip(things_of(scene, load, loose=loose), bodies_of(scene, load), strict=True):
+    for thing in things_of(scene, load, loose=loose):
+        checkpoint()
         pose = thing.object.pose
-        for bodies in _apart(thing):
+        hanging = [body for body in thing.bodies if not body.loose]
+        for bodies in (hanging, *([body] for body in thing.bodies if body.loose)):
             base = bodies[0]
             kind = thing.object.category if base.link is None else base.link.category or base.link.name
             stem = model_name(f"{thing.key}:{base.number}:{thing.friction}:{thing.mass}", kind)
             if stem not in made:
-                made[stem] = articulation_of(thing, look, bodies, stem, prefix=f"{stem}-")
+                made[stem] = articulation_of(thing, bodies, stem, prefix=f"{stem}-")
             covers = thing.object.mount == "floor" and thing.object.size[2] <= COVERING
             fixed = covers or (not thing.free and base.link is None)
             model = _without_collisions(made[stem]) if covers else made[stem]
             found.append(PlacedArticulation(base.name, kind, model, pose.position, pose.quaternion, fixed))
     return found
-
-
-def _apart(thing: Thing) -> Iterator[list[RigidBody]]:
-    """Bodies that hang together: the base with its joints, then one by one what can be taken off."""
-    yield [body for body in thing.bodies if not body.loose]
-    for body in thing.bodies:
-        if body.loose:
-            yield [body]
 
 
 def _without_collisions(model: Articulation) -> Articulation:
@@ -171,7 +163,7 @@ def _room(room: Room) -> Articulation:
 def _seen(name: str, mesh: Mesh, looks: dict[str, Material], files: dict[str, bytes]) -> tuple[Shape, str]:
     """A mesh of one material as a file."""
     (looks[name],) = mesh.materials
-    files[f"room-{name}.obj"] = obj(mesh.vertices, mesh.faces, _LIBRARY, name)
+    files[f"room-{name}.obj"] = obj(mesh.vertices, mesh.faces, material=(_LIBRARY, name))
     return Shape(file=f"room-{name}.obj"), name
 
 
@@ -186,12 +178,12 @@ def _leaf(name: str, leaf: Leaf) -> ArticulatedLink:
     return ArticulatedLink(name, inertia, shapes, tuple(zip(shapes, looks, strict=True)), joint)
 
 
-def articulation_of(thing: Thing, look: Body, bodies: Sequence[RigidBody], name: str, prefix: str = "") -> Articulation:
+def articulation_of(thing: Thing, bodies: Sequence[RigidBody], name: str, prefix: str = "") -> Articulation:
     """Some bodies of a thing: the first is the base, the others have joints; ``prefix`` begins the names of files."""
-    scale = np.asarray(thing.scale)
+    mesh = body_of(thing).mesh
     names = legal_names([BASE, *(b.link.name for b in bodies[1:] if b.link is not None)])
-    meshes, links = _Meshes(look.mesh, scale, prefix), []
-    face_body = thing.face_body if thing.asset is not None else look.mesh.face_link
+    meshes, links = _Meshes(mesh, np.asarray(thing.scale), prefix), []
+    face_body = thing.face_body if thing.asset is not None else mesh.face_link
     for body, own in zip(bodies, names, strict=True):
         anchor = np.zeros(3) if body.joint is None else body.joint.anchor
         inertia = replace(body.inertia, centre=body.inertia.centre - anchor)
@@ -203,34 +195,19 @@ def articulation_of(thing: Thing, look: Body, bodies: Sequence[RigidBody], name:
 
 def legal_names(names: Sequence[str]) -> list[str]:
     """Names that every reader takes, and no two alike."""
-    found: list[str] = []
-    for name in names:
-        word = re.sub(r"[^A-Za-z0-9_]", "_", name) or "link"
-        spare, count = word, 1
-        while spare in found:
-            count += 1
-            spare = f"{word}_{count}"
-        found.append(spare)
-    return found
+    return list(map(Names(legal_name), names))
 
 
-def material_library(looks: Mapping[str, Material]) -> bytes:
-    """The Wavefront MTL file of materials by name."""
-    lines = []
-    for name, m in looks.items():
-        shine = text(np.asarray(m.color) * min(1.0, m.emission))
-        lines += [f"newmtl {name}", f"Kd {text(m.color)}", f"Ke {shine}", f"d {text(m.opacity)}"]
-        lines += [f"Pr {text(m.roughness)}", f"Pm {text(m.metallic)}", "illum 2", ""]
-    return "\n".join(lines).encode()
+def limits_of(joint: Joint) -> dict[str, float]:
+    """The ends of a joint [rad] or [m], and its most effort and speed, as URDF and SDF call them."""
+    low, high = joint.limits
+    return {"lower": low, "upper": high, "effort": _EFFORT[joint.kind], "velocity": _SPEED[joint.kind]}
 
 
-def obj(points: np.ndarray, faces: np.ndarray, library: str = "", material: str = "") -> bytes:
-    """A Wavefront OBJ file of triangles, with a material of a library where one is named."""
-    lines = [f"mtllib {library}"] if library else []
-    lines += [f"v {text(point)}" for point in points.tolist()]
-    lines += [f"usemtl {material}"] if library else []
-    lines += [f"f {a} {b} {c}" for a, b, c in (faces + 1).tolist()]
-    return ("\n".join(lines) + "\n").encode()
+def tensor_entries(inertia: Inertia) -> dict[str, str]:
+    """The six numbers of an inertia tensor [kg m2] by their names in URDF and SDF."""
+    pairs = itertools.combinations_with_replacement(range(3), 2)
+    return {f"i{'xyz'[i]}{'xyz'[k]}": f"{float(inertia.tensor[i, k]):.12g}" for i, k in pairs}
 
 
 class _Meshes:
@@ -254,7 +231,7 @@ class _Meshes:
             kept, packed = np.unique(faces, return_inverse=True)
             points = self._mesh.vertices[kept] * self._scale - anchor
             file = f"{self._prefix}{link}-{look}.obj"
-            self.files[file] = obj(points, packed.reshape(-1, 3), self._library, look)
+            self.files[file] = obj(points, packed.reshape(-1, 3), material=(self._library, look))
             found.append((Shape(file=file), look))
         return tuple(found)
 

@@ -1,15 +1,13 @@
-"""What every object of a scene looks like: a mesh in its own frame, shared by all that have the same one, under a name
-that any file system takes."""
+"""What every object of a scene looks like: a mesh in its own frame, shared by all that have the same one."""
 
 from __future__ import annotations
 
-import hashlib
-import re
 from dataclasses import dataclass
 from typing import Literal
 
 from sceneweaver.assets import Asset, Mesh
 from sceneweaver.assets.placed import Load, loader, parts_mesh, plain_material, scaled_asset
+from sceneweaver.physics.things import Thing
 from sceneweaver.scene import InputError, Scene, SceneObject
 
 Missing = Literal["error", "parts"]
@@ -39,22 +37,26 @@ def bodies_of(scene: Scene, load: Load | None = None, missing: Missing = "error"
     Raises:
         InputError: when an asset cannot be loaded, unless ``missing`` is "parts".
     """
-    load = loader(load)
-    return [_body(index, thing, load, missing) for index, thing in enumerate(scene.objects)]
+    load, found = loader(load), []
+    for index, thing in enumerate(scene.objects):
+        try:
+            found.append(_body(thing, *scaled_asset(index, thing, load)))
+        except InputError:
+            if missing == "error":
+                raise
+            found.append(_plain(thing, f"{thing.id}: its mesh is missing, its collision parts are shown"))
+    return found
 
 
-def _body(index: int, thing: SceneObject, load: Load, missing: Missing) -> Body:
-    try:
-        asset, scale = scaled_asset(index, thing, load)
-    except InputError:
-        if missing == "error":
-            raise
-        return _plain(thing, f"{thing.id}: its mesh is missing, its collision parts are shown")
-    return (
-        _plain(thing)
-        if asset is None or thing.asset is None
-        else Body(thing, thing.asset, asset.mesh, scale, asset=asset)
-    )
+def body_of(thing: Thing) -> Body:
+    """The look of what a simulator has."""
+    return _body(thing.object, thing.asset, thing.scale)
+
+
+def _body(thing: SceneObject, asset: Asset | None, scale: tuple[float, float, float]) -> Body:
+    if asset is None or thing.asset is None:
+        return _plain(thing)
+    return Body(thing, thing.asset, asset.mesh, scale, asset=asset)
 
 
 def _plain(thing: SceneObject, note: str = "") -> Body:
@@ -62,15 +64,6 @@ def _plain(thing: SceneObject, note: str = "") -> Body:
     material = plain_material(thing)
     shape = ";".join(f"{p.polygon}{p.z}" for p in thing.solids)
     return Body(thing, f"parts:{material.name}:{shape}", parts_mesh(thing.solids, material), note=note)
-
-
-def model_name(key: str, category: str) -> str:
-    """A name for a mesh: letters, digits, ``_`` and ``-`` only, another one for each key.
-
-    Readers take model ids apart at dots and use them as names of files, and ids of assets may hold anything.
-    """
-    word = re.sub(r"[^a-z0-9]+", "_", category.lower()).strip("_")[:40] or "object"
-    return f"{word}-{hashlib.sha256(key.encode()).hexdigest()[:10]}"
 
 
 def with_mesh(load: Load | None) -> Load:

@@ -29,7 +29,7 @@ class Format:
         file: The file that it makes in a folder.
         what: In a few words.
         writer: Who writes it, as ``module:function`` of this package: called with scene, path, a function from asset id
-            to asset, ``textures`` and ``client``.
+            to asset, ``textures``, and ``client`` where there are some.
         clients: Readers that it can be written for.
         shared: As ``writer``, for data sets: called with scene, load and ``shared``, where meshes and images go, it
             returns the bytes of the file; empty: data sets do not have it.
@@ -44,7 +44,8 @@ class Format:
 
     def write(self, scene: Scene, path: Path, load: Load, textures: bool) -> None:
         """Write a scene to a path, whole or not at all."""
-        _function(self.writer)(scene, path, load, textures=textures, client=self.name.partition(":")[2] or None)
+        client = {"client": self.name.partition(":")[2] or None} if self.clients else {}
+        _function(self.writer)(scene, path, load, textures=textures, **client)
 
     def shared_bytes(self, scene: Scene, load: Load, shared: Any) -> bytes:
         """The file of a scene whose meshes and images are ``SharedFiles``."""
@@ -59,9 +60,9 @@ def _function(place: str) -> Callable[..., Any]:
 FORMATS: dict[str, Format] = {
     f.name: f
     for f in (
-        Format("glb", "scene.glb", "glTF 2.0 binary", "glb:write_file", shared="glb:glb_bytes"),
-        Format("usd", "scene.usdc", "USD with physics, binary", "usd:write_file", shared="usd:usd_bytes"),
-        Format("usda", "scene.usda", "USD with physics, as text", "usd:write_file"),
+        Format("glb", "scene.glb", "glTF 2.0 binary", "glb:write_glb", shared="glb:glb_bytes"),
+        Format("usd", "scene.usdc", "USD with physics, binary", "usd:write_usd", shared="usd:usd_bytes"),
+        Format("usda", "scene.usda", "USD with physics, as text", "usd:write_usd"),
         Format(
             "mjcf",
             "scene.xml",

@@ -13,7 +13,6 @@ import math
 import os
 from dataclasses import replace
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -82,11 +81,6 @@ def glb_bytes(
     top = file.node(_free_name("scene", ids), {"rotation": _Y_UP, "children": children})
     extras = {"prompt": scene.prompt, "room": scene.room.model_dump(mode="json")}
     return file.bytes(top, {"name": scene.id, "extras": extras})
-
-
-def write_file(scene: Scene, path: Path, load: Load, *, textures: bool = True, client: None = None) -> None:
-    """As `formats.Format.write` calls it."""
-    write_glb(scene, path, load, textures=textures)
 
 
 def model_bytes(mesh: Mesh, name: str) -> bytes:

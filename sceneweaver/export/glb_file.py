@@ -154,18 +154,10 @@ class GlbFile:
         """References to the images of a texture, which are there once, by their place in a material."""
         if texture not in self._textures:
             files = images(texture)
-            places = (
-                {}
-                if files is None
-                else {
-                    "baseColorTexture": files.color,
-                    "metallicRoughnessTexture": files.rough,
-                    "normalTexture": files.normal,
-                }
-            )
+            found = (None, None, None) if files is None else (files.color, files.rough, files.normal)
             self._textures[texture] = {
-                place: self._image(f"{texture} {place.removesuffix('Texture')}", data)
-                for place, data in places.items()
+                f"{place}Texture": self._image(f"{texture} {place}", data)
+                for place, data in zip(("baseColor", "metallicRoughness", "normal"), found, strict=True)
                 if data is not None
             }
         return self._textures[texture]

@@ -19,6 +19,7 @@ from sceneweaver.assets.placed import Load
 from sceneweaver.assets.room_looks import room_looks, wall_look
 from sceneweaver.assets.textures import maps
 from sceneweaver.assets.textures.relief import to_srgb
+from sceneweaver.geometry.hulls import hull_mesh
 from sceneweaver.physics import Model, build
 from sceneweaver.physics.model import ROOM, UNSET, Plain, hull_name
 from sceneweaver.physics.things import RigidBody, Thing
@@ -29,7 +30,8 @@ from .corners import laid_by
 from .folder import write_beside, write_folder
 from .images import file_stem, linear, png, tinted
 from .mjcf_clients import CLIENTS, sleeping_twin
-from .mjcf_meshes import Seen, hull_obj, mesh_elements, seen_obj, seen_of
+from .mjcf_meshes import Seen, mesh_elements, seen_obj, seen_of
+from .obj import obj
 from .shared import SharedFiles
 
 _PIXELS = 256
@@ -193,7 +195,7 @@ class _Looks(Plain):
         for k, solid in enumerate(thing.solids):
             if solid.box is None:
                 name = hull_name(thing, k)
-                file = self._file(f"meshes/{name}.obj", hull_obj(solid))
+                file = self._file(f"meshes/{name}.obj", obj(*hull_mesh(solid.points), digits=6))
                 child(assets, "mesh", name=name, inertia="convex", file=file)
         for link, found in self._made.get(thing.shape, {}).items():
             for name, number in found:

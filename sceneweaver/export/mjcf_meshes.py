@@ -7,12 +7,11 @@ from collections.abc import Mapping
 import numpy as np
 
 from sceneweaver.assets.textures import maps
-from sceneweaver.geometry.hulls import hull_mesh
-from sceneweaver.physics.hulls import Solid
 from sceneweaver.physics.model import hull_name, mesh_stem
 from sceneweaver.physics.things import Thing
 
 from .corners import first_of_each, indexed, texture_coordinates
+from .obj import obj
 
 Seen = tuple[str, int]
 """The name of a mesh, and the number of its material."""
@@ -33,14 +32,9 @@ def seen_of(thing: Thing) -> Mapping[int, list[Seen]]:
     return found
 
 
-def hull_obj(solid: Solid) -> bytes:
-    """A collision part as Wavefront OBJ."""
-    return _obj(*hull_mesh(solid.points), None)
-
-
 def seen_obj(thing: Thing, link: int, number: int, textured: bool) -> bytes:
     """What is seen of a body in the material of a number as Wavefront OBJ."""
-    return _obj(*_arrays(thing, link, number, _coordinates(thing, textured)))
+    return obj(*_arrays(thing, link, number, _coordinates(thing, textured)), digits=6)
 
 
 def mesh_elements(thing: Thing, textured: bool) -> bytes:
@@ -83,19 +77,6 @@ def _arrays(thing: Thing, link: int, number: int, uv: np.ndarray | None) -> Arra
     mapped = maps(mesh.materials[number].texture) is not None
     places = indexed(uv[chosen]) if uv is not None and mapped else None
     return mesh.vertices[used] * np.asarray(thing.scale), packed.reshape(-1, 3), places
-
-
-def _obj(points: np.ndarray, faces: np.ndarray, places: tuple[np.ndarray, np.ndarray] | None) -> bytes:
-    text = _lines("v %.6g %.6g %.6g\n", points)
-    if places is None:
-        return (text + _lines("f %d %d %d\n", faces + 1)).encode()
-    corners = np.stack([faces, places[1].reshape(-1, 3)], axis=2) + 1
-    return (text + _lines("vt %.5g %.5g\n", places[0]) + _lines("f %d/%d %d/%d %d/%d\n", corners)).encode()
-
-
-def _lines(line: str, values: np.ndarray) -> str:
-    """A line for each row of an array."""
-    return line * len(values) % tuple(values.reshape(-1).tolist())
 
 
 def decimals(values: np.ndarray, digits: int) -> str:

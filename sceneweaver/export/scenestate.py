@@ -29,9 +29,10 @@ from sceneweaver.geometry.rotations import matrix, multiply
 from sceneweaver.geometry.shell import FLOOR_THICKNESS, WALL_THICKNESS, heights
 from sceneweaver.scene import Door, Room, Scene, SceneObject, Window
 
-from .bodies import Body, Missing, bodies_of, model_name, with_mesh
+from .bodies import Body, Missing, bodies_of, with_mesh
 from .folder import write_beside
 from .glb import model_bytes
+from .names import model_name
 
 SOURCE = "sceneweaver"
 """The asset source: what stands before the dot of a model id."""
@@ -71,7 +72,7 @@ def write_scenestate(
     return target
 
 
-def write_file(scene: Scene, path: Path, load: Load, *, textures: bool = True, client: None = None) -> None:
+def write_file(scene: Scene, path: Path, load: Load, *, textures: bool = True) -> None:
     """As `formats.Format.write` calls it; models always have their maps, as scenes share them."""
     write_scenestate(scene, path, load, models=True)
 

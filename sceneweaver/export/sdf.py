@@ -22,14 +22,14 @@ from sceneweaver.scene import Scene
 
 from .articulations import (
     BASE,
-    EFFORT,
     KINDS,
     OURS,
-    SPEED,
     ArticulatedLink,
     PlacedArticulation,
     Shape,
+    limits_of,
     placed_articulations,
+    tensor_entries,
 )
 from .folder import write_beside
 
@@ -41,16 +41,9 @@ _LEVEL = 1e-3  # [m] within which corners belong to the underside
 
 
 def sdf(scene: Scene, load: Load | None = None, *, loose: bool = True, bullet: bool = False) -> dict[str, bytes]:
-    """All files by path, ``scene.sdf`` among them.
+    """All files by path, ``scene.sdf`` among them; for the arguments see `placed_articulations`.
 
-    Args:
-        scene: The scene.
-        load: From asset id to asset; None: the library of this user.
-        loose: Whether what can be taken off an object is a model of its own.
-        bullet: For PyBullet, which departs from the standard in what stands still and in friction.
-
-    Raises:
-        InputError: when an asset cannot be loaded.
+    ``bullet`` is for PyBullet, which departs from the standard in what stands still and in friction.
     """
     root = Xml.Element("sdf", {} if bullet else {"xmlns:drake": "http://drake.mit.edu"}, version="1.7")
     world = Xml.SubElement(root, "world", name=model_name(scene.id))
@@ -122,9 +115,8 @@ def _link(model: Xml.Element, link: ArticulatedLink, placed: PlacedArticulation,
     _text(inertial, "pose", (*link.inertia.centre, 0, 0, 0))
     _text(inertial, "mass", link.inertia.mass)
     inertia = Xml.SubElement(inertial, "inertia")
-    for i, one in enumerate("xyz"):
-        for k, two in list(enumerate("xyz"))[i:]:
-            _text(inertia, f"i{one}{two}", f"{float(link.inertia.tensor[i, k]):.12g}")
+    for tag, value in tensor_entries(link.inertia).items():
+        _text(inertia, tag, value)
     if bullet:
         _text(Xml.SubElement(element, "contact"), "lateral_friction", placed.model.friction)
     for number, (shape, look) in enumerate(link.visuals):
@@ -194,9 +186,7 @@ def _joint(model: Xml.Element, link: ArticulatedLink) -> None:
     axis = Xml.SubElement(made, "axis")
     _text(axis, "xyz", joint.axis)
     limit = Xml.SubElement(axis, "limit")
-    low, high = joint.limits
-    limits = {"lower": low, "upper": high, "effort": EFFORT[joint.kind], "velocity": SPEED[joint.kind]}
-    for tag, value in limits.items():
+    for tag, value in limits_of(joint).items():
         _text(limit, tag, value)
     dynamics = Xml.SubElement(axis, "dynamics")
     _text(dynamics, "damping", joint.hold)

@@ -32,17 +32,18 @@ from sceneweaver.scene import InputError, Room, Scene, SceneObject
 
 from .articulations import (
     BASE,
-    EFFORT,
     KINDS,
     OURS,
-    SPEED,
     Articulation,
     Shape,
     articulation_of,
+    limits_of,
     placed_articulations,
+    tensor_entries,
 )
-from .bodies import Body, bodies_of, model_name, with_mesh
+from .bodies import body_of, with_mesh
 from .folder import write_beside, write_folder
+from .names import model_name
 
 FOLDER = "urdf"
 """Where the robots of a room and their ``meshes/`` are, beside the list."""
@@ -71,23 +72,14 @@ def write_urdf(piece: Asset | SceneObject, folder: str | os.PathLike[str], load:
 
 def urdf(piece: Asset | SceneObject, load: Load | None = None) -> tuple[str, dict[str, bytes]]:
     """The name of the URDF file, and all files of the folder by path; see ``write_urdf``."""
-    thing, body = _read(piece, load)
-    model = articulation_of(thing, body, thing.bodies, model_name(body.key, thing.object.category))
+    thing = _read(piece, load)
+    model = articulation_of(thing, thing.bodies, model_name(body_of(thing).key, thing.object.category))
     file = f"{model.name}.urdf"
     return file, {file: robot(model), **{f"meshes/{name}": content for name, content in model.files.items()}}
 
 
 def room_urdf(scene: Scene, load: Load | None = None, *, loose: bool = True) -> dict[str, bytes]:
-    """All files by path, ``scene.urdf.json`` among them.
-
-    Args:
-        scene: The scene.
-        load: From asset id to asset; None: the library of this user.
-        loose: Whether what can be taken off an object is a robot of its own.
-
-    Raises:
-        InputError: when an asset cannot be loaded.
-    """
+    """All files by path, ``scene.urdf.json`` among them; for the arguments see `placed_articulations`."""
     files: dict[str, bytes] = {}
     rows = []
     for placed in placed_articulations(scene, load, loose=loose):
@@ -111,7 +103,7 @@ def room_urdf(scene: Scene, load: Load | None = None, *, loose: bool = True) -> 
     return files
 
 
-def write_file(scene: Scene, path: Path, load: Load, *, textures: bool = True, client: None = None) -> None:
+def write_file(scene: Scene, path: Path, load: Load, *, textures: bool = True) -> None:
     """As `formats.Format.write` calls it; meshes have plain colours."""
     files = room_urdf(scene, load)
     files[path.name] = files.pop("scene.urdf.json")
@@ -139,8 +131,8 @@ def robot(model: Articulation) -> bytes:
     return f'<?xml version="1.0"?>\n{Xml.tostring(root, encoding="unicode")}\n'.encode()
 
 
-def _read(piece: Asset | SceneObject, load: Load | None) -> tuple[Thing, Body]:
-    """The piece as a simulator and as a viewer see it, both in the frame of the object."""
+def _read(piece: Asset | SceneObject, load: Load | None) -> Thing:
+    """The piece as a simulator sees it."""
     if isinstance(piece, Asset):
         if not len(piece.mesh.faces):
             raise InputError(f"asset: '{piece.id}' has no mesh; import it again or choose another asset")
@@ -150,7 +142,7 @@ def _read(piece: Asset | SceneObject, load: Load | None) -> tuple[Thing, Body]:
     loader = with_mesh(load) if alone.asset is not None else None
     scene = Scene(id="piece", room=Room(outline=((0, 0), (1, 0), (1, 1), (0, 1))), objects=(alone,))
     try:
-        return things_of(scene, loader, loose=False)[0], bodies_of(scene, loader)[0]
+        return things_of(scene, loader, loose=False)[0]
     except InputError as error:
         raise InputError(str(error).replace("objects[0].asset: ", "asset: ", 1)) from None
 
@@ -159,9 +151,7 @@ def _inertial(element: Xml.Element, inertia: Inertia) -> None:
     made = child(element, "inertial")
     child(made, "origin", xyz=inertia.centre, rpy="0 0 0")
     child(made, "mass", value=inertia.mass)
-    t = inertia.tensor
-    entries = {"ixx": t[0, 0], "ixy": t[0, 1], "ixz": t[0, 2], "iyy": t[1, 1], "iyz": t[1, 2], "izz": t[2, 2]}
-    child(made, "inertia", {name: f"{float(value):.12g}" for name, value in entries.items()})
+    child(made, "inertia", tensor_entries(inertia))
 
 
 def _geometry(link: Xml.Element, tag: str, shape: Shape) -> Xml.Element:
@@ -183,8 +173,7 @@ def _joint(root: Xml.Element, name: str, joint: Joint) -> None:
     child(made, "child", link=name)
     child(made, "origin", xyz=joint.anchor, rpy="0 0 0")
     child(made, "axis", xyz=joint.axis)
-    low, high = joint.limits
-    child(made, "limit", lower=low, upper=high, effort=EFFORT[joint.kind], velocity=SPEED[joint.kind])
+    child(made, "limit", limits_of(joint))
     child(made, "dynamics", damping=joint.hold, friction=joint.hold)
 
 

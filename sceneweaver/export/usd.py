@@ -22,17 +22,16 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.assets.placed import Load, loader
+from sceneweaver.assets.placed import Load
 from sceneweaver.physics.model import coverings
-from sceneweaver.physics.things import Thing, things_of
+from sceneweaver.physics.things import things_of
 from sceneweaver.scene import InputError, Scene, whole
 
-from .bodies import Body, bodies_of
 from .folder import fill, move
 from .shared import SharedFiles
 from .usd_bodies import filter_pair
 from .usd_engines import tune_scene
-from .usd_layer import Names, attribute, prim, usd
+from .usd_layer import attribute, prim, prim_names, usd
 from .usd_looks import Looks
 from .usd_objects import Prototypes, add_object
 from .usd_room import add_room
@@ -66,11 +65,6 @@ def write_usd(scene: Scene, path: str | os.PathLike[str], load: Load | None = No
     _save(layer, name, files)
 
 
-def write_file(scene: Scene, path: Path, load: Load, *, textures: bool = True, client: None = None) -> None:
-    """As `formats.Format.write` calls it."""
-    write_usd(scene, path, load, textures=textures)
-
-
 def usd_layer(scene: Scene, load: Load | None = None) -> Any:
     """The scene as a ``pxr.Sdf.Layer`` in memory, without maps; ``Usd.Stage.Open`` takes it.
 
@@ -92,22 +86,26 @@ def _layer(
     scene: Scene, load: Load | None, textures: bool, shared: SharedFiles | None = None
 ) -> tuple[Any, dict[str, bytes]]:
     """The layer, and the images that it names by path relative to it."""
-    load = loader(load)
-    things, bodies = things_of(scene, load), bodies_of(scene, load)
+    things = things_of(scene, load)
     layer = usd().Sdf.Layer.CreateAnonymous(".usda")
     with usd().Sdf.ChangeBlock():
-        files = _fill(layer, scene, things, bodies, textures, shared)
-    return layer, files
+        _head(layer, scene)
+        world = prim(layer, "World", kind="assembly", displayName=scene.id)
+        looks = Looks(prim(world, "Looks", "Scope"), prim(world, "PhysicsMaterials", "Scope"), textures, shared)
+        prototypes = Prototypes(prim(world, "Prototypes", "Scope"), looks)
+        doors = add_room(prim(world, "Room", kind="group"), scene.room, looks)
+        add_lights(prim(world, "Lights", "Scope"), scene.room)
+        add_cameras(prim(world, "Cameras", "Scope"), scene)
+        objects, names = prim(world, "Objects", kind="group"), prim_names()
+        solids = [add_object(objects, names(thing.object.id), thing, prototypes) for thing in things]
+        for cover, above in coverings(things):  # they share the layer of what stands or swings over them
+            for other in (*doors, *(solids[k] for k in above)):
+                filter_pair(solids[cover], other, layer)
+    return layer, looks.files
 
 
-def _fill(
-    layer: Any,
-    scene: Scene,
-    things: list[Thing],
-    bodies: list[Body],
-    textures: bool,
-    shared: SharedFiles | None,
-) -> dict[str, bytes]:
+def _head(layer: Any, scene: Scene) -> None:
+    """Units, facts of the scene and the physics of a layer."""
     layer.defaultPrim = "World"
     layer.comment = "Made by sceneweaver"
     for key, value in (("upAxis", "Z"), ("metersPerUnit", 1.0), ("kilogramsPerUnit", 1.0)):
@@ -118,21 +116,6 @@ def _fill(
     attribute(physics, "physics:gravityDirection", "Vector3f", (0.0, 0.0, -1.0))
     attribute(physics, "physics:gravityMagnitude", "Float", _GRAVITY)
     tune_scene(physics)
-    world = prim(layer, "World", kind="assembly", displayName=scene.id)
-    looks = Looks(prim(world, "Looks", "Scope"), prim(world, "PhysicsMaterials", "Scope"), textures, shared)
-    prototypes = Prototypes(prim(world, "Prototypes", "Scope"), looks)
-    doors = add_room(prim(world, "Room", kind="group"), scene.room, looks)
-    add_lights(prim(world, "Lights", "Scope"), scene.room)
-    add_cameras(prim(world, "Cameras", "Scope"), scene)
-    objects, names = prim(world, "Objects", kind="group"), Names()
-    solids = [
-        add_object(objects, names(thing.object.id), thing, body, prototypes)
-        for thing, body in zip(things, bodies, strict=True)
-    ]
-    for cover, above in coverings(things):  # they share the layer of what stands or swings over them
-        for other in (*doors, *(solids[k] for k in above)):
-            filter_pair(solids[cover], other, layer)
-    return looks.files
 
 
 def _save(layer: Any, name: str, files: dict[str, bytes]) -> None:

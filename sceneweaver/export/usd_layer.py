@@ -11,6 +11,8 @@ import numpy as np
 
 from sceneweaver.geometry.rotations import wxyz
 
+from .names import Names
+
 Prim = Any
 """A ``pxr.Sdf.PrimSpec``."""
 
@@ -25,21 +27,9 @@ def usd() -> Any:
     return SimpleNamespace(Gf=Gf, Sdf=Sdf, Tf=Tf, Vt=Vt)
 
 
-class Names:
-    """Valid USD names from any text, each given once."""
-
-    def __init__(self, *taken: str):
-        self._taken = set(taken)
-
-    def __call__(self, text: str) -> str:
-        """A name that looks like the text and that was not given before."""
-        stem = name = usd().Tf.MakeValidIdentifier(text)
-        number = 1
-        while name in self._taken:
-            number += 1
-            name = f"{stem}_{number}"
-        self._taken.add(name)
-        return name
+def prim_names(*taken: str) -> Names:
+    """Gives valid USD names from any text, each once."""
+    return Names(usd().Tf.MakeValidIdentifier, *taken)
 
 
 def prim(

@@ -10,7 +10,7 @@ from sceneweaver.assets import Material
 from .images import Images, file_stem, images, linear, tinted
 from .shared import SharedFiles
 from .usd_engines import tune_friction
-from .usd_layer import Names, Prim, apply, attribute, prim, relate, triple, usd
+from .usd_layer import Prim, apply, attribute, prim, prim_names, relate, triple, usd
 
 LAMP = 0.5
 """Emission from which on something is a lamp."""
@@ -30,7 +30,7 @@ class Looks:
         self.textured, self._shared = textured, shared
         self.files: dict[str, bytes] = {}
         self._looks, self._frictions = looks, frictions
-        self._names = Names()
+        self._names = prim_names()
         self._seen: dict[Material, Any] = {}
         self._rubs: dict[float, Any] = {}
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from sceneweaver.assets import Mesh
@@ -32,11 +34,10 @@ def render_mesh(parent: Prim, name: str, mesh: Mesh, looks: Looks, link: int | N
     made = prim(parent, name, "Mesh")
     _shape(made, points, faces)
     normals, index = corner_normals(points, faces)
-    spec = attribute(made, "primvars:normals", "Normal3fArray", vectors(normals))
-    spec.SetInfo("interpolation", "faceVarying")
-    attribute(made, "primvars:normals:indices", "IntArray", integers(index))
+    _primvar(made, "normals", "Normal3fArray", vectors(normals), index)
     if looks.textured and (places := texture_coordinates(mesh)) is not None:
-        _lay(made, places[chosen])
+        values, index = indexed(places[chosen])
+        _primvar(made, "st", "TexCoord2fArray", pairs(values), index)
     if any(mesh.materials[n].opacity < 1 for n in numbers):
         attribute(made, "doubleSided", "Bool", True, uniform=True)
     if len(numbers) == 1:
@@ -60,9 +61,7 @@ def collider(parent: Prim, name: str, solid: Solid, looks: Looks, friction: floa
     faces = hull_faces(solid.points)
     _shape(made, solid.points, faces)
     normals, index = _flat_normals(solid.points, faces)
-    spec = attribute(made, "primvars:normals", "Normal3fArray", vectors(normals))
-    spec.SetInfo("interpolation", "uniform")
-    attribute(made, "primvars:normals:indices", "IntArray", integers(index))
+    _primvar(made, "normals", "Normal3fArray", vectors(normals), index, "uniform")
     attribute(made, "purpose", "Token", "guide", uniform=True)
     attribute(made, "physics:approximation", "Token", "convexHull", uniform=True)
     tune_collider(made)
@@ -83,12 +82,10 @@ def box_collider(parent: Prim, name: str, center: np.ndarray, half: np.ndarray, 
     looks.rub(made, friction)
 
 
-def _lay(made: Prim, places: np.ndarray) -> None:
-    """Texture coordinates of each corner [F, 3, 2], equal ones once."""
-    values, index = indexed(places)
-    spec = attribute(made, "primvars:st", "TexCoord2fArray", pairs(values))
-    spec.SetInfo("interpolation", "faceVarying")
-    attribute(made, "primvars:st:indices", "IntArray", integers(index))
+def _primvar(made: Prim, name: str, kind: str, values: Any, index: np.ndarray, each: str = "faceVarying") -> None:
+    """Values of a mesh, equal ones once, and which of them each corner has; "uniform": each face."""
+    attribute(made, f"primvars:{name}", kind, values).SetInfo("interpolation", each)
+    attribute(made, f"primvars:{name}:indices", "IntArray", integers(index))
 
 
 def _flat_normals(points: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

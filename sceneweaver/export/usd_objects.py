@@ -11,11 +11,12 @@ import numpy as np
 from sceneweaver.physics.frames import frames_of
 from sceneweaver.physics.hulls import Solid
 from sceneweaver.physics.things import RigidBody, Thing
+from sceneweaver.runtime.deadline import checkpoint
 
-from .bodies import Body
+from .bodies import Body, body_of
 from .slices import sliced
 from .usd_bodies import Solids, filter_pair, join, rigid, weld
-from .usd_layer import Names, Prim, apply, label, place, prim, usd
+from .usd_layer import Prim, apply, label, place, prim, prim_names, usd
 from .usd_looks import Looks
 from .usd_mesh import collider, render_mesh
 from .usd_views import add_frames, add_lamp
@@ -35,7 +36,7 @@ class Prototypes:
 
     def __init__(self, scope: Prim, looks: Looks):
         self._scope, self._looks = scope, looks
-        self._names = Names()
+        self._names = prim_names()
         self._made: dict[tuple[str, float, int], _Prototype] = {}
 
     def instance(self, parent: Prim, thing: Thing, body: Body, part: RigidBody) -> tuple[Any, ...]:
@@ -71,13 +72,14 @@ class Prototypes:
         return _Prototype(made.path, tuple(names))
 
 
-def add_object(parent: Prim, name: str, thing: Thing, body: Body, prototypes: Prototypes) -> Solids:
+def add_object(parent: Prim, name: str, thing: Thing, prototypes: Prototypes) -> Solids:
     """One object at its pose: a rigid body when it may move, else colliders that stand still.
 
     A piece with doors or drawers is an articulation: its base and each of them are bodies side by side, and the base
     of one that stands still is fixed to the world. So all doors of a piece can be driven in the same way.
     """
-    item = thing.object
+    checkpoint()
+    item, body = thing.object, body_of(thing)
     made = prim(parent, name, kind="component", displayName=item.id)
     made.SetInfo("customData", {"sceneweaver": _facts(thing)})
     label(made, item.category, item.id)
@@ -93,7 +95,7 @@ def add_object(parent: Prim, name: str, thing: Thing, body: Body, prototypes: Pr
 
 def _articulated(made: Prim, thing: Thing, body: Body, prototypes: Prototypes) -> Solids:
     """The base, its doors and drawers, and what can be taken off it, as bodies side by side."""
-    names, placed = Names("joints"), []
+    names, placed = prim_names("joints"), []
     for part in thing.bodies:
         title = "base" if part.link is None else part.link.name
         mine = prim(made, names(title), displayName=title)
@@ -113,7 +115,7 @@ def _articulated(made: Prim, thing: Thing, body: Body, prototypes: Prototypes) -
         joints = prim(made, "joints", "Scope")
         if not thing.free:
             weld(joints, "world", made, base)
-        titles = Names("world")
+        titles = prim_names("world")
         for part, mine in moving:
             assert part.link is not None and part.joint is not None
             join(joints, titles(part.link.name), base, mine, part.joint)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -19,7 +21,7 @@ from sceneweaver.scene import Room
 from .openings import window_mesh
 from .room import floor_mesh, leaf_mesh, wall_mesh
 from .usd_bodies import Solids, filter_pair, join, rigid, weld
-from .usd_layer import Names, Prim, apply, label, place, prim
+from .usd_layer import Prim, apply, label, place, prim, prim_names
 from .usd_looks import Looks
 from .usd_mesh import box_collider, render_mesh
 from .usd_views import add_frames
@@ -31,20 +33,19 @@ def add_room(parent: Prim, room: Room, looks: Looks) -> list[Solids]:
     walls = prim(parent, "Walls", kind="group")
     stays = [_wall(walls, room, k, looks) for k in range(len(room.outline))]
     if room.windows:
-        windows, names = prim(parent, "Windows", kind="group"), Names()
+        windows, names = prim(parent, "Windows", kind="group"), prim_names()
         for window in room.windows:
             made = prim(windows, names(window.id), kind="component", displayName=window.id)
             label(made, "window")
             place(made, *wall_pose(room.walls[window.wall]))
             render_mesh(made, "Mesh", _in_wall(window_mesh(room, window), room, window.wall), looks)
             pane = wall_slab((window.offset, window.offset + window.width), heights(window), pane=True)
-            scope = prim(made, "Collision", "Scope")
-            box_collider(scope, "part_0", pane.centre, pane.half, looks, FLOOR_FRICTION)
+            _boxes(made, [(pane.centre, pane.half)], looks, FLOOR_FRICTION)
     found = leaves(room)
     if not found:
         return []
     add_frames(prim(parent, "Spawns", kind="group"), spawns(room))
-    doors, names = prim(parent, "Doors", kind="group"), Names()
+    doors, names = prim(parent, "Doors", kind="group"), prim_names()
     moving = []
     for leaf, door in zip(found, room.doors, strict=True):
         moving.append(_door(doors, names(leaf.door), leaf, looks))
@@ -63,7 +64,7 @@ def _floor(parent: Prim, room: Room, looks: Looks) -> None:
     label(made, "floor")
     render_mesh(made, "Mesh", floor_mesh(room), looks)
     slab = floor_slab(room)
-    box_collider(prim(made, "Collision", "Scope"), "part_0", slab.centre, slab.half, looks, FLOOR_FRICTION)
+    _boxes(made, [(slab.centre, slab.half)], looks, FLOOR_FRICTION)
 
 
 def _wall(parent: Prim, room: Room, wall: int, looks: Looks) -> Solids:
@@ -71,11 +72,16 @@ def _wall(parent: Prim, room: Room, wall: int, looks: Looks) -> Solids:
     label(made, "wall")
     place(made, *wall_pose(room.walls[wall]))
     render_mesh(made, "Mesh", _in_wall(wall_mesh(room, wall), room, wall), looks)
-    scope, paths = prim(made, "Collision", "Scope"), []
-    for number, slab in enumerate(slab for slab in wall_slabs(room, wall) if not slab.pane):
-        box_collider(scope, f"part_{number}", slab.centre, slab.half, looks, FLOOR_FRICTION)
-        paths.append(scope.path.AppendChild(f"part_{number}"))
-    return Solids((), tuple(paths))
+    slabs = [(slab.centre, slab.half) for slab in wall_slabs(room, wall) if not slab.pane]
+    return Solids((), _boxes(made, slabs, looks, FLOOR_FRICTION))
+
+
+def _boxes(made: Prim, boxes: Sequence[Any], looks: Looks, friction: float) -> tuple[Any, ...]:
+    """Colliders below a prim, by centres [3] and half extents [3]; returns their paths."""
+    scope = prim(made, "Collision", "Scope")
+    for number, (centre, half) in enumerate(boxes):
+        box_collider(scope, f"part_{number}", np.asarray(centre), np.asarray(half), looks, friction)
+    return tuple(scope.path.AppendChild(f"part_{number}") for number in range(len(boxes)))
 
 
 def _in_wall(mesh: Mesh, room: Room, wall: int) -> Mesh:
@@ -98,9 +104,7 @@ def _door(parent: Prim, name: str, leaf: Leaf, looks: Looks) -> Solids:
     rigid(panel, leaf.inertia)
     render_mesh(panel, "Mesh", leaf_mesh(leaf), looks)
     add_frames(panel, leaf_frames(leaf))
-    scope = prim(panel, "Collision", "Scope")
-    for number, (center, half) in enumerate(leaf.boxes):
-        box_collider(scope, f"part_{number}", np.asarray(center), np.asarray(half), looks, LEAF_FRICTION)
+    _boxes(panel, leaf.boxes, looks, LEAF_FRICTION)
     joints = prim(made, "joints", "Scope")
     weld(joints, "world", made, frame)
     join(joints, "leaf", frame, panel, leaf.moves)

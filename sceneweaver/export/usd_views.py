@@ -16,7 +16,7 @@ from sceneweaver.geometry.rotations import from_matrix
 from sceneweaver.physics.frames import Frame, views
 from sceneweaver.scene import Room, Scene
 
-from .usd_layer import Names, Prim, attribute, attributes, place, prim, triple, usd
+from .usd_layer import Prim, attribute, attributes, place, prim, prim_names, triple, usd
 from .usd_looks import LAMP
 
 AUTO_EXPOSURE = {"renderSettings": {"rtx:post:histogram:enabled": True}}
@@ -64,7 +64,7 @@ def add_lamp(parent: Prim, mesh: Mesh, scale: Sequence[float]) -> None:
 
 def add_cameras(parent: Prim, scene: Scene) -> None:
     """The views of a room; names as `room:eye-door` are kept for display."""
-    names = Names()
+    names = prim_names()
     for view in views(scene.room, scene.objects):
         made = prim(parent, names(view.name.removeprefix("room:").replace("-", "_")), "Camera", displayName=view.name)
         place(made, view.position, view.quaternion)
@@ -81,7 +81,7 @@ def add_cameras(parent: Prim, scene: Scene) -> None:
 
 def add_frames(parent: Prim, frames: Sequence[Frame]) -> None:
     """Frames below a body or the room: their kind, name and the size of the box that they mark are custom data."""
-    names = Names(*(child.name for child in parent.nameChildren))
+    names = prim_names(*(child.name for child in parent.nameChildren))
     for frame in frames:
         last = frame.name.rpartition(f":{frame.kind}:")[2]
         made = prim(parent, names(f"{frame.kind}_{last}"), displayName=frame.name)

@@ -10,18 +10,17 @@ from typing import Any
 from sceneweaver.assets import Asset, Wish, drawable, resolve
 from sceneweaver.assets.roles import has_role
 from sceneweaver.assets.taxonomy import category_named, likeliness
-from sceneweaver.knowledge import Item
-from sceneweaver.rules.design import limit
+from sceneweaver.knowledge import Item, Place
 from sceneweaver.scene import InputError, Intent, Pose, SceneObject
 from sceneweaver.scene.edits import Add, AnyEdit, Relate
 
-from .draft import Draft, groups_of
-from .lights import OVER, TABLE, hanging_height
-from .program import drop_at_window, free_zones, suite_of
-from .relating import relations_of, row_of
+from .draft import Draft
+from .hanging import OVER, before_window, hanging_height, hung_between, is_lit_table
+from .program import free_zones, suite_of
+from .relating import place_of, relations_of
 from .setup import Setup
 from .surface_spots import fits_on, spot_on
-from .usual import item_for, rows_for
+from .usual import item_for, places_for
 
 
 @dataclass
@@ -61,16 +60,15 @@ def _add(work: Added, row: Mapping[str, Any], number: int) -> None:
     if match.note and match.how != "spelling":
         work.notes.append(match.note)
     item = item_for(setup.room_type, match.category, draft, row.get("item"))
-    places = [row_of(p, f"{where}.place[{i}]") for i, p in enumerate(row.get("place", ()))]
+    places = [place_of(p, f"{where}.place[{i}]") for i, p in enumerate(row.get("place", ()))]
     on = row.get("on")
     asked_on = [on] if isinstance(on, str) else list(on or ())
-    for place in [p for p in places if p["type"] in ("on_top", "inside")]:
-        asked_on += [place["to"]] if isinstance(place["to"], str) else list(place["to"] or ())
-    places = [p for p in places if p["type"] not in ("on_top", "inside", "on_floor")]
+    asked_on += [word for p in places if p.type in ("on_top", "inside") for word in p.targets]
+    places = [p for p in places if p.type not in ("on_top", "inside", "on_floor")]
     count = int(row.get("count", 1))
     mount = _mount(row, match.category, item, asked_on)
     try:
-        assets = _bodies(setup, draft, row, match.category, item, count, number, mount)
+        assets = _bodies(work, row, match.category, item, places, count, number, mount)
     except InputError as error:
         work.unmet.append(f"{row['category']}: {error}")
         return
@@ -85,14 +83,10 @@ def _add(work: Added, row: Mapping[str, Any], number: int) -> None:
             return
         draft.objects[subject.id] = subject
         work.edits.append(Add(object=subject))
-        given = bool(places)
-        relations, failed = relations_of(
-            draft, places or rows_for(draft, item, subject), subject, count if given else 1
-        )
-        if given:
-            work.unmet += failed
-            if not relations:
-                relations, _ = relations_of(draft, rows_for(draft, item, subject), subject)
+        relations, failed = relations_of(draft, places, subject, count)
+        work.unmet += failed
+        if not relations:
+            relations, _ = relations_of(draft, places_for(draft, item, subject), subject)
         draft.relations += relations
         work.edits += [Relate(relation=r) for r in relations]
 
@@ -108,17 +102,17 @@ def _mount(row: Mapping[str, Any], category: str, item: Item | None, on: Sequenc
 
 
 def _bodies(
-    setup: Setup,
-    draft: Draft,
+    work: Added,
     row: Mapping[str, Any],
     category: str,
     item: Item | None,
+    places: Sequence[Place],
     count: int,
     number: int,
     mount: str,
 ) -> list[Asset]:
     """Bodies for all of an entry: like those of its set that are there, equal ones, or for small things different."""
-    seed = setup.seed + 101 * number
+    setup, draft, room = work.setup, work.draft, work.setup.scene.room
     free = not any(row.get(k) for k in ("size", "color", "material", "style", "words"))
     same = item.same if item is not None else mount != "surface" and not has_role(category, "assorted")
     if same and free:
@@ -128,27 +122,18 @@ def _bodies(
                 return [setup.library.load(twin.asset).of_style(twin.attributes.get("style"))] * count
             except InputError:
                 pass  # the asset came from a source that is not there now; another one has to do
-    wish = replace(_wish(setup, row, item, seed), mount=mount)
-    if mount == "wall" and has_role(category, "window_cover") and wish.size[1] is None:
-        room = setup.scene.room
-        panes = [w.width for w in room.windows]
-        if panes:
-            tall, top = room.windows[0].height, max(w.sill + w.height for w in room.windows)
-            drop = wish.size[2] or drop_at_window(category, tall, top, room.height)
-            wish = replace(wish, size=(wish.size[0], max(panes) + 2 * limit("curtain_width", "beyond") + 0.04, drop))
+    wish = replace(_wish(setup, row, item, setup.seed + 101 * number), mount=mount)
+    if mount == "wall" and has_role(category, "window_cover") and room.windows:
+        top = max(w.sill + w.height for w in room.windows)
+        pane = max(w.width for w in room.windows), room.windows[0].height, top
+        wish = before_window(wish, category, pane, room.height)
     if mount == "ceiling" and wish.size[2] is None:
-        drop = hanging_height(category, setup.scene.room.height, _under(draft, row, item))
+        over = [p.to for p in places or (item.place if item is not None else ()) if p.type in OVER and p.to]
+        under = [draft.objects[id] for word in over for id in draft.named(word)]
+        low = next((o.size[2] for o in under if is_lit_table(o.category, o.size[2])), None)
+        drop = hanging_height(category, room.height, low)
         wish = replace(wish, size=(*wish.size[:2], drop)) if drop is not None else wish
     return setup.library.choose(category, count, wish, same)
-
-
-def _under(draft: Draft, row: Mapping[str, Any], item: Item | None) -> float | None:
-    """The height [m] of the table that a lamp hangs over; None for no table."""
-    places = [row_of(r) for r in row.get("place", ())]
-    rows = places or [{"type": p.type, "to": p.to} for p in (item.place if item is not None else ())]
-    words = [r["to"] for r in rows if r["type"] in OVER and isinstance(r["to"], str)]
-    named = [draft.objects[id] for word in words for id in draft.named(word)]
-    return next((o.size[2] for o in named if o.size[2] >= TABLE and "table_group" in groups_of(o.category)), None)
 
 
 def _wish(setup: Setup, row: Mapping[str, Any], item: Item | None, seed: int) -> Wish:
@@ -203,9 +188,7 @@ def _object(
     elif mount == "ceiling":
         pose = Pose(position=(0.0, 0.0, max(0.0, room_height - asset.size[2])))
     elif mount == "wall":
-        low, high = (item.hung(asset.size[2]) if item else None) or category_named(asset.category).bottom or (1.2, 1.5)
-        most = max(0.0, room_height - asset.size[2] - 0.02)
-        heights = round(min(low, max(0.0, most - 0.1)), 3), round(min(high, most), 3)
+        heights = hung_between(asset, item, room_height)
         pose = Pose(position=(0.0, 0.0, sum(heights) / 2))
     intent = Intent(
         priority=priority,

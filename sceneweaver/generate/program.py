@@ -12,18 +12,14 @@ from sceneweaver.assets.plurals import singular
 from sceneweaver.assets.roles import has_role, with_role
 from sceneweaver.assets.taxonomy import category_named, members, narrower
 from sceneweaver.assets.zones import cleared, hung_at
-from sceneweaver.knowledge import Item, RoomType
+from sceneweaver.knowledge import Item, Place, RoomType
 from sceneweaver.knowledge.kin import excluded_kinds, kin
-from sceneweaver.knowledge.usual_places import UsualPlace, usual_places_of
+from sceneweaver.knowledge.usual_places import usual_places_of
 from sceneweaver.language import Entity, SceneGraph, Thing
-from sceneweaver.rules.design import limit
 from sceneweaver.scene import PRIORITIES, InputError, Palette, SceneObject, Zone
 
 from .draft import CRAMMED, groups_of
-from .lights import OVER, TABLE, hanging_height
-
-ABOVE_PANE = 0.1
-"""Height [m] of a curtain beyond that of the top of its window: its rod hangs over the window."""
+from .hanging import OVER, before_window, hanging_height, is_lit_table
 
 GENERAL = (
     "table",
@@ -118,7 +114,7 @@ class Wanted:
         return self.item is not None and self.item.row == "line" and "back" in free and "front" not in free
 
     @property
-    def usual(self) -> tuple[UsualPlace, ...]:
+    def usual(self) -> tuple[Place, ...]:
         """Where it usually goes: of what was asked for and is no item of the room; chairs go to what they are for."""
         groups = groups_of(self.category)
         if self.item is not None or self.support is not None or SEATS & groups:
@@ -128,7 +124,7 @@ class Wanted:
     @property
     def wall(self) -> float:
         """Wall [m] that it takes."""
-        places = self.item.place if self.item else [usual.place for usual in self.usual]
+        places = self.item.place if self.item else self.usual
         if self.mount == "floor" and any(p.type == "against_wall" and not p.soft for p in places):
             return self.asset.size[1]
         return 0.0
@@ -446,9 +442,8 @@ def _sized(
 ) -> Wish:
     """A wish with the sizes that follow from the room: from its windows, its ceiling, and what a thing goes with."""
     item = demand.item
-    if item is not None and _hangs_at_windows(item) and pane and wish.size[1] is None:
-        high = wish.size[2] or drop_at_window(demand.categories[0], pane[1], pane[2], ceiling)
-        wish = replace(wish, size=(wish.size[0], pane[0] + 2 * limit("curtain_width", "beyond") + 0.04, high))
+    if item is not None and _hangs_at_windows(item) and pane is not None:
+        wish = before_window(wish, demand.categories[0], pane, ceiling)
     if demand.categories and wish.size[2] is None and held is None:
         drop = hanging_height(demand.categories[0], ceiling, _hung_over(item, by_item))
         wish = replace(wish, size=(*wish.size[:2], drop)) if drop is not None else wish
@@ -457,24 +452,11 @@ def _sized(
     return wish
 
 
-def drop_at_window(category: str, height: float, top: float, ceiling: float) -> float | None:
-    """Height [m] of what hangs before a window of a height with its top at ``top``.
-
-    A blind is drawn up half the way, the rod of a curtain down to the floor is above the window; None for others.
-    """
-    if has_role(category, "blind"):
-        return 0.5 * height
-    usual = category_named(category).size
-    if not has_role(category, "curtain") or usual is None:
-        return None
-    return round(min(max(min(top + ABOVE_PANE, ceiling - 0.05), usual.height[0]), usual.height[1]), 3)
-
-
 def _hung_over(item: Item | None, by_item: Mapping[str, Sequence[Wanted]]) -> float | None:
     """The height [m] of the furniture that lamps of an item hang over; None where that is no table."""
     for place in item.place if item is not None else ():
         under = by_item.get(place.to or "", ()) if place.type in OVER else ()
-        if under and under[0].asset.size[2] >= TABLE and "table_group" in groups_of(under[0].category):
+        if under and is_lit_table(under[0].category, under[0].asset.size[2]):
             return under[0].asset.size[2]
     return None
 

@@ -5,64 +5,47 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+from sceneweaver.knowledge import Place
 from sceneweaver.scene import CATALOGUE, InputError, Relation, SceneObject
 from sceneweaver.scene.messages import suggest
 
 from .draft import Draft
 from .relations import CEILING, behind_it, wall_named
 
-WORDS = ("type", "to", "soft", "weight", "params")
-
 Chosen = dict[str, str]
 """Which instance a word means for one subject, so that all its relations mean the same."""
 
 
-def row_of(entry: str | Mapping[str, Any], where: str = "place") -> dict[str, Any]:
-    """A relation as type, to, soft, weight and params; what is none of these is a parameter.
-
-    Raises:
-        InputError: for an unknown type of relation.
-    """
-    data: dict[str, Any] = {}
-    if isinstance(entry, str):
-        words = entry.split()
-        data["soft"] = bool(words) and words[0] == "soft"
-        words = words[data["soft"] :]
-        data["type"] = words[0] if words else ""
-        if len(words) > 1:
-            data["to"] = " ".join(words[1:])
-    else:
-        data = {k: v for k, v in entry.items() if k in WORDS and v is not None}
-        data["params"] = {**data.get("params", {}), **{k: v for k, v in entry.items() if k not in WORDS}}
-    if data["type"] not in CATALOGUE:
-        raise InputError(f"{where}.type is '{data['type']}'{suggest(data['type'], CATALOGUE)}")
-    return {"to": None, "soft": False, "weight": 1.0, "params": {}, **data}
+def place_of(entry: Mapping[str, Any], where: str) -> Place:
+    """A relation that a call says; InputError for one of an unknown type."""
+    if entry["type"] not in CATALOGUE:
+        raise InputError(f"{where}.type is '{entry['type']}'{suggest(entry['type'], CATALOGUE)}")
+    return Place.model_validate({k: v for k, v in entry.items() if v is not None or k not in Place.model_fields})
 
 
 def relations_of(
-    draft: Draft, rows: Iterable[Mapping[str, Any]], subject: SceneObject, count: int = 1
+    draft: Draft, places: Iterable[Place], subject: SceneObject, count: int = 1
 ) -> tuple[list[Relation], list[str]]:
     """The relations of one subject, and what could not be said, each as a line.
 
     Args:
         draft: what is there; the subject is in it already.
-        rows: as `row_of` gives them.
+        places: the relations; a target is an id, an item or a category.
         subject: the object to place.
         count: how many equal ones are placed with it.
     """
     found: list[Relation] = []
     failed: list[str] = []
     chosen: Chosen = {}
-    for row in rows:
+    for place in places:
         try:
-            relation = _relation(draft, row, subject, count, chosen)
+            relation = _relation(draft, place, subject, count, chosen)
         except InputError as error:
-            failed.append(f"{subject.id} {row['type']}: {error}")
+            failed.append(f"{subject.id} {place.type}: {error}")
             continue
         if relation is None:
-            failed.append(
-                f"{subject.id} {row['type']} {_words(row['to'])}: there is no such thing here".replace("  ", " ")
-            )
+            words = " ".join((subject.id, place.type, *filter(None, (" or ".join(place.targets),))))
+            failed.append(f"{words}: there is no such thing here")
             continue
         if any((r.type, r.target) == (relation.type, relation.target) for r in found):
             continue
@@ -72,13 +55,10 @@ def relations_of(
     return found, failed
 
 
-def _relation(
-    draft: Draft, row: Mapping[str, Any], subject: SceneObject, count: int, chosen: Chosen
-) -> Relation | None:
-    kind, room = CATALOGUE[row["type"]].target_kind, draft.room
-    params, to = dict(row["params"]), row["to"]
+def _relation(draft: Draft, place: Place, subject: SceneObject, count: int, chosen: Chosen) -> Relation | None:
+    kind, room = CATALOGUE[place.type].target_kind, draft.room
+    type, params, to = place.type, dict(place.params), next(iter(place.targets), None)
     target: str | tuple[str, str] | None = None
-    type = row["type"]
     if kind == "wall":
         target = _wall(draft, to)
     elif kind == "window":
@@ -94,12 +74,11 @@ def _relation(
         if to is not None and to != "door":
             target = _opening(draft, to, [d.id for d in room.doors], "door", subject)
     elif kind == "objects":
-        pair = _pair(draft, to, subject)
-        if pair is None:
+        target = _pair(draft, place.targets, subject)
+        if target is None:
             return None
-        target = pair
     elif kind == "object":
-        target = instance(draft, to, subject, chosen)
+        target = _instance(draft, place.targets, subject, chosen)
         if target is None:
             return None
         other = draft.objects[target]
@@ -112,13 +91,12 @@ def _relation(
             else:
                 params.setdefault("n", count)
     return Relation(
-        type=type, subject=subject.id, target=target, params=params, hard=not row["soft"], weight=row["weight"]
+        type=type, subject=subject.id, target=target, params=params, hard=not place.soft, weight=place.weight
     )
 
 
-def instance(draft: Draft, to: str | Iterable[str] | None, subject: SceneObject, chosen: Chosen) -> str | None:
+def _instance(draft: Draft, words: Iterable[str], subject: SceneObject, chosen: Chosen) -> str | None:
     """The object that is meant: of the first word that names any, the one that fewest of this kind are tied to."""
-    words = [to] if isinstance(to, str) else list(to or ())
     for word in words:
         if word in chosen:
             return chosen[word]
@@ -132,24 +110,22 @@ def instance(draft: Draft, to: str | Iterable[str] | None, subject: SceneObject,
     return None
 
 
-def _wall(draft: Draft, to: Any) -> str | None:
+def _wall(draft: Draft, to: str | None) -> str | None:
     """ "wall:k" of "wall:2", "wall:left" or "left wall"; None for any wall."""
     if to is None or to == "wall":
         return None
-    name = str(to).removeprefix("wall:").removesuffix(" wall")
-    return f"wall:{wall_named(name, draft.room)}"
+    return f"wall:{wall_named(to.removeprefix('wall:').removesuffix(' wall'), draft.room)}"
 
 
-def _opening(draft: Draft, to: Any, ids: list[str], noun: str, subject: SceneObject) -> str:
-    if to in ids:
-        return str(to)
+def _opening(draft: Draft, to: str | None, ids: list[str], noun: str, subject: SceneObject) -> str:
+    if to is not None and to in ids:
+        return to
     if to not in (None, noun, f"{noun}s"):
         raise InputError(f"'{to}' is no {noun}{suggest(str(to), ids)}")
     return min(ids, key=lambda id: (draft.load(id, subject), ids.index(id)))
 
 
-def _pair(draft: Draft, to: Any, subject: SceneObject) -> tuple[str, str] | None:
-    words = [to] if isinstance(to, str) else list(to or ())
+def _pair(draft: Draft, words: Iterable[str], subject: SceneObject) -> tuple[str, str] | None:
     pools = [[id for id in draft.named(word) if id != subject.id] for word in words]
     if len(pools) == 1 and len(pools[0]) > 1:
         return pools[0][0], pools[0][1]
@@ -157,7 +133,3 @@ def _pair(draft: Draft, to: Any, subject: SceneObject) -> tuple[str, str] | None
         second = [id for id in pools[1] if id != pools[0][0]]
         return (pools[0][0], second[0]) if second else None
     return None
-
-
-def _words(to: Any) -> str:
-    return to if isinstance(to, str) else " or ".join(to or ())

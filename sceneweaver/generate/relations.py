@@ -15,7 +15,7 @@ from sceneweaver.language.wall_names import direction_of
 from sceneweaver.scene import CATALOGUE, InputError, Relation, Room, Window
 
 from .conflicts import reconciled
-from .lights import place_along
+from .hanging import place_along
 from .program import Wanted
 from .run import has_place, run_of
 from .seats import seat_relations
@@ -110,25 +110,22 @@ def of_usual(
 ) -> Iterator[Relation]:
     """Where things that were asked for and are no item of the room usually go; what is by another thing is a wish."""
     for one in wanted:
-        for usual in one.usual:
-            place = usual.place
+        for place in one.usual:
             edge = place.type in CATALOGUE.with_role("edge") - {"at_window"}
             if place.type in but.get(one.id, ()) or (edge and one.mount != "floor"):
                 continue
-            named = bool(usual.among)
-            relation = _among(one, place, usual.among, by_category) if named else _of_place(one, place, {}, room)
+            named = bool(place.instead)
+            relation = _instead(one, place, by_category) if named else _of_place(one, place, {}, room)
             if relation is not None:
                 yield relation
 
 
 def _instead(one: Wanted, place: Place, by_category: Mapping[str, list[Wanted]]) -> Relation | None:
-    """What an item's relation means where the other item is not there: a sofa looks at the fire, without a screen."""
-    return _among(one, place, place.instead, by_category)
+    """What a relation means where the other item is not there: a sofa looks at the fire, without a screen.
 
-
-def _among(one: Wanted, place: Place, names: Sequence[str], by_category: Mapping[str, list[Wanted]]) -> Relation | None:
-    """A wish of one thing to the first others that are there; each of several has another where there are as many."""
-    for name in names:
+    A wish of one thing to the first others that are there; each of several has another where there are as many.
+    """
+    for name in place.instead:
         others = [w for w in by_category.get(name, ()) if w is not one and w.support is None]
         if others:
             target, params = others[one.number % len(others)].id, dict(place.params)

@@ -7,7 +7,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
 from sceneweaver.assets.roles import has_role
-from sceneweaver.assets.taxonomy import category_named
 from sceneweaver.knowledge.palettes import Palette as RoomPalette
 from sceneweaver.knowledge.palettes import palette_for
 from sceneweaver.language import Grounded, SceneGraph
@@ -17,14 +16,14 @@ from sceneweaver.scene.palette import MOST_COLORS
 from .draft import walls_of
 from .finish import finished
 from .fit import POOR, fitted
-from .lights import lamp_count
+from .hanging import hung_between, lamp_count
 from .program import BY_RANK, Limits, Program, Wanted, build, demands, free_zones
 from .relations import of_brief, of_items, rows_of
 from .rooms import larger_rooms, may_hold, other_rooms, same_walls, walls_hold
 from .rows import in_rows, lines_of, row_variants
 from .run import Variant, has_place
 from .seats import lengthened
-from .setup import Setup
+from .setup import Proposal, Setup
 from .shell import floor_area, shell
 from .supports import Places, laid, supported
 
@@ -68,27 +67,6 @@ LARGEST = 1.5
 """Times the largest floor of a kind of room up to which one that nobody fixed grows."""
 
 
-@dataclass(frozen=True)
-class RoomDraft:
-    """A room to be laid out.
-
-    Attributes:
-        scene: all objects, at the origin but for what stands on others, and the relations.
-        variants: sets of relations of which one has to hold as well.
-        rooms: other rooms for the same things.
-        larger: larger ones, for what has no place.
-        notes: what was decided.
-        unmet: what could not be done, and why.
-    """
-
-    scene: Scene
-    variants: tuple[Variant, ...]
-    rooms: tuple[Room, ...]
-    larger: tuple[Room, ...]
-    notes: tuple[str, ...]
-    unmet: tuple[str, ...]
-
-
 @dataclass
 class _Floor:
     """The floor [m2] of an attempt: whether the request fixes it, and whether it may shrink to what it holds."""
@@ -112,10 +90,9 @@ class _Attempt:
     variants: list[Variant] = field(default_factory=list)
 
 
-def first_draft(
-    setup: Setup, *, style: str = "", roomier: float = 1.0, hurried: Callable[[], bool] = bool
-) -> RoomDraft:
-    """Draw the room that the knowledge base and the request describe.
+def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried: Callable[[], bool] = bool) -> Proposal:
+    """Draw the room that the knowledge base and the request describe: objects at the origin but for what stands on
+    others, relations, other rooms for the same things and larger ones.
 
     Args:
         setup: request, kind of room, library and seed; its scene is not read.
@@ -151,13 +128,14 @@ def first_draft(
     if given and made.program.left_out:
         reasons = sorted({one.reason for one in made.program.left_out})
         notes.append("left out, as the floor asked for is full: " + ", ".join(reasons[:8]))
-    return RoomDraft(
-        scene,
-        tuple(made.variants),
-        tuple(finished(r, room, look, seed, brief.text) for r in rooms[:ROOMS]),
-        tuple(finished(r, room, look, seed, brief.text) for r in larger),
-        tuple(notes),
-        (*unmet, *made.places.unmet, *_missing(brief, made.program)),
+    return Proposal(
+        scene=scene,
+        variants=tuple(made.variants),
+        rooms=tuple(finished(r, room, look, seed, brief.text) for r in rooms[:ROOMS]),
+        larger=tuple(finished(r, room, look, seed, brief.text) for r in larger),
+        fresh=True,
+        notes=tuple(notes),
+        unmet=(*unmet, *made.places.unmet, *_missing(brief, made.program)),
     )
 
 
@@ -323,12 +301,7 @@ def _hang(one: Wanted, space: Room, over: float) -> tuple[float, float]:
         window = space.windows[one.number % len(space.windows)]
         top = min(window.sill + window.height + 0.04, space.height - 0.02) - one.asset.size[2]
         return round(top - 0.01, 3), round(top + 0.01, 3)
-    own = one.item.hung(one.asset.size[2]) if one.item else None
-    low, high = own or category_named(one.category).bottom or (1.2, 1.5)
-    if over:
-        low, high = max(low, over + 0.08), max(high, over + (0.12 if own else 0.3))
-    most = max(0.0, space.height - one.asset.size[2] - 0.02)
-    return round(min(low, max(0.0, most - 0.1)), 3), round(min(high, most), 3)
+    return hung_between(one.asset, one.item, space.height, over)
 
 
 def _consistent(asked: list[Relation], usual: list[Relation]) -> list[Relation]:

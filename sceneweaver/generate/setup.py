@@ -1,4 +1,4 @@
-"""What every generator starts from."""
+"""What every generator starts from, and what it answers."""
 
 from __future__ import annotations
 
@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from sceneweaver.assets import Library
 from sceneweaver.knowledge import RoomType
 from sceneweaver.language import SceneGraph
-from sceneweaver.scene import Scene
+from sceneweaver.scene import Relation, Room, Scene
+from sceneweaver.scene.edits import AnyEdit
 
 
 @dataclass(frozen=True)
@@ -19,3 +20,25 @@ class Setup:
     scene: Scene
     library: Library
     seed: int
+
+
+@dataclass(frozen=True)
+class Proposal:
+    """What a generator or a tool answers.
+
+    ``scene`` replaces the whole scene (initialisers only), then ``edits`` apply to it in order. Poses in edits are
+    proposals: the executor refines them. Each of ``variants`` holds relations that are added to the scene's; of the
+    layouts of all variants the best wins. ``rooms`` are others for the same things, with as many walls, doors and
+    windows: where the scene's own does not do, the best is taken; ``larger`` ones are for what was asked for and has
+    no place. ``notes`` say what was decided, ``unmet`` what could not be done and why. ``fresh`` asks for a layout from
+    scratch instead of the least movement.
+    """
+
+    edits: tuple[AnyEdit, ...] = ()
+    scene: Scene | None = None
+    variants: tuple[tuple[Relation, ...], ...] = ()
+    rooms: tuple[Room, ...] = ()
+    larger: tuple[Room, ...] = ()
+    fresh: bool = False
+    notes: tuple[str, ...] = ()
+    unmet: tuple[str, ...] = ()

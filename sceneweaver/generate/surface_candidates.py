@@ -9,7 +9,7 @@ import numpy as np
 
 from sceneweaver.geometry.angles import bearing, heading, wrap_angle
 from sceneweaver.geometry.se2 import SE2
-from sceneweaver.knowledge.lived_in import CLUTTER
+from sceneweaver.knowledge.small_things import CLUTTER
 from sceneweaver.knowledge.surfaces import Slot
 from sceneweaver.scene import SceneObject, Surface
 

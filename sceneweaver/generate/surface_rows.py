@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sceneweaver.assets import Asset
-from sceneweaver.knowledge.lived_in import CLUTTER
+from sceneweaver.knowledge.small_things import CLUTTER
 from sceneweaver.knowledge.surfaces import Crowd, Unit
 from sceneweaver.scene import SceneObject, Surface
 

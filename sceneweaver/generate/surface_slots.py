@@ -11,7 +11,7 @@ from types import MappingProxyType
 import numpy as np
 
 from sceneweaver.assets import Asset
-from sceneweaver.knowledge.lived_in import CLUTTER
+from sceneweaver.knowledge.small_things import CLUTTER
 from sceneweaver.knowledge.surfaces import Arrangement, Slot
 from sceneweaver.scene import Relation, SceneObject, Surface
 

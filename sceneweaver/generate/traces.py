@@ -12,7 +12,7 @@ import numpy as np
 from sceneweaver.assets import Wish
 from sceneweaver.geometry.polygons import counter_clockwise
 from sceneweaver.geometry.rotations import is_upright
-from sceneweaver.knowledge.lived_in import Trace
+from sceneweaver.knowledge.small_things import Trace
 from sceneweaver.rules.design import limit
 from sceneweaver.scene import Intent, Pose, Scene, SceneObject
 from sceneweaver.scene.edits import SetPose

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
-
 from sceneweaver.assets.roles import has_role, with_role
-from sceneweaver.knowledge import Item, RoomType
-from sceneweaver.knowledge.usual_places import UsualPlace, usual_places_of
+from sceneweaver.knowledge import Item, Place, RoomType
+from sceneweaver.knowledge.usual_places import usual_places_of
 from sceneweaver.scene import CATALOGUE, SceneObject
 
 from .draft import Draft, groups_of
@@ -15,8 +12,6 @@ from .program import matches
 
 SEAT_WIDTH = 0.62
 """Length [m] of table edge that one seat takes."""
-
-Row = dict[str, Any]
 
 
 def item_for(room_type: RoomType, category: str, draft: Draft, name: str | None = None) -> Item | None:
@@ -28,71 +23,48 @@ def item_for(room_type: RoomType, category: str, draft: Draft, name: str | None 
     return next((item for item in fits if item.id not in there), fits[0] if fits else None)
 
 
-def rows_for(draft: Draft, item: Item | None, subject: SceneObject) -> list[Row]:
+def places_for(draft: Draft, item: Item | None, subject: SceneObject) -> list[Place]:
     """Relations for an object of which nothing was said; those whose target is not there are left out."""
     if subject.mount == "surface":
         return []
-    rows = [_of_place(p) for p in item.place] if item is not None else []
-    rows = [row for row in rows if _there(draft, row, subject)]
-    if rows:
-        return rows
+    places = [place for place in (item.place if item is not None else ()) if _there(draft, place, subject)]
+    if places:
+        return places
     seat = _at_table(draft, subject)
     if seat is not None:
         return [seat]
-    rows = [_of_usual(u) for u in usual_places_of(groups_of(subject.category))]
-    if subject.mount != "wall" and any(row["type"] == "above" for row in rows):
+    usual = usual_places_of(groups_of(subject.category))
+    if subject.mount != "wall" and any(place.type == "above" for place in usual):
         return []
-    return [row for row in rows if _there(draft, row, subject)]
+    return [place for place in usual if _there(draft, place, subject)]
 
 
-def _of_place(place: Any) -> Row:
-    return {
-        "type": place.type,
-        "to": place.to,
-        "soft": place.soft,
-        "weight": place.weight,
-        "params": dict(place.params),
-    }
-
-
-def _of_usual(usual: UsualPlace) -> Row:
-    row = _of_place(usual.place)
-    return {**row, "to": usual.among} if usual.among else row
-
-
-def _there(draft: Draft, row: Mapping[str, Any], subject: SceneObject) -> bool:
+def _there(draft: Draft, place: Place, subject: SceneObject) -> bool:
     """Whether what a relation needs is in the room; a wall relation is nothing for what hangs from the ceiling."""
-    to = row["to"]
-    if row["type"] in CATALOGUE.with_role("edge") - {"at_window"} and subject.mount != "floor":
+    if place.type in CATALOGUE.with_role("edge") - {"at_window"} and subject.mount != "floor":
         return False
-    if row["type"] == "at_window" or to == "window":
+    if place.type == "at_window" or place.to == "window":
         return bool(draft.room.windows)
-    if row["type"] == "away_from_door" or to == "door":
+    if place.type == "away_from_door" or place.to == "door":
         return bool(draft.room.doors)
-    words = [to] if isinstance(to, str) else list(to or ())
-    if not words or str(to).partition(":")[0] == "wall":
+    if not place.targets or str(place.to).partition(":")[0] == "wall":
         return True
-    return any(id != subject.id for word in words for id in draft.named(word))
+    return any(id != subject.id for word in place.targets for id in draft.named(word))
 
 
-def _at_table(draft: Draft, subject: SceneObject) -> Row | None:
+def _at_table(draft: Draft, subject: SceneObject) -> Place | None:
     """For a chair: the relation to a desk or table that has a side free."""
     if subject.mount != "floor" or not has_role(subject.category, "table_seat"):
         return None
     # A bar stool is too high for a table, and a chair too low for a counter.
     high = subject.category == "bar_stool"
     kinds = with_role("counter") if high else with_role("from_front", "dining_table") - with_role("counter")
-    best: tuple[float, str] | None = None
-    for o in draft.objects.values():
-        if o.category not in kinds or o.mount != "floor":
-            continue
-        free = _seats(o) - _taken(draft, o.id)
-        if free > 0 and (best is None or free > best[0]):
-            best = free, o.id
-    if best is None:
+    tables = [o for o in draft.objects.values() if o.category in kinds and o.mount == "floor"]
+    free = {o.id: _seats(o) - _taken(draft, o.id) for o in tables}
+    best = max(tables, key=lambda o: free[o.id], default=None)
+    if best is None or free[best.id] <= 0:
         return None
-    relation = "front_to_front" if has_role(draft.objects[best[1]].category, "from_front") else "front_against"
-    return {"type": relation, "to": best[1], "soft": False, "weight": 1.0, "params": {}}
+    return Place(type="front_to_front" if has_role(best.category, "from_front") else "front_against", to=best.id)
 
 
 def _seats(table: SceneObject) -> int:

@@ -13,7 +13,7 @@ from sceneweaver.assets.roles import has_role
 from sceneweaver.assets.taxonomy import category_named, members
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.knowledge.shells import first_group, shells
-from sceneweaver.knowledge.wall_things import most_on_walls, wall_things
+from sceneweaver.knowledge.small_things import most_on_walls, wall_things
 from sceneweaver.scene import InputError, Intent, Pose, Relation, SceneObject, Window
 from sceneweaver.scene.edits import Add, AnyEdit, Relate
 

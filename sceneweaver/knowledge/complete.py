@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from functools import cache
-from importlib import resources
 
 from pydantic import Field
 
 from sceneweaver.assets import categories
 from sceneweaver.scene.base import FrozenModel
 
-from .load import read_yaml, room_types
+from .load import check_known, data_of, room_types
 
 
 class Expected(FrozenModel):
@@ -32,10 +31,7 @@ def expected_of(room: str) -> tuple[Expected, ...]:
 @cache
 def _rows() -> tuple[Expected, ...]:
     """All rows; ValueError where one names a room or category that is unknown."""
-    data = read_yaml(resources.files(__package__ or "").joinpath("complete.yaml").read_text(encoding="utf-8"))
-    rows = tuple(Expected(**row) for row in data)
-    unknown = {room for row in rows for room in row.rooms} - set(room_types())
-    unknown |= {name for row in rows for name in row.what | row.where} - set(categories())
-    if unknown:
-        raise ValueError(f"complete.yaml: {', '.join(sorted(unknown))} is no kind of room or category")
+    rows = tuple(Expected(**row) for row in data_of("complete.yaml"))
+    check_known("complete.yaml", (room for row in rows for room in row.rooms), room_types(), "kind of room")
+    check_known("complete.yaml", (name for row in rows for name in row.what | row.where), categories())
     return rows

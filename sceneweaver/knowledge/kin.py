@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from functools import cache
-from importlib import resources
 from typing import Any
 
 from sceneweaver.assets import categories
@@ -13,7 +12,7 @@ from sceneweaver.assets.plurals import singular
 from sceneweaver.assets.roles import groups_above
 from sceneweaver.assets.taxonomy import members
 
-from .load import read_yaml
+from .load import check_known, data_of
 
 
 @cache
@@ -28,13 +27,11 @@ def families() -> tuple[Mapping[str, frozenset[str]], Mapping[str, tuple[str, ..
 
 @cache
 def _file() -> Mapping[str, Any]:
-    data = read_yaml(resources.files(__package__ or "").joinpath("kin.yaml").read_text(encoding="utf-8"))
+    data = data_of("kin.yaml")
     lists = [*data["families"].values(), *data["only_for"].values(), *data["places"].values()]
     lists += [*data["stand_ins"], *data["interchangeable"], *data["anywhere"].values()]
-    named = {c for names in lists for c in names}
-    unknown = sorted((named - set(categories())) | (set(data["only_for"]) - set(data["families"])))
-    if unknown:
-        raise ValueError(f"kin.yaml: {', '.join(unknown)} are no categories or families")
+    check_known("kin.yaml", (c for names in lists for c in names), categories())
+    check_known("kin.yaml", data["only_for"], data["families"], "family")
     return data
 
 

@@ -74,24 +74,25 @@ def learned_rooms() -> Mapping[str, RoomType]:
     return MappingProxyType({**beside, **_kept()}) if beside else _kept()
 
 
-def _kept() -> Mapping[str, RoomType]:
+def _place() -> Path | None:
+    """The folder that is read now; None where there are to be no learned rooms."""
     folder = _only.get()
-    place = rooms_folder() if isinstance(folder, bool) else folder
+    return rooms_folder() if isinstance(folder, bool) else folder
+
+
+def _kept() -> Mapping[str, RoomType]:
+    place = _place()
     return _rooms(_state(place)) if place is not None else MappingProxyType({})
 
 
 def learned_words() -> Mapping[str, str]:
     """Every phrase that names a learned room, lower case, to its name; none of them is known otherwise."""
     rooms = _kept()
-    if not rooms:
-        return {}
     table = {plain(name): name for name in rooms}
     for name, room in rooms.items():
         for word in room.words:
             table.setdefault(plain(word), name)
-    return (
-        MappingProxyType({word: name for word, name in table.items() if word not in room_words()}) if table else table
-    )
+    return {word: name for word, name in table.items() if word not in room_words()}
 
 
 def named_in(text: str) -> list[RoomType]:
@@ -140,8 +141,7 @@ def forget_room(words: str) -> Path:
 
 def room_file(name: str) -> str:
     """The text of the file of a learned room; InputError when there is none."""
-    folder = _only.get()
-    place = rooms_folder() if isinstance(folder, bool) else folder
+    place = _place()
     if place is None or name not in _kept():
         raise InputError(f"room: '{shorten(name)}' was never learned{suggest(name, learned_rooms(), what='learned')}")
     return read_bytes(place / f"{name}.yaml", max_bytes=LARGEST).decode()
@@ -152,16 +152,11 @@ State = tuple[tuple[str, int, int], ...]
 
 def _state(folder: Path) -> State:
     """Path, time and length of each file of a folder."""
-    found = []
     try:
-        with os.scandir(folder) as entries:
-            for entry in entries:
-                if entry.name.endswith(".yaml") and not entry.name.startswith(".") and entry.is_file():
-                    stat = entry.stat()
-                    found.append((entry.path, stat.st_mtime_ns, stat.st_size))
+        files = [(str(f), f.stat()) for f in folder.glob("*.yaml") if f.is_file() and not f.name.startswith(".")]
     except OSError:
         return ()
-    return tuple(sorted(found))
+    return tuple(sorted((path, stat.st_mtime_ns, stat.st_size) for path, stat in files))
 
 
 @lru_cache(maxsize=8)

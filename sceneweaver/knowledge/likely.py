@@ -6,14 +6,13 @@ import math
 import re
 from collections.abc import Iterable, Mapping
 from functools import cache
-from importlib import resources
-from typing import NamedTuple
+from typing import Any
 
 from sceneweaver.assets import categories
 from sceneweaver.assets.taxonomy import members
 
 from .kin import families
-from .load import read_yaml, room_types, room_words
+from .load import check_known, data_of, room_types, room_words
 from .model import RoomType
 
 CHANCE = {"needed": 0.9, "usual": 0.6, "optional": 0.25}
@@ -29,30 +28,20 @@ NAMED, BESIDE = 40.0, 6.0
 """How much likelier a kind of room is whose name stands in the text, on its own and before another noun."""
 
 
-class _Data(NamedTuple):
-    decisive: tuple[str, ...]
-    prior: Mapping[str, float]
-    signs: Mapping[str, frozenset[str]]
-
-
 @cache
-def _data() -> _Data:
-    text = resources.files(__package__ or "").joinpath("likely_rooms.yaml").read_text(encoding="utf-8")
-    data = read_yaml(text)
-    if unknown := sorted({*data["prior"], *data["signs"]} - set(room_types())):
-        raise ValueError(f"likely_rooms.yaml: {', '.join(unknown)} are no rooms")
-    if unknown := sorted({name for names in data["signs"].values() for name in names} - set(categories())):
-        raise ValueError(f"likely_rooms.yaml: {', '.join(unknown)} are no categories")
-    if unknown := sorted(set(data["decisive"]) - set(families()[0])):
-        raise ValueError(f"likely_rooms.yaml: {', '.join(unknown)} are no families of kin.yaml")
-    signs = {room: frozenset(names) for room, names in data["signs"].items()}
-    return _Data(tuple(data["decisive"]), data["prior"], signs)
+def _data() -> Mapping[str, Any]:
+    """The file: ``prior`` of rooms, ``signs`` of rooms, and the families that are ``decisive``."""
+    file, data = "likely_rooms.yaml", data_of("likely_rooms.yaml")
+    check_known(file, (*data["prior"], *data["signs"]), room_types(), "kind of room")
+    check_known(file, (name for names in data["signs"].values() for name in names), categories())
+    check_known(file, data["decisive"], families()[0], "family of kin.yaml")
+    return data
 
 
 @cache
 def _chances(room: str) -> Mapping[str, float]:
     """The chance of each category that belongs to a kind of room."""
-    found: dict[str, float] = dict.fromkeys(_data().signs.get(room, ()), SIGN)
+    found: dict[str, float] = dict.fromkeys(_data()["signs"].get(room, ()), SIGN)
     for item in room_types()[room].items:
         for name in item.what:
             for category in (name, *members(name)):
@@ -82,7 +71,7 @@ def likeliest_room(named: Iterable[str], text: str = "") -> RoomType | None:
     def score(room: str) -> float:
         chances = _chances(room)
         found = sum(math.log(chances.get(c, STRANGE)) for c in told)
-        return found + math.log(_data().prior.get(room, PRIOR)) + math.log(words.get(room, 1.0))
+        return found + math.log(_data()["prior"].get(room, PRIOR)) + math.log(words.get(room, 1.0))
 
     return known[max(_possible(told), key=score)]
 
@@ -90,7 +79,7 @@ def likeliest_room(named: Iterable[str], text: str = "") -> RoomType | None:
 def _possible(told: Iterable[str]) -> list[str]:
     """The kinds of rooms that may hold what decides: beds are in rooms to sleep in, whatever else is there."""
     found = sorted(room_types())
-    for family in (families()[0][name] for name in _data().decisive):
+    for family in (families()[0][name] for name in _data()["decisive"]):
         if family.intersection(told):
             found = [room for room in found if family.intersection(_chances(room))] or found
     return found

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Container, Iterable, Mapping
 from functools import cache
 from importlib import resources
 from types import MappingProxyType
@@ -25,22 +25,36 @@ def read_yaml(text: str) -> Any:
 
 
 @cache
+def data_of(name: str) -> Any:
+    """What a YAML file beside this module says."""
+    return read_yaml(resources.files(__package__ or "").joinpath(name).read_text(encoding="utf-8"))
+
+
+def files_of(folder: str) -> dict[str, dict[str, Any]]:
+    """The data of all YAML files of a folder beside this module, in the order of their names without the ending."""
+    files = sorted(resources.files(__package__ or "").joinpath(folder).iterdir(), key=lambda f: f.name)
+    yaml_files = [file.name for file in files if file.name.endswith(".yaml")]
+    return {name.removesuffix(".yaml"): data_of(f"{folder}/{name}") for name in yaml_files}
+
+
+def check_known(file: str, names: Iterable[str], known: Container[str], kind: str = "category") -> None:
+    """ValueError where a file names something that is not known."""
+    if unknown := sorted(name for name in set(names) if name not in known):
+        raise ValueError(f"{file}: {', '.join(unknown)} is no {kind}")
+
+
+@cache
 def group_templates() -> Mapping[str, GroupTemplate]:
     """All templates of groups by name."""
-    return MappingProxyType({data["name"]: GroupTemplate(**data) for data in _files("groups")})
+    return MappingProxyType({data["name"]: GroupTemplate(**data) for data in files_of("groups").values()})
 
 
 @cache
 def room_types() -> Mapping[str, RoomType]:
     """All kinds of rooms by name, their groups expanded into plain items."""
     templates = group_templates()
-    return MappingProxyType({data["name"]: RoomType(**expanded(data, templates)) for data in _files("rooms")})
-
-
-def _files(folder: str) -> list[dict[str, Any]]:
-    """The data of all YAML files of a folder beside this module, by name."""
-    files = sorted(resources.files(__package__ or "").joinpath(folder).iterdir(), key=lambda f: f.name)
-    return [read_yaml(f.read_text(encoding="utf-8")) for f in files if f.name.endswith(".yaml")]
+    found = (RoomType(**expanded(data, templates)) for data in files_of("rooms").values())
+    return MappingProxyType({room.name: room for room in found})
 
 
 @cache

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Annotated, Any, Literal
+from typing import Any, Literal
 
 from pydantic import Field, field_validator, model_validator
 
@@ -47,8 +47,15 @@ class Place(FrozenModel):
         if isinstance(data, dict):
             known = {k: v for k, v in data.items() if k in cls.model_fields}
             extra = {k: v for k, v in data.items() if k not in cls.model_fields}
+            if isinstance(known.get("to"), list):  # of several kinds of things the first that is there
+                known["instead"] = known.pop("to")
             return {**known, "params": {**known.get("params", {}), **extra}}
         return data
+
+    @property
+    def targets(self) -> tuple[str, ...]:
+        """What it may be to, the first choice first; empty where it needs nothing."""
+        return self.instead if self.to is None else (self.to,)
 
     @field_validator("type")
     @classmethod
@@ -213,6 +220,3 @@ class RoomType(FrozenModel):
             if item.id == item_id:
                 return item
         raise KeyError(item_id)
-
-
-__all__ = ["Annotated", "Count", "Item", "Need", "Opening", "Place", "RoomType"]

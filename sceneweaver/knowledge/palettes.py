@@ -6,7 +6,6 @@ import colorsys
 import random
 from collections.abc import Mapping, Sequence
 from functools import cache
-from importlib import resources
 from types import MappingProxyType
 from typing import Annotated, Literal
 
@@ -15,7 +14,7 @@ from pydantic import Field
 from sceneweaver.assets.materials import color_named, shade
 from sceneweaver.scene.base import FrozenModel
 
-from .load import read_yaml
+from .load import data_of
 
 FloorMaterial = Literal["wood", "tile", "carpet", "concrete", "stone"]
 AccentKind = Literal["plain", "paint", "paper", "panelling"]
@@ -50,8 +49,7 @@ class Palette(FrozenModel):
 @cache
 def palettes() -> Mapping[str, Palette]:
     """All palettes by name."""
-    rows = _data()["palettes"]
-    return MappingProxyType({name: Palette(name=name, **row) for name, row in rows.items()})
+    return MappingProxyType({name: Palette(name=name, **row) for name, row in _data()["palettes"].items()})
 
 
 @cache
@@ -131,9 +129,5 @@ def _drawn(shares: Mapping, seed: str):
     return random.Random(seed).choices(names, [shares[name] for name in names])[0]
 
 
-@cache
 def _data() -> Mapping:
-    return read_yaml(resources.files(__package__ or "").joinpath("palettes.yaml").read_text(encoding="utf-8"))
-
-
-__all__ = ["Palette", "accent_for", "floor_for", "groups_of", "palette_for", "palettes"]
+    return data_of("palettes.yaml")

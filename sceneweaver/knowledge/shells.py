@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cache
-from importlib import resources
 
 from pydantic import Field
 
 from sceneweaver.scene.base import FrozenModel
 
-from .load import read_yaml
+from .load import data_of
 from .palettes import groups_of
 
 
@@ -41,7 +40,7 @@ class Shells(FrozenModel):
 @cache
 def shells() -> Shells:
     """What the file says."""
-    return Shells(**read_yaml(resources.files(__package__ or "").joinpath("shells.yaml").read_text(encoding="utf-8")))
+    return Shells(**data_of("shells.yaml"))
 
 
 def first_group(room: str) -> str:

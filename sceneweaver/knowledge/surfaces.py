@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cache
-from importlib import resources
 from types import MappingProxyType
 from typing import Any, Literal, TypeVar
 
@@ -18,7 +17,7 @@ from sceneweaver.scene import CATALOGUE, InputError
 from sceneweaver.scene.base import FrozenModel
 from sceneweaver.scene.messages import suggest
 
-from .load import read_yaml
+from .load import files_of
 from .model import Need, Range
 
 Side = Literal["front", "back", "left", "right", "beside"]
@@ -38,14 +37,9 @@ class _Kinds(FrozenModel):
         default=0.0, description="Most the yaw strays [degrees] in a room as usual; 0 where a person would align it"
     )
 
-    @field_validator("what", mode="before")
+    @field_validator("what", "only", mode="before", check_fields=False)
     @classmethod
     def _one(cls, value: Any) -> Any:
-        return (value,) if isinstance(value, str) else value
-
-    @field_validator("only", mode="before", check_fields=False)
-    @classmethod
-    def _some(cls, value: Any) -> Any:
         return (value,) if isinstance(value, str) else value
 
     @field_validator("what")
@@ -101,17 +95,22 @@ class Slot(_Kinds):
         return self
 
 
-class Arrangement(FrozenModel):
-    """Things that belong together on one piece of furniture."""
+class _Plan(FrozenModel):
+    """What furniture of some categories carries, in some kinds of rooms."""
 
     name: str
     description: str
     by_category: tuple[str, ...] = Field(default=(), description="Categories of furniture that it suits")
+    rooms: tuple[str, ...] = Field(default=(), description="Kinds of rooms that it is for; none: all others")
+    instead: tuple[str, ...] = Field(default=(), description="Others whose place it takes in its rooms")
+
+
+class Arrangement(_Plan):
+    """Things that belong together on one piece of furniture."""
+
     user: Literal["front", "back"] = Field(default="front", description="Side of the furniture its user is at")
     top: bool = Field(default=False, description="Whether it goes on the highest surface, not the one to work at")
     most: float = Field(default=0.5, description="Largest share of the surface to cover, for what is not needed")
-    rooms: tuple[str, ...] = Field(default=(), description="Kinds of rooms that it is for; none: all others")
-    instead: tuple[str, ...] = Field(default=(), description="Others whose place it takes in its rooms")
     slots: tuple[Slot, ...]
 
     @field_validator("slots")
@@ -156,12 +155,9 @@ class Unit(_Kinds):
     same: bool = Field(default=True, description="Whether those of one group are equal")
 
 
-class Crowd(FrozenModel):
+class Crowd(_Plan):
     """What fills shelves, racks and counters of one kind."""
 
-    name: str
-    description: str
-    by_category: tuple[str, ...] = Field(default=(), description="Categories of furniture that it suits")
     mode: Literal["pack", "spread"] = Field(
         default="spread", description="Groups close together from one end, or evenly spread"
     )
@@ -169,8 +165,6 @@ class Crowd(FrozenModel):
     share: Range = Field(default=(0.35, 0.9), description="Share of the width that is filled, at density 0 and 1")
     setback: float = Field(default=0.02, description="From the front edge [m]")
     top: str | None = Field(default=None, description="Another theme for the open top of a piece with shelves")
-    rooms: tuple[str, ...] = Field(default=(), description="Kinds of rooms that it is for; none: all others")
-    instead: tuple[str, ...] = Field(default=(), description="Others whose place it takes in its rooms")
     units: tuple[Unit, ...]
 
 
@@ -179,14 +173,11 @@ Read = TypeVar("Read", Arrangement, Crowd)
 
 def _read(folder: str, kind: type[Read]) -> Mapping[str, Read]:
     found: dict[str, Read] = {}
-    for file in sorted(resources.files(__package__ or "").joinpath(folder).iterdir(), key=lambda f: f.name):
-        if file.name.endswith(".yaml"):
-            data = read_yaml(file.read_text(encoding="utf-8"))
-            name = file.name.removesuffix(".yaml")
-            try:
-                found[name] = kind(name=name, **data)
-            except (InputError, TypeError) as error:
-                raise InputError(f"{folder}/{file.name}: {error}") from None
+    for name, data in files_of(folder).items():
+        try:
+            found[name] = kind(name=name, **data)
+        except (InputError, TypeError) as error:
+            raise InputError(f"{folder}/{name}.yaml: {error}") from None
     return MappingProxyType(found)
 
 
@@ -230,7 +221,7 @@ def crowd_of(room: str | None = None) -> Mapping[str, str]:
     return _usual(crowds(), room)
 
 
-def _usual(plans: Mapping[str, Arrangement] | Mapping[str, Crowd], room: str | None) -> Mapping[str, str]:
+def _usual(plans: Mapping[str, Read], room: str | None) -> Mapping[str, str]:
     """By category the plan for any room, or where there is one that for this kind."""
     anywhere = {c: name for name, one in plans.items() if not one.rooms for c in one.by_category}
     here = {c: name for name, one in plans.items() if room in one.rooms for c in one.by_category}
@@ -245,6 +236,6 @@ def usual_arrangement(top: str | None, category: str, room: str | None = None) -
 
 def lays(plan: Arrangement | None, category: str, count: int = 1) -> bool:
     """Whether an arrangement has a place of its own for so many of a category, not one before every chair."""
-    return (
-        plan is not None and count <= BESIDE and any(category in slot.what and slot.each is None for slot in plan.slots)
-    )
+    if plan is None or count > BESIDE:
+        return False
+    return any(category in slot.what and slot.each is None for slot in plan.slots)

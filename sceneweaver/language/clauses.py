@@ -60,11 +60,7 @@ def _end_sentence(state: State) -> None:
     """What is open ends; who the sentence was about is what "it" may mean in the next."""
     open_ends(state)
     close_surface(state)
-    inverted: list[Mention] = []
-    if state.inverted:
-        inverted = [
-            t for f in state.frames[:1] for _, targets, _ in f.fronted for t in targets if isinstance(t, Mention)
-        ]
+    inverted = state.frames[0].fronted_on if state.inverted and state.frames else []
     topic = inverted or state.subject or state.first_items[:1]
     if not topic and state.lost:
         topic = state.out.mentions[state.begun :][:1]

@@ -21,8 +21,7 @@ def without_chunk(state: State, chunk: Chunk) -> None:
     for k, ahead in enumerate(state.chunks[state.at : state.at + 4]):
         place = str(ahead.value.value).split(":")[0] if ahead.kind == "noun" and ahead.value.what == "place" else ""
         if place in rules:
-            span = state.source.span(ahead.start, ahead.end)
-            state.out.without += [(name, (name,), span) for name in rules[place]]
+            state.out.without += [(name, (name,), state.span_of(ahead)) for name in rules[place]]
             state.at += k + 1
             return
     if state.at < len(state.chunks) and state.chunks[state.at].text.split()[0] in ("else", "more"):
@@ -53,8 +52,7 @@ def excluded(state: State, phrase: NounPhrase, chunk: Chunk) -> bool:
 
 def _leave_out(state: State, phrase: NounPhrase) -> None:
     """The categories, or groups of them, that a noun phrase rules out."""
-    span = state.source.span(phrase.start, phrase.end)
-    groups = words("groups")
+    span, groups = state.span_of(phrase), words("groups")
     if phrase.what == "place":
         state.out.openings[str(phrase.value)] = 0
     elif phrase.what == "group":

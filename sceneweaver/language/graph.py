@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Any
 
 from sceneweaver.assets.taxonomy import category_named, narrower
 
 from .meaning import unsaid
 from .model import Attribute, Entity, Exclusion, SceneGraph, StatedRelation, Unread
-from .mutual import pairs, split_mutual
+from .mutual import split_mutual
 from .parsed import Left, Mention, Parsed, Said
 from .source import Source
 from .vocabulary import words
 
 MOST = 400
 """Most things of a request that are taken seriously, of one kind and together."""
+
+_SAME = ("room_type", "room_words", "other_rooms", "shape", "people", "style", "only")
+"""What a graph says of the room as it was parsed."""
 
 _SIDES = ("left_of", "right_of", "next_to", "in_front_of", "behind", "near", "flanking", "around")
 
@@ -30,38 +34,31 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     _shared_support(parsed)
     _by_attribute(parsed, mentions)
     _pairs_of_flanks(parsed)
-    ids = {id(m): m.id for m in mentions}
-    relations = [r for said in parsed.said for r in _relations(said, ids, notes)]
-    relations = [r.model_copy(update={"id": f"relation-{k}"}) for k, r in enumerate(_once(relations))]
+    relations = _once([r for said in parsed.said for r in _relations(said, mentions, notes)])
     exclusions = {(words, names): span for words, names, span in reversed(parsed.without)}
+    unread = {left.words: left for left in reversed(parsed.unread) if left.words.strip()}
     graph = SceneGraph(
         text=text,
-        room_type=parsed.room_type,
-        room_words=parsed.room_words,
-        other_rooms=tuple(parsed.other_rooms),
-        shape=parsed.shape,  # type: ignore[arg-type]
+        **{name: getattr(parsed, name) for name in _SAME},
         size=source.size,
         area=source.area,
         height=source.height,
         scale=parsed.room_scale,
-        people=parsed.people,
         for_whom=tuple(dict.fromkeys(parsed.for_whom)),
-        style=parsed.style,
         colors=tuple(dict.fromkeys(parsed.colors)),
         windows=parsed.openings.get("window"),
         doors=parsed.openings.get("door"),
         density=parsed.density or "normal",  # type: ignore[arg-type]
         entities=tuple(_entity(m, notes) for m in mentions),
-        relations=tuple(relations),
+        relations=tuple(r.model_copy(update={"id": f"relation-{k}"}) for k, r in enumerate(relations)),
         exclusions=tuple(
             Exclusion(id=f"exclusion-{k}", words=words, categories=names, span=span)
             for k, ((words, names), span) in enumerate(reversed(exclusions.items()))
         ),
-        only=parsed.only,
         unread=tuple(
             Unread(words=left.words, span=source.span(left.start, left.end) if left.end > left.start else None)
-            for left in {left.words: left for left in reversed(parsed.unread) if left.words.strip()}.values()
-        )[::-1],
+            for left in reversed(unread.values())
+        ),
     )
     notes += [f"'{said.words}' cannot be said as a relation" for said in unsaid(graph) if not said.implied]
     return graph.model_copy(update={"notes": tuple(dict.fromkeys(notes))})
@@ -69,13 +66,13 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
 
 def _without_contradictions(parsed: Parsed) -> list[Mention]:
     """What is both wanted and not wanted stays out."""
-    related = {id(m) for said in parsed.said for m in said.subjects}
+    related = {m for said in parsed.said for m in said.subjects}
     excluded = {name for _, names, _ in parsed.without for name in names}
     first: dict[str, Mention] = {}
     kept: list[Mention] = []
     for mention in parsed.mentions:
         other = first.setdefault(mention.category, mention)
-        apart = other is not mention and id(mention) not in related and id(other) not in related
+        apart = other is not mention and related.isdisjoint((mention, other))
         if apart and other.count and mention.count and other.count != mention.count and _alike(other, mention):
             parsed.note(f"{other.noun}: {other.count[0]} and {mention.count[0]} were asked for; both are made")
         if mention.category in excluded:
@@ -124,26 +121,22 @@ def _named(mentions: list[Mention]) -> None:
 
 def _shared_support(parsed: Parsed) -> None:
     """What is beside something that stands on a table stands on the table as well, when it is small."""
-    carried: dict[int, Mention] = {}
+    carried: dict[Mention, Mention] = {}
     for said in parsed.said:
         if said.type in ("on", "inside") and isinstance(said.targets[0], Mention):
             for subject in said.subjects:
-                carried.setdefault(id(subject), said.targets[0])
-    placed = {
-        id(m)
-        for said in parsed.said
-        if isinstance(said.targets[0], str) and said.targets[0] != "each other"
-        for m in said.subjects
-    }
+                carried.setdefault(subject, said.targets[0])
+    at_places = [s for s in parsed.said if isinstance(s.targets[0], str) and s.targets[0] != "each other"]
+    placed = {m for said in at_places for m in said.subjects}
     for _ in range(2):  # a book beside a mug beside a lamp on the desk
         for said in [s for s in parsed.said if s.type in _SIDES]:
             target = said.targets[0]
             if not isinstance(target, Mention):
                 continue
             for one, two in [(s, target) for s in said.subjects] + [(target, s) for s in said.subjects]:
-                carrier, open_ = carried.get(id(two)), id(one) not in carried and id(one) not in placed
+                carrier, open_ = carried.get(two), one not in carried and one not in placed
                 if carrier is not None and carrier is not one and open_ and one.is_small and two.is_small:
-                    carried[id(one)] = carrier
+                    carried[one] = carrier
                     parsed.said.append(Said("on", [one], (carrier,), said.words, implied=True, span=said.span))
 
 
@@ -151,14 +144,14 @@ def _by_attribute(parsed: Parsed, mentions: list[Mention]) -> None:
     """ "Wall-mounted", "bedside" and the like say where something is, too."""
     rules = words("nouns")["said_of_place"]
     beds: list[Mention | str] = [m for m in mentions if m.category.endswith("bed") and m.noun != "flower bed"]
-    related = {id(m) for s in parsed.said for m in s.subjects if not s.implied}
+    related = {m for s in parsed.said for m in s.subjects if not s.implied}
     for mention in mentions:
         spoken = [word for a in mention.attributes for word in (a.words, *([a.value] if a.kind != "part" else []))]
         spoken += [word for word in rules if f"{mention.noun} ".startswith(f"{word} ")]
         for phrase in dict.fromkeys(word for word in spoken if word in rules):
             kind, place = rules[phrase]
             there = next(iter(beds), None) if place == "bed" else place
-            if there is None or there is mention or (place in ("bed", "corner") and id(mention) in related):
+            if there is None or there is mention or (place in ("bed", "corner") and mention in related):
                 continue
             kind = "flanking" if place == "bed" and mention.count == (2, 2) else kind
             parsed.said.append(Said(kind, [mention], (there,), phrase, implied=True, span=mention.span))
@@ -177,7 +170,6 @@ def _entity(mention: Mention, notes: list[str]) -> Entity:
     if count is not None and count[1] > MOST:
         notes.append(f"{count[1]} x {mention.noun} was brought to {MOST}")
         count = (min(count[0], MOST), MOST)
-    d, w, h = mention.size
     found = category_named(mention.category).size
     for want, bounds, name in zip(mention.size, found.ranges if found else (), ("deep", "wide", "high"), strict=False):
         if want is not None and not bounds[0] - 1e-6 <= want <= bounds[1] + 1e-6:
@@ -187,50 +179,33 @@ def _entity(mention: Mention, notes: list[str]) -> Entity:
     seen: dict[tuple[str, str], Attribute] = {}
     for attribute in mention.attributes:
         seen.setdefault((attribute.kind, attribute.words), attribute)
-    return Entity(
-        id=mention.id,
-        noun=mention.noun,
-        category=mention.category,
-        generic=mention.generic,
-        count=count,
-        color=mention.color,
-        material=mention.material,
-        style=mention.style,
-        size=(d, w, h),
-        scale=mention.scale,
-        words=tuple(dict.fromkeys(mention.words)),
-        attributes=tuple(a.model_copy(update={"id": f"{mention.id}/{k}"}) for k, a in enumerate(seen.values())),
-        implied=mention.implied,
-        span=mention.span,
-    )
+    given: dict[str, Any] = {name: getattr(mention, name) for name in Entity.model_fields}
+    given["attributes"] = [a.model_copy(update={"id": f"{mention.id}/{k}"}) for k, a in enumerate(seen.values())]
+    given |= {"count": count, "words": tuple(dict.fromkeys(mention.words))}
+    return Entity(**given)
 
 
-def _relations(said: Said, ids: dict[int, str], notes: list[str]) -> list[StatedRelation]:
+def _relations(said: Said, mentions: list[Mention], notes: list[str]) -> list[StatedRelation]:
     """A spoken relation, one for each kind of thing that it is about."""
-    subjects = [m for m in said.subjects if id(m) in ids]
+    subjects = [m for m in said.subjects if m in mentions]
     if said.targets == ("each other",):
         if len(subjects) < 2:
             noun = subjects[0].noun if subjects else "things"
             notes.append(f"'{said.words}' cannot be said of these {noun}; it was left out")
-        both = [(a.id, (b.id,)) for a, b in pairs(said.type, subjects)]
+        both = [(a.id, (b.id,)) for a, b in _couples(said.type, subjects)]
     else:
-        names = tuple(t if isinstance(t, str) else ids.get(id(t), "") for t in said.targets)
+        names = tuple(t if isinstance(t, str) else t.id if t in mentions else "" for t in said.targets)
         both = [(subject.id, names) for subject in subjects if all(names) and subject.id not in names]
-    return [
-        StatedRelation(
-            type=said.type,  # type: ignore[arg-type]
-            subject=subject,
-            targets=names,
-            words=said.words,
-            count=said.count,
-            each=said.each,
-            side=said.side,  # type: ignore[arg-type]
-            params=dict(said.params),
-            implied=said.implied,
-            span=said.span,
-        )
-        for subject, names in both
-    ]
+    given = {name: getattr(said, name) for name in StatedRelation.model_fields if hasattr(said, name)}
+    return [StatedRelation(**given | {"subject": subject, "targets": names}) for subject, names in both]
+
+
+def _couples(kind: str, subjects: list[Mention]) -> list[tuple[Mention, Mention]]:
+    """Who is related to whom: two that face each other both do, a row goes from one to the next."""
+    if kind == "facing":
+        couples = list(zip(subjects[::2], subjects[1::2], strict=False))
+        return [pair for a, b in couples for pair in ((a, b), (b, a))]
+    return list(pairwise(subjects))
 
 
 def _once(relations: list[StatedRelation]) -> list[StatedRelation]:

@@ -65,7 +65,7 @@ def begin_clause(state: State, mentions: list[Mention], glue: str, keep: bool = 
 def _relate_fronted(state: State, fronted: list[Fronted], mentions: list[Mention]) -> None:
     """ "On the desk sits a laptop": what was said ahead of who it is about."""
     for place, targets, at in fronted:
-        relate(state, place, mentions, targets, at)
+        relate(state, place, mentions, targets, state.span_of(at))
         if place.type in ("on", "inside") and isinstance(targets[0], Mention):
             open_surface(state, targets[0], place.words)
 
@@ -166,7 +166,7 @@ def _place_item(state: State, frame: Frame, mentions: list[Mention]) -> None:
     elif holds:
         kind = support_kind(kind, frame.owner[0])
     place = Place(kind, words=frame.words, each=frame.each or kind == "flanking")
-    relate(state, place, mentions, targets, None, span=state.chunk_span())
+    relate(state, place, mentions, targets, state.chunk_span())
 
 
 def give_target(state: State, waiting: Waiting, mentions: list[Mention], phrase: NounPhrase, new: bool) -> None:
@@ -195,7 +195,7 @@ def give_target(state: State, waiting: Waiting, mentions: list[Mention], phrase:
         state.subject = state.subject or list(mentions)
         if state.lit and new:
             span = state.chunk_span()
-            say(state, "near", mentions, ("window",), "through the window", span=span, implied=True)
+            say(state, Said("near", mentions, ("window",), "through the window", span=span, implied=True))
         state.lit = False
     state.last_target = None if between else (waiting, targets)
 
@@ -215,7 +215,7 @@ def bind_target(state: State, waiting: Waiting, targets: tuple[Any, ...], each: 
             _for_each([targets[0]], [s for s in subjects if s.count != many])
     groups = [targets] if len(targets) < 2 or place.type == "between" else [(target,) for target in targets]
     for group in groups:
-        relate(state, place, subjects, group, waiting.chunk, count=waiting.count)
+        relate(state, place, subjects, group, state.span_of(waiting.chunk), count=waiting.count)
 
 
 def continue_with(state: State, mentions: list[Mention]) -> None:
@@ -252,14 +252,9 @@ def close_surface(state: State, last: bool = False) -> None:
     started, state.started = state.started, len(state.out.mentions)
     if surface is None:
         return
-    held = {
-        id(m)
-        for said in state.out.said
-        if said.type in ("on", "inside") or isinstance(said.targets[0], str)
-        for m in said.subjects
-    }
+    placing = [s for s in state.out.said if s.type in ("on", "inside") or isinstance(s.targets[0], str)]
+    held = {m for said in placing for m in said.subjects}
     for mention in state.out.mentions[started : -1 if last else None]:
-        if id(mention) not in held and mention is not surface and mention.is_small:
-            state.out.said.append(
-                Said("on", [mention], (surface,), state.surface_words, implied=True, span=mention.span)
-            )
+        if mention not in held and mention is not surface and mention.is_small:
+            said = Said("on", [mention], (surface,), state.surface_words, implied=True, span=mention.span)
+            state.out.said.append(said)

@@ -2,20 +2,12 @@
 
 from __future__ import annotations
 
-from copy import copy
+from dataclasses import replace
 
 from .parsed import Mention, Parsed, Said
 
 MOST = 6
 """Things of one kind that are told apart, so that each can be related to the next."""
-
-
-def pairs(kind: str, subjects: list[Mention]) -> list[tuple[Mention, Mention]]:
-    """Who is related to whom: two that face each other both do, a row goes from one to the next."""
-    if kind == "facing":
-        couples = list(zip(subjects[::2], subjects[1::2], strict=False))
-        return [pair for a, b in couples for pair in ((a, b), (b, a))]
-    return list(zip(subjects, subjects[1:], strict=False))
 
 
 def split_mutual(parsed: Parsed) -> None:
@@ -28,12 +20,9 @@ def split_mutual(parsed: Parsed) -> None:
 def _split(parsed: Parsed, one: Mention, parts: int | None = None) -> list[Mention]:
     low, high = one.count or (2, 2)
     parts = parts or low
-    if low != high or not 2 <= parts <= MOST or low % parts or not any(m is one for m in parsed.mentions):
+    if low != high or not 2 <= parts <= MOST or low % parts or one not in parsed.mentions:
         return []
-    halves = [copy(one) for _ in range(parts)]
-    for half in halves:
-        half.count = (low // parts, low // parts)
-        half.attributes, half.words, half.size = list(one.attributes), list(one.words), list(one.size)
+    halves = [one.copied(count=(low // parts, low // parts)) for _ in range(parts)]
     shared = [s for s in parsed.said if len(s.targets) == 1 and s.targets[0] is one]
     parsed.replace(one, halves)
     for said in shared:
@@ -50,9 +39,8 @@ def _share(parsed: Parsed, said: Said, halves: list[Mention]) -> None:
     parts = _split(parsed, subject, len(halves))
     if not parts:
         return
-    at = next((k for k, s in enumerate(parsed.said) if s is said), None)
-    if at is not None:
+    if said in parsed.said:
+        at = parsed.said.index(said)
         parsed.said[at : at + 1] = [
-            Said(said.type, [p], (h,), said.words, None, said.each, said.side, said.implied, said.span)
-            for p, h in zip(parts, halves, strict=True)
+            replace(said, subjects=[p], targets=(h,), count=None, params={}) for p, h in zip(parts, halves, strict=True)
         ]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import takewhile
+
 from .parsed import Mention
 from .state import State
 from .vocabulary import Place
@@ -24,9 +26,9 @@ def beside_those(state: State, subjects: list[Mention]) -> list[Mention]:
     if last is None or last.type not in ("next_to", "flanking", "side_by_side") or last.implied:
         return []
     pair = [*last.subjects, *(t for t in last.targets if isinstance(t, Mention))]
-    if not all(any(s is m for m in pair) for s in subjects):
+    if not all(s in pair for s in subjects):
         return []
-    return [m for m in pair if not any(m is s for s in subjects) and m.mount == "floor"]
+    return [m for m in pair if m not in subjects and m.mount == "floor"]
 
 
 def _apart(state: State, found: list[Mention], subjects: list[Mention]) -> bool:
@@ -38,7 +40,7 @@ def _apart(state: State, found: list[Mention], subjects: list[Mention]) -> bool:
 
 def main_things(state: State, without: list[Mention]) -> list[Mention]:
     """The first thing on the floor that the request names: what "across the room" is across from."""
-    found = [m for m in state.out.mentions[:12] if m.mount == "floor" and not any(m is w for w in without)]
+    found = [m for m in state.out.mentions[:12] if m.mount == "floor" and m not in without]
     return found[:1] or nearest(state, without)
 
 
@@ -46,29 +48,23 @@ def carrier_root(state: State, thing: Mention) -> Mention:
     """What carries a thing in the end: the table that the tray stands on."""
     for said in reversed(state.out.said):
         target = said.targets[0]
-        carried = (
-            said.type in ("on", "inside") and isinstance(target, Mention) and any(s is thing for s in said.subjects)
-        )
+        if not isinstance(target, Mention) or target is thing or thing not in said.subjects:
+            continue
         beside = said.type in ("next_to", "below", "near") and (_flat(thing) or thing.mount == "surface")
-        if (
-            isinstance(target, Mention)
-            and target is not thing
-            and (carried or (beside and any(s is thing for s in said.subjects)))
-        ):
+        if beside or said.type in ("on", "inside"):
             thing = target
     return thing
 
 
 def anchor(state: State, thing: Mention, kind: str, subjects: list[Mention]) -> Mention:
     """What something belongs to: nearby a chair that faces a desk is nearby the desk."""
-    if kind in ("left_of", "right_of") and not (thing.family == "seat" and "floor" in (subjects[0].mount,)):
+    if kind in ("left_of", "right_of") and not (thing.family == "seat" and subjects[0].mount == "floor"):
         return thing
     for said in reversed(state.out.said):
         target = said.targets[0]
-        if not isinstance(target, Mention) or said.type not in _TIES or any(target is s for s in subjects):
+        if not isinstance(target, Mention) or said.type not in _TIES or target in subjects:
             continue
-        stands = target.mount == "floor" and not target.is_rug
-        if stands and any(s is thing for s in said.subjects):
+        if target.mount == "floor" and not target.is_rug and thing in said.subjects:
             return target
     return thing
 
@@ -76,28 +72,19 @@ def anchor(state: State, thing: Mention, kind: str, subjects: list[Mention]) -> 
 def nearest(state: State, without: list[Mention], apart: bool = False) -> list[Mention]:
     """The thing that a word without a target is said of: whose "with" it is, the subject, what was named before."""
     frame = state.frames[-1] if state.frames else None
-    choices: list[list[Mention]] = []
-    if frame is not None and frame.kind in ("with", "verb"):
-        choices.append(frame.owner)
-    for other in reversed(state.frames[:-1]):
-        if other.kind in ("with", "verb"):
-            choices.append(other.owner)
-    choices += [
-        state.subject,
-        state.previous,
-        *([m] for m in reversed(state.first_items[:-1])),
-        *reversed(state.refs.topics[-2:]),
-    ]
+    choices = [f.owner for f in reversed(state.frames) if f.kind in ("with", "verb")]
+    choices += [state.subject, state.previous]
+    choices += [[m] for m in reversed(state.first_items[:-1])]
+    choices += reversed(state.refs.topics[-2:])
     if frame is not None and frame.fronted:
-        choices.insert(0, [t for _, targets, _ in frame.fronted for t in targets if isinstance(t, Mention)])
+        choices.insert(0, frame.fronted_on)
     for group in choices:
-        found = [m for m in group if not any(m is w for w in without)]
+        found = [m for m in group if m not in without]
         if found and not (apart and _apart(state, found, without)):
             return found
     if apart:
         return nearest(state, without)
-    recent = [m for m in reversed(state.out.mentions[-6:]) if not any(m is w for w in without)]
-    return recent[:1]
+    return [m for m in reversed(state.out.mentions[-6:]) if m not in without][:1]
 
 
 def chained(state: State, near: list[Mention], subjects: list[Mention]) -> list[Mention]:
@@ -107,11 +94,11 @@ def chained(state: State, near: list[Mention], subjects: list[Mention]) -> list[
         return near
     for said in reversed(state.out.said[-4:]):
         target = said.targets[0]
-        if said.implied or not isinstance(target, Mention) or any(target is s for s in subjects):
+        if said.implied or not isinstance(target, Mention) or target in subjects:
             continue
         if said.type == "centered_on" and target is near[-1]:
             return said.subjects[-1:]
-        if said.type in SIDED and any(s is near[-1] for s in said.subjects):
+        if said.type in SIDED and near[-1] in said.subjects:
             return [target]
         if said.type != "on":
             break
@@ -121,23 +108,16 @@ def chained(state: State, near: list[Mention], subjects: list[Mention]) -> list[
 def meant_of_list(state: State, place: Place, listed: list[Mention]) -> list[Mention]:
     """Who of a list a relation after it is about: the last, or all that belong together."""
     kind = place.type
+    related = {m for s in state.out.said for m in s.subjects}
     if kind in ("on", "inside"):
-        small: list[Mention] = []
-        for mention in reversed(listed):
-            if not mention.is_small or mention.implied:
-                break
-            small.insert(0, mention)
-        related = {id(m) for s in state.out.said for m in s.subjects}
-        small = [m for m in small if id(m) not in related or m is listed[-1]]
-        return small or listed[-1:]
+        small = list(takewhile(lambda m: m.is_small and not m.implied, reversed(listed)))[::-1]
+        return [m for m in small if m not in related or m is listed[-1]] or listed[-1:]
     if kind in ("flanking", "along", "around") and len(listed) == 2:
         return listed
-    related = {id(m) for s in state.out.said for m in s.subjects}
     pair = all(m.mount == "surface" for m in listed[-2:])
-    if kind in SIDED and len(listed) > 1 and pair and not any(id(m) in related for m in listed[-2:]):
+    if kind in SIDED and len(listed) > 1 and pair and related.isdisjoint(listed[-2:]):
         return listed[-2:]  # "a keyboard and a mouse in front"
-    if len(listed) == 2 and id(listed[0]) not in related:
-        groups = {m.family for m in listed}
-        if groups in ({"seat", "table"}, {"seat"}):
-            return listed  # "two armchairs and a side table by the window"
+    paired = len(listed) == 2 and listed[0] not in related
+    if paired and {m.family for m in listed} in ({"seat", "table"}, {"seat"}):
+        return listed  # "two armchairs and a side table by the window"
     return listed[-1:]

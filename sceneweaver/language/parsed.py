@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from copy import copy
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from typing import Any, Self
 
 from sceneweaver.assets.roles import has_role
 
@@ -14,7 +14,7 @@ from .vocabulary import family, mounts
 
 @dataclass(eq=False)
 class Mention:
-    """Objects of one kind that the request names."""
+    """Objects of one kind that the request names; two are equal only if they are the same."""
 
     noun: str
     category: str
@@ -57,6 +57,11 @@ class Mention:
         """Seat, table, or its group of the taxonomy."""
         return family(self.category)
 
+    def copied(self, **changed: Any) -> Self:
+        """Another mention of which the same is said, but for what is ``changed``."""
+        own = {"attributes": list(self.attributes), "words": list(self.words), "size": list(self.size)}
+        return replace(self, **own | changed)
+
 
 Target = Mention | str
 """Something that was named, or a place of the room."""
@@ -79,9 +84,9 @@ class Said:
 
 
 def without(mentions: Iterable[Mention], others: Iterable[object]) -> list[Mention]:
-    """The mentions that are none of the others: mentions are told apart by identity, as two may be of one kind."""
-    gone = {id(other) for other in others}
-    return [m for m in mentions if id(m) not in gone]
+    """The mentions that are none of the others."""
+    gone = list(others)
+    return [m for m in mentions if m not in gone]
 
 
 @dataclass
@@ -124,27 +129,24 @@ class Parsed:
     def split(self, whole: Mention, count: int) -> tuple[Mention, Mention]:
         """So many of a mention, and the rest of it, as two mentions; what was said of it holds for both."""
         low, high = whole.count or (2, 2)
-        first, rest = copy(whole), copy(whole)
-        for part in (first, rest):
-            part.attributes, part.words, part.size = list(whole.attributes), list(whole.words), list(whole.size)
-        first.count = (count, count)
-        rest.count = (max(1, low - count), max(1, high - count))
+        first = whole.copied(count=(count, count))
+        rest = whole.copied(count=(max(1, low - count), max(1, high - count)))
         self.replace(whole, [first, rest])
         return first, rest
 
     def replace(self, whole: Mention, parts: list[Mention]) -> None:
         """Parts take the place of a mention; a pair that flanks something stands on its two sides."""
-        at = next(k for k, m in enumerate(self.mentions) if m is whole)
+        at = self.mentions.index(whole)
         self.mentions[at : at + 1] = parts
         found: list[Said] = []
         for said in self.said:
-            if any(m is whole for m in said.subjects):
+            if whole in said.subjects:
                 if said.type == "flanking" and len(parts) == 2 and len(said.subjects) == 1:
                     for part, side in zip(parts, ("left_of", "right_of"), strict=True):
                         found.append(Said(side, [part], said.targets, said.words, implied=said.implied, span=said.span))
                     continue
                 said.subjects = [p for m in said.subjects for p in (parts if m is whole else [m])]
-            if any(t is whole for t in said.targets):
+            if whole in said.targets:
                 if len(said.targets) == 2:
                     said.targets = (parts[0], parts[-1])
                 else:

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from copy import copy
-
 from .chunks import Chunk, NounPhrase
 from .items import begin_clause, continue_with, give_target, name_things
 from .nearness import nearest
-from .parsed import Mention
+from .parsed import Mention, Said
 from .relating import relate_to_place
 from .state import State, Waiting
 
@@ -108,7 +106,7 @@ def _pronoun_target(state: State, phrase: NounPhrase, waiting: Waiting) -> None:
     state.waiting = None
     if it and _window_before(state):
         place = waiting.place
-        relate_to_place(state, place.type, subjects, "window", place.words, span=state.chunk_span())
+        relate_to_place(state, Said(place.type, subjects, ("window",), place.words, span=state.chunk_span()))
         state.glue = ""
 
 
@@ -126,9 +124,8 @@ def _one_more(state: State, near: list[Mention]) -> Mention | None:
     """ "Another stands to the right": one more of what was named last."""
     for mention in [*reversed(near), *reversed(state.out.mentions[-3:])]:
         if mention.count == (1, 1):
-            more = copy(mention)
-            more.attributes, more.span = list(mention.attributes), state.chunk_span()
-            more.size, more.scale, more.words, more.plural, more.implied = [None] * 3, 1.0, [], False, False
+            plain = {"size": [None] * 3, "scale": 1.0, "words": [], "plural": False, "implied": False}
+            more = mention.copied(span=state.chunk_span(), **plain)
             state.out.mentions.append(more)
             return more
     return None

@@ -10,7 +10,7 @@ from .chunker import chunked
 from .clauses import read_clauses
 from .graph import build
 from .model import SceneGraph
-from .parsed import Left, Parsed
+from .parsed import Left, Parsed, without
 from .source import Source, check_measures, read_source
 from .things import match_of
 from .tokens import tokens
@@ -62,10 +62,10 @@ def _is_foreign(text: str, parsed: Parsed) -> bool:
 def _leave_out_unknown(parsed: Parsed) -> None:
     """Words of another language that look like nouns make no things."""
     unknown = [m for m in parsed.mentions if m.generic]
-    gone, notes = {id(m) for m in unknown}, {match_of(m.noun).note for m in unknown}
+    notes = {match_of(m.noun).note for m in unknown}
     parsed.unread += [Left(m.noun) for m in unknown]
-    parsed.mentions = [m for m in parsed.mentions if not m.generic]
-    parsed.said = [s for s in parsed.said if not any(id(m) in gone for m in (*s.subjects, *s.targets))]
+    parsed.mentions = without(parsed.mentions, unknown)
+    parsed.said = [s for s in parsed.said if not any(m in unknown for m in (*s.subjects, *s.targets))]
     parsed.notes = [note for note in parsed.notes if note not in notes]
 
 

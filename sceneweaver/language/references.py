@@ -85,7 +85,7 @@ class References:
     def part(self, near: list[Mention], count: int = 1) -> Mention | None:
         """ "One of them": it is parted from the last group, and "the other" is what is left."""
         group = self.several(near)
-        if group is not None and self.rest is not None and not any(group is m for m in self.parsed.mentions):
+        if group is not None and self.rest is not None and group not in self.parsed.mentions:
             group = self.rest  # it was parted before: what is left of it
         if group is None or group.count is None or not count < group.count[1] <= 40 or group.count[0] <= count:
             return group

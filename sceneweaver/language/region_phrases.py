@@ -8,7 +8,7 @@ from .chunks import Chunk, NounPhrase
 from .items import bind_target, name_nothing, name_things
 from .model import Attribute
 from .nearness import carrier_root, main_things, nearest
-from .parsed import Mention
+from .parsed import Mention, Said
 from .relating import say
 from .room_phrases import place_phrase, room_phrase
 from .state import State, Waiting
@@ -133,8 +133,7 @@ def _of_room(state: State, phrase: NounPhrase, waiting: Waiting, owner: str) -> 
     subjects = waiting.subjects or []
     if subjects and any(t.text == "opposite" for t in phrase.qualities):
         for other in main_things(state, subjects)[-1:]:
-            span = state.chunk_span()
-            say(state, "opposite", subjects, (other,), phrase.text, span=span, implied=True)
+            say(state, Said("opposite", subjects, (other,), phrase.text, span=state.chunk_span(), implied=True))
     place = {"corner": "corner", "center": "middle"}.get(str(phrase.value), "room")
     if owner in ("wall", "window", "door", "ceiling") or owner.startswith("wall:"):
         place = owner
@@ -193,7 +192,7 @@ def part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
 
 def _said_of_part(state: State, phrase: NounPhrase) -> list[Attribute]:
     """A part, and each word of quality with it: "carved legs" are legs and carved legs."""
-    span = state.source.span(phrase.start, phrase.end)
+    span = state.span_of(phrase)
     spoken = " ".join(state.source.text[phrase.start : phrase.end].split())
     found = [Attribute(kind="part", value=phrase.text, words=spoken, count=phrase.count, span=span)]
     for token in phrase.qualities:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from itertools import pairwise
 from typing import Any
 
 from sceneweaver.assets.taxonomy import category_named, likeliness
@@ -9,7 +11,7 @@ from sceneweaver.assets.taxonomy import category_named, likeliness
 from .chunks import Chunk, NounPhrase
 from .model import Span
 from .nearness import SIDED, anchor, beside_those, carrier_root, chained, main_things, nearest
-from .parsed import Mention, Said, Target, without
+from .parsed import Mention, Said, without
 from .state import Frame, State
 from .vocabulary import Place, words
 
@@ -32,39 +34,39 @@ def relate(
     place: Place,
     subjects: list[Mention],
     targets: tuple[Any, ...],
-    chunk: Chunk | None,
+    span: Span | None,
     count: tuple[int, int] | None = None,
-    span: Span | None = None,
 ) -> None:
     """A relation between things, or of things and a place of the room, in the terms of the graph."""
     subjects = without(subjects, targets)
     if not subjects or not targets or any(t is None for t in targets):
         return
-    spoken = place.words or (chunk.text if chunk else "")
-    span = span or (state.source.span(chunk.start, chunk.end) if chunk is not None else None)
+    said = Said(place.type, subjects, targets, place.words, count, span=span)
     target, one = targets[0], subjects[0]
     if isinstance(target, str):
-        relate_to_place(state, place.type, subjects, target, spoken, count=count, span=span)
+        relate_to_place(state, said)
         return
-    flanked = place.type == "flanking" and not spoken.startswith("flank")
+    flanked = place.type == "flanking" and not place.words.startswith("flank")
     if flanked and len(subjects) == 1 and one.count == (1, 1) and count is None:
         one.count = (2, 2)  # "a nightstand on either side of the bed"
     if place.type == "through":
         return
-    kind = _meant_kind(place.type, spoken, subjects)
+    kind = said.type = _meant_kind(place.type, place.words, subjects)
     if kind in ("on", "inside") and not target.is_rug:
-        _called(subjects, "surface")
-    if kind == "above" and spoken.startswith("hang"):
-        _called(subjects, "ceiling")
+        call_by_place(subjects, "surface")
+    if kind == "above" and place.words.startswith("hang"):
+        call_by_place(subjects, "ceiling")
     if kind == "on" and target.is_rug:  # what stands on the table on the rug is not on the rug
-        subjects = list(dict.fromkeys(carrier_root(state, s) if s.category != target.category else s for s in subjects))
+        roots = (carrier_root(state, s) if s.category != target.category else s for s in subjects)
+        said.subjects = list(dict.fromkeys(roots))
     if kind == "centered_on" and (target.is_rug or all(s.is_small for s in subjects)):
-        say(state, "on", subjects, (target,), spoken, count=count, span=span)
-    on_each = kind == "along" and "each" in spoken.split() and count is None and len(subjects) == 1
+        say(state, replace(said, type="on", targets=(target,)))
+    on_each = kind == "along" and "each" in place.words.split() and count is None and len(subjects) == 1
     if on_each and one.count is not None:
-        count, one.count = one.count, (2 * one.count[0], 2 * one.count[1])  # "two chairs on each long side"
-    each = place.each and (count is not None or kind not in ("flanking", "along"))
-    say(state, kind, subjects, targets, spoken, count=count, each=each, side=place.side, span=span)
+        said.count, one.count = one.count, (2 * one.count[0], 2 * one.count[1])  # "two chairs on each long side"
+    said.each = place.each and (said.count is not None or kind not in ("flanking", "along"))
+    said.side = place.side
+    say(state, said)
 
 
 def _meant_kind(kind: str, spoken: str, subjects: list[Mention]) -> str:
@@ -76,49 +78,28 @@ def _meant_kind(kind: str, spoken: str, subjects: list[Mention]) -> str:
     return "on" if kind in ("occupying", "covering") else kind
 
 
-def _called(subjects: list[Mention], where: str) -> None:
+def call_by_place(subjects: list[Mention], where: str) -> None:
     """What things are called where they stand or hang: a plant on a table is a small one."""
     other = words("nouns")["hung"][where]
     for subject in subjects:
         subject.category = other.get(subject.category, subject.category)
 
 
-def say(
-    state: State,
-    kind: str,
-    subjects: list[Mention],
-    targets: tuple[Target, ...],
-    spoken: str,
-    *,
-    count: tuple[int, int] | None = None,
-    each: bool = False,
-    side: str | None = None,
-    span: Span | None = None,
-    implied: bool = False,
-) -> None:
+def say(state: State, said: Said) -> None:
     """Adds a statement; who it is about may be meant by what follows, unless it only follows from "with"."""
-    state.out.said.append(Said(kind, list(subjects), targets, spoken, count, each, side, implied, span))
-    if not implied:
-        state.last_subjects, state.head_related = list(subjects), True
+    state.out.said.append(replace(said, subjects=list(said.subjects)))
+    if not said.implied:
+        state.last_subjects, state.head_related = list(said.subjects), True
 
 
-def relate_to_place(
-    state: State,
-    kind: str,
-    subjects: list[Mention],
-    place: str,
-    spoken: str,
-    *,
-    count: tuple[int, int] | None = None,
-    span: Span | None = None,
-    implied: bool = False,
-) -> None:
-    """A relation of things to a part of the room."""
+def relate_to_place(state: State, said: Said) -> None:
+    """A relation of things to a part of the room, its only target."""
+    kind, subjects, place = said.type, said.subjects, str(said.targets[0])
     if kind == "through":
         return
     if place == "room" and kind == "opposite":
         for target in nearest(state, subjects):
-            say(state, kind, subjects, (target,), spoken, count=count, span=span, implied=implied)
+            say(state, replace(said, targets=(target,)))
         return
     if place in ("room", "floor"):
         if kind == "centered_on":
@@ -128,21 +109,21 @@ def relate_to_place(
     if place == "wall:opposite":
         others = main_things(state, subjects)
         if others:
-            of_wall = f"{spoken} the opposite wall"
-            say(state, "opposite", subjects, (others[-1],), of_wall, count=count, span=span, implied=True)
+            of_wall = f"{said.words} the opposite wall"
+            say(state, replace(said, type="opposite", targets=(others[-1],), words=of_wall, implied=True))
         place = "wall" if others else "wall:far"
     stated, kind = kind, _kind_at(kind, place, subjects)
     if place == "ceiling":
-        _called(subjects, "ceiling")
+        call_by_place(subjects, "ceiling")
     elif place.startswith("wall") and kind != "against":
-        _called(subjects, "wall")
-    if "against" in (stated, kind) and not implied:
+        call_by_place(subjects, "wall")
+    if "against" in (stated, kind) and not said.implied:
         subjects = [*subjects, *beside_those(state, subjects)]
     if kind == "far_from" and place not in ("door", "window"):
         state.out.note(f"'away from the {place}' cannot be said as a relation and was left out")
         return
-    words_of_place = spoken if spoken.endswith(place) else f"{spoken} the {place.split(':')[0]}"
-    say(state, kind, subjects, (place,), words_of_place, count=count, span=span, implied=implied)
+    spoken = said.words if said.words.endswith(place) else f"{said.words} the {place.split(':')[0]}"
+    say(state, replace(said, type=kind, subjects=subjects, targets=(place,), words=spoken))
 
 
 def _kind_at(kind: str, place: str, subjects: list[Mention]) -> str:
@@ -185,14 +166,13 @@ def relate_to_nearest(state: State, place: Place, subjects: list[Mention] | None
     if place.type == "inside" and not near:
         return
     if sideways and not near:
-        relate_to_place(state, "against", subjects, f"wall:{place.type.split('_')[0]}", place.words)
+        relate_to_place(state, Said("against", subjects, (f"wall:{place.type.split('_')[0]}",), place.words))
         return
     if place.type == "centered_on":
         if state.surface is not None and all(s.is_small for s in subjects):
             near = [state.surface]
         if not near or not any(s.is_small for s in subjects):
-            span = state.source.span(chunk.start, chunk.end)
-            relate_to_place(state, "at", subjects, "middle", place.words, span=span)
+            relate_to_place(state, Said("at", subjects, ("middle",), place.words, span=state.span_of(chunk)))
             return
     if not near:
         state.out.note(f"'{chunk.text}': it is not clear of what; it was left out")
@@ -205,7 +185,7 @@ def relate_to_nearest(state: State, place: Place, subjects: list[Mention] | None
     owned = any(f.kind in ("with", "verb") and target in f.owner for f in state.frames)
     if place.type == "on" and not owned:
         target = state.refs.carrier(near, subjects) or target
-    relate(state, place, subjects, (target,), chunk, count=state.subset)
+    relate(state, place, subjects, (target,), state.span_of(chunk), count=state.subset)
 
 
 def _front(state: State, place: Place, chunk: Chunk) -> None:
@@ -228,14 +208,14 @@ def relate_mutually(state: State, place: Place, chunk: Chunk) -> None:
         subjects = list(state.subject)
     elif len(items) > 1 and len(state.head) == 1 and not state.head[0].many:
         subjects = items[-2:] if place.type != "left_to_right" else list(items)
-    span = state.source.span(chunk.start, chunk.end)
+    span = state.span_of(chunk)
     if not subjects:
         return
     if place.type == "left_to_right":
-        for one, two in zip(subjects, subjects[1:], strict=False):
-            say(state, "right_of", [two], (one,), chunk.text, span=span)
+        for one, two in pairwise(subjects):
+            say(state, Said("right_of", [two], (one,), chunk.text, span=span))
         return
-    say(state, place.type, subjects, ("each other",), chunk.text, span=span)
+    say(state, Said(place.type, subjects, ("each other",), chunk.text, span=span))
     state.head = subjects
 
 
@@ -243,7 +223,7 @@ def relate_to_owner(state: State, frame: Frame, mentions: list[Mention], phrase:
     """ "A desk with a lamp": what is small stands on what it came with, the rest is near it."""
     if not frame.owner:
         return
-    owner, span = frame.owner[-1], state.source.span(phrase.start, phrase.end)
+    owner = frame.owner[-1]
     for mention in mentions:
         party = state.party if owner in state.party else []
         if mention is owner or mention in party:
@@ -260,8 +240,8 @@ def relate_to_owner(state: State, frame: Frame, mentions: list[Mention], phrase:
             owner = min(ranks)[2]
         kind = _owned_kind(mention, owner, small)
         if kind is not None:
-            spoken = f"{owner.noun} with {mention.noun}"
-            say(state, kind, [mention], (owner,), spoken, each=frame.each, span=span, implied=True)
+            spoken, span = f"{owner.noun} with {mention.noun}", state.span_of(phrase)
+            say(state, Said(kind, [mention], (owner,), spoken, each=frame.each, span=span, implied=True))
 
 
 def _owned_kind(mention: Mention, owner: Mention, small: bool) -> str | None:

@@ -8,7 +8,7 @@ from sceneweaver.knowledge.load import room_words
 
 from .chunks import Chunk, NounPhrase
 from .items import bind_target, name_nothing, name_things
-from .parsed import Mention
+from .parsed import Mention, Said
 from .relating import relate, relate_to_place, say
 from .state import State, Waiting
 from .tokens import Token
@@ -36,9 +36,9 @@ def group_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         if there:
             state.glue = ""
             return
-    made, span = _made_of_group(state, phrase, things), state.source.span(phrase.start, phrase.end)
+    made = _made_of_group(state, phrase, things)
     for mention in made[1:]:
-        say(state, "near", [mention], (made[0],), phrase.text, span=span, implied=True)
+        say(state, Said("near", [mention], (made[0],), phrase.text, span=state.span_of(phrase), implied=True))
     out.note(f"'{phrase.text}' was taken for: {', '.join(m.noun for m in made)}")
     if not made:
         return
@@ -68,7 +68,7 @@ def _made_of_group(state: State, phrase: NounPhrase, things: dict[str, tuple[int
             continue  # a library of bookcases has one for its reading corner
         if mention is None:
             mention = Mention(name.replace("_", " "), category, (low * least, high * most), implied=True)
-            mention.span = state.source.span(phrase.start, phrase.end)
+            mention.span = state.span_of(phrase)
             state.out.mentions.append(mention)
         made.append(mention)
     return made
@@ -98,7 +98,7 @@ def room_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
             out.other_rooms.append(phrase.value)
         out.note(f"'{phrase.text}' is another room; only the {out.room_words} is made")
     if waiting is not None and waiting.subjects and waiting.place.type == "centered_on":
-        relate_to_place(state, "at", waiting.subjects, "middle", waiting.place.words)
+        relate_to_place(state, Said("at", waiting.subjects, ("middle",), waiting.place.words))
     elif waiting is not None and waiting.subjects is None and not waiting.lost:
         state.glue = "start"
         return
@@ -172,7 +172,7 @@ def place_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
             state.glue, state.at = "open", state.at + 1
             return
         if waiting.first is not None:
-            relate(state, near.place, subjects, (waiting.first,), waiting.chunk)
+            relate(state, near.place, subjects, (waiting.first,), state.span_of(waiting.chunk))
     state.lit = state.lit or (waiting.place.type == "through" and place == "window" and state.lost)
     bind_target(state, waiting, (place,))
     state.glue = ""

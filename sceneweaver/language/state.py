@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from .chunks import Chunk
+from .chunks import Chunk, NounPhrase
 from .model import Span
 from .parsed import Left, Mention, Parsed
 from .references import References
@@ -32,6 +32,11 @@ class Frame:
     each: bool = False
     numbered: list[str] = field(default_factory=list)
     fronted: list[Fronted] = field(default_factory=list)
+
+    @property
+    def fronted_on(self) -> list[Mention]:
+        """The things among the targets of its places."""
+        return [t for _, targets, _ in self.fronted for t in targets if isinstance(t, Mention)]
 
     @property
     def is_fronting(self) -> bool:
@@ -162,7 +167,10 @@ class State:
         """Words at characters [start, end) of the source are not understood."""
         self.out.unread.append(Left(" ".join(text.split()), start, end))
 
-    def chunk_span(self) -> Span | None:
+    def span_of(self, piece: Chunk | NounPhrase) -> Span:
+        """Where a piece stands in the request."""
+        return self.source.span(piece.start, piece.end)
+
+    def chunk_span(self) -> Span:
         """Where the chunk in hand stands."""
-        chunk = self.chunks[max(0, min(self.at, len(self.chunks)) - 1)]
-        return self.source.span(chunk.start, chunk.end)
+        return self.span_of(self.chunks[max(0, min(self.at, len(self.chunks)) - 1)])

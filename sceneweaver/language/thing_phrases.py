@@ -145,7 +145,7 @@ def _called_for(state: State, phrase: NounPhrase) -> Mention | None:
         if phrase.count is not None or phrase.determiner:
             mention.count = phrase.count or (1, 1)
         mention.implied = False
-        mention.span = state.source.span(phrase.start, phrase.end)
+        mention.span = state.span_of(phrase)
         describe(mention, phrase, state.source)
         return mention
     return None

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from .chunks import Chunk
-from .parsed import Mention
+from .parsed import Mention, Said
 from .relating import relate_to_nearest, relate_to_place
 from .state import Frame, State, Waiting
 from .vocabulary import Place, Verb, frame, shows, words
@@ -141,8 +141,8 @@ def _framed(state: State, chunk: Chunk, kind: str, placed: str, owner: list[Ment
             if after is not None and after.kind == "noun" and after.value.definite:  # "a rug anchors the space"
                 state.at += 1
                 if after.value.what in ("abstract", "room", "place"):
-                    span = state.chunk_span()
-                    relate_to_place(state, "at", owner, "middle", chunk.text, span=span, implied=True)
+                    middle = Said("at", owner, ("middle",), chunk.text, span=state.chunk_span(), implied=True)
+                    relate_to_place(state, middle)
             state.glue = ""
             return
         if not chunk.passive and after is not None and after.kind == "noun":  # "the room centers on a table"
@@ -188,8 +188,8 @@ def _finite(state: State, chunk: Chunk) -> None:
     elif state.subject_open and state.subject:
         singular = verb.form == "s" and chunk.text not in ("are", "were")
         if singular and len(state.subject) > 1 and not state.fronted:
-            related = {id(m) for said in state.out.said for m in said.subjects}
-            if any(id(m) in related for m in state.subject[:-1]):
+            related = {m for said in state.out.said for m in said.subjects}
+            if not related.isdisjoint(state.subject[:-1]):
                 state.subject = state.subject[-1:]
         state.frames = []
         state.head = list(state.subject)

@@ -25,7 +25,7 @@ from sceneweaver.scene import InputError, MissingDependencyError, Pose, Scene
 
 from .boxes import boxed
 from .model import Model, build
-from .settle import LITTLE, Settled, measures
+from .settle import LITTLE, Settled, measures, pose_of, settled
 from .worlds import SimulationResult, Template, run_c, shifts, steps_of
 
 Shapes = Literal["hull", "box"]
@@ -77,14 +77,11 @@ class Many:
         """
         if self.overflow[world] or self.diverged[world]:
             raise InputError(self.problem if self.overflow[world] and self.problem else _DIVERGED)
-        index = {o.id: k for k, o in enumerate(self.source.objects)}
-        begun = {o.id: _pose(self.start[world, k]) for o, k in zip(self.source.objects, index.values(), strict=True)}
-        shift = {object_id: float(far) for object_id, far in zip(self.free, self.shift[world], strict=True)}
-        little = {
-            object_id: _pose(self.poses[world, index[object_id]]) for object_id, far in shift.items() if far <= LITTLE
-        }
-        scene = self.source.replace_poses(begun | little)
-        return Settled(scene, shift, tuple(object_id for object_id, far in shift.items() if far > LITTLE))
+        ids = self.source.ids
+        begun = self.source.replace_poses(dict(zip(ids, map(pose_of, self.start[world]), strict=True)))
+        shift = dict(zip(self.free, self.shift[world].tolist(), strict=True))
+        rows = dict(zip(ids, self.poses[world], strict=True))
+        return settled(begun, {name: pose_of(rows[name]) for name, far in shift.items() if far <= LITTLE}, shift)
 
 
 _DIVERGED = "objects: the simulation went astray; are there objects inside each other?"
@@ -123,11 +120,8 @@ def settle_many(
     steps = steps_of(seconds)
     poses = poses_of(scene, candidates)
     model = model_of(scene, load, shapes)
-    heights = {o.id: o.size[2] / 2 for o in scene.objects}
-    order = [*model.free, *model.fixed]
-    template = Template.of(model.xml, model.files, model.free, model.fixed, [heights[name] for name in order])
-    place = {o.id: k for k, o in enumerate(scene.objects)}
-    at = np.array([place[object_id] for object_id in order], dtype=int)
+    template = Template.of(model, scene)
+    at = np.array([scene.index(name) for name in (*model.free, *model.fixed)], dtype=int)
     outcome, kind, device = run(template, poses[:, at], steps, device, backend, threads)
     end = np.empty_like(poses)
     end[:, at] = outcome.poses
@@ -249,13 +243,6 @@ def _kind(scene: Scene) -> str:
         for o in scene.objects
     ]
     return json.dumps([scene.room.model_dump(mode="json"), objects], sort_keys=True)
-
-
-def _pose(row: np.ndarray) -> Pose:
-    x, y, z, a, b, c, w = (float(n) for n in row)
-    length = math.sqrt(a * a + b * b + c * c + w * w)
-    length = 1.0 if abs(length - 1.0) < 1e-12 else length  # what was not stepped comes back to the bit
-    return Pose(position=(x, y, z), quaternion=(a / length, b / length, c / length, w / length))
 
 
 def device_named(name: str) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -92,7 +92,7 @@ def merged_hulls(asset: Asset) -> list[Solid]:
         content.update(np.array([len(hull.vertices), hull.link, hull.handle]).tobytes())
         content.update(np.ascontiguousarray(hull.vertices, dtype=float).tobytes())
     key = content.digest()[:16]
-    return list(_MERGED.get(key, lambda: _told(key) or _merged(key, asset, most, rooms)))
+    return list(_MERGED.get(key, lambda: _shared(key, lambda: _made(asset, most, rooms))))
 
 
 def share_parts(journal: Journal | None) -> None:
@@ -101,17 +101,16 @@ def share_parts(journal: Journal | None) -> None:
     _JOURNAL = journal
 
 
-def _told(key: bytes) -> tuple[Solid, ...] | None:
-    """The parts of an asset as another process tells them."""
-    content = _JOURNAL.get(key) if _JOURNAL is not None else None
-    return None if content is None else unpacked(content)
-
-
-def _merged(key: bytes, asset: Asset, most: int, rooms: Sequence[np.ndarray]) -> tuple[Solid, ...]:
-    made = _made(asset, most, rooms)
-    if _JOURNAL is not None:
+def _shared(key: bytes, make: Callable[[], tuple[Solid, ...]]) -> tuple[Solid, ...]:
+    """The parts of an asset as another process tells them, else made and told."""
+    if _JOURNAL is None:
+        return make()
+    content = _JOURNAL.get(key)
+    if content is None:
+        made = make()
         _JOURNAL.put(key, packed(made))
-    return made
+        return made
+    return unpacked(content)
 
 
 def packed(solids: Sequence[Solid]) -> bytes:

@@ -45,6 +45,7 @@ import numpy as np
 from sceneweaver.assets.placed import Load
 from sceneweaver.assets.recent import Recent
 from sceneweaver.geometry.rotations import from_yaw, wxyz
+from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.scene import Room, Scene, SceneObject
 
 from .frames import Frame, frames_of, leaf_frames, spawns, views
@@ -281,6 +282,7 @@ class _Bodies:
 
     def add(self, thing: Thing, kind: str) -> None:
         """A thing, its geoms of the default class ``kind``."""
+        checkpoint()
         if thing.shape not in self._meshed:
             self._meshed.add(thing.shape)
             self._writer.add_meshes(self._assets, thing)

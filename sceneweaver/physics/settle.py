@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib import import_module
 from typing import Any
@@ -12,8 +13,8 @@ from sceneweaver.assets.placed import Load
 from sceneweaver.geometry.rotations import transform, xyzw
 from sceneweaver.scene import InputError, Pose, Scene
 
-from .model import Model, build
-from .worlds import stepped, steps_of
+from .model import build
+from .worlds import Template, stepped, steps_of
 
 LITTLE = 0.01
 """A settled pose is taken over when the object moved at most this far [m]; farther is a fault."""
@@ -38,20 +39,27 @@ def stability(scene: Scene, load: Load | None = None, seconds: float = 3.0) -> d
         their mean shift [m]; ``moved``: the shift [m] by id; ``free``: how many may move; ``fixed``: how many not.
         The shift is that of the middle of the object's box, so that what tips over has moved.
     """
-    model = build(scene, load)
-    shift = _shifts(scene, model, _run(model, seconds))
-    return measures(shift) | {"free": len(model.free), "fixed": len(model.fixed)}
+    template = Template.of(build(scene, load), scene)
+    shift = _shifts(scene, _run(template, seconds))
+    return measures(shift) | {"free": len(template.free), "fixed": len(template.fixed)}
 
 
 def settle(scene: Scene, load: Load | None = None, seconds: float = 3.0) -> Settled:
     """Let things come to rest; what moved at most ``LITTLE`` gets its new pose, what moved farther is a fault."""
-    model = build(scene, load)
-    poses = _run(model, seconds)
-    shift = _shifts(scene, model, poses)
-    little = {object_id: poses[object_id] for object_id, far in shift.items() if far <= LITTLE}
-    return Settled(
-        scene.replace_poses(little), shift, tuple(object_id for object_id, far in shift.items() if far > LITTLE)
-    )
+    template = Template.of(build(scene, load), scene)
+    poses = _run(template, seconds)
+    return settled(scene, poses, _shifts(scene, poses))
+
+
+def settled(scene: Scene, poses: Mapping[str, Pose], shift: dict[str, float]) -> Settled:
+    """A scene after some time of physics, from poses and shifts [m] by id."""
+    little = {name: poses[name] for name, far in shift.items() if far <= LITTLE}
+    return Settled(scene.replace_poses(little), shift, tuple(name for name, far in shift.items() if far > LITTLE))
+
+
+def pose_of(row: np.ndarray) -> Pose:
+    """A row [7]: x, y, z and the quaternion x, y, z, w."""
+    return Pose(position=row[:3].tolist(), quaternion=row[3:].tolist())
 
 
 def measures(shift: dict[str, float]) -> dict[str, Any]:
@@ -65,27 +73,22 @@ def measures(shift: dict[str, float]) -> dict[str, Any]:
     }
 
 
-def _run(model: Model, seconds: float) -> dict[str, Pose]:
+def _run(template: Template, seconds: float) -> dict[str, Pose]:
     """The poses of the free bodies after that time.
 
     Raises:
         InputError: there was no room for all contacts, or the simulation diverged: no pose would mean anything.
     """
     mujoco: Any = import_module("mujoco")  # its types are not to be seen from outside
-    steps = steps_of(seconds)
-    loaded = mujoco.MjModel.from_xml_string(model.xml, model.files)
-    data = mujoco.MjData(loaded)
-    went = stepped(loaded, data, steps)
+    data = mujoco.MjData(template.model)
+    went = stepped(template.model, data, steps_of(seconds))
     if went.full:
         raise InputError(_FULL)
     if went.astray is not None:
-        near = _near(loaded, went.astray)
+        near = _near(template.model, went.astray)
         raise InputError(f"objects: the simulation diverged{near}; take objects apart that overlap deeply")
-    poses = {}
-    for object_id in model.free:
-        where = data.joint(object_id).qpos
-        poses[object_id] = Pose(position=where[:3].tolist(), quaternion=xyzw(where[3:]).tolist())
-    return poses
+    joints = {name: data.joint(name).qpos for name in template.free}
+    return {name: pose_of(np.concatenate([at[:3], xyzw(at[3:])])) for name, at in joints.items()}
 
 
 def _near(model: Any, dof: int) -> str:
@@ -93,11 +96,12 @@ def _near(model: Any, dof: int) -> str:
     return f" at '{model.body(int(model.body_rootid[model.dof_bodyid[dof]])).name}'" if 0 <= dof < model.nv else ""
 
 
-def _shifts(scene: Scene, model: Model, poses: dict[str, Pose]) -> dict[str, float]:
+def _shifts(scene: Scene, poses: Mapping[str, Pose]) -> dict[str, float]:
+    """How far the middle of each free object's box went [m]."""
     found = {}
-    for object_id in model.free:
-        thing = scene.object(object_id)
-        both = np.array([(*pose.position, *pose.quaternion) for pose in (poses[object_id], thing.pose)])
+    for name, pose in poses.items():
+        thing = scene.object(name)
+        both = np.array([(*each.position, *each.quaternion) for each in (pose, thing.pose)])
         end, start = transform(both, np.array([0.0, 0.0, thing.size[2] / 2]))
-        found[object_id] = float(np.linalg.norm(end - start))
+        found[name] = float(np.linalg.norm(end - start))
     return found

@@ -18,9 +18,9 @@ import numpy as np
 from sceneweaver.geometry.rotations import transform
 from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.runtime.threads import map_threads
-from sceneweaver.scene import InputError
+from sceneweaver.scene import InputError, Scene
 
-from .model import STEP
+from .model import STEP, Model
 
 CHUNK = 50
 """Steps between two looks at how many contacts there are."""
@@ -42,18 +42,12 @@ class Template:
     middle: np.ndarray
 
     @classmethod
-    def of(
-        cls,
-        xml: str,
-        files: dict[str, bytes],
-        free: Sequence[str],
-        fixed: Sequence[str],
-        middle: Sequence[float] | np.ndarray,
-    ) -> Template:
-        """Compile a model; ``middle`` [N] as in ``Template``, free ones first."""
+    def of(cls, model: Model, scene: Scene) -> Template:
+        """Compile the model of a scene."""
         mujoco: Any = import_module("mujoco")  # its types are not to be seen from outside
-        model = mujoco.MjModel.from_xml_string(xml, files)
-        return cls(model, tuple(free), tuple(fixed), np.asarray(middle, dtype=float))
+        middle = [scene.object(name).size[2] / 2 for name in (*model.free, *model.fixed)]
+        compiled = mujoco.MjModel.from_xml_string(model.xml, model.files)
+        return cls(compiled, model.free, model.fixed, np.asarray(middle, dtype=float))
 
     @property
     def address(self) -> np.ndarray:

@@ -6,16 +6,18 @@ import hashlib
 import json
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import jinja2
 import numpy as np
 
 from sceneweaver.geometry.se2 import absolute, relative
 from sceneweaver.scene import SCHEMA, InputError, Pose, Scene
 
 from .certificates import prove
-from .recipes import families
+from .recipes import MOST_SEED, families, whole_number
 
 if TYPE_CHECKING:
     from sceneweaver.layout import Problem
@@ -24,14 +26,6 @@ Json = dict[str, Any]
 
 NOISE_M, NOISE_RAD = 0.3, math.radians(15)
 """Deviations of the noise on a witness to start from [m], [rad]."""
-
-FACTS = {
-    "tightness": "share of the floor that is taken",
-    "density": "hard relations an object",
-    "wishes": "soft relations an object",
-    "wall_fill": "share of the walls that backs stand at",
-    "surface_tightness": "share of the boards that is taken",
-}
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,12 +117,10 @@ class ProblemCase:
         """
         if name not in self.starts:
             raise InputError(f"start: {name!r} is none of {', '.join(self.starts)} of {self.name}")
-        for what, value, least in (("count", count, 1), ("seed", seed, 0)):
-            if isinstance(value, bool) or not isinstance(value, int | np.integer) or not least <= value < 2**32:
-                raise InputError(f"{what}: {value!r} is not a whole number from {least} to 2**32 - 1")
+        count, seed = whole_number("count", count, 1, MOST_SEED), whole_number("seed", seed, 0, MOST_SEED)
         if name == "sample":
-            return self.compile("cpu").sample(int(seed), int(count))
-        return draw(self.scene, self.witness if name == "perturbed" else None, int(count), int(seed))
+            return self.compile("cpu").sample(seed, count)
+        return draw(self.scene, self.witness if name == "perturbed" else None, count, seed)
 
     def layout(self, poses: np.ndarray) -> Scene:
         """The scene at poses [N, 4].
@@ -174,8 +166,6 @@ def canonical(case: ProblemCase) -> bytes:
 
 def from_plain(data: Json, facts: Mapping[str, float], **known: Any) -> ProblemCase:
     """A problem from its plain data, with its hash. Each call reads the scene anew."""
-    from dataclasses import replace
-
     witness = None if data["witness"] is None else np.array(data["witness"], dtype=np.float32).reshape(-1, 4)
     if witness is not None:
         witness.flags.writeable = False
@@ -188,39 +178,24 @@ def from_plain(data: Json, facts: Mapping[str, float], **known: Any) -> ProblemC
 def card_of(case: ProblemCase) -> str:
     """A title, a line on the family, a table of figures, what proves the problem, how hard it is."""
     scene = case.scene
-    lines = [f"# {case.name}", "", families()[case.family], ""]
     relations = [
         f"{len(some)} {word}: {', '.join(sorted({r.type for r in some}))}"
         for word, hard in (("hard", True), ("soft", False))
         if (some := [r for r in scene.relations if r.hard == hard])
     ]
-    carried = sum(o.support is not None for o in scene.objects)
-    zones = sum(z.hard for o in scene.objects for z in o.zones)
-    parts = sum(len(o.solids) for o in scene.objects)
-    rows = {
-        "objects": f"{len(scene.objects)}" + (f", {carried} of them on surfaces" if carried else ""),
-        "bodies": f"{parts} convex prisms, {zones} hard zones",
-        "relations": "; ".join(relations) or "none",
-        "room": f"{len(scene.room.outline)} walls, {len(scene.room.doors)} doors, {len(scene.room.windows)} windows",
-        **{text: f"{case.facts[key]:g}" for key, text in FACTS.items() if key in case.facts},
-        "starts": ", ".join(case.starts),
-        "version": f"{case.version}, SHA-256 {case.hash[:16]}",
-    }
-    lines += ["| | |", "| --- | --- |", *(f"| {key} | {value} |" for key, value in rows.items()), ""]
-    if case.certificate is not None:
-        lines += [f"**No layout is valid**: {prove(scene, case.certificate)} (`{case.certificate['kind']}`).", ""]
-    else:
-        best = "not measured" if case.best_energy is None else f"{case.best_energy:.4g} m"
-        lines += [f"A valid layout is known. Lowest energy of a valid one: {best}.", ""]
-    shares = [(name, row) for name, row in case.difficulty.items() if isinstance(row, dict)]
-    if shares:
-        lines += ["| optimiser | start | layouts | valid | CPU seconds |", "| --- | --- | ---: | ---: | ---: |"]
-        lines += [
-            f"| {name} | {row['start']} | {row['candidates']} | {row['valid']:.0%} | {row['seconds']:.1f} |"
-            for name, row in shares
-        ]
-        lines.append("")
-    return "\n".join(lines)
+    text = (Path(__file__).parent / "card.md").read_text("utf-8")
+    return jinja2.Template(text, trim_blocks=True, lstrip_blocks=True).render(
+        case=case,
+        scene=scene,
+        about=families()[case.family],
+        carried=sum(o.support is not None for o in scene.objects),
+        zones=sum(z.hard for o in scene.objects for z in o.zones),
+        parts=sum(len(o.solids) for o in scene.objects),
+        relations="; ".join(relations) or "none",
+        proof=prove(scene, case.certificate) if case.certificate is not None else None,
+        best="not measured" if case.best_energy is None else f"{case.best_energy:.4g} m",
+        tried={name: row for name, row in case.difficulty.items() if isinstance(row, dict)},
+    )
 
 
 def draw(scene: Scene, witness: np.ndarray | None, count: int, seed: int) -> np.ndarray:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+import shapely
 
 from sceneweaver.geometry.walls import Wall
 
@@ -61,8 +62,6 @@ def rectangles(shape: str, area: float, aspect: float) -> list[Box]:
 
 def outline_of(boxes: Sequence[Box]) -> list[list[float]]:
     """The corners of a union of rectangles, counter-clockwise, the origin first."""
-    import shapely
-
     union: Any = shapely.unary_union([shapely.box(*b) for b in boxes]).simplify(1e-6)
     corners = [[round(x, 4), round(y, 4)] for x, y in shapely.geometry.polygon.orient(union).exterior.coords[:-1]]
     first = corners.index([0.0, 0.0])

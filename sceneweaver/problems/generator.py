@@ -1,23 +1,89 @@
-"""Make problems with a known witness: furniture is put into the cells of a room that was cut up."""
+"""Make problems with a known witness: furniture is put into the cells of a room that was cut up, then related."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
+import shapely
 
 from sceneweaver.geometry.walls import walls_of
-from sceneweaver.scene import SCHEMA, InputError, Pose, Scene
+from sceneweaver.scene import SCHEMA, InputError, Pose, Relation, Scene
 from sceneweaver.verify import check
+from sceneweaver.verify.relations import judge_relation
+from sceneweaver.verify.solids import Placed
 
 from . import cells
 from .case import ProblemCase, draw, from_plain, placed
 from .cells import Box, NoFit, with_walls
-from .measures import facts_of, tightness_of
-from .planting import plant, wish
-from .recipes import CRATE, RECIPES, Recipe, Unit
+from .measures import facts_of, footprint, tightness_of
+from .recipes import MOST_SEED, RECIPES, UNITS, Recipe, Unit, whole_number
 from .units import Draft, Spot
+
+Json = dict[str, Any]
+
+REACH = 3.0  # [m] between the middles of what is related
+NEAREST = 6  # neighbours that are looked at
+LIGHTEST, HEAVIEST = 0.03, 0.15  # weights of wishes: all together pull less at a thing than a hard relation
+SIDES = ("left_of", "right_of", "in_front_of", "behind")
+
+
+def plant(scene: Scene, count: int, rng: np.random.Generator) -> list[Json]:
+    """At most ``count`` hard relations between floor objects that hold in a scene with something to spare.
+
+    Each is judged with tighter numbers than it is given.
+    """
+    placed = Placed.of(scene)
+    candidates = list(_candidates(scene))
+    found: list[Json] = []
+    for k in rng.permutation(len(candidates)):
+        if len(found) == count:
+            break
+        tight, params = candidates[k]
+        if judge_relation(placed, Relation.model_validate(tight)).holds:
+            found.append({**tight, "params": params, "hard": True})
+    return found
+
+
+def wish(scene: Scene, count: int, rng: np.random.Generator) -> list[Json]:
+    """So many soft relations between floor objects, drawn blindly, each at most once."""
+    floor = [o.id for o in scene.objects if o.mount == "floor"]
+    kinds = (("near", {"max": 0.3}), ("facing", {}), ("aligned", {}), *((kind, {}) for kind in SIDES))
+    found: dict[tuple[str, str, str], Json] = {}
+    most = len(kinds) * len(floor) * (len(floor) - 1)
+    while len(found) < min(count, most):
+        kind, params = kinds[rng.integers(len(kinds))]
+        a, b = (floor[k] for k in rng.choice(len(floor), 2, replace=False))
+        weight = round(float(rng.uniform(LIGHTEST, HEAVIEST)), 3)
+        relation = {"type": kind, "subject": a, "target": b, "params": params, "hard": False, "weight": weight}
+        found[kind, a, b] = relation
+    return list(found.values())
+
+
+def _candidates(scene: Scene) -> Iterator[tuple[Json, Json]]:
+    """Relations with tight numbers, and the numbers to give them."""
+    floor = [i for i, o in enumerate(scene.objects) if o.mount == "floor"]
+    at = np.array([scene.objects[i].pose.position[:2] for i in floor])
+    feet = [footprint(scene.objects[i]) for i in floor]
+    for a, i in enumerate(floor):
+        away = np.linalg.norm(at - at[a], axis=1)
+        for b in np.argsort(away, kind="stable")[1 : NEAREST + 1]:
+            if away[b] > REACH:
+                continue
+            pair = {"subject": scene.objects[i].id, "target": scene.objects[floor[b]].id}
+            gap = float(feet[a].distance(feet[b]))
+            low, high = round(max(gap - 0.15, 0.0), 2), round(gap + 0.15, 2)
+            yield {"type": "near", **pair, "params": {"max": round(gap + 0.02, 2)}}, {"max": round(gap + 0.2, 2)}
+            yield {"type": "distance", **pair, "params": {"min": low, "max": high}}, {"min": low, "max": high}
+            yield {"type": "facing", **pair, "params": {"degrees": 11.0}}, {}
+            for kind in ("aligned", "parallel"):
+                yield {"type": kind, **pair, "params": {"degrees": 1.0}}, {}
+            yield {"type": "centered_on", **pair, "params": {"offset": 0.06}}, {}
+            for kind in SIDES:
+                yield {"type": kind, **pair, "params": {"max": 1.4, "min": 0.1, "band": 1.2}}, {}
+
 
 MOST_OBJECTS = 1000
 TRIES = 60
@@ -92,13 +158,10 @@ def scattered(scene: Scene, seed: int) -> Scene:
 def _recipe(family: str, objects: int, tightness: float, seed: int, density: float | None, shape: str | None) -> Recipe:
     if family not in RECIPES:
         raise InputError(f"family: {family!r} is none that can be generated; give one of {', '.join(RECIPES)}")
-    least = RECIPES[family].least
-    if isinstance(objects, bool) or not isinstance(objects, int) or not least <= objects <= MOST_OBJECTS:
-        raise InputError(f"objects: {objects!r} is not a whole number from {least} to {MOST_OBJECTS}")
+    whole_number("objects", objects, RECIPES[family].least, MOST_OBJECTS)
     if not 0.05 <= tightness <= 0.9:
         raise InputError(f"tightness: {tightness!r} is not from 0.05 to 0.9")
-    if isinstance(seed, bool) or not isinstance(seed, int) or not 0 <= seed < 2**32:
-        raise InputError(f"seed: {seed!r} is not a whole number from 0 to 2**32 - 1")
+    whole_number("seed", seed, 0, MOST_SEED)
     if density is not None and not 0 <= density <= 10:
         raise InputError(f"density: {density!r} is not from 0 to 10")
     if shape is not None and (shape not in cells.SHAPES or RECIPES[family].corridor):
@@ -127,7 +190,7 @@ def _units(recipe: Recipe, objects: int, rng: np.random.Generator) -> list[Unit]
     left = objects
     while left:
         odds = np.array([s if kind.objects <= left else 0.0 for kind, s in zip(kinds, shares, strict=True)])
-        unit = kinds[rng.choice(len(kinds), p=odds / odds.sum())] if odds.any() else CRATE
+        unit = kinds[rng.choice(len(kinds), p=odds / odds.sum())] if odds.any() else UNITS["crate"]
         found.append(unit)
         left -= unit.objects
     found = [found[k] for k in rng.permutation(len(found))]
@@ -158,7 +221,7 @@ def _furnished(
         room["windows"] = [
             {"id": "window", "wall": wall.index, "offset": offset, "width": width, "sill": SILL, "height": 1.2}
         ]
-        draft.sill = (_bounds(wall.strip(offset, width, 0.0, 0.3)), SILL)
+        draft.sill = (shapely.Polygon(wall.strip(offset, width, 0.0, 0.3)).bounds, SILL)
     for unit, space in zip(units, spaces, strict=True):
         _fill(draft, recipe, unit, with_walls(space, walls))
     for object_id in draft.at_wall:
@@ -236,9 +299,3 @@ def _turned(scene: Scene, angle: float) -> Scene:
         pose = Pose.from_yaw(round(c * x - s * y, 5), round(s * x + c * y, 5), z, yaw)
         row["pose"] = {"position": list(pose.position), "quaternion": list(pose.quaternion)}
     return Scene.from_json(data)
-
-
-def _bounds(corners: Any) -> Box:
-    points = np.array(corners)
-    (x0, y0), (x1, y1) = points.min(axis=0), points.max(axis=0)
-    return float(x0), float(y0), float(x1), float(y1)

@@ -14,6 +14,7 @@ from .case import ProblemCase, from_plain
 from .certificates import prove
 from .generator import generate, scattered
 from .measures import facts_of
+from .recipes import whole_number
 
 Json = dict[str, Any]
 
@@ -42,9 +43,7 @@ def generate_infeasible(kind: str, objects: int, seed: int = 0, *, name: str | N
     """
     if kind not in _MAKERS:
         raise InputError(f"kind: {kind!r} is none of {', '.join(_MAKERS)}")
-    if isinstance(objects, bool) or not isinstance(objects, int) or not 8 <= objects <= 200:
-        raise InputError(f"objects: {objects!r} is not a whole number from 8 to 200")
-    scene, certificate = _MAKERS[kind](objects, seed)
+    scene, certificate = _MAKERS[kind](whole_number("objects", objects, 8, 200), seed)
     prove(scene, certificate)
     title = name or f"infeasible/{kind.replace('_', '-')}-n{objects:03d}-s{seed}"
     data = scattered(scene, seed).model_copy(update={"id": title.replace("/", "-")}).to_json()

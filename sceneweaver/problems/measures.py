@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
+import shapely
 
 from sceneweaver.geometry.shell import clear_zone, heights
 from sceneweaver.scene import Scene, SceneObject
@@ -17,8 +18,6 @@ def tightness_of(scene: Scene) -> float:
 
     The floor is the room without what its doors need free. What lies in one another counts once.
     """
-    import shapely
-
     floor = free_floor(scene)
     taken = [shape for item in scene.objects if item.mount == "floor" for shape in _floor_of(item)]
     return float(shapely.unary_union(taken).intersection(floor).area / floor.area) if taken else 0.0
@@ -26,23 +25,17 @@ def tightness_of(scene: Scene) -> float:
 
 def free_floor(scene: Scene) -> Any:
     """The room's outline without what its doors need free, as a shapely polygon."""
-    import shapely
-
     doors = [shapely.Polygon(clear_zone(door, scene.room.walls)) for door in scene.room.doors]
     return shapely.Polygon(scene.room.outline).difference(shapely.unary_union(doors))
 
 
 def footprint(item: SceneObject) -> Any:
     """The footprint of an object where it stands, as a shapely shape."""
-    import shapely
-
     return shapely.unary_union([placed_polygon(item, part.polygon) for part in item.solids])
 
 
 def placed_polygon(item: SceneObject, polygon: Any) -> Any:
     """A polygon of an object's frame where the object stands, as a shapely polygon."""
-    import shapely
-
     (x, y, _), yaw = item.pose.position, item.pose.yaw
     c, s = math.cos(yaw), math.sin(yaw)
     return shapely.Polygon(np.array(polygon) @ np.array([[c, s], [-s, c]]) + (x, y))
@@ -50,8 +43,6 @@ def placed_polygon(item: SceneObject, polygon: Any) -> Any:
 
 def openings_in(scene: Scene) -> Iterator[tuple[Any, tuple[float, float]]]:
     """For each door and window the floor that it needs free, as a shapely polygon, and its heights [m]."""
-    import shapely
-
     for opening in (*scene.room.doors, *scene.room.windows):
         yield shapely.Polygon(clear_zone(opening, scene.room.walls)), heights(opening)
 
@@ -86,6 +77,4 @@ def _floor_of(item: SceneObject) -> Iterator[Any]:
 
 
 def _area(polygon: Any) -> float:
-    import shapely
-
     return float(shapely.Polygon(polygon).area)

@@ -210,21 +210,17 @@ def _add_row(spot: Spot, table: str, u: float, v0: float, count: int, turn: int)
         spot.draft.relate("front_against", seat, table)
 
 
-def table(seats: int) -> Fill:
+def table(spot: Spot, seats: int) -> None:
     """A table with seats on its two long sides, all within the cell."""
-
-    def fill(spot: Spot) -> None:
-        whole, width = spot.depth, spot.width
-        out = SEAT[0] - TUCKED
-        depth = round(whole - 2 * out, 3)
-        if depth < 2 * TUCKED + 0.3:
-            raise NoFit("no room for a table between its seats")
-        u0, v0 = spot.corner()
-        name = _add_table(spot, "table", (u0 + whole / 2, v0 + width / 2), depth)
-        _add_row(spot, name, u0 + SEAT[0] / 2, v0, seats // 2, 0)
-        _add_row(spot, name, u0 + whole - SEAT[0] / 2, v0, seats - seats // 2, 2)
-
-    return fill
+    whole, width = spot.depth, spot.width
+    out = SEAT[0] - TUCKED
+    depth = round(whole - 2 * out, 3)
+    if depth < 2 * TUCKED + 0.3:
+        raise NoFit("no room for a table between its seats")
+    u0, v0 = spot.corner()
+    name = _add_table(spot, "table", (u0 + whole / 2, v0 + width / 2), depth)
+    _add_row(spot, name, u0 + SEAT[0] / 2, v0, seats // 2, 0)
+    _add_row(spot, name, u0 + whole - SEAT[0] / 2, v0, seats - seats // 2, 2)
 
 
 def desk(spot: Spot) -> None:
@@ -256,37 +252,33 @@ def twin_desks(spot: Spot) -> None:
     spot.draft.relate("back_to_back", names[1], names[0])
 
 
-def laden(boards: int, things: int) -> Fill:
+def laden(spot: Spot, boards: int, things: int) -> None:
     """A table (one board) or a shelf of several boards, with so many things on all of them."""
-
-    def fill(spot: Spot) -> None:
-        depth, width = spot.depth, spot.width
-        if min(depth, width) < 0.3:
-            raise NoFit("the supporter is too small")
-        at = spot.middle()
-        if boards == 1:
-            parts, height, kind = table_parts(depth, width), TABLE[0], "table"
-            tops, room = [TABLE[0]], None
-        else:
-            room, kind = 0.4, "shelf"
-            tops = [round(0.3 + k * (room + BOARD), 3) for k in range(boards)]
-            height = round(tops[-1] + room + BOARD, 3)
-            inner = width / 2 - BOARD
-            slab = rectangle(-depth / 2, -inner, depth / 2, inner)
-            parts = [{"polygon": slab, "z": [round(z - BOARD, 3), z]} for z in (*tops, height)]
-            sides = [rectangle(-depth / 2, y, depth / 2, y + BOARD) for y in (-width / 2, inner)]
-            parts += [{"polygon": side, "z": [0, height]} for side in sides]
-        inset = 0.04
-        polygon = rectangle(inset - depth / 2, inset - width / 2, depth / 2 - inset, width / 2 - inset)
-        surfaces = [{"name": f"board-{k}", "polygon": polygon, "z": z, "headroom": room} for k, z in enumerate(tops)]
-        name = spot.add(kind, at, (depth, width, height), back=True, parts=parts, surfaces=surfaces)
-        for k, z in enumerate(tops):
-            count = things // boards + (k < things % boards)
-            if count:
-                support = {"object": name, "surface": f"board-{k}"}
-                _add_things(spot, at, support, z, (depth - 2 * inset, width - 2 * inset), count)
-
-    return fill
+    depth, width = spot.depth, spot.width
+    if min(depth, width) < 0.3:
+        raise NoFit("the supporter is too small")
+    at = spot.middle()
+    if boards == 1:
+        parts, height, kind = table_parts(depth, width), TABLE[0], "table"
+        tops, room = [TABLE[0]], None
+    else:
+        room, kind = 0.4, "shelf"
+        tops = [round(0.3 + k * (room + BOARD), 3) for k in range(boards)]
+        height = round(tops[-1] + room + BOARD, 3)
+        inner = width / 2 - BOARD
+        slab = rectangle(-depth / 2, -inner, depth / 2, inner)
+        parts = [{"polygon": slab, "z": [round(z - BOARD, 3), z]} for z in (*tops, height)]
+        sides = [rectangle(-depth / 2, y, depth / 2, y + BOARD) for y in (-width / 2, inner)]
+        parts += [{"polygon": side, "z": [0, height]} for side in sides]
+    inset = 0.04
+    polygon = rectangle(inset - depth / 2, inset - width / 2, depth / 2 - inset, width / 2 - inset)
+    surfaces = [{"name": f"board-{k}", "polygon": polygon, "z": z, "headroom": room} for k, z in enumerate(tops)]
+    name = spot.add(kind, at, (depth, width, height), back=True, parts=parts, surfaces=surfaces)
+    for k, z in enumerate(tops):
+        count = things // boards + (k < things % boards)
+        if count:
+            support = {"object": name, "surface": f"board-{k}"}
+            _add_things(spot, at, support, z, (depth - 2 * inset, width - 2 * inset), count)
 
 
 def _add_things(spot: Spot, at: tuple[float, float], support: Json, z: float, size: Any, count: int) -> None:

@@ -1,6 +1,7 @@
 """A small antialiased drawing surface: shapes are drawn enlarged and averaged down, text is drawn at its final size.
 
-All coordinates and widths are pixels of the final picture, x to the right and y downward.
+All coordinates are pixels of the final picture, x to the right and y downward; widths of lines, dashes and the spacing
+of hatching are in units of the canvas, so that large pictures have bold lines.
 """
 
 from __future__ import annotations
@@ -52,8 +53,8 @@ class Text:
 class Canvas:
     """An RGB picture with filled shapes, lines, hatching, soft shadows and text."""
 
-    def __init__(self, width: int, height: int, background: Color) -> None:
-        self.width, self.height = width, height
+    def __init__(self, width: int, height: int, background: Color, unit: float = 1.0) -> None:
+        self.width, self.height, self.unit = width, height, unit
         self._s = SUPERSAMPLE
         self._image = Image.new("RGB", (width * self._s, height * self._s), background[:3])
         self._draw = ImageDraw.Draw(self._image, "RGBA")
@@ -83,7 +84,7 @@ class Canvas:
         closed: bool = False,
     ) -> None:
         """A dashed polyline; the dashes run on around the corners."""
-        on, off = dash
+        on, off = (self.unit * length for length in dash)
         run = [*points, points[0]] if closed else list(points)
         done = 0.0
         for (x0, y0), (x1, y1) in zip(run, run[1:], strict=False):
@@ -103,6 +104,7 @@ class Canvas:
         self, points: Sequence[Point], color: Color, width: float = 1.0, spacing: float = 8.0, angle: float = 45.0
     ) -> None:
         """Parallel lines inside a polygon; equal angles line up across polygons."""
+        spacing = spacing * self.unit
         c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
         turned = [(x * c - y * s, x * s + y * c) for x, y in points]
         low, high = min(y for _, y in turned), max(y for _, y in turned)
@@ -137,7 +139,7 @@ class Canvas:
 
     def outline(self, shapes: Sequence[Sequence[Point]], color: Color, width: float) -> None:
         """An outline just outside the union of several polygons, with a light wash of the colour inside."""
-        box = self._box(shapes, margin=width + 2)
+        box = self._box(shapes, margin=width * self.unit + 2)
         if box is None:
             return
         inside = self._mask(shapes, box)
@@ -160,7 +162,9 @@ class Canvas:
     ) -> None:
         """A rounded rectangle from (left, top) to (right, bottom)."""
         scaled = tuple(v * self._s for v in box)
-        self._draw.rounded_rectangle(scaled, radius * self._s, fill=fill, outline=line, width=self._width(1.2))
+        self._draw.rounded_rectangle(
+            scaled, radius * self._s, fill=fill, outline=line, width=max(1, round(1.2 * self._s))
+        )
 
     def disc(self, at: Point, radius: float, fill: Color, line: Color | None = None) -> None:
         """A disc; with ``line``, in a ring of that colour."""
@@ -168,6 +172,12 @@ class Canvas:
             r = share * radius
             if color is not None:
                 self.pill((at[0] - r, at[1] - r, at[0] + r, at[1] + r), r, color)
+
+    def leader(self, ends: tuple[Point, Point], color: Color, halo: Color, width: float) -> None:
+        """A line from a label to a dot on what it names."""
+        self.line(ends, halo, 3.0)
+        self.line(ends, color, width)
+        self.disc(ends[1], 2.6 * self.unit, color)
 
     # Text.
 
@@ -193,7 +203,11 @@ class Canvas:
         return [(x * s, y * s) for x, y in points]
 
     def _width(self, width: float) -> int:
-        return max(1, round(width * self._s))
+        return max(1, round(width * self.unit * self._s))
+
+    def font_size(self, units: float, least: int = 8) -> int:
+        """The size of text [pixels], no smaller than can be read."""
+        return max(least, round(units * self.unit))
 
     def _box(self, shapes: Sequence[Sequence[Point]], margin: float) -> tuple[int, int, int, int] | None:
         """Bounding box in enlarged pixels, cut to the picture; None when nothing is left."""

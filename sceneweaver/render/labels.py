@@ -254,10 +254,7 @@ class _Grid:
 
     def take(self, label: Placed) -> None:
         """Mark the cells of a placed label and its leader."""
-        x0, y0, x1, y1 = box_of(label)
-        rows = slice(max(0, int(y0 // CELL)), max(0, math.ceil(y1 / CELL)))
-        cols = slice(max(0, int(x0 // CELL)), max(0, math.ceil(x1 / CELL)))
-        self.taken[rows, cols] = True
+        self.taken[cells(*box_of(label))] = True
         if label.leader is not None:
             (ax, ay), (bx, by) = label.leader
             count = max(2, int(math.dist(*label.leader) / CELL))
@@ -336,6 +333,12 @@ def _boxes(owners: np.ndarray) -> dict[int, tuple[int, int, int, int]]:
 
     found = enumerate(find_objects(np.maximum(owners, 0)), 1)
     return {k: (box[0].start, box[0].stop, box[1].start, box[1].stop) for k, box in found if box is not None}
+
+
+def cells(left: float, top: float, right: float, bottom: float) -> tuple[slice, slice]:
+    """The rows and columns of cells that a rectangle of the picture touches [pixels]."""
+    rows = slice(max(0, int(top / CELL)), max(0, math.ceil(bottom / CELL)))
+    return rows, slice(max(0, int(left / CELL)), max(0, math.ceil(right / CELL)))
 
 
 def _cells(pixels: float) -> int:

@@ -9,15 +9,14 @@ from collections.abc import Sequence
 import numpy as np
 from PIL import Image
 
-from sceneweaver.geometry.shell import outer_outline
 from sceneweaver.scene import Scene, SceneObject
 from sceneweaver.scene.messages import shorten
 
 from . import labels, palette
-from .canvas import Canvas, Text, text_width
+from .canvas import Text, text_width
 from .palette import Rgb
-from .plan_objects import items_of, owner_grid
-from .shapes import View, bounds_of, step_for, to_world
+from .plan_objects import items_of, label_of, owner_grid
+from .shapes import Plan, View, bounds_of, step_for, to_world
 from .topview import printable
 
 X_AXIS: Rgb = (204, 44, 40)
@@ -27,13 +26,21 @@ _GRID = (30, 34, 42)
 _LONGEST = 40  # characters of an id that are written
 
 
-class Overlay(Canvas):
-    """A canvas that begins with a picture on paper."""
+class Overlay(Plan):
+    """A canvas that begins with a picture on paper; ``view`` brings metres to pixels of the picture.
 
-    def __init__(self, picture: Image.Image, left: int, right: int, bottom: int) -> None:
-        super().__init__(picture.width + left + right, picture.height + bottom, palette.PAPER)
+    Attributes:
+        left, right, low: The edges of the picture on the canvas [pixels].
+    """
+
+    def __init__(self, picture: Image.Image, view: View, unit: float, key: int) -> None:
+        """Paste the picture; ``key`` [pixels] is kept free at the right."""
+        self.left, self.low = round(40 * unit), picture.height
+        self.right = self.left + picture.width
+        shifted = View(view.scale, view.left - self.left / view.scale, view.top)
+        super().__init__(self.right + key, self.low + round(38 * unit), shifted, unit)
         size = (picture.width * self._s, picture.height * self._s)
-        self._image.paste(picture.resize(size, Image.Resampling.NEAREST), (left * self._s, 0))
+        self._image.paste(picture.resize(size, Image.Resampling.NEAREST), (self.left * self._s, 0))
 
 
 def annotated(picture: Image.Image, scene: Scene, view: View, text: float = 1.0) -> Image.Image:
@@ -47,21 +54,18 @@ def annotated(picture: Image.Image, scene: Scene, view: View, text: float = 1.0)
     large = [o for o in scene.objects if o.mount == "floor"]
     small = sorted((o for o in scene.objects if o.mount != "floor"), key=lambda o: (o.mount, _support(o), o.id))
     columns, wide = _key_columns(small, picture.height, size)
-    left, bottom = round(40 * unit), round(38 * unit)
-    right = round(14 * unit) + sum(wide)
-    canvas = Overlay(picture, left, right, bottom)
-    view = View(view.scale, view.left - left / view.scale, view.top)
-    _grid(canvas, scene, view, unit, (left, picture.width + left, picture.height))
+    plan = Overlay(picture, view, unit, round(14 * unit) + sum(wide))
+    _grid(plan, scene)
     for thing in sorted(large, key=lambda o: (-o.size[0] * o.size[1], o.id)):
-        _box(canvas, view, thing, unit, dashed=False)
+        _box(plan, thing, 1.0, dashed=False)
     for thing in small:
-        _box(canvas, view, thing, 0.7 * unit, dashed=thing.mount != "surface")
-    discs, radius = _discs(view, small, unit, (left, picture.width + left, picture.height))
-    _names(canvas, scene, view, large, discs, radius, unit)
-    _numbers(canvas, view, small, discs, radius, unit)
-    _key(canvas, columns, wide, picture.width + left + 14 * unit, size)
-    _axes(canvas, view, unit)
-    return canvas.finish()
+        _box(plan, thing, 0.7, dashed=thing.mount != "surface")
+    discs, radius = _discs(plan, small)
+    _names(plan, scene, large, discs, radius)
+    _numbers(plan, small, discs, radius)
+    _key(plan, columns, wide, plan.right + 14 * unit, size)
+    _axes(plan)
+    return plan.finish()
 
 
 def _name(text: str) -> str:
@@ -81,127 +85,101 @@ def _support(thing: SceneObject) -> str:
     return thing.support.object if thing.support is not None else ""
 
 
-def _grid(canvas: Canvas, scene: Scene, view: View, unit: float, frame: tuple[int, int, int]) -> None:
+def _grid(plan: Overlay, scene: Scene) -> None:
     """Lines every metre (more in large rooms) inside the room's bounds, with coordinates at the picture's edge."""
     box = bounds_of(scene.room.outline)
-    left, _, low = frame
-    step, size = step_for(view.scale, 34 * unit), max(9, round(14 * unit))
-    canvas.text(Text(("[m]",), (left / 2, low + 19 * unit), size, palette.MUTED))
+    unit, left, low = plan.unit, plan.left, plan.low
+    step, size = step_for(plan.scale, 34 * unit), plan.font_size(14, 9)
+    plan.text(Text(("[m]",), (left / 2, low + 19 * unit), size, palette.MUTED))
     for value in range(math.ceil(box.x0 / step) * step, math.floor(box.x1 + 1e-6) + 1, step):
-        (x, y0), (_, y1) = view.point((value, box.y0)), view.point((value, box.y1))
-        canvas.line(((x, y0), (x, y1)), (*_GRID, 62), 1.1 * unit)
-        canvas.text(Text((str(value),), (x, low + 19 * unit), size, X_AXIS))
+        (x, y0), (_, y1) = plan.point((value, box.y0)), plan.point((value, box.y1))
+        plan.line(((x, y0), (x, y1)), (*_GRID, 62), 1.1)
+        plan.text(Text((str(value),), (x, low + 19 * unit), size, X_AXIS))
     for value in range(math.ceil(box.y0 / step) * step, math.floor(box.y1 + 1e-6) + 1, step):
-        (x0, y), (x1, _) = view.point((box.x0, value)), view.point((box.x1, value))
-        canvas.line(((x0, y), (x1, y)), (*_GRID, 62), 1.1 * unit)
-        canvas.text(Text((str(value),), (left - 8 * unit, y), size, Y_AXIS, anchor="r"))
+        (x0, y), (x1, _) = plan.point((box.x0, value)), plan.point((box.x1, value))
+        plan.line(((x0, y), (x1, y)), (*_GRID, 62), 1.1)
+        plan.text(Text((str(value),), (left - 8 * unit, y), size, Y_AXIS, anchor="r"))
 
 
-def _axes(canvas: Canvas, view: View, unit: float) -> None:
+def _axes(plan: Plan) -> None:
     """Half a metre of each axis from the origin; z comes out of the picture."""
-    origin, size = view.point((0.0, 0.0)), max(10, round(16 * unit))
-    long, head = min(0.6 * view.scale, 70 * unit), 9 * unit
+    unit, origin, size, halo = plan.unit, plan.point((0.0, 0.0)), plan.font_size(16, 10), plan.font_size(2, 1)
+    long, head = min(0.6 * plan.scale, 70 * unit), 9 * unit
     for (dx, dy), color, name in (((1, 0), X_AXIS, "X"), ((0, -1), Y_AXIS, "Y")):
         tip = (origin[0] + dx * long, origin[1] + dy * long)
         base = (tip[0] - dx * head, tip[1] - dy * head)
         wing = 0.5 * head
-        canvas.line((origin, base), (255, 255, 255, 210), 5.5 * unit)
-        canvas.line((origin, base), color, 3.2 * unit)
-        canvas.polygon(
-            [tip, (base[0] + dy * wing, base[1] + dx * wing), (base[0] - dy * wing, base[1] - dx * wing)], fill=color
-        )
+        plan.line((origin, base), (255, 255, 255, 210), 5.5)
+        plan.line((origin, base), color, 3.2)
+        barbs = ((base[0] + side * dy * wing, base[1] + side * dx * wing) for side in (1, -1))
+        plan.polygon([tip, *barbs], fill=color)
         at = (tip[0] + dx * 10 * unit, tip[1] + dy * 10 * unit)
-        canvas.text(Text((name,), at, size, color, palette.PAPER, max(1, round(2 * unit)), bold=True))
-    canvas.disc(origin, 8 * unit, (255, 255, 255), Z_AXIS)
-    canvas.disc(origin, 3 * unit, Z_AXIS)
+        plan.text(Text((name,), at, size, color, palette.PAPER, halo, bold=True))
+    plan.disc(origin, 8 * unit, (255, 255, 255), Z_AXIS)
+    plan.disc(origin, 3 * unit, Z_AXIS)
     at = (origin[0] - 14 * unit, origin[1] + 14 * unit)
-    canvas.text(Text(("Z",), at, size, Z_AXIS, palette.PAPER, max(1, round(2 * unit)), bold=True))
+    plan.text(Text(("Z",), at, size, Z_AXIS, palette.PAPER, halo, bold=True))
 
 
-def _box(canvas: Canvas, view: View, thing: SceneObject, unit: float, dashed: bool) -> None:
-    """The rotated box of an object, and an arrow from its middle over its front edge."""
+def _box(plan: Plan, thing: SceneObject, bold: float, dashed: bool) -> None:
+    """The rotated box of an object, and an arrow from its middle over its front edge; ``bold`` are its lines."""
+    unit = bold * plan.unit
     d, w, _ = thing.size
     color = color_of(thing.category)
-    corners = view.points(to_world(thing.pose, ((d / 2, -w / 2), (d / 2, w / 2), (-d / 2, w / 2), (-d / 2, -w / 2))))
+    corners = plan.points(to_world(thing.pose, ((d / 2, -w / 2), (d / 2, w / 2), (-d / 2, w / 2), (-d / 2, -w / 2))))
     if dashed:
-        canvas.dashed(corners, (*color, 235), 1.6 * unit, (7 * unit, 4 * unit), closed=True)
+        plan.dashed(corners, (*color, 235), 1.6 * bold, (7 * bold, 4 * bold), closed=True)
     else:
-        canvas.polygon(corners, fill=(*color, 12))
-        canvas.line([*corners, corners[0], corners[1]], (255, 255, 255, 120), 4.0 * unit)
-        canvas.line([*corners, corners[0], corners[1]], (*color, 255), 2.2 * unit)
-    if min(d, w) * view.scale < 14 * unit or dashed:
+        plan.polygon(corners, fill=(*color, 12))
+        plan.line([*corners, corners[0], corners[1]], (255, 255, 255, 120), 4.0 * bold)
+        plan.line([*corners, corners[0], corners[1]], (*color, 255), 2.2 * bold)
+    if min(d, w) * plan.scale < 14 * unit or dashed:
         return
     # Outside of the box, where it hides nothing of it: a short stem with a head.
-    out, head = 15 * unit / view.scale, 8 * unit / view.scale
+    out, head = 15 * unit / plan.scale, 8 * unit / plan.scale
     tip = d / 2 + out
-    stem = view.points(to_world(thing.pose, ((d / 2, 0.0), (tip - head, 0.0))))
-    barb = view.points(to_world(thing.pose, ((tip, 0.0), (tip - head, 0.6 * head), (tip - head, -0.6 * head))))
-    canvas.line(stem, color, 2.6 * unit)
-    canvas.polygon(barb, fill=color)
+    stem = plan.points(to_world(thing.pose, ((d / 2, 0.0), (tip - head, 0.0))))
+    barb = plan.points(to_world(thing.pose, ((tip, 0.0), (tip - head, 0.6 * head), (tip - head, -0.6 * head))))
+    plan.line(stem, color, 2.6 * bold)
+    plan.polygon(barb, fill=color)
 
 
-def _names(
-    canvas: Canvas,
-    scene: Scene,
-    view: View,
-    large: Sequence[SceneObject],
-    discs: np.ndarray,
-    radius: float,
-    unit: float,
-) -> None:
+def _names(plan: Plan, scene: Scene, large: Sequence[SceneObject], discs: np.ndarray, radius: float) -> None:
     """The id of each thing on the floor, inside its outline or beside it, never over another name or a disc."""
-    plain = scene.model_copy(update={"objects": tuple(large)})
-    items = items_of(plain)
-    outline, outer = view.points(scene.room.outline), view.points(outer_outline(scene.room.walls))
-    owners, edges = owner_grid((canvas.width, canvas.height), view, items, outline, outer)
+    items = items_of(scene.model_copy(update={"objects": tuple(large)}))
+    owners, edges = owner_grid(plan, items, scene.room)
     for x, y in discs:
-        rows, cols = (
-            slice(max(0, int((v - radius) / labels.CELL)), max(0, math.ceil((v + radius) / labels.CELL)))
-            for v in (y, x)
-        )
-        owners[rows, cols] = labels.MARK_OWNER
-    wanted = []
-    for k, item in enumerate(items):
-        box = bounds_of([p for solid in item.solids for p in view.points(solid.polygon)])
-        middle = ((box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2)
-        wanted.append(labels.Wanted(item.id, k + 1, item.obj.category, _name(item.id), middle, box.width * box.height))
+        owners[labels.cells(x - radius, y - radius, x + radius, y + radius)] = labels.MARK_OWNER
+    wanted = [label_of(plan, item, k, _name(item.id)) for k, item in enumerate(items, 1)]
     category = {o.id: o.category for o in large}
-    sizes = [max(8, round(s * unit)) for s in (17, 14, 12)]
-    for label in labels.place(wanted, owners, edges, sizes).placed:
+    for label in labels.place(wanted, owners, edges, [plan.font_size(s) for s in (17, 14, 12)]).placed:
         color = palette.darker(color_of(category[label.key]), 0.35)
         if label.leader is not None:
-            start, end = label.leader
-            canvas.line((start, end), (255, 255, 255, 180), 3.0 * unit)
-            canvas.line((start, end), color, 1.3 * unit)
-            canvas.disc(end, 2.6 * unit, color)
-        halo = max(2, round(2.6 * unit))
-        canvas.text(Text(label.lines, label.at, label.size, color, (255, 255, 255), halo, label.upright))
+            plan.leader(label.leader, color, (255, 255, 255, 180), 1.3)
+        halo = plan.font_size(2.6, 2)
+        plan.text(Text(label.lines, label.at, label.size, color, (255, 255, 255), halo, label.upright))
 
 
-def _discs(
-    view: View, small: Sequence[SceneObject], unit: float, frame: tuple[int, int, int]
-) -> tuple[np.ndarray, float]:
+def _discs(plan: Overlay, small: Sequence[SceneObject]) -> tuple[np.ndarray, float]:
     """Where the discs of small things go, [N, 2] pixels, and how large they are: moved apart where they would meet."""
-    radius = (8.5 if len(small) <= 60 else 7.0) * unit
-    true = np.array([view.point((o.pose.position[0], o.pose.position[1])) for o in small]).reshape(-1, 2)
-    low, high = np.array([frame[0], 0.0]) + radius, np.array(frame[1:]) - radius
+    radius = (8.5 if len(small) <= 60 else 7.0) * plan.unit
+    true = np.array([plan.point(o.pose.position[:2]) for o in small]).reshape(-1, 2)
+    low, high = np.array([plan.left, 0.0]) + radius, np.array([plan.right, plan.low]) - radius
     return (_apart(true, 2 * radius + 1.0, low, high) if len(true) else true), radius
 
 
-def _numbers(
-    canvas: Canvas, view: View, small: Sequence[SceneObject], discs: np.ndarray, radius: float, unit: float
-) -> None:
+def _numbers(plan: Plan, small: Sequence[SceneObject], discs: np.ndarray, radius: float) -> None:
     """A numbered disc at each small thing, with a line to it where the disc had to move."""
-    for spot, thing in zip(discs, small, strict=True):
-        at = view.point((thing.pose.position[0], thing.pose.position[1]))
+    spots = [(float(x), float(y)) for x, y in discs]
+    for spot, thing in zip(spots, small, strict=True):
+        at = plan.point(thing.pose.position[:2])
         if math.dist(at, spot) > radius:
-            canvas.line((at, (float(spot[0]), float(spot[1]))), (*palette.INK, 170), 1.1 * unit)
-            canvas.disc(at, 2.0 * unit, color_of(thing.category))
+            plan.line((at, spot), (*palette.INK, 170), 1.1)
+            plan.disc(at, 2.0 * plan.unit, color_of(thing.category))
     size = max(7, round(1.22 * radius))
-    for number, (spot, thing) in enumerate(zip(discs, small, strict=True), start=1):
-        at = (float(spot[0]), float(spot[1]))
-        canvas.disc(at, radius, color_of(thing.category), (255, 255, 255))
-        canvas.text(Text((str(number),), at, size, (255, 255, 255)))
+    for number, (spot, thing) in enumerate(zip(spots, small, strict=True), start=1):
+        plan.disc(spot, radius, color_of(thing.category), (255, 255, 255))
+        plan.text(Text((str(number),), spot, size, (255, 255, 255)))
 
 
 def _apart(points: np.ndarray, gap: float, low: np.ndarray, high: np.ndarray) -> np.ndarray:
@@ -238,14 +216,14 @@ def _key_columns(
 
 
 def _key(
-    canvas: Canvas, columns: Sequence[Sequence[tuple[int | None, str, Rgb]]], wide: Sequence[int], x: float, size: int
+    plan: Plan, columns: Sequence[Sequence[tuple[int | None, str, Rgb]]], wide: Sequence[int], x: float, size: int
 ) -> None:
     for rows, width in zip(columns, wide, strict=True):
         for k, (number, text, color) in enumerate(rows):
             y = (k + 1) * 1.45 * size
             if number is None:
-                canvas.text(Text((text,), (x, y), size, palette.MUTED, anchor="l", bold=True))
+                plan.text(Text((text,), (x, y), size, palette.MUTED, anchor="l", bold=True))
                 continue
-            canvas.text(Text((str(number),), (x + 1.6 * size, y), size, color, anchor="r", bold=True))
-            canvas.text(Text((text,), (x + 2.1 * size, y), size, palette.INK, anchor="l"))
+            plan.text(Text((str(number),), (x + 1.6 * size, y), size, color, anchor="r", bold=True))
+            plan.text(Text((text,), (x + 2.1 * size, y), size, palette.INK, anchor="l"))
         x += width

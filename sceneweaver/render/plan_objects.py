@@ -10,12 +10,13 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 from sceneweaver.geometry.polygons import signed_area
+from sceneweaver.geometry.shell import outer_outline
 from sceneweaver.render import labels, palette
-from sceneweaver.render.canvas import Canvas, Point
+from sceneweaver.render.canvas import Point
 from sceneweaver.render.palette import Rgb
-from sceneweaver.render.shapes import Prism, View, cut, inside, layers, prisms, to_world
+from sceneweaver.render.shapes import Plan, Prism, bounds_of, cut, inside, layers, prisms, to_world
 from sceneweaver.render.symbols import strokes_of
-from sceneweaver.scene import Scene, SceneObject
+from sceneweaver.scene import Room, Scene, SceneObject
 
 _VEIL = 105  # opacity, of 255, of what is drawn translucent
 HANGING = 100  # layers from here on hang on a wall or from the ceiling
@@ -82,63 +83,64 @@ def painted(items: Sequence[Item]) -> list[tuple[Item, int]]:
     return sorted(parts, key=lambda p: (p[0].layer, round(p[0].solids[p[1]].top, 4), p[0].id, p[1]))
 
 
-def draw_zones(canvas: Canvas, view: View, items: Sequence[Item], unit: float, alarmed: frozenset[str]) -> None:
+def draw_zones(plan: Plan, items: Sequence[Item], alarmed: frozenset[str]) -> None:
     """Space that objects keep free: hard zones hatched, soft ones only outlined."""
     for item in items:
         color = palette.ALARM if item.id in alarmed else palette.ZONE
         for zone in item.obj.zones:
-            points = view.points(to_world(item.obj.pose, zone.polygon))
+            points = plan.points(to_world(item.obj.pose, zone.polygon))
             if zone.hard:
-                canvas.polygon(points, fill=(*color, 14))
-                canvas.hatch(points, (*color, 62), 1.0 * unit, 9 * unit, 45)
-            canvas.dashed(points, (*color, 140), 1.1 * unit, (6 * unit, 4 * unit), closed=True)
+                plan.polygon(points, fill=(*color, 14))
+                plan.hatch(points, (*color, 62), 1.0, 9, 45)
+            plan.dashed(points, (*color, 140), 1.1, closed=True)
 
 
-def draw_items(canvas: Canvas, view: View, items: Sequence[Item], floor: Sequence[Point], unit: float) -> None:
+def draw_items(plan: Plan, items: Sequence[Item], room: Room) -> None:
     """All objects, lowest first; each layer throws a soft shadow on what lies under it."""
+    floor = plan.points(room.outline)
     floor_level = [i for i in items if i.layer == 0]
     on_top = [i for i in items if 0 < i.layer < HANGING and not i.translucent]
-    _draw_shadows(canvas, view, floor_level, floor, unit)
-    _draw_layer(canvas, view, floor_level, unit)
+    _draw_shadows(plan, floor_level, floor)
+    _draw_layer(plan, floor_level)
     if on_top:
-        _draw_shadows(canvas, view, on_top, floor, unit)
-    _draw_layer(canvas, view, [i for i in items if 0 < i.layer < HANGING], unit)
-    _draw_hidden(canvas, view, floor_level, unit)
-    _draw_layer(canvas, view, [i for i in items if i.layer >= HANGING], unit)
+        _draw_shadows(plan, on_top, floor)
+    _draw_layer(plan, [i for i in items if 0 < i.layer < HANGING])
+    _draw_hidden(plan, floor_level)
+    _draw_layer(plan, [i for i in items if i.layer >= HANGING])
 
 
-def _draw_shadows(canvas: Canvas, view: View, items: Sequence[Item], floor: Sequence[Point], unit: float) -> None:
+def _draw_shadows(plan: Plan, items: Sequence[Item], floor: Sequence[Point]) -> None:
     cast = []
     for item in items:
         base = min(p.bottom for p in item.solids)
         for p in item.solids:
-            reach = min(0.025 + 0.03 * max(p.top - base, 0.0), 0.08) * view.scale
-            cast.append((view.points(p.polygon), (reach * 0.75, reach)))
-    blur = min(max(0.022 * view.scale, 0.6 * unit), 10 * unit)
-    canvas.shadow(cast, floor, (70, 55, 40, 92), blur)
+            reach = min(0.025 + 0.03 * max(p.top - base, 0.0), 0.08) * plan.scale
+            cast.append((plan.points(p.polygon), (reach * 0.75, reach)))
+    blur = min(max(0.022 * plan.scale, 0.6 * plan.unit), 10 * plan.unit)
+    plan.shadow(cast, floor, (70, 55, 40, 92), blur)
 
 
-def _draw_layer(canvas: Canvas, view: View, items: Sequence[Item], unit: float) -> None:
+def _draw_layer(plan: Plan, items: Sequence[Item]) -> None:
     for item, k in painted(items):
         p = item.solids[k]
-        points = view.points(p.polygon)
-        fine = _line_width(item, view, unit)
+        points = plan.points(p.polygon)
+        fine = _line_width(plan, item)
         if item.translucent:
-            canvas.polygon(points, fill=(*item.fill, _VEIL))
-            canvas.dashed(points, item.line, fine, (5 * unit, 3.5 * unit), closed=True)
+            plan.polygon(points, fill=(*item.fill, _VEIL))
+            plan.dashed(points, item.line, fine, (5, 3.5), closed=True)
             continue
         # Seats are a shade lighter than backs, shelves darker than tops: height reads at a glance.
         rise = (item.top - p.top) / max(item.top - item.solids[0].bottom, 1e-6) if len(item.solids) > 1 else 0.0
-        canvas.polygon(points, fill=palette.lighter(item.fill, 0.22 * min(max(rise, 0.0), 1.0)))
-        canvas.line([*points, *points[:2]], item.line, fine)
+        plan.polygon(points, fill=palette.lighter(item.fill, 0.22 * min(max(rise, 0.0), 1.0)))
+        plan.line([*points, *points[:2]], item.line, fine)
         if k == _symbol_part(item):
-            _draw_symbol(canvas, view, item, unit)
+            _draw_symbol(plan, item)
 
 
-def _line_width(item: Item, view: View, unit: float) -> float:
-    """Thinner lines for small things."""
-    small = min(item.obj.size[0], item.obj.size[1]) * view.scale
-    return unit * min(max(0.9 + small / (130 * unit), 1.0), 1.9)
+def _line_width(plan: Plan, item: Item) -> float:
+    """Thinner lines for small things, in units."""
+    small = min(item.obj.size[0], item.obj.size[1]) * plan.scale
+    return min(max(0.9 + small / (130 * plan.unit), 1.0), 1.9)
 
 
 def _symbol_part(item: Item) -> int:
@@ -148,24 +150,24 @@ def _symbol_part(item: Item) -> int:
     return max(large, key=lambda k: (item.solids[k].top, k), default=-1)
 
 
-def _draw_symbol(canvas: Canvas, view: View, item: Item, unit: float) -> None:
+def _draw_symbol(plan: Plan, item: Item) -> None:
     depth, width, _ = item.obj.size
-    if min(depth, width) * view.scale < 16 * unit:
+    if min(depth, width) * plan.scale < 16 * plan.unit:
         return
-    fine = max(0.7 * unit, 0.55 * _line_width(item, view, unit))
+    fine = max(0.7, 0.55 * _line_width(plan, item))
     for stroke in strokes_of(item.obj.category, depth, width):
-        points = view.points(to_world(item.obj.pose, stroke.points))
+        points = plan.points(to_world(item.obj.pose, stroke.points))
         if stroke.tone is None:
-            canvas.line(points, (*item.line, 150), fine * stroke.weight)
+            plan.line(points, (*item.line, 150), fine * stroke.weight)
             continue
         tone = palette.lighter(item.fill, stroke.tone) if stroke.tone > 0 else palette.darker(item.fill, -stroke.tone)
-        canvas.polygon(points, fill=tone)
-        canvas.line([*points, *points[:2]], (*item.line, 120), fine * stroke.weight)
+        plan.polygon(points, fill=tone)
+        plan.line([*points, *points[:2]], (*item.line, 120), fine * stroke.weight)
 
 
-def _draw_hidden(canvas: Canvas, view: View, items: Sequence[Item], unit: float) -> None:
+def _draw_hidden(plan: Plan, items: Sequence[Item]) -> None:
     """Dashed lines for what stands under something higher, such as a chair tucked under a table."""
-    if view.scale < 55 * unit:
+    if plan.scale < 55 * plan.unit:
         return
     for item in items:
         x, y, reach = _disc(item)
@@ -180,7 +182,7 @@ def _draw_hidden(canvas: Canvas, view: View, items: Sequence[Item], unit: float)
                 share = cut(a, b, q.polygon) if q.bottom > p.top - 1e-3 else None
                 if share is not None:
                     ends = [(a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t) for t in share]
-                    canvas.dashed(view.points(ends), (*other.line, 120), 1.0 * unit, (4.5 * unit, 3.5 * unit))
+                    plan.dashed(plan.points(ends), (*other.line, 120), 1.0, (4.5, 3.5))
 
 
 def _disc(item: Item) -> tuple[float, float, float]:
@@ -189,12 +191,10 @@ def _disc(item: Item) -> tuple[float, float, float]:
     return x, y, max(math.hypot(px - x, py - y) for p in item.solids for px, py in p.polygon)
 
 
-def owner_grid(
-    size: tuple[int, int], view: View, items: Sequence[Item], floor: Sequence[Point], outer: Sequence[Point]
-) -> tuple[np.ndarray, np.ndarray]:
+def owner_grid(plan: Plan, items: Sequence[Item], room: Room) -> tuple[np.ndarray, np.ndarray]:
     """Who is on top in each cell of the picture (an index in ``items`` plus one), and which cells are edges."""
     scale = 1 / labels.CELL
-    shape = (math.ceil(size[0] * scale), math.ceil(size[1] * scale))
+    shape = (math.ceil(plan.width * scale), math.ceil(plan.height * scale))
     grid = Image.new("I", shape, labels.PAPER_OWNER)
     edges = Image.new("L", shape, 0)
     draw, draw_edge = ImageDraw.Draw(grid), ImageDraw.Draw(edges)
@@ -204,38 +204,47 @@ def owner_grid(
         draw.polygon(small, fill=value)
         draw_edge.polygon(small, fill=0, outline=1)
 
-    fill(outer, labels.WALL_OWNER)
-    fill(floor, labels.FLOOR_OWNER)
+    fill(plan.points(outer_outline(room.walls)), labels.WALL_OWNER)
+    fill(plan.points(room.outline), labels.FLOOR_OWNER)
     index = {item.id: k + 1 for k, item in enumerate(items)}
     for item, k in painted(items):
-        fill(view.points(item.solids[k].polygon), index[item.id])
+        fill(plan.points(item.solids[k].polygon), index[item.id])
     return np.array(grid, dtype=np.int32), np.array(edges, dtype=bool)
 
 
-def draw_arrows(canvas: Canvas, view: View, items: Sequence[Item], owners: np.ndarray, unit: float) -> None:
+def label_of(plan: Plan, item: Item, owner: int, text: str, below: int = 0) -> labels.Wanted:
+    """The label that an object wants, which is number ``owner`` in the grid, on number ``below``."""
+    box = bounds_of([p for solid in item.solids for p in plan.points(solid.polygon)])
+    middle = ((box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2)
+    return labels.Wanted(item.id, owner, item.obj.category, text, middle, box.width * box.height, below)
+
+
+def draw_arrows(plan: Plan, items: Sequence[Item], owners: np.ndarray) -> None:
     """An arrow at the front of each object, where the object is visible; its cells are kept free of labels."""
+    unit = plan.unit
     for k, item in enumerate(items):
         depth, width, _ = item.obj.size
-        small = min(depth, width) * view.scale
+        small = min(depth, width) * plan.scale
         if small < 24 * unit or _is_round(item):
             continue
-        head = min(0.15 * small, 8.5 * unit) / view.scale  # metres, as all that follows
-        front = _front_edge(item) - min(0.35 * head, 3 * unit / view.scale)
+        head = min(0.15 * small, 8.5 * unit) / plan.scale  # metres, as all that follows
+        front = _front_edge(item) - min(0.35 * head, 3 * unit / plan.scale)
         long = 1.1 * head if small > 110 * unit else 0.0
         # As far forward as it can be seen: with a stem, else without one, else further back.
         places = [(0.0, long), *((0.06 * step * depth, 0.0) for step in range(9))]
         for back, stem in places:
             tip = front - back
             base, tail = tip - 1.25 * head, tip - 1.25 * head - stem
-            if tail < -depth / 2 or not _is_visible(view, item, owners, k + 1, (tip - 0.2 * head, tail)):
+            if tail < -depth / 2 or not _is_visible(plan, item, owners, k + 1, (tip - 0.2 * head, tail)):
                 continue
             local = ((tip, 0.0), (base, 0.72 * head), (base, -0.72 * head), (tail, 0.0), (base, 0.0))
-            points = view.points(to_world(item.obj.pose, local))
+            points = plan.points(to_world(item.obj.pose, local))
             color = palette.darker(item.fill, 0.72) if palette.ink_on(item.ground) == palette.INK else palette.PAPER
             if stem:
-                canvas.line((points[3], points[4]), color, max(1.0, 0.26 * head * view.scale))
-            canvas.polygon(points[:3], fill=color)
-            _reserve(owners, points)
+                plan.line((points[3], points[4]), color, max(1.0 / unit, 0.26 * head * plan.scale / unit))
+            plan.polygon(points[:3], fill=color)
+            xs, ys = zip(*points, strict=True)
+            owners[labels.cells(min(xs), min(ys), max(xs), max(ys))] = labels.MARK_OWNER
             break
 
 
@@ -259,18 +268,10 @@ def _front_edge(item: Item) -> float:
     return max(reach, default=half)
 
 
-def _is_visible(view: View, item: Item, owners: np.ndarray, owner: int, along: Sequence[float]) -> bool:
+def _is_visible(plan: Plan, item: Item, owners: np.ndarray, owner: int, along: Sequence[float]) -> bool:
     """Whether points on the middle line of an object, at these distances before its centre, are uncovered."""
-    for x, y in view.points(to_world(item.obj.pose, [(at, 0.0) for at in along])):
+    for x, y in plan.points(to_world(item.obj.pose, [(at, 0.0) for at in along])):
         row, col = int(y / labels.CELL), int(x / labels.CELL)
         if not (0 <= row < owners.shape[0] and 0 <= col < owners.shape[1] and owners[row, col] == owner):
             return False
     return True
-
-
-def _reserve(owners: np.ndarray, points: Sequence[Point]) -> None:
-    """Mark the cells around a mark on an object."""
-    xs, ys = [p[0] for p in points], [p[1] for p in points]
-    rows = slice(max(0, int(min(ys) / labels.CELL)), max(0, math.ceil(max(ys) / labels.CELL)))
-    cols = slice(max(0, int(min(xs) / labels.CELL)), max(0, math.ceil(max(xs) / labels.CELL)))
-    owners[rows, cols] = labels.MARK_OWNER

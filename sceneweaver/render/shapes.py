@@ -9,7 +9,8 @@ from sceneweaver.geometry.hulls import convex_hull
 from sceneweaver.geometry.prisms import prism_vertices
 from sceneweaver.geometry.rotations import is_upright, matrix
 from sceneweaver.geometry.shell import WALL_THICKNESS
-from sceneweaver.render.canvas import Point
+from sceneweaver.render.canvas import Canvas, Point
+from sceneweaver.render.palette import PAPER
 from sceneweaver.scene import Pose, Room, Scene, SceneObject, Vec2
 
 
@@ -106,6 +107,14 @@ class View:
     def points(self, polygon: Iterable[Vec2]) -> list[Point]:
         """The pixels of several points."""
         return [self.point(p) for p in polygon]
+
+
+class Plan(Canvas):
+    """A canvas on which things are drawn that are given in metres."""
+
+    def __init__(self, width: int, height: int, view: View, unit: float) -> None:
+        super().__init__(width, height, PAPER, unit)
+        self.scale, self.point, self.points = view.scale, view.point, view.points
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from PIL import Image
 from sceneweaver.render import palette
 from sceneweaver.render.canvas import Canvas, Point, Text, text_width
 from sceneweaver.render.labels import shortened
-from sceneweaver.render.shapes import Bounds, View, step_for
+from sceneweaver.render.shapes import Bounds, Plan, step_for
 
 
 @dataclass(frozen=True)
@@ -22,13 +22,14 @@ class Badge:
     good: bool | None
 
 
-def draw_title(width: int, unit: float, title: str, facts: str, prompt: str, badge: Badge) -> Image.Image:
+def draw_title(plan: Plan, title: str, facts: str, prompt: str, badge: Badge) -> Image.Image:
     """The head of the sheet."""
+    width, unit = plan.width, plan.unit
     margin = 60 * unit
-    canvas = Canvas(width, round((118 if not prompt else 148) * unit), palette.PAPER)
+    canvas = Canvas(width, round((118 if not prompt else 148) * unit), palette.PAPER, unit)
     room = width - 2 * margin
     if badge.text:
-        size = max(8, round(20 * unit))
+        size = canvas.font_size(20)
         color = {True: palette.GOOD, False: palette.ALARM, None: palette.MUTED}[badge.good]
         wide = text_width(badge.text, size) + 44 * unit
         right, middle = width - margin, 58 * unit
@@ -37,48 +38,47 @@ def draw_title(width: int, unit: float, title: str, facts: str, prompt: str, bad
         canvas.disc((right - wide + 20 * unit, middle), 5 * unit, color)
         canvas.text(Text((badge.text,), (right - wide + 32 * unit, middle), size, color, anchor="l"))
         room -= wide + 20 * unit
-    size = max(9, round(34 * unit))
+    size = canvas.font_size(34, 9)
     canvas.text(Text((shortened(title, size, room),), (margin, 50 * unit), size, palette.INK, anchor="l", bold=True))
-    size = max(8, round(18 * unit))
+    size = canvas.font_size(18)
     canvas.text(Text((shortened(facts, size, room),), (margin, 88 * unit), size, palette.MUTED, anchor="l"))
     if prompt:
         line = shortened(f"“{prompt}”", size, width - 2 * margin)
-        canvas.text(
-            Text((line,), (margin, 118 * unit), size, palette.mixed(palette.MUTED, palette.FAINT, 0.5), anchor="l")
-        )
+        grey = palette.mixed(palette.MUTED, palette.FAINT, 0.5)
+        canvas.text(Text((line,), (margin, 118 * unit), size, grey, anchor="l"))
     return canvas.finish()
 
 
-def axes_at(view: View, bounds: Bounds, unit: float) -> Point:
+def axes_at(plan: Plan, bounds: Bounds) -> Point:
     """Where the rules cross: the pixel column of the left one and the row of the lower one."""
-    left, bottom = view.point((bounds.x0, bounds.y0))
-    return left - 56 * unit, bottom + 34 * unit
+    left, bottom = plan.point((bounds.x0, bounds.y0))
+    return left - 56 * plan.unit, bottom + 34 * plan.unit
 
 
-def draw_axes(canvas: Canvas, view: View, inner: Bounds, bounds: Bounds, unit: float) -> None:
+def draw_axes(plan: Plan, inner: Bounds, bounds: Bounds) -> None:
     """Rules with metre ticks below and to the left of the room."""
-    size = max(8, round(15 * unit))
-    step = step_for(view.scale, 34 * unit)
-    left, bottom = axes_at(view, bounds, unit)
-    x0, x1 = view.point((inner.x0, 0))[0], view.point((inner.x1, 0))[0]
-    y0, y1 = view.point((0, inner.y0))[1], view.point((0, inner.y1))[1]
-    canvas.line(((x0, bottom), (x1, bottom)), palette.FAINT, 1.2 * unit)
-    canvas.line(((left, y0), (left, y1)), palette.FAINT, 1.2 * unit)
+    size, unit = plan.font_size(15), plan.unit
+    step = step_for(plan.scale, 34 * unit)
+    left, bottom = axes_at(plan, bounds)
+    x0, x1 = plan.point((inner.x0, 0))[0], plan.point((inner.x1, 0))[0]
+    y0, y1 = plan.point((0, inner.y0))[1], plan.point((0, inner.y1))[1]
+    plan.line(((x0, bottom), (x1, bottom)), palette.FAINT, 1.2)
+    plan.line(((left, y0), (left, y1)), palette.FAINT, 1.2)
     # The exact ends of the room, as short strokes.
     for x in (x0, x1):
-        canvas.line(((x, bottom - 5 * unit), (x, bottom + 5 * unit)), palette.FAINT, 1.2 * unit)
+        plan.line(((x, bottom - 5 * unit), (x, bottom + 5 * unit)), palette.FAINT, 1.2)
     for y in (y0, y1):
-        canvas.line(((left - 5 * unit, y), (left + 5 * unit, y)), palette.FAINT, 1.2 * unit)
+        plan.line(((left - 5 * unit, y), (left + 5 * unit, y)), palette.FAINT, 1.2)
     for k in _ticks(inner.x0, inner.x1, step):
-        x = view.point((k, 0))[0]
-        canvas.line(((x, bottom), (x, bottom + 7 * unit)), palette.MUTED, 1.4 * unit)
-        canvas.text(Text((str(k),), (x, bottom + 21 * unit), size, palette.MUTED))
+        x = plan.point((k, 0))[0]
+        plan.line(((x, bottom), (x, bottom + 7 * unit)), palette.MUTED, 1.4)
+        plan.text(Text((str(k),), (x, bottom + 21 * unit), size, palette.MUTED))
     for k in _ticks(inner.y0, inner.y1, step):
-        y = view.point((0, k))[1]
-        canvas.line(((left, y), (left - 7 * unit, y)), palette.MUTED, 1.4 * unit)
-        canvas.text(Text((str(k),), (left - 13 * unit, y), size, palette.MUTED, anchor="r"))
-    canvas.text(Text(("x [m]",), (x1 + 14 * unit, bottom), size, palette.MUTED, anchor="l"))
-    canvas.text(Text(("y [m]",), (left, y1 - 18 * unit), size, palette.MUTED))
+        y = plan.point((0, k))[1]
+        plan.line(((left, y), (left - 7 * unit, y)), palette.MUTED, 1.4)
+        plan.text(Text((str(k),), (left - 13 * unit, y), size, palette.MUTED, anchor="r"))
+    plan.text(Text(("x [m]",), (x1 + 14 * unit, bottom), size, palette.MUTED, anchor="l"))
+    plan.text(Text(("y [m]",), (left, y1 - 18 * unit), size, palette.MUTED))
 
 
 def _ticks(low: float, high: float, step: int) -> range:
@@ -97,25 +97,23 @@ class Key:
 
 
 def draw_footer(
-    width: int,
-    unit: float,
-    view: View,
+    plan: Plan,
     key: Key,
     categories: Sequence[tuple[str, palette.Rgb, int]],
     notes: Sequence[str],
     alarms: Sequence[str],
 ) -> Image.Image:
     """The foot of the sheet: scale bar and key, then categories, then notes and violations."""
-    margin, row = 60 * unit, 30 * unit
-    size = max(8, round(16 * unit))
+    width, unit = plan.width, plan.unit
+    margin, row, size = 60 * unit, 30 * unit, plan.font_size(16)
     lines = _wrap_categories(categories, size, width - 2 * margin, unit)
     rows = len(lines) + 0.4 * bool(lines) + len(notes) + len(alarms) + 0.4 * bool(alarms)
     height = 86 * unit + row * rows
-    canvas = Canvas(width, math.ceil(height), palette.PAPER)
-    canvas.line(((margin, 8 * unit), (width - margin, 8 * unit)), palette.GRID, 1.2 * unit)
+    canvas = Canvas(width, math.ceil(height), palette.PAPER, unit)
+    canvas.line(((margin, 8 * unit), (width - margin, 8 * unit)), palette.GRID, 1.2)
     y = 42 * unit
-    _draw_scale_bar(canvas, view, margin, y, width, unit, size)
-    _draw_key(canvas, key, width - margin, y, unit, size)
+    _draw_scale_bar(canvas, plan.scale, margin, y, size)
+    _draw_key(canvas, key, width - margin, y, size)
     y += row * 1.2
     for line in lines:
         for x, name, color in line:
@@ -136,27 +134,28 @@ def draw_footer(
     return canvas.finish()
 
 
-def _draw_scale_bar(canvas: Canvas, view: View, x: float, y: float, width: int, unit: float, size: int) -> None:
+def _draw_scale_bar(canvas: Canvas, scale: float, x: float, y: float, size: int) -> None:
     """A bar of a round length of a quarter of the picture at most, in four alternating pieces."""
     metres = 0.1
     for candidate in (0.1, 0.2, 0.5, 1, 2, 4, 5, 10, 20, 40, 50, 100, 200, 400, 1000, 2000, 5000, 10000):
-        if candidate * view.scale <= 0.23 * width:
+        if candidate * scale <= 0.23 * canvas.width:
             metres = candidate
-    piece = metres * view.scale / 4
-    tall = 4 * unit
+    piece = metres * scale / 4
+    tall = 4 * canvas.unit
     for k in range(4):
-        box = (
-            (x + k * piece, y - tall),
-            (x + (k + 1) * piece, y - tall),
-            (x + (k + 1) * piece, y + tall),
-            (x + k * piece, y + tall),
-        )
-        canvas.polygon(box, palette.INK if k % 2 == 0 else palette.PAPER, palette.INK, 1.2 * unit)
-    canvas.text(Text((f"{metres:g} m",), (x + 4 * piece + 12 * unit, y), size, palette.INK, anchor="l"))
+        box = _rectangle(x + k * piece, x + (k + 1) * piece, y, tall)
+        canvas.polygon(box, palette.INK if k % 2 == 0 else palette.PAPER, palette.INK, 1.2)
+    canvas.text(Text((f"{metres:g} m",), (x + 4 * piece + 12 * canvas.unit, y), size, palette.INK, anchor="l"))
 
 
-def _draw_key(canvas: Canvas, key: Key, right: float, y: float, unit: float, size: int) -> None:
+def _rectangle(left: float, right: float, middle: float, tall: float) -> tuple[Point, ...]:
+    return ((left, middle - tall), (right, middle - tall), (right, middle + tall), (left, middle + tall))
+
+
+def _draw_key(canvas: Canvas, key: Key, right: float, y: float, size: int) -> None:
     """The signs in use, from the right edge leftward."""
+    unit, dash = canvas.unit, (5, 3.5)
+    wide, tall = 26 * unit, 9 * unit
     signs = (
         (key.alarms, "alarm", "violation"),
         (key.hanging, "hanging", "on wall, ceiling or shelf"),
@@ -171,22 +170,20 @@ def _draw_key(canvas: Canvas, key: Key, right: float, y: float, unit: float, siz
         x -= text_width(text, size)
         canvas.text(Text((text,), (x, y), size, palette.MUTED, anchor="l"))
         x -= 10 * unit
-        wide, tall = 26 * unit, 9 * unit
-        box = ((x - wide, y - tall), (x, y - tall), (x, y + tall), (x - wide, y + tall))
-        dash = (5 * unit, 3.5 * unit)
+        box = _rectangle(x - wide, x, y, tall)
         if sign == "arrow":
             middle, h = x - wide / 2, 6 * unit
-            canvas.line(((middle - 9 * unit, y), (middle + 4 * unit, y)), palette.INK, 2.4 * unit)
+            canvas.line(((middle - 9 * unit, y), (middle + 4 * unit, y)), palette.INK, 2.4)
             canvas.polygon(((middle + 11 * unit, y), (middle + unit, y + h), (middle + unit, y - h)), fill=palette.INK)
         elif sign == "hanging":
             canvas.polygon(box, fill=(*palette.FAINT, 90))
-            canvas.dashed(box, palette.MUTED, 1.3 * unit, dash, closed=True)
+            canvas.dashed(box, palette.MUTED, 1.3, dash, closed=True)
         elif sign == "alarm":
-            canvas.polygon(box, fill=(*palette.ALARM, 40), line=palette.ALARM, width=2.4 * unit)
+            canvas.polygon(box, fill=(*palette.ALARM, 40), line=palette.ALARM, width=2.4)
         else:
             color, angle = (palette.ZONE, 45) if sign == "zone" else (palette.OPENING, -45)
-            canvas.hatch(box, (*color, 110), 1.0 * unit, 7 * unit, angle)
-            canvas.dashed(box, (*color, 200), 1.1 * unit, dash, closed=True)
+            canvas.hatch(box, (*color, 110), 1.0, 7, angle)
+            canvas.dashed(box, (*color, 200), 1.1, dash, closed=True)
         x -= wide + 30 * unit
 
 

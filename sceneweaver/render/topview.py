@@ -14,11 +14,10 @@ import numpy as np
 from PIL import Image
 
 from sceneweaver.geometry.polygons import signed_area
-from sceneweaver.geometry.shell import outer_outline
 from sceneweaver.render import labels, palette, plan_objects, plan_room, sheet
-from sceneweaver.render.canvas import Canvas, Text
+from sceneweaver.render.canvas import Text
 from sceneweaver.render.plan_objects import Item
-from sceneweaver.render.shapes import View, bounds_of, content
+from sceneweaver.render.shapes import Plan, View, bounds_of, content
 from sceneweaver.scene import InputError, Scene, write_atomic
 
 MIN_WIDTH, MAX_WIDTH = 200, 8192
@@ -102,51 +101,42 @@ def save_top(
 
 
 def _draw_plain(scene: Scene, width: int, violations: Sequence[ViolationLike]) -> Image.Image:
-    unit = width / 1600
     items = plan_objects.items_of(scene)
-    view, size = _view(scene, items, width, 30 * unit, 30 * unit, 30 * unit, 30 * unit)
-    canvas = Canvas(*size, palette.PAPER)
-    floor = view.points(scene.room.outline)
-    plan_room.draw_floor(canvas, view, scene.room)
-    plan_objects.draw_items(canvas, view, items, floor, unit)
-    plan_room.draw_openings(canvas, view, scene.room, unit)
-    _draw_alarms(canvas, view, items, violations, unit)
-    return canvas.finish()
+    plan = _plan(scene, items, width, (30, 30, 30, 30))
+    plan_room.draw_floor(plan, scene.room)
+    plan_objects.draw_items(plan, items, scene.room)
+    plan_room.draw_openings(plan, scene.room)
+    _draw_alarms(plan, items, violations)
+    return plan.finish()
 
 
 def _draw_sheet(
     scene: Scene, width: int, violations: Sequence[ViolationLike], soft: int, valid: bool | None
 ) -> Image.Image:
-    unit = width / 1600
     room = scene.room
     items = plan_objects.items_of(scene)
     alarmed = frozenset(name for v in violations for name in v.objects)
-    view, size = _view(scene, items, width, 124 * unit, 68 * unit, 44 * unit, 84 * unit)
-    canvas = Canvas(*size, palette.PAPER)
-    floor, outer = view.points(room.outline), view.points(outer_outline(room.walls))
-
-    plan_room.draw_floor(canvas, view, room)
-    plan_room.draw_grid(canvas, view, room, unit)
-    plan_room.draw_opening_zones(canvas, view, room, unit, alarmed)
-    plan_objects.draw_zones(canvas, view, items, unit, alarmed)
-    plan_objects.draw_items(canvas, view, items, floor, unit)
-    plan_room.draw_openings(canvas, view, room, unit)
-    owners, edges = plan_objects.owner_grid(size, view, items, floor, outer)
-    plan_objects.draw_arrows(canvas, view, items, owners, unit)
-    _draw_alarms(canvas, view, items, violations, unit)
-    plan_room.name_walls(canvas, view, room, unit)
+    plan = _plan(scene, items, width, (124, 68, 44, 84))
+    plan_room.draw_floor(plan, room)
+    plan_room.draw_grid(plan, room)
+    plan_room.draw_opening_zones(plan, room, alarmed)
+    plan_objects.draw_zones(plan, items, alarmed)
+    plan_objects.draw_items(plan, items, room)
+    plan_room.draw_openings(plan, room)
+    owners, edges = plan_objects.owner_grid(plan, items, room)
+    plan_objects.draw_arrows(plan, items, owners)
+    _draw_alarms(plan, items, violations)
+    plan_room.name_walls(plan, room)
     shown = content(room, [p for i in items for p in i.solids])
-    left, bottom = sheet.axes_at(view, shown, unit)
-    owners[:, : round((left + 8 * unit) / labels.CELL)] = labels.MARK_OWNER
-    owners[round((bottom - 8 * unit) / labels.CELL) :] = labels.MARK_OWNER
-    labelling = _draw_labels(canvas, view, items, (owners, edges), alarmed, unit)
-    sheet.draw_axes(canvas, view, bounds_of(room.outline), shown, unit)
+    left, bottom = sheet.axes_at(plan, shown)
+    owners[:, : round((left + 8 * plan.unit) / labels.CELL)] = labels.MARK_OWNER
+    owners[round((bottom - 8 * plan.unit) / labels.CELL) :] = labels.MARK_OWNER
+    labelling = _draw_labels(plan, items, (owners, edges), alarmed)
+    sheet.draw_axes(plan, bounds_of(room.outline), shown)
 
-    head = sheet.draw_title(
-        width, unit, printable(scene.id), _facts(scene), printable(scene.prompt), _badge(scene, violations, valid)
-    )
-    foot = _foot(scene, items, violations, soft, labelling, view, size, unit)
-    parts = (head, canvas.finish(), foot)
+    badge = _badge(scene, violations, valid)
+    head = sheet.draw_title(plan, printable(scene.id), _facts(scene), printable(scene.prompt), badge)
+    parts = (head, plan.finish(), _foot(plan, scene, items, violations, soft, labelling))
     image = Image.new("RGB", (width, sum(p.height for p in parts)), palette.PAPER)
     y = 0
     for part in parts:
@@ -155,16 +145,16 @@ def _draw_sheet(
     return image
 
 
-def _view(
-    scene: Scene, items: Sequence[Item], width: int, left: float, right: float, top: float, bottom: float
-) -> tuple[View, tuple[int, int]]:
-    """The largest scale at which the plan fits, and the size of its part of the picture."""
+def _plan(scene: Scene, items: Sequence[Item], width: int, margins: tuple[int, int, int, int]) -> Plan:
+    """A canvas on which the plan is as large as it can be; ``margins`` left, right, above and below are in units."""
+    unit = width / 1600
+    left, right, top, bottom = (margin * unit for margin in margins)
     shown = content(scene.room, [p for i in items for p in i.solids])
     wide, high = width - left - right, 0.9 * width
     scale = min(wide / max(shown.width, 1e-3), high / max(shown.height, 1e-3))
     spare = wide - shown.width * scale
     view = View(scale, shown.x0 - (left + spare / 2) / scale, shown.y1 + top / scale)
-    return view, (width, round(top + shown.height * scale + bottom))
+    return Plan(width, round(top + shown.height * scale + bottom), view, unit)
 
 
 def _facts(scene: Scene) -> str:
@@ -192,17 +182,15 @@ def _badge(scene: Scene, violations: Sequence[ViolationLike], valid: bool | None
     return sheet.Badge("valid", True) if valid else sheet.Badge("not checked", None)
 
 
-def _draw_alarms(
-    canvas: Canvas, view: View, items: Sequence[Item], violations: Sequence[ViolationLike], unit: float
-) -> None:
+def _draw_alarms(plan: Plan, items: Sequence[Item], violations: Sequence[ViolationLike]) -> None:
     """Red outlines around the objects of violations; what two colliding objects share is filled."""
-    shapes = {i.id: [view.points(p.polygon) for p in i.solids] for i in items}
+    shapes = {i.id: [plan.points(p.polygon) for p in i.solids] for i in items}
     for name in sorted({name for v in violations for name in v.objects} & shapes.keys()):
-        canvas.outline(shapes[name], palette.ALARM, 3.2 * unit)
+        plan.outline(shapes[name], palette.ALARM, 3.2)
     for v in violations:
         pair = [shapes[name] for name in v.objects if name in shapes]
         if v.kind == "collision" and len(pair) == 2:
-            canvas.overlap(pair[0], pair[1], palette.ALARM)
+            plan.overlap(pair[0], pair[1], palette.ALARM)
 
 
 def _order(violation: ViolationLike) -> tuple[str, tuple[str, ...], str]:
@@ -210,50 +198,38 @@ def _order(violation: ViolationLike) -> tuple[str, tuple[str, ...], str]:
 
 
 def _draw_labels(
-    canvas: Canvas,
-    view: View,
-    items: Sequence[Item],
-    grids: tuple[np.ndarray, np.ndarray],
-    alarmed: frozenset[str],
-    unit: float,
+    plan: Plan, items: Sequence[Item], grids: tuple[np.ndarray, np.ndarray], alarmed: frozenset[str]
 ) -> labels.Labelling:
-    wanted = []
     number = {item.id: k + 1 for k, item in enumerate(items)}
-    for k, item in enumerate(items):
-        box = bounds_of([p for s in item.solids for p in view.points(s.polygon)])
-        center = ((box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2)
+
+    def wanted(item: Item) -> labels.Wanted:
         text = printable(item.id) or printable(item.obj.category) or "?"
         below = number.get(item.obj.support.object, 0) if item.obj.support is not None else 0
-        wanted.append(labels.Wanted(item.id, k + 1, item.obj.category, text, center, box.width * box.height, below))
-    sizes = [max(7, round(s * unit)) for s in (20, 16, 13)]
-    result = labels.place(wanted, *grids, sizes)
+        return plan_objects.label_of(plan, item, number[item.id], text, below)
+
+    result = labels.place([wanted(item) for item in items], *grids, [plan.font_size(s, 7) for s in (20, 16, 13)])
     by_id = {i.id: i for i in items}
     for label in result.placed:
         if label.leader is not None:
-            start, end = label.leader
-            canvas.line((start, end), (*palette.FLOOR, 150), 3.0 * unit)
-            canvas.line((start, end), palette.INK, 1.2 * unit)
-            canvas.disc(end, 2.6 * unit, palette.INK)
+            plan.leader(label.leader, palette.INK, (*palette.FLOOR, 150), 1.2)
     for label in result.placed:
         item = by_id[label.key]
         color = palette.INK if label.beside else palette.ink_on(item.ground)
-        halo = max(1, round((2.6 if label.beside else 1.8) * unit))
+        halo = plan.font_size(2.6 if label.beside else 1.8, 1)
         if label.key in alarmed:
             color = palette.ALARM
         ground = palette.FLOOR if label.beside else item.ground
-        canvas.text(Text(label.lines, label.at, label.size, color, ground, halo, label.upright))
+        plan.text(Text(label.lines, label.at, label.size, color, ground, halo, label.upright))
     return result
 
 
 def _foot(
+    plan: Plan,
     scene: Scene,
     items: Sequence[Item],
     violations: Sequence[ViolationLike],
     soft: int,
     labelling: labels.Labelling,
-    view: View,
-    size: tuple[int, int],
-    unit: float,
 ) -> Image.Image:
     key = sheet.Key(
         arrows=bool(items),
@@ -262,13 +238,12 @@ def _foot(
         hanging=any(i.translucent for i in items),
         alarms=bool(violations),
     )
-    thinned = labelling.numbered + labelling.left_out > 0
     notes = []
     if labelling.numbered:
         notes.append("A number alone is the end of the object's id; its colour says the category.")
     if labelling.left_out:
         notes.append(f"{labelling.left_out} of {_count(len(items), 'object')} had no room for a label.")
-    outside = sum(not _in_picture(item, view, size) for item in items)
+    outside = sum(not _in_picture(plan, item) for item in items)
     if outside:
         notes.append(f"{_count(outside, 'object')} outside of the picture.")
     notes += [f"dropped: {printable(d.id)} ({printable(d.category)}): {printable(d.reason)}" for d in scene.dropped[:4]]
@@ -277,7 +252,8 @@ def _foot(
     alarms = [f"{printable(v.kind.replace('_', ' '))}:  {_sentence(v)}" for v in violations[:_MAX_LISTED]]
     if len(violations) > _MAX_LISTED:
         alarms.append(f"and {len(violations) - _MAX_LISTED} more")
-    return sheet.draw_footer(size[0], unit, view, key, _categories(items) if thinned else (), notes, alarms)
+    named = labelling.numbered + labelling.left_out == 0
+    return sheet.draw_footer(plan, key, () if named else _categories(items), notes, alarms)
 
 
 def _sentence(violation: ViolationLike) -> str:
@@ -296,9 +272,9 @@ def _categories(items: Sequence[Item]) -> list[tuple[str, palette.Rgb, int]]:
     return sorted(out, key=lambda c: (-c[2], c[0]))
 
 
-def _in_picture(item: Item, view: View, size: tuple[int, int]) -> bool:
-    points = [p for s in item.solids for p in view.points(s.polygon)]
-    return any(0 <= x <= size[0] and 0 <= y <= size[1] for x, y in points)
+def _in_picture(plan: Plan, item: Item) -> bool:
+    points = [p for s in item.solids for p in plan.points(s.polygon)]
+    return any(0 <= x <= plan.width and 0 <= y <= plan.height for x, y in points)
 
 
 def printable(text: str) -> str:

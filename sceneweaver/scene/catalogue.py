@@ -270,24 +270,16 @@ def _spec(name: str, entry: Mapping[str, Any]) -> RelationSpec:
         default = _pair(p["default"]) if "default" in p else {**entry, "gap": gap}[key]
         words = {"choices": tuple(p["choices"])} if "choices" in p else {}
         params[key] = ParamSpec(**{"name": key, **p, **words, "default": default})
-    return RelationSpec(
-        type=name,
-        description=entry["description"],
-        target=entry["target"],
-        subject_sides=tuple(entry.get("subject_sides", ())),
-        target_sides=tuple(entry.get("target_sides", ())),
-        degrees=entry.get("degrees"),
-        gap=gap,
-        overlap=entry.get("overlap"),
-        params=MappingProxyType(params),
-        constants=MappingProxyType(entry.get("constants", {})),
-        ties_zones=entry.get("ties_zones", False),
-        roles=frozenset(entry.get("roles", ())),
-        snap=MappingProxyType({key: _exact(e) for key, e in entry.get("snap", {}).items()}),
-        rounded=entry.get("rounded", False),
-        ways=ways_of(name, entry["ways"], entry.get("frame")),
-        frame=entry.get("frame"),
-    )
+    made = {
+        "gap": gap,
+        "params": MappingProxyType(params),
+        "constants": MappingProxyType(entry.get("constants", {})),
+        "roles": frozenset(entry.get("roles", ())),
+        "snap": MappingProxyType({key: _exact(e) for key, e in entry.get("snap", {}).items()}),
+        "ways": ways_of(name, entry["ways"], entry.get("frame")),
+    }
+    plain = {key: tuple(value) if isinstance(value, list) else value for key, value in entry.items() if key not in made}
+    return RelationSpec(type=name, **plain, **made)
 
 
 def _exact(entry: Mapping[str, Any]) -> Exact:

@@ -180,14 +180,8 @@ def apply(scene: AnyScene, edit: AnyEdit) -> AnyScene:
         InputError: when it names something that is not there, or would leave a scene that does not load.
     """
     try:
-        if isinstance(edit, SetPose):
-            return scene.replace_poses({edit.id: edit.pose})
-        if isinstance(edit, SetAttributes):
-            return _with_object(scene, _attributes(scene.object(edit.id), edit))
-        if isinstance(edit, SetIntent):
-            return _with_object(scene, scene.object(edit.id).model_copy(update={"intent": edit.intent}))
         after = _changed(scene, edit)
-        if not _adds_in_order(scene, edit):
+        if not _keeps_references(scene, edit):
             try:
                 check_references(after.room, after.objects, after.relations)
             except FieldError as error:
@@ -259,8 +253,10 @@ def invert(scene: SceneContent, edit: AnyEdit) -> list[AnyEdit]:
             return [SetIntent(id=edit.id, intent=scene.object(edit.id).intent)]
 
 
-def _adds_in_order(scene: SceneContent, edit: AnyEdit) -> bool:
-    """Whether an edit adds something whose references all exist: then those of the rest need no other look."""
+def _keeps_references(scene: SceneContent, edit: AnyEdit) -> bool:
+    """Whether an edit changes no references, or adds something whose all exist: those of the rest hold as before."""
+    if isinstance(edit, SetPose | SetAttributes | SetIntent):
+        return True
     if isinstance(edit, Relate):
         return relation_fits(edit.relation, scene.room, scene._positions())
     if not isinstance(edit, Add) or edit.object.id in scene._positions():
@@ -282,7 +278,7 @@ def _changed(scene: AnyScene, edit: AnyEdit) -> AnyScene:
         case Remove():
             gone = _removed(scene, edit)
             keep = tuple(o for o in scene.objects if o.id not in gone)
-            relations = tuple(r for r in scene.relations if not gone.intersection((r.subject, *r.targets)))
+            relations = tuple(r for r in scene.relations if gone.keys().isdisjoint((r.subject, *r.targets)))
             return scene.model_copy(update={"objects": keep, "relations": relations})
         case Replace():
             return _with_object(scene, edit.object)
@@ -298,8 +294,12 @@ def _changed(scene: AnyScene, edit: AnyEdit) -> AnyScene:
             return _with_object(scene, _rebuilt(scene.object(edit.id), support=edit.support, mount=mount))
         case Rename():
             return _renamed(scene, edit)
-        case _:
-            raise AssertionError(f"unreachable: {edit.op}")
+        case SetPose():
+            return scene.replace_poses({edit.id: edit.pose})
+        case SetAttributes():
+            return _with_object(scene, _attributes(scene.object(edit.id), edit))
+        case SetIntent():
+            return _with_object(scene, scene.object(edit.id).model_copy(update={"intent": edit.intent}))
 
 
 def _named(edit: AnyEdit) -> str:
@@ -345,34 +345,28 @@ def carried(scene: SceneContent, object_id: str) -> dict[str, int]:
     return levels
 
 
-def _removed(scene: SceneContent, edit: Remove) -> set[str]:
+def _removed(scene: SceneContent, edit: Remove) -> dict[str, int]:
+    """What is taken out, and how many steps up from the first each is."""
     scene.index(edit.id)
     gone = carried(scene, edit.id)
     if len(gone) > 1 and not edit.cascade:
         on = ", ".join(quote(object_id) for object_id in list(gone)[1:4]) + (", ..." if len(gone) > 4 else "")
         raise InputError(f"{on} would stand on nothing; set cascade to true to remove all")
-    return set(gone)
+    return gone
 
 
-def _restore(scene: SceneContent, gone: set[str]) -> list[AnyEdit]:
+def _restore(scene: SceneContent, gone: Mapping[str, int]) -> list[AnyEdit]:
     """Edits that put objects and the relations that name them back where they were, carriers before what they carry."""
-    order = sorted((scene.index(object_id) for object_id in gone), key=lambda i: (_depth(scene, i), i))
+    order = sorted(map(scene.index, gone), key=lambda i: (gone[scene.objects[i].id], i))
     there = {i for i, o in enumerate(scene.objects) if o.id not in gone}
     out: list[AnyEdit] = []
     for i in order:
         out.append(Add(object=scene.objects[i], index=sum(k < i for k in there)))
         there.add(i)
     for i, relation in enumerate(scene.relations):
-        if gone.intersection((relation.subject, *relation.targets)):
+        if not gone.keys().isdisjoint((relation.subject, *relation.targets)):
             out.append(Relate(relation=relation, index=i))
     return out
-
-
-def _depth(scene: SceneContent, index: int) -> int:
-    depth, obj = 0, scene.objects[index]
-    while obj.support:
-        depth, obj = depth + 1, scene.object(obj.support.object)
-    return depth
 
 
 def _find_relation(scene: SceneContent, edit: Unrelate) -> int:

@@ -87,6 +87,11 @@ def show(value: object) -> str:
     return f"of type {type(value).__name__}"
 
 
+def is_number(value: object) -> bool:
+    """Whether a value is a number, which True is not here."""
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
 def nearest(name: object, options: Iterable[str]) -> str | None:
     """The option most like ``name``, ignoring case, or None when none is close."""
     folded = {option.casefold(): option for option in reversed(list(itertools.islice(options, _MOST_COMPARED)))}

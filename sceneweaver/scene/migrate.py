@@ -23,7 +23,7 @@ from sceneweaver.geometry.rotations import from_yaw
 from .errors import InputError
 from .finish import RoomFinish
 from .intent import Intent
-from .messages import quote, show
+from .messages import is_number, quote, show
 
 SCHEMA = "sceneweaver.scene/1"
 """The current version."""
@@ -167,7 +167,7 @@ def _yaw_to_quaternion(data: dict[str, Any]) -> dict[str, Any]:
         if not isinstance(pose, dict) or "yaw" not in pose or "quaternion" in pose:
             continue
         yaw = pose["yaw"]
-        if isinstance(yaw, bool) or not isinstance(yaw, int | float) or not math.isfinite(yaw):
+        if not is_number(yaw) or not math.isfinite(yaw):
             raise InputError(f"object {quote(obj.get('id'))}: pose.yaw is {show(yaw)}; give a finite number of radians")
         del pose["yaw"]
         pose["quaternion"] = list(from_yaw(yaw))

@@ -12,7 +12,7 @@ from .content import SceneContent
 from .display import Shown
 from .edits import Add, AnyEdit, Relate, Remove, Rename, SetSize, Unrelate, apply, apply_all, carried
 from .errors import InputError
-from .messages import show
+from .messages import is_number, show
 from .objects import Pose, SceneObject
 from .relation import Relation
 
@@ -170,7 +170,7 @@ def _target(target: Any) -> str | tuple[str, str] | None:
 
 
 def _number(name: str, value: Any) -> float:
-    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+    if not is_number(value) or not math.isfinite(value):
         raise InputError(f"{name} is {show(value)}; give a finite number")
     return float(value)
 

@@ -14,7 +14,7 @@ from .base import FrozenModel
 from .errors import InputError
 from .fields import Id, Index, Length, Name, Offset, Outline
 from .finish import RoomFinish
-from .messages import FieldError, show, suggest
+from .messages import FieldError, is_number, show, suggest
 
 FIT_TOLERANCE = 1e-6
 """How far [m] an opening may stand over its wall's end or the ceiling: rounding, no more."""
@@ -100,7 +100,7 @@ class Room(FrozenModel):
         if not isinstance(cut, list | tuple) or len(cut) != 2:
             raise InputError(f"cut is {show(cut)}; give width and depth of what is missing")
         sides = (*cut, width, depth)
-        if any(isinstance(v, bool) or not isinstance(v, int | float) for v in sides):
+        if not all(map(is_number, sides)):
             raise InputError(f"width, depth and cut are {show(width)}, {show(depth)} and {show(cut)}; give metres")
         a, b, w, d = sides
         if not (0 < a < w and 0 < b < d):
@@ -183,9 +183,9 @@ class Room(FrozenModel):
     def _opening(self, noun: str, wall: int | str, at: float, width: float, name: str | None) -> dict[str, Any]:
         """What doors and windows have in common."""
         number = self.wall(wall)
-        if isinstance(at, bool) or not isinstance(at, int | float) or not 0 <= at <= 1:
+        if not is_number(at) or not 0 <= at <= 1:
             raise InputError(f"{noun}: at is {show(at)}; give a share of the wall, 0 to 1")
-        if isinstance(width, bool) or not isinstance(width, int | float):
+        if not is_number(width):
             raise InputError(f"{noun}: width is {show(width)}; give metres")
         free = self.walls[number].length - width
         if free < -FIT_TOLERANCE:

@@ -75,11 +75,7 @@ def _relation(name: str) -> dict[str, Any]:
         "properties": {
             "type": {"const": name},
             "target": {"type": types[0] if len(types) == 1 else types},
-            "params": {
-                "properties": params,
-                "additionalProperties": False,
-                **({"required": required} if required else {}),
-            },
+            "params": allowed,
         },
     }
     if spec.target_kind == "wall":

@@ -2,28 +2,22 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from sceneweaver.geometry.polygons import union
+from sceneweaver.verify.measure import at_most, length
 from sceneweaver.verify.meshes import MeshSet
+from sceneweaver.verify.report import Violation
 from sceneweaver.verify.solids import DEPTH, Array, Body, Placed
 
 AREA = 1e-8
 """Area in square metres of a footprint that may lie outside the outline widened by `DEPTH`."""
 
 
-class Exit(NamedTuple):
-    """Object ``index`` leaves the room ``through`` a wall, the ceiling or the floor, by ``amount`` metres."""
-
-    index: int
-    through: Literal["wall", "ceiling", "floor"]
-    amount: float
-
-
-def find(placed: Placed, meshes: MeshSet) -> list[Exit]:
-    """Return each way in which an object leaves the room.
+def find(placed: Placed, meshes: MeshSet) -> list[Violation]:
+    """One violation for each object that leaves the room, however many ways it does.
 
     An object is outside when more than `AREA` of its footprint lies outside the outline widened by 1 mm, or when it is
     more than 1 mm above the ceiling; for objects on walls and ceilings also below the floor (all others must stand on
@@ -45,12 +39,19 @@ def find(placed: Placed, meshes: MeshSet) -> list[Exit]:
             beyond = _farthest(placed, room, points)
         else:
             beyond = _leaves(placed, body, room) if body.index in suspects else 0.0
+        above = high - placed.scene.room.height
+        ways = []
         if beyond > 0.0:
-            found.append(Exit(body.index, "wall", beyond))
-        if high > placed.scene.room.height + DEPTH:
-            found.append(Exit(body.index, "ceiling", high - placed.scene.room.height))
+            ways.append((beyond, "reach out of the room", f"reaches {length(beyond)} out of the room"))
+        if above > DEPTH:
+            ways.append((above, "height above the ceiling", f"rises {length(above)} above the ceiling"))
         if low < -DEPTH and body.item.mount in ("wall", "ceiling"):
-            found.append(Exit(body.index, "floor", -low))
+            ways.append((-low, "depth below the floor", f"sinks {length(-low)} into the floor"))
+        if ways:
+            amount, quantity, _ = max(ways, key=lambda way: way[0])
+            detail = f"{body.id} {' and '.join(text for *_, text in ways)}"
+            measured = at_most(quantity, amount, 0.0, slack=DEPTH)
+            found.append(Violation.of("out_of_bounds", (body.id,), detail, measured))
     return found
 
 

@@ -14,12 +14,11 @@ from sceneweaver.scene import Relation, Scene
 from sceneweaver.scene.errors import InputError
 from sceneweaver.verify import bounds, collisions, stability, support, zones
 from sceneweaver.verify import walkable as access
-from sceneweaver.verify.measure import Judgement, Measurement, at_most, length
+from sceneweaver.verify.measure import Judgement
 from sceneweaver.verify.meshes import MeshSet
-from sceneweaver.verify.overlap import ZONE_DEPTH
 from sceneweaver.verify.relations import judge_relation
-from sceneweaver.verify.report import Kind, LinkTravel, RelationRef, RelationTally, Report, Tally, Violation
-from sceneweaver.verify.solids import DEPTH, Placed
+from sceneweaver.verify.report import LinkTravel, RelationRef, RelationTally, Report, Tally, Violation
+from sceneweaver.verify.solids import Placed
 
 if TYPE_CHECKING:
     from sceneweaver.assets import Library
@@ -63,57 +62,43 @@ def check(
         (True, 0, True)
     """
     checkpoint()
-    clock = _Clock()
-    placed = Placed.of(scene)
-    shapes, warnings = MeshSet.of(meshes), []
+    clock, warnings = _Clock(), list[str]()
+    placed, shapes = Placed.of(scene), MeshSet.of(meshes)
     load = library.load if library is not None else None
-    found: list[Violation] = [
-        Violation("dropped", (d.id,), f"{d.id} could not be placed: {d.reason}", 0.0) for d in scene.dropped
-    ]
+    found = [Violation("dropped", (d.id,), f"{d.id} could not be placed: {d.reason}", 0.0) for d in scene.dropped]
     clock.lap("prepare")
-    found += _collisions(placed, shapes, warnings)
+    found += collisions.find(placed, shapes, warnings)
     clock.lap("collisions")
-    found += _bounds(placed, shapes)
+    found += bounds.find(placed, shapes)
     clock.lap("bounds")
-    found += _support(placed)
+    found += support.find(placed)
     clock.lap("support")
-    found += _zones(placed) + _openings(placed)
+    found += zones.find(placed)
     clock.lap("zones")
     judgements = [judge_relation(placed, relation) for relation in scene.relations]
     found += [_relation(scene, k, judgement) for k, judgement in enumerate(judgements) if not judgement.holds]
     clock.lap("relations")
-    shares = access.measure(placed) if walkable else None
+    shares = links = steady = None
     if walkable:
+        shares = access.measure(placed)
         clock.lap("walkable")
         if shares is None:
             warnings.append("the room is too large for the floor grid; walkable and reachable shares were not measured")
-    steady = None
     if physics:
         steady, fallen = stability.measure(scene, load)
         found += fallen
         clock.lap("physics")
-    links = None
     if openable:
         links = _openable(scene, load, warnings)
         clock.lap("openable")
-    counts = Counter(violation.kind for violation in found)
-    report = Report(
-        valid=not any(v.hard for v in found),
-        requested=len(scene.objects) + len(scene.dropped),
-        placed=len(scene.objects),
-        dropped=len(scene.dropped),
-        collisions=counts["collision"],
-        out_of_bounds=counts["out_of_bounds"],
-        unsupported=counts["unsupported"],
-        blocked_zones=counts["blocked_zone"],
-        blocked_openings=counts["blocked_opening"],
-        relations=RelationTally(*(_tally(scene.relations, judgements, hard) for hard in (True, False))),
+    report = _report(
+        scene,
+        found,
+        RelationTally(*(_tally(scene.relations, judgements, hard) for hard in (True, False))),
         walkable_share=shares.walkable if shares else None,
         reachable_share=shares.reachable if shares else None,
         stability=steady,
-        violations=tuple(found),
         seconds=clock.seconds(),
-        versions=dict(_versions()),
         warnings=tuple(warnings),
     )
     if links is None:
@@ -123,61 +108,24 @@ def check(
     return judged(report, scene, links)
 
 
-def _collisions(placed: Placed, meshes: MeshSet, warnings: list[str]) -> list[Violation]:
-    found = []
-    for a, b, depth in collisions.find(placed, meshes, warnings):
-        first, second = placed.bodies[a].id, placed.bodies[b].id
-        detail = f"{first} sinks {length(depth)} into {second}"
-        found.append(_violation("collision", (first, second), detail, at_most("depth", depth, 0.0, slack=DEPTH)))
-    return found
-
-
-def _bounds(placed: Placed, meshes: MeshSet) -> list[Violation]:
-    """One violation an object, however many ways it leaves the room."""
-    ways = {
-        "wall": ("reaches {} out of the room", "reach out of the room"),
-        "ceiling": ("rises {} above the ceiling", "height above the ceiling"),
-        "floor": ("sinks {} into the floor", "depth below the floor"),
-    }
-    by_object: dict[int, list[bounds.Exit]] = {}
-    for leaving in bounds.find(placed, meshes):
-        by_object.setdefault(leaving.index, []).append(leaving)
-    found = []
-    for index, exits in by_object.items():
-        name = placed.bodies[index].id
-        text = " and ".join(ways[e.through][0].format(length(e.amount)) for e in exits)
-        worst = max(exits, key=lambda e: e.amount)
-        measured = at_most(ways[worst.through][1], worst.amount, 0.0, slack=DEPTH)
-        found.append(_violation("out_of_bounds", (name,), f"{name} {text}", measured))
-    return found
-
-
-def _support(placed: Placed) -> list[Violation]:
-    found = []
-    for index, text, worst, supporter in support.find(placed):
-        names = (placed.bodies[index].id, *(() if supporter is None else (placed.bodies[supporter].id,)))
-        found.append(_violation("unsupported", names, f"{names[0]} {text}", worst))
-    return found
-
-
-def _zones(placed: Placed) -> list[Violation]:
-    found = []
-    for owner, zone, other, depth in zones.find(placed):
-        first, second = placed.bodies[owner].id, placed.bodies[other].id
-        detail = f"{second} stands {length(depth)} inside the zone {zone!r} of {first}"
-        measured = at_most("depth in the zone", depth, 0.0, slack=ZONE_DEPTH)
-        found.append(_violation("blocked_zone", (first, second), detail, measured, zone=zone))
-    return found
-
-
-def _openings(placed: Placed) -> list[Violation]:
-    found = []
-    for _, opening, other, depth in zones.find_openings(placed):
-        name = placed.bodies[other].id
-        detail = f"{name} stands {length(depth)} inside the clear space of {opening}"
-        measured = at_most("depth in the clear space", depth, 0.0, slack=ZONE_DEPTH)
-        found.append(_violation("blocked_opening", (name, opening), detail, measured))
-    return found
+def _report(scene: Scene, found: list[Violation], relations: RelationTally, **more: Any) -> Report:
+    """The report of what was found, with its counts by kind."""
+    counts = Counter(violation.kind for violation in found)
+    return Report(
+        valid=not any(v.hard for v in found),
+        requested=len(scene.objects) + len(scene.dropped),
+        placed=len(scene.objects),
+        dropped=len(scene.dropped),
+        collisions=counts["collision"],
+        out_of_bounds=counts["out_of_bounds"],
+        unsupported=counts["unsupported"],
+        blocked_zones=counts["blocked_zone"],
+        blocked_openings=counts["blocked_opening"],
+        relations=relations,
+        violations=tuple(found),
+        versions=dict(_versions()),
+        **more,
+    )
 
 
 def _openable(scene: Scene, load: Load | None, warnings: list[str]) -> list[LinkTravel] | None:
@@ -194,21 +142,13 @@ def _openable(scene: Scene, load: Load | None, warnings: list[str]) -> list[Link
 def _relation(scene: Scene, index: int, judgement: Judgement) -> Violation:
     r = scene.relations[index]
     said = " ".join((r.subject, r.type, " and ".join(r.targets))).rstrip()
-    return _violation(
+    return Violation.of(
         "relation" if r.hard else "soft_relation",
         (r.subject, *r.targets),
         f"{said}: {judgement.text}",
         judgement.worst,
         relation=RelationRef(index, r.type, r.subject, r.target),
     )
-
-
-def _violation(
-    kind: Kind, objects: tuple[str, ...], detail: str, measurement: Measurement | None, **more: Any
-) -> Violation:
-    """A violation whose amount is how far the measurement is off."""
-    amount = measurement.excess if measurement is not None else 0.0
-    return Violation(kind, objects, detail, amount, measurement=measurement, **more)
 
 
 def _tally(relations: tuple[Relation, ...], judgements: list[Judgement], hard: bool) -> Tally:

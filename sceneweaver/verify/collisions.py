@@ -12,13 +12,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from sceneweaver.verify import convex
+from sceneweaver.verify.measure import at_most, length
 from sceneweaver.verify.meshes import MeshBody, MeshSet, part_points
 from sceneweaver.verify.overlap import overlaps
+from sceneweaver.verify.report import Violation
 from sceneweaver.verify.solids import DEPTH, Array, Body, Placed
 
 SHARED_VOLUME = 1e-6
@@ -26,14 +28,6 @@ SHARED_VOLUME = 1e-6
 
 SHARED_FRACTION = 0.01
 """Fraction of the smaller body that may be shared, where that is less than `SHARED_VOLUME`."""
-
-
-class Collision(NamedTuple):
-    """Objects ``a`` and ``b`` (indices, a < b) penetrate by ``depth`` metres."""
-
-    a: int
-    b: int
-    depth: float
 
 
 @dataclass(eq=False)
@@ -66,13 +60,13 @@ class Shape:
         return self.body.volume if self.mesh is None else float(self.solid.volume())
 
 
-def volume_limit(a: float, b: float) -> float:
-    """Volume [m3] that bodies of volumes ``a`` and ``b`` may share."""
-    return min(SHARED_VOLUME, SHARED_FRACTION * min(a, b))
+def volume_limit(a: Any, b: Any) -> Any:
+    """Volume [m3] that bodies of volumes ``a`` and ``b`` may share; numbers or arrays."""
+    return np.minimum(SHARED_VOLUME, SHARED_FRACTION * np.minimum(a, b))
 
 
-def find(placed: Placed, meshes: MeshSet, warnings: list[str]) -> list[Collision]:
-    """Return every colliding pair once, ordered by the objects' places in the scene."""
+def find(placed: Placed, meshes: MeshSet, warnings: list[str]) -> list[Violation]:
+    """Every colliding pair once, ordered by the objects' places in the scene; what is to say of meshes is appended."""
     shapes = _shapes(placed, meshes)
     plain = np.ones(len(placed.bodies), dtype=bool)
     for index, shape in shapes.items():
@@ -83,7 +77,12 @@ def find(placed: Placed, meshes: MeshSet, warnings: list[str]) -> list[Collision
         depth = _penetration(*(shapes.get(k) or Shape(placed.bodies[k], None) for k in (a, b)))
         if depth > 0.0:
             found[a, b] = depth
-    return [Collision(a, b, depth) for (a, b), depth in sorted(found.items())]
+    return [_violation(placed.bodies[a].id, placed.bodies[b].id, depth) for (a, b), depth in sorted(found.items())]
+
+
+def _violation(a: str, b: str, depth: float) -> Violation:
+    measured = at_most("depth", depth, 0.0, slack=DEPTH)
+    return Violation.of("collision", (a, b), f"{a} sinks {length(depth)} into {b}", measured)
 
 
 def _shapes(placed: Placed, meshes: MeshSet) -> dict[int, Shape]:
@@ -113,10 +112,9 @@ def _prisms(placed: Placed, plain: Any) -> dict[tuple[int, int], float]:
     pairs = overlaps(parts, parts)
     a, b = parts.owner[pairs.i], parts.owner[pairs.j]
     volumes = np.array([body.volume for body in placed.bodies])
-    limit = np.minimum(SHARED_VOLUME, SHARED_FRACTION * np.minimum(volumes[a], volumes[b]))
     depth = np.minimum(pairs.depth, pairs.rise)
     found: dict[tuple[int, int], float] = {}
-    for k in np.flatnonzero(pairs.area * pairs.rise > limit):
+    for k in np.flatnonzero(pairs.area * pairs.rise > volume_limit(volumes[a], volumes[b])):
         key = (int(a[k]), int(b[k]))
         found[key] = max(found.get(key, 0.0), float(depth[k]))
     return found

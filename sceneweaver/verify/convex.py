@@ -34,7 +34,8 @@ def hull_vertices(points: Array) -> Array:
         return points
 
 
-def _normals(points: Array) -> Array:
+def normals(points: Array) -> Array:
+    """Unit normals of the faces of the convex hull of ``points`` [n, 3] as [f, 3]; none when they are flat."""
     from scipy.spatial import ConvexHull, QhullError
 
     try:
@@ -58,7 +59,7 @@ def depth(a: Array, b: Array) -> float:
         except QhullError:
             return 0.0
         return max(0.0, float(-offsets.max()))
-    axes = np.concatenate([_normals(a), _normals(b), np.eye(3)])
+    axes = np.concatenate([normals(a), normals(b), np.eye(3)])
     pa, pb = a @ axes.T, b @ axes.T
     reach = np.minimum(pa.max(axis=0) - pb.min(axis=0), pb.max(axis=0) - pa.min(axis=0))
     return max(0.0, float(reach.min()))
@@ -103,7 +104,7 @@ def thickness(shared: Any) -> float:
     deepest = 0.0
     for piece in shared.decompose():
         points = np.asarray(piece.to_mesh64().vert_properties)[:, :3]
-        axes = np.concatenate([_normals(points), np.eye(3)])
+        axes = np.concatenate([normals(points), np.eye(3)])
         projected = points @ axes.T
         width = float((projected.max(axis=0) - projected.min(axis=0)).min())
         if piece.volume() < CONVEX_SHARE * solid(points).volume():

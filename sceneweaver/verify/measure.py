@@ -107,11 +107,6 @@ def judge(alternatives: Iterable[Measurements], otherwise: str, rounding: float 
     return Judgement(False, "; ".join(map(str, best)), max(best, key=lambda m: m.weight))
 
 
-def judge_all(*measurements: Measurement, rounding: float = 0.0) -> Judgement:
-    """Return whether all of these measurements are in order."""
-    return judge([measurements], "", rounding)
-
-
 def length(metres: float) -> str:
     """Return a length for a sentence: millimetres below 1 cm, centimetres below 1 m, else metres."""
     size = abs(metres)

@@ -150,16 +150,8 @@ def _openings(case: Case, openings: Iterable[Opening]) -> Iterator[Site]:
             yield site._replace(name=item.id, shape=shapely.linestrings(ends), subject_face="front")
 
 
-def _windows(case: Case) -> Iterator[Site]:
-    return _openings(case, case.placed.windows)
-
-
-def _doors(case: Case) -> Iterator[Site]:
-    return _openings(case, case.placed.doors)
-
-
 def _either(case: Case) -> Iterator[Site]:
-    return _windows(case) if case.spec.target_kind == "window" else _doors(case)
+    return _openings(case, case.placed.windows if case.spec.target_kind == "window" else case.placed.doors)
 
 
 def _door_zones(case: Case) -> Iterator[Site]:
@@ -216,8 +208,8 @@ SITES: dict[str, tuple[Callable[[Case], Iterator[Site]], str]] = {
     "sides": (_sides, "it has no such side"),
     "walls": (_walls, "the room has no {target}"),
     "corners": (_corners, "the room has no convex corner"),
-    "windows": (_windows, "the room has no {target}"),
-    "doors": (_doors, "the room has no {target}"),
+    "windows": (lambda case: _openings(case, case.placed.windows), "the room has no {target}"),
+    "doors": (lambda case: _openings(case, case.placed.doors), "the room has no {target}"),
     "openings": (_either, "the room has no {target}"),
     "door_zones": (_door_zones, "the room has no {target}"),
     "wall_bodies": (_wall_lines, "the room has no wall"),
@@ -250,28 +242,12 @@ def _turned(case: Case, site: Site, row: Row) -> Iterator[Reading]:
     yield Reading(turn(_face(case, site, row).normal, (-nx, -ny)), "deg")
 
 
-def _gap(case: Case, site: Site, row: Row) -> Iterator[Reading]:
-    yield Reading(along(site.face.centre, _face(case, site, row).centre, site.face.normal))
-
-
-def _aside(case: Case, site: Site, row: Row) -> Iterator[Reading]:
-    yield Reading(along(site.face.centre, _face(case, site, row).centre, _tangent(site)))
-
-
 def _overlap(case: Case, site: Site, row: Row) -> Iterator[Reading]:
     face = _face(case, site, row)
     off = along(site.face.centre, face.centre, _tangent(site))
     shared = min(off + face.half, site.face.half) - max(off - face.half, -site.face.half)
     counted = face.half if row.of == "face" else min(face.half, site.face.half)
     yield Reading(shared, scale=2 * counted)
-
-
-def _ahead(case: Case, site: Site, row: Row) -> Iterator[Reading]:
-    yield Reading(site.local(_face(case, site, row).centre)[0])
-
-
-def _left(case: Case, site: Site, row: Row) -> Iterator[Reading]:
-    yield Reading(site.local(_face(case, site, row).centre)[1])
 
 
 def _turn(case: Case, site: Site, row: Row) -> Iterator[Reading]:
@@ -351,25 +327,18 @@ def _direction(centre: Body, body: Body) -> float:
     return math.degrees(math.atan2(body.position[1] - centre.position[1], body.position[0] - centre.position[0]))
 
 
-def _height(case: Case, site: Site, row: Row) -> Iterator[Reading]:
-    yield Reading(case.subject.bottom - (case.target.bottom if case.target is not None else 0.0))
-
-
-def _above(case: Case, site: Site, row: Row) -> Iterator[Reading]:
-    yield Reading(case.subject.bottom - case.other.z[1])
-
-
-def _below(case: Case, site: Site, row: Row) -> Iterator[Reading]:
-    yield Reading(case.other.bottom - case.subject.z[1])
+def _lengths(value: Callable[[Case, Site, Point], float]) -> Callable[[Case, Site, Row], Iterator[Reading]]:
+    """A measure that is one length: of a relation, a site, and the middle of the subject's face."""
+    return lambda case, site, row: iter((Reading(value(case, site, _face(case, site, row).centre)),))
 
 
 MEASURED: dict[str, Callable[[Case, Site, Row], Iterator[Reading]]] = {
     "turned": _turned,
-    "gap": _gap,
-    "aside": _aside,
+    "gap": _lengths(lambda _, site, spot: along(site.face.centre, spot, site.face.normal)),
+    "aside": _lengths(lambda _, site, spot: along(site.face.centre, spot, _tangent(site))),
     "overlap": _overlap,
-    "ahead": _ahead,
-    "left": _left,
+    "ahead": _lengths(lambda _, site, spot: site.local(spot)[0]),
+    "left": _lengths(lambda _, site, spot: site.local(spot)[1]),
     "turn": _turn,
     "bearing": _bearing,
     "distance": _distance,
@@ -378,9 +347,9 @@ MEASURED: dict[str, Callable[[Case, Site, Row], Iterator[Reading]]] = {
     "part_between": _part_between,
     "off_line": _off_line,
     "spread": _spread,
-    "height": _height,
-    "above": _above,
-    "below": _below,
+    "height": _lengths(lambda case, *_: case.subject.bottom - (case.target.bottom if case.target is not None else 0.0)),
+    "above": _lengths(lambda case, *_: case.subject.bottom - case.other.z[1]),
+    "below": _lengths(lambda case, *_: case.other.bottom - case.subject.z[1]),
 }
 """The readings of each measure; none where there is nothing to measure."""
 

@@ -81,6 +81,14 @@ class Violation:
     zone: str | None = None
     measurement: Measurement | None = None
 
+    @classmethod
+    def of(
+        cls, kind: Kind, objects: tuple[str, ...], detail: str, measurement: Measurement | None, **more: Any
+    ) -> Violation:
+        """A violation whose amount is how far a measurement is off, 0 without one."""
+        amount = measurement.excess if measurement is not None else 0.0
+        return cls(kind, objects, detail, amount, measurement=measurement, **more)
+
     @property
     def hard(self) -> bool:
         """Whether it makes the scene invalid."""

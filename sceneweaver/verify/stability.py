@@ -33,12 +33,11 @@ def numbers(found: Mapping[str, Any]) -> dict[str, float]:
 def violations(moved: Mapping[str, float]) -> list[Violation]:
     """One for each object that moved farther than `FALLEN`, given the movement [m] of each."""
     return [
-        Violation(
+        Violation.of(
             "unstable",
             (object_id,),
             f"{object_id} moves {length(far)} in {SECONDS:g} s of physics",
-            far,
-            measurement=at_most("movement in physics", far, 0.0, slack=FALLEN),
+            at_most("movement in physics", far, 0.0, slack=FALLEN),
         )
         for object_id, far in moved.items()
         if far > FALLEN

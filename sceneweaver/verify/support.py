@@ -21,6 +21,7 @@ from sceneweaver.scene import Relation, Surface
 from sceneweaver.verify.case import Case
 from sceneweaver.verify.measure import Measurement, at_most, length
 from sceneweaver.verify.measures import judge_ways
+from sceneweaver.verify.report import Violation
 from sceneweaver.verify.solids import DEPTH, Body, Placed
 
 LEVEL = 2e-3
@@ -28,17 +29,11 @@ LEVEL = 2e-3
 
 
 class Unsupported(NamedTuple):
-    """What is wrong under object ``index``: a sentence without its subject, the worst measurement, the supporter."""
+    """What is wrong under an object: a sentence without its subject, the worst measurement, the supporter."""
 
-    index: int
     text: str
     worst: Measurement | None = None
-    supporter: int | None = None
-
-    @property
-    def amount(self) -> float:
-        """How far off the worst measurement is, 0 when nothing can be measured."""
-        return self.worst.excess if self.worst is not None else 0.0
+    supporter: str | None = None
 
 
 class Rest(NamedTuple):
@@ -102,15 +97,16 @@ def rest(placed: Placed, body: Body, supporter: Body, surface: Surface) -> Rest:
     return Rest(low, over, high - surface.headroom if surface.headroom is not None else -np.inf)
 
 
-def find(placed: Placed) -> list[Unsupported]:
-    """Return what is wrong with the support of every object, in scene order; an object appears once at most."""
+def find(placed: Placed) -> list[Violation]:
+    """What is wrong with the support of every object, in scene order; an object appears once at most."""
     found = []
     for body in placed.bodies:
         wrong = [w for w in (_mounting(placed, body), _resting(placed, body)) if w is not None]
         if wrong:
             text = " and ".join(w.text for w in wrong)
-            worst = max(wrong, key=lambda w: w.amount).worst
-            found.append(Unsupported(body.index, text, worst, wrong[-1].supporter))
+            worst = max((w.worst for w in wrong), key=lambda m: m.excess if m is not None else 0.0)
+            names = tuple(name for name in (body.id, wrong[-1].supporter) if name is not None)
+            found.append(Violation.of("unsupported", names, f"{body.id} {text}", worst))
     return found
 
 
@@ -120,21 +116,20 @@ def _mounting(placed: Placed, body: Body) -> Unsupported | None:
         z = body.bottom
         if abs(z) > LEVEL:
             verb = "floats" if z > 0 else "sinks"
-            return Unsupported(
-                body.index, f"{verb} {length(z)} {_over(z)} the floor", _height("height above the floor", z)
-            )
+            text = f"{verb} {length(z)} {_over(z)} the floor"
+            return Unsupported(text, _height("height above the floor", z))
     elif mount == "ceiling":
         gap = placed.scene.room.height - body.z[1]
         if abs(gap) > LEVEL:
             where = "below" if gap > 0 else "above"
             worst = _height("height below the ceiling", gap)
-            return Unsupported(body.index, f"hangs {length(gap)} {where} the ceiling", worst)
+            return Unsupported(f"hangs {length(gap)} {where} the ceiling", worst)
     elif mount == "wall":
         hung = judge_ways(Case.of(placed, Relation(type="against_wall", subject=body.id)))
         if not hung.holds:
-            return Unsupported(body.index, f"does not hang on a wall: {hung.text}", hung.worst)
+            return Unsupported(f"does not hang on a wall: {hung.text}", hung.worst)
     elif body.item.support is None:
-        return Unsupported(body.index, "has no surface to stand on")
+        return Unsupported("has no surface to stand on")
     return None
 
 
@@ -146,11 +141,11 @@ def _resting(placed: Placed, body: Body) -> Unsupported | None:
     surface = supporter and next((s for s in supporter.item.surfaces if s.name == support.surface), None)
     name = f"{support.surface} of {support.object}"
     if supporter is None or surface is None:
-        return Unsupported(body.index, f"should stand on {name}, which is not there")
+        return Unsupported(f"should stand on {name}, which is not there")
     measured = rest(placed, body, supporter, surface)
     if measured.ok:
         return None
-    return Unsupported(body.index, measured.text(name), measured.worst, supporter.index)
+    return Unsupported(measured.text(name), measured.worst, supporter.id)
 
 
 def _height(quantity: str, value: float) -> Measurement:

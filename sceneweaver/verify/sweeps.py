@@ -36,11 +36,8 @@ class Block:
     @cached_property
     def normals(self) -> Array:
         """Unit normals of its faces, each direction once [F, 3]."""
-        from scipy.spatial import ConvexHull, QhullError
-
-        try:
-            faces = ConvexHull(self.points).equations[:, :3]
-        except (QhullError, ValueError):
+        faces = convex.normals(self.points)
+        if not len(faces):
             return np.eye(3)
         sign = np.sign(faces @ np.array([1.0, 1e-3, 1e-6]))
         return np.unique(np.round(faces * np.where(sign == 0, 1.0, sign)[:, None], 6), axis=0)

@@ -7,43 +7,36 @@ whether the relation is hard or soft.
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Iterator
 
 import numpy as np
 
 from sceneweaver.scene.catalogue import CATALOGUE
-from sceneweaver.verify.overlap import ZONE_AREA, ZONE_DEPTH, Overlaps, overlaps
+from sceneweaver.verify.measure import at_most, length
+from sceneweaver.verify.overlap import ZONE_AREA, ZONE_DEPTH, overlaps
+from sceneweaver.verify.report import Violation
 from sceneweaver.verify.solids import Placed, Prisms
 
 
-class Blocked(NamedTuple):
-    """Object ``other`` stands ``depth`` metres inside zone ``name`` of ``owner`` (an object, or an opening's index)."""
+def find(placed: Placed) -> list[Violation]:
+    """Each (object, hard zone, other object) that is blocked, once, then each (opening, object).
 
-    owner: int
-    name: str
-    other: int
-    depth: float
-
-
-def find(placed: Placed) -> list[Blocked]:
-    """Return each (object, hard zone, other object) that is blocked, once."""
-    if not len(placed.zones):
-        return []
-    pairs = overlaps(placed.zones, placed.parts, skip=_tied(placed), depth=ZONE_DEPTH)
-    return _worst(placed.zones, placed, pairs)
-
-
-def find_openings(placed: Placed) -> list[Blocked]:
-    """Return each (opening, object) that is blocked, once; ``owner`` is the index in `Placed.openings`.
-
-    Objects that hang on a wall are exempt.
+    Objects that hang on a wall are in the way of no opening.
     """
-    if not placed.openings or not placed.bodies:
-        return []
-    hanging = np.array([body.item.mount == "wall" for body in placed.bodies])
+    found = []
+    for owner, zone, other, depth in _blocked(placed, placed.zones, _tied(placed)):
+        first, second = placed.bodies[owner].id, placed.bodies[other].id
+        detail = f"{second} stands {length(depth)} inside the zone {zone!r} of {first}"
+        measured = at_most("depth in the zone", depth, 0.0, slack=ZONE_DEPTH)
+        found.append(Violation.of("blocked_zone", (first, second), detail, measured, zone=zone))
+    hanging = np.array([body.item.mount == "wall" for body in placed.bodies], dtype=bool)
     skip = np.broadcast_to(hanging, (len(placed.openings), len(hanging)))
-    pairs = overlaps(placed.opening_zones, placed.parts, skip=skip, depth=ZONE_DEPTH)
-    return _worst(placed.opening_zones, placed, pairs)
+    for _, opening, other, depth in _blocked(placed, placed.opening_zones, skip):
+        name = placed.bodies[other].id
+        detail = f"{name} stands {length(depth)} inside the clear space of {opening}"
+        measured = at_most("depth in the clear space", depth, 0.0, slack=ZONE_DEPTH)
+        found.append(Violation.of("blocked_opening", (name, opening), detail, measured))
+    return found
 
 
 def _tied(placed: Placed) -> np.ndarray:
@@ -56,10 +49,12 @@ def _tied(placed: Placed) -> np.ndarray:
     return skip
 
 
-def _worst(zones: Prisms, placed: Placed, pairs: Overlaps) -> list[Blocked]:
+def _blocked(placed: Placed, zones: Prisms, skip: np.ndarray) -> Iterator[tuple[int, str, int, float]]:
+    """Owner and name of each zone, the object in it, and how deep [m]; ``skip`` [owners, objects] do not count."""
+    pairs = overlaps(zones, placed.parts, skip=skip, depth=ZONE_DEPTH)
     deepest: dict[tuple[int, str, int], float] = {}
     for k in np.flatnonzero(pairs.area > ZONE_AREA):
         row = int(pairs.i[k])
         key = (int(zones.owner[row]), zones.names[row], int(placed.parts.owner[pairs.j[k]]))
         deepest[key] = max(deepest.get(key, 0.0), float(pairs.depth[k]))
-    return [Blocked(*key, depth) for key, depth in sorted(deepest.items())]
+    yield from ((*key, depth) for key, depth in sorted(deepest.items()))

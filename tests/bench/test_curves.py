@@ -8,7 +8,7 @@ import pytest
 import sceneweaver as sw
 from sceneweaver.bench import Run, Target, compare, data_profile, markdown, performance_profile, plot
 from sceneweaver.bench.curves import best_found, cost_to, gap_at, in_common, interval, left_at, value_at
-from sceneweaver.bench.schema import COLUMNS
+from sceneweaver.bench.results import COLUMNS
 from sceneweaver.bench.tables import by_family, failures
 
 NAN = float("nan")
@@ -156,11 +156,10 @@ def test_plots_are_drawn(tmp_path, form):
 
 
 def test_a_plot_has_the_lines_of_the_numbers(tmp_path, monkeypatch):
-    from sceneweaver.bench import plots
+    from matplotlib import figure
 
-    drawn = []
-    kept = plots.figure()
-    monkeypatch.setattr(plots, "figure", lambda: lambda **options: drawn.append(kept(**options)) or drawn[-1])
+    drawn, kept = [], figure.Figure
+    monkeypatch.setattr(figure, "Figure", lambda **options: drawn.append(kept(**options)) or drawn[-1])
     plot(RUNS, tmp_path)
     valid = drawn[0].axes[0]
     lines = {line.get_label(): line.get_ydata() for line in valid.get_lines()}

@@ -12,7 +12,7 @@ import pytest
 import sceneweaver as sw
 import sceneweaver.jax as swj
 from sceneweaver.bench import Method, Settings, read_runs, run
-from sceneweaver.bench.tasks import SceneTask
+from sceneweaver.bench.entries import SceneTask
 from tests.layout.made import BOX, CUP, relation, scene, table, thing
 
 ROOM = scene([table(), CUP, BOX, thing("other")], [relation("near", "box", "other", max=0.4)])

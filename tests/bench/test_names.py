@@ -10,8 +10,7 @@ import pytest
 
 import sceneweaver as sw
 from sceneweaver import problems
-from sceneweaver.bench.methods import find_methods
-from sceneweaver.bench.tasks import find_tasks
+from sceneweaver.bench.entries import find_methods, find_tasks
 from sceneweaver.layout import BuiltIn, stepwise
 from tests.bench import optimizers
 from tests.kernels.harness import ZOO

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import time
 
 import numpy as np
 import pytest
@@ -10,8 +11,8 @@ import pytest
 import sceneweaver as sw
 from sceneweaver import problems
 from sceneweaver.bench import Method, Settings, read_about, read_runs, run
-from sceneweaver.bench.schema import COLUMNS, Row
-from sceneweaver.bench.starts import Starts
+from sceneweaver.bench.execute import Starts
+from sceneweaver.bench.results import COLUMNS, Row
 from tests.bench import optimizers
 from tests.kernels.harness import ZOO
 from tests.layout.made import BOX, relation, scene, thing
@@ -48,8 +49,10 @@ def test_the_last_row_is_what_refine_gives(tmp_path):
 
 
 def test_looks_are_not_in_the_time(tmp_path):
+    began = time.perf_counter()
     found = one(tmp_path, optimizers.Slow(), settings=Settings(candidates=2, seconds=60.0, restarts=False))
-    assert 0.06 <= found.last("wall_seconds") < 0.3 <= found.last("setup_seconds")
+    others = time.perf_counter() - began - found.last("wall_seconds") - found.last("setup_seconds")
+    assert found.last("wall_seconds") >= 0.06 and found.last("setup_seconds") >= 0.3 and others >= 0.3
 
 
 def test_own_counts_are_taken(tmp_path):

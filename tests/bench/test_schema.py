@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from sceneweaver.bench.schema import COLUMNS, arrow_schema
+from sceneweaver.bench.results import COLUMNS, arrow_schema
 from tests.test_repository import ROOT
 
 

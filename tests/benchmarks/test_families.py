@@ -51,7 +51,10 @@ def settings(tmp_path):
     return Settings(rooms=("bedroom-small",), device="cpu", quick=True, most=4, rivals=rivals, out=tmp_path)
 
 
-SLOW = ("openable", "odd", "cold", "pictures", "ablations", "by_model", "memory")
+SLOW = (
+    *("openable", "odd", "pictures", "ablations", "by_model", "requests", "stability", "variety"),
+    *("cold", "memory", "throughput"),
+)
 """Families whose design is one that another family makes as well, and what takes longest."""
 
 

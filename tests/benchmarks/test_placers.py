@@ -10,7 +10,7 @@ import warp as wp
 
 import sceneweaver as sw
 from benchmarks.external import RIVALS
-from sceneweaver.bench.methods import find_methods
+from sceneweaver.bench.entries import find_methods
 from sceneweaver.layout import StepOptimizer
 from tests.layout.research import problem_of
 

@@ -107,9 +107,10 @@ def test_rivals_prepare_outside_of_the_time():
         seen.append((starts.shape, device))
         time.sleep(0.2)
 
+    began = time.perf_counter()
     _, seconds = solve(replace(_rival("slow"), prepare=prepare), scene, starts, 0, "cpu")
     assert seen == [(starts.shape, "cpu")]
-    assert seconds < 0.2
+    assert seconds <= time.perf_counter() - began - 0.2
 
 
 def test_batches_suit_the_rival_and_the_settings():

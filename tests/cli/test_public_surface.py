@@ -86,11 +86,8 @@ def test_the_version_is_that_of_the_distribution():
 
 
 def test_importing_is_light(tmp_path):
-    code = (
-        "import json, sys, time; t = time.perf_counter(); import sceneweaver; t = time.perf_counter() - t;"
-        "print(json.dumps([t, sorted({m.partition('.')[0] for m in sys.modules})]))"
-    )
+    code = "import json, sys; import sceneweaver; print(json.dumps(sorted({m.partition('.')[0] for m in sys.modules})))"
     ended = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=True)
-    seconds, modules = json.loads(ended.stdout)
+    modules = json.loads(ended.stdout)
     heavy = {"warp", "shapely", "jax", "mujoco", "pxr", "trimesh", "numpy", "pydantic", "PIL", "typer", "rich"}
-    assert seconds < 0.3 and not heavy & set(modules)
+    assert not heavy & set(modules)

@@ -15,7 +15,7 @@ from sceneweaver.critic.design.registry import MEASURES
 from sceneweaver.critic.design.world import SELECTORS
 from sceneweaver.rules import design
 from sceneweaver.rules.design import Row, design_rules
-from sceneweaver.rules.expression import _FUNCTIONS, Expression
+from sceneweaver.rules.expression import _FUNCTIONS, CALLED, Expression
 from sceneweaver.rules.faults import fault_kinds
 
 ROWS = [(rule.id, row) for rule in (*design_rules().values(), *fault_kinds().values()) for row in rule.rows]
@@ -41,8 +41,8 @@ def test_what_a_row_of_the_critic_names_exists(rule: str, row: Row) -> None:
     named = row.of if isinstance(row.of, str) else row.of.get("from", "")
     assert not named or named in SELECTORS, rule
     for text in texts(row):
-        calls = {n.func.id for n in ast.walk(ast.parse(text.strip(), mode="eval")) if isinstance(n, ast.Call)}
-        assert calls <= set(MEASURES) | set(_FUNCTIONS), (rule, text)
+        calls = {n.func.id + CALLED for n in ast.walk(ast.parse(text.strip(), mode="eval")) if isinstance(n, ast.Call)}
+        assert calls <= {name + CALLED for name in MEASURES} | set(_FUNCTIONS), (rule, text)
 
 
 def test_every_measure_is_called_by_a_row_and_says_what_it_measures() -> None:
@@ -68,3 +68,17 @@ def test_sets_of_categories() -> None:
 
 def test_functions_and_numbers_may_have_one_name() -> None:
     assert Expression("gap(2) < gap").value({"gap()": lambda x: x, "gap": 3}) is True
+
+
+def test_expressions_go_through_lists() -> None:
+    scope = {"gap()": lambda a, b: abs(a - b), "reach": 2, "all": (1, 2, 5)}
+    assert Expression("[o for o in all if gap(o, 0) <= reach]").value(scope) == [1, 2]
+    assert Expression("sum(gap(o, all[0]) * k for o, k in zip(all, (1, 1, 2)))").value(scope) == 9
+    assert Expression("max(o for o in all) > reach").names == {"all", "reach"}
+
+
+def test_members_are_cut_outside_of_brackets() -> None:
+    member = Member.parse("near*", "= [o for o in all if o > 1] if near < 5 by -near")
+    assert member.source is not None and member.where is not None and member.key is not None
+    assert member.source.value({"all": (1, 2, 5)}) == [2, 5]
+    assert member.where.value({"near": 2}) and member.key.value({"near": 2}) == -2

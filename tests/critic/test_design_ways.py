@@ -77,6 +77,16 @@ BREACHES: list[tuple[str, str, Any, Any, set[str]]] = [
     ),
     (
         "reachable",
+        "bathroom",
+        [box("laundry_hamper-0", (0.4, 0.5, 0.6), 5.7, 4.0, 180)],
+        [
+            box("laundry_hamper-0", (0.4, 0.5, 0.6), 5.78, 4.73, 180),
+            box("linen_cabinet-0", (0.5, 0.9, 1.8), 5.73, 4.0, 180),
+        ],
+        {"laundry_hamper-0", "linen_cabinet-0"},
+    ),
+    (
+        "reachable",
         "office",
         [*seated(3.0, 2.5), box("wastebasket-0", (0.28, 0.28, 0.3), 5.0, 2.5)],
         [*seated(3.0, 2.5), box("wastebasket-0", (0.28, 0.28, 0.3), 3.0, 2.5)],

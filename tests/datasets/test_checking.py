@@ -16,9 +16,8 @@ import pytest
 from sceneweaver.assets import Library
 from sceneweaver.datasets import AssetStore, Folder, Requests, Sample, Spec, write_block
 from sceneweaver.datasets.checking import verify_dataset
-from sceneweaver.datasets.checking.exports import included_files, mjcf_files, mjcf_tree
 from sceneweaver.datasets.checking.findings import KEPT, Findings
-from sceneweaver.datasets.checking.scene import Judge
+from sceneweaver.datasets.checking.scene import Judge, included_files, mjcf_files, mjcf_tree
 from sceneweaver.datasets.digests import content_of, write_checksums
 from sceneweaver.datasets.engines.manifest import create
 from sceneweaver.datasets.files import fingerprint, pack

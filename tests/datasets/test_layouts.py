@@ -20,8 +20,7 @@ from sceneweaver.datasets.engines.manifest import create
 from sceneweaver.datasets.layouts import join, load_layout, load_program, pack, write_programs
 from sceneweaver.datasets.layouts.block import as_tall_as_it_stands
 from sceneweaver.datasets.layouts.collect import Seen, Signatures
-from sceneweaver.datasets.layouts.read import posed
-from sceneweaver.datasets.layouts.tables import Writers, row_groups
+from sceneweaver.datasets.layouts.tables import Writers, posed, row_groups
 from sceneweaver.layout.compile import compile_scene
 from sceneweaver.layout.sampling import first_layouts
 from sceneweaver.scene import InputError, Scene

@@ -74,7 +74,7 @@ def test_tasks_are_judged_as_one_by_one(bank, world):
     worlds, rng = 8 * len(tasks), np.random.default_rng(0)
     env = BatchedRoomEnv(bank, worlds, device="cpu", threads=1)
     start(env, *[0] * worlds)
-    env._chosen.assign(np.arange(worlds, dtype=np.int32) % len(tasks))
+    env._episodes.goal.assign(np.arange(worlds, dtype=np.int32) % len(tasks))
     env._look()
     begun = [state_of(env, world, k, poses) for k in range(worlds)]
     qpos, slots = env.physics.data.qpos.numpy(), bank.slots
@@ -92,16 +92,16 @@ def test_tasks_are_judged_as_one_by_one(bank, world):
             if isinstance(task, envs.Take):
                 qpos[k, list(env._find.base)] = goal[0] - 0.75, goal[1], 0.0
                 qpos[k, env._find.drive_position[3]] = goal[2]
-    env._fresh.fill_(1)
-    env.physics.refresh(env._fresh)
-    env._fresh.zero_()
+    env._episodes.fresh.fill_(1)
+    env.physics.refresh(env._episodes.fresh)
+    env._episodes.fresh.zero_()
     env._look()
     reached = 0
     for k in range(worlds):
         task, now = tasks[k % len(tasks)], state_of(env, world, k, poses)
         assert env.terminated.numpy()[k] == task.success(world.geometry, now, begun[k]), task
         value = task.potential(world.geometry, now, begun[k])
-        assert env._potential.numpy()[k] == pytest.approx(value, abs=2e-4), task
+        assert env._episodes.potential.numpy()[k] == pytest.approx(value, abs=2e-4), task
         assert env.observations["goal"].numpy()[k] == pytest.approx(task.goal(world.geometry, now), abs=1e-4), task
         reached += task.success(world.geometry, now, begun[k])
     assert 0.1 * worlds < reached < 0.9 * worlds
@@ -201,7 +201,7 @@ def test_only_worlds_that_end_begin_anew(env):
     start(env, 0, 1, 2)
     env.step(np.ones(env.action.shape))
     before = env.physics.data.qpos.numpy().copy()
-    env._done.assign(np.array([0, 1, 0], dtype=np.int32))
+    env._episodes.done.assign(np.array([0, 1, 0], dtype=np.int32))
     env._begin()
     after = env.physics.data.qpos.numpy()
     assert np.array_equal(after[[0, 2]], before[[0, 2]]) and not np.array_equal(after[1], before[1])

@@ -17,7 +17,7 @@ from scipy.spatial import KDTree
 
 from sceneweaver.assets import make
 from sceneweaver.export import glb_bytes
-from sceneweaver.export.bodies import model_name
+from sceneweaver.export.names import model_name
 from sceneweaver.export.scenestate import scenestate, write_scenestate
 from sceneweaver.knowledge.library import load_scene
 from sceneweaver.scene import Door, InputError, Part, Pose, Room, Scene, SceneObject, Support, Window

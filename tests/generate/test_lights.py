@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.generate.lights import OVER, hanging_height
+from sceneweaver.generate.hanging import OVER, hanging_height
 from sceneweaver.geometry.spread import even_count
 from sceneweaver.knowledge import room_type, room_types
 from sceneweaver.language import read_request

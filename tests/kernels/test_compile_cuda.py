@@ -1,4 +1,4 @@
-"""Every kernel compiles for a GPU (sm_90), which takes no GPU: three here, all of them in `make bench`."""
+"""Every kernel compiles for a GPU (sm_90), which takes no GPU: two here, all of them in `make bench`."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ MODULES = [importlib.import_module(name) for name in (*NAMES, *TRACING, *BATCHED
 # Modules without kernels of their own are compiled with those that use them.
 WITH_KERNELS = [m for m in MODULES if wp.get_module(m.__name__).kernels]
 
-# Those that only a GPU runs, that use what only it has, and that trace rays.
-QUICK = {"gradients_gpu", "proposals", "ray_kernels"}
+# One that only a GPU runs, and one that traces rays.
+QUICK = {"gradients_gpu", "ray_kernels"}
 
 
 def test_modules_are_found():

@@ -16,7 +16,7 @@ from tests.kernels.harness import zoo as compiled
 
 DEVICE = os.environ.get("SCENEWEAVER_TEST_DEVICE", "cpu")  # of problems that JAX and PyTorch look at: cpu or cuda:0
 KNEE = 0.05  # [m] of the penalties
-FEW = ("bedroom-small", "dining-round", "living-dining-L")  # boxes; round tables; a room whose outside is no box
+FEW = ("dining-round", "living-dining-L")  # round tables; a room whose outside is no box
 
 
 def rooms(mark) -> list:

@@ -112,29 +112,6 @@ def test_the_verdict_is_that_of_refine():
     np.testing.assert_array_equal(feasible, solution.status == 0)
 
 
-def test_relations_of_your_own_count():
-    """The sum of residuals, by kernels that are built anew, is the energy of those that are built anew as well."""
-
-    @wp.func
-    def ring(a: wp.vec4, b: wp.vec4, size_a: wp.vec3, size_b: wp.vec3, p: wp.vec4):
-        d = wp.vec2(a[0] - b[0], a[1] - b[1])
-        return wp.abs(wp.sqrt(wp.dot(d, d) + 1.0e-6) - p[0]) - 0.1
-
-    sw.define_relation("on_ring", residual=ring, holds=lambda a, b, p: True, params={"radius": 1.5})
-    try:
-        what = scene([BOX, thing("other")], [relation("on_ring", "box", "other")])
-        problem = sw.compile(what, device="cpu")
-        poses = np.repeat(problem.home, 2, axis=0)
-        poses[:, 0], poses[:, 1] = (1.0, 1.0, 0.0, 0.0), (1.0, 1.0, 0.0, 0.0)
-        poses[:, 1, 0] += (1.5, 2.1)
-        terms = problem.terms(poses)
-        np.testing.assert_allclose(terms.violation[:, 0], (-0.1, 0.5), atol=1e-3)
-        np.testing.assert_allclose((terms.residual**2).sum(axis=1) / (2 * KNEE), problem.energy(poses), rtol=1e-5)
-        assert terms.energy["relation"][1, 0] == pytest.approx(0.5 - KNEE / 2, abs=0.005)
-    finally:
-        sw.undefine_relation("on_ring")
-
-
 # ---- several scenes
 
 

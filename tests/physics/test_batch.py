@@ -163,7 +163,7 @@ def test_boxes_of_boxes_are_the_model_itself() -> None:
 
 def test_what_goes_astray_is_marked() -> None:
     model = model_of(_scene(_box("b", 1, 1, 0)))
-    template = Template.of(model.xml, {}, model.free, model.fixed, [0.2])
+    template = Template.of(model, _scene(_box("b", 1, 1, 0)))
     start = np.tile(poses_of(_scene(_box("b", 1, 1, 0))), (3, 1, 1))
     start[1, 0, 0] = 1e12
     found = run_c(template, start, 10, threads=2)
@@ -238,7 +238,7 @@ def test_warp_agrees_with_c_and_says_what_has_no_room(monkeypatch) -> None:
     place = {o.id: k for k, o in enumerate(scene.objects)}
     order = [place[object_id] for object_id in (*c.free, *c.fixed)]
     model = model_of(scene, LOAD)
-    template = Template.of(model.xml, {}, model.free, model.fixed, [scene.objects[k].size[2] / 2 for k in order])
+    template = Template.of(model, scene)
     start = poses_of(scene, poses)[:, order]
     enough = worlds_warp.launch(template, start, 20, "cpu")
     grown = worlds_warp.launch(template, start, 20, "cpu", worlds_warp.Room(8, 8, 8))

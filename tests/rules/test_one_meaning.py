@@ -130,7 +130,7 @@ def test_a_side_needs_a_frame():
         assert spec.frame != "frame" or spec.params["frame"].choices == ("own", "viewer")
 
 
-@pytest.mark.parametrize("text", ["a.__class__", "[x for x in y]", "a.size.index(1)", "lambda: 1"])
+@pytest.mark.parametrize("text", ["a.__class__", "[x.__class__ for x in y]", "a.size.index(1)", "(b := 1)"])
 def test_data_computes_and_does_nothing_else(text):
     with pytest.raises(ValueError, match="only arithmetic"):
         Expression(text)

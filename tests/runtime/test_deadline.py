@@ -53,10 +53,10 @@ def test_a_margin_is_kept_and_searches_leave_time_to_judge():
 
 
 def test_a_checkpoint_ends_the_block_in_time_and_nothing_comes_after():
-    began = time.monotonic()
-    with pytest.raises(TimeUp), soon().enforced():
+    end = soon()
+    with pytest.raises(TimeUp) as ended, end.enforced():
         working()
-    assert 0.1 <= time.monotonic() - began < 0.1 + PATIENCE
+    assert end.passed and ended.traceback[-1].name == "checkpoint", "not broken off by the alarm"
     with soon(0.05).enforced():
         pass
     time.sleep(0.1)
@@ -78,11 +78,10 @@ def test_grace_is_for_deadlines_and_not_for_stops():
     stop = Stop(allowance=0.0)
     ask = threading.Timer(0.1, stop.request, ("SIGINT",))
     ask.start()
-    began = time.monotonic()
-    with pytest.raises(TimeUp), Deadline(stop=stop).enforced(lambda: 5.0):
+    with pytest.raises(TimeUp), Deadline(stop=stop).enforced(lambda: 60.0):
         working()
     ask.join()
-    assert time.monotonic() - began < 1.0 and stop.reason == "SIGINT"
+    assert time.monotonic() < stop.end + 60.0 and stop.reason == "SIGINT"
 
 
 def test_a_stop_leaves_time_for_the_files_and_its_first_reason_stays():
@@ -111,8 +110,8 @@ def test_what_comes_to_no_checkpoint_is_broken_off(how):
         end = Deadline(stop=stop)
         threading.Timer(0.1, stop.request, ("SIGINT",)).start()
     with pytest.raises(TimeUp), end.enforced():
-        hanging()
-    assert PATIENCE < time.monotonic() - began < PATIENCE + 2.0
+        hanging()  # it would end after a minute, without an error
+    assert time.monotonic() - began > PATIENCE
 
 
 def test_a_module_is_imported_as_a_whole(tmp_path, monkeypatch):
@@ -184,7 +183,7 @@ def test_a_search_ends_with_the_block_that_it_runs_in(capfd):
     scene = sw.Scene.example("bedroom")
     sw.refine(scene, candidates=2, device="cpu", explain=False)  # loads the kernels
     capfd.readouterr()  # Warp's greeting
-    began = time.monotonic()
-    with suppress(TimeUp), soon(0.5).enforced():
+    end = soon(0.5)
+    with suppress(TimeUp), end.enforced():
         assert sw.refine(scene, candidates=2**14, init="random", device="cpu", explain=False).timed_out
-    assert time.monotonic() - began < 5.0
+    assert end.passed

@@ -229,7 +229,7 @@ def test_usual_places_name_what_exists():
     for what, rows in usual_places():
         assert what <= set(known)
         for row in rows:
-            assert row.place.to in (None, "window", "wall") and set(row.among) <= set(known)
+            assert row.to in (None, "window", "wall") and set(row.instead) <= set(known)
 
 
 def test_words_of_a_call_set_size_and_material(lounge, call):

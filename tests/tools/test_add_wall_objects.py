@@ -11,7 +11,7 @@ from sceneweaver.generate.wall_objects import BARE, OVER
 from sceneweaver.generate.wall_plan import AROUND, CORNER, FRAME, MARGIN, PASSED, UNDER, Outlines, extent, free_runs
 from sceneweaver.geometry.angles import dot
 from sceneweaver.knowledge import room_type, room_types
-from sceneweaver.knowledge.wall_things import most_on_walls, wall_things
+from sceneweaver.knowledge.small_things import most_on_walls, wall_things
 from sceneweaver.language import read_request
 from sceneweaver.scene import Door, InputError, Pose, Room, Scene, Window
 from sceneweaver.scene.edits import apply_all

@@ -7,7 +7,8 @@ import json
 import pytest
 
 import sceneweaver as sw
-from sceneweaver.knowledge.library import collect, library_scenes, load_scene, own_folder
+from benchmarks.library_scenes import collect
+from sceneweaver.knowledge.library import library_scenes, load_scene, own_folder
 from sceneweaver.language import Entity, Exclusion, SceneGraph, StatedRelation
 from sceneweaver.scene import InputError, Intent, Scene
 

@@ -9,15 +9,15 @@ from tests.verify.agreement import ZOO, Agreement, by_check, by_oracle, compare,
 ROOMS = {"restaurant-60": 60, "restaurant-dense": 60, "library-100": 50, "hall-300": 20}
 
 
-@pytest.fixture(scope="module")
-def agreement() -> Agreement:
-    return compare(ROOMS, moves=25)
+@pytest.fixture(scope="module", params=[2, pytest.param(1, marks=pytest.mark.slow)], ids=["some", "all"])
+def agreement(request: pytest.FixtureRequest) -> Agreement:
+    return compare({name: count // request.param for name, count in ROOMS.items()}, moves=25)
 
 
 def test_same_verdicts(agreement):
     print(f"{agreement.layouts} layouts, {len(agreement.near)} verdicts differ at a threshold")
     assert not agreement.wrong
-    assert len(agreement.near) <= 5
+    assert len(agreement.near) <= agreement.layouts / 38
 
 
 @pytest.mark.parametrize("name", sorted(path.stem for path in ZOO.glob("*.json")))

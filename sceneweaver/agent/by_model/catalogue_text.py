@@ -6,15 +6,17 @@ import re
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
+from sceneweaver.agent.memory import Call
 from sceneweaver.assets import categories, resolve
 from sceneweaver.assets.taxonomy import category_named, members
-from sceneweaver.knowledge import RoomType
 from sceneweaver.knowledge.surfaces import arrangements, crowds
-from sceneweaver.scene import CATALOGUE, Scene
+from sceneweaver.scene import CATALOGUE
 from sceneweaver.scene.catalogue import ParamSpec
 from sceneweaver.scene.messages import shorten
+from sceneweaver.tools.base import Context
+from sceneweaver.tools.card import ToolCard
 
-from .scene_text import rounded
+from .scene_text import compact, rounded
 
 MOST = 80
 """Categories that are listed."""
@@ -91,24 +93,24 @@ def _category(name: str) -> dict[str, Any]:
     return row | ({"on": list(known.on)} if known.on else {})
 
 
-def arrangements_data() -> dict[str, str]:
-    """Every arrangement by name, with what it is."""
-    return {name: shorten(one.description, SENTENCE) for name, one in arrangements().items()}
-
-
-def themes_data() -> dict[str, str]:
-    """Every theme of shelves by name, with what it is."""
-    return {name: shorten(one.description, SENTENCE) for name, one in crowds().items()}
-
-
-def items_data(room: RoomType) -> dict[str, Any]:
-    """The things that such a room has, by item."""
-    return {item.id: {"categories": [*dict.fromkeys(item.what)], "need": item.need} for item in room.items}
-
-
-def carriers_data(scene: Scene) -> list[str]:
-    """Ids of the objects that carry things."""
-    return [o.id for o in scene.objects if o.surfaces][:MOST_CARRIERS]
+def catalogue_data(card: ToolCard, context: Context, call: Call) -> dict[str, Any]:
+    """What of the catalogue the inputs of a tool name."""
+    words, scene = words_of(card.inputs), context.scene
+    found: dict[str, Any] = {}
+    if words & {"place", "relations"}:
+        found["relations"] = relations_data()
+    if words & {"category", "categories"}:
+        there = [*dict.fromkeys(o.category for o in scene.objects if o.mount != "surface")]
+        found["categories"] = categories_data([call.instruction, context.brief.text, compact(dict(call.inputs))], there)
+        found["items_of_such_a_room"] = {
+            item.id: {"categories": [*dict.fromkeys(item.what)], "need": item.need} for item in context.room_type.items
+        }
+    for word, name, known in (("arrangement", "arrangements", arrangements), ("theme", "themes", crowds)):
+        if word in words:
+            found[name] = {key: shorten(one.description, SENTENCE) for key, one in known().items()}
+    if words & {"supports", "on"}:
+        found["carriers"] = [o.id for o in scene.objects if o.surfaces][:MOST_CARRIERS]
+    return found
 
 
 def words_of(schema: Mapping[str, Any]) -> frozenset[str]:

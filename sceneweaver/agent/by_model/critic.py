@@ -21,9 +21,9 @@ from sceneweaver.scene.messages import clean, printable_line, shorten
 from sceneweaver.tools.registry import tools
 from sceneweaver.verify import Report
 
-from .look_reply import MOST_FAULTS, Look, Names, checker, tool_of, whole
+from .look_reply import MOST_FAULTS, Look, Names, checker, tool_of
 from .pictures import room_pictures
-from .scene_text import compact, judge_facts, prompt, scene_format, scene_text
+from .scene_text import compact, judge_facts, prompt, scene_text
 
 PURPOSE = "look"
 CRITERIA = ("realism", "functionality", "layout", "completion")
@@ -72,14 +72,12 @@ def look(
         pictures = room_pictures(scene, library.load, device=device, deadline=deadline)
     names = Names(scene)
     known = tools()
-    instructions = "\n\n".join([prompt("critic"), scene_format(), f"Tools:\n{_purposes()}"])
+    instructions = "\n\n".join([prompt("critic"), prompt("scene"), f"Tools:\n{_purposes()}"])
     content = [_told(scene, report, brief, room_type), *(pictures or (BLIND,))]
-    found = client.ask_many(
-        PURPOSE, Look, instructions, content, samples=samples, check=checker(names, strict=True), retries=RETRIES
-    )
+    asked = (PURPOSE, Look, instructions, content)
+    found = client.ask_many(*asked, samples=samples, check=checker(names), retries=RETRIES)
     if not client.lost and (again := [k for k, answer in enumerate(found) if isinstance(answer, ModelFailed)]):
-        lenient = checker(names, strict=False)
-        more = client.ask_many(PURPOSE, Look, instructions, content, samples=len(again), check=lenient, retries=RETRIES)
+        more = client.ask_many(*asked, samples=len(again), retries=RETRIES)  # names that mean nothing are left out
         for k, answer in zip(again, more, strict=True):
             found[k] = answer
     looks = [answer for answer in found if isinstance(answer, Look)]
@@ -145,7 +143,7 @@ def _merged(looks: Sequence[Look], names: Names, known: Sequence[str]) -> tuple[
                 reason=wrong,
                 suggestion=printable_line(said.suggestion, SENTENCE),
                 tool=tool_of(said.tool, known),
-                severity=whole(said.severity),
+                severity=math.floor(said.severity + 0.5),
                 share=1 / len(looks),
             )
             seen.setdefault((times[key], *key), []).append(fault)

@@ -8,11 +8,11 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
+from pydantic import Field
 
 from sceneweaver.assets import Asset
 from sceneweaver.assets.body import Mesh
 from sceneweaver.llm import ModelClient, ModelFailed, Picture, Reply
-from sceneweaver.scene import InputError
 from sceneweaver.scene.messages import clean, printable_line, shorten
 
 from .pictures import packed
@@ -35,7 +35,7 @@ class SeenFront(Reply):
 
     reason: str = ""
     label: Literal["A", "B", "C", "D", "none"]
-    confidence: float
+    confidence: float = Field(ge=0, le=1)
 
 
 @dataclass(frozen=True)
@@ -70,7 +70,7 @@ def front_by_views(client: ModelClient, asset: Asset, *, device: str = "cpu") ->
     views = side_views(asset, device=device)
     pictures = [Picture(views[side], f"side {label}") for label, side in zip(LABELS, order, strict=True)]
     thing = compact({"thing": shorten(clean(asset.category), NAME)})
-    answer = client.ask(PURPOSE, SeenFront, prompt("fronts"), [thing, *pictures], check=_checked)
+    answer = client.ask(PURPOSE, SeenFront, prompt("fronts"), [thing, *pictures])
     reason = printable_line(answer.reason, REASON)
     if answer.label == "none" or answer.confidence < SURE:
         return Front(0, asset.origin.front_confidence, "shape", reason)
@@ -100,9 +100,3 @@ def order_of(asset: Asset) -> tuple[int, ...]:
     shape = np.round(asset.mesh.vertices, 4) + 0.0
     digest = hashlib.sha256(np.ascontiguousarray(shape, dtype="<f8").tobytes()).digest()
     return list(itertools.permutations(range(4)))[digest[0] % 24]
-
-
-def _checked(answer: SeenFront) -> SeenFront:
-    if not 0 <= answer.confidence <= 1:  # NaN, too
-        raise InputError(f"confidence is {answer.confidence:g}; it is 0 to 1")
-    return answer

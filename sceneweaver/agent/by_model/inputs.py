@@ -22,17 +22,9 @@ from sceneweaver.tools.base import Context, Proposal, Tool
 from sceneweaver.tools.card import ToolCard
 from sceneweaver.tools.registry import Registered
 
-from .catalogue_text import (
-    arrangements_data,
-    carriers_data,
-    categories_data,
-    items_data,
-    relations_data,
-    themes_data,
-    words_of,
-)
+from .catalogue_text import catalogue_data
 from .input_rules import check_extent, wrong_changes, wrong_inputs
-from .scene_text import compact, prompt, scene_format, scene_text
+from .scene_text import compact, prompt, scene_text
 
 RETRIES = 3
 """Times that a model is told what is wrong with inputs."""
@@ -98,44 +90,35 @@ def try_out(registered: Registered, context: Context, call: Call) -> Call:
 
 def instructions() -> str:
     """What a model is told of its part, whatever the tool."""
-    return f"{prompt('inputs')}\n\n{scene_format()}"
+    return f"{prompt('inputs')}\n\n{prompt('scene')}"
 
 
 def answer_for(card: ToolCard) -> type[Reply]:
     """The type of an answer: inputs as a card has them, without those that are withheld from models."""
     schema = plain_schema(card.inputs)
-    schema["properties"] = {k: v for k, v in schema.get("properties", {}).items() if k not in card.withheld}
+    schema["properties"] = _given(card, schema)
     kind = Annotated[dict[str, Any], WithJsonSchema({**schema, "type": "object"})]
     return create_model("Inputs", __base__=Reply, inputs=(kind, Field(description=f"Inputs of {card.name}")))
 
 
+_OF_TYPE = {"object": ("properties", "required", "additionalProperties"), "array": ("items", "minItems", "maxItems")}
+"""Keys of a schema that say something of one type alone."""
+
+
 def plain_schema(schema: Mapping[str, Any]) -> dict[str, Any]:
     """A schema whose lists of types are alternatives: some endpoints know no other way to say so."""
-    made: dict[str, Any] = {}
-    for key, value in schema.items():
-        if key == "properties":
-            made[key] = {name: plain_schema(inner) for name, inner in value.items()}
-        elif isinstance(value, Mapping):
-            made[key] = plain_schema(value)
-        else:
-            made[key] = value
-    if isinstance(made.get("type"), list):
-        types = made.pop("type")
-        of_type = {
-            "object": ("properties", "required", "additionalProperties"),
-            "array": ("items", "minItems", "maxItems"),
-        }
-        own = {key: made.pop(key) for keys in of_type.values() for key in keys if key in made}
-        others = {k: made.pop(k) for k in list(made) if k not in ("description", "default")}
-        made["anyOf"] = [
-            {
-                "type": t,
-                **{k: own[k] for k in of_type.get(t, ()) if k in own},
-                **(others if t not in of_type and t != "null" else {}),
-            }
-            for t in types
-        ]
-    return made
+    made = {key: plain_schema(value) if isinstance(value, Mapping) else value for key, value in schema.items()}
+    if "properties" in schema:
+        made["properties"] = {name: plain_schema(inner) for name, inner in schema["properties"].items()}
+    if not isinstance(made.get("type"), list):
+        return made
+    types, kept = made.pop("type"), {key: made.pop(key) for key in ("description", "default") if key in made}
+    own = {key: made.pop(key) for keys in _OF_TYPE.values() for key in keys if key in made}
+    alternatives = []
+    for name in types:
+        said_of_it = {key: own[key] for key in _OF_TYPE.get(name, ()) if key in own}
+        alternatives.append({"type": name} | said_of_it | ({} if name in _OF_TYPE or name == "null" else made))
+    return kept | {"anyOf": alternatives}
 
 
 def said(schema: Mapping[str, Any], data: Any) -> Any:
@@ -158,7 +141,7 @@ def question(card: ToolCard, context: Context, call: Call) -> str:
     """What a model is told: card, instruction, request, scene and catalogue, as JSON."""
     brief, scene = context.brief, context.scene
     told = card.model_dump(include={"name", "description", "when", "when_not", "strengths", "weaknesses", "example"})
-    told["inputs"] = {**card.inputs, "properties": _given(card)}
+    told["inputs"] = {**card.inputs, "properties": _given(card, card.inputs)}
     request: dict[str, Any] = {
         "text": shorten(brief.text, LONGEST_REQUEST),
         "asks_for": [
@@ -175,33 +158,15 @@ def question(card: ToolCard, context: Context, call: Call) -> str:
         "why": compact(shorten(call.reason, SENTENCE)),
         "suggestion": compact({k: v for k, v in call.inputs.items() if k not in card.withheld}),
         "request": compact(request),
-        "catalogue": compact(_catalogue(card, context, call)),
+        "catalogue": compact(catalogue_data(card, context, call)),
         "scene": scene_text(scene),
     }
     return "{" + ",\n".join(f'"{key}":{text}' for key, text in rows.items()) + "}"
 
 
-def _given(card: ToolCard) -> dict[str, Any]:
-    return {k: v for k, v in card.inputs.get("properties", {}).items() if k not in card.withheld}
-
-
-def _catalogue(card: ToolCard, context: Context, call: Call) -> dict[str, Any]:
-    """What of the catalogue a tool's inputs name."""
-    words, room, scene = words_of(card.inputs), context.room_type, context.scene
-    found: dict[str, Any] = {}
-    if words & {"place", "relations"}:
-        found["relations"] = relations_data()
-    if words & {"category", "categories"}:
-        there = [*dict.fromkeys(o.category for o in scene.objects if o.mount != "surface")]
-        found["categories"] = categories_data([call.instruction, context.brief.text, compact(dict(call.inputs))], there)
-        found["items_of_such_a_room"] = items_data(room)
-    if words & {"arrangement"}:
-        found["arrangements"] = arrangements_data()
-    if words & {"theme"}:
-        found["themes"] = themes_data()
-    if words & {"supports", "on"}:
-        found["carriers"] = carriers_data(scene)
-    return found
+def _given(card: ToolCard, schema: Mapping[str, Any]) -> dict[str, Any]:
+    """The inputs in a schema that a model may give."""
+    return {k: v for k, v in schema.get("properties", {}).items() if k not in card.withheld}
 
 
 @dataclass(frozen=True)

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import math
 import re
 from collections import Counter
 from collections.abc import Callable, Collection, Sequence
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
-from pydantic import BeforeValidator, Field
+from pydantic import Field
 
+from sceneweaver.language.by_model.leniency import Listed
 from sceneweaver.llm import Reply
 from sceneweaver.scene import InputError, Scene
 from sceneweaver.scene.messages import quote, suggest
@@ -26,37 +26,30 @@ MOST_TOLD = 4
 Criterion = Literal["realism", "functionality", "layout", "completion"]
 
 
-def _listed(value: Any) -> Any:
-    """Some models write null for an empty list, or one name for a list of one."""
-    if value is None:
-        return []
-    return [value] if isinstance(value, str) else value
-
-
 class Graded(Reply):
     """A grade with its reason."""
 
     comment: str = Field(description="The reason, one or two sentences")
-    grade: float = Field(description="0 to 10")
+    grade: float = Field(ge=0, le=10, description="0 to 10")
 
 
 class Seen(Reply):
     """Something that is wrong."""
 
     criterion: Criterion
-    objects: Annotated[list[str], BeforeValidator(_listed)] = Field(
+    objects: Annotated[list[str], Listed] = Field(
         default=[], description="Exact ids of the things meant; empty for the whole room"
     )
     wrong: str = Field(description="What is wrong, one sentence")
     suggestion: str = Field(default="", description="What would mend it, one sentence")
-    severity: float = Field(description="1 a blemish, 2 a flaw, 3 the room fails at it")
+    severity: float = Field(ge=1, le=3, description="1 a blemish, 2 a flaw, 3 the room fails at it")
     tool: str | None = Field(default=None, description="Tool that would mend it, where one fits")
 
 
 class Look(Reply):
     """All that a model says about a room: what it saw, then its grades."""
 
-    faults: Annotated[list[Seen], BeforeValidator(_listed)] = []
+    faults: Annotated[list[Seen], Listed] = []
     realism: Graded
     functionality: Graded
     layout: Graded
@@ -97,29 +90,18 @@ class Names:
         return tuple(dict.fromkeys(found for name in names[:MOST_NAMED] if (found := self.of(name))))
 
 
-def checker(names: Names, *, strict: bool) -> Callable[[Look], Look]:
-    """What refuses an answer, with words for the model.
-
-    With ``strict``, every name has to mean something; else names that mean nothing are left out later.
-    """
+def checker(names: Names) -> Callable[[Look], Look]:
+    """What refuses an answer in which a name means nothing, with words for the model."""
 
     def check(look: Look) -> Look:
-        for criterion in ("realism", "functionality", "layout", "completion"):
-            grade = look.graded(criterion).grade
-            if not 0 <= grade <= 10:  # NaN, too
-                raise InputError(f"{criterion}.grade is {grade:g}; grades are 0 to 10")
-        for k, fault in enumerate(look.faults[:MOST_FAULTS]):
-            if not 1 <= fault.severity <= 3:
-                raise InputError(f"faults[{k}].severity is {fault.severity:g}; it is 1, 2 or 3")
-        if strict:
-            wrong = [
-                f"faults[{k}].objects: there is no object {quote(name)}{suggest(name, names.ids)}"
-                for k, fault in enumerate(look.faults[:MOST_FAULTS])
-                for name in fault.objects[:MOST_NAMED]
-                if names.of(name) is None
-            ]
-            if wrong:
-                raise InputError("; ".join(wrong[:MOST_TOLD]))
+        wrong = [
+            f"faults[{k}].objects: there is no object {quote(name)}{suggest(name, names.ids)}"
+            for k, fault in enumerate(look.faults[:MOST_FAULTS])
+            for name in fault.objects[:MOST_NAMED]
+            if names.of(name) is None
+        ]
+        if wrong:
+            raise InputError("; ".join(wrong[:MOST_TOLD]))
         return look
 
     return check
@@ -129,11 +111,6 @@ def tool_of(name: str | None, tools: Collection[str]) -> str | None:
     """The tool that is meant, None where there is no such tool."""
     plain = {_plain(tool): tool for tool in tools}
     return plain.get(_plain(name)) if name else None
-
-
-def whole(severity: float) -> float:
-    """A severity as one of 1, 2, 3."""
-    return float(math.floor(severity + 0.5))
 
 
 def _plain(name: str) -> str:

@@ -10,6 +10,7 @@ from pydantic import BeforeValidator, Field
 
 from sceneweaver.agent.memory import Call
 from sceneweaver.agent.planner import Situation, seed_of
+from sceneweaver.language.by_model.leniency import absent, from_json
 from sceneweaver.llm import Reply
 from sceneweaver.scene import InputError
 from sceneweaver.scene.messages import printable_line, quote, suggest
@@ -26,23 +27,13 @@ SENTENCE = 600
 """Characters of what a model says that are kept, for each thing it says."""
 
 
-def _parsed(value: Any) -> Any:
-    """Some models write an object as text."""
-    if isinstance(value, str) and len(value) <= MOST_INPUTS:
-        try:
-            return json.loads(value) if value.strip() else None
-        except ValueError:
-            return value
-    return value
-
-
 class PlannedCall(Reply):
     """A call that may solve the problem."""
 
     tool: str = Field(description="Name of a tool card")
     confidence: float = Field(ge=0, le=1, description="How likely the call makes the room better")
     instruction: str = Field(description="What to do, in one or two sentences")
-    inputs: Annotated[dict[str, Any] | None, BeforeValidator(_parsed)] = Field(
+    inputs: Annotated[dict[str, Any] | None, BeforeValidator(lambda value: from_json(absent(value)))] = Field(
         default=None, description="As the card asks; leave it out when not sure"
     )
 

@@ -8,9 +8,8 @@ from sceneweaver.agent.memory import Call, Step
 from sceneweaver.agent.planner import Situation
 from sceneweaver.critic import VisualReview
 from sceneweaver.scene.messages import shorten
-from sceneweaver.tools.card import ToolCard
 
-from .scene_text import compact, facts_text, prompt, rounded, scene_format, scene_text
+from .scene_text import compact, facts_text, prompt, rounded, scene_text
 
 REQUEST, SENTENCE = 8000, 300
 """Characters of the request, and of each sentence of the memory, that are told."""
@@ -24,8 +23,9 @@ MOST_FAILED = 20
 
 def instructions(situation: Situation) -> str:
     """What the model is and how it is to answer, with the cards of its tools."""
-    cards = ",\n".join(compact(_card(card)) for card in situation.cards.values())
-    parts = [prompt("planner"), scene_format(), f"Tools:\n[\n{cards}\n]"]
+    idle = {"rooms", "needs", "withheld", "confidence"}
+    cards = ",\n".join(compact(card.model_dump(mode="json", exclude=idle)) for card in situation.cards.values())
+    parts = [prompt("planner"), prompt("scene"), f"Tools:\n[\n{cards}\n]"]
     if situation.whole:
         parts.append(prompt("plan_whole"))
     return "\n\n".join(parts)
@@ -76,20 +76,6 @@ def _seen(seen: VisualReview) -> dict[str, Any]:
             }
             for fault in seen.faults[:MOST_SEEN]
         ],
-    }
-
-
-def _card(card: ToolCard) -> dict[str, Any]:
-    return {
-        "name": card.name,
-        "role": card.role,
-        "description": card.description,
-        "when": card.when,
-        "when_not": card.when_not,
-        "strengths": list(card.strengths),
-        "weaknesses": list(card.weaknesses),
-        "inputs": card.inputs,
-        "example": card.example.model_dump(mode="json"),
     }
 
 

@@ -1,6 +1,6 @@
 """A scene, and what is measured in it, as JSON for prompts: equal scenes give equal text, free of clocks and paths.
 
-Whatever comes from files or requests stands in JSON strings, cut to a length: it is data, which `scene_format` says.
+Whatever comes from files or requests stands in JSON strings, cut to a length: it is data, as the prompt "scene" says.
 """
 
 from __future__ import annotations
@@ -31,13 +31,8 @@ _BLOCKED = ("blocked_zones", "blocked_openings")
 _SHARES = ("walkable_share", "reachable_share", "openable_share")
 
 
-def scene_format() -> str:
-    """What `scene_text` and `facts_text` mean, for the instructions of a model."""
-    return prompt("scene")
-
-
 def prompt(name: str) -> str:
-    """A text of ``prompts/``."""
+    """A text of ``prompts/``; that of "scene" says what `scene_text` and `facts_text` mean."""
     return (files(__package__ or "") / "prompts" / f"{name}.md").read_text("utf-8").strip()
 
 

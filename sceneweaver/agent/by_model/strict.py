@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import Any, TypeVar
+from collections.abc import Callable
+from typing import Any
 
-from sceneweaver.llm import BudgetSpent, ModelClient, ModelError, ModelUnreachable, Picture, Reply
+from sceneweaver.llm import BudgetSpent, ModelClient, ModelError, ModelUnreachable, Picture
 from sceneweaver.scene import MissingDependencyError
-
-Answer = TypeVar("Answer", bound=Reply)
 
 
 class StrictClient(ModelClient):
@@ -25,58 +23,19 @@ class StrictClient(ModelClient):
     def __getattr__(self, name: str) -> Any:
         return getattr(self._client, name)
 
-    def ask(
-        self,
-        purpose: str,
-        kind: type[Answer],
-        instructions: str,
-        content: Sequence[str | Picture],
-        *,
-        check: Callable[[Answer], Answer | None] | None = None,
-        retries: int = 3,
-    ) -> Answer:
-        """As `ModelClient.ask`.
+    def ask_many(self, *question: Any, **options: Any) -> list[Any]:
+        """As `ModelClient.ask_many`, by which `ModelClient.ask` asks as well.
 
         Raises:
             MissingDependencyError: when the model cannot be asked any more.
         """
-        try:
-            return self._client.ask(purpose, kind, instructions, content, check=check, retries=retries)
-        except ModelError as error:
-            raise self._ended(error) from None
-
-    def ask_many(
-        self,
-        purpose: str,
-        kind: type[Answer],
-        instructions: str,
-        content: Sequence[str | Picture],
-        *,
-        samples: int,
-        check: Callable[[Answer], Answer | None] | None = None,
-        retries: int = 3,
-    ) -> list[Answer | ModelError]:
-        """As `ModelClient.ask_many`.
-
-        Raises:
-            MissingDependencyError: when the model cannot be asked any more.
-        """
-        found = self._client.ask_many(
-            purpose, kind, instructions, content, samples=samples, check=check, retries=retries
-        )
+        found = self._client.ask_many(*question, **options)
         for one in found:
-            if isinstance(one, ModelError) and one is not (ended := self._ended(one)):
-                raise ended from None
+            gone = isinstance(one, ModelUnreachable | BudgetSpent) or bool(getattr(self._client, "lost", ""))
+            if isinstance(one, ModelError) and gone and not self._over():
+                raise MissingDependencyError(f"the run is strict and its model cannot be asked any more: {one}")
         return found
 
     def shown(self, purpose: str) -> tuple[Picture, ...] | None:
         """As `ModelClient.shown`."""
         return self._client.shown(purpose)
-
-    def _ended(self, error: ModelError) -> Exception:
-        """What to raise for an error."""
-        if self._over():
-            return error
-        if isinstance(error, ModelUnreachable | BudgetSpent) or getattr(self._client, "lost", ""):
-            return MissingDependencyError(f"the run is strict and its model cannot be asked any more: {error}")
-        return error

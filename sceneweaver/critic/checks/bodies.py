@@ -1,24 +1,15 @@
-"""Measures of single bodies and of lists of them that only faults ask for."""
+"""Measures of single bodies that only faults ask for."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
-
 from sceneweaver.assets import categories
-from sceneweaver.knowledge.lived_in import left_about as is_left_about
+from sceneweaver.knowledge.small_things import left_about as is_left_about
 from sceneweaver.verify.solids import Body
 
 from .. import kinds
 from ..design.query import kind_set
 from ..design.registry import measure
 from ..survey import Survey
-
-
-@measure
-def mount(_: Survey, o: Body) -> str:
-    """Where a body is: "floor", "wall", "ceiling" or "surface"."""
-    return o.item.mount
 
 
 @measure
@@ -34,27 +25,9 @@ def left_about(survey: Survey, o: Body) -> bool:
 
 
 @measure
-def named_by_request(survey: Survey, o: Body) -> bool:
-    """Whether it stands for something that the request names."""
-    return o.id in survey.program.asked_of
-
-
-@measure
-def only(survey: Survey) -> bool:
-    """Whether the request wants nothing but what it names."""
-    return bool(survey.brief.only)
-
-
-@measure
-def ids(_: Survey, things: Sequence[Any], most: int | None = None, between: str = ", ") -> str:
-    """The ids of the first of some things, in words."""
-    return between.join(one if isinstance(one, str) else one.id for one in things[:most])
-
-
-@measure
-def whole(_: Survey, value: float) -> int:
-    """A number without what is behind its point."""
-    return int(value)
+def carries(_: Survey, o: Body) -> bool:
+    """Whether something should stand on or in it."""
+    return kinds.carries(o.item.category)
 
 
 @measure
@@ -64,12 +37,6 @@ def in_set(_: Survey, category: str, kinds_: str) -> bool:
 
 
 @measure
-def phrase(_: Survey, category: str) -> str:
-    """A category in words."""
-    return kinds.words(category)
-
-
-@measure
-def article(_: Survey, category: str) -> str:
-    """A category in words, with its article."""
-    return kinds.a(category)
+def whole(_: Survey, value: float) -> int:
+    """A number without what is behind its point."""
+    return int(value)

@@ -87,20 +87,6 @@ def sides_used(_: Survey, o: Body) -> tuple[str, ...]:
 
 
 @measure
-def back_gap(survey: Survey, o: Body) -> float:
-    """Gap [m] between the back of a body and the wall behind it; infinite without one."""
-    back = survey.back_wall(o)
-    return back[1] if back else math.inf
-
-
-@measure
-def back_angle(survey: Survey, o: Body) -> float:
-    """Angle [deg] between the back of a body and the wall behind it; infinite without one."""
-    back = survey.back_wall(o)
-    return math.degrees(back[2]) if back else math.inf
-
-
-@measure
 def hides(survey: Survey, seat: Body, screen: Body, eyes: float) -> Body | None:
     """What stands or hangs higher than the line of sight [m] between a seat and a screen."""
     import shapely

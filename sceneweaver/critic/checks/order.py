@@ -117,12 +117,6 @@ def sets_of_equals(survey: Survey) -> list[tuple[Body, ...]]:
     return [tuple(bodies) for bodies in sets.values()]
 
 
-@measure
-def longest(_: Survey, bodies: Sequence[Body]) -> float:
-    """The longest side [m] of some boxes in plan."""
-    return max(max(b.size[:2]) for b in bodies)
-
-
 class Offset(NamedTuple):
     """How far [m] one body is out of line with another."""
 

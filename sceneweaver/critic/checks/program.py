@@ -11,8 +11,7 @@ from sceneweaver.assets.roles import has_role
 from sceneweaver.knowledge import Item, RoomType, room_types
 from sceneweaver.knowledge.complete import expected_of
 from sceneweaver.knowledge.kin import fits_anywhere, may_stand_in, neighbouring, place_of, serves
-from sceneweaver.knowledge.lived_in import left_about
-from sceneweaver.knowledge.wall_things import wall_things
+from sceneweaver.knowledge.small_things import left_about, wall_things
 from sceneweaver.rules.faults import fault_kind, number
 from sceneweaver.verify.solids import Body
 

@@ -71,12 +71,6 @@ def left_out(survey: Survey, v: Violation) -> str:
 
 
 @measure
-def walkable(survey: Survey) -> float | None:
-    """Share of the free floor that can be reached from a door; None where it is not known."""
-    return survey.report.walkable_share
-
-
-@measure
 def all_reached(survey: Survey) -> bool:
     """Whether a robot gets to all furniture, or it is not known to what it does."""
     share = survey.report.reachable_share
@@ -88,15 +82,3 @@ def unreached(survey: Survey) -> list[Body]:
     """The furniture that a robot does not get to."""
     found = None if all_reached(survey) else access(survey.placed)
     return [survey.placed.by_id[name] for name in found.unreached] if found is not None else []
-
-
-@measure
-def on_floor(survey: Survey) -> int:
-    """How many objects stand on the floor."""
-    return sum(o.mount == "floor" for o in survey.scene.objects)
-
-
-@measure
-def priority(_: Survey, o: Body) -> str | None:
-    """Why a body is there: "asked", "needed" ..."""
-    return o.item.intent.priority

@@ -1,16 +1,16 @@
-"""Measures of single bodies: what they are, their sizes and heights; and lists of them as rows need them."""
+"""Measures of single bodies: what they are, their sizes and heights; and lists as rows need them."""
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from typing import Any
 
 from sceneweaver.verify.solids import Body, Opening
 
 from .. import kinds
-from ..seats import seat_like as likely_seat
 from ..survey import Survey
-from .measure import movable as is_movable
+from .measure import parts_of, top_of
 from .query import kind_set
 from .registry import measure
 
@@ -22,45 +22,22 @@ def kind(_: Survey, o: Body, kinds_: str) -> bool:
 
 
 @measure
-def all_kind(_: Survey, bodies: Sequence[Body], kinds_: str) -> bool:
-    """Whether all of some bodies are of a set of categories."""
-    return all(o.item.category in kind_set(kinds_) for o in bodies)
-
-
-@measure
 def category(_: Survey, o: Body) -> str:
     """The category of a body."""
     return o.item.category
 
 
 @measure
-def words(_: Survey, o: Body) -> str:
-    """The category of a body as a user would write it."""
-    return kinds.words(o.item.category)
+def words(_: Survey, o: Body | str, article: bool = False) -> str:
+    """The category of a body, or a kind of room, as a user would write it."""
+    name = o if isinstance(o, str) else o.item.category
+    return kinds.a(name) if article else kinds.words(name)
 
 
 @measure
-def movable(_: Survey, o: Body) -> bool:
-    """Whether it is a seat that is moved aside with one hand."""
-    return is_movable(o)
-
-
-@measure
-def seat_like(_: Survey, o: Body) -> bool:
-    """Whether people may sit on it at a table."""
-    return likely_seat(o)
-
-
-@measure
-def named_round(_: Survey, o: Body) -> bool:
-    """Whether its category says that it is round."""
-    return "round" in o.item.category
-
-
-@measure
-def wanted(survey: Survey, o: Body) -> bool:
-    """Whether somebody asked for it, or the room needs it."""
-    return o.id in survey.program.asked_of or o.item.intent.priority in ("needed", "asked")
+def attribute(_: Survey, o: Body, name: str) -> Any:
+    """An attribute of a body, such as its material or color; None where it has none of the name."""
+    return o.item.attributes.get(name)
 
 
 @measure
@@ -94,73 +71,39 @@ def bottom(_: Survey, o: Body | Opening) -> float:
 
 
 @measure
-def top(_: Survey, o: Any) -> float:
-    """Height [m] of its upper end, or of the highest of several, above the floor."""
-    return max(one.z[1] for one in ((o,) if isinstance(o, (Body, Opening)) else o))
+def top(_: Survey, o: Body | Opening) -> float:
+    """Height [m] of its upper end above the floor."""
+    return o.z[1]
 
 
 @measure
-def number(_: Survey, o: Body) -> int:
-    """Its place in the scene."""
-    return o.index
+def worktop(_: Survey, o: Body) -> float:
+    """Height [m] of the top of a table or unit over its lower end; a tap on it does not count."""
+    return top_of(o)
 
 
 @measure
-def total_width(_: Survey, bodies: Sequence[Body]) -> float:
-    """Width [m] of some bodies together."""
-    return sum(b.size[1] for b in bodies)
+def parts(_: Survey, o: Body) -> Sequence[tuple[float, float]]:
+    """The solid parts of a body: the share of its box in plan, and the height [m] of the top, of each."""
+    return parts_of(o)
 
 
 @measure
-def count(_: Survey, things: Sequence[Any]) -> int:
-    """How many there are."""
-    return len(things)
+def joined(_: Survey, words_: Sequence[str], between: str) -> str:
+    """Some words in one text."""
+    return between.join(words_)
 
 
 @measure
-def rest(_: Survey, things: Sequence[Any], start: int, end: int | None = None) -> tuple[Any, ...]:
-    """Those from a place on, up to another."""
-    return tuple(things[start:end])
+def mode(_: Survey, values: Sequence[Any]) -> Any:
+    """The most frequent of some values, of equally frequent ones the first; None of none."""
+    return Counter(values).most_common(1)[0][0] if values else None
 
 
 @measure
-def largest(_: Survey, bodies: Sequence[Body]) -> Body | None:
-    """The body with the largest box in plan."""
-    return max(bodies, key=lambda b: (round(b.size[0] * b.size[1], 4), b.id), default=None)
-
-
-@measure
-def rank(_: Survey, value: float, o: Body) -> tuple[float, str]:
-    """A key to order bodies by a number, and equal ones by id."""
-    return round(value, 4), o.id
-
-
-@measure
-def by(_: Survey, value: Any) -> Any:
-    """What ends a clear depth (None: a wall), or all objects that a reading is about."""
-    found = getattr(value, "by", ())
-    return found[0] if len(found) == 1 else found or None
-
-
-@measure
-def pairs_of(_: Survey, value: Any) -> int:
-    """How many pairs a reading is about."""
-    return getattr(value, "pairs", 0)
-
-
-@measure
-def more(_: Survey, number_: int, what: str) -> str:
-    """The end of a sentence that names one of several."""
-    return f", and {number_} more {what}" if number_ > 0 else ""
-
-
-@measure
-def joined(_: Survey, things: Sequence[Any], between: str) -> str:
-    """Some words, or the first of each of some lists of words, in one."""
-    return between.join(t if isinstance(t, str) else t[0] for t in things)
-
-
-@measure
-def all_of(_: Survey, *reasons: Any) -> str:
-    """The reasons that hold, in one sentence."""
-    return " and ".join(r for r in reasons if r and isinstance(r, str))
+def groups(_: Survey, things: Sequence[Any], keys: Sequence[Any]) -> list[tuple[Any, ...]]:
+    """The things with equal keys together, one key for each thing."""
+    found: dict[Any, list[Any]] = {}
+    for thing, key in zip(things, keys, strict=True):
+        found.setdefault(key, []).append(thing)
+    return [tuple(row) for row in found.values()]

@@ -97,7 +97,7 @@ def _ids(case: Case, names: Iterable[str]) -> list[str]:
     found: dict[str, None] = {}
     for name in names:
         value = Expression(name).value(case)
-        found.update((_id(one), None) for one in listed(value))
+        found.update((_id(one), None) for one in listed(value) if one is not None)
     return list(found)
 
 
@@ -128,7 +128,7 @@ def _said(value: Any, spec: str) -> str:
     if isinstance(value, (Body, Opening)):
         return _id(value)
     if isinstance(value, (tuple, list)):
-        ids = [_id(one) for one in value]
+        ids = ["the wall" if one is None else _id(one) for one in value]
         return ", ".join(ids[:NAMED]) + (f" and {len(ids) - NAMED} more" if len(ids) > NAMED else "")
     return format(value, spec)
 

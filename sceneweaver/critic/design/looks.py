@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from collections import Counter, defaultdict
 from collections.abc import Sequence
+from typing import NamedTuple
 
 from sceneweaver.assets.materials import color_named, finishes, hue, own_look
 from sceneweaver.knowledge.complete import expected_of
-from sceneweaver.knowledge.lived_in import left_about
 from sceneweaver.knowledge.small_things import belongs as at_home
-from sceneweaver.knowledge.small_things import most_of
+from sceneweaver.knowledge.small_things import left_about, most_of
 from sceneweaver.rules.design import room_groups
 from sceneweaver.rules.faults import number
 from sceneweaver.scene import InputError
@@ -19,17 +19,22 @@ from sceneweaver.verify.solids import Body
 
 from .. import kinds
 from ..survey import Survey
-from .bodies import asked
+from .bodies import asked, groups
 from .query import kind_set
 from .registry import measure
-
-DARK = frozenset(("black", "dark brown"))
 
 UNDYED = frozenset(("bottle", "food"))
 """Families of finishes that have the colours of what they are made of in any room."""
 
 
 # ---- colours ---------------------------------------------------------------------------------------------------------
+
+
+class Look(NamedTuple):
+    """A hue, or woods that look alike, and what has them."""
+
+    names: tuple[str, ...]
+    bodies: tuple[Body, ...]
 
 
 def _area(body: Body) -> float:
@@ -76,52 +81,34 @@ def _seen(survey: Survey, wood: bool, least: float) -> dict[str, list[Body]]:
 
 
 @measure
-def hues(survey: Survey, least: float) -> list[str]:
+def hues(survey: Survey, least: float) -> list[Look]:
     """The hues of furniture and cloth that are more than a share of what is seen of them."""
-    return sorted(_seen(survey, False, least))
+    return sorted(Look((name,), tuple(row)) for name, row in _seen(survey, False, least).items())
 
 
 @measure
-def woods(survey: Survey, least: float, alike: float) -> list[list[str]]:
+def woods(survey: Survey, least: float, alike: float) -> list[Look]:
     """The woods that are more than a share of what is seen, those that look alike (in sRGB) together."""
-    return sorted(_tones(list(_seen(survey, True, least)), alike))
+    seen = _seen(survey, True, least)
+    tones = sorted(_tones(list(seen), alike))
+    return [Look(tuple(tone), tuple(b for name in tone for b in seen[name])) for tone in tones]
 
 
 @measure
-def in_hues(survey: Survey, names: Sequence[str]) -> list[Body]:
-    """What has some hues."""
-    seen = _seen(survey, False, 0.0)
-    return [b for name in names for b in seen[name]]
-
-
-@measure
-def in_woods(survey: Survey, tones: Sequence[Sequence[str]]) -> list[Body]:
-    """What is of some woods."""
-    seen = _seen(survey, True, 0.0)
-    return [b for tone in tones for name in tone for b in seen[name]]
-
-
-@measure
-def dark_share(survey: Survey) -> float:
-    """Share of what is seen of furniture and cloth that is black or dark brown."""
+def share_of_colours(survey: Survey, colours: Sequence[str]) -> float:
+    """Share of what is seen of furniture and cloth that has any of some colours."""
     coloured = _coloured(survey)
     whole = sum(_area(b) for b, _ in coloured)
-    return sum(_area(b) for b, colour in coloured if colour in DARK) / whole if whole > 0.0 else 0.0
-
-
-@measure
-def has_palette(survey: Survey) -> bool:
-    """Whether the room has a palette."""
-    return survey.scene.palette is not None
+    return sum(_area(b) for b, colour in coloured if colour in colours) / whole if whole > 0.0 else 0.0
 
 
 def _tones(woods: list[str], alike: float) -> list[list[str]]:
     """Woods that look alike, together."""
-    groups: list[list[str]] = []
+    tones: list[list[str]] = []
     for wood in sorted(woods):
-        near = [g for g in groups if any(_like(wood, other, alike) for other in g)]
-        groups = [g for g in groups if g not in near] + [[wood, *(w for g in near for w in g)]]
-    return groups
+        near = [t for t in tones if any(_like(wood, other, alike) for other in t)]
+        tones = [t for t in tones if t not in near] + [[wood, *(w for t in near for w in t)]]
+    return tones
 
 
 def _like(a: str, b: str, alike: float) -> bool:
@@ -130,22 +117,20 @@ def _like(a: str, b: str, alike: float) -> bool:
 
 
 def off_palette(survey: Survey) -> tuple[list[Body], list[Body]]:
-    """The small things that do not follow the room's palette or, where it has none, its style; and all that should.
+    """The small things that do not follow the room's palette or, where it has none, its style; and all that should."""
+    follows = [(b, in_style(survey, b)) for b in survey.bodies if b.item.mount == "surface"]
+    return [b for b, right in follows if right is False], [b for b, right in follows if right is not None]
+
+
+@measure
+def in_style(survey: Survey, o: Body) -> bool | None:
+    """Whether a small thing follows the room's palette or, where it has none, its style; None where it need not.
 
     What was asked for and what has a look of its own need not; in a room without style and palette nothing does.
     """
     palette, style = survey.scene.palette, _style(survey)
-    small = [
-        b
-        for b in survey.bodies
-        if b.item.mount == "surface"
-        and b.item.category not in own_look()
-        and b.item.attributes.get("style")
-        and not asked(survey, b)
-    ]
-    if not style:
-        return [], []
-    return [b for b in small if not _follows(b, palette, style)], small
+    own = o.item.category in own_look() or not o.item.attributes.get("style") or asked(survey, o)
+    return None if own or not style else _follows(o, palette, style)
 
 
 def _style(survey: Survey) -> str:
@@ -157,46 +142,10 @@ def _follows(body: Body, palette: Palette | None, style: str) -> bool:
     if palette is None:
         return body.item.attributes["style"] == style
     material = str(body.item.attributes.get("material"))
-    if material in _finishes(palette) or _family(body) in UNDYED:
+    if material in (*palette.woods, *palette.paints, *palette.metals) or _family(body) in UNDYED:
         return True
     dyes = [*palette.textiles, *(paint.removesuffix(" paint") for paint in palette.paints)]
     return material.rpartition(" ")[0] in dyes or _hue(_colour(body) or "") in {None, *map(_hue, dyes)}
-
-
-def _finishes(palette: Palette) -> tuple[str, ...]:
-    return (*palette.woods, *palette.paints, *palette.metals)
-
-
-@measure
-def styled(survey: Survey) -> list[Body]:
-    """The small things that should follow the room's palette or style."""
-    return off_palette(survey)[1]
-
-
-@measure
-def in_style(survey: Survey, o: Body) -> bool:
-    """Whether a small thing follows the room's palette or, where it has none, its style."""
-    return _follows(o, survey.scene.palette, _style(survey))
-
-
-@measure
-def size_difference(_: Survey, a: Body, b: Body) -> float:
-    """The most [m] that two boxes differ along an axis."""
-    return max(abs(x - y) for x, y in zip(a.size, b.size, strict=True))
-
-
-@measure
-def alike(survey: Survey, a: Body, b: Body, size: float) -> bool:
-    """Whether two pieces are of one size, up to a difference [m], one material and one colour."""
-    same = all(a.item.attributes.get(k) == b.item.attributes.get(k) for k in ("material", "color"))
-    return same and size_difference(survey, a, b) <= size
-
-
-@measure
-def carried_each(survey: Survey, bases: Sequence[Body], kinds_: str) -> list[Body]:
-    """The first of some categories on each of some pieces; none where one has none."""
-    rows = [[b for b in survey.carried.get(base.id, ()) if b.item.category in kind_set(kinds_)] for base in bases]
-    return [row[0] for row in rows] if all(rows) else []
 
 
 # ---- small things ----------------------------------------------------------------------------------------------------
@@ -209,35 +158,15 @@ def belongs(survey: Survey, o: Body) -> bool:
 
 
 @measure
-def a_room(survey: Survey) -> str:
-    """The kind of room with its article."""
-    return kinds.a(survey.room_type.name)
-
-
-@measure
 def too_many(survey: Survey) -> list[Body]:
     """What there is beyond as many as such a room has, where nobody asked for more."""
     spare: list[Body] = []
-    for bodies in _by_category(survey).values():
+    for bodies in groups(survey, survey.bodies, [b.item.category for b in survey.bodies]):
         most = most_of(bodies[0].item.category, survey.room_type.name)
         one_each = len(_tables_below(survey, bodies)) == len(bodies)  # as in a restaurant
         if most and len(bodies) > most and not one_each and not any(asked(survey, b) for b in bodies):
             spare += bodies[most:]
     return spare
-
-
-@measure
-def of_kinds(survey: Survey, bodies: Sequence[Body]) -> list[Body]:
-    """All of the categories of some things."""
-    by, names = _by_category(survey), dict.fromkeys(b.item.category for b in bodies)
-    return [b for name in names for b in by[name]]
-
-
-def _by_category(survey: Survey) -> dict[str, list[Body]]:
-    found: dict[str, list[Body]] = defaultdict(list)
-    for body in survey.bodies:
-        found[body.item.category].append(body)
-    return found
 
 
 def _tables_below(survey: Survey, bodies: Sequence[Body]) -> set[str]:
@@ -247,33 +176,10 @@ def _tables_below(survey: Survey, bodies: Sequence[Body]) -> set[str]:
 
 
 @measure
-def kinds_of(survey: Survey, kinds_: str) -> list[str]:
-    """The categories of a set that are there."""
-    return list(dict.fromkeys(b.item.category for b in survey.of_kind(kind_set(kinds_))))
-
-
-def _look(body: Body) -> tuple[str, str]:
-    asset = (body.item.asset or "").split("&size")[0]
-    return body.item.category, asset or str(body.item.attributes.get("material"))
-
-
-@measure
-def copies(_: Survey, o: Body, bodies: Sequence[Body]) -> int:
-    """How many of some things look exactly like one of them, itself included."""
-    return sum(_look(b) == _look(o) for b in bodies)
-
-
-@measure
-def by_look(_: Survey, bodies: Sequence[Body]) -> list[Body]:
-    """Some things, those that look alike together."""
-    order = {look: k for k, look in reversed([*enumerate(map(_look, bodies))])}
-    return sorted(bodies, key=lambda b: order[_look(b)])
-
-
-@measure
-def number_of(survey: Survey, o: Body) -> int:
-    """How many of a category there are."""
-    return sum(b.item.category == o.item.category for b in survey.bodies)
+def look(_: Survey, o: Body) -> tuple[str, str]:
+    """What things have in common that look exactly alike."""
+    asset = (o.item.asset or "").split("&size")[0]
+    return o.item.category, asset or str(o.item.attributes.get("material"))
 
 
 @measure
@@ -293,32 +199,6 @@ def supports(survey: Survey) -> list[Body]:
 def within_reach(body: Body, z: float) -> bool:
     """Whether a surface at a height [m] over the lower end of a body is low enough to put things on."""
     return body.position[2] + z < number("reached")
-
-
-@measure
-def carries(_: Survey, o: Body) -> bool:
-    """Whether something should stand on or in it."""
-    return kinds.carries(o.item.category)
-
-
-@measure
-def on(survey: Survey, o: Body) -> Sequence[Body]:
-    """What stands on it."""
-    return survey.carried.get(o.id, ())
-
-
-@measure
-def boards(_: Survey, o: Body) -> int:
-    """How many surfaces it has."""
-    return len(o.item.surfaces)
-
-
-@measure
-def top_taken(survey: Survey, table: Body) -> float:
-    """Share of the top of a table that the boxes of the things on it take."""
-    d, w, _h = table.size
-    top = (math.pi / 4 if abs(d - w) < 0.02 else 1.0) * d * w
-    return sum(b.size[0] * b.size[1] for b in survey.carried.get(table.id, ())) / max(1e-6, top)
 
 
 @measure

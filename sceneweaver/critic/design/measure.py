@@ -1,4 +1,4 @@
-"""Shapes in plan that measures of the design rules share: strips before sides, what reaches into them, door leaves."""
+"""Shapes in plan that measures share: boxes, strips before sides, what reaches into them, leaves of doors, tops."""
 
 from __future__ import annotations
 
@@ -11,24 +11,31 @@ import numpy as np
 from sceneweaver.assets.roles import with_role
 from sceneweaver.verify.solids import Body, Opening
 
-from .. import kinds
 from ..survey import FLAT, Survey
 
 HEAD = 1.9
 """Height [m] above which things are not in the way."""
 
-LIGHT_SEATS = with_role("light_seat")
-"""Seats that are moved aside with one hand."""
+MOVED_ASIDE = with_role("light_seat", "upright_seat")
+"""Seats that are moved aside by whoever passes."""
 
 
-def named(text: str) -> frozenset[str]:
-    """The categories of a list in one text."""
-    return frozenset(text.split())
+def shape_of(survey: Survey, thing: Any) -> Any:
+    """A thing in plan as a shapely geometry: the box of a body, the room that a door or window needs, or itself."""
+    import shapely
+
+    if isinstance(thing, Body):
+        return survey.boxes[thing.index]
+    return shapely.Polygon(thing.polygon) if isinstance(thing, Opening) else thing
 
 
-def movable(body: Body) -> bool:
-    """Whether it is a seat that whoever passes moves aside."""
-    return body.item.category in LIGHT_SEATS or kinds.upright_seat(body.item.category)
+def spot(thing: Any) -> tuple[float, float]:
+    """The middle of a body, of an opening at its wall, or of a geometry."""
+    if isinstance(thing, Body):
+        return thing.centre
+    if isinstance(thing, Opening):
+        return middle(thing)
+    return thing.centroid.x, thing.centroid.y
 
 
 def strip(body: Body, side: str, depth: float, width: float = 0.95) -> Any:
@@ -42,21 +49,19 @@ def strip(body: Body, side: str, depth: float, width: float = 0.95) -> Any:
     return shapely.polygons((a, b, *far))
 
 
-def inside(
-    survey: Survey, area: Any, skip: Iterable[Body] = (), low: float = FLAT, high: float = HEAD
-) -> list[tuple[Body, float]]:
-    """Things on the floor that reach into an area between two heights [m], with the share of it that they take."""
+def inside(survey: Survey, area: Any, skip: Iterable[Body] = ()) -> list[Body]:
+    """Things on the floor that reach into an area between what is walked on and the height of a head."""
     skipped = {b.index for b in skip}
     there = [
         b
         for b in survey.reaching(area)
-        if b.index not in skipped and b.item.mount == "floor" and b.z[1] > low and b.z[0] <= high
+        if b.index not in skipped and b.item.mount == "floor" and b.z[1] > FLAT and b.z[0] <= HEAD
     ]
-    return [(b, share) for b, share in zip(there, survey.taken(area, there), strict=True) if share > 1e-3]
+    return [b for b, share in zip(there, survey.taken(area, there), strict=True) if share > 1e-3]
 
 
 def clear_depth(
-    survey: Survey, body: Body, side: str, most: float, passes: Callable[[Body], bool] = lambda _: False
+    survey: Survey, body: Body, side: str, most: float, passes: Callable[[Body], bool]
 ) -> tuple[float, Body | None]:
     """Free depth [m] up to ``most`` before a side, and what ends it (None: a wall, or nothing does)."""
     import shapely
@@ -64,7 +69,7 @@ def clear_depth(
     area = strip(body, side, most, 0.85)
     face = body.face(side)
     best, who = min(most, survey.clear_ahead(body, side)), None
-    for other, _ in inside(survey, area, (body,)):
+    for other in inside(survey, area, (body,)):
         if passes(other):
             continue
         points = shapely.get_coordinates(survey.footprint(other).intersection(area))
@@ -79,17 +84,21 @@ def middle(opening: Opening, depth: float = 0.0) -> tuple[float, float]:
     return opening.wall.point(opening.item.offset + opening.item.width / 2, depth)
 
 
+def parts_of(body: Body) -> list[tuple[float, float]]:
+    """For each solid of a body, the share of its box in plan that the solid's takes, and the height [m] of its top."""
+    d, w, _ = body.size
+    found = []
+    for part in body.item.solids:
+        xs, ys = [p[0] for p in part.polygon], [p[1] for p in part.polygon]
+        found.append(((max(xs) - min(xs)) * (max(ys) - min(ys)) / (d * w), part.z[1]))
+    return found
+
+
 def top_of(body: Body) -> float:
     """Height [m] of the top of a table or unit over its lower end; a tap on it does not count."""
     if body.item.surfaces:
         return max(s.z for s in body.item.surfaces)
-    d, w, h = body.size
-    tops = []
-    for part in body.item.solids:
-        xs, ys = [p[0] for p in part.polygon], [p[1] for p in part.polygon]
-        if (max(xs) - min(xs)) * (max(ys) - min(ys)) > 0.6 * d * w:
-            tops.append(part.z[1])
-    return max(tops) if tops else h
+    return max((top for share, top in parts_of(body) if share > 0.6), default=body.size[2])
 
 
 def overlap(a: tuple[float, float], b: tuple[float, float]) -> float:
@@ -100,14 +109,8 @@ def overlap(a: tuple[float, float], b: tuple[float, float]) -> float:
 def along(opening_or_wall: Any, body: Body) -> tuple[tuple[float, float], tuple[float, float]]:
     """Interval [m] that a body takes along a wall, and that of its distance from it."""
     wall = getattr(opening_or_wall, "wall", opening_or_wall)
-    spots = [wall.coordinates(c) for c in body.corners]
-    us, vs = [float(u) for u, _ in spots], [float(v) for _, v in spots]
+    us, vs = np.array([wall.coordinates(c) for c in body.corners]).T.tolist()
     return (min(us), max(us)), (min(vs), max(vs))
-
-
-def end_of(opening: Opening) -> float:
-    """Where along its wall [m] an opening ends."""
-    return opening.item.offset + opening.item.width
 
 
 def swing(door: Opening) -> Any:

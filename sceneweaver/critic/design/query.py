@@ -1,10 +1,10 @@
 """What a row of a rule is about: a named selector, or members that are found one after the other.
 
-A member is written ``name: "[mount] sets [of list] [near other distance] [if condition] [by key]"``: sets are roles of
-categories (`sceneweaver.assets.roles`), categories after ``=``, and with ``-`` before them what is left out. Instead of
-sets there may be ``= expression``. A plain name stands for each object in turn, ``name*`` for all of them, ``name?``
-for the first (or none), and ``name!`` for the first, without which there is no case. Under ``from`` stands a named
-selector whose names the members may use.
+A member is written ``name: "[mount] sets [of list] [near other distance] [if condition] [by key]"``: a mount of
+objects, ``standing`` or ``any``; sets are roles of categories (`sceneweaver.assets.roles`), categories after ``=``, and
+with ``-`` before them what is left out. Instead of sets there may be ``= expression``. A plain name stands for each
+object in turn, ``name*`` for all of them, ``name?`` for the first (or none), and ``name!`` for the first, without which
+there is no case. Under ``from`` stands a named selector whose names the members may use.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from sceneweaver.assets.roles import with_role
 from sceneweaver.assets.taxonomy import members
 from sceneweaver.rules.expression import Expression
 
-MOUNTS = frozenset(("floor", "wall", "ceiling", "surface", "standing"))
+MOUNTS = frozenset(("floor", "wall", "ceiling", "surface", "standing", "any"))
 
 Case = dict[str, Any]
 
@@ -79,6 +79,16 @@ def _meant(word: str) -> frozenset[str]:
     return frozenset((name,)) if row.size is not None else frozenset(members(name))
 
 
+def _cut(text: str, word: str) -> tuple[str, str]:
+    """The text before and after the first place of a word outside of brackets; nothing after it where it is not."""
+    depth = 0
+    for k, letter in enumerate(text):
+        depth += (letter in "([{") - (letter in ")]}")
+        if depth == 0 and text.startswith(word, k):
+            return text[:k], text[k + len(word) :]
+    return text, ""
+
+
 @dataclass(frozen=True)
 class Member:
     """One member of a query."""
@@ -99,8 +109,8 @@ class Member:
         """A member from its text; ValueError where that has an unknown name."""
         how = name[-1] if name[-1] in "*?!" else ""
         name = name.rstrip("*?!")
-        text, _, key = text.partition(" by ")
-        text, _, where = text.partition(" if ")
+        text, key = _cut(" ".join(text.split()), " by ")
+        text, where = _cut(text, " if ")
         rest = {"where": Expression(where) if where else None, "key": Expression(key) if key else None}
         if text.startswith("= "):
             return cls(name, how, "", None, Expression(text[2:].strip()), "", Expression(0.0), **rest)
@@ -109,7 +119,7 @@ class Member:
         while tokens:
             word = tokens.pop(0)
             if word in MOUNTS and not words:
-                mount = word
+                mount = "" if word == "any" else word
             elif word == "of":
                 source = Expression(tokens.pop(0))
             elif word == "near":

@@ -12,11 +12,11 @@ from sceneweaver.verify.solids import Body
 
 from ..groups import groups_of
 from ..survey import Survey
-from . import bodies, cover, doors, free, looks, plan, rooms, tables, ways
+from . import bodies, free, looks, plan, sets, walls
 from .query import Case, kind_set
 from .registry import MEASURES
 
-MODULES = (bodies, cover, doors, free, looks, plan, rooms, tables, ways)
+MODULES = (bodies, free, looks, plan, sets, walls)
 """What has measures, by subject; they put them into `MEASURES` as they are read."""
 
 OFF = 0.4

@@ -10,6 +10,8 @@ from typing import Any
 from sceneweaver.scene import Scene
 from sceneweaver.verify import Report
 
+from ..templates import render
+
 CHECKS = {
     "checksum": "shards, tables and assets have the SHA-256 that is listed",
     "index": "rows are complete, in order, and have reasons where nothing was delivered",
@@ -119,37 +121,4 @@ class Findings:
 
 def markdown(data: Mapping[str, Any]) -> str:
     """The page."""
-    counts, faults = data["counts"], data["faults"]
-    verdict = "All holds." if data["ok"] else "Not all holds."
-    lines = [
-        f"# Verification of {data['name']}",
-        "",
-        f"{verdict} Everything below was measured from the files alone, with sceneweaver {data['version']}.",
-        "",
-        "| measured | |",
-        "| --- | ---: |",
-        *(f"| {name} | {value:,} |" for name, value in counts.items()),
-        "",
-        "| check | faults | what holds |",
-        "| --- | ---: | --- |",
-        *(f"| {check} | {faults.get(check, 0)} | {meaning} |" for check, meaning in CHECKS.items()),
-    ]
-    if (moved := data["stability"]) is not None:
-        lines += [
-            "",
-            f"{moved['scenes']} scenes were let loose in MuJoCo for 3 s. Of {moved['things']:,} things that may move "
-            f"{100 * moved['moved_over_0_01m']:.2f} % moved over 1 cm and {100 * moved['moved_over_0_1m']:.2f} % "
-            f"over 10 cm; the mean shift is {1e3 * moved['mean_shift_m']:.2f} mm.",
-        ]
-        if moved["farthest"]:
-            lines += ["", "| scene | thing | shift [m] |", "| --- | --- | ---: |"]
-            lines += [f"| {row['key']} | {row['object']} | {row['shift_m']:.3f} |" for row in moved["farthest"]]
-    if data["first"]:
-        lines += ["", "## First faults", "", "| key | check | what |", "| --- | --- | --- |"]
-        lines += [f"| {f['key']} | {f['check']} | {_cell(f['detail'])} |" for f in data["first"]]
-    return "\n".join(lines) + "\n"
-
-
-def _cell(text: str) -> str:
-    """A text as a cell of a table."""
-    return text.replace("|", "/")
+    return render("checking/verification.md", **data, checks=CHECKS)

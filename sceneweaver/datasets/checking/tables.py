@@ -17,7 +17,7 @@ from sceneweaver.verify import check
 from ..digests import TIMES, read_checksums, sha256
 from ..folder import Folder
 from ..gates import failures
-from ..layouts.read import posed
+from ..layouts.tables import posed
 from ..reading import Span
 from ..spec import Spec
 from ..statistics import statistics
@@ -59,12 +59,10 @@ def check_rows(
                 found.fault("index", key, line)
             continue
         found.counts["scenes"] += 1
-        for line in _delivered(row, spec):
-            found.fault("index", key, line)
-        for line in gates_failed(row, spec):
-            found.fault("gate", key, line)
-        for line in _licences(row, licences):
-            found.fault("licence", key, line)
+        of_row = {"index": _delivered(row, spec), "gate": gates_failed(row, spec), "licence": _licences(row, licences)}
+        for name, lines in of_row.items():
+            for line in lines:
+                found.fault(name, key, line)
         for column, known in splits.items():
             if row.get(column) is None:
                 continue

@@ -10,13 +10,14 @@ import numpy as np
 
 from sceneweaver.scene import Scene
 
-from . import access, counts, places
+from . import access
+from . import questions as asked
 from .asker import Asker, Question, Template
 from .captions import captions
 from .facts import Facts
 from .instructions import instructions
 
-TEMPLATES: tuple[Template, ...] = (*counts.TEMPLATES, *places.TEMPLATES, *access.TEMPLATES)
+TEMPLATES: tuple[Template, ...] = (*asked.TEMPLATES, *access.TEMPLATES)
 """All templates of questions; one that stands here twice asks twice."""
 
 

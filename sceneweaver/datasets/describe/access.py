@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -100,16 +101,11 @@ def robot_reaches(asker: Asker) -> Question | None:
     def answer(body: Body) -> tuple[bool | None, None]:
         return (True if body.id in reached else None if body.id in reachable else False), None
 
-    found = asker.balanced(asker.shuffled(asker.standing), answer)
-    if found is None:
-        return None
-    body, said, _ = found
-    return asker.ask(
+    return asker.ask_balanced(
         "robot_reaches",
-        said,
-        (body,),
-        {"radius": radius, "stop": STOP},
-        margin=ERROR,
+        asker.shuffled(asker.standing),
+        answer,
+        lambda said, read: {"operands": {"radius": radius, "stop": STOP}, "margin": ERROR},
         across=200 * radius,
         stop=100 * STOP,
         low=STEP,
@@ -142,13 +138,12 @@ def in_reach(asker: Asker) -> Question | None:
         near, far = closest(body, surely), closest(body, perhaps)
         return (True if near <= ARM - HAND_MARGIN else False if far >= ARM + HAND_MARGIN else None), near
 
-    found = asker.balanced(asker.shuffled(asker.named)[:10], answer)
-    if found is None:
-        return None
-    body, said, near = found
-    operands = {"distance": rounded(min(near, 9.999)), "radius": PERSON, "shoulder": SHOULDER, "arm": ARM}
-    about = (body,)
-    return asker.ask("in_reach", said, about, operands, margin=HAND_MARGIN, shoulder=SHOULDER, arm=100 * ARM)
+    def details(said: bool, near: float) -> dict[str, Any]:
+        operands = {"distance": rounded(min(near, 9.999)), "radius": PERSON, "shoulder": SHOULDER, "arm": ARM}
+        return {"operands": operands, "margin": HAND_MARGIN}
+
+    some = asker.shuffled(asker.named)[:10]
+    return asker.ask_balanced("in_reach", some, answer, details, shoulder=SHOULDER, arm=100 * ARM)
 
 
 def seen_from_door(asker: Asker) -> Question | None:
@@ -165,12 +160,13 @@ def seen_from_door(asker: Asker) -> Question | None:
         return (True if seen >= 0.5 else False if hidden else None), seen
 
     small = [b for b in asker.named if b not in asker.standing]
-    found = asker.balanced([*asker.shuffled(small)[:4], *asker.shuffled(asker.standing)[:4]], answer)
-    if found is None:
-        return None
-    body, said, seen = found
-    operands = {"eye": [rounded(v) for v in eye], "share": rounded(seen)}
-    return asker.ask("seen_from_door", said, (body,), operands, eye=EYE)
+    return asker.ask_balanced(
+        "seen_from_door",
+        [*asker.shuffled(small)[:4], *asker.shuffled(asker.standing)[:4]],
+        answer,
+        lambda said, seen: {"operands": {"eye": [rounded(v) for v in eye], "share": rounded(seen)}},
+        eye=EYE,
+    )
 
 
 def visible_share(asker: Asker, body: Body, eye: np.ndarray, steps: np.ndarray) -> float:

@@ -98,6 +98,31 @@ class Asker(Speaker):
                 return found[wanted]
         return None
 
+    def ask_balanced(
+        self,
+        template: str,
+        candidates: Iterable[Body | tuple[Body, ...]],
+        answer: Callable[[Any], tuple[bool | None, Any]],
+        details: Callable[[bool, Any], dict[str, Any]],
+        **fields: Any,
+    ) -> Question | None:
+        """The question of a template about a candidate whose answer was drawn, see `balanced`.
+
+        Args:
+            template: its name in ``wordings.yaml``.
+            candidates: things, or pairs of them.
+            answer: whether it is so, and what it was read off.
+            details: from both to further arguments of `ask`.
+            fields: other fields of wordings and method.
+        """
+        found = self.balanced(candidates, answer)
+        if found is None:
+            return None
+        about, said, read = found
+        return self.ask(
+            template, said, about if isinstance(about, tuple) else (about,), **details(said, read), **fields
+        )
+
     def ask(
         self,
         template: str,

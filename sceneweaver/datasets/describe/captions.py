@@ -11,26 +11,20 @@ import numpy as np
 
 from sceneweaver.verify.solids import Body
 
-from .english import Statement, Text, counted, joined, listed, noun, number, room_noun, said, with_article
 from .facts import FLAT, Facts, is_seat, is_watcher
-from .naming import Words
+from .naming import Statement, Text, Words, counted, joined, listed, noun, number, room_noun, said, with_article
 
 
-class Captioner:
+class Captioner(Words):
     """The captions of one scene."""
-
-    def __init__(self, facts: Facts, rng: np.random.Generator):
-        self.facts = facts
-        self.rng = rng
-        self.words = Words(facts, rng)
 
     def short(self) -> Text:
         """One line."""
         kind = room_noun(self.facts.scene.room.type)
         area = round(self.facts.area)
         most = 3 + int(self.rng.integers(2))
-        chosen = self.words.main()[:most]
-        parts = [self.words.group(c, bodies, looks=len(bodies) == 1) for c, bodies in chosen]
+        chosen = self.main()[:most]
+        parts = [self.group(c, bodies, looks=len(bodies) == 1) for c, bodies in chosen]
         things = listed([p.words for p in parts])
         statements = [Statement("room_type", (), self.facts.scene.room.type)]
         if self.rng.random() < 0.5:
@@ -42,7 +36,7 @@ class Captioner:
             start = with_article(kind)
         words = f"{start} with {things}" if things else start
         facts = [s for p in parts for s in p.statements]
-        return said(words, *statements, *self.words.totals([b for _, bs in chosen for b in bs]), *facts)
+        return said(words, *statements, *self.totals([b for _, bs in chosen for b in bs]), *facts)
 
     def paragraph(self) -> Text:
         """Some sentences: the room, the main furniture, where it is, what lies on it."""
@@ -50,7 +44,7 @@ class Captioner:
             self._room(),
             self._openings(),
             self._furniture(),
-            *relations_told(self.words),
+            *relations_told(self),
             *self._arrangements(),
         ]
         return joined([s for s in sentences if s is not None])
@@ -64,9 +58,9 @@ class Captioner:
         fields = {"kind": kind, "a_kind": with_article(kind), "area": area}
         if sides is None:
             corners = len(room.outline)
-            words = self.words.say("caption_corners", corners=number(corners), **fields)
+            words = self.say("caption_corners", corners=number(corners), **fields)
             return said(words, *stated, Statement("corners", (), corners))
-        words = self.words.say("caption_room", a=sides[0], b=sides[1], **fields)
+        words = self.say("caption_room", a=sides[0], b=sides[1], **fields)
         return said(words, *stated, Statement("extent", (), list(sides)))
 
     def _openings(self) -> Text | None:
@@ -81,33 +75,31 @@ class Captioner:
             for noun, there in (("doors", doors), ("windows", windows))
         }
         if not windows:
-            return said(self.words.say("caption_doors", **words), *stated)
+            return said(self.say("caption_doors", **words), *stated)
         walls = {w.wall.index for w in windows}
         side = _side(facts, next(iter(walls))) if facts.door is not None and len(walls) == 1 else None
         if side is None:
-            return said(self.words.say("caption_openings", **words), *stated)
+            return said(self.say("caption_openings", **words), *stated)
         stated.append(Statement("window_side", tuple(w.item.id for w in windows), side))
-        return said(self.words.say("caption_side", side=side, **words), *stated)
+        return said(self.say("caption_side", side=side, **words), *stated)
 
     def _furniture(self) -> Text | None:
-        chosen = self.words.main()[:6]
+        chosen = self.main()[:6]
         if not chosen:
             return None
-        parts = [self.words.group(c, bodies) for c, bodies in chosen]
+        parts = [self.group(c, bodies) for c, bodies in chosen]
         things = listed([p.words for p in parts])
         be = "is" if sum(len(bodies) for _, bodies in chosen) == 1 else "are"
-        words = self.words.say("caption_furniture", things=things, be=be)
+        words = self.say("caption_furniture", things=things, be=be)
         facts = [s for p in parts for s in p.statements]
-        return said(words, *self.words.totals([b for _, bs in chosen for b in bs]), *facts)
+        return said(words, *self.totals([b for _, bs in chosen for b in bs]), *facts)
 
     def _arrangements(self) -> list[Text]:
         """What rests on the largest carriers."""
         facts = self.facts
-        carriers = [
-            (facts.by_id[c], how, things) for (c, how), things in facts.carried.items() if c in self.words.names
-        ]
+        carriers = [(facts.by_id[c], how, things) for (c, how), things in facts.carried.items() if c in self.names]
         carriers = sorted(carriers, key=lambda row: (-len(row[2]), row[0].id, row[1]))[:5]
-        return [self.words.resting(*carrier) for carrier in self.words.shuffled(carriers)[:2]]
+        return [self.resting(*carrier) for carrier in self.shuffled(carriers)[:2]]
 
     def by_place(self) -> list[dict[str, Any]]:
         """All that there is, by where it is: walls, the rest of the floor, each carrier, ceiling."""
@@ -126,13 +118,13 @@ class Captioner:
                 places["on the floor" if flat else f"along {name}" if name else "elsewhere in the room"].append(body)
         rows = []
         for place, bodies in [*places.items(), *((f"hanging on {n}", b) for n, b in hung.items())]:
-            text = self.words.inventory(bodies, looks=True)
+            text = self.inventory(bodies, looks=True)
             rows.append(_at(place, text, self._placed(place, bodies)))
         for (carrier, how), things in facts.carried.items():
             body = facts.by_id[carrier]
-            named = carrier in self.words.names
-            where = self.words.name(body) if named else with_article(noun(body.item.category))
-            text = self.words.inventory(things)
+            named = carrier in self.names
+            where = self.name(body) if named else with_article(noun(body.item.category))
+            text = self.inventory(things)
             stated = (Statement(f"rests_{how}", (b.id, carrier)) for b in things)
             rows.append(_at(f"{how} {where}", text, stated))
         return rows
@@ -209,9 +201,9 @@ def relations_told(w: Words) -> list[Text]:
 def _walls(w: Words) -> Iterator[Text]:
     facts = w.facts
     by_wall: dict[int, list[Body]] = defaultdict(list)
-    for body in facts.furniture:
+    for body in w.furniture:
         wall = facts.wall_at(body, 0.9)
-        if body.id in w.names and wall in facts.wall_names and facts.holds("against_wall", body, f"wall:{wall}"):
+        if wall in facts.wall_names and facts.holds("against_wall", body, f"wall:{wall}"):
             by_wall[wall].append(body)
     for wall, bodies in sorted(by_wall.items(), key=lambda row: -sum(b.size[1] for b in row[1])):
         bodies = bodies[:3]
@@ -248,7 +240,7 @@ def _gatherings(w: Words) -> Iterator[Text]:
 
 def _facings(w: Words) -> Iterator[Text]:
     facts = w.facts
-    for a in (b for b in facts.furniture if b.id in w.names and is_watcher(b)):
+    for a in filter(is_watcher, w.furniture):
         for b in (b for b in facts.bodies if b.id in w.names and b.item.mount in ("floor", "wall") and b is not a):
             apart = math.dist(a.centre, b.centre)
             if b.z[1] - b.z[0] > 0.2 and 0.6 < apart < 4.5 and facts.holds("facing", a, b.id, degrees=10):
@@ -260,7 +252,7 @@ def _facings(w: Words) -> Iterator[Text]:
 def _sides(w: Words) -> Iterator[Text]:
     """What is next to what, without left or right, which are another's for each viewer."""
     facts = w.facts
-    main = [b for b in facts.furniture if b.id in w.names][:10]
+    main = w.furniture[:10]
     for k, b in enumerate(main):
         for a in main[k + 1 :]:
             if facts.boxes_apart(a, b) < 0.3 and (apart := facts.distance(a, b)) < 0.3 and not _over(a, b):
@@ -272,7 +264,7 @@ def _sides(w: Words) -> Iterator[Text]:
 
 def _betweens(w: Words) -> Iterator[Text]:
     facts = w.facts
-    main = [b for b in facts.furniture if b.id in w.names][:7]
+    main = w.furniture[:7]
     for c in main:
         for k, a in enumerate(main):
             for b in main[k + 1 :]:
@@ -289,7 +281,7 @@ def _from_door(w: Words) -> Iterator[Text]:
     """What is on the left, on the right and straight ahead of a visitor."""
     facts = w.facts
     sides: dict[str, list[Body]] = defaultdict(list)
-    for body in (b for b in facts.furniture if b.id in w.names):
+    for body in w.furniture:
         side = door_side(facts, body)
         if side is not None and len(sides[side]) < 2:
             sides[side].append(body)

@@ -16,9 +16,9 @@ from sceneweaver.scene.edits import carried
 from sceneweaver.verify.solids import Body
 
 from .asker import Asker
-from .english import sentence
 from .facts import Facts, group_of, has_front, is_seat, is_watcher, viewer_of
 from .moves import Space, is_movable, judged_locally
+from .naming import sentence
 
 _NO_TABLES = frozenset(("seating", "chair_group", "bed_group", "sanitary", "sport", "electronics", "plant_group"))
 """Groups of the taxonomy that small things are not put on."""
@@ -61,6 +61,18 @@ def _relation(kind: str, body: Body, target: str | None, **params: object) -> Re
     return Relation(type=kind, subject=body.id, target=target, params=params)
 
 
+def _move(asker: Asker, words: str, poses: np.ndarray, relation: Relation, facing: Body | None = None) -> Goal:
+    """A move of a thing that a relation puts somewhere, perhaps facing another one."""
+    relations = [relation]
+    objects = asker.names[relation.target].ids if relation.target in asker.facts.by_id else ()
+    if facing is not None:
+        away = np.array(facing.centre) - poses[:, :2]
+        poses[:, 2] = np.arctan2(away[:, 1], away[:, 0])
+        relations.append(Relation(type="facing", subject=relation.subject, target=facing.id))
+        objects = asker.names[facing.id].ids
+    return Goal("Move", words, tuple(relations), poses, objects=objects)
+
+
 def against_wall(asker: Asker, body: Body) -> Iterator[Goal]:
     """With its back to a wall."""
     facts = asker.facts
@@ -73,7 +85,7 @@ def against_wall(asker: Asker, body: Body) -> Iterator[Goal]:
         x, y = wall.point(offsets, body.size[0] / 2 + 0.01)
         yaw = np.full(24, math.atan2(wall.inward[1], wall.inward[0]))
         words = asker.say("goal_wall", wall=name)
-        yield Goal("Move", words, (_relation("against_wall", body, f"wall:{k}"),), np.stack([x, y, yaw], axis=1))
+        yield _move(asker, words, np.stack([x, y, yaw], axis=1), _relation("against_wall", body, f"wall:{k}"))
 
 
 def turned_to(asker: Asker, body: Body) -> Iterator[Goal]:
@@ -97,8 +109,7 @@ def next_to(asker: Asker, body: Body) -> Iterator[Goal]:
             continue
         words = asker.say("goal_near", other=asker.name(other))
         poses = np.concatenate([_beyond(asker, body, other, side) for side in ("left", "right", "front")])
-        relation = _relation("near", body, other.id, max=0.3)
-        yield Goal("Move", words, (relation,), poses, objects=asker.names[other.id].ids)
+        yield _move(asker, words, poses, _relation("near", body, other.id, max=0.3))
 
 
 def on_side(asker: Asker, body: Body) -> Iterator[Goal]:
@@ -112,8 +123,7 @@ def on_side(asker: Asker, body: Body) -> Iterator[Goal]:
         words = asker.say(f"goal_side_{viewer_of(other)}", side=seen, other=asker.name(other))
         if asker.facts.holds(f"{side}_of", body, other.id):
             continue
-        poses = _beyond(asker, body, other, side)
-        yield Goal("Move", words, (_relation(f"{side}_of", body, other.id),), poses, objects=asker.names[other.id].ids)
+        yield _move(asker, words, _beyond(asker, body, other, side), _relation(f"{side}_of", body, other.id))
 
 
 def before(asker: Asker, body: Body) -> Iterator[Goal]:
@@ -121,14 +131,10 @@ def before(asker: Asker, body: Body) -> Iterator[Goal]:
     for other in _targets(asker, body):
         if not has_front(other) or asker.facts.holds("in_front_of", body, other.id):
             continue
-        relations = [_relation("in_front_of", body, other.id)]
-        words = f"just in front of {asker.name(other)}"
+        watches = is_watcher(body)
+        words = f"just in front of {asker.name(other)}" + (", facing it" if watches else "")
         poses = _beyond(asker, body, other, "front", (0.3, 0.9))
-        if is_watcher(body):
-            relations.append(_relation("facing", body, other.id))
-            words += ", facing it"
-            _turn(poses, other)
-        yield Goal("Move", words, tuple(relations), poses, objects=asker.names[other.id].ids)
+        yield _move(asker, words, poses, _relation("in_front_of", body, other.id), other if watches else None)
 
 
 def into_corner(asker: Asker, body: Body) -> Iterator[Goal]:
@@ -147,7 +153,7 @@ def into_corner(asker: Asker, body: Body) -> Iterator[Goal]:
         poses.append((*wall.point(d / 2 + 0.02, w / 2 + 0.02), yaw - math.pi / 2))
     if poses:
         words = asker.say("goal_corner")
-        yield Goal("Move", words, (_relation("in_corner", body, None),), np.array(asker.shuffled(poses)))
+        yield _move(asker, words, np.array(asker.shuffled(poses)), _relation("in_corner", body, None))
 
 
 def to_window(asker: Asker, body: Body) -> Iterator[Goal]:
@@ -160,13 +166,9 @@ def to_window(asker: Asker, body: Body) -> Iterator[Goal]:
     x, y = window.wall.point(u, max(body.size[:2]) / 2 + 0.1 + 0.5 * asker.rng.random(24))
     yaw = math.atan2(window.wall.inward[1], window.wall.inward[0])
     poses = np.stack([x, y, np.full(24, yaw)], axis=1)
-    relations, words, objects = [_relation("near_window", body, window.item.id)], "close to the window", ()
-    others = [o for o in _targets(asker, body) if o.item.mount == "floor"] if is_watcher(body) else []
-    if others:
-        _turn(poses, others[0])
-        relations.append(_relation("facing", body, others[0].id))
-        words, objects = f"{words} so that it faces {asker.name(others[0])}", asker.names[others[0].id].ids
-    yield Goal("Move", words, tuple(relations), poses, objects=objects)
+    other = _targets(asker, body)[:1] if is_watcher(body) else []
+    words = "close to the window" + "".join(f" so that it faces {asker.name(o)}" for o in other)
+    yield _move(asker, words, poses, _relation("near_window", body, window.item.id), other[0] if other else None)
 
 
 def onto(asker: Asker, body: Body) -> Iterator[Goal]:
@@ -183,22 +185,15 @@ def onto(asker: Asker, body: Body) -> Iterator[Goal]:
         spread = corners.min(axis=0) + np.ptp(corners, axis=0) * asker.rng.random((24, 2))
         turns = np.array(asker.shuffled([0.0, math.pi / 2, math.pi, -math.pi / 2] * 6))
         poses = np.column_stack([other.frame.to_world(spread), other.yaw + turns])
-        words = f"on {asker.name(other)}"
         yield Goal(
             "Put",
-            words,
+            f"on {asker.name(other)}",
             (_relation("on_top", body, other.id),),
             poses,
             height=other.position[2] + top.z,
             support=(other.id, top.name),
             objects=asker.names[other.id].ids,
         )
-
-
-def _turn(poses: np.ndarray, other: Body) -> None:
-    """Turn poses [n, 3] to face another thing."""
-    away = np.array(other.centre) - poses[:, :2]
-    poses[:, 2] = np.arctan2(away[:, 1], away[:, 0])
 
 
 def _targets(asker: Asker, body: Body) -> list[Body]:

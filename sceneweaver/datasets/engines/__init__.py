@@ -2,10 +2,9 @@
 
 from .manifest import Dataset, begin, open_dataset
 from .merge import merge
-from .run import Options, missing, resume
-from .schedule import Listener
+from .run import missing, resume
+from .schedule import Listener, Options, read_records
 from .status import Estimate, Status, estimate, status
-from .tasks import read_records
 
 __all__ = [
     "Dataset",

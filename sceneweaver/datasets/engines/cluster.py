@@ -20,8 +20,7 @@ from sceneweaver.scene.files import reason
 from ..work import Produce
 from .local import START
 from .manifest import Dataset, open_dataset
-from .schedule import Job, Schedule
-from .tasks import Message, Task, attempt
+from .schedule import Job, Message, Schedule, Task, attempt
 
 RETRIES = 1
 """How often Ray begins a task anew whose worker or node is gone, before that counts as the fault of the task."""
@@ -50,11 +49,10 @@ class RayEngine:
 
     Args:
         job: what is asked for; its data set lies in a folder that all nodes see.
-        address: of the cluster; None: one of this machine, for as long as the run goes on.
     """
 
-    def __init__(self, job: Job, address: str | None):
-        self._job, self._address = job, address
+    def __init__(self, job: Job):
+        self._job, self._workers = job, job.options.workers
 
     def run(self, numbers: Iterable[int]) -> None:
         """Make these blocks.
@@ -63,9 +61,9 @@ class RayEngine:
             DiskFullError: the disk is full, and the engine is not patient. MissingDependencyError: of Ray or a worker.
         """
         ray = ray_module()
-        with _connected(self._address, self._job.workers):
+        with _connected(self._job.options.address, self._workers):
             cores = int(ray.cluster_resources().get("CPU", 1))
-            workers = self._job.workers or cores
+            workers = self._workers or cores
             schedule = Schedule(self._job, numbers, workers)
             work: dict[Any, Task] = {}
             try:
@@ -86,7 +84,7 @@ class RayEngine:
             num_cpus=1, num_gpus=share, max_retries=RETRIES, runtime_env={"env_vars": THREADS}
         )
         path, device = str(self._job.dataset.folder.path.absolute()), self._job.dataset.device
-        while len(work) < (self._job.workers or 2 * cores):  # some lie ready, so that no worker waits for the next
+        while len(work) < (self._workers or 2 * cores):  # some lie ready, so that no worker waits for the next
             task = schedule.take()
             if task is None:
                 return

@@ -12,12 +12,12 @@ from multiprocessing.connection import Connection, wait
 from pathlib import Path
 
 from sceneweaver.runtime import processes
+from sceneweaver.runtime.processes import cores
 from sceneweaver.scene import SceneWeaverError
 
 from ..work import Produce
 from .manifest import Dataset, open_dataset
-from .schedule import Job, Schedule
-from .tasks import Message, Task, attempt
+from .schedule import Job, Message, Schedule, Task, attempt
 
 START = 300.0
 """Seconds that a worker gets to load what it needs."""
@@ -99,12 +99,12 @@ class LocalEngine:
     """Workers of this machine, with a block each until all are made.
 
     Args:
-        job: what is asked for, with the number of workers.
+        job: what is asked for.
         devices: where they lay out rooms, in turns.
     """
 
     def __init__(self, job: Job, devices: Sequence[str]):
-        self._job, self._devices, self._count = job, devices, job.workers or 1
+        self._job, self._devices, self._count = job, devices, job.options.workers or cores()
         self._workers: list[Worker] = []
         self._false_starts = 0
         self.began = 0.0
@@ -165,7 +165,8 @@ class LocalEngine:
             task, worker.task = worker.task, None
             who = {"worker": worker.index, "host": socket.gethostname(), "pid": worker.pid}
             schedule.heard(task, message, who)
-            heavy = kind == "done" and self._job.memory is not None and value["rss"] > self._job.memory
+            most = self._job.options.memory
+            heavy = kind == "done" and most is not None and value["rss"] > most
             if kind == "error" or (heavy and schedule.waiting):  # after an error its process is not to be trusted
                 self._replace(worker)
 

@@ -8,11 +8,9 @@ import shutil
 import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager, suppress
-from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.runtime.processes import cores
 from sceneweaver.scene import InputError, locked, sweep, write_atomic
 from sceneweaver.scene.files import TEMPORARY
 
@@ -20,39 +18,13 @@ from .. import work
 from ..folder import Folder, disk_full, waiting
 from .local import TICK, LocalEngine
 from .manifest import Dataset, agreed_device, devices
-from .schedule import Job, Listener
-from .tasks import Records
+from .schedule import Job, Listener, Options, Records
 
 ONLY_MAKING = ("rooms", "journal")
 """What lies in ``work/`` and is of no use once all blocks are made: gigabytes, where there are many scenes."""
 
 Pack = Callable[[Dataset], None]
 """What makes the files of a data set of its blocks; killed at any moment, it goes on when called again."""
-
-
-@dataclass(frozen=True)
-class Options:
-    """How a run works. What comes out depends on none of it.
-
-    Attributes:
-        workers: processes; None: one for each core.
-        device: where rooms are laid out: auto, cpu, cuda, cuda:k, or cuda:all for all GPUs in turns.
-        shard: (i, N) makes the blocks i, i + N, i + 2 N ... only, and does not pack them.
-        engine: "local" for processes of this machine, "ray" for a cluster.
-        address: of the cluster; None: one of this machine.
-        memory: resident bytes above which a worker is replaced between two blocks.
-        patient: wait when the disk is full, or end.
-        time_limit: seconds after which a run ends with whole blocks and leaves the rest to another; None: none.
-    """
-
-    workers: int | None = None
-    device: str = "auto"
-    shard: tuple[int, int] | None = None
-    engine: str = "local"
-    address: str | None = None
-    memory: int | None = None
-    patient: bool = True
-    time_limit: float | None = None
 
 
 def resume(
@@ -118,13 +90,13 @@ def _make(
         listener.block(record)
 
     told = Listener(block, listener.notice)
-    job = Job(dataset, told, options.workers, produce, options.memory, options.patient, until)
+    job = Job(dataset, told, options, produce, until)
     if options.engine == "ray":
         from .cluster import RayEngine
 
-        engine = RayEngine(job, options.address)
+        engine = RayEngine(job)
     else:
-        engine = LocalEngine(replace(job, workers=options.workers or cores()), devices(device, dataset.spec))
+        engine = LocalEngine(job, devices(device, dataset.spec))
     engine.run(numbers)
 
 

@@ -1,20 +1,148 @@
-"""What is to be made next, by any engine: troubles of a worker or a disk change the order, never the outcome."""
+"""What workers are asked to do, and in which order: troubles of a worker or a disk never change the outcome."""
 
 from __future__ import annotations
 
+import json
 import math
+import os
+import resource
+import socket
 import time
-from collections import deque
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass
-from typing import Any
+from collections import Counter, deque
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Literal
 
 from sceneweaver.scene import MissingDependencyError
 
-from ..folder import LEAST, Wait, waiting
-from ..work import Produce
+from ..folder import LEAST, Folder, Wait, disk_full, waiting
+from ..requests import Request
+from ..samples import Sample, read_rows
+from ..spec import Spec
+from ..store import AssetStore
+from ..work import Produce, join_rooms, make_block, make_rooms, usual
 from .manifest import Dataset
-from .tasks import Message, Task
+
+Message = tuple[Literal["ready", "alive", "done", "full", "missing", "error"], Any]
+"""What a worker says: it is ready or alive; its task is done, with a record; the disk is full; something that it needs
+is missing, or another error, in words."""
+
+
+@dataclass
+class Task:
+    """A piece of work.
+
+    Attributes:
+        number: of the block.
+        room: the one room to make, by its place in the block; None: all.
+        join: whether to join the rooms of the block, which are made.
+        failed: of rooms that are given up, by their place in the block, why.
+        deaths: how often it ended its worker.
+    """
+
+    number: int
+    room: int | None = None
+    join: bool = False
+    failed: dict[int, str] = field(default_factory=dict)
+    deaths: int = 0
+
+    def patience(self, spec: Spec) -> float:
+        """Seconds without a scene after which its worker counts as hung.
+
+        Rooms of a block are laid out together, so its first scene may take longer than any other.
+        """
+        scenes = spec.rooms.layouts * (spec.block if self.room is None else 1)
+        return spec.time_limit * (1 + scenes / 8)
+
+
+def attempt(dataset: Dataset, task: Task, device: str, produce: Produce | None, alive: Callable[[], None]) -> Message:
+    """Carry out a task; how it went.
+
+    Args:
+        dataset: what it is a part of.
+        task: what to do.
+        device: where rooms are laid out.
+        produce: what makes scenes, if not `produce`.
+        alive: called after each scene.
+    """
+    try:
+        return "done", _carry_out(dataset, task, device, produce, alive)
+    except Exception as error:
+        if disk_full(error):
+            return "full", None
+        if isinstance(error, MissingDependencyError):
+            return "missing", str(error)
+        return "error", f"{type(error).__name__}: {' '.join(str(error).split())[:300]}"
+
+
+def _carry_out(
+    dataset: Dataset, task: Task, device: str, produce: Produce | None, alive: Callable[[], None]
+) -> dict[str, Any]:
+    start, folder, whole = time.time(), dataset.folder, dataset.folder.block(task.number)
+
+    def watched(spec: Spec, requests: Sequence[Request], store: AssetStore, device: str = "auto") -> Iterator[Sample]:
+        for sample in (produce or usual())(spec, requests, store, device):
+            alive()
+            yield sample
+
+    if task.join:
+        join_rooms(folder, dataset.requests, task.number, task.failed)
+    elif task.room is None:
+        make_block(folder, dataset.requests, task.number, device, watched)
+    elif not whole.exists():
+        request = dataset.requests.block(task.number)[task.room]
+        make_rooms(folder, dataset.requests, folder.room(task.number, task.room), [request], device, watched)
+    rss, peak = memory()
+    record = {"block": task.number, "start": start, "end": time.time(), "rss": rss, "peak_rss": peak}
+    if not whole.exists():  # a room alone is no news yet
+        return record
+    counts = Counter(row["status"] for row in read_rows(whole))
+    return record | {
+        "bytes": sum(path.stat().st_size for path in whole.iterdir()),
+        "rooms": len(dataset.requests.block(task.number)),
+        **{status: counts[status] for status in ("ok", "rejected", "failed")},
+    }
+
+
+class Records:
+    """The file that a run adds its records to."""
+
+    def __init__(self, folder: Folder):
+        self._path = folder.records / f"{socket.gethostname()}-{os.getpid()}.jsonl"
+
+    def add(self, record: dict[str, Any]) -> None:
+        """Write one record; without room on the disk it is lost, as nothing depends on it."""
+        with suppress(OSError):
+            self._path.parent.mkdir(parents=True, exist_ok=True)
+            with open(self._path, "a", encoding="utf-8") as file:
+                file.write(json.dumps(record) + "\n")
+
+
+def read_records(folder: Folder) -> list[dict[str, Any]]:
+    """The records of all runs of a data set, in order of their end.
+
+    Each has ``block``, ``start`` and ``end`` [s since 1970], ``worker``, ``host``, ``pid``, ``rss`` and ``peak_rss``
+    [bytes], ``bytes`` (of the block), ``rooms``, and how many scenes were ``ok``, ``rejected`` and ``failed``.
+    """
+    found = []
+    for path in sorted(folder.records.glob("*.jsonl")):
+        for line in path.read_text(encoding="utf-8", errors="replace").splitlines():
+            with suppress(ValueError):  # the last line of a run that was killed may be torn
+                found.append(json.loads(line))
+    return sorted(found, key=lambda record: record["end"])
+
+
+def memory() -> tuple[int, int]:
+    """Resident memory of this process now and at its peak [bytes]."""
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
+    try:
+        pages = int(Path("/proc/self/statm").read_text().split()[1])
+    except OSError:
+        return peak, peak
+    return pages * resource.getpagesize(), peak
+
 
 CHANCES = 2
 """How often a room may end its worker before it counts as failed."""
@@ -37,25 +165,46 @@ class Listener:
 
 
 @dataclass(frozen=True)
+class Options:
+    """How a run works. What comes out depends on none of it.
+
+    Attributes:
+        workers: processes; None: one for each core.
+        device: where rooms are laid out: auto, cpu, cuda, cuda:k, or cuda:all for all GPUs in turns.
+        shard: (i, N) makes the blocks i, i + N, i + 2 N ... only, and does not pack them.
+        engine: "local" for processes of this machine, "ray" for a cluster.
+        address: of the cluster; None: one of this machine.
+        memory: resident bytes above which a worker is replaced between two blocks.
+        patient: wait when the disk is full, or end.
+        time_limit: seconds after which a run ends with whole blocks and leaves the rest to another; None: none.
+    """
+
+    workers: int | None = None
+    device: str = "auto"
+    shard: tuple[int, int] | None = None
+    engine: str = "local"
+    address: str | None = None
+    memory: int | None = None
+    patient: bool = True
+    time_limit: float | None = None
+
+
+@dataclass(frozen=True)
 class Job:
     """What an engine is asked for.
 
     Attributes:
         dataset: what it makes.
         listener: hears of blocks and troubles.
-        workers: how many tasks at a time; of a cluster None: one for each of its cores.
+        options: how to work.
         produce: what makes scenes, if not `produce`.
-        memory: resident bytes above which a worker is replaced between two tasks; None: any number.
-        patient: wait when the disk is full, or end.
         until: when to end at the latest, by `time.monotonic` [s]; nothing begins that would not be made by then.
     """
 
     dataset: Dataset
     listener: Listener
-    workers: int | None = None
+    options: Options = Options()
     produce: Produce | None = None
-    memory: int | None = None
-    patient: bool = True
     until: float = math.inf
 
 
@@ -173,5 +322,5 @@ class Schedule:
     def _wait(self) -> None:
         if self._pause is None:
             needed = max(LEAST, 2 * self._largest * self._workers)
-            self._pause = waiting(self._dataset.folder.path, needed, wait=self._job.patient)
+            self._pause = waiting(self._dataset.folder.path, needed, wait=self._job.options.patient)
             self._listener.notice(f"{self._pause}; waiting")

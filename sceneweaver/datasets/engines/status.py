@@ -6,7 +6,7 @@ import math
 import tempfile
 import time
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
@@ -20,8 +20,7 @@ from ..work import Produce
 from .local import LocalEngine
 from .manifest import Dataset, create, devices, load_source
 from .run import whole
-from .schedule import Job, Listener
-from .tasks import read_records
+from .schedule import Job, Listener, Options, read_records
 
 RECENT = 600.0
 """Seconds over which the rate of a run is measured."""
@@ -61,15 +60,9 @@ class Status:
 
     def to_dict(self) -> dict[str, Any]:
         """All of it as JSON."""
-        return {
-            "blocks": self.blocks,
-            "made": self.made,
-            "whole": self.whole,
-            "rows": self.rows,
-            "scenes_a_second": self.rate,
-            "seconds_left": self.seconds_left,
-            "reasons": self.reasons,
-        }
+        data = asdict(self) | {"scenes_a_second": self.rate, "seconds_left": self.seconds_left}
+        names = ("blocks", "made", "whole", "rows", "scenes_a_second", "seconds_left", "reasons")
+        return {name: data[name] for name in names}
 
 
 def status(dataset: Dataset) -> Status:
@@ -197,8 +190,8 @@ def estimate(
 
         notice = listener.notice if listener is not None else lambda text: None
         names = devices(device, spec)
-        job = Job(dataset, Listener(block_done, notice), workers, produce, patient=False)
-        engine = LocalEngine(job, names)
+        options = Options(workers, patient=False)
+        engine = LocalEngine(Job(dataset, Listener(block_done, notice), options, produce), names)
         engine.run(range(dataset.requests.blocks))
     made = growth[-1][0]
     return Estimate(

@@ -1,8 +1,7 @@
 """Files as users of data sets expect them: shards, index, splits without near-duplicates, card, checksums."""
 
 from .card import push_card
-from .fingerprint import fingerprint, signature
-from .packing import finish, pack
-from .plan import packing_began
+from .fingerprint import fingerprint
+from .packing import finish, pack, packing_began
 
-__all__ = ["finish", "fingerprint", "pack", "packing_began", "push_card", "signature"]
+__all__ = ["finish", "fingerprint", "pack", "packing_began", "push_card"]

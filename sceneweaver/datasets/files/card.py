@@ -1,13 +1,16 @@
-"""The data card: what is in a data set, how it was made, how to load it; and its way to Hugging Face's hub."""
+"""Card, licences and Croissant metadata (version 1.1) of a data set, and their way to Hugging Face's hub."""
 
 from __future__ import annotations
 
 import fnmatch
+import json
 import os
 import tarfile
+from collections import Counter
+from collections.abc import Mapping
 from itertools import islice
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import yaml
 
@@ -16,31 +19,120 @@ from sceneweaver.scene import InputError, MissingDependencyError
 
 from ..folder import Folder
 from ..spec import Spec
-from .croissant import Licence
+from ..tables import read_schema, read_table
+from ..templates import render
+
+TEXTS = {
+    "Apache-2.0": "https://www.apache.org/licenses/LICENSE-2.0",
+    "BSD-3-Clause": "https://opensource.org/license/bsd-3-clause",
+    "CC-BY-4.0": "https://creativecommons.org/licenses/by/4.0/",
+    "CC-BY-NC-4.0": "https://creativecommons.org/licenses/by-nc/4.0/",
+    "CC0-1.0": "https://creativecommons.org/publicdomain/zero/1.0/",
+    "MIT": "https://opensource.org/license/mit",
+}
+"""Where the text of a licence stands; Hugging Face knows these by their name in lower case."""
+
+OWN = "Apache-2.0"
+"""The licence of what the library itself draws and lays out."""
+
+
+class Licence(NamedTuple):
+    """A licence, with a source of assets that are under it, who is to be named, and how many assets these are."""
+
+    name: str
+    source: str
+    attribution: str
+    assets: int
+
+
+DRAWN = Licence(OWN, "parametric", "sceneweaver", 0)
+"""What holds where nothing came from elsewhere."""
+
+
+def licences(folder: Folder) -> list[Licence]:
+    """The licences of the assets of a data set, by name; one without assets is under the library's own."""
+    rows = read_table(folder.asset_table) if folder.asset_table.exists() else ()
+    found = Counter((row["licence"], row["source"], row["attribution"]) for row in rows)
+    return [Licence(*key, count) for key, count in sorted(found.items())] or [DRAWN]
+
+
+def licences_text(spec: Spec, used: list[Licence]) -> str:
+    """``LICENSES.md``: every source of assets with its licence and attribution."""
+    return render("files/licences.md", spec=spec, used=used, own=OWN, texts=TEXTS)
+
+
+TYPES = {"bool": "sc:Boolean", "int32": "cr:Int32", "int64": "cr:Int64", "double": "cr:Float64", "string": "sc:Text"}
+
+
+def croissant(
+    folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Licence], sums: Mapping[str, str]
+) -> dict[str, Any]:
+    """The content of ``croissant.json``.
+
+    Args:
+        folder: the data set.
+        spec: what it was made from.
+        numbers: its statistics.
+        used: licences of its assets.
+        sums: SHA-256 of its files, by path.
+    """
+    from pyarrow.types import is_struct
+
+    names = dict.fromkeys(one.name for one in used)
+    table = folder.table(spec.product)
+    index = _file(folder, table, "application/x-parquet", sums)
+    columns = [column for column in read_schema(table) if not is_struct(column.type)]
+    key, made = columns[0].name, f"made with sceneweaver {sceneweaver.__version__}"
+    shards = sorted(path for path in folder.data.iterdir() if path.suffix in KINDS) if folder.data.exists() else []
+    fixed = json.loads((Path(__file__).parent / "croissant.json").read_bytes())
+    (records,) = fixed["recordSet"]
+    fields = [_field(index["@id"], column) for column in columns]
+    return fixed | {
+        "name": spec.name,
+        "description": f"Indoor {spec.product} of {numbers['rooms']} rooms, {made}.",
+        "license": [TEXTS.get(name, name) for name in names],
+        "citeAs": f"{spec.name}: {made}, specification {spec.hash}",
+        "distribution": [index, *(_file(folder, path, KINDS[path.suffix], sums) for path in shards)],
+        "recordSet": [records | {"key": {"@id": f"scenes/{key}"}, "field": fields}],
+    }
+
+
+KINDS = {".tar": "application/x-tar", ".parquet": "application/x-parquet"}
+"""Media types of shards by suffix."""
+
+
+def _file(folder: Folder, path: Path, kind: str, sums: Mapping[str, str]) -> dict[str, Any]:
+    name = path.relative_to(folder.path).as_posix()
+    return {
+        "@type": "cr:FileObject",
+        "@id": name,
+        "name": name,
+        "contentUrl": name,
+        "contentSize": f"{path.stat().st_size} B",
+        "encodingFormat": kind,
+        "sha256": sums[name],
+    }
+
+
+def _field(table: str, column: Any) -> dict[str, Any]:
+    """A column of the index."""
+    from pyarrow.types import is_list
+
+    field = {
+        "@type": "cr:Field",
+        "@id": f"scenes/{column.name}",
+        "name": column.name,
+        "source": {"fileObject": {"@id": table}, "extract": {"column": column.name}},
+    }
+    if is_list(column.type):
+        return field | {"dataType": TYPES[str(column.type.value_type)], "isArray": True, "arrayShape": "-1"}
+    return field | {"dataType": TYPES[str(column.type)]}
+
 
 SIZES = ((10**3, "n<1K"), (10**4, "1K<n<10K"), (10**5, "10K<n<100K"), (10**6, "100K<n<1M"), (10**7, "1M<n<10M"))
-TEMPLATES = Path(__file__).parent
-"""Where the texts lie, with fields in braces: ``card_<product>.md`` and how all end."""
 
 SEEN = 1000
 """Files of the first shard that are looked at for suffixes."""
-
-HUB_LICENCES = {"Apache-2.0", "BSD-3-Clause", "CC-BY-4.0", "CC-BY-NC-4.0", "CC0-1.0", "MIT"}
-"""Licences that Hugging Face knows by their name in lower case."""
-
-FILES = {
-    "scene.json": "the scene: room, objects, poses, relations (`sceneweaver.scene/1`)",
-    "metrics.json": "what the judge and the critic measured",
-    "glb": "glTF 2.0, whose buffers and pictures lie in `assets/`",
-    "xml": "MJCF for MuJoCo, whose meshes and textures lie in `assets/`",
-    "usdc": "USD, whose meshes and textures lie in `assets/`",
-    "*.png": "pictures and data passes",
-    "captions.json": "descriptions, each statement with what makes it true",
-    "questions.jsonl": "questions with answers by geometry",
-    "instructions.jsonl": "instructions for rearrangement with their goals",
-    "twin-*.scene.json": "a changed twin of the scene",
-    "twin-*.difference.json": "what the twin differs in, and the measured effect",
-}
 
 
 def card(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Licence]) -> str:
@@ -53,39 +145,26 @@ def card(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Licence
         used: licences of its assets.
     """
     front = yaml.safe_dump(_front(folder, spec, numbers, used), sort_keys=False, allow_unicode=True)
-    diversity, found = numbers["diversity"], suffixes(folder)
-    names = (f"card_{spec.product}.md", "card_end.md")
-    template = "\n".join((TEMPLATES / name).read_text(encoding="utf-8") for name in names)
-    text = template.format(
-        name=spec.name,
-        product="furnished scenes" if spec.product == "scenes" else "layouts",
-        requests=f"{numbers['requests']:,}",
-        scenes=f"{numbers['scenes']:,}",
-        rooms=f"{numbers['rooms']:,}",
-        served=f"{numbers['served']:.2%}",
-        invalid=f"{numbers['invalid']:,}",
-        objects=f"{numbers['objects']:,}",
-        categories=diversity["categories"],
-        twins=f"{diversity['near_duplicate_share']:.2%}",
-        megabytes=f"{numbers['bytes'] / 1e6:,.1f}",
-        splits=_table(("split", "scenes"), numbers["split"]),
-        kinds=_table(("kind of room", "scenes"), numbers["room_type"]),
-        reasons=_table(("why a request was not served", "scenes"), numbers["reasons"]) or "All requests were served.\n",
-        grades=_grades(numbers["grades"]),
-        layouts=f"{numbers.get('layouts', 0):,}",
-        files="".join(f"| `<key>.{name}` | {what} |\n" for name, what in FILES.items() if fnmatch.filter(found, name)),
-        licences=", ".join(dict.fromkeys(one.name for one in used)),
-        version=sceneweaver.__version__,
-        hash=spec.hash,
-        spec=yaml.safe_dump(spec.model_dump(mode="json", by_alias=True), sort_keys=False, allow_unicode=True).rstrip(),
-    )
-    return f"---\n{front}---\n\n{text}"
+    found = suffixes(folder)
+    fields: dict[str, Any] = {
+        "spec": spec,
+        "numbers": numbers,
+        "product": "furnished scenes" if spec.product == "scenes" else "layouts",
+        "there": lambda pattern: bool(fnmatch.filter(found, pattern)),
+        "licences": list(dict.fromkeys(one.name for one in used)),
+        "version": sceneweaver.__version__,
+        "text": yaml.safe_dump(
+            spec.model_dump(mode="json", by_alias=True), sort_keys=False, allow_unicode=True
+        ).rstrip(),
+    }
+    texts = (render(f"files/{name}.md", **fields) for name in (f"card_{spec.product}", "card_end"))
+    return f"---\n{front}---\n\n" + "\n".join(texts)
 
 
 def _front(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Licence]) -> dict[str, Any]:
     """The YAML at the head of the card."""
     names = list(dict.fromkeys(one.name for one in used))
-    one = names[0] if len(names) == 1 and names[0] in HUB_LICENCES else None
+    one = names[0] if len(names) == 1 and names[0] in TEXTS else None
     mixed = {"license": "other", "license_name": "mixed", "license_link": "LICENSES.md"}
     licence = {"license": one.lower()} if one else mixed
     suffix = "tar" if spec.product == "scenes" else "parquet"
@@ -125,23 +204,6 @@ def suffixes(folder: Folder) -> set[str]:
         with tarfile.open(path, "r:") as tar:
             return {member.name.partition(".")[2] for member in islice(tar, SEEN)}
     return set()
-
-
-def _table(heads: tuple[str, str], rows: dict[str, int]) -> str:
-    if not rows:
-        return ""
-    lines = "".join(f"| {name} | {count:,} |\n" for name, count in rows.items())
-    return f"| {heads[0]} | {heads[1]} |\n| --- | ---: |\n{lines}"
-
-
-def _grades(grades: dict[str, Any]) -> str:
-    if not grades:
-        return ""
-    lines = "".join(
-        f"| {name} | {one['mean']:.2f} | {one['deviation']:.2f} | {one['least']:.2f} |\n"
-        for name, one in grades.items()
-    )
-    return f"\n| grade of the critic, 0 to 10 | mean | deviation | least |\n| --- | ---: | ---: | ---: |\n{lines}"
 
 
 NAMES = ("README.md", "LICENSES.md", "croissant.json", "checksums.sha256", "dataset.json", "spec.yaml", "meta/*")

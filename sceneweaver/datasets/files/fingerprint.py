@@ -52,14 +52,6 @@ def fingerprint(scene: Scene) -> dict[str, Any]:
     return {"layout_signature": layout.signature, "furniture": furniture}
 
 
-def signature(scene: Scene) -> str:
-    """A hash of the layout: equal for equal large furniture, to 5 cm and 15 degrees, in a room of equal extents.
-
-    Neither the order of objects, nor how the whole room is turned, shifted or mirrored, changes it.
-    """
-    return Layout.of(scene).signature
-
-
 @dataclass(frozen=True)
 class Layout:
     """The large furniture of a room.
@@ -108,7 +100,7 @@ class Layout:
 
     @property
     def signature(self) -> str:
-        """A hash that all views agree on."""
+        """A hash that all views agree on: equal for equal furniture, to 5 cm and 15 degrees, in equal extents."""
         texts = []
         for extents, boxes in self.views():
             lengths = np.floor((np.round(boxes[:, [0, 1, 3, 4]], 6) + BIAS) / POSITION).astype(int)

@@ -2,6 +2,6 @@
 
 from .block import join, write_programs
 from .pack import pack
-from .read import load_layout, load_program
+from .tables import load_layout, load_program
 
 __all__ = ["join", "load_layout", "load_program", "pack", "write_programs"]

@@ -190,11 +190,13 @@ def collect(
                     sampler.step()  # goes on while the last one is looked at
                 if steps > BURN_IN:
                     list(pool.map(take, going))
+                # Where a room is so full that chains hardly leave their layout, more steps find nothing.
                 few = LEAST_YIELD * chains * steps
                 for k in going:
                     done[k] = collections[k].complete or (steps >= PATIENCE and collections[k].count < few)
                 if done.all() or stop():
                     break
+                # What is done stays where it is from the next step on, so that no time goes into it.
                 if any(done[k] for k in going):
                     sampler.close(done)
                 if device == "cpu":

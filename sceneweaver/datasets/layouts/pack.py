@@ -13,8 +13,7 @@ import numpy as np
 
 from sceneweaver.scene.files import sweep, temporary_folder
 
-from ..files.packing import finish
-from ..files.plan import SECONDS_TABLE, seconds_rows
+from ..files.packing import SECONDS_TABLE, finish, seconds_rows
 from ..folder import Folder
 from ..requests import Requests
 from ..samples import read_rows

@@ -1,4 +1,4 @@
-"""Drawings of the report: charts as SVG and HTML, and plans of rooms. Colours are variables of its style."""
+"""Drawings of the report: charts by the templates of ``web``, and plans of rooms."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ from urllib.parse import quote
 import numpy as np
 
 from sceneweaver.render import palette
-from sceneweaver.report.html import esc
 
-INK, SOFT, LINE, ACCENT = "var(--ink,#1d1d1f)", "var(--soft,#63636a)", "var(--line,#e2e0da)", "var(--accent,#1f6feb)"
-HUES = ("#1f6feb", "#d4762c", "#2f9e6e", "#b0478f", "#7a6ff0", "#a38a1c", "#3aa0b8", "#c0504d")
-"""Colours of lines: more of them begin again."""
-
-FONT = "system-ui,-apple-system,'Segoe UI',Roboto,'DejaVu Sans',sans-serif"
+from ..templates import html
 
 Line = tuple[str, Sequence[tuple[float, float]]]
 """A name, and points (x, y)."""
 
 
-def histogram(spread: Mapping[str, Any], *, percent: bool = False) -> str:
+def _drawn(chart: str, *numbers: Any, **named: Any) -> str:
+    """A chart of ``charts.html``."""
+    return getattr(html().get_template("report/web/charts.html").module, chart)(*numbers, **named)
+
+
+def histogram(spread: Mapping[str, Any]) -> str:
     """A histogram of `statistics.Spread.result`, with a mark at the mean; bins beyond the last number are cut."""
     counts, low, high = list(spread["histogram"]), spread["low"], spread["high"]
     step = (high - low) / len(counts)
@@ -34,46 +34,23 @@ def histogram(spread: Mapping[str, Any], *, percent: bool = False) -> str:
     counts, start, end = counts[first:last], low + first * step, low + last * step
     width, height, base = 300, 112, 92
     wide, most = width / len(counts), max(counts)
-    bars = "".join(
-        f'<rect x="{k * wide + 0.7:.1f}" y="{base - count / most * (base - 8):.1f}" width="{wide - 1.4:.1f}" '
-        f'height="{count / most * (base - 8):.1f}" rx="1.5"><title>{_number(start + k * step, percent)} to '
-        f"{_number(start + (k + 1) * step, percent)}: {count:,}</title></rect>"
-        for k, count in enumerate(counts)
-        if count
-    )
+
+    def number(value: float) -> str:
+        return f"{100 * value:.0f} %" if high == 1.0 else f"{value:g}"
+
+    bars = []
+    for k, count in enumerate(counts):
+        if count:
+            tall = count / most * (base - 8)
+            words = f"{number(start + k * step)} to {number(start + (k + 1) * step)}: {count:,}"
+            bars.append((k * wide + 0.7, base - tall, wide - 1.4, tall, words))
     mean = min(max((spread["mean"] - start) / (end - start), 0.0), 1.0) * width
     beyond = "+" if spread["most"] > high else ""
-    ticks = _text(0, base + 15, _number(start, percent), "start")
-    ticks += _text(width, base + 15, _number(end, percent) + beyond, "end")
-    return (
-        f'<svg viewBox="0 0 {width} {height}" role="img"><g fill="{ACCENT}" opacity="0.85">{bars}</g>'
-        f'<path d="M0 {base}H{width}" stroke="{LINE}"/>'
-        f'<path d="M{mean:.1f} 4V{base}" stroke="{INK}" stroke-dasharray="3 3"/>{ticks}</svg>'
-    )
-
-
-def bars(rows: Sequence[tuple[str, float, str]], whole: float | None = None, most: int = 16) -> str:
-    """Bars with a name before and a text behind; what ``whole`` or else the longest is, fills the width.
-
-    Rows beyond ``most`` are folded up.
-    """
-    if len(rows) > most + 3:
-        whole = whole or max(value for _, value, _ in rows)
-        rest = bars(rows[most:], whole, len(rows))
-        return f"{bars(rows[:most], whole)}<details><summary>{len(rows) - most} more</summary>{rest}</details>"
-    length = whole or max((value for _, value, _ in rows), default=1) or 1
-    return (
-        '<div class="bars">'
-        + "".join(
-            f'<span>{esc(name)}</span><i><b style="width:{100 * value / length:.1f}%"></b></i><em>{esc(text)}</em>'
-            for name, value, text in rows
-        )
-        + "</div>"
-    )
+    return _drawn("histogram", width, height, base, bars, mean, number(start), number(end) + beyond)
 
 
 def heat_map(cells: np.ndarray) -> str:
-    """A heat map [rows from below, columns] as an image element: the brighter, the more often."""
+    """A heat map [rows from below, columns] as the data address of a picture: the brighter, the more often."""
     from PIL import Image
     from scipy.ndimage import gaussian_filter
 
@@ -85,58 +62,27 @@ def heat_map(cells: np.ndarray) -> str:
     mixed = stops[lower] + (place - lower[..., None]) * (stops[lower + 1] - stops[lower])
     file = io.BytesIO()
     Image.fromarray(mixed.round().astype(np.uint8)).save(file, "PNG", optimize=True)
-    return f'<img alt="" src="data:image/png;base64,{base64.b64encode(file.getvalue()).decode()}">'
-
-
-def matrix(names: Sequence[str], values: np.ndarray) -> str:
-    """A symmetric matrix [N, N] of shares as squares below its diagonal, the largest darkest; names at both ends."""
-    size, left = 20, 130
-    width, height = left + size * len(names) + 100, size * len(names) + 8
-    most = max((float(values[k, j]) for k in range(len(names)) for j in range(k)), default=0.0) or 1.0
-    parts = []
-    for row, name in enumerate(names):
-        y = row * size
-        parts.append(_text(left - 8, y + 14, name, "end"))
-        for column in range(row):
-            share = float(values[row, column])
-            if share >= 0.01:
-                parts.append(
-                    f'<rect x="{left + column * size + 1}" y="{y + 1}" width="{size - 2}" height="{size - 2}" rx="3" '
-                    f'fill="{ACCENT}" opacity="{0.05 + 0.95 * share / most:.2f}"><title>{esc(name)} and '
-                    f"{esc(names[column])}: {share:.0%}</title></rect>"
-                )
-        parts.append(_text(left + row * size + 4, y + 14, name, "start", SOFT))
-    return f'<svg class="matrix" viewBox="0 0 {width} {height}" role="img">{"".join(parts)}</svg>'
+    return f"data:image/png;base64,{base64.b64encode(file.getvalue()).decode()}"
 
 
 def lines(series: Sequence[Line], *, x: str, y: str, width: int = 680, height: int = 230) -> str:
-    """Lines over a common axis that begins at zero, the names of the axes at their ends."""
+    """Lines over a common axis that begins at zero, the names of the axes at their ends; empty without points."""
     points = [point for _, line in series for point in line]
     if not points:
         return ""
     left, right, top, base = 52, 10, 22, height - 32
-    far = max(p[0] for p in points) or 1.0
-    step = nice(max(p[1] for p in points) / 4)
-    high = step * math.ceil(max(p[1] for p in points) / step - 1e-9) or step
-    parts = [_text(left - 42, 12, y, "start", SOFT), _text(width - right, height - 4, x, "end", SOFT)]
-    for k in range(round(high / step) + 1):
-        at = base - k * step / high * (base - top)
-        parts.append(f'<path d="M{left} {at:.1f}H{width - right}" stroke="{LINE}"/>')
-        parts.append(_text(left - 6, at + 4, f"{k * step:g}", "end", SOFT))
-    across = nice(far / 5)
-    for k in range(math.floor(far / across + 1e-9) + 1):
-        at = left + k * across / far * (width - left - right)
-        parts.append(_text(at, base + 15, f"{k * across:g}", "middle", SOFT))
-    for k, (name, line) in enumerate(series):
-        path = " ".join(
-            f"{left + px / far * (width - left - right):.1f} {base - py / high * (base - top):.1f}" for px, py in line
-        )
-        parts.append(
-            f'<path d="M{path}" fill="none" stroke="{HUES[k % len(HUES)]}" stroke-width="1.8" '
-            f'stroke-linejoin="round"><title>{esc(name)}</title></path>'
-        )
-    head = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" role="img">'
-    return f"{head}{''.join(parts)}</svg>"
+    far, highest = (max(values) for values in zip(*points, strict=True))
+    far = far or 1.0
+    step, across = nice(highest / 4), nice(far / 5)
+    high = step * math.ceil(highest / step - 1e-9) or step
+
+    def place(px: float, py: float) -> tuple[float, float]:
+        return left + px / far * (width - left - right), base - py / high * (base - top)
+
+    levels = [(place(0, k * step)[1], f"{k * step:g}") for k in range(round(high / step) + 1)]
+    ticks = [(place(k * across, 0)[0], f"{k * across:g}") for k in range(math.floor(far / across + 1e-9) + 1)]
+    curves = [(name, " ".join("{:.1f} {:.1f}".format(*place(*point)) for point in line)) for name, line in series]
+    return _drawn("lines", width, height, left, right, x=x, y=y, levels=levels, ticks=ticks, curves=curves)
 
 
 def nice(step: float) -> float:
@@ -145,17 +91,6 @@ def nice(step: float) -> float:
         return 1.0
     power = 10.0 ** math.floor(math.log10(step))
     return next((factor * power for factor in (1, 2, 5) if factor * power >= step * (1 - 1e-9)), 10 * power)
-
-
-def _text(x: float, y: float, text: str, anchor: str, color: str = INK) -> str:
-    return (
-        f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" fill="{color}" '
-        f'font-family="{FONT}" font-size="12">{esc(text)}</text>'
-    )
-
-
-def _number(value: float, percent: bool) -> str:
-    return f"{100 * value:.0f} %" if percent else f"{value:g}"
 
 
 BINS = 80

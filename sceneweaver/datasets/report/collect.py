@@ -17,7 +17,7 @@ from sceneweaver.geometry.rotations import from_yaw
 from sceneweaver.runtime.processes import pool
 
 from ..folder import Folder
-from ..layouts.read import layout_files, programs_of
+from ..layouts.tables import layout_files, programs_of
 from ..reading import Span, rows_of, scenes_of, shards_of, spans_of
 from ..statistics import statistics
 from ..tables import arrow
@@ -152,10 +152,8 @@ class Gathered:
         self.plans = other.plans | self.plans
         for category, cells in other.heat.items():
             self.heat[category] = self.heat[category] + cells if category in self.heat else cells
-        self.together.update(other.together)
-        self.present.update(other.present)
-        self.palettes.update(other.palettes)
-        self.relations.update(other.relations)
+        for name in ("together", "present", "palettes", "relations"):
+            getattr(self, name).update(getattr(other, name))
         for signature, (outline, count) in other.shells.items():
             self.shells[signature] = (outline, self.shells.get(signature, (outline, 0))[1] + count)
         self.read += other.read

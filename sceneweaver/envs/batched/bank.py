@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -25,7 +26,7 @@ from sceneweaver.geometry.rotations import matrix, xyzw
 from sceneweaver.runtime.processes import pool
 from sceneweaver.scene import InputError, Room, Scene
 
-from .goals import GOAL, TaskRow, goal_rows, has_goal, task_rows
+from .goals import TaskRow, goal_rows, has_goal, task_rows
 from .room import (
     ANCHORED,
     BODY_FIELDS,
@@ -39,6 +40,7 @@ from .room import (
     RoomBodies,
     bodies_of,
 )
+from .structs import GOAL
 
 PARKED = 500.0
 """Height [m] from which unused slots are parked, each on a place of its own."""
@@ -107,7 +109,7 @@ class Bank:
             ``jnt_axis`` [R, L, 3], ``dof_damping`` [R, D] ...
         layout: Fields of each layout: ``room`` [V] its room; ``still_pos`` [V, S, 3], ``still_quat`` [V, S, 4],
             ``link_pos`` [V, L, 3], ``link_quat`` [V, L, 4], ``free_pose`` [V, F, 7] (position, w, x, y, z); ``spawns``
-            [V, P, 3] free places of the robot's base; ``goals`` [V, K] rows of ``goals.GOAL`` and ``goal_count`` [V].
+            [V, P, 3] free places of the robot's base; ``goals`` [V, K] rows of ``structs.GOAL`` and ``goal_count`` [V].
         names: By room, the name of the body in each moving slot; "" where it is not used.
         instructions: By room, what each of its goals asks for, in words.
         dropped: By room, how many boxes were left out.
@@ -159,15 +161,13 @@ class Bank:
             InputError: no task is feasible in any of them.
         """
         chosen = [None] * len(scenes) if layouts is None else list(layouts)
-        work = [
-            (scene, some, robot or robot_named("mobile"), tuple(tasks), load, anchored)
-            for scene, some in zip(scenes, chosen, strict=True)
-        ]
+        robot = robot or robot_named("mobile")
+        read = partial(_read, robot=robot, kinds=tuple(tasks), load=load, anchored=anchored)
         if jobs > 1:
-            with pool(min(jobs, len(work))) as processes:
-                rooms = list(processes.map(_read, work))
+            with pool(min(jobs, len(scenes))) as processes:
+                rooms = list(processes.map(read, scenes, chosen))
         else:
-            rooms = [_read(one) for one in work]
+            rooms = list(map(read, scenes, chosen))
         slots = slots or Slots.fit([room.bodies for room in rooms])
         rows = [_room_row(room.bodies, slots) for room in rooms]
         found, places = [], []
@@ -176,7 +176,7 @@ class Bank:
                 goals = goal_rows(room.tasks, row.names, pose)
                 if len(goals):
                     place = _layout_row(row, slots, pose, number)
-                    place["spawns"] = spawns(room.bodies.scene.room, row, slots, place, work[0][2].radius)
+                    place["spawns"] = spawns(room.bodies.scene.room, row, slots, place, robot.radius)
                     places.append(place)
                     found.append(goals)
         if not places:
@@ -188,12 +188,11 @@ class Bank:
             goals[k, : len(some)] = some
         return cls(
             slots,
-            {name: np.stack([row.fields[name] for row in rows]) for name in rows[0].fields},
-            {name: np.stack([place[name] for place in places]) for name in places[0]}
-            | {"goals": goals, "goal_count": np.array([len(some) for some in found], dtype=np.int32)},
+            _stacked([row.fields for row in rows]),
+            _stacked(places) | {"goals": goals, "goal_count": np.array([len(some) for some in found], dtype=np.int32)},
             [row.names for row in rows],
             [
-                [task.instruction for task in room.tasks if has_goal(task, row.names)]
+                [t.instruction for t in room.tasks if has_goal(t, row.names)]
                 for room, row in zip(rooms, rows, strict=True)
             ],
             [row.dropped for row in rows],
@@ -206,12 +205,8 @@ class Bank:
     def save(self, path: str | Path) -> None:
         """As one compressed ``.npz`` file."""
         arrays = {f"room/{k}": v for k, v in self.room.items()} | {f"layout/{k}": v for k, v in self.layout.items()}
-        about = {
-            "names": self.names,
-            "instructions": self.instructions,
-            "dropped": self.dropped,
-            "slots": asdict(self.slots),
-        }
+        about = {name: getattr(self, name) for name in ("names", "instructions", "dropped")}
+        about["slots"] = asdict(self.slots)
         with open(path, "wb") as file:
             np.savez_compressed(file, allow_pickle=False, about=np.array(json.dumps(about)), **arrays)
 
@@ -226,6 +221,7 @@ class Bank:
             ]
         still, *moving = about["slots"].values()
         slots = Slots(still, *map(tuple, moving))
+        parts[1]["goals"] = parts[1]["goals"].view(GOAL)  # older files name its poses otherwise
         return cls(slots, parts[0], parts[1], about["names"], about["instructions"], about["dropped"])
 
 
@@ -236,15 +232,18 @@ class _Read:
     poses: np.ndarray
 
 
-def _read(work: tuple[Scene, Any, Robot, Sequence[type[Task]], Load | None, float]) -> _Read:
+def _read(
+    scene: Scene, layouts: Any, *, robot: Robot, kinds: Sequence[type[Task]], load: Load | None, anchored: float
+) -> _Read:
     """A room with its tasks and layouts; what takes the time."""
-    scene, layouts, robot, kinds, load, anchored = work
     poses = layouts_of(scene, layouts)
-    return _Read(
-        bodies_of(scene, load, anchored),
-        task_rows(SceneGeometry(scene, load, loose=False), robot, poses[0], kinds),
-        poses,
-    )
+    tasks = task_rows(SceneGeometry(scene, load, loose=False), robot, poses[0], kinds)
+    return _Read(bodies_of(scene, load, anchored), tasks, poses)
+
+
+def _stacked(rows: Sequence[dict[str, np.ndarray]]) -> dict[str, np.ndarray]:
+    """Rows with equal names as one array for each name."""
+    return {name: np.stack([row[name] for row in rows]) for name in rows[0]}
 
 
 @dataclass(frozen=True)
@@ -318,31 +317,36 @@ def _room_row(room: RoomBodies, slots: Slots) -> _Row:
     return _Row(f, ["" if b is None else b.name for b in moving], still, moving, dropped)
 
 
+UNUSED: dict[str, Any] = {
+    "geom_size": [_TINY] * 3,
+    "geom_friction": [0.5, 0.005, 0.0001],
+    "geom_pos": [0.0] * 3,
+    "geom_quat": [1.0, 0.0, 0.0, 0.0],
+    "body_gravcomp": 1.0,
+    "body_ipos": [0.0] * 3,
+    "body_iquat": [1.0, 0.0, 0.0, 0.0],
+    "body_mass": 1.0,
+    "body_inertia": [1.0] * 3,
+    "body_invweight0": [1.0] * 2,
+    "body_subtreemass": 1.0,
+    "jnt_pos": [0.0] * 3,
+    "jnt_axis": [0.0, 0.0, 1.0],
+    "jnt_range": [-1.0, 1.0],
+    "dof_frictionloss": 0.0,
+    "dof_damping": 1.0,
+    "dof_armature": 0.0,
+    "dof_invweight0": 1.0,
+}
+"""Fields of the model for a slot that a room does not use."""
+
+
 def _empty(slots: Slots) -> dict[str, np.ndarray]:
     """The fields of a room that uses no slot."""
-    g, m, n, d = slots.geoms, len(slots.parts), slots.links, slots.dofs
-    unit = np.array([1.0, 0, 0, 0])
-    f = {
-        "geom_size": np.full((g, 3), _TINY),
-        "geom_friction": np.tile([0.5, 0.005, 0.0001], (g, 1)),
-        "geom_pos": np.zeros((g, 3)),
-        "geom_quat": np.tile(unit, (g, 1)),
-        "body_gravcomp": np.ones(m),
-        "body_ipos": np.zeros((m, 3)),
-        "body_iquat": np.tile(unit, (m, 1)),
-        "body_mass": np.ones(m),
-        "body_inertia": np.ones((m, 3)),
-        "body_invweight0": np.ones((m, 2)),
-        "body_subtreemass": np.ones(m),
-        "jnt_pos": np.zeros((n, 3)),
-        "jnt_axis": np.tile([0.0, 0.0, 1.0], (n, 1)),
-        "jnt_range": np.tile([-1.0, 1.0], (n, 1)),
-        "dof_frictionloss": np.zeros(d),
-        "dof_damping": np.ones(d),
-        "dof_armature": np.zeros(d),
-        "dof_invweight0": np.ones(d),
+    count = {"geom": slots.geoms, "body": len(slots.parts), "jnt": slots.links, "dof": slots.dofs}
+    return {
+        name: np.tile(np.asarray(row, dtype=np.float32), (count[name.partition("_")[0]], *[1] * np.ndim(row)))
+        for name, row in UNUSED.items()
     }
-    return {name: values.astype(np.float32) for name, values in f.items()}
 
 
 def _layout_row(row: _Row, slots: Slots, poses: np.ndarray, number: int) -> dict[str, np.ndarray]:

@@ -12,13 +12,14 @@ from sceneweaver.envs.control import LEAD
 from sceneweaver.envs.env import PERIOD
 from sceneweaver.envs.joining import PREFIX, indices_of
 from sceneweaver.envs.robots import Robot, robot_named
-from sceneweaver.envs.tasks import KINDS, RELEASED
+from sceneweaver.envs.tasks import KINDS
 from sceneweaver.physics.batch import device_named
 from sceneweaver.scene import InputError, MissingDependencyError, Scene
 
 from . import reset_kernels, task_kernels
 from .bank import Bank
-from .physics import FIELDS, ThreadPhysics, WarpPhysics
+from .physics import FIELDS, ThreadPhysics, WarpPhysics, kind_of
+from .structs import Episodes, Goal, Layouts, Observations, RobotArrays, Simulation, filled
 from .template import FIRST, template_of
 
 try:
@@ -62,6 +63,7 @@ class BatchedRoomEnv(VectorEnv):
 
     metadata = {"autoreset_mode": AutoresetMode.NEXT_STEP, "render_modes": []}
 
+    # Options of an environment are keyword arguments, as those of `RoomEnv`, hence more than ten.
     def __init__(
         self,
         bank: Bank | Sequence[Scene],
@@ -101,6 +103,8 @@ class BatchedRoomEnv(VectorEnv):
             if contacts is None or rows is None:
                 contacts, rows = self._room(contacts, rows)
             self.physics = WarpPhysics(self.template, num_envs, contacts, rows, self.device)
+        names = ("qpos", "qvel", "ctrl", "xpos", "xquat", "site_xpos", "site_xmat")
+        self._sim = filled(Simulation, **{name: getattr(self.physics.data, name) for name in names})
         self._graph: Any = None
         self._spaces()
 
@@ -118,12 +122,12 @@ class BatchedRoomEnv(VectorEnv):
         if (wanted >= self.bank.layouts).any():
             raise InputError(f"layout: {int(wanted.max())} is not there; the bank has {self.bank.layouts}")
         with wp.ScopedDevice(self.device):
-            self._wanted.assign(wanted)
+            self._episodes.wanted.assign(wanted)
             if seed is not None:
                 self._seed = seed
-                self._episode.zero_()
+                self._episodes.number.zero_()
                 self._graph = None  # the seed is an argument of its launches
-            self._done.fill_(1)
+            self._episodes.done.fill_(1)
             self._begin()
             self._look()
         return self._numpy(self.observations), self.info()
@@ -162,8 +166,8 @@ class BatchedRoomEnv(VectorEnv):
 
     def info(self) -> dict[str, Any]:
         """By world: numbers of layout, room and goal of the bank, the instruction, how many boxes were left out."""
-        layout: np.ndarray = self._layout.numpy().copy()
-        goal: np.ndarray = self._chosen.numpy().copy()
+        layout: np.ndarray = self._episodes.layout.numpy().copy()
+        goal: np.ndarray = self._episodes.goal.numpy().copy()
         room = self.bank.layout["room"][layout]
         words = np.array([self.bank.instructions[r][g] for r, g in zip(room, goal, strict=True)], dtype=object)
         dropped = np.array(self.bank.dropped)[room]
@@ -177,130 +181,100 @@ class BatchedRoomEnv(VectorEnv):
         """Nothing is open."""
 
     def _advance(self) -> None:
-        data = self.physics.data
-        wp.launch(
-            task_kernels.apply_actions,
-            dim=self.num_envs,
-            inputs=[3, PERIOD, LEAD, self._speeds, self._drive, self._drive_position, self._ctrl_range, self._fingers],
-            outputs=[self.action, data.qpos, data.ctrl],
-        )
+        inputs = [PERIOD, LEAD, self._robot, self.action]
+        wp.launch(task_kernels.apply_actions, dim=self.num_envs, inputs=inputs, outputs=[self._sim])
         self.physics.step(self._substeps)
         self._begin()
         self._look()
 
     def _begin(self) -> None:
         """Begin episodes in worlds that are done."""
-        bank, slots, worlds = self._bank, self.bank.slots, self.num_envs
+        slots, worlds, episodes = self.bank.slots, self.num_envs, self._episodes
         model, data, k = self.physics.model, self.physics.data, reset_kernels
-        positions = slots.links + 7 * len(slots.free)
-        fresh, layout, room = self._fresh, self._layout, self._room_of
-        wp.launch(
-            k.begin_episodes,
-            dim=worlds,
-            inputs=[self._seed, self.bank.layouts, bank["goal_count"], bank["room"]]
-            + [self._done, self._wanted, self._episode],
-            outputs=[fresh, layout, room, self._chosen, self._steps, self._draw],
-        )
+        wp.launch(k.begin_episodes, dim=worlds, inputs=[self._seed, self._layouts], outputs=[episodes])
         for name in FIELDS:
-            if name in bank:
+            if name in self._bank:
                 first = FIRST.get(name.partition("_")[0], 0)
-                self._copy(name, room, getattr(model, name), first)
+                self._copy(name, episodes.room, getattr(model, name), first)
         # Boxes that stand still have their places by layout, after those of the room were written to all.
-        self._copy("still_pos", layout, model.geom_pos, FIRST["geom"])
-        self._copy("still_quat", layout, model.geom_quat, FIRST["geom"])
-        self._copy("link_pos", layout, model.body_pos, FIRST["body"])
-        self._copy("link_quat", layout, model.body_quat, FIRST["body"])
+        for kind, what in (("geom", "still"), ("body", "link")):
+            for part in ("pos", "quat"):
+                self._copy(f"{what}_{part}", episodes.layout, getattr(model, f"{kind}_{part}"), FIRST[kind])
         wp.launch(
             k.bound_boxes,
             dim=(worlds, slots.geoms),
-            inputs=[FIRST["geom"], slots.still, fresh, model.geom_size, model.geom_pos, model.geom_quat],
+            inputs=[FIRST["geom"], slots.still, episodes.fresh, model.geom_size, model.geom_pos, model.geom_quat],
             outputs=[model.geom_rbound, model.geom_aabb, data.geom_xpos, data.geom_xmat],
         )
-        wp.launch(k.stop, dim=(worlds, self.template.nv), inputs=[fresh], outputs=[data.qvel, data.qacc_warmstart])
-        wp.launch(
-            k.reset_positions,
-            dim=(worlds, self.template.nq),
-            inputs=[slots.links, positions, bank["free_pose"], bank["spawns"], self._base, self._home]
-            + [bank["goals"], fresh, layout, self._chosen, self._draw],
-            outputs=[data.qpos],
-        )
-        wp.launch(
-            k.reset_controls,
-            dim=(worlds, self.template.nu),
-            inputs=[self._position, fresh, data.qpos],
-            outputs=[data.ctrl],
-        )
-        self.physics.refresh(fresh)
+        rest = [data.qvel, data.qacc_warmstart]
+        wp.launch(k.stop, dim=(worlds, self.template.nv), inputs=[episodes.fresh], outputs=rest)
+        inputs = [self._robot, self._layouts, episodes]
+        wp.launch(k.reset_positions, dim=(worlds, self.template.nq), inputs=inputs, outputs=[self._sim])
+        inputs = [self._robot, episodes]
+        wp.launch(k.reset_controls, dim=(worlds, self.template.nu), inputs=inputs, outputs=[self._sim])
+        self.physics.refresh(episodes.fresh)
 
     def _copy(self, name: str, row: wp.array, out: Any, first: int) -> None:
         """Copy a field of the bank into the model of worlds that begin."""
         source = self._bank[name]
-        shape = (self.num_envs, source.shape[1])
-        wp.launch(reset_kernels.copy_rows, dim=shape, inputs=[first, source, self._fresh, row], outputs=[out])
+        inputs = [first, source, self._episodes.fresh, row]
+        wp.launch(reset_kernels.copy_rows, dim=(self.num_envs, source.shape[1]), inputs=inputs, outputs=[out])
 
     def _look(self) -> None:
         """Judge the tasks and write observations."""
-        bank, data, find, seen = self._bank, self.physics.data, self._find, self.observations
         wp.launch(
             task_kernels.judge,
             dim=self.num_envs,
-            inputs=[1, self._base, find.body, find.tool, self.max_steps, RELEASED, bank["goals"]]
-            + [self._fresh, self._layout, self._chosen, data.qpos, data.xpos, data.xquat, data.site_xpos]
-            + [self._steps, self._potential, self._start_height, self._start_goal],
-            outputs=[self.rewards, self.terminated, self.truncated, self._done]
-            + [seen["subject"], seen["goal"], seen["base"]],
+            inputs=[self.max_steps, self._robot, self._layouts, self._sim, self._episodes],
+            outputs=[self.rewards, self.terminated, self.truncated, self._seen],
         )
-        wp.launch(
-            task_kernels.observe,
-            dim=self.num_envs,
-            inputs=[self.bank.slots.links, 1, find.tool, self._drive_position, self._drive_dof, self._fingers]
-            + [self._finger_position, self._ctrl_range, bank["goals"], bank["room"], self._used, self._layout]
-            + [self._chosen, data.qpos, data.qvel, data.xpos, data.xquat, data.site_xpos, data.site_xmat],
-            outputs=[seen[name] for name in ("robot", "tool", "gripper", "doors", "objects", "task")],
-        )
+        inputs = [self._robot, self._layouts, self._episodes, self._sim]
+        wp.launch(task_kernels.observe, dim=self.num_envs, inputs=inputs, outputs=[self._seen])
 
     def _put_bank(self) -> None:
-        kinds = {"pos": wp.vec3, "quat": wp.quat, "size": wp.vec3, "friction": wp.vec3, "inertia": wp.vec3}
-        kinds |= {"axis": wp.vec3, "range": wp.vec2, "body_invweight0": wp.vec2, "goals": task_kernels.Goal}
-        found = {}
+        """The bank on the device: fields by name, and its layouts for kernels."""
+        self._bank: dict[str, Any] = {}
         for name, values in (self.bank.room | self.bank.layout).items():
-            kind = next((kind for end, kind in kinds.items() if name.endswith(end)), None)
-            if name == "goals":
-                kind_of_row: Any = task_kernels.Goal.numpy_dtype()
-                values = values.view(np.dtype(kind_of_row))
-            found[name] = wp.array(np.ascontiguousarray(values), dtype=kind or wp.dtype_from_numpy(values.dtype))
-        self._bank: dict[str, Any] = found
-        self._used = wp.array(np.array([[bool(n) for n in row] for row in self.bank.names], dtype=np.int32))
+            kind = Goal if name == "goals" else kind_of(name) or wp.dtype_from_numpy(values.dtype)
+            self._bank[name] = wp.array(np.ascontiguousarray(values), dtype=kind)
+        used = wp.array(np.array([[bool(n) for n in row] for row in self.bank.names], dtype=np.int32))
+        shared = ("room", "goals", "goal_count", "free_pose", "spawns")
+        self._layouts = filled(Layouts, used=used, **{name: self._bank[name] for name in shared})
 
     def _make_buffers(self) -> None:
+        """The robot, episodes, actions and observations on the device."""
         worlds, model, find, slots = self.num_envs, self.template, self._find, self.bank.slots
         home = np.array(model.qpos0)
         for joint, value in self.robot.home.items():
             home[model.joint(PREFIX + joint).qposadr[0]] = value
         home[find.finger_position] = model.actuator_ctrlrange[find.fingers, 1]  # the hand begins open
-        self._home = wp.array(home[slots.links + 7 * len(slots.free) :], dtype=float)
-        self._base = wp.vec3i(*find.base.tolist())
-        self._speeds = wp.array(find.speeds, dtype=float)
-        self._drive, self._drive_position, self._drive_dof, self._fingers, self._finger_position = (
-            wp.array(numbers, dtype=int)
-            for numbers in (find.drive, find.drive_position, find.drive_dof, find.fingers, find.finger_position)
-        )
         span = np.where(model.actuator_ctrllimited[:, None].astype(bool), model.actuator_ctrlrange, [-1e9, 1e9])
-        self._ctrl_range = wp.array(span, dtype=wp.vec2)
-        self._position = wp.array(model.jnt_qposadr[model.actuator_trnid[:, 0]], dtype=int)
-        self._done, self._episode, self._fresh, self._layout, self._room_of, self._chosen, self._steps = (
-            wp.zeros(worlds, dtype=int) for _ in range(7)
+        numbers = ("drive", "drive_position", "drive_dof", "fingers", "finger_position")
+        self._robot = filled(
+            RobotArrays,
+            base=wp.vec3i(*find.base.tolist()),
+            tool=find.tool,
+            speeds=wp.array(find.speeds, dtype=float),
+            ctrl_range=wp.array(span, dtype=wp.vec2),
+            position=wp.array(model.jnt_qposadr[model.actuator_trnid[:, 0]], dtype=int),
+            home=wp.array(home[slots.links + 7 * len(slots.free) :], dtype=float),
+            **{name: wp.array(getattr(find, name), dtype=int) for name in numbers},
         )
-        self._wanted = wp.full(worlds, -1, dtype=int)
-        self._draw, self._potential, self._start_height, self.rewards = (
-            wp.zeros(worlds, dtype=float) for _ in range(4)
+        counts = ("wanted", "done", "fresh", "number", "layout", "room", "goal", "steps")
+        self._episodes = filled(
+            Episodes,
+            start_goal=wp.zeros(worlds, dtype=wp.vec3),
+            **{name: wp.zeros(worlds, dtype=int) for name in counts},
+            **{name: wp.zeros(worlds, dtype=float) for name in ("draw", "potential", "start_height")},
         )
-        self._start_goal = wp.zeros(worlds, dtype=wp.vec3)
+        self._episodes.wanted.fill_(-1)
+        self.rewards = wp.zeros(worlds, dtype=float)
         self.terminated, self.truncated = wp.zeros(worlds, dtype=bool), wp.zeros(worlds, dtype=bool)
         self.action = wp.zeros((worlds, len(find.drive) + bool(len(find.fingers))), dtype=float)
         shapes = {"robot": (2 * len(find.drive),), "base": (3,), "tool": (7,), "gripper": (1,), "subject": (7,)}
         shapes |= {"goal": (3,), "objects": (len(slots.free), 7), "doors": (slots.links,), "task": (len(KINDS),)}
         self.observations = {name: wp.zeros((worlds, *shape), dtype=float) for name, shape in shapes.items()}
+        self._seen = filled(Observations, **self.observations)
 
     def _spaces(self) -> None:
         box = gymnasium.spaces.Box

@@ -12,42 +12,10 @@ from sceneweaver.envs.robots import Robot
 from sceneweaver.envs.sampling import tasks_of
 from sceneweaver.envs.tasks import KINDS, Close, JointTask, NavigateTo, Open, PutTask, Take, Task, point_of
 
+from .structs import GOAL
+
 LIMITS: dict[type[Task], str] = {Open: "share", Close: "share", NavigateTo: "reach", Take: "height"}
 """By kind of task, the number of it that a goal is judged by."""
-
-GOAL = np.dtype(
-    [
-        ("kind", np.int32),
-        ("subject", np.int32),
-        ("holder", np.int32),
-        ("joint", np.int32),
-        ("oval", np.int32),
-        ("share", np.float32),
-        ("open_end", np.float32),
-        ("begin", np.float32),
-        ("radius", np.float32),
-        ("centre", np.float32, 3),
-        ("item_low", np.float32, 3),
-        ("item_high", np.float32, 3),
-        ("low", np.float32, 3),
-        ("high", np.float32, 3),
-        ("subject_pose", np.float32, 7),
-        ("holder_pose", np.float32, 7),
-    ]
-)
-"""One task of a layout.
-
-- ``kind``: number in `tasks.KINDS`; -1: none.
-- ``subject``, ``holder``: slots of the moving bodies that it is about and that holds or carries it; -1: it stands
-  still, at ``subject_pose`` or ``holder_pose`` (position [m], w, x, y, z).
-- ``joint``: slot of the link that is to be opened or closed; -1: none. ``open_end`` of its range [rad] or [m],
-  ``begin`` where it begins.
-- ``share``: of the range; for `Take` the height [m], for `NavigateTo` the distance [m].
-- ``centre``: the point of the subject that counts, the grip of a link; ``item_low`` and ``item_high`` its box;
-  ``radius`` half the diagonal of it [m]. All in its frame.
-- ``low``, ``high``: of the interior, or of the surface with its height as both z, in the holder's frame; ``oval``
-  whether the interior is.
-"""
 
 
 @dataclass(frozen=True)
@@ -106,7 +74,8 @@ def goal_rows(tasks: Sequence[TaskRow], names: Sequence[str], poses: np.ndarray)
     for task in tasks:
         row = task.row.copy()
         row["subject"], row["holder"] = slot.get(task.subject, -1), slot.get(task.holder, -1)
-        row["subject_pose"], row["holder_pose"] = poses[task.subject_owner], poses[task.holder_owner]
+        for who, owner in (("subject", task.subject_owner), ("holder", task.holder_owner)):
+            row[f"{who}_pos"], row[f"{who}_quat"] = poses[owner, :3], poses[owner, 3:]
         if isinstance(task.task, JointTask):
             row["joint"] = row["subject"]
         if has_goal(task, names):

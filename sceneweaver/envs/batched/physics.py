@@ -17,30 +17,9 @@ import warp as wp
 
 from sceneweaver.runtime.threads import cores, map_threads
 
-FIELDS = (
-    "geom_pos",
-    "geom_quat",
-    "geom_size",
-    "geom_aabb",
-    "geom_rbound",
-    "geom_friction",
-    "body_pos",
-    "body_quat",
-    "body_ipos",
-    "body_iquat",
-    "body_mass",
-    "body_inertia",
-    "body_invweight0",
-    "body_subtreemass",
-    "body_gravcomp",
-    "jnt_pos",
-    "jnt_axis",
-    "jnt_range",
-    "dof_frictionloss",
-    "dof_damping",
-    "dof_armature",
-    "dof_invweight0",
-)
+from .bank import UNUSED
+
+FIELDS = (*UNUSED, "geom_aabb", "geom_rbound", "body_pos", "body_quat")
 """Fields of the model that differ by world."""
 
 STATE = ("qpos", "qvel", "qacc_warmstart", "ctrl", "xpos", "xquat", "geom_xpos", "geom_xmat", "site_xpos", "site_xmat")
@@ -183,9 +162,14 @@ def _bound(model: Any) -> None:
     model.bvh_aabb[root, :3], model.bvh_aabb[root, 3:] = 0.0, most[model.body_bvhadr >= 0, None]
 
 
+def kind_of(name: str) -> Any:
+    """The type of the vectors in a field, as MuJoCo Warp has it; None: it holds numbers."""
+    return next((kind for end, kind in _VECTORS.items() if name.endswith(end) and name != "qpos"), None)
+
+
 def _array(name: str, values: np.ndarray, worlds: int) -> wp.array:
     """An array [W, ...] on the CPU of the type that MuJoCo Warp gives it, with equal rows."""
-    kind = next((kind for end, kind in _VECTORS.items() if name.endswith(end) and name != "qpos"), float)
+    kind: Any = kind_of(name) or float
     shape = tuple(getattr(kind, "_shape_", ()))
     rows = np.asarray(values, dtype=np.float32)
     rows = rows.reshape(*rows.shape[:1], *((2,) if name == "geom_aabb" else ()), *shape)

@@ -12,54 +12,36 @@ from typing import Any
 
 import warp as wp
 
-from .task_kernels import Goal
+from .structs import Episodes, Layouts, RobotArrays, Simulation
 
 wp.set_module_options({"enable_backward": False})
-
-# Kernels have an argument for each array of the bank or the simulation that they read or write, hence more than ten.
 
 
 @wp.kernel
 def begin_episodes(
     # Problem:
     seed: int,
-    layouts: int,
-    layout_goals: wp.array(dtype=int),
-    layout_room: wp.array(dtype=int),
-    # State in:
-    done: wp.array(dtype=int),
-    wanted_layout: wp.array(dtype=int),
+    layouts: Layouts,
     # State in and out:
-    episode: wp.array(dtype=int),
-    # State out:
-    fresh_out: wp.array(dtype=int),
-    layout_out: wp.array(dtype=int),
-    room_out: wp.array(dtype=int),
-    chosen_out: wp.array(dtype=int),
-    steps_out: wp.array(dtype=int),
-    draw_out: wp.array(dtype=float),
+    episodes: Episodes,
 ):
-    """Of each world that is done: the next episode, with a layout (-1 wanted: any) and one of its goals by the seed.
-
-    All arrays [W], ``layout_goals`` [V] how many goals there are, ``layout_room`` [V] the rooms of the layouts;
-    ``draw_out`` in 0..1 places the robot.
-    """
+    """Of each world that is done: the next episode, with a layout (-1 wanted: any) and one of its goals by the seed."""
     world = wp.tid()
-    fresh_out[world] = done[world]
-    if done[world] == 0:
+    episodes.fresh[world] = episodes.done[world]
+    if episodes.done[world] == 0:
         return
-    episode[world] = episode[world] + 1
-    rng = wp.rand_init(seed, world * 65537 + episode[world])
-    layout = wp.min(int(wp.randf(rng) * float(layouts)), layouts - 1)
-    if wanted_layout[world] >= 0:
-        layout = wanted_layout[world]
-    goals = layout_goals[layout]
-    goal = wp.min(int(wp.randf(rng) * float(goals)), wp.max(goals - 1, 0))
-    layout_out[world] = layout
-    room_out[world] = layout_room[layout]
-    chosen_out[world] = goal
-    steps_out[world] = 0
-    draw_out[world] = wp.randf(rng)
+    episodes.number[world] = episodes.number[world] + 1
+    rng = wp.rand_init(seed, world * 65537 + episodes.number[world])
+    count = layouts.room.shape[0]
+    layout = wp.min(int(wp.randf(rng) * float(count)), count - 1)
+    if episodes.wanted[world] >= 0:
+        layout = episodes.wanted[world]
+    goals = layouts.goal_count[layout]
+    episodes.goal[world] = wp.min(int(wp.randf(rng) * float(goals)), wp.max(goals - 1, 0))
+    episodes.layout[world] = layout
+    episodes.room[world] = layouts.room[layout]
+    episodes.steps[world] = 0
+    episodes.draw[world] = wp.randf(rng)
 
 
 @wp.kernel
@@ -131,64 +113,49 @@ def stop(
 @wp.kernel
 def reset_positions(
     # Problem:
-    links: int,
-    slots: int,
-    free_pose: wp.array3d(dtype=float),
-    spawns: wp.array3d(dtype=float),
-    base: wp.vec3i,
-    home: wp.array(dtype=float),
-    goals: wp.array2d(dtype=Goal),
+    robot: RobotArrays,
+    layouts: Layouts,
     # State in:
-    fresh: wp.array(dtype=int),
-    layout: wp.array(dtype=int),
-    chosen: wp.array(dtype=int),
-    draw: wp.array(dtype=float),
-    # State out:
-    qpos_out: wp.array2d(dtype=float),
+    episodes: Episodes,
+    # State in and out:
+    sim: Simulation,
 ):
-    """Positions [W, nq]: links closed, free bodies by the layout, the robot at home on one of P places.
+    """Positions ``sim.qpos``: links closed, free bodies by the layout, the robot at home on one of its places.
 
-    Args:
-        links: How many positions of links come first.
-        slots: How many positions of slots; those of the robot come after them.
-        free_pose: [V, F, 7] of free bodies.
-        spawns: [V, P, 3] places of the base: x, y [m], yaw [rad].
-        base: Positions of the base's x, y and yaw; less than 0: it has none.
-        home: [nq - slots] of the robot.
-        goals: [V, K] tasks; a door that is to be closed begins open.
-        fresh, layout, chosen, draw: [W] of ``begin_episodes``.
-        qpos_out: [W, nq].
+    A door that is to be closed begins open.
     """
     world, at = wp.tid()
-    if fresh[world] == 0:
+    if episodes.fresh[world] == 0:
         return
-    row = layout[world]
+    row = episodes.layout[world]
+    slots = sim.qpos.shape[1] - robot.home.shape[0]  # positions of links and of free bodies come first
+    links = slots - 7 * layouts.free_pose.shape[1]
     value = 0.0
     if at >= slots:
-        value = home[at - slots]
-        place = wp.min(int(draw[world] * float(spawns.shape[1])), spawns.shape[1] - 1)
+        value = robot.home[at - slots]
+        places = layouts.spawns.shape[1]
+        place = wp.min(int(episodes.draw[world] * float(places)), places - 1)
         for k in range(3):
-            if at == base[k]:
-                value = spawns[row, place, k]
+            if at == robot.base[k]:
+                value = layouts.spawns[row, place, k]
     elif at >= links:
-        value = free_pose[row, (at - links) // 7, (at - links) % 7]
-    goal = goals[row, chosen[world]]
+        value = layouts.free_pose[row, (at - links) // 7, (at - links) % 7]
+    goal = layouts.goals[row, episodes.goal[world]]
     if goal.joint == at:
         value = goal.begin
-    qpos_out[world, at] = value
+    sim.qpos[world, at] = value
 
 
 @wp.kernel
 def reset_controls(
     # Problem:
-    position: wp.array(dtype=int),
+    robot: RobotArrays,
     # State in:
-    fresh: wp.array(dtype=int),
-    qpos: wp.array2d(dtype=float),
-    # State out:
-    ctrl_out: wp.array2d(dtype=float),
+    episodes: Episodes,
+    # State in and out:
+    sim: Simulation,
 ):
-    """Targets [W, nu] of the actuators: where their joints are; ``position`` [nu] in ``qpos``."""
+    """Targets ``sim.ctrl`` of the actuators: where their joints are."""
     world, actuator = wp.tid()
-    if fresh[world] != 0:
-        ctrl_out[world, actuator] = qpos[world, position[actuator]]
+    if episodes.fresh[world] != 0:
+        sim.ctrl[world, actuator] = sim.qpos[world, robot.position[actuator]]

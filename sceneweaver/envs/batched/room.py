@@ -117,12 +117,8 @@ def bodies_of(scene: Scene, load: Load | None = None, anchored: float = ANCHORED
     boxes = boxed(replace(whole, xml=_anchored(whole.xml, anchored)), MOST_PARTS)
     model = mujoco.MjModel.from_xml_string(boxes.xml, boxes.files)
     number = {o.id: k for k, o in enumerate(scene.objects)}
-    owner = np.full(model.nbody, -1)
-    for b in range(1, model.nbody):
-        top = int(b)
-        while model.body_parentid[top]:
-            top = int(model.body_parentid[top])
-        owner[b] = number.get(model.body(top).name, -1)
+    names = [model.body(int(top)).name for top in model.body_rootid]
+    owner = np.array([number.get(name, -1) for name in names])
     flat = {k for k, o in enumerate(scene.objects) if o.mount == "floor" and o.size[2] <= COVERING}
     links, free = [], []
     for b in range(1, model.nbody):

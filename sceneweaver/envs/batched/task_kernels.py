@@ -1,7 +1,4 @@
-"""Kernels of actions, tasks and observations: what `sceneweaver.envs.control` and `sceneweaver.envs.tasks` say.
-
-Quaternions are (w, x, y, z), as MuJoCo Warp has them in arrays of ``wp.quat``.
-"""
+"""Kernels of actions, tasks and observations: what `sceneweaver.envs.control` and `sceneweaver.envs.tasks` say."""
 # pyright: reportInvalidTypeForm=false
 # The types of a kernel's arguments are calls.
 
@@ -10,38 +7,19 @@ from __future__ import annotations
 import warp as wp
 
 from sceneweaver.envs.predicates import FACING, LEVEL
-from sceneweaver.envs.tasks import KINDS
+from sceneweaver.envs.tasks import KINDS, RELEASED
+
+from .structs import Episodes, Goal, Layouts, Observations, RobotArrays, Simulation
 
 wp.set_module_options({"enable_backward": False})
 
+FIRST_BODY = wp.constant(1)
+"""Number of the first moving body in the model: 0 is the world."""
+
 OPEN, CLOSE, NAVIGATE, PUT_IN, PUT_ON, TAKE = (wp.constant(k) for k in range(len(KINDS)))  # as `tasks.KINDS` has them
 
-_FACING, _ON = wp.constant(FACING), wp.constant(LEVEL)
+_FACING, _ON, _RELEASED = wp.constant(FACING), wp.constant(LEVEL), wp.constant(RELEASED)
 _HUGE = wp.constant(1.0e6)  # positions beyond it are of a simulation that went astray
-
-
-@wp.struct
-class Goal:
-    """A row of `goals.GOAL`."""
-
-    kind: wp.int32
-    subject: wp.int32
-    holder: wp.int32
-    joint: wp.int32
-    oval: wp.int32
-    share: wp.float32
-    open_end: wp.float32
-    begin: wp.float32
-    radius: wp.float32
-    centre: wp.vec3
-    item_low: wp.vec3
-    item_high: wp.vec3
-    low: wp.vec3
-    high: wp.vec3
-    subject_pos: wp.vec3
-    subject_quat: wp.quat
-    holder_pos: wp.vec3
-    holder_quat: wp.quat
 
 
 @wp.func
@@ -134,265 +112,232 @@ def lowest(
     return low
 
 
-# Kernels have an argument for each array of the simulation that they read or write, hence more than ten.
+@wp.func
+def pose_of(
+    # Problem:
+    sim: Simulation,
+    world: int,
+    slot: int,
+    pos: wp.vec3,
+    quat: wp.quat,
+):
+    """Where the body in a slot is; without one (-1) the place that is given."""
+    if slot >= 0:
+        return sim.xpos[world, FIRST_BODY + slot], sim.xquat[world, FIRST_BODY + slot]
+    return pos, quat
+
+
+@wp.func
+def progress(
+    # Problem:
+    goal: Goal,
+    robot: RobotArrays,
+    sim: Simulation,
+    episodes: Episodes,
+    world: int,
+    pos: wp.vec3,
+    quat: wp.quat,
+    base: wp.vec3,
+):
+    """Whether a task is done, its potential, and the point to go or to bring things to.
+
+    ``pos`` and ``quat`` are those of what it is about, ``base`` is x, y, yaw of the robot.
+    """
+    centre = pos + turned(quat, goal.centre)
+    hand = wp.length(centre - sim.site_xpos[world, robot.tool])
+    free = hand > goal.radius + _RELEASED
+    target = centre
+    success = False
+    value = 0.0
+    if goal.kind == OPEN or goal.kind == CLOSE:
+        opened = wp.clamp(sim.qpos[world, goal.joint] / goal.open_end, 0.0, 1.0)
+        if goal.kind == OPEN:
+            success = opened >= goal.share
+            value = -wp.max(goal.share - opened, 0.0) - 0.5 * hand
+        else:
+            success = opened <= goal.share
+            value = -opened - 0.5 * hand
+    elif goal.kind == NAVIGATE:
+        way = way_to(goal, pos, quat, base)
+        aside = wp.abs(wrapped(wp.atan2(centre[1] - base[1], centre[0] - base[0]) - base[2]))
+        success = way <= goal.share and aside <= _FACING
+        value = -wp.max(way - goal.share, 0.0) - 0.5 * aside / wp.pi
+    elif goal.kind == PUT_IN or goal.kind == PUT_ON:
+        holder_pos, holder_quat = pose_of(sim, world, goal.holder, goal.holder_pos, goal.holder_quat)
+        tall = goal.item_high[2] - goal.item_low[2]
+        middle = (goal.low + goal.high) * 0.5
+        target = holder_pos + turned(holder_quat, wp.vec3(middle[0], middle[1], goal.low[2] + tall * 0.5))
+        if goal.kind == PUT_IN:
+            success = is_inside(goal, local(holder_pos, holder_quat, centre)) and free
+        else:
+            bottom = wp.vec3(centre[0], centre[1], lowest(goal, pos, quat))
+            success = is_on(goal, local(holder_pos, holder_quat, bottom)) and free
+        value = -wp.length(centre - target) - 0.5 * hand
+    elif goal.kind == TAKE:
+        success = pos[2] - episodes.start_height[world] >= goal.share and not free
+        target = centre + wp.vec3(0.0, 0.0, goal.share)
+        value = -wp.length(centre - episodes.start_goal[world]) - 0.5 * hand
+    return success, value, target
+
+
+@wp.func
+def went_astray(
+    # Problem:
+    sim: Simulation,
+    world: int,
+):
+    """Whether a simulation has positions that are too large, or no numbers."""
+    astray = int(0)  # noqa: UP018 - a variable of a loop in Warp
+    for k in range(sim.qpos.shape[1]):
+        if not (wp.abs(sim.qpos[world, k]) < _HUGE):
+            astray = int(1)  # noqa: UP018
+    return astray != 0
 
 
 @wp.kernel
 def apply_actions(
     # Problem:
-    bases: int,
     period: float,
     lead: float,
-    speeds: wp.array(dtype=float),
-    drive: wp.array(dtype=int),
-    drive_position: wp.array(dtype=int),
-    ctrl_range: wp.array(dtype=wp.vec2),
-    fingers: wp.array(dtype=int),
+    robot: RobotArrays,
     # State in:
     action: wp.array2d(dtype=float),
-    qpos: wp.array2d(dtype=float),
     # State in and out:
-    ctrl: wp.array2d(dtype=float),
+    sim: Simulation,
 ):
-    """Targets [W, nu] from actions [W, A], as `control.Controller` with "joint" makes them.
+    """Targets ``sim.ctrl`` from actions [W, A] in -1..1, as `control.Controller` with "joint" makes them.
 
     Args:
-        bases: How many of the driven joints are the base's: 3 or 0.
         period: Of an action [s]; ``lead`` [s] how far targets run ahead.
-        speeds: [D] top speeds of the driven joints.
-        drive: [D] their actuators; ``drive_position`` [D] their positions in ``qpos``.
-        ctrl_range: [nu] limits of targets.
-        fingers: Actuators of the gripper.
-        action: [W, A] in -1..1; ``qpos`` [W, nq]; ``ctrl`` [W, nu].
+        robot: Where it is in the model.
+        action: [W, A]: the base, the arm, the gripper.
+        sim: The simulation.
     """
     world = wp.tid()
-    yaw = 0.0
-    if bases == 3:
-        yaw = qpos[world, drive_position[2]]
+    yaw = sim.qpos[world, robot.base[2]]
     c = wp.cos(yaw)
     s = wp.sin(yaw)
-    for k in range(drive.shape[0]):
-        share = wp.clamp(action[world, k], -1.0, 1.0) * speeds[k]
-        if bases == 3 and k < 2:
-            ahead = wp.clamp(action[world, 0], -1.0, 1.0) * speeds[0]
-            left = wp.clamp(action[world, 1], -1.0, 1.0) * speeds[1]
+    for k in range(robot.drive.shape[0]):
+        share = wp.clamp(action[world, k], -1.0, 1.0) * robot.speeds[k]
+        if k < 2:  # x and y of the base: actions are ahead and to the left
+            ahead = wp.clamp(action[world, 0], -1.0, 1.0) * robot.speeds[0]
+            left = wp.clamp(action[world, 1], -1.0, 1.0) * robot.speeds[1]
             share = wp.where(k == 0, c * ahead - s * left, s * ahead + c * left)
-        at = drive[k]
-        now = qpos[world, drive_position[k]]
-        reach = lead * speeds[k]
-        target = wp.clamp(ctrl[world, at] + share * period, now - reach, now + reach)
-        ctrl[world, at] = wp.clamp(target, ctrl_range[at][0], ctrl_range[at][1])
+        at = robot.drive[k]
+        now = sim.qpos[world, robot.drive_position[k]]
+        reach = lead * robot.speeds[k]
+        target = wp.clamp(sim.ctrl[world, at] + share * period, now - reach, now + reach)
+        sim.ctrl[world, at] = wp.clamp(target, robot.ctrl_range[at][0], robot.ctrl_range[at][1])
     closed = action.shape[1] - 1
-    for k in range(fingers.shape[0]):
-        at = fingers[k]
-        span = ctrl_range[at]
-        ctrl[world, at] = span[0] + (span[1] - span[0]) * (wp.clamp(action[world, closed], -1.0, 1.0) + 1.0) / 2.0
+    for k in range(robot.fingers.shape[0]):
+        at = robot.fingers[k]
+        span = robot.ctrl_range[at]
+        sim.ctrl[world, at] = span[0] + (span[1] - span[0]) * (wp.clamp(action[world, closed], -1.0, 1.0) + 1.0) / 2.0
 
 
-# All kinds of tasks are in one kernel, as the worlds of a launch differ in theirs; a third of it are its arguments.
 @wp.kernel
 def judge(
     # Problem:
-    first: int,
-    base: wp.vec3i,
-    robot: int,
-    tool: int,
     most_steps: int,
-    released: float,
-    goals: wp.array2d(dtype=Goal),
+    robot: RobotArrays,
+    layouts: Layouts,
     # State in:
-    fresh: wp.array(dtype=int),
-    layout: wp.array(dtype=int),
-    chosen: wp.array(dtype=int),
-    qpos: wp.array2d(dtype=float),
-    xpos: wp.array2d(dtype=wp.vec3),
-    xquat: wp.array2d(dtype=wp.quat),
-    site_xpos: wp.array2d(dtype=wp.vec3),
+    sim: Simulation,
     # State in and out:
-    steps: wp.array(dtype=int),
-    potential: wp.array(dtype=float),
-    start_height: wp.array(dtype=float),
-    start_goal: wp.array(dtype=wp.vec3),
+    episodes: Episodes,
     # State out:
     reward_out: wp.array(dtype=float),
     terminated_out: wp.array(dtype=bool),
     truncated_out: wp.array(dtype=bool),
-    done_out: wp.array(dtype=int),
-    subject_out: wp.array2d(dtype=float),
-    goal_out: wp.array2d(dtype=float),
-    base_out: wp.array2d(dtype=float),
+    seen_out: Observations,
 ):
-    """Success, potential and reward of each world's task; all arrays [W] or [W, n].
+    """Success, potential and reward of each world's task, and what is seen of it.
 
     Args:
-        first: Number of the first moving body in the model.
-        base: Positions of the base's x, y and yaw in ``qpos``; less than 0: the robot stands at its ``robot`` body.
-        robot, tool: Its root body and the site between its fingers.
         most_steps: After which an episode is cut off.
-        released: Distance [m] of the tool from a thing's box from which it is let go.
-        goals: [V, K] tasks of the layouts.
-        fresh: Worlds that begin an episode get no reward, nor those that went astray, whose episode is cut off.
-        layout, chosen: Rows of ``goals``.
-        qpos, xpos, xquat, site_xpos: State of the simulation.
-        steps: Of the episode so far.
-        potential: Of the step before; ``start_height`` and ``start_goal`` of `Take`: where its thing began.
-        reward_out, terminated_out, truncated_out, done_out: As Gymnasium has them.
-        subject_out: [W, 7] pose of what the task is about; ``goal_out`` [W, 3] where to bring it; ``base_out`` [W, 3].
+        robot: Where it is in the model.
+        layouts: With their goals.
+        sim: The simulation.
+        episodes: Those that begin get no reward, nor those that went astray, which are cut off.
+        reward_out, terminated_out, truncated_out: [W] as Gymnasium has them.
+        seen_out: ``subject``, ``goal`` and ``base``.
     """
     world = wp.tid()
-    g = goals[layout[world], chosen[world]]
-    pos = g.subject_pos
-    quat = g.subject_quat
-    if g.subject >= 0:
-        pos = xpos[world, first + g.subject]
-        quat = xquat[world, first + g.subject]
-    holder_pos = g.holder_pos
-    holder_quat = g.holder_quat
-    if g.holder >= 0:
-        holder_pos = xpos[world, first + g.holder]
-        holder_quat = xquat[world, first + g.holder]
-    here = wp.vec3(0.0, 0.0, 0.0)
-    if base[0] >= 0:
-        here = wp.vec3(qpos[world, base[0]], qpos[world, base[1]], qpos[world, base[2]])
-    else:
-        turn = xquat[world, robot]
-        here = wp.vec3(xpos[world, robot][0], xpos[world, robot][1], 2.0 * wp.atan2(turn[3], turn[0]))
-    centre = pos + turned(quat, g.centre)
-    hand = wp.length(centre - site_xpos[world, tool])
-    free = hand > g.radius + released
-    if fresh[world] != 0:
-        start_height[world] = pos[2]
-        start_goal[world] = centre + wp.vec3(0.0, 0.0, g.share)
-    goal = centre
-    success = False
-    value = 0.0
-    if g.kind == OPEN or g.kind == CLOSE:
-        opened = wp.clamp(qpos[world, g.joint] / g.open_end, 0.0, 1.0)
-        if g.kind == OPEN:
-            success = opened >= g.share
-            value = -wp.max(g.share - opened, 0.0) - 0.5 * hand
-        else:
-            success = opened <= g.share
-            value = -opened - 0.5 * hand
-    elif g.kind == NAVIGATE:
-        way = way_to(g, pos, quat, here)
-        aside = wp.abs(wrapped(wp.atan2(centre[1] - here[1], centre[0] - here[0]) - here[2]))
-        success = way <= g.share and aside <= _FACING
-        value = -wp.max(way - g.share, 0.0) - 0.5 * aside / wp.pi
-    elif g.kind == PUT_IN or g.kind == PUT_ON:
-        tall = g.item_high[2] - g.item_low[2]
-        middle = (g.low + g.high) * 0.5
-        goal = holder_pos + turned(holder_quat, wp.vec3(middle[0], middle[1], g.low[2] + tall * 0.5))
-        if g.kind == PUT_IN:
-            success = is_inside(g, local(holder_pos, holder_quat, centre)) and free
-        else:
-            bottom = wp.vec3(centre[0], centre[1], lowest(g, pos, quat))
-            success = is_on(g, local(holder_pos, holder_quat, bottom)) and free
-        value = -wp.length(centre - goal) - 0.5 * hand
-    elif g.kind == TAKE:
-        success = pos[2] - start_height[world] >= g.share and not free
-        goal = centre + wp.vec3(0.0, 0.0, g.share)
-        value = -wp.length(centre - start_goal[world]) - 0.5 * hand
+    g = layouts.goals[episodes.layout[world], episodes.goal[world]]
+    pos, quat = pose_of(sim, world, g.subject, g.subject_pos, g.subject_quat)
+    base = wp.vec3(sim.qpos[world, robot.base[0]], sim.qpos[world, robot.base[1]], sim.qpos[world, robot.base[2]])
+    fresh = episodes.fresh[world] != 0
+    if fresh:
+        episodes.start_height[world] = pos[2]
+        episodes.start_goal[world] = pos + turned(quat, g.centre) + wp.vec3(0.0, 0.0, g.share)
+    success, value, target = progress(g, robot, sim, episodes, world, pos, quat, base)
+    reward = 0.0
     cut = False
-    astray = int(0)  # noqa: UP018 - a variable of a loop in Warp
-    for k in range(qpos.shape[1]):
-        if not (wp.abs(qpos[world, k]) < _HUGE):  # nor a number
-            astray = int(1)  # noqa: UP018
-    if astray != 0:
+    if went_astray(sim, world):
         cut = True
-        reward_out[world] = 0.0
         success = False
         value = 0.0
-    elif fresh[world] != 0:
-        reward_out[world] = 0.0
+    elif fresh:
         success = False
     else:
-        steps[world] = steps[world] + 1
-        reward_out[world] = value - potential[world] + wp.where(success, 1.0, 0.0)
-        cut = steps[world] >= most_steps
-    potential[world] = value
+        episodes.steps[world] = episodes.steps[world] + 1
+        reward = value - episodes.potential[world] + wp.where(success, 1.0, 0.0)
+        cut = episodes.steps[world] >= most_steps
+    episodes.potential[world] = value
+    episodes.done[world] = wp.where(success or cut, 1, 0)
+    reward_out[world] = reward
     terminated_out[world] = success
     truncated_out[world] = cut
-    done_out[world] = wp.where(success or cut, 1, 0)
     for k in range(3):
-        subject_out[world, k] = pos[k]
-        goal_out[world, k] = goal[k]
-        base_out[world, k] = here[k]
+        seen_out.subject[world, k] = pos[k]
+        seen_out.goal[world, k] = target[k]
+        seen_out.base[world, k] = base[k]
     for k in range(4):
-        subject_out[world, 3 + k] = quat[k]
+        seen_out.subject[world, 3 + k] = quat[k]
 
 
 @wp.kernel
 def observe(
     # Problem:
-    links: int,
-    first: int,
-    tool: int,
-    drive_position: wp.array(dtype=int),
-    drive_dof: wp.array(dtype=int),
-    fingers: wp.array(dtype=int),
-    finger_position: wp.array(dtype=int),
-    ctrl_range: wp.array(dtype=wp.vec2),
-    goals: wp.array2d(dtype=Goal),
-    layout_room: wp.array(dtype=int),
-    used: wp.array2d(dtype=int),
+    robot: RobotArrays,
+    layouts: Layouts,
     # State in:
-    layout: wp.array(dtype=int),
-    chosen: wp.array(dtype=int),
-    qpos: wp.array2d(dtype=float),
-    qvel: wp.array2d(dtype=float),
-    xpos: wp.array2d(dtype=wp.vec3),
-    xquat: wp.array2d(dtype=wp.quat),
-    site_xpos: wp.array2d(dtype=wp.vec3),
-    site_xmat: wp.array2d(dtype=wp.mat33),
+    episodes: Episodes,
+    sim: Simulation,
     # State out:
-    robot_out: wp.array2d(dtype=float),
-    tool_out: wp.array2d(dtype=float),
-    gripper_out: wp.array2d(dtype=float),
-    doors_out: wp.array2d(dtype=float),
-    objects_out: wp.array3d(dtype=float),
-    task_out: wp.array2d(dtype=float),
+    seen_out: Observations,
 ):
-    """Observations [W, n] of `env.BatchedRoomEnv`; what is not used is 0.
-
-    Args:
-        links: How many links there are; ``first``: number of the first moving body; ``tool``: the tool's site.
-        drive_position, drive_dof: [D] of the driven joints.
-        fingers, finger_position: Actuators of the gripper and the positions of their joints; ``ctrl_range`` [nu].
-        goals: [V, K]; ``layout_room`` [V] the room of each layout; ``used`` [R, M] whether a slot is.
-        layout, chosen: [W] rows of ``goals``.
-        qpos, qvel, xpos, xquat, site_xpos, site_xmat: State of the simulation.
-        robot_out: [W, 2 D]; ``tool_out`` [W, 7]; ``gripper_out`` [W, 1]; ``doors_out`` [W, L] positions of links;
-            ``objects_out`` [W, F, 7]; ``task_out`` [W, kinds].
-    """
+    """Observations of robot, doors, objects and the kind of task."""
     world = wp.tid()
-    count = drive_position.shape[0]
+    count = robot.drive_position.shape[0]
     for k in range(count):
-        robot_out[world, k] = qpos[world, drive_position[k]]
-        robot_out[world, count + k] = qvel[world, drive_dof[k]]
-    turn = wp.quat_from_matrix(site_xmat[world, tool])
+        seen_out.robot[world, k] = sim.qpos[world, robot.drive_position[k]]
+        seen_out.robot[world, count + k] = sim.qvel[world, robot.drive_dof[k]]
+    turn = wp.quat_from_matrix(sim.site_xmat[world, robot.tool])
     for k in range(3):
-        tool_out[world, k] = site_xpos[world, tool][k]
-        tool_out[world, 4 + k] = turn[k]
-    tool_out[world, 3] = turn[3]
-    gripper_out[world, 0] = 0.0
-    if fingers.shape[0] > 0:
-        span = ctrl_range[fingers[0]]
-        gripper_out[world, 0] = wp.clamp((qpos[world, finger_position[0]] - span[0]) / (span[1] - span[0]), 0.0, 1.0)
-    room = layout_room[layout[world]]
-    for k in range(doors_out.shape[1]):
-        doors_out[world, k] = qpos[world, k]
-    for k in range(objects_out.shape[1]):
-        if used[room, links + k] != 0:
-            pos = xpos[world, first + links + k]
-            quat = xquat[world, first + links + k]
+        seen_out.tool[world, k] = sim.site_xpos[world, robot.tool][k]
+        seen_out.tool[world, 4 + k] = turn[k]
+    seen_out.tool[world, 3] = turn[3]
+    seen_out.gripper[world, 0] = 0.0
+    if robot.fingers.shape[0] > 0:
+        span = robot.ctrl_range[robot.fingers[0]]
+        wide = (sim.qpos[world, robot.finger_position[0]] - span[0]) / (span[1] - span[0])
+        seen_out.gripper[world, 0] = wp.clamp(wide, 0.0, 1.0)
+    layout = episodes.layout[world]
+    room = layouts.room[layout]
+    links = seen_out.doors.shape[1]
+    for k in range(links):
+        seen_out.doors[world, k] = sim.qpos[world, k]
+    for k in range(seen_out.objects.shape[1]):
+        for i in range(7):
+            seen_out.objects[world, k, i] = 0.0
+        if layouts.used[room, links + k] != 0:
+            pos = sim.xpos[world, FIRST_BODY + links + k]
+            quat = sim.xquat[world, FIRST_BODY + links + k]
             for i in range(3):
-                objects_out[world, k, i] = pos[i]
+                seen_out.objects[world, k, i] = pos[i]
             for i in range(4):
-                objects_out[world, k, 3 + i] = quat[i]
-        else:
-            for i in range(7):
-                objects_out[world, k, i] = 0.0
-    kind = goals[layout[world], chosen[world]].kind
-    for k in range(task_out.shape[1]):
-        task_out[world, k] = wp.where(k == kind, 1.0, 0.0)
+                seen_out.objects[world, k, 3 + i] = quat[i]
+    kind = layouts.goals[layout, episodes.goal[world]].kind
+    for k in range(seen_out.task.shape[1]):
+        seen_out.task[world, k] = wp.where(k == kind, 1.0, 0.0)

@@ -26,8 +26,7 @@ _UNITS = {"m": 1.0, "c": 0.01, "mm": 0.001}
 
 def listed(value: Any) -> Any:
     """A list: of nothing for null, of one for a single value, of what JSON in a string says."""
-    if isinstance(value, str):
-        value = _from_json(value)
+    value = from_json(value)
     if value is None or (isinstance(value, str) and value.strip().lower() in ABSENT):
         return []
     if isinstance(value, (list, tuple)):
@@ -68,7 +67,7 @@ def metres(value: Any) -> Any:
 
 def count(value: Any) -> Any:
     """Least and most: of "3", 3, [3], "2-4" or {"min": 2, "max": 4}."""
-    value = number(_from_json(value) if isinstance(value, str) else value)
+    value = number(from_json(value))
     if isinstance(value, str) and (found := _RANGE.fullmatch(value)):
         return [int(found[1]), int(found[2])]
     if isinstance(value, dict):
@@ -106,9 +105,9 @@ def _plain(word: str) -> str:
     return re.sub(r"[\s_\-]+", "_", word.strip().lower())
 
 
-def _from_json(value: str) -> Any:
+def from_json(value: Any) -> Any:
     """What a string holds that is itself JSON, which some servers make of lists and objects in arguments."""
-    if value.strip()[:1] not in ("[", "{"):
+    if not isinstance(value, str) or value.strip()[:1] not in ("[", "{"):
         return value
     try:
         return json.loads(value)

@@ -16,15 +16,14 @@ from sceneweaver.scene import InputError
 
 from ..graph import build
 from ..model import PLACES, AttributeKind, SceneGraph
-from ..parsed import Parsed
 from ..source import LONGEST, Source
 from ..things import MANY
 from .disagreements import Disagreement, is_foreign
-from .draft import Draft, Things
+from .draft import Draft, add_things
 from .english import cut, english
 from .quotes import Quotes
 from .readings import united
-from .relations import Relations
+from .relations import add_relations
 from .reply import RequestReply, RoomReply, Style
 from .room import add_room
 
@@ -95,17 +94,16 @@ class _Reader:
     """Checks replies about one text; keeps the best."""
 
     def __init__(self, text: str) -> None:
-        self._text, self._quotes = text, Quotes(text)
+        self._quotes = Quotes(text)
         self._refused, self._least = 0, 0
         self.best: RequestReply | None = None
 
     def draft(self, reply: RequestReply) -> Draft:
         """A reply in the form of the offline reader, with what is wrong about it."""
-        draft = Draft(self._text, Parsed(), Source(self._text, list(range(len(self._text)))))
-        things = Things(reply, self._quotes, draft)
-        things.run()
-        Relations(self._quotes, draft).run(reply.relations)
-        add_room(reply.room, self._quotes, draft)
+        draft = Draft(self._quotes, Source(self._quotes.text, list(range(len(self._quotes.text)))))
+        add_things(reply, draft)
+        add_relations(reply.relations, draft)
+        add_room(reply.room, draft)
         draft.parsed.only = bool(reply.only)
         if not (reply.things or reply.exclusions or reply.unread or reply.room != RoomReply()):
             draft.problems["nothing of the request is in the answer"] = "nothing was read"

@@ -5,24 +5,21 @@ from __future__ import annotations
 from sceneweaver.knowledge import match_room, room_types
 from sceneweaver.scene.messages import quote as shown
 
-from ..model import Span
 from ..parsed import Left
 from ..source import check_measures
 from ..vocabulary import words
 from .draft import OPEN, OUT, SCALES, Draft
 from .english import LONGEST, cut, english, is_color
-from .quotes import Quotes
 from .reply import RoomReply
 
 MOST_PEOPLE, MOST_OPENINGS, MOST_WORDS = 400, 40, 12
 
 
-def add_room(room: RoomReply, quotes: Quotes, draft: Draft) -> None:
+def add_room(room: RoomReply, draft: Draft) -> None:
     """Puts the room of a reply into a draft."""
-    _kind(room, quotes, draft)
+    _kind(room, draft)
     parsed, problems = draft.parsed, draft.problems
-    parsed.shape, parsed.style = room.shape, room.style
-    parsed.density = room.density
+    parsed.shape, parsed.style, parsed.density = room.shape, room.style, room.density
     if room.scale is not None:
         if SCALES[0] <= room.scale <= SCALES[1]:
             parsed.room_scale = room.scale
@@ -38,16 +35,13 @@ def add_room(room: RoomReply, quotes: Quotes, draft: Draft) -> None:
     _measures(room, draft)
 
 
-def _kind(room: RoomReply, quotes: Quotes, draft: Draft) -> None:
+def _kind(room: RoomReply, draft: Draft) -> None:
     """The kind of room by its English name, and further rooms."""
     parsed = draft.parsed
-    span: Span | None = quotes.nearest(room.quote, None) if room.quote else None
+    problem = f"room: {shown(cut(room.quote))} is not in the request; copy the words for its kind"
+    span = draft.find(room.quote, None, problem, "the kind that the model named is kept")
     if span is not None:
-        draft.marked.append(span)
-        parsed.room_words = cut(draft.text[span.start : span.end], 2 * LONGEST)
-    elif room.quote:
-        problem = f"room: {shown(cut(room.quote))} is not in the request; copy the words for its kind"
-        draft.problems[problem] = "the kind that the model named is kept"
+        parsed.room_words = cut(draft.quotes.text[span.start : span.end], 2 * LONGEST)
     if name := english(room.kind):
         parsed.room_words = parsed.room_words or name
         parsed.room_type = known_room(name)

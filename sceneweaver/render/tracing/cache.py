@@ -81,18 +81,19 @@ def _solved(
 
     n, rays = len(spread.points), _BOUNCE_RAYS
     places = [wp.array(spread.points, dtype=wp.vec3), wp.array(spread.normals, dtype=wp.vec3)]
-    sky, sunny = wp.zeros(n, dtype=wp.vec3), wp.zeros(n, dtype=wp.vec3)
-    color, hit, inside = wp.zeros(n * rays, dtype=wp.vec3), wp.zeros(n * rays, dtype=int), wp.zeros(n, dtype=float)
-    before = [world, lights, cache, *places, _SHADOW_RAYS, rays]
-    launch(cache_kernels.light_points, n, before, [], [sky, sunny, hit, color, inside])
+    found = cache_kernels.PointLight()
+    found.direct, found.sun, found.inside = (wp.zeros(n, dtype=kind) for kind in (wp.vec3, wp.vec3, float))
+    found.hit, found.color = wp.zeros(n * rays, dtype=int), wp.zeros(n * rays, dtype=wp.vec3)
+    launch(cache_kernels.light_points, n, [world, lights, cache, *places, _SHADOW_RAYS, rays], [found])
     # Points within bodies are in the dark, and not seen: where a cell has others, those stand for it.
-    share = np.where(inside.numpy() > 0.5, 1e-6, 1.0)
+    share = np.where(found.inside.numpy() > 0.5, 1e-6, 1.0)
     share = share / np.bincount(row, share, count)[row]
     sun, own = (
-        np.stack([np.bincount(row, a.numpy()[:, k] * share, count) for k in range(3)], axis=1) for a in (sunny, sky)
+        np.stack([np.bincount(row, a.numpy()[:, k] * share, count) for k in range(3)], axis=1)
+        for a in (found.sun, found.direct)
     )
     own = own + sun
-    target, albedo = hit.numpy(), color.numpy()
+    target, albedo = found.hit.numpy(), found.color.numpy()
     seen = target >= 0
     ends = (np.repeat(row, rays)[seen], target[seen])
     light = np.empty_like(own)

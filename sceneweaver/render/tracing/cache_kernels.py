@@ -41,7 +41,18 @@ def see_out(
     share_out[i] = free / float(rays)
 
 
-# Over 10 parameters: five of them are the arrays that it fills.
+@wp.struct
+class PointLight:
+    """Of each point the light that arrives but the sun's, the sun's, and the share of its rays that end on the back of
+    a surface; of each ray the entry of the cache that it sees (-1: none) and that one's colour."""
+
+    direct: wp.array(dtype=wp.vec3)
+    sun: wp.array(dtype=wp.vec3)
+    inside: wp.array(dtype=float)
+    hit: wp.array(dtype=int)
+    color: wp.array(dtype=wp.vec3)
+
+
 @wp.kernel
 def light_points(
     # Problem:
@@ -54,16 +65,9 @@ def light_points(
     bounce_rays: int,
     start: int,
     # State out:
-    direct_out: wp.array(dtype=wp.vec3),
-    sun_out: wp.array(dtype=wp.vec3),
-    hit_out: wp.array(dtype=int),
-    color_out: wp.array(dtype=wp.vec3),
-    inside_out: wp.array(dtype=float),
+    light_out: PointLight,
 ):
-    """Direct light of points on surfaces, that of the sun apart, and which cells of the cache they see in which colour.
-
-    ``inside`` is the share of rays that end on the back of a surface: such a point lies in a body.
-    """
+    """Direct light of points on surfaces, and which cells of the cache they see in which colour."""
     i = start + wp.tid()
     p, n = points[i], normals[i]
     direct = wp.vec3(0.0)
@@ -75,14 +79,14 @@ def light_points(
         direct = direct + sky.light + lamp.light
         sun = sun + sun_light(world, lights, p, n, n, e)
     direct = direct / float(shadow_rays)
-    sun_out[i] = sun / float(shadow_rays)
+    light_out.sun[i] = sun / float(shadow_rays)
     inside = float(0.0)
     for k in range(bounce_rays):
         row = i * bounce_rays + k
         way = cosine_direction(n, even_point(row))
         hit = hit_solid(world.meshes, p + n * OFFSET, way, FAR)
-        hit_out[row] = -1
-        color_out[row] = wp.vec3(0.0)
+        light_out.hit[row] = -1
+        light_out.color[row] = wp.vec3(0.0)
         if hit.face < 0:
             direct = direct + escaped_light(lights, p, way) / float(bounce_rays)
         else:
@@ -90,7 +94,7 @@ def light_points(
             inside += float(s.back) / float(bounce_rays)
             at = p + way * hit.t
             if in_room(lights, at) == 1:
-                hit_out[row] = cell_of(cache, at, s.flat)
-                color_out[row] = diffuse_of(s)
-    direct_out[i] = direct
-    inside_out[i] = inside
+                light_out.hit[row] = cell_of(cache, at, s.flat)
+                light_out.color[row] = diffuse_of(s)
+    light_out.direct[i] = direct
+    light_out.inside[i] = inside

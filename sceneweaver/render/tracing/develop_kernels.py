@@ -2,10 +2,10 @@
 
 import warp as wp
 
-from .filter_kernels import Grid, akin, alike, pixel_at
+from .filter_kernels import Grid, Layers, akin, alike, pixel_at
 from .light_kernels import Lights, light_around
 from .ray_kernels import Lens, camera_ray, even_point
-from .view_kernels import Seen, is_matt, pixel_width, what_is_seen
+from .view_kernels import Seen, is_matt, key_of, pixel_width, what_is_seen
 from .world_kernels import Cache, World
 
 wp.set_module_options({"enable_backward": False, "fast_math": True, "max_unroll": 1})
@@ -20,6 +20,17 @@ class Film:
     balance: wp.vec3
     rays: int
     plain_rays: int
+
+
+@wp.struct
+class Picture:
+    """What comes out, of each pixel: display colours 0..1, linear light, and distance [m] and instance (-1: none) of
+    the first surface in its middle."""
+
+    rgb: wp.array(dtype=wp.vec3)
+    linear: wp.array(dtype=wp.vec3)
+    distance: wp.array(dtype=float)
+    instance: wp.array(dtype=int)
 
 
 @wp.func
@@ -76,7 +87,92 @@ def find_edges(
     edge_out[i] = wp.uint8(found)
 
 
-# Over 80 lines and 10 parameters: all rays of a pixel by one thread, which looks its light up in four arrays.
+@wp.struct
+class Blend:
+    """Sums of layers over neighbouring pixels of a grid, and of their weights; ``lone``: none shows the surface."""
+
+    soft: wp.vec3
+    sun: wp.vec3
+    gloss: wp.vec3
+    toward: wp.vec3
+    weight: float
+    lone: int
+
+
+@wp.func
+def _with_pixel(sums: Blend, layers: Layers, j: int, w: float):
+    """The sums with a pixel of some weight more."""
+    sums.soft = sums.soft + layers.soft[j] * w
+    sums.sun = sums.sun + layers.sun[j] * w
+    sums.gloss = sums.gloss + layers.gloss[j] * w
+    sums.toward = sums.toward + layers.toward[j] * w
+    sums.weight += w
+    return sums
+
+
+@wp.func
+def _blended(grid: Grid, layers: Layers, seen: Seen, gx: float, gy: float, slack: float):
+    """The light around a place of the grid, of pixels that show the surface seen there; ``weight`` 0: of none."""
+    mine = key_of(seen)
+    left, top = int(wp.floor(gx)), int(wp.floor(gy))
+    fx, fy = gx - float(left), gy - float(top)
+    sums = Blend()
+    for corner in range(16):
+        # The four places around the point; when none is of its surface, the twelve around those.
+        cx, cy = corner % 2, (corner // 2) % 2
+        if corner >= 4:
+            cx, cy = (corner - 4) % 4 - 1, (corner - 4) // 4 - 1
+        if corner < 4 or sums.weight < 0.02:
+            j = pixel_at(grid, left + cx, top + cy)
+            if j >= 0:
+                near = wp.max(1.0 - wp.abs(fx - float(cx)), 0.02) * wp.max(1.0 - wp.abs(fy - float(cy)), 0.02)
+                sums = _with_pixel(sums, layers, j, near * alike(grid, j, seen.point, seen.normal, mine, slack))
+    if sums.weight < 1.0e-3:
+        sums.lone = 1
+        for corner in range(16):
+            j = pixel_at(grid, left + corner % 4 - 1, top + corner // 4 - 1)
+            if j >= 0:
+                sums = _with_pixel(sums, layers, j, akin(grid, j, seen.normal, mine))
+    return sums
+
+
+@wp.func
+def _lit(lights: Lights, cache: Cache, seen: Seen, sums: Blend, e: wp.vec2):
+    """The colour of a surface in the light around it."""
+    if sums.weight < 1.0e-3:
+        # Too narrow for any place around to show it: in the light of its surroundings.
+        sums = Blend()
+        sums.soft = light_around(lights, cache, seen.point, seen.flat, e)
+        sums.gloss = sums.soft
+        sums.weight = 1.0
+    way = sums.toward / sums.weight
+    # Bumps: a surface that is bent toward where the light comes from has more of it.
+    bent = (1.0 + 1.5 * wp.dot(seen.bump, way)) / wp.max(1.0 + 1.5 * wp.dot(seen.normal, way), 0.2)
+    light = sums.soft / sums.weight * wp.clamp(bent, 0.4, 1.6)
+    glare = wp.max(wp.dot(seen.bump, lights.sun), 0.0) / wp.max(wp.dot(seen.normal, lights.sun), 0.1)
+    light = light + sums.sun * (wp.clamp(glare, 0.3, 2.0) / sums.weight)
+    shine = sums.gloss / sums.weight
+    if is_matt(lights, seen) == 1:
+        shine = light
+    return wp.cw_mul(seen.color, light) + wp.cw_mul(seen.gloss, shine)
+
+
+@wp.func
+def _place_in_pixel(ray: int, paired: int):
+    """Where in a pixel a ray goes through it: the first one in the middle, the others evenly.
+
+    ``paired`` ones lie on either side of the middle, so that the first pair tells whether something ends in the pixel.
+    """
+    if ray == 0:
+        return wp.vec2(0.5, 0.5)
+    if paired == 0:
+        return even_point(ray)
+    e = even_point((ray + 1) // 2)
+    if ray % 2 == 0:
+        e = wp.vec2(1.0) - e
+    return e
+
+
 @wp.kernel
 def develop(
     # Problem:
@@ -86,113 +182,49 @@ def develop(
     lens: Lens,
     film: Film,
     grid: Grid,
-    width: int,
-    height: int,
     start: int,
     # State in:
-    soft: wp.array(dtype=wp.vec3),
-    sun: wp.array(dtype=wp.vec3),
-    gloss: wp.array(dtype=wp.vec3),
-    toward: wp.array(dtype=wp.vec3),
+    layers: Layers,
     edge: wp.array(dtype=wp.uint8),
     # State out:
-    rgb_out: wp.array(dtype=wp.vec3),
-    linear_out: wp.array(dtype=wp.vec3),
-    albedo_out: wp.array(dtype=wp.vec3),
-    normal_out: wp.array(dtype=wp.vec3),
-    depth_out: wp.array(dtype=float),
-    instance_out: wp.array(dtype=int),
+    picture_out: Picture,
 ):
     """The picture, and the first surface in the middle of each pixel."""
     i = start + wp.tid()
-    px, py = i % width, i // width
-    size = pixel_width(lens, height)
-    scale_x, scale_y = float(grid.columns) / float(width), float(grid.rows) / float(height)
+    px, py = i % lens.width, i // lens.width
+    size = pixel_width(lens)
+    scale_x, scale_y = float(grid.columns) / float(lens.width), float(grid.rows) / float(lens.height)
     column, row = wp.min(int(float(px) * scale_x), grid.columns - 1), wp.min(int(float(py) * scale_y), grid.rows - 1)
-    here = row * grid.columns + column
-    rays = wp.where(edge[here] > wp.uint8(0), film.rays, film.plain_rays)
+    rays = wp.where(edge[row * grid.columns + column] > wp.uint8(0), film.rays, film.plain_rays)
     cast = float(0.0)
     first = Seen()
     differs = int(0)
     total = wp.vec3(0.0)
     linear = wp.vec3(0.0)
-    for s in range(rays):
-        e = even_point(s)
-        if s == 0:
-            e = wp.vec2(0.5, 0.5)
-        elif lights.direct.on == 1:
-            # In pairs on either side of the middle, so that the first one tells whether something ends in the pixel.
-            e = even_point((s + 1) // 2)
-            if s % 2 == 0:
-                e = wp.vec2(1.0) - e
+    for s in range(wp.max(film.rays, film.plain_rays)):
+        if s >= rays:
+            break
+        e = _place_in_pixel(s, lights.direct.on)
         jx, jy = float(px) + e[0], float(py) + e[1]
-        seen = what_is_seen(world, lights, cache, camera_ray(lens, jx, jy, width, height), size)
+        seen = what_is_seen(world, lights, cache, camera_ray(lens, jx, jy), size)
         if s == 0:
             first = seen
-            albedo_out[i] = seen.first_color
-            normal_out[i] = seen.first_normal
-            depth_out[i] = seen.first_depth
-            instance_out[i] = seen.first_instance
+            picture_out.distance[i] = seen.first_depth
+            picture_out.instance[i] = seen.first_instance
         elif seen.instance != first.instance or seen.path != first.path or wp.dot(seen.normal, first.normal) < 0.96:
             differs = 1
         elif wp.abs(seen.depth - first.depth) > 0.02 * first.depth:
             differs = 1
         color = seen.shine
         if seen.instance >= 0:
-            mine = seen.instance + 65536 * (seen.path // 100 + 1)
-            gx, gy = jx * scale_x - 0.5, jy * scale_y - 0.5
-            left, top = int(wp.floor(gx)), int(wp.floor(gy))
-            fx, fy = gx - float(left), gy - float(top)
             slack = 0.004 + 2.0 * (size[0] + size[1] * seen.depth) / scale_x
-            weight = float(0.0)
-            a = wp.vec3(0.0)
-            b = wp.vec3(0.0)
-            g = wp.vec3(0.0)
-            d = wp.vec3(0.0)
-            for corner in range(16):
-                # The four places around the point; when none is of its surface, the twelve around those.
-                cx, cy = corner % 2, (corner // 2) % 2
-                if corner >= 4:
-                    cx, cy = (corner - 4) % 4 - 1, (corner - 4) // 4 - 1
-                if corner < 4 or weight < 0.02:
-                    j = pixel_at(grid, left + cx, top + cy)
-                    if j >= 0:
-                        near = wp.max(1.0 - wp.abs(fx - float(cx)), 0.02) * wp.max(1.0 - wp.abs(fy - float(cy)), 0.02)
-                        w = near * alike(grid, j, seen.point, seen.normal, mine, slack)
-                        a = a + soft[j] * w
-                        b = b + sun[j] * w
-                        g = g + gloss[j] * w
-                        d = d + toward[j] * w
-                        weight += w
-            if weight < 1.0e-3:
-                for corner in range(16):
-                    j = pixel_at(grid, left + corner % 4 - 1, top + corner // 4 - 1)
-                    if j >= 0:
-                        w = akin(grid, j, seen.normal, mine)
-                        a = a + soft[j] * w
-                        b = b + sun[j] * w
-                        g = g + gloss[j] * w
-                        d = d + toward[j] * w
-                        weight += w
-            if weight < 1.0e-3:
-                # Too narrow for any place around to show it: in the light of its surroundings.
-                plain = light_around(lights, cache, seen.point, seen.flat, e)
-                a = plain
-                b = wp.vec3(0.0)
-                g = plain
-                d = wp.vec3(0.0)
-                weight = 1.0
-            lit = a / weight
-            way = d / weight
-            # Bumps: a surface that is bent toward where the light comes from has more of it.
-            bent = (1.0 + 1.5 * wp.dot(seen.bump, way)) / wp.max(1.0 + 1.5 * wp.dot(seen.normal, way), 0.2)
-            lit = lit * wp.clamp(bent, 0.4, 1.6)
-            glare = wp.max(wp.dot(seen.bump, lights.sun), 0.0) / wp.max(wp.dot(seen.normal, lights.sun), 0.1)
-            lit = lit + b * (wp.clamp(glare, 0.3, 2.0) / weight)
-            shine = g / weight
-            if is_matt(lights, seen) == 1:
-                shine = lit
-            color = color + wp.cw_mul(seen.color, lit) + wp.cw_mul(seen.gloss, shine)
+            around = _blended(grid, layers, seen, jx * scale_x - 0.5, jy * scale_y - 0.5, slack)
+            color = color + _lit(lights, cache, seen, around, e)
+            if s == 0 and around.lone == 1:
+                # One ray met by chance what is far narrower than the pixel, such as the side of a fold: by itself it
+                # would be a speck.
+                rays = wp.max(film.rays, film.plain_rays)
+                differs = 1
         linear = linear + color
         shown = wp.cw_mul(color, film.balance) * film.exposure
         total = total + tone_mapped(shown, film.contrast)
@@ -200,5 +232,5 @@ def develop(
         # A draft looks closer only where the first rays show that something ends in this pixel.
         if s == 2 and differs == 0 and lights.direct.on == 1:
             break
-    rgb_out[i] = total / cast
-    linear_out[i] = linear / cast
+    picture_out.rgb[i] = total / cast
+    picture_out.linear[i] = linear / cast

@@ -26,6 +26,17 @@ class Grid:
     key: wp.array(dtype=int)
 
 
+@wp.struct
+class Layers:
+    """Light of the pixels of a grid over pi: all but the sun's (``soft``), the sun's, what is reflected (``gloss``),
+    and the mean direction that soft light comes from."""
+
+    soft: wp.array(dtype=wp.vec3)
+    sun: wp.array(dtype=wp.vec3)
+    gloss: wp.array(dtype=wp.vec3)
+    toward: wp.array(dtype=wp.vec3)
+
+
 @wp.func
 def pixel_at(grid: Grid, x: int, y: int):
     """The number of a pixel, -1 beside the picture."""
@@ -71,15 +82,14 @@ def find_guide(
     grid: Grid,
     start: int,
     # State in:
-    soft: wp.array(dtype=wp.vec4),
-    gloss: wp.array(dtype=wp.vec3),
+    layers: Layers,
+    variance: wp.array(dtype=float),
     # State out:
-    soft_out: wp.array(dtype=wp.vec3),
-    gloss_out: wp.array(dtype=wp.vec3),
+    layers_out: Layers,
     guide_out: wp.array(dtype=wp.vec2),
 ):
     """How bright a pixel is by its surroundings, and by how much that may be wrong: few samples know little of their
-    own. No pixel stays much brighter than all around it."""
+    own. Neither soft light nor gloss stays much brighter than all around."""
     i = start + wp.tid()
     x, y = i % grid.columns, i // grid.columns
     p, n = grid.point[i], grid.normal[i]
@@ -94,29 +104,26 @@ def find_guide(
             if j >= 0 and j != i:
                 w = alike(grid, j, p, n, grid.key[i], slack) * _spline(dx) * _spline(dy)
                 if w > 1.0e-3:
-                    c = soft[j]
-                    bright = wp.vec2(luminance(wp.vec3(c[0], c[1], c[2])), luminance(gloss[j]))
-                    noise += c[3] * w * w
+                    bright = wp.vec2(luminance(layers.soft[j]), luminance(layers.gloss[j]))
+                    noise += variance[j] * w * w
                     count += w
                     first = first + bright * w
                     second = second + wp.cw_mul(bright, bright) * w
-    c = soft[i]
-    lit = wp.vec3(c[0], c[1], c[2])
-    shine = gloss[i]
+    lit = layers.soft[i]
+    shine = layers.gloss[i]
     if count > 0.7:
         mean = first / count
         vary = second / count - wp.cw_mul(mean, mean)
         lit = clamped(lit, mean[0] + 2.0 * wp.sqrt(wp.max(vary[0], 0.0)) + 1.0e-4)
         shine = clamped(shine, mean[1] + 2.0 * wp.sqrt(wp.max(vary[1], 0.0)) + 1.0e-4)
-    soft_out[i] = lit
-    gloss_out[i] = shine
+    layers_out.soft[i] = lit
+    layers_out.gloss[i] = shine
     level = (first[0] + luminance(lit)) / (count + 1.0)
     # The mean of some pixels is less noisy than each, as far as they differ by noise at all.
-    error = wp.sqrt((noise + c[3]) / (count + 1.0) / (count + 1.0))
+    error = wp.sqrt((noise + variance[i]) / (count + 1.0) / (count + 1.0))
     guide_out[i] = wp.vec2(level, 7.0 * error + 0.02 * level + 1.0e-4)
 
 
-# Over 10 parameters: four arrays are smoothed side by side.
 @wp.kernel
 def smooth(
     # Problem:
@@ -124,29 +131,25 @@ def smooth(
     step: int,
     start: int,
     # State in:
+    layers: Layers,
     guide: wp.array(dtype=wp.vec2),
-    soft: wp.array(dtype=wp.vec3),
-    gloss: wp.array(dtype=wp.vec3),
-    toward: wp.array(dtype=wp.vec3),
     # State out:
-    soft_out: wp.array(dtype=wp.vec3),
-    gloss_out: wp.array(dtype=wp.vec3),
-    toward_out: wp.array(dtype=wp.vec3),
+    layers_out: Layers,
     guide_out: wp.array(dtype=wp.vec2),
 ):
-    """One level: every pixel with 24 around it that are ``step`` pixels apart."""
+    """One level, of all light but the sun's: every pixel with 24 around it that are ``step`` pixels apart."""
     i = start + wp.tid()
     x, y = i % grid.columns, i // grid.columns
     mine = grid.key[i]
-    soft_out[i] = soft[i]
-    gloss_out[i] = gloss[i]
-    toward_out[i] = toward[i]
+    layers_out.soft[i] = layers.soft[i]
+    layers_out.gloss[i] = layers.gloss[i]
+    layers_out.toward[i] = layers.toward[i]
     guide_out[i] = guide[i]
     if mine >= 0:
         p, n = grid.point[i], grid.normal[i]
         slack = 0.002 + 0.6 * grid.spread * wp.length(p - grid.eye) * float(step)
         bright = guide[i]
-        shine = luminance(gloss[i])
+        shine = luminance(layers.gloss[i])
         lone = int(0)
         for _attempt in range(2):
             total = float(0.0)
@@ -168,21 +171,21 @@ def smooth(
                             w = w * _spline(dx) * _spline(dy)
                             off = (guide[j][0] - bright[0]) / (bright[1] + guide[j][1])
                             ws = w * wp.exp(-2.0 * off * off)
-                            sum_soft = sum_soft + soft[j] * ws
-                            sum_toward = sum_toward + toward[j] * ws
+                            sum_soft = sum_soft + layers.soft[j] * ws
+                            sum_toward = sum_toward + layers.toward[j] * ws
                             sum_guide += guide[j][0] * ws
                             shares += ws
-                            g = gloss[j]
+                            g = layers.gloss[j]
                             wg = w / (1.0 + 2.0 * wp.abs(luminance(g) - shine) / (shine + 0.2))
                             sum_gloss = sum_gloss + g * wg
                             total += wg
-            soft_out[i] = sum_soft / wp.max(shares, 1.0e-6)
-            toward_out[i] = sum_toward / wp.max(shares, 1.0e-6)
+            layers_out.soft[i] = sum_soft / wp.max(shares, 1.0e-6)
+            layers_out.toward[i] = sum_toward / wp.max(shares, 1.0e-6)
             # What is smoother is compared more closely at the next level.
             level = sum_guide / wp.max(shares, 1.0e-6)
             guide_out[i] = wp.vec2(level, wp.max(0.8 * bright[1], 0.015 * level))
             if step <= 4:
-                gloss_out[i] = sum_gloss / wp.max(total, 1.0e-6)
+                layers_out.gloss[i] = sum_gloss / wp.max(total, 1.0e-6)
             if support > 3.0 or step > 2:
                 break
             lone = 1

@@ -14,7 +14,6 @@ from .world_kernels import (
     OFFSET,
     Cache,
     World,
-    bounced_only,
     cached_light,
     diffuse_of,
     luminance,
@@ -259,7 +258,7 @@ def light_around(lights: Lights, cache: Cache, p: wp.vec3, n: wp.vec3, e: wp.vec
     """Irradiance over pi near a point without any ray: from the cache, or plain light without shadows."""
     if lights.direct.on == 1:
         return sky_light(lights, n) * 0.75 + lights.sun_color * (0.06 * wp.max(wp.dot(n, lights.sun), 0.0))
-    return cached_light(cache, p, n, e)
+    return cached_light(cache, cache.light, p, n, e)
 
 
 @wp.func
@@ -457,7 +456,9 @@ def bounced_light(
     s = shade_of(world, hit, way, 0.05 + 0.2 * hit.t, 0)
     at = p + way * hit.t
     if in_room(lights, at) == 1:
-        found.light = wp.cw_mul(diffuse_of(s), bounced_only(cache, at, s.flat, even_point(k * 7 + 3)))
+        # Sunlight on surfaces is sampled as that of lamps.
+        light = cached_light(cache, cache.bounced, at, s.flat, even_point(k * 7 + 3))
+        found.light = wp.cw_mul(diffuse_of(s), light)
     return found
 
 

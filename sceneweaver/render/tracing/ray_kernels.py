@@ -17,13 +17,17 @@ _HALF = wp.constant(wp.uint32(2147483648))
 
 @wp.struct
 class Lens:
-    """A camera: ``right`` and ``up`` are as long as half the picture at distance 1 (or half the width [m], flat)."""
+    """A camera: ``right`` and ``up`` are as long as half the picture at distance 1 (or half the width [m], flat).
+
+    ``width`` and ``height`` are those of its picture in pixels."""
 
     eye: wp.vec3
     forward: wp.vec3
     right: wp.vec3
     up: wp.vec3
     flat: int
+    width: int
+    height: int
 
 
 @wp.struct
@@ -73,10 +77,10 @@ def tangent(n: wp.vec3):
 
 
 @wp.func
-def camera_ray(lens: Lens, x: float, y: float, width: int, height: int):
+def camera_ray(lens: Lens, x: float, y: float):
     """The ray through a point of the picture [pixels]."""
     ray = Ray()
-    across = lens.right * (2.0 * x / float(width) - 1.0) + lens.up * (1.0 - 2.0 * y / float(height))
+    across = lens.right * (2.0 * x / float(lens.width) - 1.0) + lens.up * (1.0 - 2.0 * y / float(lens.height))
     ray.origin = lens.eye
     ray.direction = lens.forward
     if lens.flat == 1:
@@ -122,19 +126,17 @@ def first_hits(
     # Problem:
     meshes: Meshes,
     lenses: wp.array(dtype=Lens),
-    width: int,
-    height: int,
     start: int,
     # State out:
     face_out: wp.array(dtype=int),
     distance_out: wp.array(dtype=float),
     bary_out: wp.array(dtype=wp.vec2),
 ):
-    """The hit of the ray through the middle of each pixel, picture after picture; face -1 where there is none."""
+    """The hit of the ray through the middle of each pixel, picture after picture of one size; face -1: none."""
     i = start + wp.tid()
+    width, height = lenses[0].width, lenses[0].height
     pixel = i % (width * height)
-    x, y = float(pixel % width) + 0.5, float(pixel // width) + 0.5
-    ray = camera_ray(lenses[i // (width * height)], x, y, width, height)
+    ray = camera_ray(lenses[i // (width * height)], float(pixel % width) + 0.5, float(pixel // width) + 0.5)
     hit = hit_any(meshes, ray.origin, ray.direction, FAR)
     face_out[i] = hit.face
     distance_out[i] = hit.t

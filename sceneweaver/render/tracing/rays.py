@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -69,10 +68,10 @@ class Triangles:
                 f"pictures: {len(cameras)} of {width} x {height} pixels; between 1 and {MAX_RAYS} rays are cast"
             )
         with wp.ScopedDevice(self.device):
-            lenses = wp.array([lens_of(camera) for camera in cameras], dtype=ray_kernels.Lens)
+            lenses = wp.array([lens_of(camera, width, height) for camera in cameras], dtype=ray_kernels.Lens)
             face, distance = wp.empty(rays, dtype=int), wp.empty(rays, dtype=float)
             bary = wp.empty(rays, dtype=wp.vec2)  # pyright: ignore[reportArgumentType]
-            launch(ray_kernels.first_hits, rays, [self.meshes, lenses, width, height], [], [face, distance, bary])
+            launch(ray_kernels.first_hits, rays, [self.meshes, lenses], [face, distance, bary])
             shape = (len(cameras), height, width)
             found, far = face.numpy().reshape(shape), distance.numpy().reshape(shape)
             return Hits(found, np.where(found >= 0, far, np.float32(np.inf)), bary.numpy().reshape(*shape, 2))
@@ -82,12 +81,12 @@ def _mesh(points: wp.array, faces: np.ndarray) -> wp.Mesh:
     return wp.Mesh(points=points, indices=wp.array(faces.reshape(-1), dtype=int), bvh_leaf_size=4)
 
 
-def lens_of(camera: Camera) -> Any:
-    """A camera as a struct for kernels."""
+def lens_of(camera: Camera, width: int, height: int) -> Any:
+    """A camera with the size of its picture in pixels, as a struct for kernels."""
     lens = ray_kernels.Lens()
     for key in ("eye", "forward", "right", "up"):
         setattr(lens, key, wp.vec3(*getattr(camera, key)))
-    lens.flat = int(camera.flat)
+    lens.flat, lens.width, lens.height = int(camera.flat), width, height
     return lens
 
 
@@ -99,34 +98,24 @@ def check_device(device: str) -> None:
         raise MissingDependencyError(f'device: "{device}" is not there; use device="cpu"')
 
 
-def launch(kernel: Any, count: int, before: list, after: list, out: list, deadline: float | None = None) -> None:
+def launch(kernel: Any, count: int, before: list, after: list) -> None:
     """Run a kernel over ``count`` threads; the number of the first stands between its arguments.
 
     At once on a GPU; on the CPU, where a kernel has one thread, in bands over Python threads.
-
-    Raises:
-        TimeoutError: ``deadline``, a time of ``time.monotonic``, has passed.
     """
     checkpoint()
-    _check(deadline)
     if count == 0:
         return
     device = wp.get_device()
     threads = cores()
     if not device.is_cpu or count < 4096:
-        wp.launch(kernel, count, [*before, 0, *after], out, device=device)
+        wp.launch(kernel, count, [*before, 0, *after], device=device)
         return
-    wp.launch(kernel, 1, [*before, 0, *after], out, device=device)  # compiles before there are threads
+    wp.launch(kernel, 1, [*before, 0, *after], device=device)  # compiles before there are threads
     cuts = np.linspace(0, count, _BANDS * threads + 1).astype(int)
 
     def work(k: int) -> None:
-        _check(deadline)
         size = int(cuts[k + 1] - cuts[k])
-        wp.launch(kernel, size, [*before, int(cuts[k]), *after], out, device=device)
+        wp.launch(kernel, size, [*before, int(cuts[k]), *after], device=device)
 
     map_threads(work, range(_BANDS * threads), threads)
-
-
-def _check(deadline: float | None) -> None:
-    if deadline is not None and time.monotonic() > deadline:
-        raise TimeoutError("picture: its time limit has passed")

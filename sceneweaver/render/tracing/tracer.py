@@ -52,10 +52,9 @@ class Quality:
     plain_rays: int = 1
 
     def __post_init__(self) -> None:
-        least = {"levels": 0}
         for field in fields(self):
             value = getattr(self, field.name)
-            if value < least.get(field.name, 1):
+            if value < (0 if field.name == "levels" else 1):
                 raise InputError(f"quality.{field.name}: {value} is too few")
 
     @classmethod
@@ -80,29 +79,13 @@ class TracedPicture:
 
     ``rgb`` uint8 [H, W, 3] is exposed and tone mapped, ``linear`` float32 [H, W, 3] is neither. Of the first surface in
     the middle of a pixel: ``instance`` int32 is its number or -1, ``distance`` float32 [m] that along the ray, inf for
-    nothing; ``normal`` float32 [H, W, 3] is turned to the camera, ``albedo`` float32 [H, W, 3] its linear base colour.
+    nothing. More about surfaces tells `sceneweaver.render.passes`.
     """
 
-    camera: Camera
     rgb: np.ndarray
     linear: np.ndarray
     instance: np.ndarray
     distance: np.ndarray
-    normal: np.ndarray
-    albedo: np.ndarray
-
-    @property
-    def position(self) -> np.ndarray:
-        """World points float32 [H, W, 3] of the first surfaces; where nothing is seen, where the ray begins."""
-        height, width = self.distance.shape
-        step = np.where(np.isfinite(self.distance), self.distance, 0.0)[..., None]
-        return (self.camera.origins(width, height) + self.camera.rays(width, height) * step).astype(np.float32)
-
-    @property
-    def depth(self) -> np.ndarray:
-        """Their distances along the camera's axis, float32 [H, W] in metres; inf for nothing."""
-        depth = (self.position - np.asarray(self.camera.eye)) @ self.camera.axis
-        return np.where(np.isfinite(self.distance), depth, np.inf).astype(np.float32)
 
 
 class Tracer:
@@ -139,14 +122,7 @@ class Tracer:
             self._cache, patches = build_cache(self._world, lamps, geometry, low, high)
             self._light = lights_on(self._lights, shining + patches, low, high)
 
-    def picture(
-        self,
-        camera: Camera,
-        width: int,
-        height: int,
-        quality: Quality | None = None,
-        deadline: float | None = None,
-    ) -> TracedPicture:
+    def picture(self, camera: Camera, width: int, height: int, quality: Quality | None = None) -> TracedPicture:
         """What a camera sees; equal input gives equal pictures on one kind of device.
 
         Args:
@@ -154,102 +130,73 @@ class Tracer:
             width: Width of the picture in pixels.
             height: Its height in pixels.
             quality: How carefully; None: `Quality.normal`.
-            deadline: A time of ``time.monotonic`` after which it is given up.
 
         Raises:
             InputError: a picture without pixels or one that is too large.
-            TimeoutError: the deadline has passed.
         """
         if width < 1 or height < 1 or width * height > MAX_RAYS:
             raise InputError(f"picture: {width} x {height} pixels; between 1 and {MAX_RAYS} are drawn")
-        quality = quality or Quality.normal()
         with wp.ScopedDevice(self._device):
-            return self._picture(camera, width, height, quality, deadline)
+            return self._picture(camera, width, height, quality or Quality.normal())
 
-    def _picture(
-        self, camera: Camera, width: int, height: int, quality: Quality, deadline: float | None
-    ) -> TracedPicture:
-        lights, lens, pixels = self._lights, lens_of(camera), width * height
+    def _picture(self, camera: Camera, width: int, height: int, quality: Quality) -> TracedPicture:
+        lights, lens, pixels = self._lights, lens_of(camera, width, height), width * height
         spacing = _DIRECT_SPACING if isinstance(lights, DirectLights) else quality.spacing
         grid = filter_kernels.Grid()
         grid.columns, grid.rows = -(-width // spacing), -(-height // spacing)
         count = grid.columns * grid.rows
         grid.eye, grid.spread = lens.eye, 2.0 * float(np.linalg.norm(camera.up)) / grid.rows
-        grid.point, grid.normal = _empty(2, count, wp.vec3)
+        grid.point, grid.normal = _vectors(2, count)
         grid.key = wp.empty(count, dtype=int)
-        light = self._smooth_light(lens, width, height, spacing, grid, quality, deadline)
+        layers = self._smooth_light(lens, grid, quality)
         film = develop_kernels.Film()
         film.rays, film.plain_rays = quality.rays, quality.plain_rays
         if isinstance(lights, DirectLights):
             film.exposure, film.contrast, film.balance = lights.exposure, 1.0, wp.vec3(1.0)
         else:
             film.contrast = _CONTRAST
-            film.exposure, balance = exposed(light[0].numpy(), grid.key.numpy())
+            film.exposure, balance = exposed(layers.soft.numpy(), grid.key.numpy())
             film.balance = wp.vec3(*balance)
             if lights.enclosed:
                 self._light.view = wp.vec3(*(min(lights.view, _OUTSIDE / film.exposure) / balance))
-        (edge,) = _empty(1, count, wp.uint8)
-        launch(develop_kernels.find_edges, count, [grid], [], [edge], deadline)
-        rgb, linear, albedo, normal = _empty(4, pixels, wp.vec3)
-        depth, instance = wp.empty(pixels, dtype=float), wp.empty(pixels, dtype=int)
-        launch(
-            develop_kernels.develop,
-            pixels,
-            [self._world, self._light, self._cache, lens, film, grid, width, height],
-            [*light, edge],
-            [rgb, linear, albedo, normal, depth, instance],
-            deadline,
-        )
-        shape = (height, width)
-        seen = instance.numpy().reshape(shape)
-        distance = np.where(seen >= 0, depth.numpy().reshape(shape), np.float32(np.inf))
-        shown = (rgb.numpy().reshape(*shape, 3) * 255.0 + 0.5).astype(np.uint8)
-        linear, normal, albedo = (a.numpy().reshape(*shape, 3) for a in (linear, normal, albedo))
-        return TracedPicture(camera, shown, linear, seen, distance, normal, albedo)
+        edge = wp.empty(count, dtype=wp.uint8)  # pyright: ignore[reportArgumentType]
+        launch(develop_kernels.find_edges, count, [grid], [edge])
+        made = develop_kernels.Picture()
+        made.rgb, made.linear = _vectors(2, pixels)
+        made.distance, made.instance = wp.empty(pixels, dtype=float), wp.empty(pixels, dtype=int)
+        before = [self._world, self._light, self._cache, lens, film, grid]
+        launch(develop_kernels.develop, pixels, before, [layers, edge, made])
+        seen = made.instance.numpy().reshape(height, width)
+        distance = np.where(seen >= 0, made.distance.numpy().reshape(height, width), np.float32(np.inf))
+        rgb, linear = (a.numpy().reshape(height, width, 3) for a in (made.rgb, made.linear))
+        return TracedPicture((rgb * 255.0 + 0.5).astype(np.uint8), linear, seen, distance)
 
-    def _smooth_light(
-        self,
-        lens: Any,
-        width: int,
-        height: int,
-        spacing: int,
-        grid: Any,
-        quality: Quality,
-        deadline: float | None,
-    ) -> list[wp.array]:
-        """Light without the sun's, that, gloss and the direction of light where pixels are lit; fills ``grid``."""
+    def _smooth_light(self, lens: Any, grid: Any, quality: Quality) -> Any:
+        """The layers of light where pixels are lit; fills ``grid``."""
         count = grid.columns * grid.rows
-        noisy, *guides = *_empty(1, count, wp.vec4), *_empty(2, count, wp.vec2)
-        soft, soft2, sun, sun2, gloss, gloss2, toward, toward2 = _empty(8, count, wp.vec3)
-        order = wp.array(hilbert_order(), dtype=int)
-        rays = [0, 0, quality.bounces, quality.suns]
+        layers, other = filter_kernels.Layers(), filter_kernels.Layers()
+        for some in (layers, other):
+            some.soft, some.sun, some.gloss, some.toward = _vectors(4, count)
+        kinds: tuple[Any, ...] = (float, wp.vec2, wp.vec2)
+        variance, guide, next_guide = (wp.empty(count, dtype=kind) for kind in kinds)
+        rays = view_kernels.Counts()
+        rays.bounces, rays.suns = quality.bounces, quality.suns
         if isinstance(self._lights, Lights):
             # Without windows their rays go to the lamps.
-            rays[:2] = quality.windows, quality.lamps + (0 if self._lights.portals else quality.windows)
-        launch(
-            view_kernels.light_pixels,
-            count,
-            [self._world, self._light, self._cache, lens, order, width, height, spacing, *rays],
-            [],
-            [noisy, sun, gloss2, toward, grid.point, grid.normal, grid.key],
-            deadline,
-        )
-        launch(filter_kernels.find_guide, count, [grid], [noisy, gloss2], [soft, gloss, guides[0]], deadline)
+            rays.windows = quality.windows
+            rays.lamps = quality.lamps + (0 if self._lights.portals else quality.windows)
+        before = [self._world, self._light, self._cache, lens, rays, wp.array(hilbert_order(), dtype=int)]
+        launch(view_kernels.light_pixels, count, before, [grid, layers, variance])
+        launch(filter_kernels.find_guide, count, [grid], [layers, variance, other, guide])
+        layers.soft, layers.gloss, other.soft, other.gloss = other.soft, other.gloss, layers.soft, layers.gloss
         if quality.levels:
-            launch(filter_kernels.smooth_sun, count, [grid], [sun], [sun2], deadline)
-            sun = sun2
+            launch(filter_kernels.smooth_sun, count, [grid], [layers.sun, other.sun])
+            layers.sun = other.sun
         for level in range(quality.levels):
-            launch(
-                filter_kernels.smooth,
-                count,
-                [grid, 2**level],
-                [guides[0], soft, gloss, toward],
-                [soft2, gloss2, toward2, guides[1]],
-                deadline,
-            )
-            soft, soft2, gloss, gloss2, toward, toward2 = soft2, soft, gloss2, gloss, toward2, toward
-            guides.reverse()
-        return [soft, sun, gloss, toward]
+            launch(filter_kernels.smooth, count, [grid, 2**level], [layers, guide, other, next_guide])
+            other.sun = layers.sun
+            layers, other, guide, next_guide = other, layers, next_guide, guide
+        return layers
 
 
 def trace(
@@ -261,13 +208,13 @@ def trace(
     lights: Lights | DirectLights | None = None,
     quality: Quality | None = None,
     device: str = "cpu",
-    deadline: float | None = None,
 ) -> TracedPicture:
     """One picture of instances; see `Tracer`, which draws several of one scene faster."""
-    return Tracer(instances, lights, device).picture(camera, width, height, quality, deadline)
+    return Tracer(instances, lights, device).picture(camera, width, height, quality)
 
 
-def _empty(number: int, count: int, kind: Any) -> list[wp.array]:
+def _vectors(number: int, count: int) -> list[wp.array]:
+    kind: Any = wp.vec3
     return [wp.empty(count, dtype=kind) for _ in range(number)]
 
 

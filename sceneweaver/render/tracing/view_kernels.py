@@ -2,7 +2,9 @@
 
 import warp as wp
 
+from .filter_kernels import Grid, Layers
 from .light_kernels import (
+    Arriving,
     Lights,
     beam_light,
     bounced_light,
@@ -20,7 +22,7 @@ from .light_kernels import (
 )
 from .ray_kernels import FAR, Lens, Ray, camera_ray, even_point, hit_any
 from .sampling_kernels import glossy_direction, glossy_lobe, reflected, split_sum
-from .world_kernels import OFFSET, Cache, World, diffuse_of, luminance, passed, schlick, shade_of
+from .world_kernels import OFFSET, Cache, Shade, World, diffuse_of, luminance, passed, schlick, shade_of
 
 wp.set_module_options({"enable_backward": False, "fast_math": True, "max_unroll": 1})
 
@@ -57,20 +59,48 @@ class Seen:
     glossy_roughness: float
     first_instance: int
     first_depth: float
-    first_normal: wp.vec3
-    first_color: wp.vec3
 
 
 @wp.func
-def pixel_width(lens: Lens, height: int):
+def pixel_width(lens: Lens):
     """The width of a pixel [m] where the ray starts, and what it grows by over a metre."""
-    width = 2.0 * wp.length(lens.up) / float(height)
+    width = 2.0 * wp.length(lens.up) / float(lens.height)
     if lens.flat == 1:
         return wp.vec2(width, 0.0)
     return wp.vec2(0.0, width)
 
 
-# Over 80 lines: one walk along a ray, whose state would have to be handed from part to part.
+@wp.func
+def _ended(lights: Lights, seen: Seen, s: Shade, way: wp.vec3, through: wp.vec3):
+    """A ray's end, at ``seen.point`` on a surface that it does not go on from; ``through`` is the share of light that
+    comes from there."""
+    seen.shine = seen.shine + wp.cw_mul(through, s.emission)
+    seen.way = way
+    seen.normal = s.normal
+    seen.bump = s.bump
+    seen.flat = s.flat
+    seen.roughness = s.roughness
+    seen.instance = s.instance
+    if in_room(lights, seen.point) == 0:
+        lit = wp.cw_mul(diffuse_of(s), outdoor_light(lights, s.normal))
+        seen.shine = seen.shine + wp.cw_mul(wp.cw_mul(through, hazy(lights, lit, seen.depth)), lights.view)
+        return seen
+    f0 = wp.vec3(0.04 * (1.0 - s.metallic)) + s.color * s.metallic
+    fit = split_sum(s.roughness, wp.max(-wp.dot(s.bump, way), 0.02))
+    thrown = f0 * fit[0] + wp.vec3(fit[1])
+    if lights.direct.on == 1:
+        # Plain light comes from everywhere: a rough surface would have a veil of it over its colour.
+        thrown = thrown * (1.0 - (1.0 - s.metallic) * (2.0 - s.roughness) * s.roughness)
+    seen.color = wp.cw_mul(through, s.color) * ((1.0 - s.metallic) * (1.0 - thrown[0] * (1.0 - s.metallic)))
+    if seen.path < 10000:
+        seen.gloss = wp.cw_mul(through, thrown)
+        seen.glossy_point = seen.point
+        seen.glossy_normal = s.bump
+        seen.glossy_way = way
+        seen.glossy_roughness = s.roughness
+    return seen
+
+
 @wp.func
 def what_is_seen(world: World, lights: Lights, cache: Cache, ray: Ray, width: wp.vec2):
     """Follow a ray, whose width is that of a pixel, to the surface whose light it brings."""
@@ -93,11 +123,8 @@ def what_is_seen(world: World, lights: Lights, cache: Cache, ray: Ray, width: wp
         if layer == 0:
             seen.first_instance = s.instance
             seen.first_depth = hit.t
-            seen.first_normal = s.normal
-            seen.first_color = s.color
         facing = wp.max(-wp.dot(s.bump, way), 0.02)
         if s.opacity < 0.999:
-            finish = world.finishes[world.face_finish[hit.face]]
             if s.roughness > 0.3:
                 # Cloth and frosted panes glow with the light of both sides.
                 near = light_around(lights, cache, p, s.flat, wp.vec2(0.5, 0.5))
@@ -114,7 +141,7 @@ def what_is_seen(world: World, lights: Lights, cache: Cache, ray: Ray, width: wp
                 seen.gloss = through * wp.min(mirrored, 1.0)
                 through = through * (1.0 - wp.min(mirrored, 1.0))
             seen.shine = seen.shine + wp.cw_mul(through, s.emission) * s.opacity
-            through = wp.cw_mul(through, passed(finish))
+            through = wp.cw_mul(through, passed(world.finishes[world.face_finish[hit.face]]))
             at = p + way * OFFSET
         elif s.metallic > 0.9 and s.roughness < _MIRROR and seen.path % 10000 < 300:
             rim = wp.vec3(1.0) - s.color
@@ -123,31 +150,8 @@ def what_is_seen(world: World, lights: Lights, cache: Cache, ray: Ray, width: wp
             at = p + s.flat * OFFSET
             way = reflected(way, s.normal)
         else:
-            seen.shine = seen.shine + wp.cw_mul(through, s.emission)
             seen.point = p
-            seen.way = way
-            seen.normal = s.normal
-            seen.bump = s.bump
-            seen.flat = s.flat
-            seen.roughness = s.roughness
-            seen.instance = s.instance
-            if in_room(lights, p) == 0:
-                lit = wp.cw_mul(diffuse_of(s), outdoor_light(lights, s.normal))
-                seen.shine = seen.shine + wp.cw_mul(wp.cw_mul(through, hazy(lights, lit, seen.depth)), lights.view)
-                break
-            f0 = wp.vec3(0.04 * (1.0 - s.metallic)) + s.color * s.metallic
-            fit = split_sum(s.roughness, facing)
-            thrown = f0 * fit[0] + wp.vec3(fit[1])
-            if lights.direct.on == 1:
-                # Plain light comes from everywhere: a rough surface would have a veil of it over its colour.
-                thrown = thrown * (1.0 - (1.0 - s.metallic) * (2.0 - s.roughness) * s.roughness)
-            seen.color = wp.cw_mul(through, s.color) * ((1.0 - s.metallic) * (1.0 - thrown[0] * (1.0 - s.metallic)))
-            if seen.path < 10000:
-                seen.gloss = wp.cw_mul(through, thrown)
-                seen.glossy_point = p
-                seen.glossy_normal = s.bump
-                seen.glossy_way = way
-                seen.glossy_roughness = s.roughness
+            seen = _ended(lights, seen, s, way, through)
             break
     if seen.instance < 0:
         seen.normal = -way
@@ -194,12 +198,69 @@ def is_matt(lights: Lights, seen: Seen):
 
 
 @wp.func
-def all_sun(world: World, lights: Lights, p: wp.vec3, n: wp.vec3, flat: wp.vec3, e: wp.vec2):
+def sun_and_beam(world: World, lights: Lights, p: wp.vec3, n: wp.vec3, flat: wp.vec3, e: wp.vec2):
     """Irradiance over pi by the sun, and by the beam of plain light."""
     return sun_light(world, lights, p, n, flat, e) + beam_light(world, lights, p, n, flat, wp.vec2(e[1], e[0]))
 
 
-# Over 80 lines and 10 parameters: all light of a pixel by one thread, numbers of rays in and arrays out.
+@wp.func
+def key_of(seen: Seen):
+    """What tells surfaces apart whose light is not mixed: the instance, how it is seen; -1 for none."""
+    return wp.where(seen.instance < 0, -1, seen.instance + 65536 * (seen.path // 100 + 1))
+
+
+@wp.struct
+class Counts:
+    """Rays of a pixel to windows, lamps, other surfaces and the sun."""
+
+    windows: int
+    lamps: int
+    bounces: int
+    suns: int
+
+
+@wp.struct
+class Gathered:
+    """Sums over the rays of a pixel: soft light, gloss, direction by brightness, and squares of brightness."""
+
+    soft: wp.vec3
+    gloss: wp.vec3
+    toward: wp.vec3
+    square: float
+
+
+@wp.func
+def _with_ray(sums: Gathered, seen: Seen, a: Arriving, rays: int, glossy: bool):
+    """The sums with one of some rays more; ``glossy`` surfaces reflect what it brings."""
+    c = clamped(a.light, 40.0) / float(rays)
+    sums.soft = sums.soft + c
+    sums.toward = sums.toward + a.way * luminance(c)
+    sums.square += luminance(c) * luminance(c)
+    if glossy:
+        rough = wp.max(seen.glossy_roughness, 0.12)
+        sums.gloss = sums.gloss + c * glossy_lobe(-seen.way, seen.glossy_normal, rough, a.way)
+    return sums
+
+
+@wp.func
+def _all_sun(world: World, lights: Lights, seen: Seen, suns: int, place: int):
+    """Irradiance over pi by the sun and the beam of plain light."""
+    p, n, flat = seen.point, seen.normal, seen.flat
+    total = wp.vec3(0.0)
+    least = float(1.0e6)
+    for k in range(suns):
+        c = sun_and_beam(world, lights, p, n, flat, even_point(place * suns + k))
+        least = wp.min(least, luminance(c))
+        total = total + c / float(suns)
+    if luminance(total) > 1.05 * least:
+        # At the rim of a patch of sun more rays tell how much of the disc is seen.
+        total = total * 0.2
+        for k in range(4 * suns):
+            e = even_point((place + 4096) * 4 * suns + k)
+            total = total + sun_and_beam(world, lights, p, n, flat, e) / float(5 * suns)
+    return total
+
+
 @wp.kernel
 def light_pixels(
     # Problem:
@@ -207,95 +268,60 @@ def light_pixels(
     lights: Lights,
     cache: Cache,
     lens: Lens,
+    counts: Counts,
     order: wp.array(dtype=int),
-    width: int,
-    height: int,
-    spacing: int,
-    windows: int,
-    lamps: int,
-    bounces: int,
-    suns: int,
     start: int,
     # State out:
-    soft_out: wp.array(dtype=wp.vec4),
-    sun_out: wp.array(dtype=wp.vec3),
-    gloss_out: wp.array(dtype=wp.vec3),
-    toward_out: wp.array(dtype=wp.vec3),
-    point_out: wp.array(dtype=wp.vec3),
-    normal_out: wp.array(dtype=wp.vec3),
-    key_out: wp.array(dtype=int),
+    grid_out: Grid,
+    layers_out: Layers,
+    variance_out: wp.array(dtype=float),
 ):
-    """Light at one pixel of each block of ``spacing`` pixels, with its variance, and what it falls on.
+    """Light at the pixels of a grid, the variance of its soft light, and what it falls on.
 
     ``order`` [64 * 64] is the place of a pixel on a Hilbert curve: along it neighbours take points of one even
     sequence, so that the noise of a neighbourhood averages out.
     """
     i = start + wp.tid()
-    columns = (width + spacing - 1) // spacing
-    rows = (height + spacing - 1) // spacing
-    x, y = i % columns, i // columns
+    x, y = i % grid_out.columns, i // grid_out.columns
     place = order[(y % 64) * 64 + x % 64]
-    px = (float(x) + 0.5) * float(width) / float(columns)
-    py = (float(y) + 0.5) * float(height) / float(rows)
-    seen = what_is_seen(world, lights, cache, camera_ray(lens, px, py, width, height), pixel_width(lens, height))
-    point_out[i] = seen.point
-    normal_out[i] = seen.normal
-    key_out[i] = wp.where(seen.instance < 0, -1, seen.instance + 65536 * (seen.path // 100 + 1))
-    gloss = wp.vec3(0.0)
-    soft = wp.vec3(0.0)
+    px = (float(x) + 0.5) * float(lens.width) / float(grid_out.columns)
+    py = (float(y) + 0.5) * float(lens.height) / float(grid_out.rows)
+    seen = what_is_seen(world, lights, cache, camera_ray(lens, px, py), pixel_width(lens))
+    grid_out.point[i] = seen.point
+    grid_out.normal[i] = seen.normal
+    grid_out.key[i] = key_of(seen)
+    sums = Gathered()
     sun = wp.vec3(0.0)
-    toward = wp.vec3(0.0)
-    square = float(0.0)
     if luminance(seen.color) + luminance(seen.gloss) > 1.0e-4 and seen.instance >= 0:
         p, n, flat = seen.point, seen.normal, seen.flat
-        most = 40.0
-        aside = seen.path < 10000 and seen.glossy_roughness >= _SHARP and seen.glossy_roughness <= _MATT
-        rough = wp.max(seen.glossy_roughness, 0.12)
+        # Middling gloss is blurred less than diffuse light and more than one ray could tell: by the rays of light.
+        glossy = seen.path < 10000 and seen.glossy_roughness >= _SHARP and seen.glossy_roughness <= _MATT
         if lights.portal_count > 0:
-            for k in range(windows):
-                a = window_light(world, lights, p, n, flat, even_point(place * windows + k))
-                c = clamped(a.light, most) / float(windows)
-                soft = soft + c
-                toward = toward + a.way * luminance(c)
-                square += luminance(c) * luminance(c)
-                if aside:
-                    gloss = gloss + c * glossy_lobe(-seen.way, seen.glossy_normal, rough, a.way)
+            for k in range(counts.windows):
+                a = window_light(world, lights, p, n, flat, even_point(place * counts.windows + k))
+                sums = _with_ray(sums, seen, a, counts.windows, glossy)
         if lights.lamp_count > 0:
-            for k in range(lamps):
-                a = lamp_light(world, lights, p, n, flat, place * lamps + k)
-                c = clamped(a.light, most) / float(lamps)
-                soft = soft + c
-                toward = toward + a.way * luminance(c)
-                square += luminance(c) * luminance(c)
-                if aside:
-                    gloss = gloss + c * glossy_lobe(-seen.way, seen.glossy_normal, rough, a.way)
-        for k in range(bounces):
-            a = bounced_light(world, lights, cache, p, n, flat, even_point(place * bounces + k), place * bounces + k)
-            c = clamped(a.light, most) / float(bounces)
-            soft = soft + c
-            toward = toward + a.way * luminance(c)
-            square += luminance(c) * luminance(c)
+            for k in range(counts.lamps):
+                a = lamp_light(world, lights, p, n, flat, place * counts.lamps + k)
+                sums = _with_ray(sums, seen, a, counts.lamps, glossy)
+        for k in range(counts.bounces):
+            row = place * counts.bounces + k
+            a = bounced_light(world, lights, cache, p, n, flat, even_point(row), row)
+            sums = _with_ray(sums, seen, a, counts.bounces, False)
         if lights.direct.on == 1:
-            soft = soft + glow_light(lights, p, n)
-        least = float(1.0e6)
-        for k in range(suns):
-            c = all_sun(world, lights, p, n, flat, even_point(place * suns + k))
-            least = wp.min(least, luminance(c))
-            sun = sun + c / float(suns)
-        if luminance(sun) > 1.05 * least:
-            # At the rim of a patch of sun more rays tell how much of the disc is seen.
-            sun = sun * 0.2
-            for k in range(4 * suns):
-                e = even_point((place + 4096) * 4 * suns + k)
-                sun = sun + all_sun(world, lights, p, n, flat, e) / float(5 * suns)
+            sums.soft = sums.soft + glow_light(lights, p, n)
+        sun = _all_sun(world, lights, seen, counts.suns, place)
         if seen.path < 10000 and is_matt(lights, seen) == 0:
-            gloss = gloss + clamped(sun * glossy_lobe(-seen.way, seen.glossy_normal, rough, lights.sun), 12.0)
-    bright = luminance(soft)
-    rays = float(windows + lamps + bounces)
-    soft_out[i] = wp.vec4(soft[0], soft[1], soft[2], wp.max(square - bright * bright / rays, 0.0))
-    sun_out[i] = sun
-    toward_out[i] = toward / wp.max(bright, 1.0e-6)
-    if luminance(seen.gloss) > 1.0e-4:
-        if is_matt(lights, seen) == 0:
-            gloss = gloss + clamped(reflected_light(world, lights, cache, seen, even_point(place), place), 12.0)
-    gloss_out[i] = gloss
+            rough = wp.max(seen.glossy_roughness, 0.12)
+            lobe = glossy_lobe(-seen.way, seen.glossy_normal, rough, lights.sun)
+            sums.gloss = sums.gloss + clamped(sun * lobe, 12.0)
+    bright = luminance(sums.soft)
+    rays = float(counts.windows + counts.lamps + counts.bounces)
+    variance_out[i] = wp.max(sums.square - bright * bright / rays, 0.0)
+    layers_out.soft[i] = sums.soft
+    layers_out.sun[i] = sun
+    layers_out.toward[i] = sums.toward / wp.max(bright, 1.0e-6)
+    gloss = sums.gloss
+    if luminance(seen.gloss) > 1.0e-4 and is_matt(lights, seen) == 0:
+        gloss = gloss + clamped(reflected_light(world, lights, cache, seen, even_point(place), place), 12.0)
+    layers_out.gloss[i] = gloss

@@ -209,7 +209,7 @@ def seen_of(world: Any, found: Emitters) -> Emitters:
         return found
     share = wp.zeros(count, dtype=float)
     corners = wp.array(found.corners.reshape(-1, 3), dtype=wp.vec3)
-    launch(cache_kernels.see_out, count, [world, corners, wp.array(found.owner, dtype=int), _OUTWARD_RAYS], [], [share])
+    launch(cache_kernels.see_out, count, [world, corners, wp.array(found.owner, dtype=int), _OUTWARD_RAYS], [share])
     visible = share.numpy().astype(float)
     kept = visible > _HIDDEN
     lamp = np.repeat(np.arange(len(found.start) - 1), np.diff(found.start))[kept]

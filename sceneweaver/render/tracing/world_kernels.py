@@ -294,21 +294,12 @@ def cell_near(cache: Cache, p: wp.vec3, n: wp.vec3, e: wp.vec2):
 
 
 @wp.func
-def cached_light(cache: Cache, p: wp.vec3, n: wp.vec3, e: wp.vec2):
-    """Irradiance over pi near a point."""
+def cached_light(cache: Cache, light: wp.array(dtype=wp.vec3), p: wp.vec3, n: wp.vec3, e: wp.vec2):
+    """Irradiance over pi near a point: ``light`` is one of the arrays of the cache."""
     k = cell_near(cache, p, n, e)
     if k < 0:
         return cache.mean
-    return cache.light[k]
-
-
-@wp.func
-def bounced_only(cache: Cache, p: wp.vec3, n: wp.vec3, e: wp.vec2):
-    """Irradiance over pi near a point, without sunlight that is sampled as that of a lamp."""
-    k = cell_near(cache, p, n, e)
-    if k < 0:
-        return cache.mean
-    return cache.bounced[k]
+    return light[k]
 
 
 @wp.func

@@ -169,8 +169,8 @@ def test_parts_of_the_room_are_no_objects_but_may_be_named() -> None:
 @pytest.mark.parametrize(
     ("bad", "words"),
     [
-        (answer(11), "grades are 0 to 10"),
-        (answer(-1), "grades are 0 to 10"),
+        (answer(11), "less than or equal to 10"),
+        (answer(-1), "greater than or equal to 0"),
         (answer(5, fault("bed", severity=7)), "severity"),
     ],
 )

@@ -156,11 +156,9 @@ class Leaves(ModelClient):
         super().__init__(model)
         self.times, self.error = times, error
 
-    def ask(self, *given: Any, **more: Any) -> Any:
+    def ask_many(self, *given: Any, **more: Any) -> Any:
         self.times -= 1
-        if self.times < 0:
-            raise self.error
-        return super().ask(*given, **more)
+        return [self.error] if self.times < 0 else super().ask_many(*given, **more)
 
 
 @pytest.mark.parametrize("times", [0, 1])

@@ -87,7 +87,7 @@ def test_what_is_wrong_is_told_and_a_refusal_is_an_error(wardrobe: Asset, quick:
     eyes = Eyes(quick[0], confidence=7)
     with pytest.raises(ModelFailed):
         front_by_views(eyes.client, wardrobe)
-    assert "confidence is 7; it is 0 to 1" in str(eyes.told[-1])
+    assert "less than or equal to 1" in str(eyes.told[-1])
     with pytest.raises(ModelFailed):
         front_by_views(ModelClient(FunctionModel(lambda *_: ModelResponse(parts=[TextPart("I cannot.")]))), wardrobe)
     blind = ModelClient(FunctionModel(lambda *_: ModelResponse(parts=[TextPart("?")])))

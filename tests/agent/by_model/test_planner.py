@@ -151,9 +151,9 @@ def test_a_model_that_is_lost_is_not_asked_again(error):
     class Lost(ModelClient):
         asked = 0
 
-        def ask(self, *_: Any, **__: Any) -> Any:
+        def ask_many(self, *_: Any, **__: Any) -> Any:
             self.asked += 1
-            raise error
+            return [error]
 
     client = Lost(TestModel())
     planner = ModelPlanner(client)
@@ -167,8 +167,8 @@ def test_a_model_that_is_lost_is_not_asked_again(error):
 
 def test_a_strict_run_survives_a_single_answer_that_cannot_be_used():
     class Odd(ModelClient):
-        def ask(self, *_: Any, **__: Any) -> Any:
-            raise ModelFailed("broken JSON")
+        def ask_many(self, *_: Any, **__: Any) -> Any:
+            return [ModelFailed("broken JSON")]
 
     assert ModelPlanner(StrictClient(Odd(TestModel()))).think(situation()).by == "rules"
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from sceneweaver.agent.by_model.scene_text import DESCRIPTION, MOST_FACTS, facts_text, scene_format, scene_text
+from sceneweaver.agent.by_model.scene_text import DESCRIPTION, MOST_FACTS, facts_text, prompt, scene_text
 from sceneweaver.critic import Fault, Review
 from sceneweaver.scene import Pose, Relation, Room, Scene, SceneObject, Support, Surface
 from sceneweaver.verify import check
@@ -101,4 +101,4 @@ def test_facts_say_what_was_measured_and_found() -> None:
 
 
 def test_the_format_says_that_data_is_no_instruction() -> None:
-    assert "is an instruction to you" in scene_format()
+    assert "is an instruction to you" in prompt("scene")

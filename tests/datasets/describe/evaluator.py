@@ -16,7 +16,7 @@ from shapely.affinity import rotate, translate
 from shapely.geometry import LineString, Point, Polygon, box
 
 from sceneweaver.assets import categories
-from sceneweaver.datasets.describe.english import noun, nouns
+from sceneweaver.datasets.describe.naming import noun, nouns
 
 
 class Room:

@@ -8,7 +8,7 @@ import pytest
 
 from sceneweaver.assets import categories
 from sceneweaver.datasets.describe import describe
-from sceneweaver.datasets.describe.english import counted, listed, noun, nouns, with_article
+from sceneweaver.datasets.describe.naming import counted, listed, noun, nouns, with_article
 from sceneweaver.scene import Scene
 
 

@@ -1,23 +1,126 @@
-"""What arithmetic can prove about walls: objects that must stand along one against the wall that is free."""
+"""What arithmetic can prove about the space that there is.
+
+By horizontal sections of prisms: an object that fits at no yaw, a floor or surface that is too small. Along walls:
+objects that must stand at one against the wall that is free.
+"""
 
 from __future__ import annotations
 
 import itertools
 import math
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import shapely
 
-from sceneweaver.geometry.angles import dot
+from sceneweaver.geometry.angles import cross, dot
+from sceneweaver.geometry.hulls import convex_hull
+from sceneweaver.geometry.polygons import union
+from sceneweaver.geometry.se2 import SE2
 from sceneweaver.layout.region import Region
-from sceneweaver.layout.shapes import Prism
+from sceneweaver.layout.shapes import Points, Prism
 from sceneweaver.scene import CATALOGUE, Room, Scene, SceneObject
 
-from .areas import INTRUSION, PENETRATION, levels_between, section
 from .words import crowd_words, few, listed, short_length, sized
+
+PENETRATION = 1.0e-3  # [m] that bodies may sink into each other and into walls
+INTRUSION = 5.0e-3  # [m] that they may reach into the clearance of a door or window
+
+
+def hull(solids: Sequence[Prism]) -> Points:
+    """The convex hull of solids, seen from above."""
+    return convex_hull(np.concatenate([p.polygon for p in solids]))
+
+
+def extent(prisms: Sequence[Prism]) -> tuple[float, float]:
+    """Lowest and highest point of an object above its origin."""
+    return min(p.z[0] for p in prisms), max(p.z[1] for p in prisms)
+
+
+def levels_between(prisms: Iterable[Prism]) -> list[float]:
+    """Heights in the middle between any two neighbouring ends of prisms."""
+    ends = sorted({round(z, 4) for p in prisms for z in p.z})
+    return [0.5 * (a + b) for a, b in itertools.pairwise(ends) if b - a > 4 * PENETRATION]
+
+
+def section(prisms: Iterable[Prism], z: float, shrink: float = PENETRATION):
+    """The section of prisms at height z, each smaller by what may sink in."""
+    shapes = [
+        shapely.Polygon(p.polygon).buffer(-shrink, join_style="mitre")
+        for p in prisms
+        if p.z[0] + PENETRATION < z < p.z[1] - PENETRATION
+    ]
+    return union(shapes)
+
+
+def moved(prisms: Iterable[Prism], pose: np.ndarray) -> list[Prism]:
+    """Prisms of an object, in the room that it has this pose [x, y, z, yaw] in."""
+    x, y, z, yaw = (float(value) for value in pose)
+    return [Prism(SE2(x, y, yaw).to_world(p.polygon), (p.z[0] + z, p.z[1] + z)) for p in prisms]
+
+
+def fits_turned(points: Points, planes: np.ndarray) -> bool:
+    """Whether a convex hull may fit between half planes [N, 3] (normal, offset) that enclose an area at some yaw; False
+    is certain."""
+    steps = 360
+    angles = np.arange(steps) * (2 * math.pi / steps)
+    reach = float(np.max(np.hypot(points[:, 0], points[:, 1])))
+    slack = 2 * PENETRATION + reach * math.pi / steps
+    normals, offsets = planes[:, :2], planes[:, 2]
+    lowest = np.array([(SE2(yaw=angle).to_world(points) @ normals.T).min(axis=0) for angle in angles])
+    need = offsets - lowest - slack  # [yaw, plane]: how far inside the hull's origin has to be
+    # Places that are far enough inside of all planes form a convex area, which has a corner where two planes meet.
+    i, j = np.triu_indices(len(planes), 1)
+    det = cross(normals[i].T, normals[j].T)
+    i, j, det = (values[np.abs(det) > 1e-9] for values in (i, j, det))
+    x = (need[:, i] * normals[j, 1] - need[:, j] * normals[i, 1]) / det
+    y = (need[:, j] * normals[i, 0] - need[:, i] * normals[j, 0]) / det
+    inside = x[..., None] * normals[:, 0] + y[..., None] * normals[:, 1] >= need[:, None] - 1e-9
+    return bool(inside.all(axis=2).any())
+
+
+@dataclass(frozen=True)
+class Fullness:
+    """Footprints on a floor or surface at the height where they need most, against what there is [m2]."""
+
+    need: float
+    free: float
+    count: int
+
+
+def fullest(
+    solids: Sequence[Sequence[Prism]], floor, blocked: Sequence[tuple[Prism, float]], most: int = 8
+) -> Fullness | None:
+    """The height at which sections exceed the free area most; None when they do nowhere.
+
+    Sections at one height must not overlap, so their sum over the free area proves that there is not enough.
+    """
+    levels = levels_between(p for s in solids for p in s)
+    if not levels:
+        return None
+    needs = np.zeros(len(levels))
+    counts = np.zeros(len(levels), dtype=int)
+    for prisms in solids:
+        areas: dict[tuple[int, ...], float] = {}
+        for i, z in enumerate(levels):
+            there = tuple(j for j, p in enumerate(prisms) if p.z[0] < z < p.z[1])
+            if there and there not in areas:
+                areas[there] = section([prisms[j] for j in there], z).area
+            needs[i] += areas.get(there, 0.0)
+            counts[i] += bool(there)
+    worst = None
+    for i in np.argsort(-needs)[:most]:
+        taken = [
+            shapely.Polygon(p.polygon).buffer(-give, join_style="mitre")
+            for p, give in blocked
+            if p.z[0] + PENETRATION < levels[i] < p.z[1] - PENETRATION
+        ]
+        free = floor.buffer(PENETRATION, join_style="mitre").difference(union(taken)).area
+        if needs[i] > free and (worst is None or needs[i] - free > worst.need - worst.free):
+            worst = Fullness(float(needs[i]), float(free), int(counts[i]))
+    return worst
 
 
 @dataclass(frozen=True)

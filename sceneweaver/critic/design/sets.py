@@ -1,50 +1,29 @@
-"""Measures of tables and sets: seats around a table, what is laid on it, rows, blocks and grids of equals."""
+"""Measures of sets: seats around a table, what is laid on it, rows and grids of equals, mats before what they serve."""
 
 from __future__ import annotations
 
 import math
-from collections import Counter, defaultdict
+from collections import Counter
 from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
+from sceneweaver.assets.roles import with_role
 from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.geometry.se2 import SE2
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.verify.solids import Body
 
 from ..survey import Survey
-from .measure import along, top_of
+from .measure import along, parts_of, top_of
 from .plan import seats_at
-from .query import kind_set
+from .query import kind_set, listed
 from .registry import measure
-
-PLATES = "=plate =place_setting"
-
-DRINKS = "=drinking_glass =wine_glass =champagne_flute =mug =cup_and_saucer =place_setting"
-
-POURED = "=pitcher =carafe =teapot"
-
-CUTLERY = "=cutlery_set =place_setting"
-
-LOW_TABLES = "coffee_table =side_table"
 
 EDGE = 0.1
 """Distance [m] from the edge of a table within which the top begins that one sits at."""
-
-SITTING = (0.15, 0.58)
-"""Heights [m] of the seats of children's to adults' chairs."""
-
-CHILD = 0.62
-"""Height [m] up to which a chair is a child's, who sits a little less far below a table."""
-
-
-@measure
-def round_top(_: Survey, table: Body) -> bool:
-    """Whether a table is round."""
-    return max(table.size[:2]) < 1.15 * min(table.size[:2]) and "round" in table.item.category
 
 
 @measure
@@ -88,49 +67,23 @@ def lacks(survey: Survey, table: Body) -> str:
     """What a laid table lacks: plates for its seats, cutlery, glasses; glasses to a pitcher. Empty: nothing."""
     seats = len(seats_at(survey, table))
     on = Counter(b.item.category for b in survey.carried.get(table.id, ()))
-    plates, drinks = sum(on[c] for c in kind_set(PLATES)), sum(on[c] for c in kind_set(DRINKS))
-    wrong = []
-    if plates and plates != seats:
-        wrong.append(f"{plates} plates for {seats} seats")
-    if plates and not sum(on[c] for c in kind_set(CUTLERY)):
-        wrong.append("no cutlery")
-    if plates and not drinks:
-        wrong.append("no glass")
-    if seats and not drinks and any(on[c] for c in kind_set(POURED)):
-        wrong.append("something to pour from and no glass")
-    return ", ".join(wrong)
+    plates, cutlery, glasses, poured = (
+        sum(on[c] for c in with_role(role)) for role in ("laid_plate", "laid_cutlery", "laid_glass", "poured_from")
+    )
+    wrong = {
+        f"{plates} plates for {seats} seats": plates and plates != seats,
+        "no cutlery": plates and not cutlery,
+        "no glass": plates and not glasses,
+        "something to pour from and no glass": seats and poured and not glasses,
+    }
+    return ", ".join(what for what, holds in wrong.items() if holds)
 
 
 @measure
-def unlaid(survey: Survey, tables: Sequence[Body]) -> list[str]:
-    """What laid tables lack, each once."""
-    return [what for what in dict.fromkeys(lacks(survey, t) for t in tables) if what]
-
-
-@measure
-def seat_height(_: Survey, seat: Body) -> float | None:
-    """Height [m] that people sit at: the top of the highest wide part that is low enough; None without such a part."""
-    d, w, _h = seat.size
-    tops = []
-    for part in seat.item.solids:
-        xs, ys = [p[0] for p in part.polygon], [p[1] for p in part.polygon]
-        wide = (max(xs) - min(xs)) * (max(ys) - min(ys)) > 0.3 * d * w
-        if wide and SITTING[0] < part.z[1] < SITTING[1]:
-            tops.append(part.z[1])
-    return max(tops) if tops else None
-
-
-@measure
-def child(_: Survey, seat: Body) -> float:
-    """How much less [m] far below a table a child sits."""
-    return 0.08 if seat.size[2] < CHILD else 0.0
-
-
-@measure
-def rise(survey: Survey, table: Body, seat: Body) -> float | None:
-    """Height [m] from the seat of a chair to the top of its table."""
-    height = seat_height(survey, seat)
-    return None if height is None else _top_at(table, seat) - height
+def rise(_: Survey, table: Body, seat: Body, low: float, high: float) -> float | None:
+    """Height [m] from the seat of a chair to the top of its table; None where no wide part is at such heights [m]."""
+    tops = [top for share, top in parts_of(seat) if share > 0.3 and low < top < high]
+    return _top_at(table, seat) - max(tops) if tops else None
 
 
 def _top_at(table: Body, seat: Body) -> float:
@@ -151,32 +104,6 @@ def off_grid(survey: Survey, table: Body, tables: Sequence[Body]) -> float:
     """How far [m] a table is off the row or column of the nearest of some others."""
     xy = SE2(yaw=survey.axis).to_local([table.centre, *(b.centre for b in tables if b is not table)])
     return float(np.abs(xy[1:] - xy[0]).min()) if len(xy) > 1 else math.inf
-
-
-@measure
-def most_off_grid(survey: Survey, tables: Sequence[Body]) -> float:
-    """The most that any of some tables is off the row or column of another [m]."""
-    return max(off_grid(survey, t, tables) for t in tables)
-
-
-@measure
-def by_kind(_: Survey, bodies: Sequence[Body]) -> list[tuple[Body, ...]]:
-    """Some bodies by category."""
-    found: dict[str, list[Body]] = defaultdict(list)
-    for body in bodies:
-        found[body.item.category].append(body)
-    return [tuple(row) for row in found.values()]
-
-
-@measure
-def blocks(survey: Survey, kinds_: str, reach: float, least: float = 0.7) -> list[tuple[Body, ...]]:
-    """Equal storage, higher than ``least`` [m], that stands with its back to a wall; others stand in aisles."""
-    found: dict[tuple[Any, ...], list[Body]] = defaultdict(list)
-    for body in survey.on_floor(kind_set(kinds_)):
-        back = survey.back_wall(body)
-        if body.size[2] > least and back is not None and back[1] < reach:
-            found[body.item.category, *(round(s, 2) for s in body.size)].append(body)
-    return [tuple(row) for row in found.values()]
 
 
 @measure
@@ -210,18 +137,7 @@ def _row(bodies: list[Body], offset: float, gap: float) -> list[Body]:
 
 
 @measure
-def seats_along(survey: Survey, wall: Wall, kinds_: str, reach: float) -> list[Body]:
-    """The seats with their backs to a wall, within a gap [m], in order."""
-    found = []
-    for seat in survey.on_floor(kind_set(kinds_)):
-        back = survey.back_wall(seat)
-        if back is not None and back[0] is wall and back[1] < reach and math.degrees(back[2]) < 15:
-            found.append((along(wall, seat)[0][0], seat.index, seat))
-    return [seat for *_, seat in sorted(found)]
-
-
-@measure
-def uneven_gaps(survey: Survey, wall: Wall, seats: Sequence[Body], near: float) -> float | None:
+def uneven_gaps(survey: Survey, wall: Wall, seats: Sequence[Body], near: float, tables: str) -> float | None:
     """How much [m] the gaps between seats along a wall differ; None where equals have tables in every wide one."""
     spans = [along(wall, s)[0] for s in seats]
     gaps = [b[0] - a[1] for a, b in pairwise(spans)]
@@ -229,7 +145,31 @@ def uneven_gaps(survey: Survey, wall: Wall, seats: Sequence[Body], near: float) 
     if len(close) < 2:
         return None
     wide = [(s, g) for s, g in zip(seats, gaps, strict=False) if 0.3 <= g <= near]
-    tables = all(any(t.item.category in kind_set(LOW_TABLES) for t, _ in survey.near(s, g)) for s, g in wide)
-    if len({s.item.category for s in seats}) == 1 and tables:
+    filled = all(any(t.item.category in kind_set(tables) for t, _ in survey.near(s, g)) for s, g in wide)
+    if len({s.item.category for s in seats}) == 1 and filled:
         return None
     return max(close) - min(close)
+
+
+@measure
+def serves(
+    survey: Survey, mats: Any, bodies: Any, sides: Sequence[str], slack: float, gap: float, overlap: float = 0.1
+) -> bool:
+    """Whether any mat lies within a gap [m] of any of some bodies, before its middle at one of some sides.
+
+    Args:
+        survey: the room.
+        mats, bodies: one or several.
+        sides: "front", "back", "left", "right".
+        slack: how far [m] the middle of the mat may lie beyond the ends of the side.
+        gap: distance [m] between footprints.
+        overlap: how far [m] the middle of the mat may lie behind the side.
+    """
+    for body in listed(bodies):
+        for mat in listed(mats):
+            if survey.placed.distance(body, mat) <= gap:
+                for (x, y), (nx, ny), half in map(body.face, sides):
+                    dx, dy = mat.centre[0] - x, mat.centre[1] - y
+                    if dx * nx + dy * ny > -overlap and abs(dx * ny - dy * nx) <= half + slack:
+                        return True
+    return False
