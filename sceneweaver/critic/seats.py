@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from sceneweaver.assets.roles import has_role, with_role
+from sceneweaver.assets.roles import has_role
 from sceneweaver.rules.faults import number
 from sceneweaver.scene import CATALOGUE
 from sceneweaver.verify.solids import Body
 
 from . import kinds
 from .survey import SEAT_TIES, Survey
-
-AT_TABLE = with_role("seated_at")
 
 
 def seat_like(body: Body) -> bool:
@@ -35,7 +33,7 @@ def table_of(survey: Survey, seat: Body) -> Body | None:
 def _find_table(survey: Survey, seat: Body) -> Body | None:
     for kind, target in survey.ties.get(seat.id, ()):
         other = survey.placed.by_id[target]
-        if kind in SEAT_TIES and other.item.category in AT_TABLE:
+        if kind in SEAT_TIES and other.item.category in kinds.SEATED_AT:
             return other
         if kind in CATALOGUE.with_role("seat"):
             return other  # whatever it is, the seat is meant for it
@@ -43,7 +41,7 @@ def _find_table(survey: Survey, seat: Body) -> Body | None:
     if not _goes_with_table(survey, seat):
         return None
     for other, gap in survey.near(seat, number("at_table")):
-        if other.item.category not in AT_TABLE:
+        if other.item.category not in kinds.SEATED_AT:
             continue
         ahead, _ = seat.local(other.centre)
         score = gap + (0.0 if ahead > 0 else number("behind"))
