@@ -243,12 +243,12 @@ class Survey:
 
     def back_wall(self, body: Body) -> tuple[Wall, float, float] | None:
         """The wall that the back of a body looks at, the gap [m] and the angle [rad] between them; None: none."""
-        face = body.face("back")
-        best = None
+        face, best = body.face("back"), None
+        least, past, through = (fault_number(name) for name in ("back_turned", "past_wall", "through_wall"))
         for wall in self.placed.walls:
             turned = dot(face.normal, wall.outward)
             along, gap = wall.coordinates(face.centre)
-            if turned < 0.7 or not -0.1 <= along <= wall.length + 0.1 or gap < -0.2:
+            if turned < least or not -past <= along <= wall.length + past or gap < -through:
                 continue
             if best is None or gap < best[1]:
                 best = (wall, max(0.0, gap), math.acos(min(1.0, turned)))
@@ -266,7 +266,7 @@ class Survey:
             if facing < 1e-6:
                 continue
             along, gap = wall.coordinates(start)
-            if gap < -0.05:
+            if gap < -fault_number("at_wall"):
                 continue
             t = max(0.0, gap) / facing
             hit, _ = wall.coordinates((start[0] + t * way[0], start[1] + t * way[1]))
