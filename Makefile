@@ -35,6 +35,8 @@ demo: $(READY) ## Design the demo room; results in out/demo
 
 # Tests start many programs: without bytecode each would compile all sources of the library anew.
 test: export PYTHONDONTWRITEBYTECODE :=
+# Workers are as many as cores: linear algebra in several threads of each would only wait for them.
+test: export OPENBLAS_NUM_THREADS := 1
 test: $(READY) ## Run the tests except the long ones
 	$(PYTEST) -n $(JOBS) --dist loadfile $(ARGS)
 
