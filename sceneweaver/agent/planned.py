@@ -8,16 +8,23 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import partial
 from typing import Any, NamedTuple
 
+from sceneweaver.assets import categories
 from sceneweaver.critic.design.query import Case, kind_set
+from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.geometry.shell import heights
 from sceneweaver.geometry.walls import Wall
+from sceneweaver.knowledge.small_things import left_about
 from sceneweaver.layout.quality import KINDS
 from sceneweaver.rules.design import room_groups
 from sceneweaver.rules.expression import CALLED
-from sceneweaver.scene import Scene, SceneObject
+from sceneweaver.rules.faults import number
+from sceneweaver.scene import CATALOGUE, Scene, SceneObject
+from sceneweaver.verify.walkable import ARM, RADIUS
 
-FLAT = 0.05
+FLAT = number("underfoot")
 """Height [m] up to which things are walked on."""
+
+QUARTER = math.pi / 2
 
 
 class Measured(NamedTuple):
@@ -25,6 +32,13 @@ class Measured(NamedTuple):
 
     kind: str
     objects: tuple[str, ...]
+
+
+class Use(NamedTuple):
+    """The side at which a piece is used (0 to 3 from the front to the left; -1: any), and the depth [m] there."""
+
+    side: float
+    depth: float
 
 
 class Planned:
@@ -121,27 +135,82 @@ class Planned:
                 pairs[o.category].append(o)
             yield from ({"one": p[0], "other": p[1], "base": base} for p in pairs.values() if len(p) == 2)
 
+    def table_at(self, seat: SceneObject) -> SceneObject | None:
+        """The table or desk that a seat is tied to."""
+        return next(iter(self.tied(seat, "seated_at")), None)
+
+    def sets_of_equals(self) -> list[tuple[SceneObject, ...]]:
+        """What stands, by category, and seats by their table; no plants, and no seats without a table."""
+        sets: dict[tuple[str, str | None], list[SceneObject]] = defaultdict(list)
+        for o in self.standing:
+            seat = o.category in kind_set("upright_seat")
+            table = self.table_at(o) if seat else None
+            if o.category not in kind_set("tall_plant") and not (seat and table is None):
+                sets[o.category, table.id if table else None].append(o)
+        return [tuple(objects) for objects in sets.values()]
+
+    def axis_period(self, base: SceneObject | str) -> float:
+        """The turn [rad] after which the axes of a table, or else of the walls, are the same.
+
+        0 in a room whose walls do not meet in quarter or eighth turns.
+        """
+        walls = self.scene.room.walls
+        turns = (wrap_angle(w.yaw - walls[0].yaw, QUARTER) for w in walls if w.length >= number("short_wall"))
+        axes = {round(math.degrees(turn)) % 90 for turn in turns}
+        if axes not in ({0}, {0, 45}):
+            return 0.0
+        return QUARTER if axes == {0} or not isinstance(base, str) else QUARTER / 2
+
+    def side_of_use(self, o: SceneObject) -> Use:
+        """The side at which a piece is used, and how far its zone reaches out there; of what has seats any."""
+        ties = CATALOGUE.with_role("seat")
+        tucked = any(r.type in ties and o.id in (r.subject, *r.targets) for r in self.scene.relations)
+        depths = {} if tucked else {0.0: 0.0}
+        for zone in o.zones:
+            if zone.hard:
+                xs, ys = [p[0] for p in zone.polygon], [p[1] for p in zone.polygon]
+                out = {0.0: max(xs) - o.size[0] / 2, 1.0: max(ys) - o.size[1] / 2}
+                out |= {2.0: -min(xs) - o.size[0] / 2, 3.0: -min(ys) - o.size[1] / 2}
+                side = max(out, key=lambda name: out[name])
+                depths[side] = max(depths.get(side, 0.0), out[side])
+        return Use(*next(iter(depths.items()))) if len(depths) == 1 else Use(-1.0, 0.0)
+
     def _functions(self) -> dict[str, Callable[..., Any]]:
         """What conditions and numbers of rows may call, beside the measures."""
         walls = tuple(f"wall:{k}" for k in range(len(self.scene.room.outline)))
         return {
             "after": lambda row, o: row[row.index(o) + 1 :],
+            "arm": lambda: ARM,
+            "axis_period": self.axis_period,
+            "category": lambda o: o.category,
             "deg": math.degrees,
             "depth": lambda o: o.size[0],
             "has_doors": lambda: bool(self.scene.room.doors),
             "in_rooms": lambda group: self.room in room_groups().get(group, (group,)),
             "kind": lambda o, kinds: o.category in kind_set(kinds),
             "lean": lambda: False,
+            "left_about": lambda o: left_about(o.category, self.room),
             "light": lambda: self.movable,
             "mount": lambda o: o.mount,
+            "priority": lambda o: o.intent.priority,
+            "robot": lambda: RADIUS,
             "same_kind": lambda a, b: a.category == b.category,
+            "sets_of_equals": self.sets_of_equals,
+            "side_of_use": self.side_of_use,
+            "sides_used": _sides_used,
             "sill": lambda window: heights(window)[0],
+            "table_at": self.table_at,
             "tall": lambda o: o.size[2],
             "tied": lambda a, b: b in self.near(a),
             "walls": lambda: walls,
             "width": lambda o: o.size[1],
             "windows": lambda: tuple(self.scene.room.windows),
         }
+
+
+def _sides_used(o: SceneObject) -> tuple[str, ...]:
+    row = categories().get(o.category)
+    return tuple(row.sides) if row is not None else ()
 
 
 def _measured(kind: str, *things: Any) -> Measured:

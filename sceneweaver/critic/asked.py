@@ -28,5 +28,5 @@ def findings(items: Sequence[Asked]) -> list[Finding]:
     if items and all(item.outcome.status == "not_understood" for item in items):
         reason = "nothing of the request was understood, so nothing of it is known to be met"
         fix = "ask in plain English, or let a model read the request"
-        return [finding("alignment", "not_understood", (), reason, fix, points=9.0, cap=1.0)]
+        return [finding("alignment", "not_understood", (), reason, fix, grave=True)]
     return [item.finding for item in items if item.finding is not None]

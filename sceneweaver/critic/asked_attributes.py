@@ -11,6 +11,7 @@ from sceneweaver.assets.category import Category
 from sceneweaver.assets.looks import Words, read_words
 from sceneweaver.assets.materials import STYLES, color_named, finishes_named
 from sceneweaver.language import Attribute, Entity
+from sceneweaver.rules.faults import fault_kind
 from sceneweaver.scene import InputError
 from sceneweaver.verify.measure import Measurement
 from sceneweaver.verify.solids import Body
@@ -20,14 +21,8 @@ from .grade import Call
 from .shape_measures import plan_shape
 from .verdict import Asked, counted, met, not_understood, unmet
 
-SIZE_SLACK = 0.15
-"""Share by which a size may differ from what was asked."""
-
-OBLONG = 1.4
-"""Quotient of two sides from which something is long."""
-
-MEDIUM = 1.33
-"""Factor about the middle of what is usual within which a size is medium."""
+SIZES = fault_kind("wrong_asked_size").limits
+"""Shares and factors of sizes that are as asked."""
 
 EXTENTS = {"plan": "area", "long": "length", "short": "breadth"}
 """Names of extents that are none of the three of a size."""
@@ -193,9 +188,11 @@ def _extent(body: Body, asked: Entity, words: Words) -> Measurement | None:
         return None
     axis, share = _axis(words)
     sides = sorted(body.size[:2])
-    if axis == "long" and sides[1] < OBLONG * sides[0]:  # however large it is
-        return Measurement("length by its breadth", sides[1] / sides[0], OBLONG, math.inf, "", 1e-6)
-    low, high = (1.0, math.inf) if share > 0.5 else (0.0, 1.0) if share < 0.5 else (1.0 / MEDIUM, MEDIUM)
+    if axis == "long" and sides[1] < SIZES["oblong"] * sides[0]:  # however large it is
+        return Measurement("length by its breadth", sides[1] / sides[0], SIZES["oblong"], math.inf, "", 1e-6)
+    low, high = (
+        (1.0, math.inf) if share > 0.5 else (0.0, 1.0) if share < 0.5 else (1.0 / SIZES["medium"], SIZES["medium"])
+    )
     return Measurement(
         f"{EXTENTS.get(axis, axis)} by the usual one", _usual_share(body, row, axis), low, high, "", 1e-6
     )
@@ -223,7 +220,7 @@ def _of_size(body: Body, asked: Entity, words: Words) -> Answer | None:
     m = _extent(body, asked, words)
     if m is None:
         return None
-    if m.low == OBLONG:
+    if m.low == SIZES["oblong"]:
         return m.ok(), f"{m.value:.2f} times as long as it is broad"
     return m.ok(), f"{m.value:.2f} of the usual {m.quantity.split()[0]}"
 
@@ -234,10 +231,18 @@ def _resized(attribute: Attribute, asked: Entity, body: Body, number: Measuremen
     if not words.extents or number.value <= 0.0:
         return None
     axis, share = _axis(words)
-    if number.low == OBLONG:
-        scale = 1.05 * OBLONG
+    if number.low == SIZES["oblong"]:
+        scale = SIZES["longer"] * SIZES["oblong"]
     else:
-        scale = asked.scale if asked.scale != 1.0 else 1.15 if share > 0.5 else 0.87 if share < 0.5 else 1.0
+        scale = (
+            asked.scale
+            if asked.scale != 1.0
+            else SIZES["larger"]
+            if share > 0.5
+            else SIZES["smaller"]
+            if share < 0.5
+            else 1.0
+        )
     size = list(body.size)
     if axis == "plan":
         factor = math.sqrt(scale / number.value)
@@ -257,13 +262,13 @@ def _measured_size(asked: Entity, bodies: Sequence[Body]) -> Asked:
         target = [s if want is None else want for s, want in zip(body.size, asked.size, strict=True)]
         k = max(range(3), key=lambda k: abs(body.size[k] - target[k]) / target[k])
         off = abs(body.size[k] - target[k]) / target[k]
-        low, high = (target[k] * (1.0 + s * SIZE_SLACK) for s in (-1, 1))
+        low, high = (target[k] * (1.0 + s * SIZES["metres"]) for s in (-1, 1))
         if worst is None or off > worst[0]:
             worst = (off, body, target, Measurement(("depth", "width", "height")[k], body.size[k], low, high, "m"))
     assert worst is not None
     off, body, target, number = worst
     said = f"{body.id} measures {_show(body.size)} m"
-    if off <= SIZE_SLACK:
+    if off <= SIZES["metres"]:
         return met("attribute", item, ids, f"{said}, as asked", number)
     return unmet(
         "attribute",

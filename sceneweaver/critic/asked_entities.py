@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from sceneweaver.assets.taxonomy import members
 from sceneweaver.knowledge.kin import interchangeable
 from sceneweaver.language import Entity
+from sceneweaver.rules.faults import fault_kind
 from sceneweaver.verify.solids import Body
 
 from . import asked_attributes, kinds
@@ -14,13 +15,7 @@ from .asked_calls import adding
 from .survey import FLAT, Survey
 from .verdict import Asked, counted, met, unmet
 
-GRADE_CAP = 5.0
-"""Highest grade when something that was asked for is missing, or something unwanted is there."""
-
 MANY = 10**6
-
-SPARE = 2.0
-"""Points for things of which there are too many."""
 
 
 def outcomes(survey: Survey) -> Iterator[Asked]:
@@ -48,7 +43,7 @@ def _entity(survey: Survey, asked: Entity, bodies: list[Body]) -> Asked:
             fault="missing_asked",
             share=missing / least,
             suggestion=f"add {missing} {kinds.words(asked.category)}",
-            cap=GRADE_CAP if len(bodies) * 2 < least else None,
+            grave=len(bodies) < fault_kind("missing_asked").limits["grave"] * least,
             call=adding(survey, asked, missing),
         )
     spare = [b.id for b in (*bodies[most:], *_beside(survey, asked, bodies))] if asked.count is not None else []
@@ -65,7 +60,6 @@ def _entity(survey: Survey, asked: Entity, bodies: list[Body]) -> Asked:
             fault="too_many",
             wrong=spare,
             share=len(spare) / max(1, most),
-            weight=SPARE,
             suggestion=f"remove {', '.join(spare)}",
             call=("remove_objects", {"ids": spare}),
         )
@@ -101,7 +95,7 @@ def _exclusions(survey: Survey) -> Iterator[Asked]:
             counted("number", len(there), 0, 0),
             fault="unwanted",
             suggestion=f"remove {', '.join(there)}",
-            cap=GRADE_CAP,
+            grave=True,
             call=("remove_objects", {"ids": there}),
         )
 
@@ -120,8 +114,7 @@ def _only(survey: Survey) -> Asked:
         f"{len(extra)} pieces of furniture beside what was asked for alone",
         number,
         fault="not_only",
-        share=len(extra) / 5,
-        weight=4.0,
+        share=len(extra) / fault_kind("not_only").limits["pieces"],
         suggestion=f"remove {', '.join(extra)}",
         call=("remove_objects", {"ids": extra}),
     )

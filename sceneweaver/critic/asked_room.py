@@ -6,17 +6,12 @@ import math
 from collections.abc import Iterable, Iterator
 
 from sceneweaver.geometry.angles import cross
+from sceneweaver.rules.faults import fault_kind
 from sceneweaver.verify.measure import Measurement
 
 from . import kinds
 from .survey import Survey
 from .verdict import Asked, counted, met, not_understood, unmet
-
-AREA_SLACK = 0.12
-"""Share by which a floor may differ from what was asked."""
-
-PER_PERSON = 0.7
-"""Share of the room type's floor a person that is enough."""
 
 BEGIN = "start again with a room as asked"
 
@@ -27,7 +22,7 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
     if brief.room_type is not None:
         is_, want = kinds.a(survey.room_type.name), kinds.a(brief.room_type)
         holds = brief.room_type == survey.room_type.name
-        yield _fact("room_type", holds, f"{is_}; {want} was asked for", None, "wrong_room", 3.0)
+        yield _fact("room_type", holds, f"{is_}; {want} was asked for", None, "wrong_room")
     if brief.other_rooms:
         named = ", ".join(name.replace("_", " ") for name in brief.other_rooms)
         yield met("room", "room.other_rooms", (), f"one room is made; the request names {named} as well", assumed=True)
@@ -40,24 +35,22 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
             f"the floor is {shape}-shaped, '{brief.shape}' was asked for",
             None,
             "wrong_shape",
-            1.5,
+            points=fault_kind("wrong_shape").limits["room"],
         )
     if brief.height is not None:
-        high = Measurement("height", room.height, brief.height - 0.05, brief.height + 0.05)
+        slack = fault_kind("wrong_height").limits["slack"]
+        high = Measurement("height", room.height, brief.height - slack, brief.height + slack)
         reason = f"the ceiling is {room.height:.2f} m high, {brief.height:.2f} m was asked for"
-        yield _fact("height", high.ok(1e-9), reason, high, "wrong_height", 1.0)
+        yield _fact("height", high.ok(1e-9), reason, high, "wrong_height")
     if brief.people is not None and survey.room_type.area_per_person is not None and not _asked_area(survey):
-        each = Measurement(
-            "floor a person", area / max(1, brief.people), PER_PERSON * survey.room_type.area_per_person, math.inf, "m2"
-        )
-        yield _fact(
-            "people", each.ok(), f"{each.value:.1f} m2 a person for {brief.people} people", each, "too_small", 1.0
-        )
+        least = fault_kind("too_small").limits["per_person"] * survey.room_type.area_per_person
+        each = Measurement("floor a person", area / max(1, brief.people), least, math.inf, "m2")
+        yield _fact("people", each.ok(), f"{each.value:.1f} m2 a person for {brief.people} people", each, "too_small")
     for name, asked, have in (("door", brief.doors, room.doors), ("window", brief.windows, room.windows)):
         if asked is not None:
             number = counted(f"{name}s", len(have), asked, asked)
             reason = f"{len(have)} {name}s, {asked} were asked for"
-            yield _fact(f"{name}s", number.ok(), reason, number, f"wrong_{name}s", 1.0)
+            yield _fact(f"{name}s", number.ok(), reason, number, f"wrong_{name}s")
     yield from _style(survey)
     for k, unread in enumerate(brief.unread):
         yield not_understood("unread", f"unread-{k}", (), f"'{unread.words}' was not understood")
@@ -69,15 +62,15 @@ def _fact(
     reason: str,
     m: Measurement | None,
     fault: str,
-    points: float,
     objects: Iterable[str] = (),
     suggestion: str = BEGIN,
     share: float = 1.0,
+    points: float | None = None,
 ) -> Asked:
     ids = tuple(objects)
     if holds:
         return met("room", f"room.{name}", ids, f"{name.replace('_', ' ')} as asked", m)
-    return unmet("room", f"room.{name}", ids, reason, m, fault=fault, weight=points, suggestion=suggestion, share=share)
+    return unmet("room", f"room.{name}", ids, reason, m, fault=fault, points=points, suggestion=suggestion, share=share)
 
 
 def _asked_area(survey: Survey) -> float | None:
@@ -87,34 +80,29 @@ def _asked_area(survey: Survey) -> float | None:
 
 def _areas(survey: Survey) -> Iterator[Asked]:
     brief, area, want = survey.brief, survey.area, _asked_area(survey)
+    limits = fault_kind("wrong_area").limits
     if want is not None:
-        m = Measurement("floor", area, want * (1.0 - AREA_SLACK), want * (1.0 + AREA_SLACK), "m2")
-        yield _fact(
-            "area" if brief.size is None else "size",
-            m.ok(1e-9),
-            f"{area:.1f} m2 of floor, {want:.1f} m2 were asked for",
-            m,
-            "wrong_area",
-            1.5,
-        )
+        m = Measurement("floor", area, want * (1.0 - limits["slack"]), want * (1.0 + limits["slack"]), "m2")
+        reason = f"{area:.1f} m2 of floor, {want:.1f} m2 were asked for"
+        yield _fact("area" if brief.size is None else "size", m.ok(1e-9), reason, m, "wrong_area")
     elif brief.scale != 1.0:
         usual = survey.room_type.area[1]
         low, high = (usual, math.inf) if brief.scale > 1.0 else (-math.inf, usual)
         m = Measurement("floor", area, low, high, "m2", 1e-9)
         word = "large" if brief.scale > 1.0 else "small"
-        yield _fact(
-            "scale", m.ok(), f"{area:.1f} m2 of floor for a {word} room; usual are {usual:.1f} m2", m, "wrong_area", 1.0
-        )
+        reason = f"{area:.1f} m2 of floor for a {word} room; usual are {usual:.1f} m2"
+        yield _fact("scale", m.ok(), reason, m, "wrong_area", points=limits["vague"])
 
 
 def shape_of(survey: Survey) -> str:
     """The shape of the floor by its corners that turn inward and outward."""
     walls = survey.placed.walls
     sines = [cross(walls[wall.index - 1].along, wall.along) for wall in walls]
-    turns = [sine for sine in sines if abs(sine) > 0.03]
+    limits = fault_kind("wrong_shape").limits
+    turns = [sine for sine in sines if abs(sine) > limits["straight"]]
     inward = sum(t < 0 for t in turns)
     if inward == 0:
-        return "rectangle" if len(turns) == 4 else "round" if len(turns) >= 7 else "polygon"
+        return "rectangle" if len(turns) == 4 else "round" if len(turns) >= limits["round_corners"] else "polygon"
     if inward == 1:
         return "L"
     if inward == 2:
@@ -129,7 +117,7 @@ def _style(survey: Survey) -> Iterator[Asked]:
     brief = survey.brief
     furniture = [b for b in survey.bodies if b.item.mount == "floor"]
     if brief.style is not None:
-        told = [b for b in furniture if "style" in b.item.attributes]
+        told, limits = [b for b in furniture if "style" in b.item.attributes], fault_kind("wrong_style").limits
         other = [b for b in told if b.item.attributes["style"] != brief.style]
         share = counted("pieces of the style", len(told) - len(other), math.ceil(len(told) / 2))
         reason = f"{len(told) - len(other)} of {len(told)} pieces are {brief.style}"
@@ -139,10 +127,10 @@ def _style(survey: Survey) -> Iterator[Asked]:
             reason,
             share,
             "wrong_style",
-            1.2,
-            [b.id for b in other[:8]],
+            [b.id for b in other[: limits["shown"]]],
             f"choose {brief.style} furniture",
             len(other) / max(1, len(told)),
+            limits["room"],
         )
     if brief.colors:
         told = [b for b in furniture if "color" in b.item.attributes]
@@ -154,7 +142,6 @@ def _style(survey: Survey) -> Iterator[Asked]:
             f"nothing is {' or '.join(brief.colors)}",
             counted("pieces of the colours", len(so), min(1, len(told))),
             "wrong_colors",
-            1.0,
             so,
             f"choose furniture in {' and '.join(brief.colors)}",
         )

@@ -10,26 +10,12 @@ from collections import defaultdict
 from dataclasses import dataclass
 from functools import cached_property
 
+from sceneweaver.rules.faults import number
 from sceneweaver.verify.solids import Body
 
 from . import kinds
-from .needs import table_of
-from .survey import FLAT, Survey, turn_to
-
-REACH = 1.2
-"""Gap [m] between seats, or between a seat and a coffee table, up to which they are one group."""
-
-VIEW = 7.0
-"""Distance [m] up to which a screen is watched."""
-
-LOOKS = 65.0
-"""Angle [deg] from its front up to which a sofa looks at something."""
-
-BESIDE_BED = 0.5
-"""Gap [m] up to which a nightstand belongs to a bed."""
-
-RUG_NEAR = 0.6
-"""Gap [m] up to which a rug beside a bed belongs to it."""
+from .seats import table_of
+from .survey import Survey, turn_to
 
 SEATS = kinds.LOUNGE | frozenset(("waiting_bench", "bench", "ottoman", "pouf"))
 """What makes up a seating group."""
@@ -48,8 +34,6 @@ BEDSIDE = frozenset(("nightstand", "side_table"))
 
 HUNG = kinds.EYE_LEVEL - {"wall_clock"}
 """What is hung over a bed or a sofa to be looked at."""
-
-CARDIO = frozenset(("treadmill", "spin_bike", "elliptical", "rowing_machine", "stair_climber"))
 
 COUNTERS = frozenset(("reception_desk", "bar_counter", "host_stand"))
 """What has staff on one side and visitors on the other."""
@@ -114,10 +98,12 @@ class Groups:
             table = self._coffee_table(anchor)
             members, ids = [anchor], {anchor.id}
             if table is not None:
-                members += [b for b, _ in self.survey.near(table, REACH) if b in seats and b.id not in ids | taken]
+                members += [
+                    b for b, _ in self.survey.near(table, number("seating")) if b in seats and b.id not in ids | taken
+                ]
                 ids.update(b.id for b in members)
             for member in members:  # grows: who is near a member is one as well
-                for other, _ in self.survey.near(member, REACH):
+                for other, _ in self.survey.near(member, number("seating")):
                     if other in seats and other.id not in ids | taken:
                         members.append(other)
                         ids.add(other.id)
@@ -129,7 +115,7 @@ class Groups:
 
     def _coffee_table(self, anchor: Body) -> Body | None:
         """The nearest coffee table before a seat."""
-        for other, _ in self.survey.near(anchor, REACH):
+        for other, _ in self.survey.near(anchor, number("seating")):
             if other.item.category in kinds.COFFEE and anchor.local(other.centre)[0] > 0.0:
                 return other
         return None
@@ -153,7 +139,8 @@ class Groups:
         seen = [
             (turn_to(seat, b.centre), b.id, b)
             for b in self.screens
-            if math.dist(b.centre, seat.centre) <= VIEW and math.degrees(turn_to(seat, b.centre)) <= LOOKS
+            if math.dist(b.centre, seat.centre) <= number("view")
+            and math.degrees(turn_to(seat, b.centre)) <= number("lounge_off")
         ]
         return min(seen)[2] if seen else None
 
@@ -166,14 +153,14 @@ class Groups:
         half_d, half_w = bed.size[0] / 2, bed.size[1] / 2
         stands = [
             b
-            for b, _ in self.survey.near(bed, BESIDE_BED)
+            for b, _ in self.survey.near(bed, number("bedside"))
             if b.item.category in BEDSIDE and bed.local(b.centre)[0] < 0.0 and abs(bed.local(b.centre)[1]) > half_w
         ]
         over, pendants = [], []
         for b in self.survey.bodies:
             ahead, aside = bed.local(b.centre)
             if b.item.mount == "wall" and b.item.category in HUNG:
-                if -half_d - 0.3 <= ahead < -half_d + 0.3 and abs(aside) < half_w + 0.2:
+                if abs(ahead + half_d) <= number("over_head") and abs(aside) < half_w + number("beside_head"):
                     over.append(b)
             elif b.item.category in ("pendant", "chandelier") and abs(ahead) < half_d and abs(aside) < half_w:
                 pendants.append(b)
@@ -184,8 +171,8 @@ class Groups:
         under = self._rug_of(bed)
         if under is not None:
             return under
-        for rug, gap in self.survey.near(bed, RUG_NEAR):
-            if rug in self.rugs and gap <= RUG_NEAR and not any(self.overlap(rug, s.table) > 0.0 for s in self.tables):
+        for rug, _ in self.survey.near(bed, number("rug_at_bed")):
+            if rug in self.rugs and not any(self.overlap(rug, s.table) > 0.0 for s in self.tables):
                 return rug
         return None
 
@@ -201,36 +188,6 @@ class Groups:
         by_id = self.survey.placed.by_id
         return [Seated(by_id[name], tuple(seats)) for name, seats in at.items()]
 
-    @cached_property
-    def machines(self) -> dict[str, list[Body]]:
-        """Cardio machines by kind."""
-        found: dict[str, list[Body]] = defaultdict(list)
-        for body in self.survey.of_kind(CARDIO):
-            found[body.item.category].append(body)
-        return dict(found)
-
-    @cached_property
-    def counters(self) -> list[Body]:
-        """Desks and counters with a staff side, which is their back, and a visitor side, which is their front."""
-        return self.survey.of_kind(COUNTERS)
-
-    @cached_property
-    def members(self) -> dict[str, str]:
-        """By object that is part of a group, the id of what the group is around."""
-        found: dict[str, str] = {}
-        for s in self.seatings:
-            for b in (*s.seats, s.table, s.rug):
-                if b is not None:
-                    found.setdefault(b.id, s.anchor.id)
-        for s in self.sleepings:
-            for b in (s.bed, *s.stands, s.rug):
-                if b is not None:
-                    found.setdefault(b.id, s.bed.id)
-        for s in self.tables:
-            for b in (s.table, *s.seats):
-                found.setdefault(b.id, s.table.id)
-        return found
-
 
 def groups_of(survey: Survey) -> Groups:
     """The groups of a room; found once for a survey."""
@@ -238,8 +195,3 @@ def groups_of(survey: Survey) -> Groups:
     if kept is None:
         kept = survey.__dict__["_groups"] = Groups(survey)
     return kept
-
-
-def furniture(survey: Survey) -> list[Body]:
-    """What stands on the floor and is neither a rug nor a mat."""
-    return [b for b in survey.standing if b.size[2] > 3 * FLAT]

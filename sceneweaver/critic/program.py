@@ -8,10 +8,8 @@ from dataclasses import dataclass
 from sceneweaver.knowledge import Item, RoomType
 from sceneweaver.knowledge.kin import excluded_kinds, serves
 from sceneweaver.language import Entity, SceneGraph
+from sceneweaver.rules.faults import number
 from sceneweaver.scene import Scene, SceneObject
-
-SLACK = 0.75
-"""Share of a count by area that is enough."""
 
 
 @dataclass(frozen=True)
@@ -122,7 +120,7 @@ def _need(
         return None
     least = item.count.of(area, people, 0.0)
     if item.count.per_area is not None or item.count.per_person is not None:
-        least = max(item.count.least, int(SLACK * least))
+        least = max(item.count.least, int(number("count_by_area") * least))
     core = min(least, max(1, item.count.least))
     if item.with_ is not None:
         hosts = _hosts(item, by_item, scene)

@@ -10,26 +10,15 @@ from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Scene
 from sceneweaver.verify import Report
 
-from . import access, asked, belonging, design, facing, finish, needs, order, own, physical, rows, sizes, space
-from .grade import Finding, finding, grades
+from . import asked, design, own
+from . import checks as checks  # whose measures rows call
+from .grade import Finding, grades
 from .model import Fault, Review
 from .survey import Survey
+from .totals import measures
 
-CHECKS: tuple[Callable[[Survey], Iterator[Finding]], ...] = (
-    physical.faults,
-    needs.faults,
-    belonging.faults,
-    sizes.faults,
-    facing.faults,
-    access.faults,
-    order.faults,
-    rows.faults,
-    space.faults,
-    finish.faults,
-    design.faults,
-    own.faults,
-)
-"""All checks but those of the request; each reads the survey and gives what it finds."""
+CHECKS: tuple[Callable[[Survey], Iterator[Finding]], ...] = (design.other_faults, design.faults, own.faults)
+"""All checks but those of the request; each gives what it finds in a survey. Without objects only the first is done."""
 
 MOST, MOST_ASKED = 8, 64
 """Faults of one kind that are listed one by one; of what was asked for."""
@@ -51,12 +40,12 @@ def review_scene(scene: Scene, report: Report, room_type: RoomType, brief: Scene
     """
     survey = Survey.of(scene, report, room_type, brief)
     items = asked.measured(survey)
-    checks = [check for check in CHECKS if rules or check is not design.faults]
-    found = [*(f for check in checks for f in check(survey))] if scene.objects else [*_empty(survey)]
+    carried_out = [check for check in CHECKS if rules or check is not design.faults][: None if scene.objects else 1]
+    found = [f for check in carried_out for f in check(survey)]
     found = [f for f in found if not _turned_as_asked(survey, f)] + asked.findings(items)
     ranked = sorted(found, key=lambda f: (f.cap is None, -f.fault.points))
     faults = _short([f.fault for f in ranked])
-    return Review(grades=grades(found), faults=faults, measures=_measures(survey), alignment=asked.alignment(items))
+    return Review(grades=grades(found), faults=faults, measures=measures(survey), alignment=asked.alignment(items))
 
 
 def _turned_as_asked(survey: Survey, found: Finding) -> bool:
@@ -86,29 +75,3 @@ def _short(faults: Sequence[Fault]) -> tuple[Fault, ...]:
         reason = f"{len(more)} more of this kind, such as: {more[0].reason}"
         kept.append(more[0].model_copy(update={"objects": ids, "reason": reason, "points": points}))
     return tuple(kept)
-
-
-def _empty(survey: Survey) -> Iterator[Finding]:
-    yield from needs.faults(survey)
-    for criterion in ("realism", "functionality", "layout", "completion"):
-        yield finding(criterion, "empty_room", (), "the room is empty", "furnish the room", grave=True)
-
-
-def _measures(survey: Survey) -> dict[str, float]:
-    report, scene = survey.report, survey.scene
-    floor = max(1, sum(o.mount == "floor" for o in scene.objects))
-    found = {
-        "objects": float(len(scene.objects)),
-        "floor_objects": float(sum(o.mount == "floor" for o in scene.objects)),
-        "relations_per_floor_object": len(scene.relations) / floor,
-        "floor_m2": survey.area,
-        "violations": float(sum(v.hard for v in report.violations)),
-        **belonging.measures(survey),
-        **space.measures(survey),
-        **finish.measures(survey),
-    }
-    for name in ("walkable_share", "reachable_share"):
-        share = getattr(report, name)
-        if share is not None:
-            found[name] = float(share)
-    return {name: round(value, 4) for name, value in found.items()}

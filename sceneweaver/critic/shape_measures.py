@@ -5,16 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 from sceneweaver.geometry.polygons import union
+from sceneweaver.rules.faults import fault_kind
 from sceneweaver.verify.solids import Body
 
-SQUARE = 1.12
-"""Most quotient of two sides of what passes for square or round."""
-
-FILLED, ROUND = 0.92, 0.74
-"""Share of its rectangle that an angular outline fills, and that a round one fills at least (a disc fills 0.785)."""
-
-BENT = 0.85
-"""Share of its convex hull that an L or a U fills at most."""
+SHAPES = fault_kind("wrong_shape").limits
+"""Quotients of sides and shares of boxes and hulls that tell shapes apart; a disc fills 0.785 of its square."""
 
 
 def plan_shape(body: Body) -> str:
@@ -27,11 +22,11 @@ def plan_shape(body: Body) -> str:
     hull = outline.convex_hull
     depth, width = body.size[:2]
     box = max(1e-9, depth * width)
-    if outline.area < BENT * hull.area:
+    if outline.area < SHAPES["bent"] * hull.area:
         return "l_shaped"
     ratio = max(depth, width) / max(1e-9, min(depth, width))
-    if hull.area > FILLED * box:
-        return "square" if ratio < SQUARE else "rectangular"
-    if hull.area > ROUND * box:
-        return "round" if ratio < SQUARE else "oval"
+    if hull.area > SHAPES["filled"] * box:
+        return "square" if ratio < SHAPES["square"] else "rectangular"
+    if hull.area > SHAPES["round"] * box:
+        return "round" if ratio < SHAPES["square"] else "oval"
     return "other"

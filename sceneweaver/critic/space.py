@@ -1,9 +1,8 @@
-"""How the floor is filled: what is covered, what lies empty, and whether one end has it all."""
+"""The floor as a grid: what is covered, and what is in use."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,35 +10,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sceneweaver.geometry.se2 import SE2
+from sceneweaver.rules.faults import number
 
-from .grade import Finding, finding, moved
 from .survey import Survey
-
-REACH = 0.6
-"""Distance [m] around furniture that belongs to it: where one stands, sits and passes."""
 
 CELLS = 4000
 """Cells of the grid that the floor is measured with, about."""
 
-CROWDED = 0.6
-"""Share of the floor under furniture from which a room is crowded."""
-
-EMPTY = 0.14
-"""Share of the floor that may lie idle in one rectangle, beyond the reach of all furniture."""
-
-NARROW = 1.0
-"""Width [m] up to which an idle strip is a way and no gap in the furniture."""
-
-EMPTY_LEAST = 2.0
-"""Area [m2] up to which an idle rectangle is no fault."""
-
-ONE_SIDED = 0.08
-"""Share of the furniture that each half of the room should have."""
-
 
 @dataclass(frozen=True)
 class Floor:
-    """The floor as a grid: ``inside`` the room, ``taken`` by furniture, ``used`` within `REACH` of it; [rows, cols]."""
+    """The floor as a grid: ``inside`` the room, ``taken`` by furniture, ``used`` within reach of it; [rows, cols]."""
 
     cell: float
     inside: NDArray[np.bool_]
@@ -86,7 +67,7 @@ def _measure(survey: Survey) -> Floor:
     stands[[b.index for b in survey.standing]] = True
     _fill(taken, frame.to_local(parts.xy[stands[parts.owner]]), us, vs)
     away = np.asarray(distance_transform_edt(~taken)) * cell if taken.any() else np.full(inside.shape, np.inf)
-    used = away <= REACH
+    used = away <= number("used")
     _fill(used, frame.to_local(survey.placed.opening_zones.xy[: len(survey.placed.doors)]), us, vs)
     return Floor(cell, inside, taken & inside, used & inside, frame.yaw, (float(low[0]), float(low[1])))
 
@@ -128,96 +109,3 @@ def largest_rectangle(free: NDArray[np.bool_]) -> tuple[int, int, int, int, int]
                     best = (tall * (k - start), r - tall + 1, start, tall, k - start)
             stack.append((start, h))
     return best
-
-
-def measures(survey: Survey) -> dict[str, float]:
-    """Shares of the floor that are covered and used, and the largest idle rectangle [m2]."""
-    floor = floor_of(survey)
-    free = largest_rectangle(floor.inside & ~floor.taken)[0] * floor.cell**2
-    idle = _idle(survey)[0] * floor.cell**2
-    return {
-        "covered_share": floor.share(floor.taken),
-        "used_share": floor.share(floor.used),
-        "free_rectangle_m2": free,
-        "empty_rectangle_m2": idle,
-        "balance": _halves(floor)[0],
-    }
-
-
-def _idle(survey: Survey) -> tuple[int, int, int, int, int]:
-    floor = floor_of(survey)
-    kept = survey.__dict__.get("_idle")
-    if kept is None:
-        kept = survey.__dict__["_idle"] = largest_rectangle(floor.inside & ~floor.used)
-    return kept
-
-
-def faults(survey: Survey) -> Iterator[Finding]:
-    """A crowded floor, idle corners, all the furniture at one end."""
-    floor = floor_of(survey)
-    covered = floor.share(floor.taken)
-    sparse = survey.brief.density == "sparse" or survey.brief.only
-    if covered > CROWDED:
-        ids = [b.id for b in sorted(survey.standing, key=lambda b: (round(-b.size[0] * b.size[1], 4), b.id))[:3]]
-        spare = _spare(survey) or ids[-1:]
-        yield finding(
-            "layout",
-            "crowded",
-            ids,
-            f"furniture covers {covered:.0%} of the floor",
-            f"remove {', '.join(spare)}",
-            points=0.5 + 12.0 * (covered - CROWDED),
-            grave=covered > CROWDED + 0.15,
-            call=("remove_objects", {"ids": spare}),
-        )
-    cells, row, column, rows, columns = _idle(survey)
-    idle = cells * floor.cell**2
-    limit = max(EMPTY_LEAST, (2.0 if sparse else 1.0) * EMPTY * survey.area)
-    if idle > limit and min(rows, columns) * floor.cell >= NARROW and survey.bodies:
-        x, y = floor.world(row + rows / 2, column + columns / 2)
-        share = idle / survey.area
-        yield finding(
-            "layout",
-            "empty_area",
-            (),
-            f"{columns * floor.cell:.1f} x {rows * floor.cell:.1f} m around ({x:.1f}, {y:.1f}) lie empty, "
-            f"{share:.0%} of the floor",
-            "spread the furniture over the room",
-            points=0.4 + 5.0 * (share - EMPTY),
-            call=moved(),
-        )
-    least, way = _halves(floor)
-    if least < ONE_SIDED and len(survey.standing) >= 4 and not sparse and survey.area > 8.0:
-        yield finding(
-            "layout",
-            "one_sided",
-            (),
-            f"the {way} half of the room has {least:.0%} of the furniture",
-            "spread the furniture over the room",
-            points=0.6 + 6.0 * (ONE_SIDED - least),
-            call=moved(),
-        )
-
-
-def _spare(survey: Survey) -> list[str]:
-    """Furniture that the room could do without, the largest first."""
-    needed = {object_id for n in survey.program.needs if n.item.need == "needed" for object_id in n.have}
-    spare = [b for b in survey.standing if b.id not in needed and b.id not in survey.program.asked_of]
-    return [b.id for b in sorted(spare, key=lambda b: (round(-b.size[0] * b.size[1], 4), b.id))[:2]]
-
-
-def _halves(floor: Floor) -> tuple[float, str]:
-    """The least share of the furniture that a half of the room has, against the floor in it; which half."""
-    total = int(floor.taken.sum())
-    if total == 0:
-        return 0.0, "whole"
-    best, name = 1.0, ""
-    for axis, words in ((1, ("left", "right")), (0, ("near", "far"))):
-        area = np.cumsum(floor.inside.sum(axis=1 - axis))
-        cut = int(np.searchsorted(area, area[-1] / 2)) + 1
-        taken = floor.taken.sum(axis=1 - axis)
-        for part, word in ((taken[:cut], words[0]), (taken[cut:], words[1])):
-            share = float(part.sum()) / total
-            if share < best:
-                best, name = share, word
-    return best, name

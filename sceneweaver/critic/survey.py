@@ -17,6 +17,7 @@ from sceneweaver.geometry.polygons import union
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.knowledge import RoomType
 from sceneweaver.language import Grounded, Meaning, SceneGraph, StatedRelation, Thing, grounded, meanings
+from sceneweaver.rules.faults import number as fault_number
 from sceneweaver.rules.stated import number
 from sceneweaver.scene import CATALOGUE, Scene
 from sceneweaver.verify import Report
@@ -129,7 +130,7 @@ class Survey:
         """Directions [rad] of the walls modulo 90 degrees, each once."""
         found: list[float] = []
         for wall in self.placed.walls:
-            if wall.length < 0.4:
+            if wall.length < fault_number("short_wall"):
                 continue
             if all(abs(wrap_angle(wall.yaw - other, QUARTER)) > math.radians(1.0) for other in found):
                 found.append(wall.yaw % QUARTER)
@@ -242,12 +243,12 @@ class Survey:
 
     def back_wall(self, body: Body) -> tuple[Wall, float, float] | None:
         """The wall that the back of a body looks at, the gap [m] and the angle [rad] between them; None: none."""
-        face = body.face("back")
-        best = None
+        face, best = body.face("back"), None
+        least, past, through = (fault_number(name) for name in ("back_turned", "past_wall", "through_wall"))
         for wall in self.placed.walls:
             turned = dot(face.normal, wall.outward)
             along, gap = wall.coordinates(face.centre)
-            if turned < 0.7 or not -0.1 <= along <= wall.length + 0.1 or gap < -0.2:
+            if turned < least or not -past <= along <= wall.length + past or gap < -through:
                 continue
             if best is None or gap < best[1]:
                 best = (wall, max(0.0, gap), math.acos(min(1.0, turned)))
@@ -265,7 +266,7 @@ class Survey:
             if facing < 1e-6:
                 continue
             along, gap = wall.coordinates(start)
-            if gap < -0.05:
+            if gap < -fault_number("at_wall"):
                 continue
             t = max(0.0, gap) / facing
             hit, _ = wall.coordinates((start[0] + t * way[0], start[1] + t * way[1]))

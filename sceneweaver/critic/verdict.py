@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
+from sceneweaver.rules.faults import fault_kind, number
 from sceneweaver.verify.measure import Measurement, Measurements
 
 from .grade import Call, Finding, finding
@@ -14,9 +15,6 @@ from .model import ItemKind, ItemOutcome
 
 ARM = 0.5
 """Length [m] that a radian, or a share of 1, weighs when measurements of different units are compared."""
-
-WEIGHTS: dict[str, float] = {"entity": 3.0, "exclusion": 3.0, "relation": 2.0, "attribute": 1.0, "room": 1.5}
-"""Points that an unmet item of each kind takes off the alignment where nothing of it is so."""
 
 
 class Verdict(NamedTuple):
@@ -80,30 +78,31 @@ def unmet(
     fault: str,
     wrong: Iterable[str] | None = None,
     share: float = 1.0,
-    weight: float | None = None,
+    points: float | None = None,
     suggestion: str = "",
-    cap: float | None = None,
+    grave: bool = False,
     call: Call | None = None,
 ) -> Asked:
     """An item that is not so.
 
     Args:
         kind, item, objects, reason, m: see `ItemOutcome`.
-        fault: name of the fault.
+        fault: its kind, a row of ``sceneweaver/rules/faults``.
         wrong: the objects that would have to change, where they are not all.
         share: how much of it is not so, over 0 and up to 1.
-        weight: points where nothing of it is so; None: that of its kind.
-        suggestion, cap, call: see `finding`.
+        points: where nothing of it is so; None: those of the kind of fault.
+        suggestion, grave, call: see `finding`.
     """
-    points = (WEIGHTS[kind] if weight is None else weight) * (0.3 + 0.7 * min(1.0, share))
+    whole, least = fault_kind(fault).points if points is None else points, number("unmet")
+    assert whole is not None
     found = finding(
         "alignment",
         fault,
         objects if wrong is None else wrong,
         reason,
         suggestion,
-        points=points,
-        cap=cap,
+        points=whole * (least + (1.0 - least) * min(1.0, share)),
+        grave=grave,
         call=call,
     )
     return Asked(_outcome(kind, item, "unmet", objects, reason, m), found)

@@ -39,11 +39,14 @@ class Row:
         params: further numbers of a term.
         kind: measure of the engine where that is another than the critic's.
         objects: names of the case that a finding or term is about.
-        text: what a finding says; none: no finding is made.
+        text: what a finding says, or several texts by condition, the first that holds; none: no finding is made.
         mend: what would mend it.
         call: a tool and its inputs that do mend it.
         measured, allowed: what a finding gives for both, where that is not the measure and its interval.
         weight: share of the rule's points, for what is not all of a breach, or more than one.
+        points: of a fault that is no breach of a design rule: what it, or a term of it, takes off.
+        grave: of such a fault: whether the lid of its kind lies on the grade.
+        criterion: of such a fault: the grade that it lowers, where that is not each of its kind.
         rooms: kinds of rooms, or names of groups of them, that the row is for.
     """
 
@@ -59,12 +62,15 @@ class Row:
     params: Mapping[str, Expression] = field(default_factory=dict)
     kind: str = ""
     objects: tuple[str, ...] = ()
-    text: str = ""
-    mend: str = ""
+    text: str | Mapping[str, str] = ""
+    mend: str | Mapping[str, str] = ""
     call: Mapping[str, Any] | None = None
     measured: Expression | None = None
     allowed: tuple[Expression | None, Expression | None] | None = None
     weight: Expression = Expression(1.0)
+    points: Expression | None = None
+    grave: Expression | None = None
+    criterion: str = ""
     rooms: frozenset[str] = frozenset()
 
     def applies(self, room: str) -> bool:
@@ -125,13 +131,13 @@ class DesignPoints:
 @cache
 def design_points() -> DesignPoints:
     """The fitted numbers."""
-    return DesignPoints(**_read(resources.files(__package__ or "") / "design_points.yaml"))
+    return DesignPoints(**read_yaml(resources.files(__package__ or "") / "design_points.yaml"))
 
 
 @cache
 def room_groups() -> Mapping[str, frozenset[str]]:
     """Kinds of rooms that rules name together."""
-    data = _read(resources.files(__package__ or "") / "design" / "rooms.yaml")
+    data = read_yaml(resources.files(__package__ or "") / "design" / "rooms.yaml")
     return MappingProxyType({name: frozenset(rooms) for name, rooms in data.items()})
 
 
@@ -147,7 +153,7 @@ def drafted_rules() -> Mapping[str, DesignRule]:
     for file in files:
         if file.name == "rooms.yaml" or not file.name.endswith(".yaml"):
             continue
-        for data in _read(file):
+        for data in read_yaml(file):
             rule = _rule(data)
             if rule.id in found or rule.criterion not in CRITERIA:
                 raise ValueError(f"{file.name}: {rule.id} is there twice, or has no criterion of {CRITERIA}")
@@ -171,23 +177,24 @@ def limit(rule: str, name: str) -> float:
     return design_rules()[rule].limits[name]
 
 
-def _read(file: Any) -> Any:
+def read_yaml(file: Any) -> Any:
+    """What a YAML file has."""
     return yaml.load(file.read_text(encoding="utf-8"), Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
 
 
 def _rule(data: dict[str, Any]) -> DesignRule:
     name = data.get("id", "?")
-    rows = tuple(_row(name, row) for row in data.pop("rows", ()))
-    _known(f"{name}", data, DesignRule)
+    rows = tuple(read_row(name, row) for row in data.pop("rows", ()))
+    known_keys(f"{name}", data, DesignRule)
     return DesignRule(**{**data, "rooms": _rooms(data), "rows": rows, "drafted": data["points"]})
 
 
-def _row(rule: str, data: dict[str, Any]) -> Row:
+def read_row(rule: str, data: dict[str, Any]) -> Row:
     """A row of a file; `if` is its condition, and what is no template is an expression."""
     if "if" in data:
         data = {**{k: v for k, v in data.items() if k != "if"}, "where": data["if"]}
-    _known(f"a row of {rule}", data, Row)
-    plain = ("of", "text", "mend", "call", "kind")
+    known_keys(f"a row of {rule}", data, Row)
+    plain = ("of", "text", "mend", "call", "kind", "criterion")
     found: dict[str, Any] = {k: v for k, v in data.items() if k in plain}
     found["rooms"], found["objects"] = _rooms(data), tuple(data.get("objects", ()))
     for key in data.keys() - {*plain, "rooms", "objects"}:
@@ -203,7 +210,8 @@ def _row(rule: str, data: dict[str, Any]) -> Row:
     return Row(**found)
 
 
-def _known(what: str, data: Mapping[str, Any], kind: type) -> None:
+def known_keys(what: str, data: Mapping[str, Any], kind: type) -> None:
+    """Refuse keys that a dataclass has no field for."""
     unknown = set(data) - {f.name for f in fields(kind)}
     if unknown:
         raise ValueError(f"{what}: unknown key {', '.join(sorted(unknown))}")

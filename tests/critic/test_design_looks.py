@@ -183,11 +183,11 @@ def test_what_makes_a_room_complete_is_known_by_room() -> None:
 
 
 def test_what_people_look_for_in_a_room_is_not_foreign_to_it() -> None:
-    from sceneweaver.critic import belonging
+    from sceneweaver.critic.design import other_faults
     from tests.critic.breaches import survey
 
     def foreign(kind: str, *things: SceneObject) -> set[str]:
-        found = [f.fault for f in belonging.faults(survey(kind, things)) if f.fault.kind == "foreign_object"]
+        found = [f.fault for f in other_faults(survey(kind, things)) if f.fault.kind == "foreign_object"]
         return {name for fault in found for name in fault.objects}
 
     ball, treadmill = box("medicine_ball-0", (0.3, 0.3, 0.3), 2, 2), box("treadmill-0", (1.8, 0.8, 1.4), 4, 2)

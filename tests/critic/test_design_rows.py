@@ -9,24 +9,30 @@ from importlib import resources
 
 import pytest
 
+import sceneweaver.critic.review  # noqa: F401 - registers all measures
 from sceneweaver.critic.design.query import Member, kind_set
 from sceneweaver.critic.design.registry import MEASURES
 from sceneweaver.critic.design.world import SELECTORS
 from sceneweaver.rules import design
 from sceneweaver.rules.design import Row, design_rules
 from sceneweaver.rules.expression import _FUNCTIONS, CALLED, Expression
+from sceneweaver.rules.faults import fault_kinds
 
-ROWS = [(rule.id, row) for rule in design_rules().values() for row in rule.rows]
+ROWS = [(rule.id, row) for rule in (*design_rules().values(), *fault_kinds().values()) for row in rule.rows]
 
 
 def texts(row: Row) -> list[str]:
     """The expressions of a row."""
     found = [row.where, row.measure, row.low, row.high, row.slack, row.measured, row.weight, *row.let.values()]
+    found += [row.points, row.grave]
     for name, text in row.of.items() if not isinstance(row.of, str) else ():
         if name != "from":
             member = Member.parse(name, text)
             found += [member.source, member.where, member.key, member.distance]
-    fields = (f for t in (row.text, row.mend) for _, f, _, _ in string.Formatter().parse(t) if f is not None)
+    several = [{"True": t} if isinstance(t, str) else t for t in (row.text, row.mend)]
+    templates = [t for one in several for t in one.values()]
+    fields = [f for t in templates for _, f, _, _ in string.Formatter().parse(t) if f is not None]
+    fields += [condition for one in several for condition in one if condition != "else"]
     return [e.text for e in found if e is not None and isinstance(e.text, str)] + [*fields, *row.objects]
 
 
@@ -40,7 +46,8 @@ def test_what_a_row_of_the_critic_names_exists(rule: str, row: Row) -> None:
 
 
 def test_every_measure_is_called_by_a_row_and_says_what_it_measures() -> None:
-    files = (resources.files(design.__package__ or "") / "design").iterdir()
+    folders = (resources.files(design.__package__ or "") / name for name in ("design", "faults"))
+    files = [file for folder in folders for file in folder.iterdir()]
     rows = "".join(file.read_text("utf-8") for file in files if file.name.endswith(".yaml"))
     assert [name for name in MEASURES if not re.search(rf"\b{name}\(", rows)] == []
     assert [name for name, function in MEASURES.items() if not function.__doc__] == []
@@ -49,7 +56,7 @@ def test_every_measure_is_called_by_a_row_and_says_what_it_measures() -> None:
 @pytest.mark.parametrize("row", [{"of": "door", "hgih": 1}, {"of": "door", "measured": False}, {"if": "x.__class__"}])
 def test_rows_that_cannot_be_read_are_refused(row: dict) -> None:
     with pytest.raises(ValueError):
-        design._row("a_rule", row)
+        design.read_row("a_rule", row)
 
 
 def test_sets_of_categories() -> None:

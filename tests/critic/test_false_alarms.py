@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.critic.grade import Finding
+from sceneweaver.critic.design import other_faults
 from sceneweaver.critic.kinds import groups_of
-from sceneweaver.critic.rows import faults as row_faults
 from sceneweaver.knowledge import room_type
 from sceneweaver.scene import Relation
 from tests.critic import breaches, rooms
@@ -18,22 +17,22 @@ CHAIR = (0.5, 0.5, 0.9)
 SOFT = {"textile", "plant_group"}
 
 
-def kinds(found: list[Finding] | tuple[Finding, ...]) -> list[str]:
-    return [f.fault.kind for f in found]
+def uneven_rows(survey) -> list[str]:
+    return [f.fault.kind for f in other_faults(survey) if f.fault.kind == "uneven_row"]
 
 
 @pytest.mark.parametrize(("depth", "ahead", "uneven"), ((0.5, 0.0, False), (0.6, 0.05, False), (0.5, 0.05, True)))
 def test_cabinets_of_another_depth_are_in_line_where_their_backs_are(depth, ahead, uneven) -> None:
     row = [box(f"cabinet-{k}", (0.5, 1.0, 0.8), 0.26, 0.8 + 1.02 * k) for k in range(3)]
     last = box("cabinet-3", (depth, 1.0, 0.8), 0.26 + ahead, 0.8 + 1.02 * 3)
-    assert kinds([*row_faults(breaches.survey("office", [*row, last]))]) == ["uneven_row"] * uneven
+    assert uneven_rows(breaches.survey("office", [*row, last])) == ["uneven_row"] * uneven
 
 
 @pytest.mark.parametrize(("out", "uneven"), ((0.04, False), (0.09, True)))
 def test_chairs_are_not_pushed_in_to_the_centimetre(out, uneven) -> None:
     table = box("dining_table-0", (0.9, 1.6, 0.75), 3.0, 2.5, 90)
     seats = [box("dining_chair-0", CHAIR, 2.6, 1.8, 90), box("dining_chair-1", CHAIR, 3.4, 1.8 - out, 90)]
-    assert kinds([*row_faults(breaches.survey("dining_room", [table, *seats]))]) == ["uneven_row"] * uneven
+    assert uneven_rows(breaches.survey("dining_room", [table, *seats])) == ["uneven_row"] * uneven
 
 
 @pytest.mark.parametrize(("absent", "named"), ((1, False), (3, True)))

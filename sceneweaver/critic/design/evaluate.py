@@ -1,4 +1,4 @@
-"""Findings of the rows of the design rules."""
+"""Findings of rows: of the design rules, and of the kinds of faults beside them."""
 
 from __future__ import annotations
 
@@ -9,9 +9,10 @@ from typing import Any
 
 from sceneweaver.rules.design import DesignRule, Row, design_rules
 from sceneweaver.rules.expression import Expression
+from sceneweaver.rules.faults import fault_kinds
 from sceneweaver.verify.solids import Body, Opening
 
-from ..grade import Finding
+from ..grade import Finding, finding
 from ..survey import Survey
 from .breach import breach
 from .query import Case, cases, listed
@@ -30,9 +31,28 @@ def faults(survey: Survey) -> Iterator[Finding]:
                 yield from _findings(world, rule, row)
 
 
-def _findings(world: Surveyed, rule: DesignRule, row: Row) -> Iterator[Finding]:
-    """The findings of one row."""
-    for case in cases(world, row.of, rule.limits):
+def other_faults(survey: Survey) -> Iterator[Finding]:
+    """Every fault of the kinds beside the design rules; of a room without objects only those that are for it."""
+    world = Surveyed(survey)
+    for kind in fault_kinds().values():
+        for row in kind.rows if survey.bodies or kind.empty else ():
+            for case, *_ in _broken(world, row, kind.limits) if row.text else ():
+                for criterion in (row.criterion,) if row.criterion else kind.criteria:
+                    yield finding(
+                        criterion,
+                        kind.id,
+                        _ids(case, row.objects),
+                        filled(row.text, case),
+                        filled(row.mend, case),
+                        points=None if row.points is None else float(row.points.value(case)),
+                        grave=row.grave is not None and bool(row.grave.value(case)),
+                        call=_call(row.call, case),
+                    )
+
+
+def _broken(world: Surveyed, row: Row, limits: Mapping[str, Any]) -> Iterator[tuple[Case, Any, Any, Any]]:
+    """The cases in which a row is broken, with the ends of its interval and the value that is not in it."""
+    for case in cases(world, row.of, limits):
         for name, expression in row.let.items():
             case[name] = expression.value(case)
         if row.where is not None and not row.where.value(case):
@@ -47,6 +67,12 @@ def _findings(world: Surveyed, rule: DesignRule, row: Row) -> Iterator[Finding]:
                 continue
         ends = {name: end for name, end in (("low", low), ("high", high)) if end is not None}
         case.update(ends, value=value)
+        yield case, low, high, value
+
+
+def _findings(world: Surveyed, rule: DesignRule, row: Row) -> Iterator[Finding]:
+    """The findings of one row of a design rule."""
+    for case, low, high, value in _broken(world, row, rule.limits):
         measured = value if row.measured is None else row.measured.value(case)
         allowed = (low, high) if row.allowed is None else tuple(_number(end, case) for end in row.allowed)
         yield breach(
@@ -76,11 +102,18 @@ def _ids(case: Case, names: Iterable[str]) -> list[str]:
 
 
 def _id(one: Any) -> str:
-    return one if isinstance(one, str) else one.id if isinstance(one, Body) else one.item.id
+    return one.id if isinstance(one, Body) else one.item.id if isinstance(one, Opening) else one
 
 
-def filled(template: str, case: Mapping[str, Any]) -> str:
-    """A template with the values of the expressions in its braces; of lists of objects the ids of the first few."""
+def filled(template: str | Mapping[str, str], case: Mapping[str, Any]) -> str:
+    """A template with the values of the expressions in its braces; of lists of objects the ids of the first few.
+
+    Of several templates by condition the first whose condition holds; "else" always does.
+    """
+    if not isinstance(template, str):
+        template = next(
+            t for condition, t in template.items() if condition == "else" or Expression(condition).value(case)
+        )
     parts = []
     for text, name, spec, _ in string.Formatter().parse(template):
         parts.append(text)
@@ -104,18 +137,34 @@ def _call(template: Mapping[str, Any] | None, case: Case) -> tuple[str, dict[str
     """The call of a tool; none where its condition does not hold."""
     if template is None or ("if" in template and not Expression(template["if"]).value(case)):
         return None
-    return template["tool"], {k: _input(v, case) for k, v in template.items() if k not in ("tool", "if")}
+    inputs = {k: _input(v, case) for k, v in template.items() if k not in ("tool", "if")}
+    return _input(template["tool"], case), {k: v for k, v in inputs.items() if v is not None}
 
 
 def _input(template: Any, case: Case) -> Any:
-    """Inputs of a tool, where ``= x`` stands for the value of an expression: of objects their ids."""
+    """Inputs of a tool, where ``= x`` stands for the value of an expression: of objects their ids.
+
+    An item of a list with ``each: {name: x}`` stands for one item for each value of the expression.
+    """
     if isinstance(template, dict):
         return {k: _input(v, case) for k, v in template.items()}
     if isinstance(template, list):
-        return [_input(v, case) for v in template]
+        return [made for v in template for made in _items(v, case)]
     if not isinstance(template, str) or not template.startswith("= "):
         return template
     value = Expression(template[2:]).value(case)
     if isinstance(value, (Body, Opening)):
         return _id(value)
     return [_id(one) for one in value] if isinstance(value, (tuple, list)) else value
+
+
+def _items(template: Any, case: Case) -> Iterator[Any]:
+    """What an item of a list of inputs stands for."""
+    each = template.get("each") if isinstance(template, dict) else None
+    if each is None:
+        yield _input(template, case)
+        return
+    rest = {k: v for k, v in template.items() if k != "each"}
+    for name, text in each.items():
+        for one in Expression(text).value(case):
+            yield _input(rest, {**case, name: one})

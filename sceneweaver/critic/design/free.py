@@ -12,7 +12,6 @@ from sceneweaver.geometry.se2 import SE2
 from sceneweaver.rules.design import room_groups
 from sceneweaver.verify.solids import Body, Opening
 
-from ..rows import UNITS
 from ..space import floor_of
 from ..survey import Survey
 from .measure import MOVED_ASIDE, clear_depth, middle, strip
@@ -77,9 +76,8 @@ def _worked_on(survey: Survey, depth: float) -> NDArray[np.bool_]:
     if survey.room_type.name not in room_groups()["homelike"]:
         return np.zeros_like(floor.inside)
     areas = [shapely.Polygon(zone) for zone in survey.placed.opening_zones.xy[: len(survey.placed.doors)]]
-    areas += [
-        strip(body, "front", depth, 1.0) for body in survey.on_floor(kind_set("opened washbasin bathtub shower"), UNITS)
-    ]
+    used = kind_set("opened washbasin bathtub shower kitchen_unit")
+    areas += [strip(body, "front", depth, 1.0) for body in survey.on_floor(used)]
     rows, columns = np.indices(floor.inside.shape)
     x, y = floor.world(rows + 0.5, columns + 0.5)
     return np.asarray(shapely.contains_xy(shapely.union_all(areas), x, y))

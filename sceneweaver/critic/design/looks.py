@@ -10,13 +10,14 @@ from typing import NamedTuple
 from sceneweaver.assets.materials import color_named, finishes, hue, own_look
 from sceneweaver.knowledge.complete import expected_of
 from sceneweaver.knowledge.small_things import belongs as at_home
-from sceneweaver.knowledge.small_things import most_of
+from sceneweaver.knowledge.small_things import left_about, most_of
 from sceneweaver.rules.design import room_groups
+from sceneweaver.rules.faults import number
 from sceneweaver.scene import InputError
 from sceneweaver.scene.palette import Palette
 from sceneweaver.verify.solids import Body
 
-from .. import finish
+from .. import kinds
 from ..survey import Survey
 from .bodies import asked, groups
 from .query import kind_set
@@ -184,7 +185,20 @@ def look(_: Survey, o: Body) -> tuple[str, str]:
 @measure
 def supports(survey: Survey) -> list[Body]:
     """Furniture that should carry something."""
-    return finish.supports(survey)
+    return [
+        b
+        for b in survey.bodies
+        if b.item.surfaces
+        and kinds.carries(b.item.category)
+        and b.item.mount != "surface"
+        and not left_about(b.item.category, survey.room_type.name)
+        and any(within_reach(b, s.z) for s in b.item.surfaces)
+    ]
+
+
+def within_reach(body: Body, z: float) -> bool:
+    """Whether a surface at a height [m] over the lower end of a body is low enough to put things on."""
+    return body.position[2] + z < number("reached")
 
 
 @measure

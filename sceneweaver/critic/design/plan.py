@@ -13,7 +13,7 @@ from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.verify.solids import Body, Opening
 
-from .. import needs
+from .. import seats
 from ..survey import FLAT, Survey, turn_to
 from . import measure as shapes
 from .measure import shape_of, spot
@@ -183,13 +183,13 @@ def together(survey: Survey, a: Body, b: Body) -> bool:
 @measure
 def seats_at(survey: Survey, table: Body) -> tuple[Body, ...]:
     """The seats of a table."""
-    return tuple(needs.seats_at(survey, table))
+    return tuple(seats.seats_at(survey, table))
 
 
 @measure
 def table_at(survey: Survey, seat: Body) -> Body | None:
     """The table that a seat belongs to."""
-    return needs.table_of(survey, seat)
+    return seats.table_of(survey, seat)
 
 
 @measure
