@@ -10,7 +10,7 @@ from sceneweaver.assets.mirror import mirrored_zone
 from sceneweaver.assets.placed import Load
 from sceneweaver.assets.sources.parametric import other_hand
 from sceneweaver.generate.carry import carried, follow
-from sceneweaver.scene import PRIORITIES, Pose, Relation, Scene, SceneObject
+from sceneweaver.scene import CATALOGUE, PRIORITIES, Pose, Relation, Scene, SceneObject
 from sceneweaver.scene.edits import Relate, Remove, apply
 from sceneweaver.tools.base import Proposal
 from sceneweaver.verify import Violation, check, openable
@@ -72,7 +72,9 @@ def _searched(outcome: Outcome, executor: Executor, wrong: Sequence[Violation]) 
         piece, blocker = violation.objects[0], violation.objects[-1]
         if piece not in outcome.scene.ids or piece == blocker:
             continue
-        at_wall = any(r.type == "against_wall" and r.subject == piece for r in outcome.scene.relations)
+        # a desk whose user sits between it and the wall stands off every wall, so only what touches one keeps to it
+        rows = [r for r in outcome.scene.relations if r.type == "against_wall" and r.subject == piece]
+        at_wall = any(CATALOGUE["against_wall"].value(r, "gap")[0] < APART for r in rows)
         if blocker in outcome.scene.ids:
             row = Relation(type="distance", subject=piece, target=blocker, params={"min": APART, "max": FAR})
         elif at_wall:  # with its back

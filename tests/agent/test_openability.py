@@ -5,13 +5,14 @@ import math
 import pytest
 
 from sceneweaver.agent.executor import Outcome
+from sceneweaver.agent.openability import _searched as searched
 from sceneweaver.agent.openability import opened
 from sceneweaver.agent.settings import Settings
 from sceneweaver.assets import Library
-from sceneweaver.scene import Intent, Pose, Scene
+from sceneweaver.scene import Intent, Pose, Relation, Scene
 from sceneweaver.scene.intent import Priority
 from sceneweaver.tools.base import Proposal
-from sceneweaver.verify import check, openable
+from sceneweaver.verify import Violation, check, openable
 from tests.verify.build import box, scene
 
 WASHER = "parametric:washing_machine?seed=0"
@@ -90,3 +91,22 @@ def test_what_was_asked_for_stays_and_the_verdict_says_so():
     after, notes = touched(made)
     assert not after.report.valid and after.scene is made and not notes
     assert {v.kind for v in after.report.violations} == {"blocked_link"} and after.report.openable_share == 0.0
+
+
+@pytest.mark.parametrize(("gap", "row"), [((0.0, 0.05), "against_wall"), ((1.3, 1.8), "off_walls")])
+def test_what_stands_off_its_wall_is_searched_for_off_all_of_them(gap, row):
+    """A desk with its user between it and a wall was pushed back to that wall, where nothing opened either."""
+    edits = []
+
+    class Asked(Judge):
+        def run(self, made, proposal, seed, rival):
+            edits.extend(proposal.edits)
+            return super().run(made, proposal, seed, rival)
+
+    made = of_asset("parametric:dresser?seed=0", 4.0, 4.0)
+    made = made.model_copy(
+        update={"relations": (Relation(type="against_wall", subject="piece", hard=False, params={"gap": gap}),)}
+    )
+    blocked = Violation(kind="blocked_link", objects=("piece", "wall:0"), detail="a wall", amount=0.5)
+    searched(Asked().judged(made), Asked(), [blocked])  # type: ignore[arg-type]
+    assert [edit.relation.type for edit in edits] == [row]

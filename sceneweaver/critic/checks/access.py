@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from sceneweaver.assets import categories
+from sceneweaver.assets.category import Side
 from sceneweaver.verify.solids import Body, Opening
 
 from ..design.measure import HEAD, along, overlap
@@ -32,7 +33,7 @@ def reaching(survey: Survey, area: Any, least: float, head: float = HEAD) -> lis
 
 
 @measure
-def clearance(_: Survey, o: Body, side: str, usual: float) -> float:
+def clearance(_: Survey, o: Body, side: Side, usual: float) -> float:
     """Room [m] that the category of a body asks for before a side; the usual one where it says none."""
     row = categories().get(o.item.category)
     return row.clearance.get(side, usual) if row is not None else usual
