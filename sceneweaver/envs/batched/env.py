@@ -182,7 +182,7 @@ class BatchedRoomEnv(VectorEnv):
 
     def _advance(self) -> None:
         inputs = [PERIOD, LEAD, self._robot, self.action]
-        wp.launch(task_kernels.apply_actions, dim=self.num_envs, inputs=inputs, outputs=[self._sim])
+        wp.launch(task_kernels.apply_actions, dim=self.num_envs, inputs=inputs, outputs=[self._sim], device=self.device)
         self.physics.step(self._substeps)
         self._begin()
         self._look()
@@ -191,7 +191,9 @@ class BatchedRoomEnv(VectorEnv):
         """Begin episodes in worlds that are done."""
         slots, worlds, episodes = self.bank.slots, self.num_envs, self._episodes
         model, data, k = self.physics.model, self.physics.data, reset_kernels
-        wp.launch(k.begin_episodes, dim=worlds, inputs=[self._seed, self._layouts], outputs=[episodes])
+        wp.launch(
+            k.begin_episodes, dim=worlds, inputs=[self._seed, self._layouts], outputs=[episodes], device=self.device
+        )
         for name in FIELDS:
             if name in self._bank:
                 first = FIRST.get(name.partition("_")[0], 0)
@@ -205,20 +207,31 @@ class BatchedRoomEnv(VectorEnv):
             dim=(worlds, slots.geoms),
             inputs=[FIRST["geom"], slots.still, episodes.fresh, model.geom_size, model.geom_pos, model.geom_quat],
             outputs=[model.geom_rbound, model.geom_aabb, data.geom_xpos, data.geom_xmat],
+            device=self.device,
         )
         rest = [data.qvel, data.qacc_warmstart]
-        wp.launch(k.stop, dim=(worlds, self.template.nv), inputs=[episodes.fresh], outputs=rest)
+        wp.launch(k.stop, dim=(worlds, self.template.nv), inputs=[episodes.fresh], outputs=rest, device=self.device)
         inputs = [self._robot, self._layouts, episodes]
-        wp.launch(k.reset_positions, dim=(worlds, self.template.nq), inputs=inputs, outputs=[self._sim])
+        wp.launch(
+            k.reset_positions, dim=(worlds, self.template.nq), inputs=inputs, outputs=[self._sim], device=self.device
+        )
         inputs = [self._robot, episodes]
-        wp.launch(k.reset_controls, dim=(worlds, self.template.nu), inputs=inputs, outputs=[self._sim])
+        wp.launch(
+            k.reset_controls, dim=(worlds, self.template.nu), inputs=inputs, outputs=[self._sim], device=self.device
+        )
         self.physics.refresh(episodes.fresh)
 
     def _copy(self, name: str, row: wp.array, out: Any, first: int) -> None:
         """Copy a field of the bank into the model of worlds that begin."""
         source = self._bank[name]
         inputs = [first, source, self._episodes.fresh, row]
-        wp.launch(reset_kernels.copy_rows, dim=(self.num_envs, source.shape[1]), inputs=inputs, outputs=[out])
+        wp.launch(
+            reset_kernels.copy_rows,
+            dim=(self.num_envs, source.shape[1]),
+            inputs=inputs,
+            outputs=[out],
+            device=self.device,
+        )
 
     def _look(self) -> None:
         """Judge the tasks and write observations."""
@@ -227,9 +240,10 @@ class BatchedRoomEnv(VectorEnv):
             dim=self.num_envs,
             inputs=[self.max_steps, self._robot, self._layouts, self._sim, self._episodes],
             outputs=[self.rewards, self.terminated, self.truncated, self._seen],
+            device=self.device,
         )
         inputs = [self._robot, self._layouts, self._episodes, self._sim]
-        wp.launch(task_kernels.observe, dim=self.num_envs, inputs=inputs, outputs=[self._seen])
+        wp.launch(task_kernels.observe, dim=self.num_envs, inputs=inputs, outputs=[self._seen], device=self.device)
 
     def _put_bank(self) -> None:
         """The bank on the device: fields by name, and its layouts for kernels."""
