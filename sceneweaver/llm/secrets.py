@@ -5,23 +5,15 @@ All secret values of the environment count, not only the key of the endpoint: a 
 
 from __future__ import annotations
 
-import base64
-import html
-import json
 import logging
 import os
 import re
-from collections.abc import Iterable, Iterator
-from itertools import groupby
-from operator import itemgetter
+from collections.abc import Iterator
 from typing import Any, TypeVar
-from urllib.parse import quote, quote_plus, unquote, urlsplit
+from urllib.parse import unquote, urlsplit
 
-HIDDEN = "[secret]"
-"""What stands where a secret was."""
-
-SHORTEST = 8
-"""Characters from which on a value is taken for a secret: local servers are given keys such as "EMPTY"."""
+from .encodings import HIDDEN as HIDDEN
+from .encodings import SHORTEST, Cleaner
 
 SECRET_NAMES = re.compile(r"(API_?KEY|_TOKEN|_SECRET|PASSWORD|PASSWD|(ADMIN|ACCESS|SECRET|SIGNING|PRIVATE)_KEY)$", re.I)
 """Variables of the environment that hold secrets."""
@@ -32,52 +24,24 @@ PROXY_NAMES = re.compile(r"_proxy$", re.I)
 LOGGERS = ("httpx2", "httpcore2", "httpx", "httpcore", "openai", "anthropic", "pydantic_ai", "sceneweaver")
 """Libraries whose log records are looked at, with all that is below them."""
 
-PIECE = 12
-"""Characters of a key in a row that are hidden as well: half of one in one field, and half in the next."""
-
-BREAKS = r"(?:\s|\x00|\\[nrt]|\\u000[0ad9]|[\u00ad\u200b-\u200d\u2060\ufeff])*"
-"""What may stand between two characters of a secret that is still to be read: white space, plain or escaped."""
-
 Value = TypeVar("Value")
 
-_first = itemgetter(0)
-
-
-class _Cleaner:
-    """Takes certain secrets out of text. Shows none of them, wherever it is printed."""
-
-    __slots__ = ("_pattern", "_pieces")
-
-    def __init__(self, secrets: Iterable[str]) -> None:
-        kept = list(secrets)
-        forms = sorted({form for secret in kept for form in _forms(secret)}, key=len, reverse=True)
-        self._pattern = re.compile("|".join(forms)) if forms else None
-        self._pieces = frozenset(piece for secret in kept for piece in _pieces(secret))
-
-    def clean(self, text: str) -> str:
-        if self._pattern is None:
-            return text
-        text = self._pattern.sub(HIDDEN, text)
-        if not any(text[at : at + PIECE] in self._pieces for at in range(len(text) - PIECE + 1)):
-            return text
-        hidden = bytearray(len(text))
-        for at in range(len(text) - PIECE + 1):
-            if text[at : at + PIECE] in self._pieces:
-                hidden[at : at + PIECE] = b"\x01" * PIECE
-        runs = groupby(zip(hidden, text, strict=True), _first)
-        parts = ((bool(flag), "".join(letter for _, letter in run)) for flag, run in runs)
-        return "".join(HIDDEN if flag else part for flag, part in parts)
-
-
-_cleaners: dict[int, _Cleaner] = {}
+_cleaners: dict[int, Cleaner] = {}
 
 
 def redact(value: Value) -> Value:
     """A value without any secret of the environment: text, or lists, tuples and dictionaries of such.
 
-    Found as they stand, with white space in between, and in URLs, JSON, HTML, base64 and hexadecimal form.
+    `sceneweaver.llm.encodings` says in which forms they are found; also in parts, from text to text.
     """
-    return _redacted(value, _cleaner())
+    names: list[str] = []
+    said: list[str] = []
+    _leaves(value, names, said)
+    cleaner = _cleaner()
+    clean_names, clean_said = cleaner.clean(names), cleaner.clean(said)
+    if clean_names == names and clean_said == said:
+        return value
+    return _filled(value, iter(clean_names), iter(clean_said))
 
 
 def line(text: object, most: int = 300) -> str:
@@ -108,11 +72,11 @@ class _LogFilter(logging.Filter):
 _FILTER = _LogFilter()
 
 
-def _cleaner() -> _Cleaner:
+def _cleaner() -> Cleaner:
     found = hash(frozenset(_secrets()))
     if found not in _cleaners:
         _cleaners.clear()
-        _cleaners[found] = _Cleaner(_secrets())
+        _cleaners[found] = Cleaner(_secrets())
     return _cleaners[found]
 
 
@@ -131,35 +95,29 @@ def _passwords(name: str) -> Iterator[str]:
         yield os.environ[name]
 
 
-def _pieces(secret: str) -> Iterator[str]:
-    """Parts that give a key away. Paths and sentences, which some such variables hold, are words of others as well."""
-    if not secret.startswith(("/", ".", "~")) and not re.search(r"\s", secret):
-        yield from (secret[at : at + PIECE] for at in range(len(secret) - PIECE + 1))
-
-
-def _forms(secret: str) -> Iterator[str]:
-    """Regular expressions of the ways in which a secret may be written."""
-    yield BREAKS.join(re.escape(character) for character in secret)
-    yield re.escape(secret[::-1])
-    raw = secret.encode(errors="surrogateescape")
-    escaped = json.dumps(secret)[1:-1]
-    yield from map(re.escape, (quote(secret, safe=""), quote_plus(secret), html.escape(secret)))
-    yield from map(re.escape, (escaped, escaped.replace("/", "\\/"), json.dumps(escaped)[1:-1]))
-    yield f"(?i:{raw.hex()})"
-    yield "(?i:" + "".join(f"\\\\u{ord(character):04x}" for character in secret) + ")"
-    for shift in range(3):  # the same bytes look different in base64 by what stands before them
-        code = base64.b64encode(bytes(shift) + raw).decode().rstrip("=")
-        inner = code[-(-shift * 8 // 6) : len(code) - (1 if (shift + len(raw)) % 3 else 0)]
-        if len(inner) >= SHORTEST:
-            yield re.escape(inner)
-            yield re.escape(inner.replace("+", "-").replace("/", "_"))
-
-
-def _redacted(value: Any, cleaner: _Cleaner) -> Any:
+def _leaves(value: Any, names: list[str], said: list[str]) -> None:
+    """Texts and whole numbers of a value, in order; names of fields apart, as they stand between the parts of a key."""
     if isinstance(value, str):
-        return cleaner.clean(value)
+        said.append(value)
+    elif isinstance(value, int) and not isinstance(value, bool):
+        said.append(str(value))
+    elif isinstance(value, dict):
+        for key, held in value.items():
+            _leaves(key, names, names)
+            _leaves(held, names, said)
+    elif isinstance(value, list | tuple):
+        for held in value:
+            _leaves(held, names, said)
+
+
+def _filled(value: Any, names: Iterator[str], said: Iterator[str]) -> Any:
+    """The value with cleaned texts in the place of its own, in the order of `_leaves`."""
+    if isinstance(value, str):
+        return next(said)
+    if isinstance(value, int) and not isinstance(value, bool):
+        return value if (text := next(said)) == str(value) else text
     if isinstance(value, dict):
-        return {_redacted(key, cleaner): _redacted(held, cleaner) for key, held in value.items()}
+        return {_filled(key, names, names): _filled(held, names, said) for key, held in value.items()}
     if isinstance(value, list | tuple):
-        return type(value)(_redacted(held, cleaner) for held in value)
+        return type(value)(_filled(held, names, said) for held in value)
     return value

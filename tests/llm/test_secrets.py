@@ -1,6 +1,7 @@
 """Keys are taken out of whatever is kept or said, however they are written."""
 
 import base64
+import codecs
 import html
 import json
 import logging
@@ -14,6 +15,7 @@ from sceneweaver.llm.secrets import HIDDEN, guard_logs, line
 from sceneweaver.runtime.deadline import Deadline, TimeUp
 from tests.llm.misbehaviour import always, catalogue, misbehaving
 from tests.llm.model_server import ModelServer, Said, answering
+from tests.llm.planted_key import KEY as PLANTED
 from tests.llm.planted_key import planted
 
 KEY = 'sk-Ab/9+"x<y>0123456789_-zZ=='
@@ -52,6 +54,31 @@ FORMS = {
         for n in range(4)
     },
     "base64 for URLs": lambda key: base64.urlsafe_b64encode(b"Bearer " + key.encode()).decode(),
+    "dots": ".".join,
+    "pieces of 3": lambda key: "-".join(key[at : at + 3] for at in range(0, len(key), 3)),
+    "all in percent": lambda key: "".join(f"%{ord(letter):02X}" for letter in key),
+    "percent of percent": lambda key: quote(quote(key, safe=""), safe=""),
+    "some in percent": lambda key: "".join(
+        f"%{ord(letter):02x}" if at % 3 == 0 else letter for at, letter in enumerate(key)
+    ),
+    "upper case": str.upper,
+    "swapped case": str.swapcase,
+    "wide letters": lambda key: "".join(chr(ord(letter) + 0xFEE0) for letter in key),
+    "base16": lambda key: base64.b16encode(key.encode()).decode(),
+    **{f"base32 after {n}": lambda key, n=n: base64.b32encode(b"x" * n + key.encode()).decode() for n in range(5)},
+    "base32 in small letters, dotted": lambda key: ".".join(base64.b32encode(key.encode()).decode().lower()),
+    "base85": lambda key: base64.b85encode(key.encode()).decode(),
+    "ascii85 of a header": lambda key: base64.a85encode(b"Bearer " + key.encode()).decode(),
+    "base64 backwards": lambda key: base64.b64encode(key.encode()).decode()[::-1],
+    "base64 of backwards": lambda key: base64.b64encode(key[::-1].encode()).decode(),
+    "rot13": lambda key: codecs.encode(key, "rot13"),
+    "rot13, large, dotted": lambda key: ".".join(codecs.encode(key, "rot13").upper()),
+    "rot47": lambda key: "".join(chr(33 + (ord(letter) + 14) % 94) for letter in key),
+    "ordinals": lambda key: ", ".join(str(ord(letter)) for letter in key),
+    "ordinals in hexadecimal": lambda key: " ".join(f"0x{ord(letter):x}" for letter in key),
+    "ordinals in octal": lambda key: "".join(f"\\{ord(letter):03o}" for letter in key),
+    "ordinals in binary": lambda key: " ".join(f"{ord(letter):08b}" for letter in key),
+    "HTML numbers": lambda key: "".join(f"&#{ord(letter)};" for letter in key),
 }
 
 
@@ -62,6 +89,40 @@ def test_forms(key, form):
     assert HIDDEN in clean and clean.startswith("so: ") and clean.endswith(" and on")
     rest = clean.replace(HIDDEN, "")
     assert not any(written[at : at + 12] in rest for at in range(len(written) - 11))
+    assert redact(f"so: {form('a lamp by the bed, 2.5 m')} and on").count(HIDDEN) == 0
+
+
+@pytest.mark.parametrize("size", [1, 2, 5, 8])
+def test_from_field_to_field(key, size):
+    parts = [key[at : at + size] for at in range(0, len(key), size)]
+    fields = [
+        {"name": part, "why": {"of": "".join(rest)}}
+        for part, *rest in (parts[at : at + 2] for at in range(0, len(parts), 2))
+    ]
+    for said in (parts, fields, json.dumps(parts), json.dumps(fields)):
+        clean = str(redact(said))
+        assert HIDDEN in clean and not [part for part in parts if sum(map(str.isalnum, part)) > 1 and part in clean]
+
+
+def test_numbers(key):
+    assert redact([ord(letter) for letter in key]) == [HIDDEN] * len(key)
+    assert redact({"poses": [1, 2, 3.5, True, 40]}) == {"poses": [1, 2, 3.5, True, 40]}
+
+
+@pytest.mark.parametrize("change", [str, str.upper, str.swapcase])
+def test_pieces_with_words_between(monkeypatch, change):
+    monkeypatch.setenv("SCENEWEAVER_API_KEY", PLANTED)
+    pieces = [PLANTED[at : at + 8] for at in range(0, len(PLANTED) - 8, 8)]
+    clean = redact(" then ".join(change(piece) for piece in pieces))
+    assert [part.strip("/+-_=") for part in clean.split(" then ")] == [HIDDEN] * len(pieces)
+
+
+@pytest.mark.parametrize("secret", ["living-room-lamp", "a key of words", "/home/me/rooms", "12345678", "changeme"])
+def test_what_looks_like_words_is_hidden_whole_only(monkeypatch, secret):
+    monkeypatch.setenv("SCENEWEAVER_API_KEY", secret)
+    assert redact(f"so: {secret}!") == f"so: {HIDDEN}!"
+    text = "a living room, a key of room 1, 234567, /home/rooms"
+    assert redact(text) == text
 
 
 def test_data(key):
