@@ -137,11 +137,13 @@ def _kind_at(kind: str, place: str, subjects: list[Mention]) -> str:
         return "hanging_from"
     if place in ("corner", "middle") and kind not in ("facing", "far_from"):
         return "at"
-    return "at" if place in ("window", "door") and kind in ("inside", "on", "occupying") else kind
+    if place in ("window", "door") and kind in ("inside", "on", "occupying", "covering"):
+        return "at"
+    return _meant_kind(kind, "", subjects)
 
 
 _AT_CEILING = frozenset(
-    ("on", "from", "inside", "hanging_from", "at", "near", "against", "above", "below", "centered_on")
+    ("on", "from", "inside", "hanging_from", "at", "near", "against", "above", "below", "centered_on", "covering")
 )
 
 

@@ -89,6 +89,8 @@ def read_source(text: str) -> Source:
     origin: list[int] = []
     for index, letter in enumerate(text):
         for plain in unicodedata.normalize("NFKC", _PLAIN.get(letter, letter)).lower():
+            if plain.isdigit() and not plain.isdecimal():  # in a circle, raised ...: no number that int() reads
+                plain = str(unicodedata.digit(plain))
             letters.append(plain if plain.isprintable() or plain in "\n\t" else " ")
             origin.append(index)
     found = Source("".join(letters).replace("§", " "), origin, notes=notes)

@@ -162,6 +162,22 @@ def test_what_once_failed_is_read(text: str) -> None:
     consistent(read_request(text))
 
 
+@pytest.mark.parametrize("place", sorted(PLACES))
+def test_every_word_of_place_means_a_relation_at_every_part_of_a_room(place: str) -> None:
+    """ "A curtain covers the window" was an error."""
+    known = vocabulary()
+    kinds = {said["preposition"].type: phrase for phrase, said in known.items() if "preposition" in said}
+    verbs = [phrase for phrase, said in known.items() if "verb" in said and said["verb"].form in ("s", "ing")]
+    for phrase in (*kinds.values(), *verbs):
+        read_request(f"a curtain {phrase} the {place}")
+        read_request(f"chairs and a lamp {phrase} the {place}")
+
+
+@pytest.mark.parametrize("number", ["\u277d", "\u00b2", "\u2786", "\u0663"])
+def test_numbers_of_all_kinds_are_read(number: str) -> None:
+    read_request(f"{number} chairs and a table {number} m wide, {number}")
+
+
 def test_no_phrases_of_the_vocabulary_in_any_order_raise_anything() -> None:
     kinds: dict[str, list[str]] = {}
     for phrase, meant in vocabulary().items():
