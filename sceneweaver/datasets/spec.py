@@ -7,13 +7,13 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
-import yaml
 from pydantic import Field, model_validator
 
 from sceneweaver.export import FORMATS
-from sceneweaver.scene import InputError, read_bytes
+from sceneweaver.scene import InputError
 from sceneweaver.scene.base import FrozenModel
 from sceneweaver.scene.messages import suggest
+from sceneweaver.scene.yaml_text import load_yaml
 
 from .gates import Gates
 
@@ -130,10 +130,7 @@ def load_spec(path: str | Path) -> Spec:
     Raises:
         InputError: one line that names the file, the field and the fix.
     """
-    try:
-        data = yaml.safe_load(read_bytes(path, max_bytes=2**20))
-    except (yaml.YAMLError, UnicodeDecodeError) as error:
-        raise InputError(f"{path}: no YAML: {' '.join(str(error).split())}") from None
+    data = load_yaml(path)
     try:
         return Spec.model_validate(data)
     except InputError as error:

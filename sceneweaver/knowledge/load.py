@@ -13,15 +13,17 @@ from .model import RoomType
 
 
 def read_yaml(text: str) -> Any:
-    """YAML data whose bare key ``on`` is a word, not the truth value that YAML 1.1 makes of it."""
+    """YAML data of our own whose bare key ``on`` is a word, not the truth value that YAML 1.1 makes of it."""
     import yaml
 
-    def mend(data: Any) -> Any:
-        if isinstance(data, dict):
-            return {"on" if key is True else key: mend(value) for key, value in data.items()}
-        return [mend(value) for value in data] if isinstance(data, list) else data
+    return with_on(yaml.load(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader)))
 
-    return mend(yaml.load(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader)))
+
+def with_on(data: Any) -> Any:
+    """The data with the key ``on`` where YAML 1.1 made a truth value of it."""
+    if isinstance(data, dict):
+        return {"on" if key is True else key: with_on(value) for key, value in data.items()}
+    return [with_on(value) for value in data] if isinstance(data, list) else data
 
 
 @cache

@@ -8,9 +8,10 @@ from typing import Any
 
 from sceneweaver.scene import InputError
 from sceneweaver.scene.messages import shorten
+from sceneweaver.scene.yaml_text import parse_yaml
 
 from .groups import expanded
-from .load import group_templates, read_yaml
+from .load import group_templates, with_on
 from .model import RoomType
 
 SCHEMA = "sceneweaver.room/1"
@@ -45,16 +46,7 @@ def read_room(text: str) -> RoomType:
     Raises:
         InputError: one line, for what is no room.
     """
-    import yaml
-
-    try:
-        if any(isinstance(token, yaml.tokens.AliasToken | yaml.tokens.TagToken) for token in yaml.scan(text)):
-            raise InputError("aliases and tags are not read; write all of it out")
-        data = read_yaml(text)
-    except yaml.YAMLError as error:
-        raise InputError(f"not YAML: {shorten(' '.join(str(error).split()), 120)}") from None
-    except RecursionError:
-        raise InputError("nested too deeply") from None
+    data = with_on(parse_yaml(text, "room"))
     if not isinstance(data, dict) or data.pop("schema", None) != SCHEMA:
         raise InputError(f"give a mapping with schema: {SCHEMA}")
     return room_from(data)

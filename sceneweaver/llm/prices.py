@@ -5,10 +5,10 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any
 
 from sceneweaver.scene import InputError
+from sceneweaver.scene.yaml_text import load_yaml
 
 KEYS = ("input", "cached_input", "output")
 
@@ -57,16 +57,7 @@ class Prices:
         Raises:
             InputError: when the file cannot be read or a price is wrong, naming the entry.
         """
-        import yaml
-
-        name = os.fspath(path)
-        try:
-            text = Path(path).read_text(encoding="utf-8")
-            data = yaml.safe_load(text)
-        except (OSError, UnicodeDecodeError, ValueError, yaml.YAMLError) as error:
-            reason = " ".join(str(getattr(error, "problem", None) or getattr(error, "strerror", None) or error).split())
-            raise InputError(f"{name}: cannot be read as YAML ({reason}); see docs/models.md") from None
-        return cls.from_dict(data, name)
+        return cls.from_dict(load_yaml(path), os.fspath(path))
 
     @classmethod
     def from_dict(cls, data: Any, name: str = "prices") -> Prices:

@@ -10,6 +10,7 @@ import numpy as np
 
 from sceneweaver.scene import InputError, read_bytes
 from sceneweaver.scene.messages import clean
+from sceneweaver.scene.yaml_text import load_yaml
 
 from .relief import Maps, encoded_roughness, encoded_tint, to_linear
 
@@ -90,14 +91,12 @@ def _image(path: Path, mode: str, side: int | None) -> np.ndarray:
 
 
 def _size(folder: Path) -> tuple[float, float]:
-    import yaml
-
     path = folder / "texture.yaml"
     if not path.exists():
         return (_SIZE, _SIZE)
     line = f"texture: {clean(str(path))}: size has to be metres, as in `size: 1.5` or `size: [2.0, 0.5]`"
     try:
-        data = yaml.safe_load(read_bytes(path))
+        data = load_yaml(path)
         size = data["size"]
         u, v = (float(x) for x in (size if isinstance(size, list) else (size, size)))
     except InputError:
