@@ -123,7 +123,7 @@ def test_names_of_poly_haven_are_read(folder):
         ({"a_Color.png": b"none"}, "cannot be read"),
         ({"a_Color.png": None, "texture.yaml": b"size: [1, 2, 3]"}, "size has to be metres"),
         ({"a_Color.png": None, "texture.yaml": b"size: nan"}, "size has to be metres"),
-        ({"a_Color.png": None, "texture.yaml": b"[[["}, "size has to be metres"),
+        ({"a_Color.png": None, "texture.yaml": b"[[["}, "cannot be read as YAML"),
     ],
 )
 def test_bad_folders_are_one_clear_line(folder, files, line):
