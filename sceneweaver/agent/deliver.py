@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING
 from sceneweaver.assets import Library
 from sceneweaver.critic import phrases
 from sceneweaver.runtime.deadline import NEVER, Deadline, TimeUp
-from sceneweaver.scene import Scene, SceneWeaverError, whole
+from sceneweaver.scene import Scene, SceneWeaverError, whole, write_atomic
+from sceneweaver.scene.files import own_folder
 
 from .faults import fault
 from .memory import Step
@@ -71,7 +72,7 @@ def deliver(
     """
     began = time.monotonic()
     load = cache(library.load)
-    result.scene.save(folder / "scene.json")
+    write_atomic(folder / "scene.json", result.scene.dumps())
     result.report.save(folder / "metrics.json")
     differing = result.models.disagreements if result.models else ()
     RequestFile.of(result.brief, result.review, differing).save(folder / NAME)
@@ -197,7 +198,7 @@ class _Album:
     def save(self, folder: Path) -> None:
         """Write a PNG for each view."""
         if self.views:
-            folder.mkdir(exist_ok=True)
+            own_folder(folder)
         for name, picture in self.views.items():
             with whole(folder / f"{name}.png") as path:
                 picture.save(path, "PNG", compress_level=PACKING)

@@ -15,6 +15,7 @@ from sceneweaver.critic import Review
 from sceneweaver.language import SceneGraph
 from sceneweaver.scene import InputError, Scene, locked, read_bytes, sweep, write_atomic
 from sceneweaver.scene.base import FrozenModel
+from sceneweaver.scene.files import own_folder, require_no_link
 from sceneweaver.scene.io import parse
 from sceneweaver.verify import Report
 
@@ -83,9 +84,12 @@ class RunFolder:
             InputError: when the folder cannot be written, or another process writes to it.
         """
         try:
-            (self.path / "steps").mkdir(parents=True, exist_ok=True)
+            self.path.mkdir(parents=True, exist_ok=True)
         except OSError as error:
             raise InputError(f"--out: {self.path} cannot be written ({error.strerror}); choose another place") from None
+        own_folder(self.path / "steps")
+        for place in (self.path / "views", *self.path.glob("steps/*")):
+            require_no_link(place)
         with locked(self.path / SCENE, f"--out: {self.path}"):
             for folder in (self.path, self.path / "views", *self.path.glob("steps/*")):
                 sweep(folder)
@@ -135,7 +139,7 @@ class RunFolder:
         """Write what a step led to, and then the state that points to it."""
         name = f"steps/{number:02d}"
         folder = self.path / name
-        folder.mkdir(exist_ok=True)
+        own_folder(folder)
         self._save(scene, folder / "scene.json")
         report.save(folder / "metrics.json")
         _write(folder / "review.json", review.model_dump(mode="json"))

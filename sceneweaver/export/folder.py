@@ -11,7 +11,7 @@ from pathlib import Path
 
 from sceneweaver.runtime.threads import map_threads
 from sceneweaver.scene import InputError
-from sceneweaver.scene.files import temporary_folder
+from sceneweaver.scene.files import require_no_link, temporary_folder
 
 _WRITERS = 16  # files that wait for the disk at once
 
@@ -74,6 +74,9 @@ def write_beside(path: Path, files: Mapping[str, bytes], stale: Mapping[str, str
     with staged(path, "path") as draft:
         if path.is_dir():
             raise InputError(f"path: {path} is a folder; give a file name in it")
+        for folder in {part for name in files for part in Path(name).parents} | {Path(name) for name in stale}:
+            if folder != Path("."):
+                require_no_link(path.parent / folder)
         fill(draft, files)
         move({draft / name: path.parent / name for name in sorted(files, key=lambda name: name == path.name)})
     for folder, pattern in stale.items():

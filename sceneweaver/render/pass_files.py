@@ -11,6 +11,7 @@ import numpy as np
 from PIL import Image
 
 from sceneweaver.scene import InputError, MissingDependencyError, whole, write_atomic
+from sceneweaver.scene.files import own_folder
 from sceneweaver.scene.messages import suggest
 
 from .camera import Shot, shot_from
@@ -59,10 +60,7 @@ def write_passes(renderer: PassRenderer, folder: Path, passes: Sequence[str], ki
     for shot in renderer.shots:
         if not shot.name or set(shot.name) & set('/\\:*?"<>|') or shot.name.startswith("."):
             raise InputError(f"cameras: '{shot.name}' makes no file name; use letters, digits and dashes")
-    try:
-        folder.mkdir(exist_ok=True)
-    except OSError as error:
-        raise InputError(f"{folder}: cannot be made ({error.strerror}); choose another place") from None
+    own_folder(folder)
     write: Callable[[Frame, Path], list[Path]] = {"png": _write_png, "exr": _write_exr, "npz": _write_npz}[kind]
     written = []
     for frame in renderer.frames(passes):

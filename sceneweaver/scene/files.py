@@ -129,17 +129,23 @@ def _require_fewer(size: int, path: Place, max_bytes: int) -> None:
 
 
 @contextlib.contextmanager
-def whole(path: Place) -> Iterator[Path]:
+def whole(path: Place, *, through_link: bool = False) -> Iterator[Path]:
     """A temporary path, of the same file name, that takes the place of ``path`` when the block ends without an error.
 
     Others see the old file or the whole new one. After an error, or a kill and a `sweep`, nothing stays behind.
+
+    Args:
+        path: Where the file goes; its folder must be there.
+        through_link: What happens where a link stands at ``path``. By default the file takes its place, so that nothing
+            outside the folder changes; where a user named the link itself, the file goes to where it leads.
 
     Raises:
         InputError: when the folder is missing or cannot be written, or ``path`` is a folder.
     """
     name = clean(os.fspath(path))
     try:
-        target = os.path.realpath(path)
+        folder_of, file = os.path.split(os.path.abspath(path))
+        target = os.path.realpath(path) if through_link else os.path.join(os.path.realpath(folder_of), file)
         if os.path.isdir(target):
             raise InputError(f"{name}: this is a folder; give a file name in it, such as scene.json")
         with temporary_folder(os.path.dirname(target)) as folder:
@@ -156,14 +162,34 @@ def whole(path: Place) -> Iterator[Path]:
         raise InputError(f"{name}: cannot be written ({reason(error)}); choose another place") from None
 
 
-def write_atomic(path: Place, content: str | bytes) -> None:
+def write_atomic(path: Place, content: str | bytes, *, through_link: bool = False) -> None:
     """Write a file so that others see the old one or the whole new one: temporary name, fsync, rename.
 
     Raises:
-        InputError: as `whole`.
+        InputError: as `whole`, which says what ``through_link`` means.
     """
-    with whole(path) as temporary, open(temporary, "wb") as file:
+    with whole(path, through_link=through_link) as temporary, open(temporary, "wb") as file:
         file.write(content.encode("utf-8") if isinstance(content, str) else content)
+
+
+def own_folder(path: Path) -> Path:
+    """A folder of a run or an export, made where it is not there; what is written to it lands in it.
+
+    Raises:
+        InputError: when a link or a file stands in its place, or it cannot be made.
+    """
+    require_no_link(path)
+    try:
+        path.mkdir(exist_ok=True)
+    except (OSError, ValueError) as error:
+        raise InputError(f"{clean(str(path))}: cannot be made ({reason(error)}); choose another place") from None
+    return path
+
+
+def require_no_link(path: Path) -> None:
+    """InputError when a link stands at ``path``: what is written below it would land elsewhere."""
+    if path.is_symlink():
+        raise InputError(f"{clean(str(path))}: this is a link to another place; remove it, or choose another folder")
 
 
 @contextlib.contextmanager

@@ -79,8 +79,11 @@ class SceneFile(FrozenModel):
         return re.sub(r'\[\n\s+((?:\[[^\[\]{}"\n]*\],?\s+)+?)\]', _join, text) + "\n"
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write ``scene.json`` under a temporary name and rename it; InputError when that cannot be done."""
-        write_atomic(path, self.dumps())
+        """Write ``scene.json`` under a temporary name and rename it; InputError when that cannot be done.
+
+        Where ``path`` is a link, the file that it leads to is written.
+        """
+        write_atomic(path, self.dumps(), through_link=True)
 
 
 def parse(text: str | bytes) -> Any:
