@@ -44,3 +44,4 @@ class SearchRun:
     best_total: wp.array(dtype=wp.float32)  # [candidate]: that energy
     left: wp.array(dtype=wp.int32)  # [2]: candidates that go on, and those that just left without being valid
     more: wp.array(dtype=wp.int32)  # [1]: 1 when another round is due
+    cut: wp.array(dtype=wp.int32)  # [1]: from 1 on, rounds on a CPU break off where they are

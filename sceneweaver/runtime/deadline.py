@@ -54,11 +54,13 @@ class Stop:
         allowance: seconds from the request until all files have to be written.
         end: that moment of ``time.monotonic()`` [s]; it never comes until it is asked for.
         reason: who asked, such as "SIGTERM"; empty until then.
+        heard: whether signals ask for it, see `stoppable`.
     """
 
     allowance: float = 2.0
     end: float = math.inf
     reason: str = ""
+    heard: bool = False
 
     def request(self, reason: str) -> None:
         """Ask; the first reason stays."""
@@ -132,6 +134,15 @@ def end_of_block() -> float:
     return math.inf if block is None else block.end
 
 
+def ending() -> Callable[[], float] | None:
+    """What tells any thread when the block that runs here ends, by ``time.monotonic()`` [s].
+
+    None outside of a block, and where nothing ends it: no deadline, and no signal that asks for a stop.
+    """
+    block = _BLOCK.get()
+    return block.ending if block is not None and (block.may_stop or block.end < math.inf) else None
+
+
 class _Block:
     """A block under a deadline, which knows the one around it."""
 
@@ -161,10 +172,19 @@ class _Block:
     @property
     def end(self) -> float:
         """When a checkpoint ends it, by ``time.monotonic()`` [s]."""
+        return self.ending()
+
+    def ending(self) -> float:
+        """The same."""
         own = self._deadline.moment
         if own < math.inf and not self._deadline.stop.reason:
             own += self._grace()
         return own if self._outer is None else min(own, self._outer.end)
+
+    @property
+    def may_stop(self) -> bool:
+        """Whether a signal can end it."""
+        return self._deadline.stop.heard or (self._outer is not None and self._outer.may_stop)
 
 
 _BLOCK: ContextVar[_Block | None] = ContextVar("deadline", default=None)
@@ -233,6 +253,7 @@ def stoppable() -> Iterator[Stop]:
     if threading.current_thread() is not threading.main_thread():
         yield stop
         return
+    stop.heard = True
     before = {number: signal.getsignal(number) for number in SIGNALS}
 
     def ask(number: int, frame: FrameType | None) -> None:

@@ -11,6 +11,7 @@ from pydantic import AfterValidator, BeforeValidator, Field, WithJsonSchema
 
 from sceneweaver.geometry.polygons import signed_area
 
+from .limits import MAX_CORNERS
 from .messages import FieldError, show
 from .polygons import Points, check_simple, convex, counter_clockwise
 
@@ -135,7 +136,7 @@ def _check_target(value: Any) -> Any:
     raise FieldError((), f"is {show(value)}; give an id, a list of two ids, or null")
 
 
-_Corners = Annotated[tuple[Vec2, ...], Field(min_length=3, fail_fast=True)]
+_Corners = Annotated[tuple[Vec2, ...], Field(min_length=3, max_length=MAX_CORNERS, fail_fast=True)]
 
 Id = Annotated[str, Field(min_length=1), AfterValidator(_check_id)]
 """The name of a door, window or object: printable, not empty, not like "wall:3"."""

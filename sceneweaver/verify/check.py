@@ -65,6 +65,8 @@ def check(
     clock, warnings = _Clock(), list[str]()
     placed, shapes = Placed.of(scene), MeshSet.of(meshes)
     load = library.load if library is not None else None
+    doubled = {second.id: first.id for first, second in reversed(scene.room.doubled)}
+    warnings += [f"{second} is in the place of {first}: listed twice?" for second, first in sorted(doubled.items())]
     found = [Violation("dropped", (d.id,), f"{d.id} could not be placed: {d.reason}", 0.0) for d in scene.dropped]
     clock.lap("prepare")
     found += collisions.find(placed, shapes, warnings)
