@@ -75,9 +75,12 @@ def check(
     clock.lap("bounds")
     found += support.find(placed)
     clock.lap("support")
-    found += zones.find(placed)
+    found += zones.find(placed, warnings)
     clock.lap("zones")
-    judgements = [judge_relation(placed, relation) for relation in scene.relations]
+    judgements = []
+    for relation in scene.relations:
+        checkpoint()
+        judgements.append(judge_relation(placed, relation))
     found += [_relation(scene, k, judgement) for k, judgement in enumerate(judgements) if not judgement.holds]
     clock.lap("relations")
     shares = links = steady = None
