@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
 
 import numpy as np
 
 from sceneweaver.layout import Progress, QualityTerm, Solution, StepOptimizer, engine
+from sceneweaver.runtime.deadline import Deadline, TimeUp
 from sceneweaver.scene import Scene
 
 from .report import explain as find_reason
@@ -127,10 +130,14 @@ def refine_many(
 def _explained(solution: Solution, began: float, time_limit: float | None) -> Solution:
     """The solution with the reason why nothing in it is valid, where that is so.
 
-    A run that its time limit cut off has a little more time to say why.
+    A run that its time limit cut off has a little more time to say why. Where that is not enough, nothing is said:
+    the layouts are not lost for it.
     """
     if np.any(solution.status == 0):
         return solution
     deadline = None if time_limit is None else max(began + time_limit, time.monotonic() + GRACE)
-    text = find_reason(solution.source, solution, device=solution.device, seed=solution.seed, deadline=deadline)
+    clock = Deadline(math.inf if deadline is None else deadline)
+    text = None
+    with suppress(TimeUp), clock.enforced():
+        text = find_reason(solution.source, solution, device=solution.device, seed=solution.seed, deadline=deadline)
     return replace(solution, explanation=text, elapsed=time.monotonic() - began)
