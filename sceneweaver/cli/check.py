@@ -8,7 +8,7 @@ import typer
 
 from sceneweaver.scene import InputError, Scene, write_atomic
 
-from .clock import clock, keep_for
+from .clock import clock
 from .exit_codes import NOT_VALID
 from .output import headline, list_files, list_violations, no_chatter, print_json, relations_line
 from .render import require_png
@@ -36,9 +36,7 @@ def run_check(
 
     with clock(time_limit, began) as until:
         with no_chatter():
-            report = until.needed(
-                "check", lambda: check(scene, meshes=meshes, physics=physics, openable=openable), keep_for(scene)
-            )
+            report = until.needed("check", lambda: check(scene, meshes=meshes, physics=physics, openable=openable))
         if metrics is not None:
             write_atomic(metrics, report.to_json() + "\n")
         if picture is not None:

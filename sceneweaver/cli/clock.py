@@ -24,6 +24,9 @@ LEAST = 0.8
 LEAST_EXTRA = 0.4
 """The same of what it can do without."""
 
+PATIENT = 2.0
+"""Times as long as a search may take, that it gets to come to its end."""
+
 PER_OBJECT = 2e-3
 """Seconds that it takes to judge and draw an object, about."""
 
@@ -53,15 +56,21 @@ class Clock:
     seconds: float | None
     left_out: list[str]
 
-    def needed(self, what: str, work: Callable[[], Found], keep: float = 0.0) -> Found:
-        """What ``work`` returns, which takes `LEAST` seconds, or as long as leaves ``keep`` [s] for what comes after.
+    def for_search(self, keep: float) -> float | None:
+        """Seconds that a search may take, so that ``keep`` [s] are left for what comes after; None: no limit."""
+        if self.seconds is None:
+            return None
+        return max(LEAST, self.deadline.left - min(keep, MOST_KEPT * self.deadline.left))
+
+    def needed(self, what: str, work: Callable[[], Found]) -> Found:
+        """What ``work`` returns, which gets twice `LEAST` seconds, however late it is.
 
         Raises:
             OutOfTime: time was up before it was done; ``what`` names it. A signal ends the process as ever.
         """
-        began, end = time.monotonic(), self.deadline.before(min(keep, MOST_KEPT * self.deadline.left))
+        began, end = time.monotonic(), self.deadline
         try:
-            with end.enforced(lambda: max(0.0, began + LEAST - end.moment)):
+            with end.enforced(lambda: max(0.0, began + PATIENT * LEAST - end.moment)):
                 return work()
         except TimeUp:
             pass

@@ -32,11 +32,11 @@ def run_export(
     start = time.monotonic()
     files: dict[str, Path] = {}
     look = {"textures": textures, "welded": welded}
-    with no_chatter(), clock(time_limit, began) as until:
+    with no_chatter():
         from sceneweaver.assets.placed import loader
         from sceneweaver.export import FORMATS, export_file, export_scene, formats_named
         from sceneweaver.export.formats import USUAL, format_of
-
+    with no_chatter(), clock(time_limit, began) as until:
         if out.suffix and not out.is_dir():
             if to is not None:
                 raise InputError(f"--to: {out} is a file, whose suffix says the format; give a folder, or no --to")

@@ -117,18 +117,18 @@ def _run(scene: Scene, out: Path, began: float, *, picture: bool, time_limit: fl
     single = out.suffix == ".json"
     folder, scene_name = (out.parent, out.name) if single else (out, SCENE)
     names = [scene_name] if single else [scene_name, METRICS, *([PICTURE] if picture else [])]
+    with no_chatter():  # before the clock listens to signals, so that one ends a command at once that still starts
+        from sceneweaver.explain import refine
+        from sceneweaver.render import save_top
+        from sceneweaver.verify import check
     with clock(time_limit, began) as until, staged(folder, names) as temporary:
         start = time.perf_counter()
         seconds: dict[str, float] = {}
         reports: list[Report] = []
         with progress_bar(f"refining {scene.id}", options["candidates"]) as progress, no_chatter():
-            from sceneweaver.explain import refine
-            from sceneweaver.verify import check
-
             solution = until.needed(
                 "refine",
-                lambda: refine(scene, progress=progress, time_limit=time_limit, **options),
-                keep_for(scene),
+                lambda: refine(scene, progress=progress, time_limit=until.for_search(keep_for(scene)), **options),
             )
             seconds["refine"] = time.perf_counter() - start
             best = solution.best
@@ -137,8 +137,6 @@ def _run(scene: Scene, out: Path, began: float, *, picture: bool, time_limit: fl
         seconds["check"] = time.perf_counter() - start - seconds["refine"]
         report = reports[0] if reports else None
         if PICTURE in names:
-            from sceneweaver.render import save_top
-
             drawn = time.perf_counter()
             (temporary / PICTURE).parent.mkdir()
             judged = {"violations": report.violations, "valid": report.valid} if report is not None else {}

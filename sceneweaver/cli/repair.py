@@ -45,12 +45,14 @@ def run_repair(
     single = out.suffix == ".json"
     folder, scene_name = (out.parent, out.name) if single else (out, SCENE)
     names = [scene_name] if single else [scene_name, METRICS, *([PICTURE] if picture else [])]
-    budget = {"candidates": candidates, "seed": seed, "device": device, "time_limit": time_limit}
+    budget = {"candidates": candidates, "seed": seed, "device": device}
+    with no_chatter():  # before the clock listens to signals, so that one ends a command at once that still starts
+        import sceneweaver.layout  # noqa: F401 - what a repair loads where there is something to repair
+        from sceneweaver.repairs import repair_report
     with clock(time_limit, began) as until, staged(folder, names) as temporary:
         with no_chatter():
-            from sceneweaver.repairs import repair_report
-
-            done = until.needed("repair", lambda: repair_report(scene, relations=relations, **budget), keep_for(scene))
+            limit = until.for_search(keep_for(scene) / 2)  # it judges by itself
+            done = until.needed("repair", lambda: repair_report(scene, relations=relations, time_limit=limit, **budget))
         _write(done, temporary, names, scene_name, until)
         names = [name for name in names if (temporary / name).exists()]
     keys = {scene_name: "scene", METRICS: "metrics", PICTURE: "picture"}

@@ -11,12 +11,13 @@ from dataclasses import replace
 import numpy as np
 
 from sceneweaver.layout import Progress, QualityTerm, Solution, StepOptimizer, engine
-from sceneweaver.runtime.deadline import Deadline, TimeUp
+from sceneweaver.runtime.deadline import Deadline, TimeUp, ending
 from sceneweaver.scene import Scene
 
 from .report import explain as find_reason
 
 GRACE = 1.0  # [s] beyond a time limit in which to explain why nothing is valid
+HANGS = 0.2  # [s] after which an explanation that comes to no checkpoint is broken off
 
 
 # Options of a refinement are keyword arguments with defaults of their own, hence more than ten; `refine_many` as well.
@@ -133,11 +134,12 @@ def _explained(solution: Solution, began: float, time_limit: float | None) -> So
     A run that its time limit cut off has a little more time to say why. Where that is not enough, nothing is said:
     the layouts are not lost for it.
     """
-    if np.any(solution.status == 0):
+    stop = ending()
+    if np.any(solution.status == 0) or (stop is not None and time.monotonic() >= stop()):
         return solution
     deadline = None if time_limit is None else max(began + time_limit, time.monotonic() + GRACE)
     clock = Deadline(math.inf if deadline is None else deadline)
     text = None
-    with suppress(TimeUp), clock.enforced():
+    with suppress(TimeUp), clock.enforced(patience=HANGS):
         text = find_reason(solution.source, solution, device=solution.device, seed=solution.seed, deadline=deadline)
     return replace(solution, explanation=text, elapsed=time.monotonic() - began)

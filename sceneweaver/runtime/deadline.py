@@ -53,18 +53,21 @@ class Stop:
     Attributes:
         allowance: seconds from the request until all files have to be written.
         end: that moment of ``time.monotonic()`` [s]; it never comes until it is asked for.
+        asked: when it was asked for [s].
         reason: who asked, such as "SIGTERM"; empty until then.
         heard: whether signals ask for it, see `stoppable`.
     """
 
     allowance: float = 2.0
     end: float = math.inf
+    asked: float = math.inf
     reason: str = ""
     heard: bool = False
 
     def request(self, reason: str) -> None:
         """Ask; the first reason stays."""
-        self.end = min(self.end, time.monotonic() + self.allowance)
+        self.asked = min(self.asked, time.monotonic())
+        self.end = min(self.end, self.asked + self.allowance)
         self.reason = self.reason or reason
         _set_alarm()
 
@@ -135,8 +138,9 @@ def end_of_block() -> float:
 
 
 def ending() -> Callable[[], float] | None:
-    """What tells any thread when the block that runs here ends, by ``time.monotonic()`` [s].
+    """What tells any thread when searches in the block that runs here end, by ``time.monotonic()`` [s].
 
+    That is the end of the block, or the moment in which a stop is asked for: what is found by then has to be written.
     None outside of a block, and where nothing ends it: no deadline, and no signal that asks for a stop.
     """
     block = _BLOCK.get()
@@ -172,14 +176,15 @@ class _Block:
     @property
     def end(self) -> float:
         """When a checkpoint ends it, by ``time.monotonic()`` [s]."""
-        return self.ending()
-
-    def ending(self) -> float:
-        """The same."""
         own = self._deadline.moment
         if own < math.inf and not self._deadline.stop.reason:
             own += self._grace()
         return own if self._outer is None else min(own, self._outer.end)
+
+    def ending(self) -> float:
+        """When searches end, see the function of this name."""
+        end = min(self.end, self._deadline.stop.asked)
+        return end if self._outer is None else min(end, self._outer.ending())
 
     @property
     def may_stop(self) -> bool:
