@@ -27,3 +27,6 @@ MAX_PARTS = 64
 
 MAX_SHAPES = 20_000
 """Parts, zones and surfaces of all objects of a scene together."""
+
+MOST_TURN = 3_600.0
+"""Degrees by which one edit turns an object at most, either way."""
