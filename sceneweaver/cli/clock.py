@@ -86,8 +86,14 @@ class Clock:
         raise OutOfTime(f"{what}: {self.seconds:g} s were not enough; give more with --time-limit")
 
     def extra(self, what: str, work: Callable[[], object]) -> bool:
-        """Whether ``work``, which the command can do without, was done in time; else it is said what was left out."""
+        """Whether ``work``, which the command can do without, was done in time; else it is said what was left out.
+
+        What comes after something that was left out is not begun.
+        """
         began, end = time.monotonic(), self.deadline
+        if self.left_out and end.passed:
+            self.left_out.append(what)
+            return False
         try:
             with end.enforced(lambda: max(0.0, began + LEAST_EXTRA - end.moment)):
                 work()

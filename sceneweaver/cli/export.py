@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from pathlib import Path
+from typing import Any
 
 import typer
 
@@ -31,7 +32,7 @@ def run_export(
     scene = Scene.load(source)
     start = time.monotonic()
     files: dict[str, Path] = {}
-    look = {"textures": textures, "welded": welded}
+    look: Any = {"textures": textures, "welded": welded}
     with no_chatter():
         from sceneweaver.assets.placed import loader
         from sceneweaver.export import FORMATS, export_file, export_scene, formats_named

@@ -65,9 +65,10 @@ def overlaps(a: Prisms, b: Prisms, *, skip: NDArray[np.bool_] | None = None, dep
 
     none = np.empty(0, dtype=np.intp)
     found, count = [Overlaps(none, none, np.empty(0), np.empty(0), np.empty(0))], 0
-    tree = shapely.STRtree(shapely.box(*b.boxes.T)) if len(a) and len(b) else None
-    boxes = shapely.box(*a.boxes.T)
-    for start in range(0, len(a) if tree is not None else 0, CHUNK):
+    if not len(a) or not len(b):
+        return found[0]
+    tree, boxes = shapely.STRtree(shapely.box(*b.boxes.T)), shapely.box(*a.boxes.T)
+    for start in range(0, len(boxes), CHUNK):
         checkpoint()
         i, j = tree.query(boxes[start : start + CHUNK])
         some = _of_boxes(a, b, i + start, j, skip, depth)

@@ -46,8 +46,9 @@ def test_extras_are_left_out_and_told(capsys):
     with clock(3.0, time.monotonic() - 100.0) as until:
         assert until.extra("a", checkpoint) and until.code(0) == 0
         assert not until.extra("b", endless) and until.code(3) == 5
+        assert not until.extra("c", lambda: pytest.fail("begun"))
     until.tell()
-    assert capsys.readouterr().out == "  left out (3 s are over): b\n"
+    assert capsys.readouterr().out == "  left out (3 s are over): b, c\n"
 
 
 @pytest.mark.parametrize(("number", "error"), [(signal.SIGINT, KeyboardInterrupt), (signal.SIGTERM, SystemExit)])
