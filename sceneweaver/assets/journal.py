@@ -17,6 +17,8 @@ from hashlib import blake2b
 from pathlib import Path
 from threading import Lock
 
+from sceneweaver.io import InputError, open_own, open_regular
+
 _HEAD = struct.Struct("<16sII")
 _LOOK = 1.0  # [s] between two looks for what others wrote
 
@@ -45,7 +47,7 @@ class Journal:
             if key not in self._places:
                 return None
             path, start, length, check = self._places[key]
-        with contextlib.suppress(OSError), open(path, "rb", buffering=0) as file:
+        with contextlib.suppress(OSError, InputError), open_regular(path, 2**62) as file:
             value = os.pread(file.fileno(), length, start)
             if len(value) == length and zlib.crc32(value) == check:
                 return value
@@ -53,11 +55,11 @@ class Journal:
 
     def put(self, key: bytes, value: bytes) -> None:
         """Tell a value."""
-        with self._lock, contextlib.suppress(OSError):
+        with self._lock, contextlib.suppress(OSError, InputError):
             if self._own is None or self._process != os.getpid():
                 self._own, self._process = self.folder / f"{secrets.token_hex(8)}.journal", os.getpid()
                 self.folder.mkdir(parents=True, exist_ok=True)
-            with open(self._own, "ab", buffering=0) as file:
+            with open_own(self._own, "ab") as file:
                 file.write(_HEAD.pack(key, len(value), zlib.crc32(value)) + value)
 
     def _look(self) -> None:
@@ -66,7 +68,7 @@ class Journal:
             return
         self._looked = time.monotonic()
         for path in self.folder.glob("*.journal"):
-            with contextlib.suppress(OSError), open(path, "rb", buffering=0) as file:
+            with contextlib.suppress(OSError, InputError), open_regular(path, 2**62) as file:
                 self._read[path] = self._index(path, file.fileno(), self._read.get(path, 0))
 
     def _index(self, path: Path, file: int, at: int) -> int:

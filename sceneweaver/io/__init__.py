@@ -29,7 +29,8 @@ from .reading import read_bytes as read_bytes
 from .reading import read_text as read_text
 from .reading import read_unpacked as read_unpacked
 from .reading import reason as reason
-from .references import lies_inside as lies_inside
+from .reading import sha256_of as sha256_of
+from .references import named_inside as named_inside
 from .references import required_inside as required_inside
 from .tables import load_csv as load_csv
 from .tables import open_parquet as open_parquet

@@ -10,7 +10,7 @@ from .errors import InputError, MissingDependencyError
 from .json_text import parse_json
 from .messages import clean
 from .reading import Place, open_regular, read_bytes, reason
-from .references import lies_inside
+from .references import named_inside
 
 if TYPE_CHECKING:
     import trimesh
@@ -64,8 +64,8 @@ def _resolver(path: Path) -> Any:
 
         def get(self, name: str) -> bytes:
             for candidate in (name.strip(), name.strip().lstrip("/"), os.path.basename(name)):
-                place = path.parent / candidate
-                if lies_inside(path.parent, place) and place.exists():
+                place = named_inside(path.parent, path.parent / candidate)
+                if place is not None and place.exists():
                     content = read_bytes(place, max_bytes=self.left)
                     self.left -= len(content)
                     return content

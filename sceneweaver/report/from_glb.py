@@ -3,7 +3,6 @@ with a mesh is an object, in a room around them."""
 
 from __future__ import annotations
 
-import json
 import os
 import struct
 from collections.abc import Iterator
@@ -15,10 +14,10 @@ import numpy as np
 
 from sceneweaver.assets import Asset, Material, Mesh
 from sceneweaver.assets.asset import Origin
-from sceneweaver.assets.imports.guarded import MAX_BYTES, read_meshes
 from sceneweaver.assets.placed import Load
 from sceneweaver.assets.textures import maps
-from sceneweaver.io import read_bytes
+from sceneweaver.io import parse_json, read_bytes, read_meshes
+from sceneweaver.io.meshes import MAX_BYTES
 from sceneweaver.scene import InputError, MissingDependencyError, Pose, Room, Scene, SceneObject
 
 _GREY = Material("grey", (0.75, 0.74, 0.72))
@@ -169,7 +168,7 @@ class OwnFile:
 
     def __init__(self, data: bytes):
         length = struct.unpack_from("<I", data, 12)[0]
-        self.document: dict[str, Any] = json.loads(data[20 : 20 + length])
+        self.document: dict[str, Any] = parse_json(data[20 : 20 + length])
         self._binary = data[28 + length :]
 
     def mesh(self, number: int) -> Mesh:
