@@ -59,13 +59,12 @@ def load(path: Path, seconds: float = 60.0) -> RawMesh:
         if not file.read(1):
             raise InputError(f"{path.name}: the file is empty")
     try:
-        raw = (
-            _load_usd(path, seconds)
-            if suffix in _USD
-            else _load_arrays(path)
-            if suffix == _ARRAYS
-            else _load_mesh(path, suffix)
-        )
+        if suffix in _USD:
+            raw = _load_usd(path, seconds)
+        elif suffix == _ARRAYS:
+            raw = _load_arrays(path)
+        else:
+            raw = _load_mesh(path, suffix)
     except (InputError, MissingDependencyError):
         raise
     except Exception as error:  # libraries raise whatever they like for damaged files
@@ -179,7 +178,10 @@ def _load_usd(path: Path, seconds: float) -> RawMesh:
     if "refused" in found:
         raise InputError(str(found["refused"]))
     rows = zip(found["names"], found["looks"], strict=True)
-    looks = [Material(str(name), _rgb(row), *(float(v) for v in row[3:])) for name, row in rows]
+    looks = [
+        Material(str(name), _rgb(row), roughness=float(row[3]), metallic=float(row[4]), opacity=float(row[5]))
+        for name, row in rows
+    ]
     metres = float(found["metres"])
     return RawMesh(
         found["vertices"],
