@@ -17,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from sceneweaver.io import parse_json, read_arrays, read_bytes, reason, sweep, temporary_folder
+from sceneweaver.io import parse_json, read_arrays, read_bytes, reason, sweep, temporary_folder, write_atomic
 from sceneweaver.io.messages import suggest
 from sceneweaver.scene import InputError, Part, Surface, Zone
 
@@ -59,7 +59,7 @@ class Store:
         try:
             with self._draft() as draft:
                 _write_body(draft / "body.npz", asset)
-                (draft / "row.json").write_text(json.dumps(row_of(asset, content), indent=1) + "\n", encoding="utf-8")
+                write_atomic(draft / "row.json", json.dumps(row_of(asset, content), indent=1) + "\n")
                 final.parent.mkdir(parents=True, exist_ok=True)
                 os.rename(draft, final)
         except OSError as error:

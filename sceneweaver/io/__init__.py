@@ -19,6 +19,7 @@ from .json_text import load_packed_json as load_packed_json
 from .json_text import parse_json as parse_json
 from .meshes import read_meshes as read_meshes
 from .mjcf import load_mjcf as load_mjcf
+from .mjcf import read_spec as read_spec
 from .reading import MAX_BYTES as MAX_BYTES
 from .reading import MAX_UNPACKED as MAX_UNPACKED
 from .reading import Place as Place
@@ -47,5 +48,6 @@ from .writing import whole as whole
 from .writing import write_atomic as write_atomic
 from .xml_text import load_xml as load_xml
 from .xml_text import parse_xml as parse_xml
+from .yaml_text import dump_yaml as dump_yaml
 from .yaml_text import load_yaml as load_yaml
 from .yaml_text import parse_yaml as parse_yaml
