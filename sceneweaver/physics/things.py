@@ -17,8 +17,9 @@ from sceneweaver.assets.placed import Load, loader, scaled_asset
 from sceneweaver.assets.roles import with_role
 from sceneweaver.scene import Scene, SceneObject
 
-from .hulls import Solid, solids_of
+from .hulls import solids_of
 from .inertia import Inertia, inertia_of, shares_of
+from .solids import Solid
 
 _DENSITY = 150.0  # [kg/m3] of an object's parts, when neither an asset nor its category says what it weighs
 _LIGHTEST = 1e-3  # [kg]
