@@ -60,7 +60,10 @@ def glb_files(document: Mapping[str, Any]) -> Iterator[str]:
 
 
 def glb_frames(document: Mapping[str, Any]) -> dict[str, np.ndarray]:
-    """Matrices [4, 4] of the nodes by their names, with z up."""
+    """Matrices [4, 4] of the nodes by their names, the room's frame and those of the nodes with z up.
+
+    In the file all frames are y up; files of older releases have frames with z up below a root that turns them.
+    """
     nodes = document.get("nodes", [])
     local = _matrices(
         [node.get("translation", (0, 0, 0)) for node in nodes], [node.get("rotation", (0, 0, 0, 1)) for node in nodes]
@@ -72,11 +75,13 @@ def glb_frames(document: Mapping[str, Any]) -> dict[str, np.ndarray]:
     up[:3, :3] = _Z_UP
     found = {}
     scene = document.get("scenes", [{}])[document.get("scene", 0)]
-    stack = [(root, up) for root in scene.get("nodes", ())]
+    roots = scene.get("nodes", ())
+    own = np.eye(4) if any("rotation" in nodes[root] for root in roots) else up.T
+    stack = [(root, up) for root in roots]
     while stack:
         number, above = stack.pop()
         frame = above @ local[number]
-        found[nodes[number].get("name", "")] = frame
+        found[nodes[number].get("name", "")] = frame @ own
         stack += [(child, frame) for child in nodes[number].get("children", ())]
     return found
 
