@@ -16,6 +16,7 @@ from typing import Annotated, Any, get_type_hints
 
 import numpy as np
 
+from sceneweaver.runtime.package import missing_extra, package_version
 from sceneweaver.scene import InputError, MissingDependencyError, write_atomic
 
 from .settings import Settings
@@ -31,7 +32,7 @@ def needed(name: str) -> Any:
         return import_module(name)
     except ImportError:
         package = name.partition(".")[0]
-        raise MissingDependencyError(f"{package} is not installed; pip install 'sceneweaver[bench]'") from None
+        raise MissingDependencyError(missing_extra("bench", f"{package} is not installed")) from None
 
 
 def pyarrow() -> Any:
@@ -94,7 +95,7 @@ def arrow_schema(metadata: bytes) -> Any:
 
 
 RESULTS, PARTS, SETTINGS = "results.parquet", "runs", "settings.json"
-PACKAGES = ("sceneweaver", "warp-lang", "numpy", "jax", "torch", "optax", "optimistix", "blackjax", "evosax")
+PACKAGES = ("warp-lang", "numpy", "jax", "torch", "optax", "optimistix", "blackjax", "evosax")
 Key = tuple[str, str, int]
 """Method, problem and seed."""
 
@@ -189,7 +190,7 @@ def describe(settings: Settings) -> dict[str, Any]:
     found = {name: found for name in PACKAGES if (found := _version(name))}
     return {
         "settings": settings.to_dict(),
-        "versions": {"python": platform.python_version(), **found},
+        "versions": {"python": platform.python_version(), "sceneweaver": package_version(), **found},
         "machine": {"system": f"{platform.system()} {platform.machine()}", "cores": os.cpu_count(), "device": device},
     }
 

@@ -26,6 +26,7 @@ from typer.core import TyperCommand
 from sceneweaver.export.formats import FORMATS, USUAL
 from sceneweaver.runtime.deadline import process_began
 from sceneweaver.runtime.options import takes
+from sceneweaver.runtime.package import missing_module
 
 from .dataset import dataset
 from .exit_codes import BAD_INPUT, INTERRUPTED, MISSING
@@ -740,9 +741,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     except ModuleNotFoundError as error:
         if (error.name or "").partition(".")[0] == "sceneweaver":
             return _fault(error, as_json)
-        return _fail(
-            f"the package '{error.name}' is missing; install it with: pip install {error.name}", MISSING, as_json
-        )
+        return _fail(missing_module(error.name or "", f"the package '{error.name}' is missing"), MISSING, as_json)
     except Exception as error:
         from sceneweaver.scene.errors import SceneWeaverError
 

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
+from sceneweaver.runtime.package import missing_extra
 from sceneweaver.scene import InputError, MissingDependencyError, whole, write_atomic
 from sceneweaver.scene.files import own_folder
 from sceneweaver.scene.messages import suggest
@@ -167,6 +168,5 @@ def _openexr() -> Any:
     try:
         import OpenEXR  # pyright: ignore[reportMissingImports]
     except ImportError:
-        fix = 'pip install "sceneweaver[exr]"'
-        raise MissingDependencyError(f"EXR files need OpenEXR, which is not installed: {fix}") from None
+        raise MissingDependencyError(missing_extra("exr", "EXR files need OpenEXR")) from None
     return OpenEXR

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from sceneweaver.runtime.package import missing_module
 from sceneweaver.scene import InputError, MissingDependencyError
 from sceneweaver.scene.files import open_regular, read_bytes, reason
 
@@ -47,9 +48,8 @@ def read_meshes(path: str | os.PathLike[str]) -> trimesh.Scene:
     except (InputError, MissingDependencyError):
         raise
     except ModuleNotFoundError as error:
-        raise MissingDependencyError(
-            f"{place.name}: reading it needs the package '{error.name}'; install it with: pip install {error.name}"
-        ) from error
+        what = f"{place.name}: reading it needs the package '{error.name}'"
+        raise MissingDependencyError(missing_module(error.name or "", what)) from error
     except Exception as error:  # libraries raise whatever they like for damaged files
         raise InputError(f"{place.name}: the file is damaged or cut off ({reason(error)})") from error
 
