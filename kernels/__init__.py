@@ -1,18 +1,25 @@
 """Warp code: the compiled problem's tables and everything that runs on the device."""
 
 import importlib
-import os
+from typing import Any
 
 import warp as wp
 
-if not os.environ.get("SCENEWEAVER_DEBUG"):
-    wp.config.log_level = wp.LOG_ERROR  # no greeting, no notes on what is compiled
+from sceneweaver.runtime import compiling
+
+compiling.prepare_warp()
 
 
-def load(device: str, *names: str) -> None:
-    """Compile and load kernel modules ahead of their first launch, side by side on two threads.
+def load(device: str, *names: str) -> int:
+    """Compile and load kernel modules ahead of their first launch; see `sceneweaver.runtime.compiling.load`."""
+    return compiling.load(device, [module_of(name) for name in names])
 
-    From a warm cache this takes milliseconds; from an empty one it halves the wait.
-    """
-    modules = [wp.get_module(importlib.import_module(f"{__name__}.{name}").__name__) for name in names]
-    wp.force_load(device, modules, max_workers=2)
+
+def load_for(kernel: Any, device: str, block: int | None = None) -> None:
+    """Compile and load the module of a kernel for launches with so many threads a block."""
+    compiling.load(device, [kernel.module], block)
+
+
+def module_of(name: str) -> wp.Module:
+    """The Warp module of a module of this floor."""
+    return wp.get_module(importlib.import_module(f"{__name__}.{name}").__name__)

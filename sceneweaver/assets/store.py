@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 
+from sceneweaver.runtime.caches import cache_place, kept_in
 from sceneweaver.scene import InputError, Part, Surface, Zone, read_bytes, sweep
 from sceneweaver.scene.files import reason, temporary_folder
 from sceneweaver.scene.io import parse
@@ -30,12 +31,9 @@ SCHEMA = "sceneweaver.asset/1"
 
 
 def default_root() -> Path:
-    """``$SCENEWEAVER_ASSETS``, or the user's cache folder."""
+    """``$SCENEWEAVER_ASSETS``, or the user's cache folder, or what stands in for that where it cannot be written."""
     given = os.environ.get("SCENEWEAVER_ASSETS")
-    if given:
-        return Path(given).expanduser()
-    base = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
-    return Path(base).expanduser() / "sceneweaver" / "assets"
+    return Path(given).expanduser() if given else kept_in(cache_place("sceneweaver/assets"))
 
 
 class Store:
