@@ -15,12 +15,12 @@ import os
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from . import caches
 from .processes import cores
@@ -56,6 +56,16 @@ ON_GPU = 2.5
 Device = str
 Module = Any
 """A ``warp.Module``."""
+
+
+class Variant(NamedTuple):
+    """A module for launches with so many threads a block; None: as many as the module says, which is 256 mostly.
+
+    A GPU needs a variant for each number, a CPU has one alone.
+    """
+
+    module: Module
+    block: int | None = None
 
 
 @dataclass(frozen=True)
@@ -130,15 +140,14 @@ def kernel_cache() -> Path:
     return Path(import_module("warp").config.kernel_cache_dir)
 
 
-def load(device: Device, modules: Sequence[Module], block: int | None = None) -> int:
+def load(device: Device, modules: Iterable[Module | Variant]) -> int:
     """Compile what is not compiled yet of some modules, side by side, and load all.
 
     From a warm cache this takes milliseconds.
 
     Args:
         device: a Warp device.
-        modules: the ``warp.Module`` of each.
-        block: threads of a block of the launches, for which a GPU has a variant of each module; None: the usual.
+        modules: the ``warp.Module`` of each, or a variant of it.
 
     Returns:
         How many were compiled.
@@ -146,30 +155,32 @@ def load(device: Device, modules: Sequence[Module], block: int | None = None) ->
     start_warp()
     wp = import_module("warp")
     where = wp.get_device(device)
-    modules = [module for module in modules if not _is_loaded(module, where, block)]
-    missing = [module for module in modules if not _is_compiled(module, where, block)]
+    wanted = list(dict.fromkeys(_variant(module, where) for module in modules))
+    wanted = [variant for variant in wanted if not _is_loaded(variant, where)]
+    missing = [variant for variant in wanted if not _is_compiled(variant, where)]
     if missing:
         with _compiling:  # who comes second finds them compiled
-            missing = [module for module in missing if not _is_compiled(module, where, block)]
-            _compile(missing, where, block)
-    if modules:
-        wp.force_load(where, modules, block_dim=block, max_workers=THREADS)
+            missing = [variant for variant in missing if not _is_compiled(variant, where)]
+            _compile(missing, where)
+    for block in dict.fromkeys(variant.block for variant in wanted):
+        own = [variant.module for variant in wanted if variant.block == block]
+        wp.force_load(where, own, block_dim=block, max_workers=THREADS)
     return len(missing)
 
 
-def _compile(modules: Sequence[Module], device: Any, block: int | None) -> None:
+def _compile(modules: Sequence[Variant], device: Any) -> None:
     """Compile modules, the longest first, and tell whoever watches."""
     wp = import_module("warp")
     if not modules:
         return
     _move_where_there_is_room(wp)
-    seconds = [_seconds_of(module, device) for module in modules]
+    seconds = [_seconds_of(variant.module, device) for variant in modules]
     about, begun = _busy() * max(sum(seconds) / THREADS, *seconds), time.monotonic()
     tell = _watchers[-1] if _watchers else _note
     tell(Compiling(0, len(modules), 0.0, about))
     order = sorted(range(len(modules)), key=lambda i: -seconds[i])
     with ThreadPoolExecutor(THREADS) as pool:
-        work = {pool.submit(_compile_one, modules[i], device, block): seconds[i] for i in order}
+        work = {pool.submit(_compile_one, modules[i], device): seconds[i] for i in order}
         share = 0.0
         try:
             for done, future in enumerate(as_completed(work), 1):
@@ -182,16 +193,16 @@ def _compile(modules: Sequence[Module], device: Any, block: int | None) -> None:
     log.info("%d modules of kernels compiled for %s in %.1f s", len(modules), device, time.monotonic() - begun)
 
 
-def _compile_one(module: Module, device: Any, block: int | None) -> None:
+def _compile_one(variant: Variant, device: Any) -> None:
     wp = import_module("warp")
     try:
-        wp.force_load(device, [module], block_dim=block, max_workers=0)
+        wp.force_load(device, [variant.module], block_dim=variant.block, max_workers=0)
     except OSError as error:  # the disk became full, or its folder was taken away
         log.info("%s: kernels are kept elsewhere (%s)", wp.config.kernel_cache_dir, error)
         with _starting:
             _move_where_there_is_room(wp, error.strerror or str(error))
-        module.mark_modified()
-        wp.force_load(device, [module], block_dim=block, max_workers=0)
+        variant.module.mark_modified()
+        wp.force_load(device, [variant.module], block_dim=variant.block, max_workers=0)
 
 
 def _busy() -> float:
@@ -230,19 +241,21 @@ def _shown_in_notebook(state: Compiling) -> bool:
     return True
 
 
-def _size(module: Module, device: Any, block: int | None) -> int:
-    return 1 if device.is_cpu else block or module.options["block_dim"]
+def _variant(module: Module | Variant, device: Any) -> Variant:
+    """What a device needs of a module, with the number that it has there."""
+    own, block = module if isinstance(module, Variant) else Variant(module)
+    return Variant(own, 1 if device.is_cpu else block or own.options["block_dim"])
 
 
-def _is_loaded(module: Module, device: Any, block: int | None) -> bool:
+def _is_loaded(variant: Variant, device: Any) -> bool:
     """Whether a module can be launched at once; one that has changed since is loaded by its launch."""
-    return (device.context, _size(module, device, block)) in module.execs
+    return (device.context, variant.block) in variant.module.execs
 
 
-def _is_compiled(module: Module, device: Any, block: int | None) -> bool:
+def _is_compiled(variant: Variant, device: Any) -> bool:
     """Whether the cache has a module. These are names of the pinned version of Warp."""
     wp = import_module("warp")
-    size = _size(module, device, block)
+    module, size = variant
     folder = Path(wp.config.kernel_cache_dir, module.get_module_identifier(size))
     names = module._get_compile_output_name(device, block_dim=size), module._get_meta_name(block_dim=size)
     return all((folder / name).exists() for name in names)

@@ -16,10 +16,10 @@ from sceneweaver.runtime.compiling import Compiling
 ROOT = Path(__file__).parents[2]
 FEW = """
 import sys
-from sceneweaver.kernels import module_of
+from sceneweaver.kernels import variants_of
 from sceneweaver.layout import warming
 from sceneweaver.render.tracing import tracer
-warming.kernel_modules = lambda device: [module_of("cells"), module_of("chains")]
+warming.kernel_modules = lambda device: [*variants_of("cells"), *variants_of("chains")]
 tracer.kernel_modules = lambda: []
 from sceneweaver.cli import main
 sys.exit(main(sys.argv[1:]))

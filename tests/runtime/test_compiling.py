@@ -8,6 +8,7 @@ import os
 import subprocess
 import sys
 import tempfile
+from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -164,7 +165,8 @@ def test_warming_covers_every_module_that_commands_launch():
     from sceneweaver.layout.warming import kernel_modules
     from sceneweaver.render.tracing.tracer import kernel_modules as picture_modules
 
-    warmed = {module.name for module in (*kernel_modules("cpu"), *kernel_modules("cuda:0"), *picture_modules())}
+    warmed = {variant.module.name for device in ("cpu", "cuda:0") for variant in kernel_modules(device)}
+    warmed |= {module.name for module in picture_modules()}
     all_of_them = set()
     for name in warm_kernels.modules():
         if wp.get_module(importlib.import_module(name).__name__).kernels:
@@ -172,6 +174,30 @@ def test_warming_covers_every_module_that_commands_launch():
     apart = {"sceneweaver.envs.batched.task_kernels", "sceneweaver.envs.batched.reset_kernels"}
     apart |= {"sceneweaver.kernels.evaluator"}  # in one launch what others do in several; for comparison
     assert all_of_them - warmed == apart
+
+
+def test_the_blocks_of_a_gpu_are_those_of_the_launches(monkeypatch):
+    """What is launched on a CPU is recorded with the threads that a block has on a GPU."""
+    import sceneweaver as sw
+    from sceneweaver import kernels
+    from sceneweaver.optimizers import OPTIMIZERS, launches, search
+
+    used, real_launch = set(), wp.launch
+    monkeypatch.setattr(launches, "load_for", lambda kernel, device, block: used.add((kernel.module.name, block)))
+
+    def launch(kernel, *arguments, block_dim=256, **options):
+        used.add((kernel.module.name, block_dim))
+        return real_launch(kernel, *arguments, block_dim=block_dim, **options)
+
+    monkeypatch.setattr(wp, "launch", launch)
+    monkeypatch.setattr(search, "Rounds", partial(search.Rounds, in_one=False))  # as on a GPU
+    for optimizer in OPTIMIZERS:
+        sw.refine(sw.Scene.example("bedroom"), candidates=2, device="cpu", steps=1, optimizer=optimizer, snap=True)
+    own = f"{kernels.__name__}."
+    used = {(name.removeprefix(own), block) for name, block in used if name.startswith(own)}
+    used = {("gradients_gpu" if name == "gradients" else name, block) for name, block in used}
+    assert {("snap", 32), ("starts", 32), ("proposals", 128), ("rounds", 64), ("step", 64)} <= used
+    assert {pair for pair in used if pair[1] not in kernels.BLOCKS.get(pair[0], (256,))} == set()
 
 
 def started(program: str, **environment: str) -> subprocess.CompletedProcess[str]:
