@@ -16,8 +16,9 @@ from typing import Annotated, Any, get_type_hints
 
 import numpy as np
 
+from sceneweaver.io import write_atomic
 from sceneweaver.runtime.package import missing_extra, package_version
-from sceneweaver.scene import InputError, MissingDependencyError, write_atomic
+from sceneweaver.scene import InputError, MissingDependencyError
 
 from .settings import Settings
 

@@ -754,7 +754,7 @@ def main(argv: Sequence[str] | None = None) -> int:
             return _fault(error, as_json)
         return _fail(missing_module(error.name or "", f"the package '{error.name}' is missing"), MISSING, as_json)
     except Exception as error:
-        from sceneweaver.scene.errors import SceneWeaverError
+        from sceneweaver.io import SceneWeaverError
 
         if not isinstance(error, SceneWeaverError):
             return _fault(error, as_json)

@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
+from sceneweaver.io import locked, sweep, temporary_folder
 from sceneweaver.runtime.compiling import Compiling, watched_by
-from sceneweaver.scene import InputError, locked, sweep
-from sceneweaver.scene.files import temporary_folder
+from sceneweaver.scene import InputError
 
 if TYPE_CHECKING:
     from sceneweaver.verify import Report

@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-from sceneweaver.scene import InputError, write_atomic
+from sceneweaver.io import InputError, write_atomic
 
 from ..body import Hull
 from ..shapes import containing_hull, hull

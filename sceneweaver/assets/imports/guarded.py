@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from sceneweaver.io import open_regular, read_bytes, reason
 from sceneweaver.runtime.package import missing_module
 from sceneweaver.scene import InputError, MissingDependencyError
-from sceneweaver.scene.files import open_regular, read_bytes, reason
 
 if TYPE_CHECKING:
     import trimesh
