@@ -248,8 +248,9 @@ def _variant(module: Module | Variant, device: Any) -> Variant:
 
 
 def _is_loaded(variant: Variant, device: Any) -> bool:
-    """Whether a module can be launched at once; one that has changed since is loaded by its launch."""
-    return (device.context, variant.block) in variant.module.execs
+    """Whether a module is loaded, as it is now: a relation of the user's changes modules that were loaded before."""
+    loaded = variant.module.execs.get((device.context, variant.block))
+    return loaded is not None and loaded.module_hash == variant.module.get_module_hash(variant.block)
 
 
 def _is_compiled(variant: Variant, device: Any) -> bool:

@@ -80,6 +80,15 @@ def test_what_is_missing_is_compiled_once_and_watchers_hear_it(cache, module):
     assert values.numpy().tolist() == [2.0] * 3
 
 
+def test_what_has_changed_is_compiled_anew(cache, module):
+    made = module(1)
+    assert load("cpu", [made]) == 1
+    made.options["fuse_fp"] = not made.options["fuse_fp"]
+    made.mark_modified()
+    assert load("cpu", [made]) == 1
+    assert load("cpu", [made]) == 0
+
+
 def test_what_is_said():
     assert str(Compiling(0, 9, 0.0, 58.2)) == "compiling kernels, once (about 60 s): 0 of 9 modules"
     assert str(Compiling(9, 9, 61.04, 58.2)) == "compiled 9 modules of kernels in 61.0 s"
