@@ -19,6 +19,7 @@ import numpy as np
 
 from sceneweaver.io import parse_json, read_arrays, read_bytes, reason, sweep, temporary_folder, write_atomic
 from sceneweaver.io.messages import suggest
+from sceneweaver.runtime.caches import cache_place, kept_in
 from sceneweaver.scene import InputError, Part, Surface, Zone
 
 from .asset import Asset, Origin
@@ -28,12 +29,9 @@ SCHEMA = "sceneweaver.asset/1"
 
 
 def default_root() -> Path:
-    """``$SCENEWEAVER_ASSETS``, or the user's cache folder."""
+    """``$SCENEWEAVER_ASSETS``, or the user's cache folder, or what stands in for that where it cannot be written."""
     given = os.environ.get("SCENEWEAVER_ASSETS")
-    if given:
-        return Path(given).expanduser()
-    base = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
-    return Path(base).expanduser() / "sceneweaver" / "assets"
+    return Path(given).expanduser() if given else kept_in(cache_place("sceneweaver/assets"))
 
 
 class Store:

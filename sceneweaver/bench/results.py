@@ -17,6 +17,7 @@ from typing import Annotated, Any, get_type_hints
 import numpy as np
 
 from sceneweaver.io import load_json, open_parquet, write_atomic
+from sceneweaver.runtime.package import missing_extra, package_version
 from sceneweaver.scene import InputError, MissingDependencyError
 
 from .settings import Settings
@@ -32,7 +33,7 @@ def needed(name: str) -> Any:
         return import_module(name)
     except ImportError:
         package = name.partition(".")[0]
-        raise MissingDependencyError(f"{package} is not installed; pip install 'sceneweaver[bench]'") from None
+        raise MissingDependencyError(missing_extra("bench", f"{package} is not installed")) from None
 
 
 def pyarrow() -> Any:
@@ -95,7 +96,7 @@ def arrow_schema(metadata: bytes) -> Any:
 
 
 RESULTS, PARTS, SETTINGS = "results.parquet", "runs", "settings.json"
-PACKAGES = ("sceneweaver", "warp-lang", "numpy", "jax", "torch", "optax", "optimistix", "blackjax", "evosax")
+PACKAGES = ("warp-lang", "numpy", "jax", "torch", "optax", "optimistix", "blackjax", "evosax")
 Key = tuple[str, str, int]
 """Method, problem and seed."""
 
@@ -190,7 +191,7 @@ def describe(settings: Settings) -> dict[str, Any]:
     found = {name: found for name in PACKAGES if (found := _version(name))}
     return {
         "settings": settings.to_dict(),
-        "versions": {"python": platform.python_version(), **found},
+        "versions": {"python": platform.python_version(), "sceneweaver": package_version(), **found},
         "machine": {"system": f"{platform.system()} {platform.machine()}", "cores": os.cpu_count(), "device": device},
     }
 

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sceneweaver.assets.category import read_yaml
+from sceneweaver.runtime.package import missing_extra
 from sceneweaver.scene import MissingDependencyError
 
 from .gates import gate_names
@@ -35,9 +36,7 @@ def arrow():
         import pyarrow
         import pyarrow.parquet
     except ModuleNotFoundError:
-        raise MissingDependencyError(
-            "data sets need pyarrow; install it with: pip install sceneweaver[datasets]"
-        ) from None
+        raise MissingDependencyError(missing_extra("datasets", "data sets need pyarrow")) from None
     return pyarrow
 
 

@@ -6,6 +6,8 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from sceneweaver.runtime.package import missing_module
+
 from .errors import InputError, MissingDependencyError
 from .json_text import parse_json
 from .messages import clean
@@ -48,9 +50,8 @@ def read_meshes(path: Place) -> trimesh.Scene:
     except (InputError, MissingDependencyError):
         raise
     except ModuleNotFoundError as error:
-        raise MissingDependencyError(
-            f"{name}: reading it needs the package '{error.name}'; install it with: pip install {error.name}"
-        ) from error
+        what = f"{name}: reading it needs the package '{error.name}'"
+        raise MissingDependencyError(missing_module(error.name or "", what)) from error
     except Exception as error:  # libraries raise whatever they like for damaged files
         raise InputError(f"{name}: the file is damaged or cut off ({reason(error)})") from error
 

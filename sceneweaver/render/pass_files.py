@@ -12,6 +12,7 @@ from PIL import Image
 
 from sceneweaver.io import load_json, own_folder, whole, write_atomic
 from sceneweaver.io.messages import suggest
+from sceneweaver.runtime.package import missing_extra
 from sceneweaver.scene import InputError, MissingDependencyError
 
 from .camera import Shot, shot_from
@@ -165,6 +166,5 @@ def _openexr() -> Any:
     try:
         import OpenEXR  # pyright: ignore[reportMissingImports]
     except ImportError:
-        fix = 'pip install "sceneweaver[exr]"'
-        raise MissingDependencyError(f"EXR files need OpenEXR, which is not installed: {fix}") from None
+        raise MissingDependencyError(missing_extra("exr", "EXR files need OpenEXR")) from None
     return OpenEXR

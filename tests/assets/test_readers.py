@@ -128,7 +128,11 @@ def test_metascenes(tmp_path: Path) -> None:
         ("annotations.json", b"[3]", "annotations.json: must be a list of objects"),
         ("model_info.json", b'{"a": 1}', "model_info.json: must be a list of objects"),
         ("x/model.xml", b"<mujoco><asset>", "model.xml: damaged XML"),
-        ("x/model.xml", b'<!DOCTYPE a [<!ENTITY b "c">]><mujoco/>', "model.xml: XML entities and document types are not read"),
+        (
+            "x/model.xml",
+            b'<!DOCTYPE a [<!ENTITY b "c">]><mujoco/>',
+            "model.xml: XML entities and document types are not read",
+        ),
         ("x/model.xml", b"<mujoco/>", "model.xml: no geom with a mesh"),
     ],
 )

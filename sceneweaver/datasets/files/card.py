@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 import yaml
 
 import sceneweaver
+from sceneweaver.runtime.package import missing_extra
 from sceneweaver.scene import InputError, MissingDependencyError
 
 from ..folder import Folder
@@ -241,9 +242,7 @@ def push_card(
         from huggingface_hub import CommitOperationAdd, HfApi
         from huggingface_hub.errors import HfHubHTTPError, HFValidationError
     except ModuleNotFoundError:
-        raise MissingDependencyError(
-            "push-card needs huggingface_hub; install it with: pip install sceneweaver[hub]"
-        ) from None
+        raise MissingDependencyError(missing_extra("hub", "push-card needs huggingface_hub")) from None
     api = HfApi(endpoint=endpoint, token=token)
     try:
         api.create_repo(repo, repo_type="dataset", private=True, exist_ok=True)
