@@ -200,7 +200,7 @@ class _Album:
         if self.views:
             own_folder(folder)
         for name, picture in self.views.items():
-            with whole(folder / f"{name}.png") as path:
+            with whole(folder / f"{name}.png", within=folder.parent) as path:
                 picture.save(path, "PNG", compress_level=PACKING)
 
     def _draw(self, size: tuple[int, int], kept: float) -> bool:
@@ -236,7 +236,7 @@ def _report(result: Result, folder: Path, load: Callable, drawn: dict, deadline:
         picture = None
         if kept.exists() and step.accepted and not deadline.passed:
             with suppress(TimeUp), deadline.enforced(patience=HANGS):
-                picture = draw_top(Scene.load(kept), width=STEP_WIDTH)
+                picture = draw_top(Scene.load(kept, within=folder), width=STEP_WIDTH)
         rows.append(
             StepRow(
                 number=step.number,

@@ -214,7 +214,7 @@ class Session:
         self.client.keep()
         if self.records is not None:
             text = transcript(self.run.brief.text, self.run.memory, self.read_by, self.disagreements)
-            write_atomic(self.records / NAME, text)
+            write_atomic(self.records / NAME, text, within=self.records.parent)
 
     def use(self) -> ModelUse | None:
         """What the model did; None where it had nothing to do."""
