@@ -8,8 +8,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import repeat
 from pathlib import Path
 
+from sceneweaver.io import write_atomic
 from sceneweaver.runtime.processes import cores, pool
-from sceneweaver.scene import write_atomic
 
 from .folder import Folder
 

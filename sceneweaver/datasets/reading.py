@@ -13,9 +13,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from sceneweaver.io import reason, temporary_folder
+from sceneweaver.io.messages import suggest
 from sceneweaver.scene import InputError
-from sceneweaver.scene.files import reason, temporary_folder
-from sceneweaver.scene.messages import suggest
 
 from .folder import Folder
 from .samples import ROWS, SAMPLES, read_rows

@@ -18,8 +18,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.scene import InputError, read_bytes, write_atomic
-from sceneweaver.scene.files import own_folder, require_no_link
+from sceneweaver.io import own_folder, read_bytes, require_no_link, write_atomic
+from sceneweaver.scene import InputError
 
 from .reply import Picture
 from .secrets import line, redact

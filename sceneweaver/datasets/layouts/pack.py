@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from sceneweaver.scene.files import sweep, temporary_folder
+from sceneweaver.io import sweep, temporary_folder
 
 from ..files.packing import SECONDS_TABLE, finish, seconds_rows
 from ..folder import Folder

@@ -1,4 +1,4 @@
-"""Files that users name: only regular ones are opened, no more is read than a limit, and none is seen half written.
+"""Files of our own: whole or not at all, in the folder that was chosen, and never through a link to elsewhere.
 
 What is being written lies in a temporary folder beside its place, which an advisory lock holds while its process lives.
 The system frees that lock with the process, however it ends, so `sweep` tells what a killed run has left from what
@@ -10,135 +10,21 @@ from __future__ import annotations
 import contextlib
 import errno
 import fcntl
-import gzip
 import os
 import secrets
 import shutil
 import stat
-import zlib
 from collections.abc import Iterator
 from pathlib import Path
-from typing import IO
+from typing import IO, Literal
 
 from .errors import InputError
+from .folders import Place, opened_folder, require_no_link
 from .messages import clean
-
-MAX_BYTES = 64 * 2**20
-"""Largest file [bytes] that is read unless told otherwise."""
-
-MAX_UNPACKED = 256 * 2**20
-"""Most [bytes] that a compressed file may hold, unless told otherwise."""
+from .reading import reason
 
 TEMPORARY, SUFFIX = ".sceneweaver-", ".tmp"
 """How the names of temporary folders begin and end."""
-
-Place = str | os.PathLike[str]
-
-
-def open_regular(path: Place, max_bytes: int = MAX_BYTES, *, within: Place | None = None) -> IO[bytes]:
-    """A regular file of at most ``max_bytes``, open for reading. Never waits, as opening a pipe would.
-
-    Args:
-        path: The file.
-        max_bytes: A larger one is refused.
-        within: A folder above it, from which on no link is followed; None: links are.
-
-    Raises:
-        InputError: when it is missing, no regular file (a folder, pipe, socket or device), too large, or unreadable;
-            where a link is, and none may be.
-    """
-    name = clean(os.fspath(path))
-    folder, file = os.path.split(os.fspath(path))
-    try:
-        with contextlib.ExitStack() as stack:
-            if within is None:
-                place, at, flags = os.fspath(path), None, 0
-            else:
-                place, at, flags = file, stack.enter_context(opened_folder(folder, within=within)), os.O_NOFOLLOW
-                _require_no_link(place, at, name)
-            _require_readable(os.stat(place, dir_fd=at), name, max_bytes)
-            descriptor = os.open(place, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC | flags, dir_fd=at)
-        try:
-            _require_readable(os.fstat(descriptor), name, max_bytes)  # another file may have taken its place
-            return open(descriptor, "rb")
-        except BaseException:
-            os.close(descriptor)
-            raise
-    except FileNotFoundError:
-        raise InputError(f"{name}: no such file; check the path") from None
-    except (OSError, ValueError) as error:
-        if isinstance(error, InputError):
-            raise
-        raise InputError(f"{name}: cannot be read ({reason(error)}); check the path and its permissions") from None
-
-
-def _require_readable(status: os.stat_result, name: str, max_bytes: int) -> None:
-    if stat.S_ISDIR(status.st_mode):
-        raise InputError(f"{name}: this is a folder; give the file in it, such as scene.json")
-    if not stat.S_ISREG(status.st_mode):
-        raise InputError(f"{name}: this is a pipe or a device; give a regular file")
-    if status.st_size > max_bytes:
-        raise InputError(f"{name}: the file has {_megabytes(status.st_size)}; at most {_megabytes(max_bytes)} are read")
-
-
-def read_bytes(path: Place, *, max_bytes: int = MAX_BYTES, within: Place | None = None) -> bytes:
-    """The content of a regular file of at most ``max_bytes``; a larger one is refused before it is read.
-
-    Raises:
-        InputError: as `open_regular`, which says what ``within`` means.
-    """
-    with open_regular(path, max_bytes, within=within) as file:
-        try:
-            content = file.read(max_bytes + 1)
-        except OSError as error:
-            raise InputError(f"{clean(os.fspath(path))}: cannot be read ({reason(error)}); check the disk") from None
-    if len(content) > max_bytes:  # it grew since it was opened
-        raise InputError(f"{clean(os.fspath(path))}: the file has more than {_megabytes(max_bytes)}")
-    return content
-
-
-@contextlib.contextmanager
-def open_unpacked(path: Place, max_bytes: int = MAX_UNPACKED) -> Iterator[IO[bytes]]:
-    """A regular file as a stream, unpacked where its name ends in ``.gz``. It may hold more than ``max_bytes``.
-
-    Raises:
-        InputError: as `open_regular`, and for a gzip file that is damaged.
-    """
-    name = clean(os.fspath(path))
-    with open_regular(path, max_bytes) as packed:
-        try:
-            yield gzip.GzipFile(fileobj=packed) if name.endswith(".gz") else packed  # pyright: ignore[reportReturnType]
-        except (gzip.BadGzipFile, EOFError, zlib.error) as error:
-            raise InputError(f"{name}: not readable as gzip ({reason(error)}); fetch it anew") from None
-
-
-def read_unpacked(path: Place, *, max_bytes: int = MAX_UNPACKED) -> bytes:
-    """The content of a file, unpacked where its name ends in ``.gz``; no more than ``max_bytes`` are ever unpacked.
-
-    Raises:
-        InputError: as `open_unpacked`, and when it holds more.
-    """
-    with open_unpacked(path, max_bytes) as file:
-        content = file.read(max_bytes + 1)
-    _require_fewer(len(content), path, max_bytes)
-    return content
-
-
-def lines_unpacked(path: Place, *, max_bytes: int = MAX_UNPACKED) -> Iterator[bytes]:
-    """The lines of a file, one by one, unpacked where its name ends in ``.gz``; errors as `read_unpacked`."""
-    done = 0
-    with open_unpacked(path, max_bytes) as file:
-        while line := file.readline(max_bytes + 1):
-            done += len(line)
-            _require_fewer(done, path, max_bytes)
-            yield line
-
-
-def _require_fewer(size: int, path: Place, max_bytes: int) -> None:
-    if size > max_bytes:
-        raise InputError(
-            f"{clean(os.fspath(path))}: it unpacks to more than {_megabytes(max_bytes)}; split it into smaller files"
-        )
 
 
 @contextlib.contextmanager
@@ -191,34 +77,24 @@ def write_atomic(path: Place, content: str | bytes, *, through_link: bool = Fals
         file.write(content.encode("utf-8") if isinstance(content, str) else content)
 
 
-@contextlib.contextmanager
-def opened_folder(path: Place, *, within: Place | None = None) -> Iterator[int]:
-    """The descriptor of a folder, for calls that take a ``dir_fd``: it stays that folder, whatever takes its name.
-
-    Args:
-        path: The folder.
-        within: A folder above it, or itself, from which on no link is followed; None: links are.
+def open_own(path: Place, mode: Literal["xb", "ab", "wb", "r+b"]) -> IO[bytes]:
+    """A file of a folder of ours, open for writing: a regular one that no link leads to.
 
     Raises:
-        InputError: when a link or a file stands where there has to be a folder below ``within``.
-        OSError: when it cannot be opened.
+        OSError: it cannot be opened, or a link, pipe or device stands there.
     """
-    flags = os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC
-    start = os.fspath(path) if within is None else os.fspath(within)
-    below = () if within is None else Path(os.path.relpath(path, within)).parts
-    descriptor = os.open(start or ".", flags)
+    flags = {"xb": os.O_WRONLY | os.O_CREAT | os.O_EXCL, "ab": os.O_WRONLY | os.O_CREAT | os.O_APPEND}
+    flags |= {"wb": os.O_WRONLY | os.O_CREAT, "r+b": os.O_RDWR}
+    descriptor = os.open(path, flags[mode] | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC, 0o666)
     try:
-        for part in below:
-            start = os.path.join(start, part)
-            if part == os.pardir:
-                raise InputError(f"{clean(os.fspath(path))}: this is outside of {clean(os.fspath(within or ''))}")
-            _require_no_link(part, descriptor, start)
-            inner = os.open(part, flags | os.O_NOFOLLOW, dir_fd=descriptor)
-            os.close(descriptor)
-            descriptor = inner
-        yield descriptor
-    finally:
+        if not stat.S_ISREG(os.fstat(descriptor).st_mode):
+            raise OSError(errno.EINVAL, "no regular file", os.fspath(path))
+        if mode == "wb":  # only now that it is known to be one
+            os.ftruncate(descriptor, 0)
+        return open(descriptor, "wb" if mode == "xb" else mode)
+    except BaseException:
         os.close(descriptor)
+        raise
 
 
 def own_folder(path: Path) -> Path:
@@ -233,17 +109,6 @@ def own_folder(path: Path) -> Path:
     except (OSError, ValueError) as error:
         raise InputError(f"{clean(str(path))}: cannot be made ({reason(error)}); choose another place") from None
     return path
-
-
-def require_no_link(path: Path) -> None:
-    """InputError when a link stands at ``path``: what is written below it would land elsewhere."""
-    _require_no_link(os.fspath(path), None, os.fspath(path))
-
-
-def _require_no_link(place: str, folder: int | None, name: str) -> None:
-    with contextlib.suppress(FileNotFoundError):
-        if stat.S_ISLNK(os.stat(place, dir_fd=folder, follow_symlinks=False).st_mode):
-            raise InputError(f"{clean(name)}: this is a link to another place; remove it, or choose another folder")
 
 
 @contextlib.contextmanager
@@ -342,13 +207,3 @@ def _locked_file(name: str, what: str) -> int:
             if os.path.samestat(os.fstat(descriptor), os.stat(name)):  # else its last holder has just removed it
                 return descriptor
         os.close(descriptor)
-
-
-def reason(error: BaseException) -> str:
-    """What an error of the system or of a reader says, on one line."""
-    text = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-    return clean(text)[:120] or type(error).__name__
-
-
-def _megabytes(count: int) -> str:
-    return f"{count / 2**20:.6g} MB"
