@@ -131,7 +131,6 @@ def _save(layer: Any, name: str, files: dict[str, bytes]) -> None:
             if not written:
                 raise OSError("the disk may be full")
             fill(temporary.parent, files)
-            home = Path(os.path.realpath(name)).parent
-            move({temporary.parent / path: home / path for path in files})
+            move(temporary.parent, list(files), Path(name).parent)
     except InputError as error:
         raise InputError(f"path: {error}") from None

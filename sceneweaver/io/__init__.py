@@ -12,6 +12,9 @@ from .archives import read_arrays as read_arrays
 from .errors import InputError as InputError
 from .errors import MissingDependencyError as MissingDependencyError
 from .errors import SceneWeaverError as SceneWeaverError
+from .folders import Place as Place
+from .folders import opened_folder as opened_folder
+from .folders import require_no_link as require_no_link
 from .images import open_image as open_image
 from .json_text import load_json as load_json
 from .json_text import load_json_lines as load_json_lines
@@ -22,7 +25,6 @@ from .mjcf import load_mjcf as load_mjcf
 from .mjcf import read_spec as read_spec
 from .reading import MAX_BYTES as MAX_BYTES
 from .reading import MAX_UNPACKED as MAX_UNPACKED
-from .reading import Place as Place
 from .reading import lines_unpacked as lines_unpacked
 from .reading import open_regular as open_regular
 from .reading import open_unpacked as open_unpacked
@@ -41,7 +43,6 @@ from .writing import TEMPORARY as TEMPORARY
 from .writing import locked as locked
 from .writing import open_own as open_own
 from .writing import own_folder as own_folder
-from .writing import require_no_link as require_no_link
 from .writing import sweep as sweep
 from .writing import temporary_folder as temporary_folder
 from .writing import whole as whole

@@ -24,15 +24,26 @@ class SceneFile(FrozenModel):
     """A scene as far as reading and writing go: what `Scene` has of it."""
 
     @classmethod
-    def load(cls, path: str | os.PathLike[str], *, max_bytes: int = MAX_BYTES) -> Self:
+    def load(
+        cls,
+        path: str | os.PathLike[str],
+        *,
+        max_bytes: int = MAX_BYTES,
+        within: str | os.PathLike[str] | None = None,
+    ) -> Self:
         """Read a ``scene.json`` of this or an older schema version.
+
+        Args:
+            path: The file.
+            max_bytes: A larger one is refused.
+            within: A folder above it, from which on no link is followed; None: links are.
 
         Raises:
             InputError: with one line that names the file, the field and the fix.
         """
         name = clean(os.fspath(path))
         try:
-            return cls.loads(read_bytes(path, max_bytes=max_bytes))
+            return cls.loads(read_bytes(path, max_bytes=max_bytes, within=within))
         except InputError as error:
             text = str(error)
             raise InputError(text if text.startswith(f"{name}: ") else f"{name}: {text}") from None
