@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from functools import cache
 from importlib import resources
 from itertools import islice
@@ -11,9 +12,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sceneweaver.assets.category import read_yaml
-from sceneweaver.scene import MissingDependencyError
+from sceneweaver.scene import InputError, MissingDependencyError
+from sceneweaver.scene.files import reason
+from sceneweaver.scene.messages import clean
 
 from .gates import gate_names
+from .seals import open_own
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -59,9 +63,36 @@ def _type(kind: Any) -> pa.DataType:
     return pa.type_for_alias(kind)
 
 
+MOST_ROWS = 2**32
+"""Rows of a table, at most."""
+
+
+@contextmanager
+def open_table(path: Path) -> Iterator[Any]:
+    """A Parquet file of a data set, open as ``pyarrow.parquet.ParquetFile``; what goes wrong in the block is typed.
+
+    Raises:
+        InputError: no regular file, no Parquet file, or a damaged one.
+    """
+    pa, name = arrow(), clean(str(path))
+    with open_own(path) as file:
+        try:
+            with pa.parquet.ParquetFile(file) as found:
+                if not 0 <= found.metadata.num_rows <= MOST_ROWS:
+                    raise InputError(f"{name}: it says to have {found.metadata.num_rows} rows; fetch it anew")
+                yield found
+        except (pa.ArrowException, OSError, UnicodeDecodeError, OverflowError) as error:
+            raise InputError(f"{name}: no whole Parquet file: {reason(error)}") from None
+
+
 def read_schema(path: Path) -> pa.Schema:
-    """The columns of a Parquet file."""
-    return arrow().parquet.read_schema(path)
+    """The columns of a Parquet file.
+
+    Raises:
+        InputError: as `open_table`.
+    """
+    with open_table(path) as file:
+        return file.schema_arrow
 
 
 def write_table(path: Path, rows: Iterable[dict[str, Any]], schema: pa.Schema) -> None:
@@ -73,8 +104,12 @@ def write_table(path: Path, rows: Iterable[dict[str, Any]], schema: pa.Schema) -
 
 
 def read_table(path: Path, columns: Sequence[str] | None = None) -> Iterator[dict[str, Any]]:
-    """The rows of a Parquet file, in order, some thousands in memory at a time; columns that it lacks are left out."""
-    with arrow().parquet.ParquetFile(path) as file:
+    """The rows of a Parquet file, in order, some thousands in memory at a time; columns that it lacks are left out.
+
+    Raises:
+        InputError: as `open_table`.
+    """
+    with open_table(path) as file:
         names = None if columns is None else [name for name in columns if name in file.schema_arrow.names]
         for some in file.iter_batches(GROUP, columns=names):
             yield from some.to_pylist()
@@ -86,6 +121,17 @@ def write_lines(path: Path, rows: Iterable[dict[str, Any]]) -> None:
 
 
 def read_lines(path: Path) -> Iterator[dict[str, Any]]:
-    """The rows of a file with a line of JSON each."""
-    with open(path, encoding="utf-8") as file:
-        yield from map(json.loads, file)
+    """The rows of a file with a line of JSON each.
+
+    Raises:
+        InputError: no regular file, or a line of it is no JSON object.
+    """
+    with open_own(path) as file:
+        for number, line in enumerate(file, start=1):
+            try:
+                row = json.loads(line)
+            except (ValueError, RecursionError) as error:
+                raise InputError(f"{clean(str(path))}: line {number} is no JSON: {reason(error)}") from None
+            if not isinstance(row, dict):
+                raise InputError(f"{clean(str(path))}: line {number} is no JSON object")
+            yield row

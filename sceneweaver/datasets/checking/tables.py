@@ -14,11 +14,12 @@ import numpy as np
 from sceneweaver.scene import Scene
 from sceneweaver.verify import check
 
-from ..digests import TIMES, read_checksums, sha256
+from ..digests import TIMES, read_checksums
 from ..folder import Folder
 from ..gates import failures
 from ..layouts.tables import posed
 from ..reading import Span
+from ..seals import sha256
 from ..spec import Spec
 from ..statistics import statistics
 from ..store import DIGITS

@@ -5,7 +5,6 @@ from __future__ import annotations
 import fnmatch
 import json
 import os
-import tarfile
 from collections import Counter
 from collections.abc import Mapping
 from itertools import islice
@@ -18,8 +17,10 @@ import sceneweaver
 from sceneweaver.scene import InputError, MissingDependencyError
 
 from ..folder import Folder
+from ..seals import open_own
 from ..spec import Spec
 from ..tables import read_schema, read_table
+from ..tars import members
 from ..templates import render
 
 TEXTS = {
@@ -201,8 +202,8 @@ def _info(folder: Folder, splits: list[str], numbers: dict[str, Any]) -> dict[st
 def suffixes(folder: Folder) -> set[str]:
     """The suffixes of the files of the first scenes."""
     for path in sorted(folder.data.glob("*.tar"))[:1]:
-        with tarfile.open(path, "r:") as tar:
-            return {member.name.partition(".")[2] for member in islice(tar, SEEN)}
+        with open_own(path) as file:
+            return {member.name.partition(".")[2] for member in islice(members(file, str(path)), SEEN)}
     return set()
 
 
