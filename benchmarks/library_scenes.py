@@ -11,8 +11,9 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from sceneweaver.io import read_bytes, write_atomic
 from sceneweaver.knowledge.library import INDEX, card_of, own_folder
-from sceneweaver.scene import InputError, Scene, read_bytes, write_atomic
+from sceneweaver.scene import InputError, Scene
 from sceneweaver.scene.io import parse
 
 DIGITS = 6

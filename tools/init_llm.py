@@ -10,13 +10,13 @@ from typing import Any
 
 from sceneweaver.assets import categories
 from sceneweaver.generate.room_rules import check_room, missing, refuse
+from sceneweaver.io.messages import shorten
 from sceneweaver.knowledge import RoomType
 from sceneweaver.knowledge.load import group_templates
 from sceneweaver.knowledge.surfaces import arrangements, crowds
 from sceneweaver.language import SceneGraph
 from sceneweaver.llm import ModelError
 from sceneweaver.scene import CATALOGUE, InputError, Scene
-from sceneweaver.scene.messages import shorten
 
 from .base import Context, Proposal
 from .card import checked

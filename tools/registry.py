@@ -68,7 +68,7 @@ def tools() -> Mapping[str, Registered]:
 
 def tool(name: str) -> Registered:
     """The tool of that name; InputError when there is none."""
-    from sceneweaver.scene.messages import suggest
+    from sceneweaver.io.messages import suggest
 
     known = tools()
     if name not in known:

@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING
 
 from sceneweaver.assets import Library
 from sceneweaver.critic import phrases
+from sceneweaver.io import own_folder, whole, write_atomic
 from sceneweaver.runtime.deadline import NEVER, Deadline, TimeUp
-from sceneweaver.scene import Scene, SceneWeaverError, whole, write_atomic
-from sceneweaver.scene.files import own_folder
+from sceneweaver.scene import Scene, SceneWeaverError
 
 from .faults import fault
 from .memory import Step

@@ -12,10 +12,10 @@ from typing import Any, ClassVar, Literal
 from pydantic import Field
 
 from sceneweaver.critic import Review
+from sceneweaver.io import locked, own_folder, read_bytes, require_no_link, sweep, write_atomic
 from sceneweaver.language import SceneGraph
-from sceneweaver.scene import InputError, Scene, locked, read_bytes, sweep, write_atomic
+from sceneweaver.scene import InputError, Scene
 from sceneweaver.scene.base import FrozenModel
-from sceneweaver.scene.files import own_folder, require_no_link
 from sceneweaver.scene.io import parse
 from sceneweaver.verify import Report
 

@@ -10,12 +10,12 @@ from typing import Any
 from sceneweaver.assets import Library
 from sceneweaver.critic import CRITERIA, Review
 from sceneweaver.generate.shell import floor_area, shell
+from sceneweaver.io.messages import shorten
 from sceneweaver.knowledge import RoomType
 from sceneweaver.language import SceneGraph
 from sceneweaver.llm import ModelClient, ModelError
 from sceneweaver.runtime.deadline import NEVER, Deadline, TimeUp
 from sceneweaver.scene import InputError, Room, Scene, SceneWeaverError
-from sceneweaver.scene.messages import shorten
 from sceneweaver.tools.base import Context, Proposal, Tool
 from sceneweaver.tools.registry import Registered
 from sceneweaver.verify import check

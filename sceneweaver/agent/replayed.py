@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.scene import InputError, read_bytes
+from sceneweaver.io import read_bytes
+from sceneweaver.scene import InputError
 from sceneweaver.scene.io import parse
 
 from .folder import RunFolder, State

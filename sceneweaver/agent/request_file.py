@@ -9,8 +9,8 @@ from typing import ClassVar, Literal
 from pydantic import Field
 
 from sceneweaver.critic import ItemOutcome, Review
+from sceneweaver.io import read_bytes, write_atomic
 from sceneweaver.language import SceneGraph
-from sceneweaver.scene import read_bytes, write_atomic
 from sceneweaver.scene.base import FrozenModel
 from sceneweaver.scene.io import parse
 

@@ -17,10 +17,10 @@ from typing import Any
 
 import numpy as np
 
-from sceneweaver.scene import InputError, Part, Surface, Zone, read_bytes, sweep
-from sceneweaver.scene.files import reason, temporary_folder
+from sceneweaver.io import read_bytes, reason, sweep, temporary_folder
+from sceneweaver.io.messages import suggest
+from sceneweaver.scene import InputError, Part, Surface, Zone
 from sceneweaver.scene.io import parse
-from sceneweaver.scene.messages import suggest
 
 from .asset import Asset, Origin
 from .body import Grasp, Hull, Interior, Link, Material, Mesh

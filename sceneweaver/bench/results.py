@@ -16,7 +16,8 @@ from typing import Annotated, Any, get_type_hints
 
 import numpy as np
 
-from sceneweaver.scene import InputError, MissingDependencyError, write_atomic
+from sceneweaver.io import write_atomic
+from sceneweaver.scene import InputError, MissingDependencyError
 
 from .settings import Settings
 

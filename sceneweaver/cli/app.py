@@ -744,7 +744,7 @@ def main(argv: Sequence[str] | None = None) -> int:
             f"the package '{error.name}' is missing; install it with: pip install {error.name}", MISSING, as_json
         )
     except Exception as error:
-        from sceneweaver.scene.errors import SceneWeaverError
+        from sceneweaver.io import SceneWeaverError
 
         if not isinstance(error, SceneWeaverError):
             return _fault(error, as_json)

@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
-from sceneweaver.scene import InputError, locked, sweep
-from sceneweaver.scene.files import temporary_folder
+from sceneweaver.io import locked, sweep, temporary_folder
+from sceneweaver.scene import InputError
 
 if TYPE_CHECKING:
     from sceneweaver.verify import Report

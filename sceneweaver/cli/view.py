@@ -15,7 +15,8 @@ from urllib.parse import unquote, urlsplit
 
 import typer
 
-from sceneweaver.scene import InputError, Scene, read_bytes
+from sceneweaver.io import read_bytes
+from sceneweaver.scene import InputError, Scene
 from sceneweaver.scene.io import parse
 
 HOST = "127.0.0.1"

@@ -9,9 +9,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import repeat
 from pathlib import Path
 
+from sceneweaver.io import InputError, read_bytes, reason, write_atomic
 from sceneweaver.runtime.processes import cores, pool
-from sceneweaver.scene import InputError, read_bytes, write_atomic
-from sceneweaver.scene.files import reason
 
 from .folder import Folder
 from .seals import MOST_SEAL, DamagedError, require_inside, sha256

@@ -12,9 +12,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.scene import InputError
-from sceneweaver.scene.files import reason, temporary_folder
-from sceneweaver.scene.messages import clean, suggest
+from sceneweaver.io import InputError, reason, temporary_folder
+from sceneweaver.io.messages import clean, suggest
 
 from .digests import content_of
 from .folder import Folder

@@ -11,8 +11,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal
 
+from sceneweaver.io import temporary_folder
 from sceneweaver.scene import Scene
-from sceneweaver.scene.files import temporary_folder
 from sceneweaver.verify import Report
 
 from .digests import content_of

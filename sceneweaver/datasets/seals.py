@@ -16,9 +16,8 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path, PurePosixPath
 from typing import IO, Any, NamedTuple
 
-from sceneweaver.scene import InputError, SceneWeaverError, read_bytes, write_atomic
-from sceneweaver.scene.files import open_regular, reason
-from sceneweaver.scene.messages import clean
+from sceneweaver.io import InputError, SceneWeaverError, open_regular, read_bytes, reason, write_atomic
+from sceneweaver.io.messages import clean
 
 SEAL = "seal.sha256"
 """The seal of a folder that is written whole or not at all, such as that of a block."""

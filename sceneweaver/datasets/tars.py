@@ -11,8 +11,8 @@ from collections.abc import Iterator
 from pathlib import PurePosixPath
 from typing import IO, NamedTuple
 
-from sceneweaver.scene import InputError
-from sceneweaver.scene.messages import clean
+from sceneweaver.io import InputError
+from sceneweaver.io.messages import clean
 
 BLOCK = tarfile.BLOCKSIZE
 

@@ -81,7 +81,7 @@ class Robot:
             >>> envs.Robot.from_mjcf("none.xml", tool="grip", arm=["joint1"], gripper=["hand"])
             Traceback (most recent call last):
             ...
-            sceneweaver.scene.errors.InputError: robot: none.xml cannot be read (No such file or directory)
+            sceneweaver.io.errors.InputError: robot: none.xml cannot be read (No such file or directory)
         """
         file = Path(path)
         try:

@@ -9,9 +9,9 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
+from sceneweaver.io import require_no_link, temporary_folder
 from sceneweaver.runtime.threads import map_threads
 from sceneweaver.scene import InputError
-from sceneweaver.scene.files import require_no_link, temporary_folder
 
 _WRITERS = 16  # files that wait for the disk at once
 

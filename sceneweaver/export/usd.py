@@ -23,9 +23,10 @@ from pathlib import Path
 from typing import Any
 
 from sceneweaver.assets.placed import Load
+from sceneweaver.io import whole
 from sceneweaver.physics.model import coverings
 from sceneweaver.physics.things import things_of
-from sceneweaver.scene import InputError, Scene, whole
+from sceneweaver.scene import InputError, Scene
 
 from .folder import fill, move
 from .shared import SharedFiles

@@ -15,8 +15,9 @@ from functools import lru_cache
 from pathlib import Path
 from types import MappingProxyType
 
-from sceneweaver.scene import InputError, read_bytes, write_atomic
-from sceneweaver.scene.messages import shorten, suggest
+from sceneweaver.io import read_bytes, write_atomic
+from sceneweaver.io.messages import shorten, suggest
+from sceneweaver.scene import InputError
 
 from .load import room_types, room_words
 from .model import RoomType

@@ -11,10 +11,11 @@ from typing import Any
 
 from pydantic import Field
 
-from sceneweaver.scene import InputError, Scene, read_bytes
+from sceneweaver.io import read_bytes
+from sceneweaver.io.messages import suggest
+from sceneweaver.scene import InputError, Scene
 from sceneweaver.scene.base import FrozenModel
 from sceneweaver.scene.io import parse
-from sceneweaver.scene.messages import suggest
 
 INDEX = "index.json"
 

@@ -6,9 +6,9 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
+from sceneweaver.io.messages import shorten
+from sceneweaver.io.yaml_text import parse_yaml
 from sceneweaver.scene import InputError
-from sceneweaver.scene.messages import shorten
-from sceneweaver.scene.yaml_text import parse_yaml
 
 from .groups import expanded
 from .load import group_templates, with_on

@@ -18,7 +18,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.scene import InputError, write_atomic
+from sceneweaver.io import write_atomic
+from sceneweaver.scene import InputError
 
 from .reply import Picture
 from .secrets import line, redact

@@ -11,8 +11,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.scene import InputError, locked, read_bytes, sweep, write_atomic
-from sceneweaver.scene.files import temporary_folder
+from sceneweaver.io import locked, read_bytes, sweep, temporary_folder, write_atomic
+from sceneweaver.scene import InputError
 from sceneweaver.scene.io import parse
 
 from .paths import Folder, holds_links

@@ -14,8 +14,8 @@ from mcp.server.mcpserver.tools import Tool
 from mcp_types import CallToolResult, InputRequiredResult, Resource, ToolAnnotations
 from pydantic import ValidationError
 
-from sceneweaver.scene.errors import SceneWeaverError
-from sceneweaver.scene.messages import clean, shorten
+from sceneweaver.io import SceneWeaverError
+from sceneweaver.io.messages import clean, shorten
 
 from .leaving import unless_left
 from .limits import Limits

@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
-from sceneweaver.scene import InputError, MissingDependencyError, whole, write_atomic
-from sceneweaver.scene.files import own_folder
-from sceneweaver.scene.messages import suggest
+from sceneweaver.io import own_folder, whole, write_atomic
+from sceneweaver.io.messages import suggest
+from sceneweaver.scene import InputError, MissingDependencyError
 
 from .camera import Shot, shot_from
 from .passes import Frame, PassRenderer, check_passes

@@ -18,7 +18,8 @@ from sceneweaver.assets.asset import Origin
 from sceneweaver.assets.imports.guarded import MAX_BYTES, read_meshes
 from sceneweaver.assets.placed import Load
 from sceneweaver.assets.textures import maps
-from sceneweaver.scene import InputError, MissingDependencyError, Pose, Room, Scene, SceneObject, read_bytes
+from sceneweaver.io import read_bytes
+from sceneweaver.scene import InputError, MissingDependencyError, Pose, Room, Scene, SceneObject
 
 _GREY = Material("grey", (0.75, 0.74, 0.72))
 _Z_UP = np.array([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]], dtype=float)

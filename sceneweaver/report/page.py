@@ -12,7 +12,7 @@ from typing import Any
 
 import jinja2
 
-from sceneweaver.scene import write_atomic
+from sceneweaver.io import write_atomic
 
 from . import request, sections
 from .data import ReportData

@@ -8,10 +8,10 @@ import re
 from pathlib import Path
 from typing import Any, Self
 
+from sceneweaver.io import MAX_BYTES, InputError, read_bytes, write_atomic
+from sceneweaver.io.messages import clean, quote, show, suggest
+
 from .base import FrozenModel
-from .errors import InputError
-from .files import MAX_BYTES, read_bytes, write_atomic
-from .messages import clean, quote, show, suggest
 from .migrate import migrate
 
 EXAMPLES = tuple(sorted(p.stem for p in (Path(__file__).parent / "examples").glob("*.json")))

@@ -9,9 +9,9 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from sceneweaver.io import InputError
 from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.scene import Relation, Scene
-from sceneweaver.scene.errors import InputError
 from sceneweaver.verify import bounds, collisions, stability, support, zones
 from sceneweaver.verify import walkable as access
 from sceneweaver.verify.measure import Judgement

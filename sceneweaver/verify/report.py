@@ -9,8 +9,8 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any, Literal
 
+from sceneweaver.io import write_atomic
 from sceneweaver.scene.display import Displayed
-from sceneweaver.scene.files import write_atomic
 
 from .measure import Measurement
 

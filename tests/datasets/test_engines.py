@@ -29,7 +29,8 @@ from sceneweaver.datasets.engines.run import run_lock
 from sceneweaver.datasets.engines.schedule import Job, Schedule
 from sceneweaver.datasets.engines.status import grown
 from sceneweaver.datasets.folder import DiskFullError, disk_full
-from sceneweaver.scene import InputError, write_atomic
+from sceneweaver.io import write_atomic
+from sceneweaver.scene import InputError
 from tests.datasets import fake
 
 SPEC = """

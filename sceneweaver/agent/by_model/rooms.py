@@ -13,6 +13,8 @@ from sceneweaver.agent.settings import Settings
 from sceneweaver.assets import Library
 from sceneweaver.assets.sources.parametric import ParametricSource
 from sceneweaver.generate.room_rules import check_room
+from sceneweaver.io import read_bytes, write_atomic
+from sceneweaver.io.messages import shorten
 from sceneweaver.knowledge import RoomType, match_room, room_type
 from sceneweaver.knowledge.learned import keep_room, know, named_in, room_file, rooms_apart, rooms_of
 from sceneweaver.knowledge.load import room_words
@@ -20,8 +22,7 @@ from sceneweaver.knowledge.room_files import LARGEST, plain, read_room, room_tex
 from sceneweaver.language import SceneGraph
 from sceneweaver.language.vocabulary import vocabulary as known_phrases
 from sceneweaver.llm import ModelClient
-from sceneweaver.scene import InputError, Scene, SceneWeaverError, read_bytes, write_atomic
-from sceneweaver.scene.messages import shorten
+from sceneweaver.scene import InputError, Scene, SceneWeaverError
 from sceneweaver.tools.base import Context
 from sceneweaver.tools.init_llm import compact, drawn, instructions, vocabulary
 from sceneweaver.tools.room_reply import RoomReply, kind_data

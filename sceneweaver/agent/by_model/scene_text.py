@@ -13,8 +13,8 @@ from importlib.resources import files
 from typing import Any
 
 from sceneweaver.critic import Review
+from sceneweaver.io.messages import shorten
 from sceneweaver.scene import Door, Relation, Scene, SceneObject, Window
-from sceneweaver.scene.messages import shorten
 from sceneweaver.verify import Report
 
 MOST = 200

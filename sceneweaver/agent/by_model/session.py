@@ -17,13 +17,14 @@ from sceneweaver.agent.planner import Planner, RulesPlanner
 from sceneweaver.agent.result import ModelUse
 from sceneweaver.agent.roles import Roles
 from sceneweaver.agent.transcript import NAME, transcript
+from sceneweaver.io import write_atomic
 from sceneweaver.language import SceneGraph, read_request
 from sceneweaver.language.by_model.reader import read_by_model
 from sceneweaver.layout.devices import pick_devices
 from sceneweaver.llm import ModelClient, ModelError
 from sceneweaver.llm.opening import records_of
 from sceneweaver.runtime.deadline import NEVER, Deadline, TimeUp
-from sceneweaver.scene import InputError, write_atomic
+from sceneweaver.scene import InputError
 from sceneweaver.tools.base import Context
 from sceneweaver.tools.registry import Registered
 

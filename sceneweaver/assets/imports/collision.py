@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from sceneweaver.scene import write_atomic
+from sceneweaver.io import write_atomic
 
 from ..body import Hull
 from ..shapes import containing_hull, hull

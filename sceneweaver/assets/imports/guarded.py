@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from sceneweaver.io import open_regular, read_bytes, reason
 from sceneweaver.scene import InputError, MissingDependencyError
-from sceneweaver.scene.files import open_regular, read_bytes, reason
 
 if TYPE_CHECKING:
     import trimesh

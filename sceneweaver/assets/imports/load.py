@@ -10,8 +10,8 @@ from pathlib import Path
 
 import numpy as np
 
+from sceneweaver.io import open_regular, reason
 from sceneweaver.scene import InputError, MissingDependencyError
-from sceneweaver.scene.files import open_regular, reason
 
 from ..body import Material
 from .guarded import MAX_BYTES, read_arrays, read_meshes, require_regular_layers

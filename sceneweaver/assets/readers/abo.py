@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.scene.files import lines_unpacked
+from sceneweaver.io import lines_unpacked
 
 from ..imports.hints import Hints
 from .tables import parsed, read_csv

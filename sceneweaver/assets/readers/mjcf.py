@@ -13,7 +13,8 @@ from pathlib import Path
 import numpy as np
 
 from sceneweaver.geometry.rotations import euler, matrix, xyzw
-from sceneweaver.scene import InputError, read_bytes
+from sceneweaver.io import read_bytes
+from sceneweaver.scene import InputError
 
 from ..imports.hints import Hints
 from .tables import number

@@ -8,8 +8,8 @@ import json
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.scene import InputError, read_bytes
-from sceneweaver.scene.files import MAX_UNPACKED, read_unpacked, reason
+from sceneweaver.io import MAX_UNPACKED, read_bytes, read_unpacked, reason
+from sceneweaver.scene import InputError
 
 MAX_CONTAINERS = 10_000_000
 """Lists and objects of a JSON file, or cells of a table, at most: in memory they take far more than in the file."""

@@ -8,9 +8,9 @@ from pathlib import Path
 
 import numpy as np
 
-from sceneweaver.scene import InputError, read_bytes
-from sceneweaver.scene.messages import clean
-from sceneweaver.scene.yaml_text import load_yaml
+from sceneweaver.io import load_yaml, read_bytes
+from sceneweaver.io.messages import clean
+from sceneweaver.scene import InputError
 
 from .relief import Maps, encoded_roughness, encoded_tint, to_linear
 

@@ -11,9 +11,9 @@ from pathlib import Path
 
 import numpy as np
 
+from sceneweaver.io import temporary_folder
+from sceneweaver.io.messages import suggest
 from sceneweaver.scene import InputError
-from sceneweaver.scene.files import temporary_folder
-from sceneweaver.scene.messages import suggest
 
 from .catalogue import OLD_NAMES, found, patterns
 from .folders import folder_of, read_folder

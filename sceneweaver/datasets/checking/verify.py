@@ -17,8 +17,9 @@ from typing import Any
 import numpy as np
 
 import sceneweaver
+from sceneweaver.io import write_atomic
 from sceneweaver.runtime.processes import pool
-from sceneweaver.scene import InputError, write_atomic
+from sceneweaver.scene import InputError
 
 from ..digests import content_of
 from ..engines import open_dataset

@@ -13,9 +13,9 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
+from sceneweaver.io import reason
 from sceneweaver.runtime.processes import THREADS
 from sceneweaver.scene import MissingDependencyError, SceneWeaverError
-from sceneweaver.scene.files import reason
 
 from ..work import Produce
 from .local import START

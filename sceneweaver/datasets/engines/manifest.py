@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import Any
 
 import sceneweaver
-from sceneweaver.scene import InputError, read_bytes, write_atomic
-from sceneweaver.scene.files import TEMPORARY, reason
+from sceneweaver.io import TEMPORARY, read_bytes, reason, write_atomic
+from sceneweaver.scene import InputError
 
 from ..folder import Folder
 from ..requests import Requests

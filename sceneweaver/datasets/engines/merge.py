@@ -12,8 +12,8 @@ from itertools import chain, islice
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.scene import InputError, Scene, write_atomic
-from sceneweaver.scene.files import temporary_folder
+from sceneweaver.io import temporary_folder, write_atomic
+from sceneweaver.scene import InputError, Scene
 
 from ..folder import Folder
 from ..reading import link, rows_of, scenes_of, shards_of, spans_of

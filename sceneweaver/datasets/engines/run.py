@@ -11,8 +11,8 @@ from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.scene import InputError, locked, sweep, write_atomic
-from sceneweaver.scene.files import TEMPORARY
+from sceneweaver.io import TEMPORARY, locked, sweep, write_atomic
+from sceneweaver.scene import InputError
 
 from .. import work
 from ..folder import Folder, disk_full, waiting

@@ -24,8 +24,8 @@ from typing import IO, Any
 import numpy as np
 from scipy.cluster.hierarchy import DisjointSet
 
-from sceneweaver.scene import InputError, write_atomic
-from sceneweaver.scene.files import sweep, temporary_folder
+from sceneweaver.io import sweep, temporary_folder, write_atomic
+from sceneweaver.scene import InputError
 
 from ..digests import checksums_of, content_of, write_checksums
 from ..folder import Folder

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from sceneweaver.scene import InputError
+from sceneweaver.io import InputError
 
 from ..digests import content_of
 from ..folder import Folder

@@ -12,8 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from sceneweaver.scene import InputError
-from sceneweaver.scene.files import sweep
+from sceneweaver.io import InputError, sweep
 
 from ..files.packing import finish, seconds_rows
 from ..files.planned import SECONDS_TABLE, final_place, packing_began

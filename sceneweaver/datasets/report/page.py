@@ -14,8 +14,9 @@ from typing import Any
 import numpy as np
 import shapely
 
+from sceneweaver.io import write_atomic
 from sceneweaver.knowledge.palettes import palettes
-from sceneweaver.scene import InputError, write_atomic
+from sceneweaver.scene import InputError
 
 from ..engines import open_dataset, read_records
 from ..templates import html

@@ -13,8 +13,17 @@ import tracemalloc
 
 import pytest
 
-from sceneweaver.scene import InputError, locked, sweep, whole, write_atomic
-from sceneweaver.scene.files import lines_unpacked, open_regular, read_unpacked, temporary_folder
+from sceneweaver.io import (
+    lines_unpacked,
+    locked,
+    open_regular,
+    read_unpacked,
+    sweep,
+    temporary_folder,
+    whole,
+    write_atomic,
+)
+from sceneweaver.scene import InputError
 
 
 @pytest.fixture
@@ -74,7 +83,7 @@ def test_a_file_is_whole_or_as_before(tmp_path):
 
 WRITER = """
 import sys, time
-from sceneweaver.scene import whole
+from sceneweaver.io import whole
 with whole(sys.argv[1]) as temporary:
     open(temporary, "w").write("half")
     print("ready", flush=True)
@@ -100,7 +109,7 @@ def test_what_a_killed_run_left_is_swept_and_what_a_live_one_writes_is_not(tmp_p
 
 HOLDER = """
 import sys, time
-from sceneweaver.scene import locked
+from sceneweaver.io import locked
 with locked(sys.argv[1], "--out: x"):
     print("ready", flush=True)
     time.sleep(60)

@@ -1,4 +1,4 @@
-"""Files that users name: only regular ones are opened, no more is read than a limit, and none is seen half written.
+"""Files of our own: whole or not at all, in the folder that was chosen, and never through a link to elsewhere.
 
 What is being written lies in a temporary folder beside its place, which an advisory lock holds while its process lives.
 The system frees that lock with the process, however it ends, so `sweep` tells what a killed run has left from what
@@ -10,123 +10,20 @@ from __future__ import annotations
 import contextlib
 import errno
 import fcntl
-import gzip
 import os
 import secrets
 import shutil
 import socket
 import stat
-import zlib
 from collections.abc import Iterator
 from pathlib import Path
-from typing import IO
 
 from .errors import InputError
 from .messages import clean
-
-MAX_BYTES = 64 * 2**20
-"""Largest file [bytes] that is read unless told otherwise."""
-
-MAX_UNPACKED = 256 * 2**20
-"""Most [bytes] that a compressed file may hold, unless told otherwise."""
+from .reading import Place, reason
 
 TEMPORARY, SUFFIX = ".sceneweaver-", ".tmp"
 """How the names of temporary folders begin and end."""
-
-Place = str | os.PathLike[str]
-
-
-def open_regular(path: Place, max_bytes: int = MAX_BYTES) -> IO[bytes]:
-    """A regular file of at most ``max_bytes``, open for reading. Never waits, as opening a pipe would.
-
-    Raises:
-        InputError: when it is missing, no regular file (a folder, pipe, socket or device), too large, or unreadable.
-    """
-    name = clean(os.fspath(path))
-    try:
-        _require_readable(os.stat(path), name, max_bytes)
-        descriptor = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
-        try:
-            _require_readable(os.fstat(descriptor), name, max_bytes)  # another file may have taken its place
-            return open(descriptor, "rb")
-        except BaseException:
-            os.close(descriptor)
-            raise
-    except FileNotFoundError:
-        raise InputError(f"{name}: no such file; check the path") from None
-    except (OSError, ValueError) as error:
-        if isinstance(error, InputError):
-            raise
-        raise InputError(f"{name}: cannot be read ({reason(error)}); check the path and its permissions") from None
-
-
-def _require_readable(status: os.stat_result, name: str, max_bytes: int) -> None:
-    if stat.S_ISDIR(status.st_mode):
-        raise InputError(f"{name}: this is a folder; give the file in it, such as scene.json")
-    if not stat.S_ISREG(status.st_mode):
-        raise InputError(f"{name}: this is a pipe or a device; give a regular file")
-    if status.st_size > max_bytes:
-        raise InputError(f"{name}: the file has {_megabytes(status.st_size)}; at most {_megabytes(max_bytes)} are read")
-
-
-def read_bytes(path: Place, *, max_bytes: int = MAX_BYTES) -> bytes:
-    """The content of a regular file of at most ``max_bytes``; a larger one is refused before it is read.
-
-    Raises:
-        InputError: as `open_regular`.
-    """
-    with open_regular(path, max_bytes) as file:
-        try:
-            content = file.read(max_bytes + 1)
-        except OSError as error:
-            raise InputError(f"{clean(os.fspath(path))}: cannot be read ({reason(error)}); check the disk") from None
-    if len(content) > max_bytes:  # it grew since it was opened
-        raise InputError(f"{clean(os.fspath(path))}: the file has more than {_megabytes(max_bytes)}")
-    return content
-
-
-@contextlib.contextmanager
-def open_unpacked(path: Place, max_bytes: int = MAX_UNPACKED) -> Iterator[IO[bytes]]:
-    """A regular file as a stream, unpacked where its name ends in ``.gz``. It may hold more than ``max_bytes``.
-
-    Raises:
-        InputError: as `open_regular`, and for a gzip file that is damaged.
-    """
-    name = clean(os.fspath(path))
-    with open_regular(path, max_bytes) as packed:
-        try:
-            yield gzip.GzipFile(fileobj=packed) if name.endswith(".gz") else packed  # pyright: ignore[reportReturnType]
-        except (gzip.BadGzipFile, EOFError, zlib.error) as error:
-            raise InputError(f"{name}: not readable as gzip ({reason(error)}); fetch it anew") from None
-
-
-def read_unpacked(path: Place, *, max_bytes: int = MAX_UNPACKED) -> bytes:
-    """The content of a file, unpacked where its name ends in ``.gz``; no more than ``max_bytes`` are ever unpacked.
-
-    Raises:
-        InputError: as `open_unpacked`, and when it holds more.
-    """
-    with open_unpacked(path, max_bytes) as file:
-        content = file.read(max_bytes + 1)
-    _require_fewer(len(content), path, max_bytes)
-    return content
-
-
-def lines_unpacked(path: Place, *, max_bytes: int = MAX_UNPACKED) -> Iterator[bytes]:
-    """The lines of a file, one by one, unpacked where its name ends in ``.gz``; errors as `read_unpacked`."""
-    done = 0
-    with open_unpacked(path, max_bytes) as file:
-        while line := file.readline(max_bytes + 1):
-            done += len(line)
-            _require_fewer(done, path, max_bytes)
-            yield line
-
-
-def _require_fewer(size: int, path: Place, max_bytes: int) -> None:
-    if size > max_bytes:
-        raise InputError(
-            f"{clean(os.fspath(path))}: it unpacks to more than {_megabytes(max_bytes)}; split it into smaller files"
-        )
 
 
 @contextlib.contextmanager
@@ -303,13 +200,3 @@ def _locked_file(name: str, what: str) -> int:
             if os.path.samestat(os.fstat(descriptor), os.stat(name)):  # else its last holder has just removed it
                 return descriptor
         os.close(descriptor)
-
-
-def reason(error: BaseException) -> str:
-    """What an error of the system or of a reader says, on one line."""
-    text = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-    return clean(text)[:120] or type(error).__name__
-
-
-def _megabytes(count: int) -> str:
-    return f"{count / 2**20:.6g} MB"

@@ -6,8 +6,8 @@ import re
 from typing import Any
 
 from .errors import InputError
-from .files import Place, read_bytes
 from .messages import clean
+from .reading import Place, read_bytes
 
 MAX_BYTES = 2**20
 """Largest file [bytes]."""
@@ -32,7 +32,7 @@ def load_yaml(path: Place, *, max_bytes: int = MAX_BYTES) -> Any:
     """The data of a YAML file.
 
     Raises:
-        InputError: as `sceneweaver.scene.files.read_bytes` and `parse_yaml`, naming the file.
+        InputError: as `sceneweaver.io.read_bytes` and `parse_yaml`, naming the file.
     """
     return parse_yaml(read_bytes(path, max_bytes=max_bytes), clean(str(path)))
 
