@@ -114,6 +114,11 @@ def entry_of(path: Path) -> Entry:
     return Entry(sha256(path), path.lstat().st_size)
 
 
+def entry_of_bytes(content: bytes) -> Entry:
+    """The entry of a file with some content."""
+    return Entry(hashlib.sha256(content).hexdigest(), len(content))
+
+
 def write_seal(path: Path, entries: Mapping[str, Entry]) -> None:
     """Write a seal, whole or not at all.
 

@@ -12,9 +12,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sceneweaver.assets.category import read_yaml
-from sceneweaver.scene import InputError, MissingDependencyError
-from sceneweaver.scene.files import reason
-from sceneweaver.scene.messages import clean
+from sceneweaver.io import InputError, MissingDependencyError, reason
+from sceneweaver.io.messages import clean
 
 from .gates import gate_names
 from .seals import open_own
