@@ -12,14 +12,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sceneweaver.assets.category import read_yaml
-from sceneweaver.io import InputError, MissingDependencyError, reason
+from sceneweaver.io import InputError, MissingDependencyError, load_json_lines, open_parquet
 from sceneweaver.io.messages import clean
 
 from .gates import gate_names
-from .seals import open_own
+from .seals import MOST, open_own
 
 if TYPE_CHECKING:
     import pyarrow as pa
+    import pyarrow.parquet as pq
 
 GROUP = 1024
 """Rows in memory at a time: one of a large room names a thousand files."""
@@ -62,26 +63,16 @@ def _type(kind: Any) -> pa.DataType:
     return pa.type_for_alias(kind)
 
 
-MOST_ROWS = 2**32
-"""Rows of a table, at most."""
-
-
 @contextmanager
-def open_table(path: Path) -> Iterator[Any]:
-    """A Parquet file of a data set, open as ``pyarrow.parquet.ParquetFile``; what goes wrong in the block is typed.
+def open_table(path: Path, *, dictionaries: Sequence[str] = ()) -> Iterator[pq.ParquetFile]:
+    """A Parquet file of a data set, as `open_parquet`.
 
     Raises:
-        InputError: no regular file, no Parquet file, or a damaged one.
+        InputError: as `open_parquet`, and for a link.
     """
-    pa, name = arrow(), clean(str(path))
-    with open_own(path) as file:
-        try:
-            with pa.parquet.ParquetFile(file) as found:
-                if not 0 <= found.metadata.num_rows <= MOST_ROWS:
-                    raise InputError(f"{name}: it says to have {found.metadata.num_rows} rows; fetch it anew")
-                yield found
-        except (pa.ArrowException, OSError, UnicodeDecodeError, OverflowError) as error:
-            raise InputError(f"{name}: no whole Parquet file: {reason(error)}") from None
+    open_own(path).close()
+    with open_parquet(path, dictionaries=dictionaries) as file:
+        yield file
 
 
 def read_schema(path: Path) -> pa.Schema:
@@ -123,14 +114,10 @@ def read_lines(path: Path) -> Iterator[dict[str, Any]]:
     """The rows of a file with a line of JSON each.
 
     Raises:
-        InputError: no regular file, or a line of it is no JSON object.
+        InputError: as `load_json_lines`, and for a link or a line that is no object.
     """
-    with open_own(path) as file:
-        for number, line in enumerate(file, start=1):
-            try:
-                row = json.loads(line)
-            except (ValueError, RecursionError) as error:
-                raise InputError(f"{clean(str(path))}: line {number} is no JSON: {reason(error)}") from None
-            if not isinstance(row, dict):
-                raise InputError(f"{clean(str(path))}: line {number} is no JSON object")
-            yield row
+    open_own(path).close()
+    for number, row in enumerate(load_json_lines(path, max_bytes=MOST), start=1):
+        if not isinstance(row, dict):
+            raise InputError(f"{clean(str(path))}: line {number} is no JSON object")
+        yield row

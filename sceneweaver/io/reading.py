@@ -71,6 +71,19 @@ def read_bytes(path: Place, *, max_bytes: int = MAX_BYTES) -> bytes:
     return content
 
 
+def read_text(path: Place, *, max_bytes: int = MAX_BYTES) -> str:
+    """The text of a regular file in UTF-8, as `read_bytes` reads it.
+
+    Raises:
+        InputError: as `open_regular`, and when it is no UTF-8.
+    """
+    try:
+        return read_bytes(path, max_bytes=max_bytes).decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        name = clean(os.fspath(path))
+        raise InputError(f"{name}: not UTF-8 text (byte {error.start}); save the file as UTF-8") from None
+
+
 @contextlib.contextmanager
 def open_unpacked(path: Place, max_bytes: int = MAX_UNPACKED) -> Iterator[IO[bytes]]:
     """A regular file as a stream, unpacked where its name ends in ``.gz``. It may hold more than ``max_bytes``.

@@ -17,6 +17,7 @@ import socket
 import stat
 from collections.abc import Iterator
 from pathlib import Path
+from typing import IO, Literal
 
 from .errors import InputError
 from .messages import clean
@@ -68,6 +69,26 @@ def write_atomic(path: Place, content: str | bytes, *, through_link: bool = Fals
     """
     with whole(path, through_link=through_link) as temporary, open(temporary, "wb") as file:
         file.write(content.encode("utf-8") if isinstance(content, str) else content)
+
+
+def open_own(path: Place, mode: Literal["xb", "ab", "wb", "r+b"]) -> IO[bytes]:
+    """A file of a folder of ours, open for writing: a regular one that no link leads to.
+
+    Raises:
+        OSError: it cannot be opened, or a link, pipe or device stands there.
+    """
+    flags = {"xb": os.O_WRONLY | os.O_CREAT | os.O_EXCL, "ab": os.O_WRONLY | os.O_CREAT | os.O_APPEND}
+    flags |= {"wb": os.O_WRONLY | os.O_CREAT, "r+b": os.O_RDWR}
+    descriptor = os.open(path, flags[mode] | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC, 0o666)
+    try:
+        if not stat.S_ISREG(os.fstat(descriptor).st_mode):
+            raise OSError(errno.EINVAL, "no regular file", os.fspath(path))
+        if mode == "wb":  # only now that it is known to be one
+            os.ftruncate(descriptor, 0)
+        return open(descriptor, "wb" if mode == "xb" else mode)
+    except BaseException:
+        os.close(descriptor)
+        raise
 
 
 def own_folder(path: Path) -> Path:

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from sceneweaver.io import temporary_folder
+from sceneweaver.io import packaged, read_arrays, temporary_folder
 from sceneweaver.io.messages import suggest
 from sceneweaver.scene import InputError
 
@@ -73,18 +73,18 @@ def _version() -> str:
     for folder in (package, package.joinpath("patterns")):
         for file in sorted(folder.iterdir(), key=lambda f: f.name):
             if file.name.endswith(".py"):
-                digest.update(file.read_bytes())
+                digest.update(packaged.bytes_of(file))
     return digest.hexdigest()[:12]
 
 
 def _read(path: Path) -> Maps | None:
     """Maps of a file; None when it is not there or is not whole."""
     try:
-        with np.load(path, allow_pickle=False) as data:
-            size = (float(data["size"][0]), float(data["size"][1]))
-            metallic = data.get("metallic")
-            images = [data[name] for name in ("tint", "normal", "roughness")]
-            return Maps(size, images[0], float(data["gain"]), images[1], images[2], float(data["rough_gain"]), metallic)
+        data = read_arrays(path)
+        size = (float(data["size"][0]), float(data["size"][1]))
+        images = [data[name] for name in ("tint", "normal", "roughness")]
+        gains = float(data["gain"]), float(data["rough_gain"])
+        return Maps(size, images[0], gains[0], images[1], images[2], gains[1], data.get("metallic"))
     except Exception:  # a file that another process left half-written, or that is broken, is made again
         return None
 
