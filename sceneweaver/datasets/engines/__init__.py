@@ -3,7 +3,7 @@
 from .manifest import Dataset, begin, open_dataset
 from .mending import missing
 from .merge import merge
-from .run import resume
+from .run import require_free, resume
 from .schedule import Listener, Options, read_records
 from .status import Estimate, Status, estimate, status
 
@@ -19,6 +19,7 @@ __all__ = [
     "missing",
     "open_dataset",
     "read_records",
+    "require_free",
     "resume",
     "status",
 ]
