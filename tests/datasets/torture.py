@@ -46,7 +46,9 @@ def fake(spec, requests: list[Request], store, device: str = "cpu"):
     for request in requests:
         time.sleep(0.02)
         asset = store.put(f"asset {request.seed % 9}".encode(), "bin")
-        sample: Sample = small_sample(request, small_scene(request.index), glb=asset.encode())
+        sample: Sample = small_sample(
+            request, small_scene(request.index), columns={"assets": [asset]}, glb=asset.encode()
+        )
         yield sample
 
 

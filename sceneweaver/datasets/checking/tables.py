@@ -22,7 +22,7 @@ from ..folder import Folder
 from ..gates import failures
 from ..layouts.tables import posed, schema
 from ..reading import Span
-from ..seals import DamagedError, kind_fault, sha256
+from ..seals import DamagedError, fault_of, kind_fault, read_seal, sha256
 from ..spec import Spec, load_spec
 from ..statistics import statistics
 from ..store import DIGITS
@@ -208,8 +208,9 @@ def checksums(folder: Folder, found: Findings) -> list[tuple[Path, str]]:
         if (stem := _store_name(name)) and not digest.startswith(stem):
             found.fault("checksum", name, f"is listed with {digest[:16]}..., which is not its name")
     faults = {name: kind_fault(folder.path / name) for name in listed}
-    for name in sorted(name for name, fault in faults.items() if fault == "is missing"):
-        found.fault("checksum", name, f"is not there; {path.name} lists it")
+    for name, fault in sorted(faults.items()):
+        if fault in ("is missing", "is a folder"):
+            found.fault("checksum", name, f"{'is not there' if fault == 'is missing' else fault}; {path.name} lists it")
     return [(folder.path / name, digest) for name, digest in listed.items() if not faults[name]]
 
 
@@ -267,6 +268,22 @@ def check_manifest(dataset: Dataset, found: Findings) -> None:
     said = given.model_copy(update={"requests": asked.model_copy(update=changed)})
     if said != dataset.spec:
         found.fault("manifest", folder.spec.name, "is not the specification that dataset.json has")
+    return None
+
+
+def check_seal(folder: Folder, found: Findings) -> None:
+    """Whether what has no checksum is as it was when the data set was packed, where its seal is still there."""
+    if not os.path.lexists(folder.packed):
+        return
+    name = folder.packed.relative_to(folder.path).as_posix()
+    try:
+        entries = read_seal(folder.packed)
+    except DamagedError:
+        return found.fault("file", name, "is damaged")
+    for path in (folder.checksums, folder.path / TIMES):
+        entry = entries.get(path.relative_to(folder.path).as_posix())
+        if entry is not None and (fault := fault_of(path, entry)):
+            found.fault("file", path.relative_to(folder.path).as_posix(), fault)
     return None
 
 

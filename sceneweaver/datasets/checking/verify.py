@@ -176,6 +176,7 @@ def verify_dataset(
         raise InputError(f"{folder.path}: is not packed yet; finish it with `sceneweaver dataset resume`")
     tables.check_files(dataset, found)
     tables.check_manifest(dataset, found)
+    tables.check_seal(folder, found)
     work: Iterable[Task] = ()
     if layouts:
         work = layout_tasks(folder, spec, found, sample)

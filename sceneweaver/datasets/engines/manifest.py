@@ -217,10 +217,13 @@ def restore(folder: Folder, spec: Spec, inputs: dict[str, bytes], given: bytes |
     begun = begun_with(folder)
     if begun is None:
         return
-    files = [
-        *inputs.items(),
-        *((folder.manifest.name, _made(folder, spec, kind, inputs).text.encode()) for kind in KINDS),
-    ]
+    name = folder.manifest.name
+    manifests = [_made(folder, spec, kind, inputs).text.encode() for kind in KINDS]
+    as_made = any(not fault_of(folder.manifest, entry_of_bytes(text)) for text in manifests)
+    if as_made and fault_of(folder.manifest, begun.get(name, Entry("", 0))):  # the seal is that of another data set
+        remove(folder.begun)
+        return
+    files = [*inputs.items(), *((name, text) for text in manifests)]
     files += [] if given is None else [(folder.spec.name, given)]
     for name, content in files:
         path, entry = folder.path / name, entry_of_bytes(content)

@@ -12,15 +12,16 @@ from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.io import TEMPORARY, locked, require_unlocked, sweep, write_atomic
+from sceneweaver.io import TEMPORARY, locked, reason, require_unlocked, sweep, write_atomic
 from sceneweaver.scene import InputError
 
 from .. import work
+from ..files import packing_began
 from ..folder import Folder, disk_full, waiting
-from ..seals import DamagedError, kind_fault, remove
+from ..seals import DamagedError, read_seal, remove
 from .local import TICK, LocalEngine
 from .manifest import Dataset, agreed_device, begun_with, devices, input_faults, require_inputs
-from .mending import lost, mend, missing, reopen, seal_whole
+from .mending import NAMED, lost, mend, missing, reopen, seal_whole
 from .schedule import Job, Listener, Options, Records
 
 ONLY_MAKING = ("rooms", "journal")
@@ -72,6 +73,8 @@ def resume(
                 numbers = missing(dataset, options.shard)
                 if numbers:
                     _require_made_here(dataset, numbers)
+                    if packing_began(folder):
+                        notice(f"blocks made again, as what was packed of them is gone: {_listed(numbers)}")
                     listener.begun(len(numbers))
                     _make(dataset, numbers, options, device, listener, produce, until)
                     clean(dataset)  # before what is there is counted
@@ -94,7 +97,11 @@ ROUNDS = 5
 def _untouched(dataset: Dataset, *, full: bool) -> bool:
     """Whether a data set is whole, by its seals, which nothing is written for."""
     begun = begun_with(dataset.folder)
-    if not whole(dataset) or begun is None or kind_fault(dataset.folder.packed):
+    try:
+        read_seal(dataset.folder.packed)
+    except DamagedError:
+        return False
+    if begun is None:
         return False
     return not any(input_faults(dataset, begun)) and not lost(dataset, full=full)
 
@@ -105,10 +112,20 @@ def _holds(dataset: Dataset, notice: Callable[[str], None], *, full: bool) -> bo
     if damaged:
         reopen(dataset, damaged, notice)
         return False
-    remove(dataset.folder.packed)
+    path = dataset.folder.packed
+    try:
+        read_seal(path)
+    except DamagedError as error:
+        notice(f"{path.relative_to(dataset.folder.path)}: {reason(error).partition(': ')[2]}; it is written again")
+    remove(path)
     seal_whole(dataset.folder)
     remove(dataset.folder.plan)
     return True
+
+
+def _listed(numbers: list[int]) -> str:
+    more = f" and {len(numbers) - NAMED} more" if len(numbers) > NAMED else ""
+    return ", ".join(map(str, numbers[:NAMED])) + more
 
 
 def _require_made_here(dataset: Dataset, numbers: list[int]) -> None:
