@@ -7,8 +7,6 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from sceneweaver.io import InputError
-
 from ..digests import content_of
 from ..folder import Folder
 from ..requests import Requests
@@ -63,7 +61,7 @@ def there(path: Path, scenes: Sequence[Planned]) -> tuple[int, int]:
     try:
         for count, end in enumerate(_ends(path, scenes), start=1):  # noqa: B007
             pass
-    except InputError:  # it is cut off there, or damaged
+    except ValueError:  # it is cut off there, or damaged
         pass
     return count, end
 
