@@ -8,6 +8,7 @@ from __future__ import annotations
 import os
 import shutil
 from collections.abc import Container, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -121,6 +122,24 @@ def scenes_of(span: Span, suffixes: Container[str] | None = None) -> Iterator[tu
         yield key, files
 
 
+@contextmanager
+def of_others(folder: Folder) -> Iterator[None]:
+    """Rows and scenes that lack what every data set has, or have it in another form, are one line.
+
+    Raises:
+        InputError: with the way to see all that is wrong.
+    """
+    try:
+        yield
+    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
+        if isinstance(error, InputError):
+            raise
+        raise InputError(
+            f"{clean(str(folder.path))}: its tables or scenes are not those of a data set ({type(error).__name__}: "
+            f"{reason(error)}); see: sceneweaver dataset verify"
+        ) from error
+
+
 def split_name(name: str) -> tuple[str, str]:
     """Key and suffix of a member of a shard: all before and all after its first dot."""
     key, _, suffix = name.rpartition("/")[2].partition(".")
@@ -146,7 +165,8 @@ def extract(path: Path, key: str, out: Path) -> list[Path]:
     from .store.scene_files import references
 
     folder = Folder(path)
-    files = _files(folder, key, _row(folder, key))
+    with of_others(folder):
+        files = _files(folder, key, _row(folder, key))
     if out.exists() and (not out.is_dir() or any(out.iterdir())):
         raise InputError(f"out: {out} is there already; give a new or empty folder")
     try:

@@ -17,7 +17,7 @@ from sceneweaver.scene import Scene
 
 from ..digests import content_of
 from ..folder import Folder
-from ..reading import link, rows_of, scenes_of, shards_of, spans_of
+from ..reading import link, of_others, rows_of, scenes_of, shards_of, spans_of
 from ..samples import Sample, write_block
 from ..seals import folder_fault, kind_fault, sealed_row, sha256
 from ..spec import Spec
@@ -151,6 +151,11 @@ def _samples(parts: Sequence[Dataset]) -> Iterator[Iterator[Sample]]:
 
 def _of_part(part: Dataset, first: int, first_room: int) -> Iterator[Sample]:
     """The scenes of a whole data set in order, with new numbers."""
+    with of_others(part.folder):
+        yield from _samples_of(part, first, first_room)
+
+
+def _samples_of(part: Dataset, first: int, first_room: int) -> Iterator[Sample]:
     from ..files import fingerprint
 
     places = {span.keys[0]: span for path in shards_of(part.folder) for span in spans_of(path, 1)}

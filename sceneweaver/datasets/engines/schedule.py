@@ -130,7 +130,8 @@ def read_records(folder: Folder) -> list[dict[str, Any]]:
     found = []
     for path in sorted(folder.records.glob("*.jsonl")):
         with suppress(InputError), open_own(path) as file:
-            found += filter(None, map(opened_row, file))  # the last line of a run that was killed may be torn
+            rows = filter(None, map(opened_row, file))  # the last line of a run that was killed may be torn
+            found += [row for row in rows if isinstance(row.get("end"), float)]
     return sorted(found, key=lambda record: record["end"])
 
 

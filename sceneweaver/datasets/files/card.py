@@ -17,7 +17,7 @@ import sceneweaver
 from sceneweaver.scene import InputError, MissingDependencyError
 
 from ..folder import Folder
-from ..seals import open_own
+from ..seals import kind_fault, open_own
 from ..spec import Spec
 from ..tables import read_schema, read_table
 from ..tars import members
@@ -232,7 +232,9 @@ def push_card(
     """
     if not Folder(path).checksums.exists():
         raise InputError(f"{path}: not packed yet; finish it with: sceneweaver dataset resume {path}")
-    files = sorted({file.relative_to(path).as_posix() for name in NAMES for file in path.glob(name) if file.is_file()})
+    files = sorted(
+        {file.relative_to(path).as_posix() for name in NAMES for file in path.glob(name) if not kind_fault(file)}
+    )
     if dry_run:
         return files
     token = os.environ.get(token_env)
