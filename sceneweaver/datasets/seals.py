@@ -61,7 +61,7 @@ def sha256(path: Path) -> str:
     """
     with open_own(path) as file:
         try:
-            return hashlib.file_digest(file, "sha256").hexdigest()
+            return hashlib.file_digest(file, "sha256").hexdigest()  # pyright: ignore[reportArgumentType]
         except OSError as error:
             raise InputError(f"{clean(str(path))}: cannot be read ({reason(error)}); check the disk") from None
 
