@@ -23,7 +23,7 @@ from pathlib import Path
 from typing import Any
 
 from sceneweaver.assets.placed import Load
-from sceneweaver.io import open_own, read_bytes, whole
+from sceneweaver.io import open_writable, read_bytes, whole
 from sceneweaver.physics.model import coverings
 from sceneweaver.physics.things import things_of
 from sceneweaver.scene import InputError, Scene
@@ -123,7 +123,7 @@ def _save(layer: Any, name: str, files: dict[str, bytes]) -> None:
     try:
         with whole(name) as temporary:
             # Made here first: the system says better than USD why a place cannot be written.
-            open_own(temporary, "xb").close()
+            open_writable(temporary, "xb").close()
             try:
                 written = layer.Export(str(temporary))
             except usd().Tf.ErrorException:

@@ -41,8 +41,9 @@ from .usd import open_stage as open_stage
 from .writing import SUFFIX as SUFFIX
 from .writing import TEMPORARY as TEMPORARY
 from .writing import locked as locked
-from .writing import open_own as open_own
+from .writing import open_writable as open_writable
 from .writing import own_folder as own_folder
+from .writing import require_unlocked as require_unlocked
 from .writing import sweep as sweep
 from .writing import temporary_folder as temporary_folder
 from .writing import whole as whole

@@ -23,7 +23,7 @@ from sceneweaver.envs.predicates import product
 from sceneweaver.envs.robots import Robot, robot_named
 from sceneweaver.envs.tasks import KINDS, Task
 from sceneweaver.geometry.rotations import matrix, xyzw
-from sceneweaver.io import open_own, parse_json, read_arrays, whole
+from sceneweaver.io import open_writable, parse_json, read_arrays, whole
 from sceneweaver.runtime.processes import pool
 from sceneweaver.scene import InputError, Room, Scene
 
@@ -208,7 +208,7 @@ class Bank:
         arrays = {f"room/{k}": v for k, v in self.room.items()} | {f"layout/{k}": v for k, v in self.layout.items()}
         about = {name: getattr(self, name) for name in ("names", "instructions", "dropped")}
         about["slots"] = asdict(self.slots)
-        with whole(path, through_link=True) as temporary, open_own(temporary, "xb") as file:
+        with whole(path, through_link=True) as temporary, open_writable(temporary, "xb") as file:
             np.savez_compressed(file, allow_pickle=False, about=np.array(json.dumps(about)), **arrays)
 
     @classmethod
