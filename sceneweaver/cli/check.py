@@ -6,7 +6,8 @@ from pathlib import Path
 
 import typer
 
-from sceneweaver.scene import InputError, Scene, write_atomic
+from sceneweaver.io import write_atomic
+from sceneweaver.scene import InputError, Scene
 
 from .clock import clock
 from .exit_codes import NOT_VALID

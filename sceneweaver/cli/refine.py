@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import typer
 
-from sceneweaver.scene import Scene, write_atomic
+from sceneweaver.io import write_atomic
+from sceneweaver.scene import Scene
 
 from .clock import Clock, clock, keep_for
 from .exit_codes import NOT_VALID
