@@ -36,7 +36,9 @@ HASTE = 0.3
 AGAIN = 0.5
 """Seconds after which the alarm rings once more, where nothing could be broken off or `TimeUp` was lost."""
 
-WHOLE = frozenset(("_frozen_importlib", "importlib", "threading", "concurrent", "weakref", "contextlib", "warp"))
+WHOLE = frozenset(
+    ("_frozen_importlib", "importlib", "threading", "concurrent", "weakref", "contextlib", "warp", "pydantic")
+)
 """Packages whose calls are never broken off: an exception in one breaks more than the call."""
 
 HANDLERS = ("__enter__", "__exit__", "__del__")
@@ -57,11 +59,13 @@ class Stop:
         allowance: seconds from the request until all files have to be written.
         end: that moment of ``time.monotonic()`` [s]; it never comes until it is asked for.
         reason: who asked, such as "SIGTERM"; empty until then.
+        ready: whether there is something to end with; where there is not, a signal ends the process at once.
     """
 
     allowance: float = 1.5
     end: float = math.inf
     reason: str = ""
+    ready: bool = True
 
     def request(self, reason: str) -> None:
         """Ask; the first reason stays."""
@@ -232,12 +236,13 @@ def _leaving() -> bool:
 
 
 @contextlib.contextmanager
-def stoppable() -> Iterator[Stop]:
-    """A stop that Ctrl-C and SIGTERM ask for while the block runs; a second signal ends the process at once.
+def stoppable(ready: bool = True) -> Iterator[Stop]:
+    """A stop that Ctrl-C and SIGTERM ask for while the block runs; a second signal ends the process at once, and so
+    does the first until the stop is ``ready``.
 
     Only the main thread hears of them.
     """
-    stop = Stop()
+    stop = Stop(ready=ready)
     if threading.current_thread() is not threading.main_thread():
         yield stop
         return
@@ -246,6 +251,8 @@ def stoppable() -> Iterator[Stop]:
     def ask(number: int, frame: FrameType | None) -> None:
         for each, handler in before.items():
             signal.signal(each, handler)
+        if not stop.ready:
+            signal.raise_signal(number)
         stop.request(signal.Signals(number).name)
 
     try:
