@@ -1,7 +1,7 @@
 """The commands with their options, and what every one of them has in common: errors and exit codes.
 
 Exit codes: 0 done and valid, 1 a fault of the program, 2 bad input, 3 not valid, 4 something needed is missing,
-5 a time limit ended the making of a data set, 130 interrupted. What went wrong is one line on stderr.
+5 time left out files of a valid design or ended the making of a data set, 130 interrupted. What went wrong is one line on stderr.
 """
 
 from __future__ import annotations
