@@ -15,6 +15,7 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 from types import MappingProxyType
 
+from sceneweaver.io import packaged
 from sceneweaver.scene import InputError
 
 from .base import Tool
@@ -90,7 +91,7 @@ def _card(name: str, target: str) -> ToolCard:
     for folder in _folders(module):
         for file in (folder.joinpath(f"{name}.yaml"), folder.joinpath("toolcards", f"{name}.yaml")):
             if file.is_file():
-                card = read_card(file.read_text(encoding="utf-8"))
+                card = read_card(packaged.text_of(file))
                 if card.name != name:
                     raise InputError(f"its card is called {card.name}; name card and entry point alike")
                 return card

@@ -15,6 +15,7 @@ from .executor import Executor, Outcome
 from .lived_in import lived_in
 from .loop import Run
 from .openability import opened
+from .relaxation import still_true
 from .result import ModelUse, Result
 from .settling import settled
 
@@ -65,7 +66,9 @@ def closed(run: Run, remarks: Sequence[str], began: float, use: Callable[[], Mod
         review=best.review,
         brief=brief,
         steps=run.memory.steps,
-        notes=tuple(dict.fromkeys((*brief.notes, *remarks, *run.memory.notes, *run.notes, *said))),
+        notes=still_true(
+            tuple(dict.fromkeys((*brief.notes, *remarks, *run.memory.notes, *run.notes, *said))), best.scene
+        ),
         unmet=unmet,
         seconds=time.monotonic() - began,
         finished=run.memory.finished,

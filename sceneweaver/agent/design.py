@@ -40,8 +40,6 @@ from .settings import Settings
 TIME, TIME_BY_MODEL = 120.0, 600.0
 """Time limit [s] where none is given, without and with a model."""
 
-LONGEST = 100_000
-"""Characters of a request that are read."""
 
 LIKELY = "living_room"
 """The kind of room that is made when the request names none and nothing in it tells."""
@@ -151,7 +149,7 @@ def design(prompt: str = "", **options: Unpack[AllOptions]) -> Result:
         state = recorded(asking.replay)
         prompt, roles = prompt_of(state, prompt), roles_of(state, *who)
         settings = settings_of(state, chosen if time_limit == "auto" else {**chosen, "seconds": time_limit})
-    offline = read_request(prompt[:LONGEST])
+    offline = read_request(prompt)
     folder = RunFolder(Path(out)) if out is not None else None
     limit = Deadline(began + (settings.seconds or math.inf), stop=given["stop"] or Stop())
     with folder.held() if folder is not None else nullcontext():

@@ -12,11 +12,10 @@ from typing import Any, ClassVar, Literal
 from pydantic import Field
 
 from sceneweaver.critic import Review
-from sceneweaver.io import locked, own_folder, read_bytes, require_no_link, sweep, write_atomic
+from sceneweaver.io import locked, own_folder, parse_json, read_bytes, require_no_link, sweep, write_atomic
 from sceneweaver.language import SceneGraph
 from sceneweaver.scene import InputError, Scene
 from sceneweaver.scene.base import FrozenModel
-from sceneweaver.scene.io import parse
 from sceneweaver.verify import Report
 
 from .memory import Memory
@@ -194,7 +193,7 @@ class RunFolder:
         if not path.exists() and not path.is_symlink():
             return None
         try:
-            return State.model_validate(parse(read_bytes(path, max_bytes=MAX_STATE, within=self.path)))
+            return State.model_validate(parse_json(read_bytes(path, max_bytes=MAX_STATE, within=self.path)))
         except InputError as error:
             reason = str(error).removeprefix(f"{path}: ").partition("; ")[0]
             raise InputError(

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
-from sceneweaver.io import opened_folder, require_no_link, temporary_folder
+from sceneweaver.io import open_writable, opened_folder, require_no_link, temporary_folder
 from sceneweaver.runtime.threads import map_threads
 from sceneweaver.scene import InputError
 
@@ -92,7 +92,7 @@ def fill(folder: Path, files: Mapping[str, bytes]) -> None:
         parent.mkdir(parents=True, exist_ok=True)
 
     def write(name: str) -> None:
-        with open(folder / name, "wb") as file:
+        with open_writable(folder / name, "wb") as file:
             file.write(files[name])
             file.flush()
             os.fsync(file.fileno())

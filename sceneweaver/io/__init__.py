@@ -22,6 +22,7 @@ from .json_text import load_packed_json as load_packed_json
 from .json_text import parse_json as parse_json
 from .meshes import read_meshes as read_meshes
 from .mjcf import load_mjcf as load_mjcf
+from .mjcf import read_spec as read_spec
 from .reading import MAX_BYTES as MAX_BYTES
 from .reading import MAX_UNPACKED as MAX_UNPACKED
 from .reading import lines_unpacked as lines_unpacked
@@ -31,7 +32,8 @@ from .reading import read_bytes as read_bytes
 from .reading import read_text as read_text
 from .reading import read_unpacked as read_unpacked
 from .reading import reason as reason
-from .references import lies_inside as lies_inside
+from .reading import sha256_of as sha256_of
+from .references import named_inside as named_inside
 from .references import required_inside as required_inside
 from .tables import load_csv as load_csv
 from .tables import open_parquet as open_parquet
@@ -39,13 +41,15 @@ from .usd import open_stage as open_stage
 from .writing import SUFFIX as SUFFIX
 from .writing import TEMPORARY as TEMPORARY
 from .writing import locked as locked
-from .writing import open_own as open_own
+from .writing import open_writable as open_writable
 from .writing import own_folder as own_folder
+from .writing import require_unlocked as require_unlocked
 from .writing import sweep as sweep
 from .writing import temporary_folder as temporary_folder
 from .writing import whole as whole
 from .writing import write_atomic as write_atomic
 from .xml_text import load_xml as load_xml
 from .xml_text import parse_xml as parse_xml
+from .yaml_text import dump_yaml as dump_yaml
 from .yaml_text import load_yaml as load_yaml
 from .yaml_text import parse_yaml as parse_yaml

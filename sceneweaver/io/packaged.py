@@ -18,9 +18,14 @@ def text(package: str, *names: str) -> str:
     return resources.files(package).joinpath(*names).read_text(encoding="utf-8")
 
 
-def data(package: str, *names: str) -> bytes:
-    """A file of a package as bytes."""
-    return resources.files(package).joinpath(*names).read_bytes()
+def text_of(file: Traversable) -> str:
+    """A text of a package that was found in a `folder`."""
+    return file.read_text(encoding="utf-8")
+
+
+def bytes_of(file: Traversable) -> bytes:
+    """As `text_of`, the bytes."""
+    return file.read_bytes()
 
 
 def yaml_data(package: str, *names: str) -> Any:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import gzip
+import hashlib
 import os
 import stat
 import zlib
@@ -94,6 +95,15 @@ def read_text(path: Place, *, max_bytes: int = MAX_BYTES) -> str:
     except UnicodeDecodeError as error:
         name = clean(os.fspath(path))
         raise InputError(f"{name}: not UTF-8 text (byte {error.start}); save the file as UTF-8") from None
+
+
+def sha256_of(path: Place, *, max_bytes: int = 2**62) -> str:
+    """SHA-256 of a regular file, as hexadecimal digits; errors as `read_bytes`."""
+    with open_regular(path, max_bytes) as file:
+        try:
+            return hashlib.file_digest(file, "sha256").hexdigest()  # pyright: ignore[reportArgumentType]
+        except OSError as error:
+            raise InputError(f"{clean(os.fspath(path))}: cannot be read ({reason(error)}); check the disk") from None
 
 
 @contextlib.contextmanager

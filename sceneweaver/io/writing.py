@@ -13,6 +13,7 @@ import fcntl
 import os
 import secrets
 import shutil
+import socket
 import stat
 from collections.abc import Iterator
 from pathlib import Path
@@ -77,8 +78,10 @@ def write_atomic(path: Place, content: str | bytes, *, through_link: bool = Fals
         file.write(content.encode("utf-8") if isinstance(content, str) else content)
 
 
-def open_own(path: Place, mode: Literal["xb", "ab", "wb", "r+b"]) -> IO[bytes]:
+def open_writable(path: Place, mode: Literal["xb", "ab", "wb", "r+b"]) -> IO[bytes]:
     """A file of a folder of ours, open for writing: a regular one that no link leads to.
+
+    What is appended is written at once, so that it stays together where several processes append.
 
     Raises:
         OSError: it cannot be opened, or a link, pipe or device stands there.
@@ -91,7 +94,7 @@ def open_own(path: Place, mode: Literal["xb", "ab", "wb", "r+b"]) -> IO[bytes]:
             raise OSError(errno.EINVAL, "no regular file", os.fspath(path))
         if mode == "wb":  # only now that it is known to be one
             os.ftruncate(descriptor, 0)
-        return open(descriptor, "wb" if mode == "xb" else mode)
+        return open(descriptor, "wb" if mode == "xb" else mode, buffering=0 if mode == "ab" else -1)
     except BaseException:
         os.close(descriptor)
         raise
@@ -160,7 +163,7 @@ def sweep(folder: Place) -> None:
 
 @contextlib.contextmanager
 def locked(path: Place, what: str) -> Iterator[None]:
-    """Hold the lock file of ``path``, which states our process number, for as long as the block runs.
+    """Hold the lock file of ``path``, which states our process number and host, for as long as the block runs.
 
     A lock of a process that was killed is taken over. Where the file system knows no locks, nothing is held.
 
@@ -171,17 +174,41 @@ def locked(path: Place, what: str) -> Iterator[None]:
     Raises:
         InputError: when another process holds it, with the number of that process.
     """
-    folder, file = os.path.split(path)
-    name = os.path.join(folder, f"{TEMPORARY}{file}.lock")
+    name = _lock_of(path)
     descriptor = _locked_file(name, what)
     try:
         os.truncate(descriptor, 0)
-        os.write(descriptor, f"{os.getpid()}\n".encode())
+        os.write(descriptor, f"{os.getpid()} {socket.gethostname()}\n".encode())
         yield
     finally:
         with contextlib.suppress(OSError):
             os.unlink(name)
         os.close(descriptor)
+
+
+def require_unlocked(path: Place, what: str) -> None:
+    """InputError when another process holds the lock of ``path``; nothing is written. Arguments as of `locked`."""
+    with contextlib.suppress(OSError):
+        descriptor = os.open(_lock_of(path), os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
+        try:
+            fcntl.flock(descriptor, fcntl.LOCK_SH | fcntl.LOCK_NB)
+        except BlockingIOError:
+            raise InputError(f"{what} is being written by {_holder(descriptor)}; wait for it") from None
+        finally:
+            os.close(descriptor)
+
+
+def _lock_of(path: Place) -> str:
+    folder, file = os.path.split(path)
+    return os.path.join(folder, f"{TEMPORARY}{file}.lock")
+
+
+def _holder(descriptor: int) -> str:
+    """Who holds a lock, by what its file says."""
+    number, _, host = os.pread(descriptor, 320, 0).decode(errors="replace").strip().partition(" ")
+    if not number.isdigit():
+        return "another process"
+    return f"process {number}" + (f" on {clean(host)}" if host and host != socket.gethostname() else "")
 
 
 def _locked_file(name: str, what: str) -> int:
@@ -199,10 +226,9 @@ def _locked_file(name: str, what: str) -> int:
         except OSError as error:
             if error.errno not in (errno.EAGAIN, errno.EACCES):
                 return descriptor
-            holder = os.read(descriptor, 32).decode(errors="replace").strip()
+            holder = _holder(descriptor)
             os.close(descriptor)
-            by = f"process {holder}" if holder.isdigit() else "another process"
-            raise InputError(f"{what} is being written by {by}; wait for it, or choose another place") from None
+            raise InputError(f"{what} is being written by {holder}; wait for it, or choose another place") from None
         with contextlib.suppress(OSError):
             if os.path.samestat(os.fstat(descriptor), os.stat(name)):  # else its last holder has just removed it
                 return descriptor

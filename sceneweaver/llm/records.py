@@ -18,7 +18,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.io import own_folder, read_bytes, require_no_link, write_atomic
+from sceneweaver.io import load_json, own_folder, require_no_link, write_atomic
 from sceneweaver.scene import InputError
 
 from .reply import Picture
@@ -222,10 +222,7 @@ def read_records(folder: Path) -> list[dict[str, Any]]:
 
 
 def _read(place: Path) -> dict[str, Any]:
-    try:
-        data = json.loads(read_bytes(place))
-    except (ValueError, RecursionError) as error:
-        raise InputError(f"{place}: cannot be read as JSON ({line(error)})") from None
+    data = load_json(place)
     if not isinstance(data, dict):
         raise InputError(f"{place}: is no JSON object")
     return data
