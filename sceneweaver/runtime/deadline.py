@@ -36,7 +36,9 @@ HASTE = 0.3
 AGAIN = 0.5
 """Seconds after which the alarm rings once more, where nothing could be broken off or `TimeUp` was lost."""
 
-WHOLE = frozenset(("_frozen_importlib", "importlib", "threading", "concurrent", "weakref", "contextlib", "warp"))
+WHOLE = frozenset(
+    ("_frozen_importlib", "importlib", "threading", "concurrent", "weakref", "contextlib", "warp", "pydantic")
+)
 """Packages whose calls are never broken off: an exception in one breaks more than the call."""
 
 HANDLERS = ("__enter__", "__exit__", "__del__")
@@ -59,6 +61,7 @@ class Stop:
         asked: when it was asked for [s].
         reason: who asked, such as "SIGTERM"; empty until then.
         heard: whether signals ask for it, see `stoppable`.
+        ready: whether there is something to end with; where there is not, a signal ends the process at once.
     """
 
     allowance: float = 1.5
@@ -66,6 +69,7 @@ class Stop:
     asked: float = math.inf
     reason: str = ""
     heard: bool = False
+    ready: bool = True
 
     def request(self, reason: str) -> None:
         """Ask; the first reason stays."""
@@ -257,12 +261,13 @@ def _leaving() -> bool:
 
 
 @contextlib.contextmanager
-def stoppable() -> Iterator[Stop]:
-    """A stop that Ctrl-C and SIGTERM ask for while the block runs; a second signal ends the process at once.
+def stoppable(ready: bool = True) -> Iterator[Stop]:
+    """A stop that Ctrl-C and SIGTERM ask for while the block runs; a second signal ends the process at once, and so
+    does the first until the stop is ``ready``.
 
     Only the main thread hears of them.
     """
-    stop = Stop()
+    stop = Stop(ready=ready)
     if threading.current_thread() is not threading.main_thread():
         yield stop
         return
@@ -272,6 +277,8 @@ def stoppable() -> Iterator[Stop]:
     def ask(number: int, frame: FrameType | None) -> None:
         for each, handler in before.items():
             signal.signal(each, handler)
+        if not stop.ready:
+            signal.raise_signal(number)
         stop.request(signal.Signals(number).name)
 
     try:
