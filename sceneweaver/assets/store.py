@@ -17,15 +17,13 @@ from typing import Any
 
 import numpy as np
 
-from sceneweaver.io import read_bytes, reason, sweep, temporary_folder
+from sceneweaver.io import parse_json, read_arrays, read_bytes, reason, sweep, temporary_folder, write_atomic
 from sceneweaver.io.messages import suggest
 from sceneweaver.runtime.caches import cache_place, kept_in
 from sceneweaver.scene import InputError, Part, Surface, Zone
-from sceneweaver.scene.io import parse
 
 from .asset import Asset, Origin
 from .body import Grasp, Hull, Interior, Link, Material, Mesh
-from .imports.guarded import read_arrays
 
 SCHEMA = "sceneweaver.asset/1"
 
@@ -59,7 +57,7 @@ class Store:
         try:
             with self._draft() as draft:
                 _write_body(draft / "body.npz", asset)
-                (draft / "row.json").write_text(json.dumps(row_of(asset, content), indent=1) + "\n", encoding="utf-8")
+                write_atomic(draft / "row.json", json.dumps(row_of(asset, content), indent=1) + "\n")
                 final.parent.mkdir(parents=True, exist_ok=True)
                 os.rename(draft, final)
         except OSError as error:
@@ -74,7 +72,7 @@ class Store:
         found = []
         for path in self.root.glob("objects/*/*/row.json"):
             try:
-                row = parse(read_bytes(path))
+                row = parse_json(read_bytes(path))
             except InputError:
                 continue  # being removed by another process, or not ours
             if isinstance(row, dict) and row.get("schema") == SCHEMA and isinstance(row.get("id"), str):
@@ -85,7 +83,7 @@ class Store:
         """An asset by id; InputError when the store has none of that id."""
         tail = asset_id.rpartition("-")[2]
         for path in self.root.glob(f"objects/{tail[:2]}/{tail}*/row.json") if len(tail) >= 8 else ():
-            row = parse(read_bytes(path))
+            row = parse_json(read_bytes(path))
             if isinstance(row, dict) and row.get("id") == asset_id:
                 try:
                     return _read(path.parent, row)

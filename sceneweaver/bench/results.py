@@ -16,7 +16,7 @@ from typing import Annotated, Any, get_type_hints
 
 import numpy as np
 
-from sceneweaver.io import write_atomic
+from sceneweaver.io import load_json, open_parquet, write_atomic
 from sceneweaver.runtime.package import missing_extra, package_version
 from sceneweaver.scene import InputError, MissingDependencyError
 
@@ -150,7 +150,7 @@ class Folder:
         (path / PARTS).mkdir(parents=True, exist_ok=True)
         note = path / SETTINGS
         if note.exists():
-            before = json.loads(note.read_text("utf-8"))
+            before = load_json(note)
             other = [name for name, value in settings.to_dict().items() if before.get(name) != value]
             if other:
                 raise InputError(f"out: {path} holds runs with another {', '.join(other)}; give another folder")
@@ -247,15 +247,13 @@ def read_about(path: Path | str) -> dict[str, Any]:
         >>> sorted(bench.read_about(path))
         ['machine', 'settings', 'versions']
     """
-    return json.loads(pyarrow().parquet.read_schema(_results(path)[0]).metadata[KEY])
+    with open_parquet(_results(path)[0]) as file:
+        return json.loads(file.schema_arrow.metadata[KEY])
 
 
 def _read(path: Path) -> Iterable[Run]:
-    pa = pyarrow()
-    try:
-        table = pa.parquet.read_table(path)
-    except (pa.ArrowInvalid, OSError) as error:
-        raise InputError(f"{path}: no Parquet file: {str(error).splitlines()[0]}") from None
+    with open_parquet(path) as file:
+        table = file.read()
     missing = [name for name in COLUMNS if name not in table.column_names]
     if missing:
         raise InputError(f"{path}: there is no column {missing[0]}; these are no results of sceneweaver bench")

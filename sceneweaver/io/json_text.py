@@ -14,16 +14,19 @@ from .reading import MAX_BYTES, MAX_UNPACKED, Place, lines_unpacked, read_bytes,
 MAX_CONTAINERS = 10_000_000
 """Lists and objects of a text: in memory they take far more than in the file."""
 
+WANTED = "JSON, such as {...}"
+
 MAX_LINE = 64 * 2**20
 """Largest line [bytes] of a file with an object a line."""
 
 
-def parse_json(text: str | bytes, *, wanted: str = "JSON, such as {...}") -> Any:
+def parse_json(text: str | bytes, *, wanted: str = WANTED, unique: bool = True) -> Any:
     """JSON text as data.
 
     Args:
         text: the text; bytes are UTF-8.
         wanted: what to give, where there is nothing.
+        unique: whether a key twice in one object is refused; looking takes longer than reading.
 
     Raises:
         InputError: not UTF-8, not JSON (with line and column), cut off, a key twice, nested too deep, too large.
@@ -38,7 +41,7 @@ def parse_json(text: str | bytes, *, wanted: str = "JSON, such as {...}") -> Any
     if text.count("{") + text.count("[") > MAX_CONTAINERS:
         raise InputError(f"invalid JSON: over {MAX_CONTAINERS} lists and objects; split it into smaller files")
     try:
-        return json.loads(text, object_pairs_hook=_unique)
+        return json.loads(text, object_pairs_hook=_unique if unique else None)
     except json.JSONDecodeError as error:
         where = f"line {error.lineno}, column {error.colno}"
         if error.pos >= len(text.rstrip()) or error.msg.startswith("Unterminated string"):
@@ -53,18 +56,18 @@ def parse_json(text: str | bytes, *, wanted: str = "JSON, such as {...}") -> Any
         raise InputError("invalid JSON: a number has too many digits; numbers must fit a double") from None
 
 
-def load_json(path: Place, *, max_bytes: int = MAX_BYTES, wanted: str = "JSON, such as {...}") -> Any:
+def load_json(path: Place, *, max_bytes: int = MAX_BYTES, wanted: str = WANTED) -> Any:
     """The data of a JSON file.
 
     Raises:
         InputError: as `read_bytes` and `parse_json`, naming the file.
     """
-    return _named(path, read_bytes(path, max_bytes=max_bytes), wanted)
+    return _named(path, read_bytes(path, max_bytes=max_bytes), wanted, True)
 
 
 def load_packed_json(path: Place, *, max_bytes: int = MAX_UNPACKED) -> Any:
-    """The data of a JSON file, unpacked where its name ends in ``.gz``; errors as `load_json`."""
-    return _named(path, read_unpacked(path, max_bytes=max_bytes), "JSON, such as {...}")
+    """The data of a large JSON file, unpacked where its name ends in ``.gz``; as `load_json`, but keys may repeat."""
+    return _named(path, read_unpacked(path, max_bytes=max_bytes), WANTED, False)
 
 
 def load_json_lines(path: Place, *, max_bytes: int = MAX_UNPACKED) -> Iterator[Any]:
@@ -74,14 +77,14 @@ def load_json_lines(path: Place, *, max_bytes: int = MAX_UNPACKED) -> Iterator[A
             raise InputError(f"{clean(os.fspath(path))}: line {number} has over {MAX_LINE >> 20} MB")
         if row.strip():
             try:
-                yield parse_json(row)
+                yield parse_json(row, unique=False)
             except InputError as error:
                 raise InputError(f"{clean(os.fspath(path))}: line {number}: {error}") from None
 
 
-def _named(path: Place, text: bytes, wanted: str) -> Any:
+def _named(path: Place, text: bytes, wanted: str, unique: bool) -> Any:
     try:
-        return parse_json(text, wanted=wanted)
+        return parse_json(text, wanted=wanted, unique=unique)
     except InputError as error:
         raise InputError(f"{clean(os.fspath(path))}: {error}") from None
 

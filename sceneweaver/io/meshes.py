@@ -6,11 +6,13 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from sceneweaver.runtime.package import missing_module
+
 from .errors import InputError, MissingDependencyError
 from .json_text import parse_json
 from .messages import clean
 from .reading import Place, open_regular, read_bytes, reason
-from .references import lies_inside
+from .references import named_inside
 
 if TYPE_CHECKING:
     import trimesh
@@ -48,9 +50,8 @@ def read_meshes(path: Place) -> trimesh.Scene:
     except (InputError, MissingDependencyError):
         raise
     except ModuleNotFoundError as error:
-        raise MissingDependencyError(
-            f"{name}: reading it needs the package '{error.name}'; install it with: pip install {error.name}"
-        ) from error
+        what = f"{name}: reading it needs the package '{error.name}'"
+        raise MissingDependencyError(missing_module(error.name or "", what)) from error
     except Exception as error:  # libraries raise whatever they like for damaged files
         raise InputError(f"{name}: the file is damaged or cut off ({reason(error)})") from error
 
@@ -64,8 +65,8 @@ def _resolver(path: Path) -> Any:
 
         def get(self, name: str) -> bytes:
             for candidate in (name.strip(), name.strip().lstrip("/"), os.path.basename(name)):
-                place = path.parent / candidate
-                if lies_inside(path.parent, place) and place.exists():
+                place = named_inside(path.parent, path.parent / candidate)
+                if place is not None and place.exists():
                     content = read_bytes(place, max_bytes=self.left)
                     self.left -= len(content)
                     return content

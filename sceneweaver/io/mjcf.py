@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import os
+from importlib import import_module
 from pathlib import Path
+from typing import Any
 from xml.etree import ElementTree
 
 from .errors import InputError
 from .messages import clean
-from .reading import Place, open_regular
+from .reading import Place, open_regular, reason
 from .references import required_inside
 from .xml_text import load_xml
 
@@ -54,3 +57,17 @@ def load_mjcf(path: Place, folder: Path | None = None) -> ElementTree.Element:
                         if found.exists():
                             open_regular(found, MAX_ASSET).close()
     return root
+
+
+def read_spec(path: Place) -> Any:
+    """A ``mujoco.MjSpec`` of a model.
+
+    Raises:
+        InputError: as `load_mjcf`, and when MuJoCo refuses it.
+    """
+    mujoco: Any = import_module("mujoco")  # its types are not to be seen from outside
+    load_mjcf(path)
+    try:
+        return mujoco.MjSpec.from_file(os.fspath(path))
+    except (ValueError, TypeError, RuntimeError) as error:
+        raise InputError(f"{clean(Path(path).name)}: MuJoCo refuses it ({reason(error)})") from None

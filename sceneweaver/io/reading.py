@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import gzip
+import hashlib
 import os
 import stat
 import zlib
@@ -11,6 +12,7 @@ from collections.abc import Iterator
 from typing import IO
 
 from .errors import InputError
+from .folders import Place, opened_folder, require_no_link
 from .messages import clean
 
 MAX_BYTES = 64 * 2**20
@@ -19,19 +21,30 @@ MAX_BYTES = 64 * 2**20
 MAX_UNPACKED = 256 * 2**20
 """Most [bytes] that a compressed file may hold, unless told otherwise."""
 
-Place = str | os.PathLike[str]
 
-
-def open_regular(path: Place, max_bytes: int = MAX_BYTES) -> IO[bytes]:
+def open_regular(path: Place, max_bytes: int = MAX_BYTES, *, within: Place | None = None) -> IO[bytes]:
     """A regular file of at most ``max_bytes``, open for reading. Never waits, as opening a pipe would.
 
+    Args:
+        path: The file.
+        max_bytes: A larger one is refused.
+        within: A folder above it, from which on no link is followed; None: links are.
+
     Raises:
-        InputError: when it is missing, no regular file (a folder, pipe, socket or device), too large, or unreadable.
+        InputError: when it is missing, no regular file (a folder, pipe, socket or device), too large, or unreadable;
+            where a link is, and none may be.
     """
     name = clean(os.fspath(path))
+    folder, file = os.path.split(os.fspath(path))
     try:
-        _require_readable(os.stat(path), name, max_bytes)
-        descriptor = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
+        with contextlib.ExitStack() as stack:
+            if within is None:
+                place, at, flags = os.fspath(path), None, 0
+            else:
+                place, at, flags = file, stack.enter_context(opened_folder(folder, within=within)), os.O_NOFOLLOW
+                require_no_link(place, at, name)
+            _require_readable(os.stat(place, dir_fd=at), name, max_bytes)
+            descriptor = os.open(place, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC | flags, dir_fd=at)
         try:
             _require_readable(os.fstat(descriptor), name, max_bytes)  # another file may have taken its place
             return open(descriptor, "rb")
@@ -55,13 +68,13 @@ def _require_readable(status: os.stat_result, name: str, max_bytes: int) -> None
         raise InputError(f"{name}: the file has {_megabytes(status.st_size)}; at most {_megabytes(max_bytes)} are read")
 
 
-def read_bytes(path: Place, *, max_bytes: int = MAX_BYTES) -> bytes:
+def read_bytes(path: Place, *, max_bytes: int = MAX_BYTES, within: Place | None = None) -> bytes:
     """The content of a regular file of at most ``max_bytes``; a larger one is refused before it is read.
 
     Raises:
-        InputError: as `open_regular`.
+        InputError: as `open_regular`, which says what ``within`` means.
     """
-    with open_regular(path, max_bytes) as file:
+    with open_regular(path, max_bytes, within=within) as file:
         try:
             content = file.read(max_bytes + 1)
         except OSError as error:
@@ -82,6 +95,15 @@ def read_text(path: Place, *, max_bytes: int = MAX_BYTES) -> str:
     except UnicodeDecodeError as error:
         name = clean(os.fspath(path))
         raise InputError(f"{name}: not UTF-8 text (byte {error.start}); save the file as UTF-8") from None
+
+
+def sha256_of(path: Place, *, max_bytes: int = 2**62) -> str:
+    """SHA-256 of a regular file, as hexadecimal digits; errors as `read_bytes`."""
+    with open_regular(path, max_bytes) as file:
+        try:
+            return hashlib.file_digest(file, "sha256").hexdigest()  # pyright: ignore[reportArgumentType]
+        except OSError as error:
+            raise InputError(f"{clean(os.fspath(path))}: cannot be read ({reason(error)}); check the disk") from None
 
 
 @contextlib.contextmanager

@@ -10,6 +10,8 @@ from collections.abc import Iterator, Sequence
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from sceneweaver.runtime.package import missing_extra
+
 from .errors import InputError, MissingDependencyError
 from .messages import clean
 from .reading import MAX_UNPACKED, Place, open_regular, read_bytes, reason
@@ -88,4 +90,4 @@ def _pyarrow() -> Any:
         import_module("pyarrow.parquet")
         return import_module("pyarrow")
     except ModuleNotFoundError:
-        raise MissingDependencyError("Parquet files need pyarrow; install the extra 'datasets'") from None
+        raise MissingDependencyError(missing_extra("datasets", "Parquet files need pyarrow")) from None

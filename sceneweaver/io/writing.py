@@ -13,45 +13,53 @@ import fcntl
 import os
 import secrets
 import shutil
+import socket
 import stat
 from collections.abc import Iterator
 from pathlib import Path
 from typing import IO, Literal
 
 from .errors import InputError
+from .folders import Place, opened_folder, require_no_link
 from .messages import clean
-from .reading import Place, reason
+from .reading import reason
 
 TEMPORARY, SUFFIX = ".sceneweaver-", ".tmp"
 """How the names of temporary folders begin and end."""
 
 
 @contextlib.contextmanager
-def whole(path: Place, *, through_link: bool = False) -> Iterator[Path]:
+def whole(path: Place, *, through_link: bool = False, within: Place | None = None) -> Iterator[Path]:
     """A temporary path, of the same file name, that takes the place of ``path`` when the block ends without an error.
 
-    Others see the old file or the whole new one. After an error, or a kill and a `sweep`, nothing stays behind.
+    Others see the old file or the whole new one. After an error, or a kill and a `sweep`, nothing stays behind. The
+    folder is opened once: the file lands in it, whatever takes its name meanwhile.
 
     Args:
         path: Where the file goes; its folder must be there.
         through_link: What happens where a link stands at ``path``. By default the file takes its place, so that nothing
             outside the folder changes; where a user named the link itself, the file goes to where it leads.
+        within: A folder above ``path``; no folder from there on may be a link.
 
     Raises:
-        InputError: when the folder is missing or cannot be written, or ``path`` is a folder.
+        InputError: when the folder is missing or cannot be written, ``path`` is a folder, or a link stands on the way.
     """
     name = clean(os.fspath(path))
     try:
-        folder_of, file = os.path.split(os.path.abspath(path))
-        target = os.path.realpath(path) if through_link else os.path.join(os.path.realpath(folder_of), file)
-        if os.path.isdir(target):
-            raise InputError(f"{name}: this is a folder; give a file name in it, such as scene.json")
-        with temporary_folder(os.path.dirname(target)) as folder:
-            temporary = folder / os.path.basename(target)
-            yield temporary
-            with open(temporary, "rb") as file:
-                os.fsync(file.fileno())
-            os.replace(temporary, target)
+        target = os.path.realpath(path) if through_link else os.path.abspath(path)
+        folder, file = os.path.split(target)
+        with opened_folder(folder, within=within) as place:
+            with contextlib.suppress(FileNotFoundError):
+                if stat.S_ISDIR(os.stat(file, dir_fd=place, follow_symlinks=False).st_mode):
+                    raise InputError(f"{name}: this is a folder; give a file name in it, such as scene.json")
+            with _temporary(folder, place) as (draft, drafts):
+                yield draft / file
+                descriptor = os.open(file, os.O_RDONLY | os.O_NOFOLLOW | os.O_CLOEXEC, dir_fd=drafts)
+                try:
+                    os.fsync(descriptor)
+                finally:
+                    os.close(descriptor)
+                os.replace(file, file, src_dir_fd=drafts, dst_dir_fd=place)
     except FileNotFoundError:
         raise InputError(f"{name}: its folder does not exist; make it first") from None
     except (OSError, ValueError) as error:
@@ -60,18 +68,20 @@ def whole(path: Place, *, through_link: bool = False) -> Iterator[Path]:
         raise InputError(f"{name}: cannot be written ({reason(error)}); choose another place") from None
 
 
-def write_atomic(path: Place, content: str | bytes, *, through_link: bool = False) -> None:
+def write_atomic(path: Place, content: str | bytes, *, through_link: bool = False, within: Place | None = None) -> None:
     """Write a file so that others see the old one or the whole new one: temporary name, fsync, rename.
 
     Raises:
-        InputError: as `whole`, which says what ``through_link`` means.
+        InputError: as `whole`, which says what ``through_link`` and ``within`` mean.
     """
-    with whole(path, through_link=through_link) as temporary, open(temporary, "wb") as file:
+    with whole(path, through_link=through_link, within=within) as temporary, open(temporary, "wb") as file:
         file.write(content.encode("utf-8") if isinstance(content, str) else content)
 
 
-def open_own(path: Place, mode: Literal["xb", "ab", "wb", "r+b"]) -> IO[bytes]:
+def open_writable(path: Place, mode: Literal["xb", "ab", "wb", "r+b"]) -> IO[bytes]:
     """A file of a folder of ours, open for writing: a regular one that no link leads to.
+
+    What is appended is written at once, so that it stays together where several processes append.
 
     Raises:
         OSError: it cannot be opened, or a link, pipe or device stands there.
@@ -84,7 +94,7 @@ def open_own(path: Place, mode: Literal["xb", "ab", "wb", "r+b"]) -> IO[bytes]:
             raise OSError(errno.EINVAL, "no regular file", os.fspath(path))
         if mode == "wb":  # only now that it is known to be one
             os.ftruncate(descriptor, 0)
-        return open(descriptor, "wb" if mode == "xb" else mode)
+        return open(descriptor, "wb" if mode == "xb" else mode, buffering=0 if mode == "ab" else -1)
     except BaseException:
         os.close(descriptor)
         raise
@@ -104,12 +114,6 @@ def own_folder(path: Path) -> Path:
     return path
 
 
-def require_no_link(path: Path) -> None:
-    """InputError when a link stands at ``path``: what is written below it would land elsewhere."""
-    if path.is_symlink():
-        raise InputError(f"{clean(str(path))}: this is a link to another place; remove it, or choose another folder")
-
-
 @contextlib.contextmanager
 def temporary_folder(parent: Place) -> Iterator[Path]:
     """A folder in ``parent`` that is gone when the block ends; see `sweep` for one whose process was killed.
@@ -117,23 +121,31 @@ def temporary_folder(parent: Place) -> Iterator[Path]:
     Raises:
         OSError: when it cannot be made.
     """
+    with opened_folder(parent) as descriptor, _temporary(parent, descriptor) as (folder, _):
+        yield folder
+
+
+@contextlib.contextmanager
+def _temporary(parent: Place, descriptor: int) -> Iterator[tuple[Path, int]]:
+    """A temporary folder in an opened one: its path, and its own descriptor, which holds its lock."""
     while True:
-        folder = Path(parent, f"{TEMPORARY}{secrets.token_hex(8)}{SUFFIX}")
-        folder.mkdir()
+        name = f"{TEMPORARY}{secrets.token_hex(8)}{SUFFIX}"
+        os.mkdir(name, dir_fd=descriptor)
         try:
-            lock = os.open(folder, os.O_RDONLY | os.O_CLOEXEC)
+            lock = os.open(name, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW | os.O_CLOEXEC, dir_fd=descriptor)
         except OSError:
-            folder.rmdir()
+            os.rmdir(name, dir_fd=descriptor)
             raise
         with contextlib.suppress(OSError):  # a file system without locks: then nobody sweeps there, either
             fcntl.flock(lock, fcntl.LOCK_EX)
-        if folder.exists():  # else it was swept before it was locked
+        with contextlib.suppress(FileNotFoundError):  # else it was swept before it was locked
+            os.stat(name, dir_fd=descriptor)
             break
         os.close(lock)
     try:
-        yield folder
+        yield Path(parent, name), lock
     finally:
-        shutil.rmtree(folder, ignore_errors=True)
+        shutil.rmtree(name, ignore_errors=True, dir_fd=descriptor)
         os.close(lock)
 
 
@@ -151,7 +163,7 @@ def sweep(folder: Place) -> None:
 
 @contextlib.contextmanager
 def locked(path: Place, what: str) -> Iterator[None]:
-    """Hold the lock file of ``path``, which states our process number, for as long as the block runs.
+    """Hold the lock file of ``path``, which states our process number and host, for as long as the block runs.
 
     A lock of a process that was killed is taken over. Where the file system knows no locks, nothing is held.
 
@@ -162,17 +174,41 @@ def locked(path: Place, what: str) -> Iterator[None]:
     Raises:
         InputError: when another process holds it, with the number of that process.
     """
-    folder, file = os.path.split(path)
-    name = os.path.join(folder, f"{TEMPORARY}{file}.lock")
+    name = _lock_of(path)
     descriptor = _locked_file(name, what)
     try:
         os.truncate(descriptor, 0)
-        os.write(descriptor, f"{os.getpid()}\n".encode())
+        os.write(descriptor, f"{os.getpid()} {socket.gethostname()}\n".encode())
         yield
     finally:
         with contextlib.suppress(OSError):
             os.unlink(name)
         os.close(descriptor)
+
+
+def require_unlocked(path: Place, what: str) -> None:
+    """InputError when another process holds the lock of ``path``; nothing is written. Arguments as of `locked`."""
+    with contextlib.suppress(OSError):
+        descriptor = os.open(_lock_of(path), os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
+        try:
+            fcntl.flock(descriptor, fcntl.LOCK_SH | fcntl.LOCK_NB)
+        except BlockingIOError:
+            raise InputError(f"{what} is being written by {_holder(descriptor)}; wait for it") from None
+        finally:
+            os.close(descriptor)
+
+
+def _lock_of(path: Place) -> str:
+    folder, file = os.path.split(path)
+    return os.path.join(folder, f"{TEMPORARY}{file}.lock")
+
+
+def _holder(descriptor: int) -> str:
+    """Who holds a lock, by what its file says."""
+    number, _, host = os.pread(descriptor, 320, 0).decode(errors="replace").strip().partition(" ")
+    if not number.isdigit():
+        return "another process"
+    return f"process {number}" + (f" on {clean(host)}" if host and host != socket.gethostname() else "")
 
 
 def _locked_file(name: str, what: str) -> int:
@@ -181,15 +217,18 @@ def _locked_file(name: str, what: str) -> int:
             descriptor = os.open(name, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC, 0o666)
         except OSError as error:
             raise InputError(f"{what} cannot be written ({reason(error)}); choose another place") from None
+        status = os.fstat(descriptor)
+        if not stat.S_ISREG(status.st_mode) or status.st_nlink > 1:  # to write to it would change something else
+            os.close(descriptor)
+            raise InputError(f"{what} cannot be written ({clean(name)} is no lock file of ours); remove that")
         try:
             fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError as error:
             if error.errno not in (errno.EAGAIN, errno.EACCES):
                 return descriptor
-            holder = os.read(descriptor, 32).decode(errors="replace").strip()
+            holder = _holder(descriptor)
             os.close(descriptor)
-            by = f"process {holder}" if holder.isdigit() else "another process"
-            raise InputError(f"{what} is being written by {by}; wait for it, or choose another place") from None
+            raise InputError(f"{what} is being written by {holder}; wait for it, or choose another place") from None
         with contextlib.suppress(OSError):
             if os.path.samestat(os.fstat(descriptor), os.stat(name)):  # else its last holder has just removed it
                 return descriptor

@@ -83,5 +83,12 @@ def parse_yaml(text: str | bytes, name: str) -> Any:
         raise InputError(f"{name}: cannot be read as YAML ({where}{clean(' '.join(said.split()))[:120]})") from None
 
 
+def dump_yaml(data: Any, **style: Any) -> str:
+    """Plain data as YAML, keys in their order; ``style`` as ``yaml.safe_dump`` takes it."""
+    import yaml
+
+    return yaml.safe_dump(data, **{"sort_keys": False, "allow_unicode": True, **style})
+
+
 def _line(event: Any) -> str:
     return f"line {event.start_mark.line + 1}"

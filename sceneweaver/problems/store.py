@@ -129,7 +129,7 @@ def record(results: Mapping[str, Json], folder: Path = DATA) -> None:
     rows = {name: results[name] for name in manifest() if name in results}
     lines = ",\n".join(f" {json.dumps(name)}: {json.dumps(row, separators=(',', ':'))}" for name, row in rows.items())
     text = f'{{"schema": {json.dumps(SCHEMA)}, "problems": {{\n{lines}\n}}}}'
-    (folder / "measured.json").write_text(text + "\n", "utf-8")
+    write_atomic(folder / "measured.json", text + "\n")
     _forget()
 
 

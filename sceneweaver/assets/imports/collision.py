@@ -15,11 +15,10 @@ from pathlib import Path
 
 import numpy as np
 
-from sceneweaver.io import InputError, write_atomic
+from sceneweaver.io import InputError, read_arrays, write_atomic
 
 from ..body import Hull
 from ..shapes import containing_hull, hull
-from .guarded import read_arrays
 from .limited import LimitedError, run_limited
 from .pieces import pieces_of
 

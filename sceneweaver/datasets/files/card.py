@@ -5,7 +5,6 @@ from __future__ import annotations
 import fnmatch
 import json
 import os
-import tarfile
 from collections import Counter
 from collections.abc import Mapping
 from itertools import islice
@@ -19,8 +18,10 @@ from sceneweaver.runtime.package import missing_extra
 from sceneweaver.scene import InputError, MissingDependencyError
 
 from ..folder import Folder
+from ..seals import kind_fault, open_own
 from ..spec import Spec
 from ..tables import read_schema, read_table
+from ..tars import members
 from ..templates import render
 
 TEXTS = {
@@ -202,8 +203,8 @@ def _info(folder: Folder, splits: list[str], numbers: dict[str, Any]) -> dict[st
 def suffixes(folder: Folder) -> set[str]:
     """The suffixes of the files of the first scenes."""
     for path in sorted(folder.data.glob("*.tar"))[:1]:
-        with tarfile.open(path, "r:") as tar:
-            return {member.name.partition(".")[2] for member in islice(tar, SEEN)}
+        with open_own(path) as file:
+            return {member.name.partition(".")[2] for member in islice(members(file, str(path)), SEEN)}
     return set()
 
 
@@ -232,7 +233,9 @@ def push_card(
     """
     if not Folder(path).checksums.exists():
         raise InputError(f"{path}: not packed yet; finish it with: sceneweaver dataset resume {path}")
-    files = sorted({file.relative_to(path).as_posix() for name in NAMES for file in path.glob(name) if file.is_file()})
+    files = sorted(
+        {file.relative_to(path).as_posix() for name in NAMES for file in path.glob(name) if not kind_fault(file)}
+    )
     if dry_run:
         return files
     token = os.environ.get(token_env)
