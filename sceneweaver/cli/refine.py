@@ -141,5 +141,5 @@ def _run(scene: Scene, out: Path, *, picture: bool, **options: Any) -> Result:
 def _explain(result: Result) -> None:
     if result.solution.timed_out:
         typer.echo("  stopped by the time limit")
-    if not result.report.valid and result.solution.explanation:
+    if result.solution.explanation:
         typer.echo(f"  {result.solution.explanation}")
