@@ -15,6 +15,8 @@ from pathlib import Path
 import numpy as np
 import warp as wp
 
+from sceneweaver.runtime import compiling
+
 from . import features
 from .tables import FEATURE_USER
 
@@ -79,7 +81,9 @@ def prober(residual: wp.Function) -> Callable[..., tuple[np.ndarray, np.ndarray,
         by_b_out[i] = by_b
 
     def measure(a: np.ndarray, b: np.ndarray, size_a: np.ndarray, size_b: np.ndarray, p: np.ndarray):
+        compiling.start_warp()
         device, count = wp.get_preferred_device(), len(a)
+        compiling.load(str(device), [probe.module])
         types = (wp.vec4, wp.vec4, wp.vec3, wp.vec3, wp.vec4)
         inputs = [
             wp.array(np.ascontiguousarray(x, dtype=np.float32), dtype=t, device=device)

@@ -170,6 +170,13 @@ def left_out(name: str) -> str:
     return f"{name} was left out: {REASON}"
 
 
+def still_true(notes: Sequence[str], scene: Scene) -> tuple[str, ...]:
+    """Notes without those that say of an object or a category of the scene that it was left out: a later step has
+    brought it after all."""
+    there = {*scene.ids, *(one.category for one in scene.objects)}
+    return tuple(note for note in notes if note.partition(" was left out")[0] not in there)
+
+
 def _without(scene: Scene, gone: Sequence[SceneObject]) -> Relaxed:
     """The scene without some objects, what stands on them and what is there for them alone.
 

@@ -1,4 +1,4 @@
-"""Rooms as environments for robots: Gymnasium over MuJoCo. ``pip install 'sceneweaver[envs]'``.
+"""Rooms as environments for robots: Gymnasium over MuJoCo. It needs the extra ``envs``.
 
 `make` gives one; ``gymnasium.make("sceneweaver/Room-v0", scenes=...)`` does the same once this module is imported.
 """
@@ -10,6 +10,8 @@ from .geometry import SceneGeometry as SceneGeometry
 from .layouts import layouts_of as layouts_of
 from .layouts import poses_of as poses_of
 from .navigation import FloorMap as FloorMap
+from .reach import ReachReport as ReachReport
+from .reach import reach_of as reach_of
 from .robots import Robot as Robot
 from .robots import fixed_arm as fixed_arm
 from .robots import mobile_manipulator as mobile_manipulator
@@ -32,6 +34,7 @@ __all__ = [
     "Open",
     "PutIn",
     "PutOn",
+    "ReachReport",
     "Robot",
     "RoomEnv",
     "RoomState",
@@ -45,6 +48,7 @@ __all__ = [
     "make",
     "mobile_manipulator",
     "poses_of",
+    "reach_of",
     "tasks_of",
 ]
 

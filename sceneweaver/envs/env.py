@@ -11,12 +11,13 @@ from typing import Any
 import numpy as np
 
 from sceneweaver.assets.placed import Load, loader
+from sceneweaver.runtime.package import missing_extra
 from sceneweaver.scene import InputError, MissingDependencyError, Scene
 
 from .control import Control, Controller, control_named
 from .geometry import SceneGeometry
 from .layouts import layouts_of
-from .navigation import FloorMap
+from .navigation import FloorMap, entrance
 from .pictures import Pictures
 from .robots import Robot, robot_named
 from .sampling import task_named, tasks_of
@@ -26,7 +27,7 @@ from .world import RoomState, World
 try:
     import gymnasium
 except ImportError:
-    raise MissingDependencyError("gymnasium is not installed; pip install 'sceneweaver[envs]'") from None
+    raise MissingDependencyError(missing_extra("envs", "gymnasium is not installed")) from None
 
 Array = np.ndarray
 
@@ -233,10 +234,8 @@ class RoomEnv(gymnasium.Env):
         if not floor.free.any():
             raise InputError(f"scene '{self.world.scene.id}' has no free floor for robot '{self.robot.name}'")
         if self.robot.base:
-            door = next(iter(self.world.scene.room.doors), None)
-            wall = self.world.scene.room.walls[door.wall] if door is not None else None
-            near = wall.point(door.offset + door.width / 2, 0.6) if wall and door else floor.points.mean(axis=(0, 1))
-            reached = floor.reached(np.asarray(near))
+            near = entrance(self.world.scene, floor)
+            reached = floor.reached(near)
             gap = np.linalg.norm(floor.points - near, axis=-1)
             places = floor.points[reached & (gap < gap[reached].min() + _NEAR)]
         else:

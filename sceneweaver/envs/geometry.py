@@ -73,13 +73,15 @@ class Interior:
 
 @dataclass(frozen=True)
 class SupportSurface:
-    """A surface that things stand on, in the frame of ``body``: ``low`` and ``high`` [2] of its plan, ``z`` [m]."""
+    """A surface that things stand on, in the frame of ``body``: its plan ``outline`` [K, 2], the corners ``low`` and
+    ``high`` [2] of its box, ``z`` [m]."""
 
     name: str
     body: str
     low: Array
     high: Array
     z: float
+    outline: Array
 
 
 @dataclass(frozen=True)
@@ -177,7 +179,8 @@ class SceneGeometry:
         names = {body.number: body.name for body in thing.bodies}
         for top in thing.object.surfaces:
             plan = np.asarray(top.polygon)
-            self.surfaces.append(SupportSurface(top.name, thing.object.id, plan.min(axis=0), plan.max(axis=0), top.z))
+            low, high = plan.min(axis=0), plan.max(axis=0)
+            self.surfaces.append(SupportSurface(top.name, thing.object.id, low, high, top.z, plan))
         if thing.asset is None:
             return
         scale = np.asarray(thing.scale)

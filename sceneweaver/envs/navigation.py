@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from sceneweaver.scene import Scene
+
+from .geometry import SceneGeometry
 from .predicates import to_world
+from .robots import Robot
 from .world import World
 
 Array = np.ndarray
+Poses = Mapping[str, Array]
 
 CELL = 0.05
 """Side of a cell [m]."""
@@ -19,7 +26,41 @@ _ARM = 1.0  # [m]; above, only the folded arm is in the way, which is wider than
 _ARM_RADIUS = 0.33  # [m] of the folded arm about the axis of the base
 _TOP = 1.7  # [m]; above, there is nothing of the robot
 _CLEAR = 0.02  # [m] kept to everything
+_INSIDE = 0.6  # [m] from a door's wall to where a robot comes in
 _COMFORT = 0.25  # [m]; nearer to obstacles than this, a metre costs up to four
+
+
+@dataclass(frozen=True)
+class Plans:
+    """All collision parts of a room's things from above: convex ``hulls`` [K] of shapely, each with the heights ``low``
+    and ``high`` [K] between which it is; the leaves of the room's doors are left out."""
+
+    hulls: Array
+    low: Array
+    high: Array
+
+    @classmethod
+    def of(cls, geometry: SceneGeometry, poses: Poses) -> Plans:
+        """Those of a scene whose bodies stand at some poses [7]."""
+        import shapely
+
+        solids = [
+            to_world(poses[body.name], np.asarray(solid.points))
+            for thing in geometry.things
+            for body in thing.bodies
+            for solid in body.solids
+        ]
+        if not solids:
+            return cls(np.empty(0, dtype=object), np.empty(0), np.empty(0))
+        owner = np.repeat(np.arange(len(solids)), [len(points) for points in solids])
+        points: Any = shapely.points(np.concatenate(solids)[:, :2])
+        clouds: Any = shapely.multipoints(points, indices=owner)
+        heights = [np.array([end(s[:, 2]) for s in solids]) for end in (np.min, np.max)]
+        return cls(np.asarray(shapely.convex_hull(clouds)), *heights)
+
+    def between(self, low: float, high: float) -> Array:
+        """The hulls of what is between two heights [m]."""
+        return self.hulls[(self.low < high) & (self.high > low)]
 
 
 class FloorMap:
@@ -28,6 +69,10 @@ class FloorMap:
     Args:
         world: The room with the robot.
         data: Its simulation: things are where they are in it.
+
+    Attributes:
+        points: Middles [X, Y, 2] of the cells.
+        free: Which cells [X, Y] the middle of the base may be in.
 
     Examples:
         >>> import sceneweaver as sw
@@ -40,23 +85,35 @@ class FloorMap:
     """
 
     def __init__(self, world: World, data: Any) -> None:
-        """Lay the grid over the room."""
+        """Lay the grid over the room as it is in a simulation."""
+        geometry = world.geometry
+        poses = {body.name: world.pose(data, body.name) for thing in geometry.things for body in thing.bodies}
+        self._lay(world.scene, world.robot, Plans.of(geometry, poses))
+
+    @classmethod
+    def of(cls, scene: Scene, robot: Robot, plans: Plans) -> FloorMap:
+        """The map of a room whose things are somewhere, without a simulation."""
+        made = cls.__new__(cls)
+        made._lay(scene, robot, plans)
+        return made
+
+    def _lay(self, scene: Scene, robot: Robot, plans: Plans) -> None:
         import shapely
         from scipy.ndimage import distance_transform_edt
 
-        outline = np.asarray(world.scene.room.outline, dtype=float)
+        outline = np.asarray(scene.room.outline, dtype=float)
         self.low = outline.min(axis=0)
         count = np.ceil((outline.max(axis=0) - self.low) / CELL).astype(int)
         x, y = (self.low[k] + (np.arange(count[k]) + 0.5) * CELL for k in (0, 1))
         self.points = np.stack(np.meshgrid(x, y, indexing="ij"), axis=-1)
         flat = shapely.points(self.points)
-        radius = world.robot.radius + _CLEAR
+        radius = robot.radius + _CLEAR
         room = shapely.Polygon(outline)
-        low, high = _plans(world, data, _OVER, _ARM), _plans(world, data, _ARM, _TOP)
         self.free = shapely.contains(room.buffer(-max(radius, _ARM_RADIUS)), flat)
-        for plans, wide in ((low, radius), (high, _ARM_RADIUS)):
-            if plans:
-                blocked = shapely.unary_union(plans).buffer(wide)
+        for (low, high), wide in (((_OVER, _ARM), radius), ((_ARM, _TOP), _ARM_RADIUS)):
+            found: Any = plans.between(low, high)
+            if len(found):
+                blocked = shapely.unary_union(found).buffer(wide)
                 shapely.prepare(blocked)
                 self.free &= ~shapely.contains(blocked, flat)
         self._room = np.asarray(distance_transform_edt(np.pad(self.free, 1)))[1:-1, 1:-1] * CELL
@@ -122,21 +179,9 @@ def _shifted(grid: Array, dx: int, dy: int) -> tuple[Array, Array]:
     return here, grid[dx:, max(dy, 0) : high + min(dy, 0)]
 
 
-def _plans(world: World, data: Any, low: float, high: float) -> list[Any]:
-    """Plans of all collision parts between two heights, with the leaves of the room's doors left out."""
-    import shapely
-
-    found: list[Array] = []
-    for thing in world.geometry.things:
-        for body in thing.bodies:
-            pose = world.pose(data, body.name)
-            for solid in body.solids:
-                points = to_world(pose, np.asarray(solid.points))
-                if points[:, 2].min() < high and points[:, 2].max() > low:
-                    found.append(points[:, :2])
-    if not found:
-        return []
-    owner = np.repeat(np.arange(len(found)), [len(points) for points in found])
-    points: Any = shapely.points(np.concatenate(found))
-    clouds: Any = shapely.multipoints(points, indices=owner)
-    return list(shapely.convex_hull(clouds))
+def entrance(scene: Scene, floor: FloorMap) -> Array:
+    """The point [2] where a robot comes into a room: inside its first door, in a room without one its middle."""
+    door = next(iter(scene.room.doors), None)
+    if door is None:
+        return floor.points.mean(axis=(0, 1))
+    return np.asarray(scene.room.walls[door.wall].point(door.offset + door.width / 2, _INSIDE))

@@ -156,12 +156,18 @@ class ItemTask(_Worded):
 @dataclass(frozen=True)
 class Place:
     """Where things are put, in the frame of ``body``: a box from ``low`` to ``high`` [3] (of a surface both have its
-    height), or the ellipse in its plan where it is ``oval``."""
+    height), or the ellipse in its plan where it is ``oval``; at ``spot`` [2] of its plan, None: in its middle."""
 
     body: str
     low: Array
     high: Array
     oval: bool = False
+    spot: tuple[float, float] | None = None
+
+    @property
+    def target(self) -> Array:
+        """Where a thing is to stand [3], at the bottom."""
+        return np.array([*((self.low[:2] + self.high[:2]) / 2 if self.spot is None else self.spot), self.low[2]])
 
 
 class PutTask(ItemTask):
@@ -176,9 +182,9 @@ class PutTask(ItemTask):
         return _carried(geometry, state, self.item, self.goal(geometry, state))
 
     def goal(self, geometry: SceneGeometry, state: RoomState) -> Array:
-        """Where its middle is when it stands in the middle of its place."""
+        """Where its middle is when it stands in its place, at the spot or in the middle."""
         place = self.place(geometry)
-        point = np.append((place.low[:2] + place.high[:2]) / 2, place.low[2] + geometry.items[self.item].size[2] / 2)
+        point = place.target + [0.0, 0.0, geometry.items[self.item].size[2] / 2]
         return to_world(state.bodies[place.body], point)
 
 
@@ -212,6 +218,9 @@ class PutIn(PutTask):
 class PutOn(PutTask):
     """Put a thing onto a support surface, given by its object and its name, and let go.
 
+    It may stand anywhere on the surface; ``spot`` [2], in the plan of the surface's body [m], is where there is room
+    for it, and so the goal. None: its middle.
+
     Examples:
         >>> from sceneweaver import envs
         >>> envs.PutOn("mug-0", "dining_table-0", "top").surface
@@ -221,11 +230,12 @@ class PutOn(PutTask):
     words: ClassVar[str] = "put {item} on {support}"
     support: str
     surface: str
+    spot: tuple[float, float] | None = None
 
     def place(self, geometry: SceneGeometry) -> Place:
         """The surface."""
         top = geometry.surface(self.support, self.surface)
-        return Place(self.support, np.append(top.low, top.z), np.append(top.high, top.z))
+        return Place(self.support, np.append(top.low, top.z), np.append(top.high, top.z), spot=self.spot)
 
     def success(self, geometry: SceneGeometry, state: RoomState, start: RoomState) -> bool:
         """Whether it rests on the surface and the hand is away."""

@@ -20,11 +20,11 @@ import numpy as np
 from sceneweaver.assets import Material, Mesh
 from sceneweaver.assets.placed import Load
 from sceneweaver.geometry.rotations import Quaternion, from_yaw, matrix
-from sceneweaver.physics.hulls import Solid
 from sceneweaver.physics.inertia import Inertia, triangles
 from sceneweaver.physics.leaves import Leaf, leaves
 from sceneweaver.physics.model import COVERING
 from sceneweaver.physics.shell import FLOOR_FRICTION, floor_slab, wall_slabs
+from sceneweaver.physics.solids import Solid
 from sceneweaver.physics.things import Joint, RigidBody, Thing, things_of
 from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.scene import Room, Scene

@@ -1,16 +1,18 @@
 """Scenes as glTF 2.0 binary: one node for each object, named by its id.
 
-glTF is y up; one root node turns the scene, so that everything below it is in metres and z up, as in scene.json.
+glTF is y up, and so is the frame of every node: what is (x, y, z) in scene.json is (x, z, -y) here. Importers of tools
+that are z up, as Blender, turn each node's frame, which then is that of scene.json: z up, an object's front +x.
 An object's node carries its pose, its mesh is in the object's own frame with a primitive for each material: whoever
 loads the file finds each body whole under its name. Doors, drawers, lids, knobs and what can be taken are nodes below
-their object's, `<object>.<link>`, with their origin on the hinge; ``extras.joint`` says how they move. So are the
-leaves of the room's doors, ``room:door:<id>``. Materials of one texture share its images and tint them.
+their object's, `<object>.<link>`, with their origin on the hinge; ``extras.joint`` says how they move: ``axis`` in the
+node's own frame as it is in the file, ``axis_z_up`` the same in that of scene.json. So are the leaves of the room's
+doors, ``room:door:<id>``. Materials of one texture share its images and tint them.
 """
 
 from __future__ import annotations
 
-import math
 import os
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -21,17 +23,18 @@ from sceneweaver.assets import Link, Mesh
 from sceneweaver.assets.placed import Load
 from sceneweaver.assets.textures import uv_of
 from sceneweaver.geometry.rotations import from_yaw
+from sceneweaver.io import write_atomic
 from sceneweaver.physics.leaves import Leaf, leaves
 from sceneweaver.physics.things import Joint, moving_links
-from sceneweaver.scene import Room, Scene, write_atomic
+from sceneweaver.scene import Room, Scene
 
 from .bodies import Body, Missing, bodies_of, with_mesh
 from .glb_file import GlbFile
+from .glb_mesh import y_up
 from .openings import window_mesh
 from .room import floor_mesh, leaf_mesh, wall_mesh
 from .shared import SharedFiles
 
-_Y_UP = [-math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5)]
 _SAME = (1.0, 1.0, 1.0)
 
 
@@ -78,7 +81,7 @@ def glb_bytes(
     ]
     children += [_add_leaf(file, leaf, ids) for leaf in leaves(scene.room)]
     children += [_add_object(file, body, ids) for body in found]
-    top = file.node(_free_name("scene", ids), {"rotation": _Y_UP, "children": children})
+    top = file.node(_free_name("scene", ids), {"children": children})
     extras = {"prompt": scene.prompt, "room": scene.room.model_dump(mode="json")}
     return file.bytes(top, {"name": scene.id, "extras": extras})
 
@@ -92,7 +95,7 @@ def model_bytes(mesh: Mesh, name: str) -> bytes:
         name: Of the node and the mesh.
     """
     file = GlbFile()
-    turned = replace(mesh, vertices=mesh.vertices[:, [1, 2, 0]], uv=uv_of(mesh))
+    turned = replace(mesh, vertices=mesh.vertices[:, [1, 0, 2]] * (1.0, -1.0, 1.0), uv=uv_of(mesh))
     return file.bytes(file.node(name, {"mesh": file.mesh(name, lambda: turned)}), {"name": name})
 
 
@@ -128,11 +131,12 @@ def _add_object(file: GlbFile, body: Body, taken: set[str]) -> int:
         extras["support"] = {"object": thing.support.object, "surface": thing.support.surface}
     if body.note:
         extras["note"] = body.note
-    node: dict[str, Any] = {"translation": list(thing.pose.position), "rotation": list(thing.pose.quaternion)}
+    node: dict[str, Any] = {"translation": _vector(thing.pose.position), "rotation": _rotation(thing.pose.quaternion)}
     moving = moving_links(body.asset) if body.asset is not None else frozenset()
     if not moving:
         if body.scale != _SAME:
-            node["scale"] = list(body.scale)
+            x, y, z = body.scale
+            node["scale"] = [x, z, y]
         mesh = file.mesh(body.key, lambda: body.mesh, asset=body.asset)
         return file.node(thing.id, {"mesh": mesh, **node, "extras": extras})
     assert body.asset is not None
@@ -143,7 +147,7 @@ def _add_object(file: GlbFile, body: Body, taken: set[str]) -> int:
     for number in sorted(moving):
         link = body.asset.links[number - 1]
         anchor = np.asarray(link.anchor if link.joint == "hinge" else (0.0, 0.0, 0.0)) * body.scale
-        below = {"translation": anchor.tolist(), "extras": {"joint": _joint(link, body.scale)}}
+        below = {"translation": _vector(anchor), "extras": {"joint": _joint(link, body.scale)}}
         if (link_of == number).any():
             part = partial(_part, body, link_of == number, anchor)
             place = (number, body.scale)
@@ -157,11 +161,11 @@ def _add_object(file: GlbFile, body: Body, taken: set[str]) -> int:
 
 def _add_leaf(file: GlbFile, leaf: Leaf, taken: set[str]) -> int:
     """The node of a door's leaf, closed."""
-    joint = {"type": leaf.joint, "axis": list(leaf.axis), "limits": list(leaf.limits), "role": "door"}
+    joint = {"type": leaf.joint, **_axes(leaf.axis), "limits": list(leaf.limits), "role": "door"}
     node: dict[str, Any] = {
         "mesh": file.mesh(f"\0{leaf.name}", lambda: leaf_mesh(leaf), leaf.name),
-        "translation": list(leaf.position),
-        "rotation": list(from_yaw(leaf.yaw)),
+        "translation": _vector(leaf.position),
+        "rotation": _rotation(from_yaw(leaf.yaw)),
         "extras": {"joint": joint},
     }
     return file.node(_free_name(leaf.name, taken), node)
@@ -169,11 +173,25 @@ def _add_leaf(file: GlbFile, leaf: Leaf, taken: set[str]) -> int:
 
 def _joint(link: Link, scale: tuple[float, float, float]) -> dict[str, Any]:
     """How a node moves in its parent, with which it shares its axes: it turns about ``axis`` or goes along it by
-    ``limits`` [rad] or [m], 0 is as it is; a free one can be taken."""
+    ``limits`` [rad] or [m], 0 is as it is; a free one can be taken. ``axis_z_up`` is the axis in a z-up frame."""
     joint = Joint.of(link, scale, 0.0)  # what it weighs matters to its friction alone
     if joint is None:
         return {"type": "free", "role": link.role, "category": link.category}
-    return {"type": joint.kind, "axis": joint.axis.tolist(), "limits": list(joint.limits), "role": link.role}
+    return {"type": joint.kind, **_axes(joint.axis), "limits": list(joint.limits), "role": link.role}
+
+
+def _vector(vector: Sequence[float] | np.ndarray) -> list[float]:
+    """A vector [3] of a z-up frame in the frame of the file."""
+    return y_up(np.asarray(vector, dtype=float)).tolist()
+
+
+def _rotation(quaternion: Sequence[float]) -> list[float]:
+    """A rotation (x, y, z, w) of a z-up frame as one of the file."""
+    return [*_vector(quaternion[:3]), float(quaternion[3])]
+
+
+def _axes(axis: Sequence[float] | np.ndarray) -> dict[str, list[float]]:
+    return {"axis": _vector(axis), "axis_z_up": [float(v) for v in axis]}
 
 
 def _part(body: Body, chosen: np.ndarray, origin: np.ndarray) -> Mesh:

@@ -62,7 +62,7 @@ class GlbFile:
                 buffer, start = 0, self._append(found.data)
             else:
                 materials = asset.mesh.materials
-                shape = (asset.geometry, part, layout(asset.mesh, self._textured))
+                shape = ("y up", asset.geometry, part, layout(asset.mesh, self._textured))
                 found, path = self._shared.mesh(asset.id, shape, lambda: packed(make(), self._textured))
                 length = max(view["byteOffset"] + view["byteLength"] for view in found.views)
                 buffer, start = self._buffer(path, length), 0

@@ -50,8 +50,14 @@ class PackedMesh:
         return replace(self, data=b"")
 
 
+def y_up(vectors: np.ndarray) -> np.ndarray:
+    """Vectors [..., 3] of a frame that is z up in that of a glTF file, which is y up: (x, y, z) is (x, z, -y) there."""
+    return np.stack([vectors[..., 0], vectors[..., 2], -vectors[..., 1]], axis=-1)
+
+
 def packed(mesh: Mesh, textured: bool) -> PackedMesh:
-    """A mesh as glTF has it, a primitive for each material; not ``textured``: without texture coordinates."""
+    """A mesh of a z-up frame as glTF has it, y up, a primitive for each material; not ``textured``: without texture
+    coordinates."""
     pack = _Pack([textured and _has_relief(material.texture) for material in mesh.materials])
     primitives = tuple(pack.primitive(surface) for surface in surfaces(mesh, not textured))
     return PackedMesh(bytes(pack.data), tuple(pack.views), tuple(pack.accessors), primitives)
@@ -77,11 +83,12 @@ class _Pack:
         self.accessors: list[dict[str, Any]] = []
 
     def primitive(self, surface: Surface) -> Primitive:
-        vectors = {"POSITION": (surface.points, "VEC3"), "NORMAL": (surface.normals, "VEC3")}
+        vectors = {"POSITION": (y_up(surface.points), "VEC3"), "NORMAL": (y_up(surface.normals), "VEC3")}
         if surface.uv is not None:
             vectors["TEXCOORD_0"] = (surface.uv * (1.0, -1.0) + (0.0, 1.0), "VEC2")  # here v grows downward
             if self.relief[surface.number] and surface.tangents is not None:
-                vectors["TANGENT"] = (surface.tangents, "VEC4")
+                along = y_up(surface.tangents[:, :3])
+                vectors["TANGENT"] = (np.column_stack([along, surface.tangents[:, 3]]), "VEC4")
         attributes = {
             name: self._accessor(values.astype("<f4"), kind, _FLOAT, _VERTICES, bounds=name == "POSITION")
             for name, (values, kind) in vectors.items()

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from sceneweaver.physics.hulls import Solid
+from sceneweaver.physics.solids import Solid
 from sceneweaver.physics.vertices import fewer_vertices
 
 FEW_VERTICES = 48

@@ -8,7 +8,7 @@ import numpy as np
 
 from sceneweaver.assets import Mesh
 from sceneweaver.geometry.hulls import hull_faces
-from sceneweaver.physics.hulls import Solid
+from sceneweaver.physics.solids import Solid
 
 from .corners import corner_normals, indexed, texture_coordinates
 from .usd_engines import tune_collider

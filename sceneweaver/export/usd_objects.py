@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from sceneweaver.physics.frames import frames_of
-from sceneweaver.physics.hulls import Solid
+from sceneweaver.physics.solids import Solid
 from sceneweaver.physics.things import RigidBody, Thing
 from sceneweaver.runtime.deadline import checkpoint
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field, replace
 
 from sceneweaver.assets.roles import has_role
@@ -126,8 +126,9 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
     rooms, larger = ([], []) if hurried() else _alternatives(setup, floor, made, space, scene)
     notes += made.remarks + made.program.notes
     if given and made.program.left_out:
+        standing = {one.category for one in scene.objects}
         reasons = sorted({one.reason for one in made.program.left_out})
-        notes.append("left out, as the floor asked for is full: " + ", ".join(reasons[:8]))
+        notes += [_left_out(reason, standing) for reason in reasons[:8]]
     return Proposal(
         scene=scene,
         variants=tuple(made.variants),
@@ -137,6 +138,13 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
         notes=tuple(notes),
         unmet=(*unmet, *made.places.unmet, *_missing(brief, made.program)),
     )
+
+
+def _left_out(reason: str, standing: Collection[str]) -> str:
+    """What is said of something that the floor had no place for; ``reason`` begins with its category."""
+    category, _, why = reason.partition(": ")
+    name = f"another {category}" if category in standing else category
+    return f"{name} was left out of the floor asked for: {why or 'it is full'}"
 
 
 def _shelled(setup: Setup, floor: _Floor, palette: Palette, roomier: float, hurried: Callable[[], bool]) -> _Attempt:

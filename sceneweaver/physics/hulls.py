@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
@@ -15,6 +13,8 @@ from sceneweaver.assets.recent import Recent
 from sceneweaver.geometry.prisms import prism_vertices
 from sceneweaver.scene import Part, SceneObject
 
+from .nested import cut_apart
+from .solids import THINNEST, Solid, solid_of
 from .vertices import fewer_vertices
 
 MOST = 40
@@ -27,7 +27,6 @@ SMALL = 0.6
 """What is nowhere longer than this [m] is small, unless it has drawers or doors: merged, they would fill up."""
 
 _SLACK = 1e-4  # [m] by which a part may stand out of a prism and still belong to it
-_THINNEST = 1e-4  # [m]; thinner parts become boxes of this thickness
 _WASTE = 0.01  # share of volume that a merge may add when it is not forced
 _NEAR = 8  # neighbours of a part that it is tried with first
 _FILL = 0.02  # share of an interior that a merge may fill
@@ -36,31 +35,6 @@ _NARROWER = (1.0, 0.998, 0.995, 0.99, 0.98, 0.97, 0.96, 0.95, 0.94, 0.92)  # sha
 _NARROWED = 0.005  # [m] by which a side of a box may lie inside that of the part
 _CORNERS = np.array([(x, y, z) for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
 _TOUCH = 1e-3  # [m] by which parts of different links may reach into each other
-
-
-@dataclass(frozen=True, eq=False)
-class Solid:
-    """A convex part in the object's frame: ``points`` [V, 3], its ``volume`` [m3] and the number of its link.
-
-    One of a ``handle`` is merged with no other. ``box`` is (centre [3], half extents [3]) where the part is a box
-    along the axes of the object.
-    """
-
-    points: np.ndarray
-    volume: float
-    link: int = 0
-    box: tuple[np.ndarray, np.ndarray] | None = None
-    handle: bool = False
-
-    @cached_property
-    def planes(self) -> np.ndarray:
-        """The faces as outward normal and offset, [F, 4]."""
-        from scipy.spatial import ConvexHull
-
-        if self.box is None:
-            return ConvexHull(self.points).equations
-        (centre, half), turns = self.box, np.concatenate([np.eye(3), -np.eye(3)])
-        return np.column_stack([turns, -turns @ centre - np.tile(half, 2)])
 
 
 _MERGED: Recent[bytes, tuple[Solid, ...]] = Recent(
@@ -74,11 +48,11 @@ _JOURNAL: Journal | None = None
 def solids_of(thing: SceneObject, asset: Asset | None, scale: np.ndarray) -> list[Solid]:
     """The parts of an object; of an asset its hulls, ``scale`` [3] times as large, else the object's own prisms."""
     if asset is None or not any(hull.link == 0 for hull in asset.hulls):
-        return [_limited(_solid(prism_vertices(part.polygon, part.z), 0)) for part in thing.solids]
+        return [_limited(solid_of(prism_vertices(part.polygon, part.z), 0)) for part in thing.solids]
     merged = merged_hulls(asset)
     if np.allclose(scale, 1.0, atol=1e-9):
         return merged
-    return [_solid(solid.points * scale, solid.link, solid.handle) for solid in merged]
+    return [solid_of(solid.points * scale, solid.link, solid.handle) for solid in merged]
 
 
 def merged_hulls(asset: Asset) -> list[Solid]:
@@ -139,9 +113,15 @@ def unpacked(content: bytes) -> tuple[Solid, ...]:
 
 
 def _made(asset: Asset, most: int, rooms: Sequence[np.ndarray]) -> tuple[Solid, ...]:
-    found = [_solid(np.asarray(h.vertices, dtype=float), h.link, h.handle) for h in asset.hulls]
+    found = [solid_of(np.asarray(h.vertices, dtype=float), h.link, h.handle) for h in asset.hulls]
     merged = reduce(found, asset.parts, most, rooms) if len(found) > most and asset.parts else found
-    return tuple(_limited(solid) for solid in squared(merged, asset.parts))
+    loose = {number for number, link in enumerate(asset.links, 1) if link.joint == "free"}
+    return tuple(cut_apart([_limited(solid) for solid in squared(merged, asset.parts)], loose, _like))
+
+
+def _like(points: np.ndarray, solid: Solid) -> Solid:
+    """The part of some points, of the same link as another."""
+    return _limited(solid_of(points, solid.link, solid.handle))
 
 
 def rooms_of(interiors: Sequence[Interior]) -> list[np.ndarray]:
@@ -211,7 +191,7 @@ def reduce(solids: Sequence[Solid], parts: Sequence[Part], most: int, rooms: Seq
             fills = _filled(points, free)
             if (fills > filled[i] + filled[j] + _FILL).any():
                 continue
-            both = _solid(points, live[i].link)
+            both = solid_of(points, live[i].link)
             if any(_reaches(both, other) for other in _near(both, *others[both.link])):
                 continue
             filled[fresh] = fills
@@ -242,7 +222,7 @@ def squared(solids: Sequence[Solid], parts: Sequence[Part]) -> list[Solid]:
                 break
             corners = middle + _CORNERS * half * [share, share, 1.0]
             if _homes(corners, prisms):
-                box = _solid(corners, solid.link, solid.handle)
+                box = solid_of(corners, solid.link, solid.handle)
                 if not any(s.link != solid.link and _reaches(box, s) and not _reaches(solid, s) for s in found):
                     found[k] = box
                 break
@@ -252,7 +232,7 @@ def squared(solids: Sequence[Solid], parts: Sequence[Part]) -> list[Solid]:
 def _limited(solid: Solid) -> Solid:
     """The part with as few vertices as all simulators take."""
     few = fewer_vertices(solid.points)
-    return solid if len(few) == len(solid.points) else _solid(few, solid.link, solid.handle)
+    return solid if len(few) == len(solid.points) else solid_of(few, solid.link, solid.handle)
 
 
 def _hull_volume(points: np.ndarray) -> float:
@@ -260,7 +240,7 @@ def _hull_volume(points: np.ndarray) -> float:
     import manifold3d
 
     volume = manifold3d.Manifold.hull_points(points).volume()
-    return volume if volume > _THINNEST**3 else _solid(points, 0).volume
+    return volume if volume > THINNEST**3 else solid_of(points, 0).volume
 
 
 class _Room:
@@ -328,22 +308,3 @@ def _homes(points: np.ndarray, prisms: Sequence[_Home]) -> frozenset[int]:
     """Which prisms contain all points."""
     plan, low, high = points[:, :2], float(points[:, 2].min()), float(points[:, 2].max())
     return frozenset(k for k, prism in enumerate(prisms) if prism.holds(plan, low, high))
-
-
-def _solid(points: np.ndarray, link: int, handle: bool = False) -> Solid:
-    """The part of these points; a box when it fills its own bounds, or is too thin for a hull."""
-    from scipy.spatial import ConvexHull, QhullError
-
-    low, high = points.min(axis=0), points.max(axis=0)
-    extent = np.maximum(high - low, _THINNEST)
-    bounds = float(np.prod(extent))
-    box = ((low + high) / 2, extent / 2)
-    if float((high - low).min()) < _THINNEST:
-        return Solid(points, bounds, link, box, handle)
-    try:
-        hull = ConvexHull(points)
-    except QhullError:
-        return Solid(points, bounds, link, box, handle)
-    kept = points[hull.vertices]
-    volume = float(hull.volume)
-    return Solid(kept, volume, link, box if volume > bounds * (1 - 1e-3) else None, handle)

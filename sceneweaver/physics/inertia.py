@@ -10,7 +10,7 @@ import numpy as np
 
 from sceneweaver.geometry.hulls import hull_faces
 
-from .hulls import Solid
+from .solids import Solid
 
 _KNOWN: WeakKeyDictionary[Solid, tuple[np.ndarray, np.ndarray]] = WeakKeyDictionary()
 

@@ -23,9 +23,9 @@ from sceneweaver.geometry.shell import WALL_THICKNESS
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.scene import Door, Room
 
-from .hulls import Solid
 from .inertia import Inertia, inertia_of, shares_of
 from .shell import wall_ends
+from .solids import Solid
 from .things import Joint
 
 THICK = 0.04

@@ -49,10 +49,10 @@ from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.scene import Room, Scene, SceneObject
 
 from .frames import Frame, frames_of, leaf_frames, spawns, views
-from .hulls import Solid
 from .inertia import inertia_of, shares_of
 from .leaves import Leaf, leaves
 from .shell import FLOOR_FRICTION, LEAF_FRICTION, wall_slabs
+from .solids import Solid
 from .things import Joint, RigidBody, Thing, things_of
 from .xml import attributes, child, document
 

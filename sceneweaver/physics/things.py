@@ -17,11 +17,16 @@ from sceneweaver.assets.placed import Load, loader, scaled_asset
 from sceneweaver.assets.roles import with_role
 from sceneweaver.scene import Scene, SceneObject
 
-from .hulls import Solid, solids_of
+from .hulls import solids_of
 from .inertia import Inertia, inertia_of, shares_of
+from .solids import Solid
 
 _DENSITY = 150.0  # [kg/m3] of an object's parts, when neither an asset nor its category says what it weighs
 _LIGHTEST = 1e-3  # [kg]
+_LID_SHARE = 0.25  # of a thing's mass that a lid on a hinge has at most
+_HELD = (math.inf, math.inf)  # [N m] and [N] that hold hinges and slides at most: no limit
+_HELD_SHARE = 0.25  # the same, of what tips or pushes the base; damping brings as much again at 1 rad/s
+_GRAVITY = 9.81  # [m/s2]
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,10 +48,13 @@ class Joint:
     hold: float
 
     @classmethod
-    def of(cls, link: Link, scale: tuple[float, float, float], mass: float) -> Joint | None:
+    def of(
+        cls, link: Link, scale: tuple[float, float, float], mass: float, most: tuple[float, float] = _HELD
+    ) -> Joint | None:
         """The joint of a door, drawer or control of that mass [kg]; None for what hangs on nothing.
 
-        ``scale`` is that of the object: a drawer of a deeper one comes out farther.
+        ``scale`` is that of the object: a drawer of a deeper one comes out farther. ``most`` limits what holds it, of
+        hinges [N m] and of slides [N].
         """
         if link.joint == "free":
             return None
@@ -59,7 +67,7 @@ class Joint:
         else:
             hold = max(1.0, 2.0 * mass) if slides else max(0.2, 0.5 * mass)
         anchor = np.asarray(link.anchor) * np.asarray(scale)
-        return cls(link.joint, axis / np.linalg.norm(axis), anchor, (low, high), hold)
+        return cls(link.joint, axis / np.linalg.norm(axis), anchor, (low, high), min(hold, most[slides]))
 
 
 @dataclass(frozen=True)
@@ -123,7 +131,7 @@ class Thing:
         found = [RigidBody(self.object.id, 0, None, masses[0], tuple(mine[0]))]
         for number in sorted(mine)[1:]:
             link, mass = links[number - 1], masses[number]
-            joint = Joint.of(link, self.scale, mass)
+            joint = Joint.of(link, self.scale, mass, self._most_held(number, masses[0], mine))
             found.append(RigidBody(f"{self.object.id}.{link.name}", number, link, mass, tuple(mine[number]), joint))
         return tuple(found)
 
@@ -144,8 +152,38 @@ class Thing:
     def _moving(self) -> frozenset[int]:
         return frozenset(solid.link for solid in self.solids)
 
+    def _most_held(self, number: int, mass: float, mine: dict[int, list[Solid]]) -> tuple[float, float]:
+        """What may hold a hinge [N m] or slide [N] of a piece whose base has a ``mass`` [kg]; ``mine``: parts by body.
+
+        A hand that opens a lid pulls the base along by what holds the lid: that stays below what would tip the base
+        over its nearest edge, with the hand at the far end of the lid, or push it over the floor.
+        """
+        if not self.free or self.asset is None or not mine[0]:
+            return _HELD
+        link, scale = self.asset.links[number - 1], np.asarray(self.scale)
+        base = np.concatenate([solid.points for solid in mine[0]])[:, :2]
+        half, weight = float(np.ptp(base, axis=0).min()) / 2, _HELD_SHARE * mass * _GRAVITY
+        axis = np.asarray(link.axis) / np.linalg.norm(link.axis)
+        anchor = np.asarray(link.anchor) * scale
+        out = np.concatenate([solid.points for solid in mine[number]]) - anchor
+        reach = float(np.linalg.norm(out - np.outer(out @ axis, axis), axis=1).max())
+        height = max(float(anchor[2]), 0.0) + float(np.hypot(*axis[:2])) * reach
+        return weight * half * reach / max(height, reach), weight * self.friction
+
     def _masses(self, mine: dict[int, list[Solid]]) -> dict[int, float]:
-        """Of each body [kg]: as the asset says, else by the volume of its parts."""
+        """Of each body [kg]: as the asset says, else by the volume of its parts.
+
+        What lids weigh above their share is in the base: a box with a heavier lid falls over when that is open.
+        """
+        found = self._drawn_masses(mine)
+        total, links = sum(found.values()), self.asset.links if self.asset is not None else ()
+        for number in [n for n in found if n and links[n - 1].role == "lid" and links[n - 1].joint == "hinge"]:
+            lighter = min(found[number], _LID_SHARE * total)
+            found[0] += found[number] - lighter
+            found[number] = lighter
+        return found
+
+    def _drawn_masses(self, mine: dict[int, list[Solid]]) -> dict[int, float]:
         given = self.asset.masses if self.asset is not None else ()
         if given:
             found = dict.fromkeys(mine, 0.0)

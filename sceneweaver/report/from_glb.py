@@ -3,10 +3,9 @@ with a mesh is an object, in a room around them."""
 
 from __future__ import annotations
 
-import json
 import os
 import struct
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -15,10 +14,11 @@ import numpy as np
 
 from sceneweaver.assets import Asset, Material, Mesh
 from sceneweaver.assets.asset import Origin
-from sceneweaver.assets.imports.guarded import MAX_BYTES, read_meshes
 from sceneweaver.assets.placed import Load
 from sceneweaver.assets.textures import maps
-from sceneweaver.scene import InputError, MissingDependencyError, Pose, Room, Scene, SceneObject, read_bytes
+from sceneweaver.io import parse_json, read_bytes, read_meshes
+from sceneweaver.io.meshes import MAX_BYTES
+from sceneweaver.scene import InputError, MissingDependencyError, Pose, Room, Scene, SceneObject
 
 _GREY = Material("grey", (0.75, 0.74, 0.72))
 _Z_UP = np.array([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]], dtype=float)
@@ -73,17 +73,18 @@ def _own_bodies(own: OwnFile) -> Iterator[tuple[SceneObject, Mesh]]:
             id=node["name"],
             category=extras["category"],
             size=tuple(extras["size"]),
-            pose=Pose(position=tuple(node["translation"]), quaternion=tuple(node["rotation"])),
+            pose=Pose(position=own.vector(node["translation"]), quaternion=own.rotation(node["rotation"])),
             mount="floor" if mount == "surface" else mount,
         )
         mesh = _whole(own, node)
-        yield thing, replace(mesh, vertices=mesh.vertices * np.asarray(node.get("scale", (1.0, 1.0, 1.0))))
+        scale = np.abs(own.vector(node.get("scale", (1.0, 1.0, 1.0))))
+        yield thing, replace(mesh, vertices=mesh.vertices * scale)
 
 
 def _whole(own: OwnFile, node: dict[str, Any]) -> Mesh:
     """The mesh of an object with those of its doors, drawers and things to take, all as they are in the file."""
     nodes = [(node, np.zeros(3))]
-    nodes += [(below, np.asarray(below["translation"])) for below in own.below(node)]
+    nodes += [(below, np.asarray(own.vector(below["translation"]))) for below in own.below(node)]
     meshes = [(own.mesh(one["mesh"]), off) for one, off in nodes if "mesh" in one]
     points = np.concatenate([mesh.vertices + off for mesh, off in meshes])
     starts = np.cumsum([0, *(len(mesh.vertices) for mesh, _ in meshes)])
@@ -164,12 +165,27 @@ _WIDTH = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 
 
 class OwnFile:
-    """A GLB file of ours: its document, and its meshes by number."""
+    """A GLB file of ours: its document, and its meshes by number, all in frames that are z up.
+
+    Files of older releases had such frames below a root node that turned them.
+    """
 
     def __init__(self, data: bytes):
         length = struct.unpack_from("<I", data, 12)[0]
-        self.document: dict[str, Any] = json.loads(data[20 : 20 + length])
+        self.document: dict[str, Any] = parse_json(data[20 : 20 + length])
         self._binary = data[28 + length :]
+        roots = self.document["scenes"][0]["nodes"] if self.document.get("scenes") else []
+        self._z_up = any("rotation" in self.document["nodes"][root] for root in roots)
+
+    def vector(self, values: Sequence[float]) -> tuple[float, float, float]:
+        """A vector [3] of a node in a frame that is z up."""
+        x, y, z = (float(v) for v in values)
+        return (x, y, z) if self._z_up else (x, -z, y)
+
+    def rotation(self, values: Sequence[float]) -> tuple[float, float, float, float]:
+        """A rotation (x, y, z, w) of a node in a frame that is z up."""
+        x, y, z = self.vector(values[:3])
+        return x, y, z, float(values[3])
 
     def mesh(self, number: int) -> Mesh:
         """A mesh with the materials of its primitives, in the frame of its node, texture coordinates in metres."""
@@ -178,6 +194,8 @@ class OwnFile:
         for primitive in self.document["meshes"][number]["primitives"]:
             attributes = primitive["attributes"]
             vertices = self._values(attributes["POSITION"])
+            if not self._z_up:
+                vertices = vertices[:, [0, 2, 1]] * (1.0, -1.0, 1.0)
             order = self._values(primitive["indices"]).reshape(-1, 3).astype(np.int32)
             material = self._material(primitive["material"])
             found = maps(material.texture)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from sceneweaver.agent.relaxation import REASON, cleared, eased, relaxed
+from sceneweaver.agent.relaxation import REASON, cleared, eased, left_out, relaxed, still_true
 from sceneweaver.scene import Intent, Pose, Priority, Relation, Room, Scene, SceneObject, Support, Surface
 from sceneweaver.verify import Report, check
 
@@ -191,3 +191,11 @@ def test_of_relations_about_different_objects_one_each_gives_way_at_once():
     for at_once, left in ((1, 2), (2, 1), (9, 0)):
         found = relax(room(*cubes, relations=relations), at_once)
         assert found is not None and sum(r.hard for r in found.scene.relations) == left
+
+
+def test_what_came_back_is_not_said_to_be_left_out():
+    scene = room(cube("kitchenette-0", category="kitchen_counter"))
+    gone = left_out("sofa-0"), "sofa was left out of the floor asked for: the floor or the walls are full"
+    back = left_out("kitchenette-0"), "kitchen_counter was left out of the floor asked for: the floor is full"
+    another = "another kitchen_counter was left out of the floor asked for: the floor is full"
+    assert still_true((*gone, *back, another, "desk-0: 2 mugs"), scene) == (*gone, another, "desk-0: 2 mugs")

@@ -11,8 +11,8 @@ import yaml
 
 from sceneweaver.assets import Asset, Interior, make
 from sceneweaver.assets.parametric import makers
-from sceneweaver.physics.hulls import _solid as solid
 from sceneweaver.physics.hulls import reduce, rooms_of
+from sceneweaver.physics.solids import solid_of as solid
 from sceneweaver.scene import Part
 from tests.assets.insides import CONTAINERS, faults
 

@@ -4,7 +4,6 @@ import re
 
 import bpy
 import client_blender
-from mathutils import Quaternion
 from measure import usd_name
 
 
@@ -13,7 +12,6 @@ class Room(client_blender.Room):
 
     frames = "object"
     bodies_fixed = False
-    turn = Quaternion((1, 0, 0, 0))
 
     def load(self, folder):
         bpy.ops.wm.usd_import(filepath=f"{folder}/scene.usdc")

@@ -10,7 +10,9 @@ import pytest
 from sceneweaver import envs
 from sceneweaver.envs.geometry import grasps_of
 from sceneweaver.envs.predicates import to_world
+from sceneweaver.envs.sampling import task_named
 from sceneweaver.envs.world import RoomState
+from sceneweaver.scene import InputError, Pose, Scene, SceneObject, Support
 from tests.envs.rooms import kitchen, load
 
 GLASS, TABLE, FRIDGE = "drinking_glass-0", "dining_table-0", "fridge-0"
@@ -123,3 +125,88 @@ def test_only_what_a_hand_closes_around_has_grasps(geometry):
     found = grasps_of(geometry, GLASS)
     assert found and all(g.width < 0.08 and g.body == GLASS for g in found)
     assert all(abs(g.approach @ g.closing) < 1e-9 for g in found)
+
+
+def lived_in() -> Scene:
+    """The kitchen with one more glass, in the middle of its table."""
+    scene = kitchen()
+    table, glass = scene.objects[3], scene.objects[4]
+    top = next(s for s in table.surfaces if s.name == "top")
+    x, y, _ = table.pose.position
+    support = Support(object=table.id, surface=top.name)
+    other = glass.model_copy(
+        update={"id": "drinking_glass-1", "pose": Pose.from_yaw(x, y, top.z, 0.0), "support": support}
+    )
+    return scene.model_copy(update={"objects": (*scene.objects, other)})
+
+
+def of_scene(scene: Scene, robot: envs.Robot | None = None) -> tuple[envs.SceneGeometry, dict, list[envs.Task]]:
+    geometry = envs.SceneGeometry(scene, load)
+    place = dict(zip(scene.ids, envs.poses_of(scene), strict=True))
+    poses = {name: place[owner] for name, owner in geometry.owner.items()}
+    return geometry, poses, envs.tasks_of(geometry, robot or envs.mobile_manipulator(), poses)
+
+
+def test_things_are_put_where_there_is_room_on_a_table_that_is_in_use():
+    geometry, poses, found = of_scene(lived_in())
+    puts = [t for t in found if isinstance(t, envs.PutOn) and (t.item, t.support) == (GLASS, TABLE)]
+    assert puts, "something in its middle does not make a table useless"
+    state = RoomState(poses, {}, AWAY, np.zeros(3))
+    goal = puts[0].goal(geometry, state)
+    other = to_world(poses["drinking_glass-1"], geometry.items["drinking_glass-1"].centre)
+    radius = max(geometry.items[GLASS].size[:2]) / 2
+    assert np.linalg.norm(goal[:2] - other[:2]) > 2 * radius + 0.05
+    assert puts[0].success(geometry, with_glass(geometry, state, goal), state)
+    assert task_named("put the glass on the dining table", found, geometry).subject.startswith("drinking_glass")
+
+
+@pytest.mark.parametrize(
+    ("words", "about"),
+    [
+        ("go to the dining_table", TABLE),
+        ("go to the dining table", TABLE),
+        ("go to dining_table-0", TABLE),
+        ("go to the oak dining table", TABLE),
+        ("go to the wooden table", TABLE),
+        ("open the refrigerator", FRIDGE),
+    ],
+)
+def test_a_thing_is_named_as_people_name_it(words, about):
+    scene = kitchen()
+    oak = {"material": "oak", "color": "tan"}
+    dressed = tuple(o.model_copy(update={"attributes": oak}) if o.id == TABLE else o for o in scene.objects)
+    geometry, _, found = of_scene(scene.model_copy(update={"objects": dressed}))
+    assert geometry.owner[task_named(words, found, geometry).subject] == about
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("go to the sofa", "nothing in scene 'small-kitchen' is 'sofa'"),
+        ("go to the red dining table", r"nothing in scene .* is 'red dining table'; there is dining_table-0"),
+        ("put the glass on the fridge", "not feasible in scene 'small-kitchen': out of the robot's reach"),
+        ("put the glass away", "does not say where to"),
+        ("paint the fridge", "no known verb"),
+    ],
+)
+def test_what_is_refused_says_why(words, said):
+    geometry, _, found = of_scene(kitchen())
+    with pytest.raises(InputError, match=said):
+        task_named(words, found, geometry)
+
+
+def test_reach_is_that_of_the_robot():
+    """Half a metre between two low walls: a base of 0.2 m goes through, one of 0.25 m does not."""
+    scene, mobile = kitchen(), envs.mobile_manipulator()
+    walls = tuple(
+        SceneObject(
+            id=f"block-{k}", category="block", size=(0.1, 1.75, 0.9), pose=Pose.from_yaw(x, 1.6, 0.0, np.pi / 2)
+        )
+        for k, x in enumerate((0.875, 3.125))
+    )
+    blocked = scene.model_copy(update={"objects": (*scene.objects, *walls)})
+    slim, wide = (envs.reach_of(blocked, replace(mobile, radius=r), load) for r in (0.2, 0.25))
+    assert slim.share == 1.0 and slim.unreached == () and slim.surfaces[TABLE, "top"] > 0.9
+    assert wide.share < 1.0 and TABLE in wide.unreached and wide.surfaces[TABLE, "top"] < 0.1
+    _, _, found = of_scene(blocked, replace(mobile, radius=0.25))
+    assert not any(t.subject == TABLE or getattr(t, "support", "") == TABLE for t in found), "no task asks for it"

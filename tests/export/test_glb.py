@@ -207,12 +207,12 @@ def test_maps_lie_at_their_real_size_with_a_frame_of_tangents() -> None:
     assert np.allclose(np.linalg.norm(normal, axis=1), 1, atol=1e-5)
     assert np.allclose(np.linalg.norm(tangent[:, :3], axis=1), 1, atol=1e-5)
     assert np.allclose((normal * tangent[:, :3]).sum(axis=1), 0, atol=1e-5)
-    upright = np.abs(normal[:, 2]) < 0.1
+    upright = np.abs(normal[:, 1]) < 0.1
     up = np.cross(normal, tangent[:, :3]) * tangent[:, 3:]
-    np.testing.assert_allclose(up[upright], np.tile((0, 0, 1), (upright.sum(), 1)), atol=1e-5)
-    inner = (normal @ np.array([0, -1, 0])) > 0.99
+    np.testing.assert_allclose(up[upright], np.tile((0, 1, 0), (upright.sum(), 1)), atol=1e-5)
+    inner = (normal @ np.array([0, 0, 1])) > 0.99
     spread = np.ptp(found["TEXCOORD_0"][inner], axis=0) * size
-    np.testing.assert_allclose(spread, np.ptp(found["POSITION"][inner][:, [0, 2]], axis=0), rtol=1e-4)
+    np.testing.assert_allclose(spread, np.ptp(found["POSITION"][inner][:, [0, 1]], axis=0), rtol=1e-4)
 
 
 def test_without_textures_a_file_is_small_and_has_the_same_shapes(made) -> None:
@@ -328,7 +328,8 @@ def test_doors_and_drawers_are_nodes_with_their_origin_on_the_hinge() -> None:
                 axis, limits = body.joint.axis, body.joint.limits
                 joint = nodes[body.name]["extras"]["joint"]
                 assert joint["type"] == body.link.joint and joint["role"] == body.link.role
-                assert joint["axis"] == pytest.approx(axis.tolist()) and joint["limits"] == pytest.approx(limits)
+                assert joint["axis_z_up"] == pytest.approx(axis.tolist()) and joint["limits"] == pytest.approx(limits)
+                assert joint["axis"] == pytest.approx([axis[0], axis[2], -axis[1]])
         want = _world(thing.object, cabinet.mesh.vertices * np.asarray(thing.scale))
         got = np.concatenate(whole)
         assert np.allclose(got.min(0), want.min(0), atol=1e-5) and np.allclose(got.max(0), want.max(0), atol=1e-5)
@@ -339,9 +340,83 @@ def test_doors_and_drawers_are_nodes_with_their_origin_on_the_hinge() -> None:
 def test_the_room_has_doors_and_panes(made) -> None:
     nodes = {node["name"]: node for node in _split(made[2])[0]["nodes"]}
     (leaf,) = leaves(ROOM)
-    assert nodes[leaf.name]["translation"] == pytest.approx(leaf.position)
+    x, y, z = leaf.position
+    assert nodes[leaf.name]["translation"] == pytest.approx((x, z, -y))
     assert nodes[leaf.name]["extras"]["joint"]["limits"] == pytest.approx(leaf.limits)
     loaded: Any = trimesh.load(io.BytesIO(made[2]), file_type="glb", process=False, merge_primitives=True)
     matrix, geometry = loaded.graph["room:window:window-0"]
     points = trimesh.transform_points(loaded.geometry[geometry].vertices, Z_UP @ matrix)
     assert points[:, 1].min() == pytest.approx(0.97) and points[:, 2].max() == pytest.approx(2.1)
+
+
+def _moved(matrix: np.ndarray, joint: dict[str, Any], axis: list[float]) -> np.ndarray:
+    """The frame [4, 4] of a node, opened as far as its joint says: turned about its origin or pushed, in its frame."""
+    far = max(joint["limits"], key=abs)
+    if joint["type"] == "hinge":
+        return matrix @ trimesh.transformations.rotation_matrix(far, axis)
+    return matrix @ trimesh.transformations.translation_matrix(far * np.asarray(axis))
+
+
+@pytest.mark.parametrize("frames", ["of the file", "of an importer that is z up"])
+def test_doors_open_by_their_nodes_as_they_do_in_the_room(frames) -> None:
+    """Opened by the axis in ``extras``, leaves and doors are where simulators have them: in frames as the file has
+    them, and in those that Blender makes of them, which turns each node's frame."""
+    fridge = make("fridge", 1)
+    chest = make("filing_cabinet", 1)
+    objects = (
+        fridge.object("fridge", pose=Pose.from_yaw(1.0, 2.0, 0.0, 0.4)),
+        chest.object("chest", pose=Pose.from_yaw(3.5, 2.0, 0.0, 2.0)),
+    )
+    scene, load = Scene(id="s", room=ROOM, objects=objects), {a.id: a for a in (fridge, chest)}.__getitem__
+    data = glb_bytes(scene, load)
+    nodes = {node["name"]: node for node in _split(data)[0]["nodes"]}
+    loaded: Any = trimesh.load(io.BytesIO(data), file_type="glb", process=False, merge_primitives=True)
+    seen = 0
+    for thing in things_of(scene, load):
+        for body in thing.bodies:
+            if body.joint is None:
+                continue
+            joint = nodes[body.name]["extras"]["joint"]
+            matrix, geometry = loaded.graph[body.name]
+            points = loaded.geometry[geometry].vertices
+            if frames == "of the file":
+                found = trimesh.transform_points(points, Z_UP @ _moved(matrix, joint, joint["axis"]))
+            else:
+                inner = Z_UP @ matrix @ Z_UP.T
+                points = trimesh.transform_points(points, Z_UP)
+                found = trimesh.transform_points(points, _moved(inner, joint, joint["axis_z_up"]))
+            assert thing.asset is not None
+            own = thing.asset.mesh.vertices[np.unique(thing.asset.mesh.faces[thing.face_body == body.number])]
+            far = max(body.joint.limits, key=abs)
+            if body.joint.kind == "hinge":
+                turn = trimesh.transformations.rotation_matrix(far, body.joint.axis, body.joint.anchor)
+                own = trimesh.transform_points(own, turn)
+            else:
+                own = own + far * body.joint.axis
+            wanted = _world(thing.object, own)
+            np.testing.assert_allclose(found.min(axis=0), wanted.min(axis=0), atol=1e-4)
+            np.testing.assert_allclose(found.max(axis=0), wanted.max(axis=0), atol=1e-4)
+            seen += 1
+    assert seen >= 4
+    (leaf,) = leaves(ROOM)
+    joint, (matrix, geometry) = nodes[leaf.name]["extras"]["joint"], loaded.graph[leaf.name]
+    points = loaded.geometry[geometry].vertices
+    if frames == "of the file":
+        found = trimesh.transform_points(points, Z_UP @ _moved(matrix, joint, joint["axis"]))
+    else:
+        points = trimesh.transform_points(points, Z_UP)
+        found = trimesh.transform_points(points, _moved(Z_UP @ matrix @ Z_UP.T, joint, joint["axis_z_up"]))
+    low, high, y0 = found.min(axis=0), found.max(axis=0), leaf.position[1]
+    # Open, it stands upright in the room, across the wall of y = 0 that it hangs in.
+    assert low[2] > 0.0 and high[2] < 2.0 and high[1] - y0 == pytest.approx(0.9, abs=0.02) and high[0] - low[0] < 0.2
+
+
+def test_frames_are_those_of_the_scene_after_an_importer_has_turned_them(made) -> None:
+    scene, _, data = made
+    loaded: Any = trimesh.load(io.BytesIO(data), file_type="glb", merge_primitives=True)
+    for thing in scene.objects:
+        matrix, _ = loaded.graph[thing.id]
+        frame = Z_UP @ matrix @ Z_UP.T  # as Blender has it
+        turn = trimesh.transformations.quaternion_matrix(np.roll(thing.pose.quaternion, 1))[:3, :3]
+        np.testing.assert_allclose(frame[:3, :3], turn, atol=1e-6)
+        np.testing.assert_allclose(frame[:3, 3], thing.pose.position, atol=1e-6)

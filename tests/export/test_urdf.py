@@ -16,8 +16,8 @@ from scipy.optimize import linear_sum_assignment
 
 from sceneweaver.assets import Asset, Hull, Link, Material, Mesh, Origin, make
 from sceneweaver.export.urdf import write_urdf
-from sceneweaver.physics.hulls import Solid
 from sceneweaver.physics.inertia import inertia_of
+from sceneweaver.physics.solids import Solid
 from sceneweaver.scene import InputError, Part, Pose, SceneObject, Support
 
 mujoco: Any = import_module("mujoco")

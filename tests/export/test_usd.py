@@ -20,8 +20,8 @@ from sceneweaver.export.slices import FEW_VERTICES, sliced
 from sceneweaver.export.usd import usd_layer, write_usd
 from sceneweaver.export.usd_bodies import _turn
 from sceneweaver.export.usd_mesh import corner_normals, hull_faces
-from sceneweaver.physics.hulls import Solid
 from sceneweaver.physics.leaves import leaves
+from sceneweaver.physics.solids import Solid
 from sceneweaver.physics.things import things_of
 from sceneweaver.scene import EXAMPLES, Door, InputError, Part, Pose, Room, Scene, SceneObject, Support, Window
 

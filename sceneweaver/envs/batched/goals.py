@@ -102,5 +102,6 @@ def _row(geometry: SceneGeometry, task: Task, number: dict[str, int]) -> TaskRow
     if isinstance(task, PutTask):
         place = task.place(geometry)
         holder, row["low"], row["high"], row["oval"] = place.body, place.low, place.high, place.oval
+        row["spot"] = place.target
     words = task.instruction(geometry)
     return TaskRow(task, words, row, name, holder, number[owner[name]], number[owner[holder or name]])

@@ -32,6 +32,7 @@ class Goal:
     item_high: wp.vec3
     low: wp.vec3  # corners of the interior, or of the surface with its height as both z, in the holder's frame
     high: wp.vec3
+    spot: wp.vec3  # where the subject is to stand there, at the bottom
     subject_pos: wp.vec3
     subject_quat: wp.quat
     holder_pos: wp.vec3

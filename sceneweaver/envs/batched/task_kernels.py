@@ -165,8 +165,7 @@ def progress(
     elif goal.kind == PUT_IN or goal.kind == PUT_ON:
         holder_pos, holder_quat = pose_of(sim, world, goal.holder, goal.holder_pos, goal.holder_quat)
         tall = goal.item_high[2] - goal.item_low[2]
-        middle = (goal.low + goal.high) * 0.5
-        target = holder_pos + turned(holder_quat, wp.vec3(middle[0], middle[1], goal.low[2] + tall * 0.5))
+        target = holder_pos + turned(holder_quat, goal.spot + wp.vec3(0.0, 0.0, tall * 0.5))
         if goal.kind == PUT_IN:
             success = is_inside(goal, local(holder_pos, holder_quat, centre)) and free
         else:
