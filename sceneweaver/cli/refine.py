@@ -162,5 +162,5 @@ def _run(scene: Scene, out: Path, began: float, *, picture: bool, time_limit: fl
 def _explain(result: Result) -> None:
     if result.solution.timed_out:
         typer.echo(f"  stopped by {result.until.deadline.stop.reason or 'the time limit'}")
-    if not (result.report is not None and result.report.valid) and result.solution.explanation:
+    if result.solution.explanation:
         typer.echo(f"  {result.solution.explanation}")
