@@ -20,9 +20,9 @@ from sceneweaver.datasets.layouts.block import Taken, taken_programs
 from sceneweaver.datasets.layouts.collect import Collection, chains_for, collect
 from sceneweaver.datasets.layouts.pack import furniture
 from sceneweaver.datasets.layouts.tables import Writers, schema
+from sceneweaver.io import write_atomic
 from sceneweaver.layout.devices import pick_devices
 from sceneweaver.runtime.threads import cores
-from sceneweaver.scene.files import write_atomic
 
 # fmt: off
 KINDS = (

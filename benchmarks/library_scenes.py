@@ -11,9 +11,10 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from sceneweaver.io import read_bytes, write_atomic
 from sceneweaver.knowledge.library import INDEX, card_of, own_folder
-from sceneweaver.scene import InputError, Scene, read_bytes, write_atomic
-from sceneweaver.scene.io import parse
+from sceneweaver.scene import InputError, Scene
+from sceneweaver.io import parse_json
 
 DIGITS = 6
 """Decimals of numbers in library files."""
@@ -64,7 +65,7 @@ def collect(runs: str | Path, to: str | Path, least: float = 0.0, each: int = 3,
 
 def _metrics(file: Path) -> dict[str, Any] | None:
     try:
-        data = parse(read_bytes(file))
+        data = parse_json(read_bytes(file))
     except InputError:
         return None
     return data if isinstance(data, dict) else None

@@ -22,9 +22,9 @@ from typing import Any
 import yaml
 
 from sceneweaver.agent import by_model
+from sceneweaver.io import write_atomic
 from sceneweaver.knowledge.load import read_yaml
 from sceneweaver.llm import Reply
-from sceneweaver.scene import write_atomic
 from tests.llm.model_server import Asked, Said
 from tests.llm.said import says
 

@@ -1,18 +1,41 @@
 """Warp code: the compiled problem's tables and everything that runs on the device."""
 
 import importlib
-import os
+from typing import Any
 
 import warp as wp
 
-if not os.environ.get("SCENEWEAVER_DEBUG"):
-    wp.config.log_level = wp.LOG_ERROR  # no greeting, no notes on what is compiled
+from sceneweaver.runtime import compiling
+from sceneweaver.runtime.compiling import Variant
+
+compiling.prepare_warp()
+
+USUAL_BLOCK = 256
+"""Threads of a block with which a GPU launches kernels, where nothing else is said."""
+
+BLOCKS = {
+    "descent": (64,),
+    "gradients_gpu": (64,),
+    "proposals": (128, 64),
+    "rounds": (USUAL_BLOCK, 64),
+    "snap": (32, USUAL_BLOCK),
+    "starts": (32,),
+    "step": (USUAL_BLOCK, 64),
+}
+"""With which numbers of threads a GPU launches the kernels of a module, where these are not the usual ones alone."""
 
 
-def load(device: str, *names: str) -> None:
-    """Compile and load kernel modules ahead of their first launch, side by side on two threads.
+def load(device: str, *names: str) -> int:
+    """Compile and load kernel modules ahead of their first launch; see `sceneweaver.runtime.compiling.load`."""
+    return compiling.load(device, [variant for name in names for variant in variants_of(name)])
 
-    From a warm cache this takes milliseconds; from an empty one it halves the wait.
-    """
-    modules = [wp.get_module(importlib.import_module(f"{__name__}.{name}").__name__) for name in names]
-    wp.force_load(device, modules, max_workers=2)
+
+def load_for(kernel: Any, device: str, block: int = USUAL_BLOCK) -> None:
+    """Compile and load the module of a kernel for launches with so many threads a block."""
+    compiling.load(device, [Variant(kernel.module, block)])
+
+
+def variants_of(name: str) -> list[Variant]:
+    """What is launched of a module of this floor, by its name."""
+    module = wp.get_module(importlib.import_module(f"{__name__}.{name}").__name__)
+    return [Variant(module, block) for block in BLOCKS.get(name, (USUAL_BLOCK,))]

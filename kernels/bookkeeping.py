@@ -21,10 +21,14 @@ def keep_best(
     # State in and out:
     run: SearchRun,
 ):
-    """Keep an active candidate's poses when its energy is the lowest so far."""
+    """Keep an active candidate's poses when its hard energy is the lowest so far, or as low and its energy lower."""
     candidate = wp.tid()
-    if run.active[candidate] == 0 or not run.total[candidate] < run.best_total[candidate]:
+    if run.active[candidate] == 0:
         return
+    hard, best = run.hard[candidate], run.best_hard[candidate]
+    if not (hard < best or (hard == best and run.total[candidate] < run.best_total[candidate])):
+        return
+    run.best_hard[candidate] = hard
     run.best_total[candidate] = run.total[candidate]
     for obj in range(object_count(b.tables, b.problem[candidate])):
         run.best[candidate, obj] = s.poses[candidate, obj]
@@ -160,15 +164,15 @@ def retire(
 ):
     """Take candidates out of the search, and count those that go on in ``left[0]``.
 
-    The valid ones leave, and after the first attempts those that never came close to it (energy above ``close`` [m]),
-    which are counted in ``left[1]``.
+    The valid ones leave, and after the first attempts those that never came close to it (hard energy above ``close``
+    [m]), which are counted in ``left[1]``.
     """
     candidate = wp.tid()
     if run.active[candidate] == 0:
         return
     if int(verdict.status[candidate]) == VALID:
         run.active[candidate] = 0
-    elif run.clock[0] == plan.first_steps and run.best_total[candidate] > close:
+    elif run.clock[0] == plan.first_steps and run.best_hard[candidate] > close:
         run.active[candidate] = 0
         wp.atomic_add(run.left, 1, 1)
     else:

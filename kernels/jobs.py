@@ -40,6 +40,9 @@ class SearchState:
     draft: wp.int32  # 1: their surfaces are laid out anew in `State.draft`
     seed: wp.int32  # of the streams that proposals are drawn from
     total: wp.float32  # energy at the last survey
+    hard: wp.float32  # of that, what soft terms do not make up
+    late: wp.float32  # last share of the attempt, in which soft relations give way where hard terms are violated
+    soft: wp.float32  # share of their weight that soft relations have in what a move costs
     threshold: wp.float32  # what a move may cost: the Metropolis rule, drawn ahead
     scale: wp.float32  # [m] of near proposals
     base: wp.float32  # energy that a step has to beat
@@ -96,9 +99,10 @@ def queued_candidate(jobs: Jobs, slot: wp.int32):
 
 @wp.func
 def problems_at(b: Problems, d: SearchState):
-    """The problems with the weights of an attempt: something pulls back in those only that are anchored."""
+    """The problems with the weights of a job: something pulls back in anchored attempts, and what is soft gives way."""
     if d.anchored == 0:
         b.weights.pull = 0.0
+    b.weights.soft = d.soft
     return b
 
 

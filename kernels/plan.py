@@ -28,6 +28,8 @@ class Plan:
     rates: wp.int32  # 1: what such a move took along is rated at once, else at the next survey
     polish: wp.int32  # gradient sweeps at the end of a round
     tries: wp.int32  # step lengths of one gradient step
+    eases_from: wp.int32  # rounds after which soft relations give way late in an attempt that violates hard terms,
+    eases_over: wp.int32  # and in how many more they come to do so from its start
     soft_moves: wp.int32  # moves for each movable object spent on soft relations once the hard ones hold
     temperature: wp.float32  # [m] temperature at the start of an attempt
     anchored_temperature: wp.float32
@@ -40,7 +42,9 @@ class SearchRun:
     clock: wp.array(dtype=wp.int32)  # [1]: rounds done
     active: wp.array(dtype=wp.int32)  # [candidate]: 1 while it is searched
     total: wp.array(dtype=wp.float32)  # [candidate]: energy after the last round
-    best: wp.array2d(dtype=wp.vec4)  # [candidate, object]: poses of the lowest energy so far
-    best_total: wp.array(dtype=wp.float32)  # [candidate]: that energy
+    hard: wp.array(dtype=wp.float32)  # [candidate]: of that, what soft terms do not make up
+    best: wp.array2d(dtype=wp.vec4)  # [candidate, object]: poses of the lowest hard energy so far, then of the lowest
+    best_total: wp.array(dtype=wp.float32)  # [candidate]: their energy
+    best_hard: wp.array(dtype=wp.float32)  # [candidate]: of that, what soft terms do not make up
     left: wp.array(dtype=wp.int32)  # [2]: candidates that go on, and those that just left without being valid
     more: wp.array(dtype=wp.int32)  # [1]: 1 when another round is due

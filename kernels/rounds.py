@@ -11,6 +11,9 @@ from .tables import Problems, State
 from .transitions import transition
 from .warp_primitives import next_slot, warp_size
 
+LATE = wp.constant(0.2)  # last share of an attempt in which soft relations give way at first; later ones have more
+
+
 wp.set_module_options({"enable_backward": False, "fast_math": True, "default_grid_stride": False})
 
 
@@ -25,6 +28,9 @@ def initial_state(plan: Plan, c: Candidate, run: SearchRun, s: State):
     d.job = wp.where(plan.mixing > 0.0 and d.round == 0, RATE, SURVEY)  # to mix, no rating is needed: RATE of no group
     d.anchored = wp.where(plan.start == GIVEN and run.clock[0] // plan.rounds < plan.anchored_attempts, 1, 0)
     d.cursor = -1
+    since = run.clock[0] - d.round - plan.eases_from
+    d.late = wp.where(since < 0, 0.0, LATE + float(since) / float(plan.eases_over))
+    d.soft = 1.0
     d.rng = item(s.stream, c.index, warp_size())
     return d
 
@@ -33,6 +39,7 @@ def initial_state(plan: Plan, c: Candidate, run: SearchRun, s: State):
 def finish_round(candidate: wp.int32, d: SearchState, s: State, run: SearchRun):
     """The end of a round."""
     run.total[candidate] = d.total
+    run.hard[candidate] = d.hard
     s.stream[candidate, warp_size()] = d.rng
 
 

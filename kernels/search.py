@@ -35,8 +35,8 @@ def search(
         return
     c = candidate_of(b, candidate)
     d = initial_state(plan, c, run, s)
-    anew = problems_at(b, d)
     while d.job != STOP:
+        anew = problems_at(b, d)
         if d.job >= MOVE:
             draw_proposals(anew, plan, c, d, 0, 1, s, proposals)
         x = JobResult()

@@ -236,7 +236,7 @@ class TermSlice:
 class Energy:
     """A sum of terms [m], and its gradient."""
 
-    value: wp.float32  # all that an object takes part in
+    value: wp.float32  # all that an object takes part in; of soft relations as much as ``Weights.soft`` says
     share: wp.float32  # its share of the candidate's energy: half of each pair, the whole of a relation for its subject
     soft: wp.float32  # what of the share soft relations and the pull make up
     gradient: wp.vec4  # of the value for the object's pose (x, y, z, yaw)
@@ -265,6 +265,7 @@ class Weights:
     opening: wp.float32
     relation: wp.float32
     pull: wp.float32
+    soft: wp.float32  # of soft relations, in the value and its gradient alone
     knee: wp.float32  # [m] where the penalty turns from quadratic to linear
 
 

@@ -118,10 +118,14 @@ def add_relations(b: Problems, layout: Layout, x: Body, part: TermSlice, kinds: 
         if wanted:
             role = item(t[0].incidence_role, k)
             e, g = relation_energy(b, layout, rel, role, kinds)
-            total.value += e
-            total.gradient += g
             if role == 0:
                 total.share += e
                 if item(t[0].relation_fault, r) == 0:
                     total.soft += e
+            if b.weights.soft != 1.0:
+                if item(t[0].relation_fault, r) == 0:
+                    e *= b.weights.soft
+                    g *= b.weights.soft
+            total.value += e
+            total.gradient += g
     return total

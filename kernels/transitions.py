@@ -47,6 +47,8 @@ wp.set_module_options({"enable_backward": False})
 LEAST_MOVES = wp.constant(16)  # of a round, however few objects there are
 ALMOST_SQUARE = wp.constant(0.2)  # [rad]
 LONGEST_STEP = wp.constant(0.3)  # [m] along a gradient
+EASED = wp.constant(0.1)  # share of their weight that soft relations keep where they give way
+LAST = wp.constant(0.25)  # last share of that time, in which they keep nothing
 
 
 @wp.func
@@ -111,6 +113,19 @@ def movable_of(t: TablesRef, c: Candidate):
 
 
 @wp.func
+def moves_of(t: TablesRef, plan: Plan, c: Candidate, round: wp.int32):
+    """How many moves a round has."""
+    movable = movable_of(t, c)
+    return wp.max(plan.moves * movable, LEAST_MOVES) + mixing_moves(plan, movable, round)
+
+
+@wp.func
+def temperature_level(t: TablesRef, plan: Plan, c: Candidate, d: SearchState):
+    """What is left of an attempt: from 1 to 0."""
+    return 1.0 - (float(d.round) + float(d.move) / float(moves_of(t, plan, c, d.round))) / float(plan.rounds)
+
+
+@wp.func
 def apply_move(t: TablesRef, c: Candidate, x: JobResult, d: SearchState, s: State):
     """Put the objects of a move where its best proposal has them."""
     layout = layout_of(c, s)
@@ -137,13 +152,18 @@ def apply_result(t: TablesRef, plan: Plan, c: Candidate, x: JobResult, s: State,
     if d.job == SURVEY:
         d.total = x.share
         hard = x.share - x.soft
+        d.hard = hard
         if d.phase == MOVING:
             if hard <= SOLVED:
                 d.soft_moves += wp.max(4, movable // 2)
-                if x.soft <= SOLVED or d.soft_moves > plan.soft_moves * movable or d.anchored == 1:
+                if x.soft <= SOLVED or d.soft_moves > plan.soft_moves * movable or d.anchored == 1 or d.soft == 0.0:
                     d.solved = 1
+            else:
+                level = temperature_level(t, plan, c, d)
+                if level <= d.late:
+                    d.soft = wp.where(level <= LAST * d.late, 0.0, EASED)
         else:
-            d.solved = wp.where(x.share <= SOLVED or (d.anchored == 1 and hard <= SOLVED), 1, 0)
+            d.solved = wp.where(x.share <= SOLVED or ((d.anchored == 1 or d.soft < 1.0) and hard <= SOLVED), 1, 0)
     elif d.job == GRADIENT:
         d.base = x.base
     elif d.job == MOVE:
@@ -162,7 +182,7 @@ def apply_result(t: TablesRef, plan: Plan, c: Candidate, x: JobResult, s: State,
 
 
 @wp.func
-def choose_move(t: TablesRef, plan: Plan, c: Candidate, moves: wp.int32, chosen: wp.int32, s: State, d: SearchState):
+def choose_move(t: TablesRef, plan: Plan, c: Candidate, chosen: wp.int32, s: State, d: SearchState):
     """Set up the move of an object: who goes along, how near the proposals are and what they may cost."""
     rng = d.rng
     whole = bool(False)
@@ -185,7 +205,7 @@ def choose_move(t: TablesRef, plan: Plan, c: Candidate, moves: wp.int32, chosen:
     d.last = item(t[0].group_start, o + 1)
     if not whole or not may_move(t, c, d, s):
         d.last = members_end(t, o)
-    level = 1.0 - (float(d.round) + float(d.move) / float(moves)) / float(plan.rounds)
+    level = temperature_level(t, plan, c, d)
     d.scale = 0.4 * level
     d.threshold = 0.0
     if d.soft_moves == 0:
@@ -205,7 +225,7 @@ def moving_event(t: TablesRef, plan: Plan, c: Candidate, done: wp.int32, moved: 
     """What comes next while objects move: the state, and the event."""
     movable = movable_of(t, c)
     mixing = mixing_moves(plan, movable, d.round)
-    moves = wp.max(plan.moves * movable, LEAST_MOVES) + mixing
+    moves = moves_of(t, plan, c, d.round)
     event = int(IN_ORDER)
     if d.move < mixing:
         rng = d.rng
@@ -213,7 +233,7 @@ def moving_event(t: TablesRef, plan: Plan, c: Candidate, done: wp.int32, moved: 
         d.rng = rng
         if chosen >= 0:
             event = OBJECT_CHOSEN
-            d = choose_move(t, plan, c, moves, chosen, s, d)
+            d = choose_move(t, plan, c, chosen, s, d)
     elif mixing > 0 and d.move == mixing and done != SURVEY:
         event = SURVEY_DUE
     elif plan.rates != 0 and done == MOVE and moved and d.last > members_end(t, c.first_object + d.obj):
@@ -229,7 +249,7 @@ def moving_event(t: TablesRef, plan: Plan, c: Candidate, done: wp.int32, moved: 
             d.rng = rng
             if chosen >= 0:
                 event = OBJECT_CHOSEN
-                d = choose_move(t, plan, c, moves, chosen, s, d)
+                d = choose_move(t, plan, c, chosen, s, d)
             elif plan.rates == 0 and done != SURVEY:  # what went along with a move was not rated
                 event = SURVEY_DUE
     return d, event
@@ -332,6 +352,8 @@ def transition(t: TablesRef, plan: Plan, c: Candidate, x: JobResult, s: State, d
         if d.job == NO_JOB:  # a phase begins
             d.cursor = -1
             d.threshold = 0.0
+            if d.soft < 1.0:
+                d.soft = 0.0
     if d.job >= MOVE and d.job != STOP:
         d = mark_movers(t, c, s, d)
     return d

@@ -14,6 +14,8 @@ from pathlib import Path
 import numpy as np
 import warp as wp
 
+from sceneweaver.runtime import compiling
+
 from . import features
 from .tables import FEATURE_USER
 
@@ -66,7 +68,9 @@ def probe_gradients(residual: wp.Function, a: np.ndarray, b: np.ndarray) -> tupl
         near_out[i] = g
 
     count = len(a)
+    compiling.start_warp()
     device = wp.get_preferred_device()
+    compiling.load(str(device), [probe.module])
     inputs = [wp.array(x, dtype=wp.vec4, device=device) for x in (a, b)]
     outputs = [wp.zeros(count, dtype=wp.vec4, device=device) for _ in "ab"]
     wp.launch(probe, count, inputs, outputs, device=device)

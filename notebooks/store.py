@@ -25,6 +25,7 @@ ROOT = Path(__file__).resolve().parents[1]
 SWITCH = "SCENEWEAVER_NOTEBOOKS"  # set to "small", notebooks take small sizes
 PHOTO, QUALITY = 90_000, 84  # bytes of a PNG that becomes a JPEG, and how well that is kept
 CHATTER = re.compile(r"^Warp (?:CUDA warning|\d).*\n?|^Module .* load on device .*\n?|^ *\n", re.MULTILINE)
+COMPILING = re.compile(r"compil(?:ing|ed \d+ modules of) kernels")  # what a first run shows
 NOTEBOOKS = sorted(Path(__file__).parent.glob("*.ipynb"))
 
 
@@ -74,6 +75,8 @@ def _tidied(output: NotebookNode) -> NotebookNode | None:
         output.text = CHATTER.sub("", output.text) if output.name == "stderr" else output.text
         return output if output.text else None
     output.metadata, data = {}, output.get("data", {})
+    if COMPILING.match(data.get("text/plain", "")):
+        return None
     if "text/plain" in data:
         data["text/plain"] = re.sub(r" at 0x[0-9a-fA-F]+", "", data["text/plain"])
     raw = base64.b64decode(data.get("image/png", ""))

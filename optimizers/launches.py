@@ -8,6 +8,8 @@ from typing import Any
 
 import warp as wp
 
+from sceneweaver.kernels import load_for
+
 from .base import Monitor
 
 
@@ -27,6 +29,7 @@ class Launches:
 
     def add(self, kernel: Any, dim: Any, inputs: Sequence[Any], outputs: Sequence[Any], block: int = 256) -> None:
         """Append a launch in blocks of ``block`` threads. Nothing runs yet."""
+        load_for(kernel, self.device, block)
         command = wp.launch(kernel, dim, [*inputs], [*outputs], device=self.device, record_cmd=True, block_dim=block)
         if command is not None:  # a launch of no threads is none
             self._commands.append(command.launch)

@@ -95,6 +95,8 @@ def plan_for(effort: Effort, start: Start, attempts: int | None) -> Plan:
     first = effort.attempts if attempts is None else attempts
     most = first if attempts is not None or start == "given" else effort.most_attempts
     plan.first_steps, plan.steps = effort.rounds * first, effort.rounds * most
+    plan.eases_from = 0 if first == 1 else effort.rounds * max(first // 8, 1)
+    plan.eases_over = effort.rounds * first
     plan.start, plan.anchored_attempts = STARTS[start], effort.anchored_attempts
     plan.moves, plan.proposals, plan.tries = effort.moves, effort.proposals, effort.tries
     plan.slide, plan.whole, plan.rates = effort.slide, effort.whole, int(effort.rates)
@@ -220,7 +222,8 @@ def search_blocks(batch: Batch, start: Start, budget: int | None, monitor: Monit
         write_verdict(batch, verdict, run.active)
         status = verdict.status.numpy()
         run.active.assign((status != 0).astype(np.int32))
-        run.best_total.assign(np.where(status == 0, 0.0, np.inf).astype(np.float32))
+        for best in (run.best_total, run.best_hard):
+            best.assign(np.where(status == 0, 0.0, np.inf).astype(np.float32))
         solved = int(np.sum(status == 0))
         monitor.add(solved, solved, 0.0)
         block.add(release, batch.size, [*common, plan, run, verdict], [state])

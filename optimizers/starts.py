@@ -24,7 +24,8 @@ def new_run(batch: Batch) -> SearchRun:
     run.active = wp.full(count, 1, dtype=wp.int32, device=device)
     run.total = wp.zeros(count, dtype=wp.float32, device=device)
     run.best = wp.empty_like(batch.state.poses)
-    run.best_total = wp.full(count, float("inf"), dtype=wp.float32, device=device)
+    run.hard = wp.zeros(count, dtype=wp.float32, device=device)
+    run.best_total, run.best_hard = (wp.full(count, float("inf"), dtype=wp.float32, device=device) for _ in range(2))
     return run
 
 

@@ -134,7 +134,7 @@ _HOME = {
 
 def __getattr__(name: str) -> object:
     if name == "__version__":
-        value: object = _version()
+        value: object = _import_module(f"{__name__}.runtime.package").package_version()
     elif name == "problems":  # a module of its own, as `sceneweaver.jax` is
         value = _import_module(f"{__name__}.problems")
     elif name in _HOME:
@@ -147,12 +147,3 @@ def __getattr__(name: str) -> object:
 
 def __dir__() -> list[str]:
     return sorted({*globals(), *__all__})
-
-
-def _version() -> str:
-    from importlib.metadata import PackageNotFoundError, version
-
-    try:
-        return version(__name__)
-    except PackageNotFoundError:  # a source tree that nobody installed
-        return "0+unknown"

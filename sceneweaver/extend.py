@@ -86,7 +86,7 @@ def undefine_relation(name: str) -> None:
         >>> sw.undefine_relation("against_wall")
         Traceback (most recent call last):
             ...
-        sceneweaver.scene.errors.InputError: relation type "against_wall" is built in; ...
+        sceneweaver.io.errors.InputError: relation type "against_wall" is built in; ...
     """
     unregister_relation(name)
     del JUDGES[name]
@@ -152,7 +152,7 @@ def undefine_term(name: str) -> None:
         >>> sw.undefine_term("loud")
         Traceback (most recent call last):
             ...
-        sceneweaver.scene.errors.InputError: term "loud" is unknown
+        sceneweaver.io.errors.InputError: term "loud" is unknown
     """
     if name not in TERMS:
         raise InputError(f'term "{name}" is unknown')

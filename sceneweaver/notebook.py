@@ -7,8 +7,9 @@ from __future__ import annotations
 
 import html
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from sceneweaver.layout import Solution
 from sceneweaver.render import draw_top
@@ -48,8 +49,12 @@ def summary(thing: Scene | Solution | Report) -> str:
     return _beside(thing, _about_scene(thing))
 
 
-def frame(thing: Scene | Solution, width: int = 900, height: int = 560) -> Frame:
+def frame(
+    thing: Scene | Solution, width: int = 900, height: int = 560, load: Callable[[str], Any] | None = None
+) -> Frame:
     """The 3D view of a scene, or of a solution's best layout, as a frame that holds all it needs.
+
+    Assets come from ``load``, or from the library of this user.
 
     Raises:
         InputError: a side is no whole number from 200 to 4000.
@@ -57,7 +62,7 @@ def frame(thing: Scene | Solution, width: int = 900, height: int = 560) -> Frame
     for name, value in (("width", width), ("height", height)):
         if isinstance(value, bool) or not isinstance(value, int) or not SMALLEST <= value <= LARGEST:
             raise InputError(f"{name}: {value!r} is not a whole number from {SMALLEST} to {LARGEST} pixels")
-    page = view_html(ReportData(thing.best if isinstance(thing, Solution) else thing))
+    page = view_html(ReportData(thing.best if isinstance(thing, Solution) else thing, load=load))
     return Frame(
         f'<iframe srcdoc="{html.escape(page)}" width="{width}" height="{height}" sandbox="allow-scripts" '
         'style="border: 0; max-width: 100%" title="3D view of the room"></iframe>'

@@ -8,6 +8,7 @@ from pathlib import Path, PurePosixPath
 
 import pytest
 
+from sceneweaver.assets import categories
 from tests.test_repository import ROOT, code_blocks, tracked_files
 
 TEXTS = ["README.md", "CONTRIBUTING.md", *(p.relative_to(ROOT).as_posix() for p in (ROOT / "docs").rglob("*.md"))]
@@ -69,3 +70,16 @@ def test_the_map_names_every_folder(tree):
     inner |= {folder for folder in folders if folder.startswith(("tests/oracle/", "tests/export/"))}
     assert folders - inner - floors - named == set()
     assert named - folders == set()
+
+
+def test_texts_agree_on_how_many_categories_are_drawn():
+    drawn = sum(category.size is not None for category in categories().values())
+    texts = [*TEXTS, *(path.relative_to(ROOT).as_posix() for path in sorted((ROOT / "notebooks").glob("*.ipynb")))]
+    # The changelog and pages of one run tell of their own time.
+    found = {
+        (name, int(number.replace(",", "")))
+        for name in texts
+        for number in re.findall(r"(?i)more than ([\d,]+) (?:categories|kinds of furniture)", (ROOT / name).read_text())
+    }
+    assert {name for name, _ in found} >= {"README.md", "docs/index.md"}
+    assert found == {(name, drawn // 100 * 100) for name, _ in found}

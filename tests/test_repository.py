@@ -72,7 +72,7 @@ def test_lock_file_covers_every_dependency():
     extras = [text for extra in PROJECT["project"]["optional-dependencies"].values() for text in extra]
     wanted = PROJECT["project"]["dependencies"] + extras + group("dev")
     assert {requirement_name(requirement) for requirement in wanted} <= set(LOCKED)
-    metadata = LOCKED["sceneweaver"]["metadata"]
+    metadata = LOCKED[PROJECT["project"]["name"]]["metadata"]
     listed = {(entry["name"], entry.get("specifier", "")) for entry in metadata["requires-dist"]}
     listed |= {(entry["name"], entry.get("specifier", "")) for entry in metadata["requires-dev"]["dev"]}
     expected = {(requirement_name(text), re.sub(r"^[\w.-]+(\[[\w,-]+\])?", "", text)) for text in wanted}
@@ -91,8 +91,8 @@ def test_warp_is_pinned():
 
 def test_version_is_the_same_everywhere():
     version = PROJECT["project"]["version"]
-    assert LOCKED["sceneweaver"]["version"] == version
-    assert importlib.metadata.version("sceneweaver") == version
+    assert LOCKED[PROJECT["project"]["name"]]["version"] == version
+    assert importlib.metadata.version(PROJECT["project"]["name"]) == version
     assert version in (ROOT / "CHANGELOG.md").read_text()
 
 
@@ -151,3 +151,18 @@ def test_readme_example_runs(number, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     exec(compile(source, "<example in README.md>", "exec"), {"__name__": "readme"})
     assert (tmp_path / "refined.json").is_file() or ".save(" not in source
+
+
+def test_nothing_tells_to_install_the_package_of_another():
+    """PyPI has another project of the module's name; only a wheel, a file, may be named together with an extra."""
+    fetched = r"(?:pip install|uv add|uvx|pipx \w+)\s+(?:-\S+\s+)*[\\'\"]*sceneweaver(?![\w-])"
+    wrong = re.compile(fetched + r"|sceneweaver\\*\[(?:[a-z]+[,\\\]])+")
+    kinds = (".py", ".md", ".ipynb", ".yaml", ".yml", ".toml", ".j2", ".html", ".txt", "Makefile")
+    found = [
+        f"{name}:{number}: {line.strip()[:100]}"
+        for name, text in our_texts()
+        if name.endswith(kinds) and name != "tests/test_repository.py"
+        for number, line in enumerate(text.splitlines(), 1)
+        if wrong.search(line[:100_000])
+    ]
+    assert found == []

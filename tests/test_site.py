@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.report.browser import BINARY, Browser
 from tests.test_docstrings import MODULES, PUBLIC, public
 from tests.test_repository import ROOT
 
@@ -58,6 +59,33 @@ def test_examples_are_shown_as_code(site):
     text = (site / "reference" / "layouts.html").read_text()
     assert "Examples:" in text and text.count("&gt;&gt;&gt;") > 20
     assert "<blockquote>\n<blockquote>" not in text, "an example without the heading 'Examples:'"
+
+
+@pytest.mark.skipif(BINARY is None, reason="needs Chromium")
+def test_pages_opened_from_disk_can_be_searched(site):
+    with Browser(1240, 900) as browser:
+        browser.open((site / "reference" / "layouts.html").as_uri())
+        shown = "getComputedStyle(document.querySelector('.md-search__form')).display !== 'none'"
+        browser.wait(f"{shown} && document.querySelector('.md-search__input').offsetWidth > 100")
+        browser.js("document.querySelector('.md-search__input').focus()")
+        browser.call("Input.insertText", text="collision")
+        browser.wait("document.querySelectorAll('.md-search-result__item').length > 5")
+        asked = [
+            line for line in browser.logs if line.startswith("request: ") and not line.startswith("request: file:")
+        ]
+        assert asked == []
+
+
+@pytest.mark.skipif(BINARY is None, reason="needs Chromium")
+def test_signatures_are_not_cut_off(site):
+    cut = "[...document.querySelectorAll('.doc-signature code')].filter(c => c.scrollWidth > c.clientWidth + 1).length"
+    with Browser(1240, 900) as browser:
+        for name in ("building", "drawing", "layouts"):
+            browser.open((site / "reference" / f"{name}.html").as_uri())
+            assert browser.js("document.querySelectorAll('.doc-signature code').length") > 10
+            for width in (1240, 800, 420):
+                browser.resize(width, 900)
+                assert browser.js(cut) == 0, (name, width)
 
 
 def test_it_fetches_nothing(site):

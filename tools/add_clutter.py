@@ -5,10 +5,10 @@ from __future__ import annotations
 import random
 
 from sceneweaver.generate.traces import FreeFloor, moved_chairs
+from sceneweaver.io.messages import show
 from sceneweaver.knowledge.small_things import traces
 from sceneweaver.scene import InputError
 from sceneweaver.scene.edits import Add, AnyEdit
-from sceneweaver.scene.messages import show
 
 from .base import Context, Proposal
 

@@ -12,10 +12,10 @@ from sceneweaver.generate.surface_bodies import Shelf
 from sceneweaver.generate.surface_choice import is_filled, leaves_top, theme_of, theme_on_top, theme_without
 from sceneweaver.generate.surface_rows import filled
 from sceneweaver.generate.surface_scene import Surroundings
+from sceneweaver.io.messages import show
 from sceneweaver.knowledge.surfaces import Crowd, Unit, crowd, crowds
 from sceneweaver.scene import InputError
 from sceneweaver.scene.edits import Add, AnyEdit
-from sceneweaver.scene.messages import show
 
 from .base import Context, Proposal
 

@@ -9,6 +9,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
+from sceneweaver.io import packaged, parse_yaml
 from sceneweaver.scene import InputError
 from sceneweaver.scene.base import FrozenModel
 
@@ -68,12 +69,7 @@ class ToolCard(FrozenModel):
 @lru_cache(maxsize=256)
 def read_card(text: str) -> ToolCard:
     """The card in a YAML text; InputError with one line on anything wrong."""
-    import yaml
-
-    try:
-        data = yaml.load(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
-    except yaml.YAMLError as error:
-        raise InputError(f"card: not YAML: {' '.join(str(error).split())}") from None
+    data = parse_yaml(text, "card")
     if not isinstance(data, Mapping):
         raise InputError("card: give a YAML mapping with name, role, description and so on")
     return ToolCard.model_validate(dict(data))
@@ -85,7 +81,7 @@ def own_card(name: str) -> ToolCard:
     file = resources.files("sceneweaver").joinpath("toolcards", f"{name}.yaml")
     if not file.is_file():
         raise InputError(f"tool {name}: there is no card toolcards/{name}.yaml")
-    return read_card(file.read_text(encoding="utf-8"))
+    return read_card(packaged.text_of(file))
 
 
 def checked(name: str, inputs: Mapping[str, Any]) -> Mapping[str, Any]:

@@ -5,18 +5,18 @@ from __future__ import annotations
 import json
 from dataclasses import replace
 from functools import cache
-from importlib import resources
 from typing import Any
 
 from sceneweaver.assets import categories
 from sceneweaver.generate.room_rules import check_room, missing, refuse
+from sceneweaver.io import packaged
+from sceneweaver.io.messages import shorten
 from sceneweaver.knowledge import RoomType
 from sceneweaver.knowledge.load import group_templates
 from sceneweaver.knowledge.surfaces import arrangements, crowds
 from sceneweaver.language import SceneGraph
 from sceneweaver.llm import ModelError
 from sceneweaver.scene import CATALOGUE, InputError, Scene
-from sceneweaver.scene.messages import shorten
 
 from .base import Context, Proposal
 from .card import checked
@@ -100,7 +100,7 @@ def drawn(context: Context, room: RoomType, inputs: Any) -> Proposal:
 @cache
 def instructions() -> str:
     """What a model is told of its part."""
-    return resources.files(__package__ or "").joinpath("prompts", "room.md").read_text(encoding="utf-8")
+    return packaged.text(__package__ or "", "prompts", "room.md")
 
 
 @cache

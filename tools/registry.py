@@ -15,6 +15,7 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 from types import MappingProxyType
 
+from sceneweaver.io import packaged
 from sceneweaver.scene import InputError
 
 from .base import Tool
@@ -68,7 +69,7 @@ def tools() -> Mapping[str, Registered]:
 
 def tool(name: str) -> Registered:
     """The tool of that name; InputError when there is none."""
-    from sceneweaver.scene.messages import suggest
+    from sceneweaver.io.messages import suggest
 
     known = tools()
     if name not in known:
@@ -90,7 +91,7 @@ def _card(name: str, target: str) -> ToolCard:
     for folder in _folders(module):
         for file in (folder.joinpath(f"{name}.yaml"), folder.joinpath("toolcards", f"{name}.yaml")):
             if file.is_file():
-                card = read_card(file.read_text(encoding="utf-8"))
+                card = read_card(packaged.text_of(file))
                 if card.name != name:
                     raise InputError(f"its card is called {card.name}; name card and entry point alike")
                 return card

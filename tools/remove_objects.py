@@ -7,9 +7,9 @@ from typing import Any
 
 from sceneweaver.generate.carry import carried
 from sceneweaver.generate.draft import Draft
+from sceneweaver.io.messages import suggest
 from sceneweaver.scene import InputError, Scene, SceneObject
 from sceneweaver.scene.edits import Remove
-from sceneweaver.scene.messages import suggest
 
 from .base import Context, Proposal
 from .card import checked

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from sceneweaver.io.messages import show, suggest
 from sceneweaver.scene import InputError
-from sceneweaver.scene.messages import show, suggest
 
 TYPES: Mapping[str, tuple[type, ...]] = {
     "object": (Mapping,),

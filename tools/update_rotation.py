@@ -9,9 +9,9 @@ from typing import Any
 from sceneweaver.generate.carry import local, move, world
 from sceneweaver.generate.draft import Draft
 from sceneweaver.geometry.angles import bearing, wrap_angle
+from sceneweaver.io.messages import suggest
 from sceneweaver.scene import CATALOGUE, InputError, Pose, Scene, SceneObject
 from sceneweaver.scene.edits import AnyEdit, Relate, Unrelate, apply_all
-from sceneweaver.scene.messages import suggest
 
 from .add_relation import related
 from .base import Context, Proposal

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -18,6 +19,9 @@ from .relaxation import still_true
 from .result import ModelUse, Result
 from .settling import settled
 
+LOOKED = 0.3
+"""Share of the time for judgement that is kept from the last touch, to look whether doors and drawers open."""
+
 
 def closed(run: Run, remarks: Sequence[str], began: float, use: Callable[[], ModelUse | None]) -> Result:
     """Take the run to its end, and its best scene to a result.
@@ -33,21 +37,22 @@ def closed(run: Run, remarks: Sequence[str], began: float, use: Callable[[], Mod
     best = run.go()
     stopped = run.deadline.stop.reason
     said = [f"the work was cut off: {run.cut_off}"] if run.cut_off else []
-    if not run.cut_off:
+    if not stopped and best.scene.objects:
+        left = run.closing.left
         try:
-            with run.deadline.enforced():
+            with run.closing.before(0.0 if math.isinf(left) else LOOKED * left).enforced():
                 best = lived_in(best, executor, run.context(best.scene, settings.seed))
         except TimeUp:
             said.append("the room is tidier than usual: time was up")
     try:
-        with run.deadline.enforced():
+        with run.closing.enforced():
             best, mended = opened(best, executor)
         said += mended
     except TimeUp:
         said.append("whether doors and drawers open was not looked at: time was up")
     if settings.settle:
         try:
-            with run.deadline.enforced():
+            with run.closing.enforced():
                 best, moved = settled(best, executor)
             said += moved
         except TimeUp:
@@ -67,6 +72,7 @@ def closed(run: Run, remarks: Sequence[str], began: float, use: Callable[[], Mod
         unmet=unmet,
         seconds=time.monotonic() - began,
         finished=run.memory.finished,
+        broken=run.undone,
         undone=run.undone + ((f"what would have come after {stopped}",) if run.cut_off and stopped else ()),
         out=run.folder.path if run.folder else None,
         models=models,
@@ -75,7 +81,7 @@ def closed(run: Run, remarks: Sequence[str], began: float, use: Callable[[], Mod
 
 def _seen(run: Run, best: Outcome) -> Outcome:
     """The last scene with what a critic by vision sees of it, where it has changed since that looked."""
-    if run.look is None or run.cut_off or best.review.seen is not None or run.deadline.passed:
+    if run.look is None or run.cut_off or best.review.seen is not None or run.closing.passed:
         return best
     return run.look(best)
 

@@ -5,55 +5,37 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sceneweaver.assets import Library
 from sceneweaver.critic import phrases
+from sceneweaver.export import format_named
+from sceneweaver.io import whole, write_atomic
 from sceneweaver.runtime.deadline import NEVER, Deadline, TimeUp
-from sceneweaver.scene import Scene, SceneWeaverError, whole, write_atomic
-from sceneweaver.scene.files import own_folder
+from sceneweaver.scene import Scene, SceneWeaverError
 
+from .album import FOLDER, HANGS, Album
 from .faults import fault
 from .memory import Step
 from .request_file import NAME, RequestFile
 from .result import Result
+from .schedule import Schedule
 from .transcript import calls_of
 
 if TYPE_CHECKING:
-    from PIL.Image import Image
-
     from sceneweaver.report import ThoughtRow
 
 STEP_WIDTH = 880
 """Pixels of the picture of a step, twice as wide as the report shows it."""
 
-PACKING = 4
-"""How hard pictures are packed, 0 to 9: harder takes twice the time for a few hundredths of the size."""
-
 LEAST = 0.5
 """Seconds without which no further file is begun."""
 
-HANGS = 0.3
-"""Seconds after which a file is given up that comes to no checkpoint: less than the report takes."""
-
-AMPLE = 60.0
-"""Seconds in which pictures of full size are drawn for sure."""
-
-SIZES = ((320, 240), (640, 480), (1280, 960))
-"""Pixels of the views, the smaller ones for when time is short."""
-
-EYE_LEVEL = (((640, 480), "draft"), ((960, 720), "draft"), ((960, 720), "normal"))
-"""Pixels and quality of the pictures at eye level, those first that are for when time is short."""
-
-PER_SIZE, REPORT, PAGE = 4.0, 1.0, 0.35
-"""How much longer each size takes than the one before, and the report than the pictures in it; and the share of the
-time for both that is kept for the report."""
-
-VIEWS = (("top", "top_annotated"), ("corner",))
-"""The views of a room, those together that are drawn from one picture."""
+SCENE, METRICS, REPORT = "scene.json", "metrics.json", "report.html"
+"""Files that every format leaves alone."""
 
 
 def deliver(
@@ -64,165 +46,119 @@ def deliver(
     pictures: bool,
     formats: Sequence[str],
     deadline: Deadline = NEVER,
+    *,
+    started: float = 0.0,
+    asked: bool = True,
 ) -> Result:
-    """Write everything; the result with the seconds that it took.
+    """Write everything; the result with what was written, what was left out, and the seconds that it took.
 
-    When time runs short the pictures, which come first, are small, and what there is no time for is left out and noted.
-    The scene, its metrics and what became of the request are always written.
+    The scene, its metrics and what became of the request are always written. Then come small pictures, the files for
+    other tools, and better pictures as far as there is time; what there is no time for is left out and noted.
+
+    Args:
+        result: what is written.
+        folder: where it goes.
+        library: where assets come from.
+        device: where pictures are drawn.
+        pictures: whether they and the report are.
+        formats: files for other tools.
+        deadline: when all has to be written.
+        started: seconds that it took to start up.
+        asked: whether somebody asked for these formats; all small pictures go before those that nobody did.
     """
     began = time.monotonic()
     load = cache(library.load)
-    write_atomic(folder / "scene.json", result.scene.dumps())
-    result.report.save(folder / "metrics.json")
+    write_atomic(folder / SCENE, result.scene.dumps())
+    result.report.save(folder / METRICS)
     differing = result.models.disagreements if result.models else ()
     RequestFile.of(result.brief, result.review, differing).save(folder / NAME)
-    album = _Album(result.scene, load, _drawing_device(device), deadline) if pictures else None
+    plan = Schedule(started, len(result.scene.objects), formats, pictures)
+    page = max(LEAST, plan.page) if pictures else 0.0
+    album = Album(result.scene, load, _drawing_device(device), folder, deadline, page) if pictures else None
     if album is not None:
-        album.smallest()
-    missed, broken = _exported(result.scene, folder, formats, load, deadline.before(album.page if album else 0.0))
+        album.begin()
+        if not asked:
+            album.begin_at_eye_level()
+    until = deadline.before(page + (LEAST if pictures and asked else 0.0))
+    written, missed, broken = _exported(result.scene, folder, formats, load, until)
+    late = list(missed)
+    left_out = [format_named(name).file for name in missed]
+    drawn: list[str] = []
     if album is not None:
+        if asked:
+            album.begin_at_eye_level()
         album.enlarge()
-        album.at_eye_level()
-        album.save(folder / "views")
-        missed += ["pictures"] if album.short or not (album.views or album.broken) else []
+        album.improve_at_eye_level()
         broken += album.broken
-        result = replace(result, notes=(*result.notes, *album.notes))
+        drawn = [f"{FOLDER}/{view}.png" for view in album.views]
+        if album.missing and not album.broken:
+            late.append("pictures")
+            left_out += [f"{FOLDER}/{view}.png" for view in album.missing]
         if deadline.passed:
-            missed.append("report")
-    undone = (*result.undone, *missed, *broken)
-    if missed:
-        broken = [f"time was up before these were written: {', '.join(missed)}", *broken]
-    result = replace(result, notes=(*result.notes, *broken), undone=undone)
+            late.append("report")
+            left_out.append(REPORT)
+        result = replace(result, notes=(*result.notes, *album.notes))
     spent = time.monotonic() - began
     seconds = {**result.report.seconds, "files": round(spent, 3)}
     seconds["total"] = round(float(seconds.get("total", 0.0)) + spent, 3)
-    result = replace(result, report=replace(result.report, seconds=seconds), seconds=result.seconds + spent)
-    result.report.save(folder / "metrics.json")
-    if album is not None and "report" not in missed:
-        _report(result, folder, load, album.views, deadline.before(album.page))
-    return result
+    result = replace(
+        result,
+        report=replace(result.report, seconds=seconds),
+        notes=(*result.notes, *broken),
+        undone=(*result.undone, *broken),
+        broken=(*result.broken, *broken),
+        files=(*drawn, SCENE, *(format_named(name).file for name in written), METRICS, NAME),
+        seconds=result.seconds + spent,
+    )
+    result = _without(result, late, left_out)
+    result.report.save(folder / METRICS)
+    if album is None or REPORT in left_out:
+        return result
+    try:
+        with deadline.enforced(patience=HANGS):
+            _report(result, folder, load, album.views, deadline.before(page))
+    except TimeUp:
+        result = _without(result, ["report"], [REPORT])
+        result.report.save(folder / METRICS)
+        return result
+    return replace(result, files=(REPORT, *result.files))
+
+
+def _without(result: Result, late: Sequence[str], files: Sequence[str]) -> Result:
+    """A result that says what there was no time for, as its names and its files."""
+    if not files:
+        return result
+    left_out = (*result.left_out, *files)
+    return replace(
+        result,
+        notes=(*result.notes, f"time was up before these were written: {', '.join(files)}"),
+        undone=(*result.undone, *late),
+        left_out=left_out,
+        report=replace(result.report, left_out=left_out),
+    )
 
 
 def _exported(
     scene: Scene, folder: Path, formats: Sequence[str], load: Callable, deadline: Deadline
-) -> tuple[list[str], list[str]]:
-    """Write the files for other tools; those that there was no time for, and what broke down."""
+) -> tuple[list[str], list[str], list[str]]:
+    """Write the files for other tools; those that are there, those without time, and what broke down."""
     from sceneweaver.export import export_scene
 
-    missed, broken = list[str](), list[str]()
+    written, missed, broken = list[str](), list[str](), list[str]()
     for name in formats:
         try:
             if deadline.left < LEAST:
                 raise TimeUp
             with deadline.enforced(patience=HANGS):
                 export_scene(scene, folder, (name,), load)
+            written.append(name)
         except TimeUp:
             missed.append(name)
         except SceneWeaverError:
             raise
         except Exception as error:
             broken.append(fault(name, error))
-    return missed, broken
-
-
-@dataclass
-class _Album:
-    """The views of a scene, as large as there is time for.
-
-    ``took`` says how many seconds the last ones took, ``short`` that there was no time for all of the smallest.
-    """
-
-    scene: Scene
-    load: Callable
-    device: str
-    deadline: Deadline
-    views: dict[str, Image] = field(default_factory=dict)
-    size: tuple[int, int] = SIZES[-1]
-    took: float = LEAST
-    short: bool = False
-    notes: tuple[str, ...] = ()
-    broken: tuple[str, ...] = ()
-
-    @property
-    def page(self) -> float:
-        """About how many seconds the report takes."""
-        return max(LEAST, REPORT * self.took)
-
-    def smallest(self) -> None:
-        """Draw small views first when time is short, if there is time for them and the report."""
-        if LEAST <= self.deadline.left <= AMPLE:
-            self._draw(SIZES[0], PAGE * self.deadline.left)
-
-    def enlarge(self) -> None:
-        """Draw the larger views that there is time for: the smaller ones told how long they take here."""
-        if self.deadline.left > AMPLE:
-            self._draw(SIZES[-1], self.page)
-        for size in SIZES[SIZES.index(self.size) + 1 :] if self.views and not self.short else ():
-            short = (PER_SIZE + REPORT) * self.took + LEAST > self.deadline.left
-            if short or not self._draw(size, self.page):
-                self.notes = (f"time was short, so the pictures have {self.size[0]} x {self.size[1]} pixels",)
-                break
-
-    def at_eye_level(self) -> None:
-        """Draw the room at eye level, as well as there is time for; one picture tells how long the next ones take."""
-        if self.short or not self.views:
-            return
-        from sceneweaver.render import EyeLevel, Quality
-
-        began, wanted = time.monotonic(), 1
-        drawn: dict[str, Image] = {}
-        levels = EYE_LEVEL if self.deadline.left <= AMPLE else EYE_LEVEL[-1:]
-        try:
-            with self.deadline.before(self.page).enforced(patience=HANGS):
-                if self.deadline.before(self.page).left < LEAST:
-                    raise TimeUp
-                room = EyeLevel(self.scene, self.load, device=self.device)
-                wanted = len(room.cameras)
-                for size, quality in levels:
-                    if drawn and PER_SIZE * (time.monotonic() - began) > self.deadline.before(self.page).left:
-                        break
-                    began = time.monotonic()
-                    for view in room.cameras:
-                        drawn[view] = room.draw(view, *size, getattr(Quality, quality)())
-        except SceneWeaverError:
-            raise
-        except TimeUp:
-            pass
-        except Exception as error:
-            self.broken = (*self.broken, fault("pictures at eye level", error))
-            return
-        if len(drawn) < wanted:
-            self.notes = (*self.notes, "time was short, so there are not all pictures at eye level")
-        self.views = {**self.views, **drawn}
-
-    def save(self, folder: Path) -> None:
-        """Write a PNG for each view."""
-        if self.views:
-            own_folder(folder)
-        for name, picture in self.views.items():
-            with whole(folder / f"{name}.png") as path:
-                picture.save(path, "PNG", compress_level=PACKING)
-
-    def _draw(self, size: tuple[int, int], kept: float) -> bool:
-        """Draw the views, with so many seconds kept for what comes after; whether they are there."""
-        from sceneweaver.render import draw_rooms
-
-        started, drawn = time.monotonic(), {}
-        try:
-            with self.deadline.before(kept).enforced(patience=HANGS):
-                for views in VIEWS:
-                    drawn |= draw_rooms(self.scene, self.load, views, *size, device=self.device)
-        except SceneWeaverError:
-            raise
-        except Exception as error:
-            self.broken = (fault("pictures", error),)
-            return False
-        except TimeUp:
-            if not self.views:  # some small ones are better than none
-                self.views, self.size, self.took, self.short = drawn, size, time.monotonic() - started, True
-            return False
-        self.views, self.size, self.took = drawn, size, time.monotonic() - started
-        return True
+    return written, missed, broken
 
 
 def _report(result: Result, folder: Path, load: Callable, drawn: dict, deadline: Deadline) -> None:
@@ -236,7 +172,7 @@ def _report(result: Result, folder: Path, load: Callable, drawn: dict, deadline:
         picture = None
         if kept.exists() and step.accepted and not deadline.passed:
             with suppress(TimeUp), deadline.enforced(patience=HANGS):
-                picture = draw_top(Scene.load(kept), width=STEP_WIDTH)
+                picture = draw_top(Scene.load(kept, within=folder), width=STEP_WIDTH)
         rows.append(
             StepRow(
                 number=step.number,

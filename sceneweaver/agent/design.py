@@ -34,19 +34,12 @@ from .memory import Step
 from .replayed import prompt_of, recorded, roles_of, settings_of
 from .result import Result
 from .roles import Roles
+from .schedule import EXPECTED, LEAST, Schedule
 from .settings import Settings
-
-LEAST_RESERVE, WRITING, EXIT = 2.0, 2.5, 0.25
-"""Least time [s] that is kept for writing the results; what that and ending a process take, in times of starting up."""
 
 TIME, TIME_BY_MODEL = 120.0, 600.0
 """Time limit [s] where none is given, without and with a model."""
 
-MOST_RESERVE = 0.4
-"""Share of a time limit that is kept for writing the results at most."""
-
-LONGEST = 100_000
-"""Characters of a request that are read."""
 
 LIKELY = "living_room"
 """The kind of room that is made when the request names none and nothing in it tells."""
@@ -156,44 +149,42 @@ def design(prompt: str = "", **options: Unpack[AllOptions]) -> Result:
         state = recorded(asking.replay)
         prompt, roles = prompt_of(state, prompt), roles_of(state, *who)
         settings = settings_of(state, chosen if time_limit == "auto" else {**chosen, "seconds": time_limit})
-    offline = read_request(prompt[:LONGEST])
+    offline = read_request(prompt)
     folder = RunFolder(Path(out)) if out is not None else None
     limit = Deadline(began + (settings.seconds or math.inf), stop=given["stop"] or Stop())
     with folder.held() if folder is not None else nullcontext():
         if folder is not None:
             folder.check_roles(roles)  # before a model is asked in vain
-        session = Session.opened(roles, asking, limit, folder.path / RECORDS if folder is not None else None)
+        session = Session.opened(
+            roles, asking, limit, folder.path / RECORDS if folder is not None else None, time.monotonic() - began
+        )
         with session.known_rooms(prompt):
             brief = session.read(offline, folder)
             room_type, remarks = chosen_room(brief)
             tools = {n: tool for n, tool in registered().items() if usable(n, tool, settings, room_type, session.plans)}
             library = given["library"] or Library()
             run = Run(brief, room_type, settings, tools, session.planner, library, folder=folder, said=given["said"])
-            run.deadline = limit
+            run.deadline = run.limit = limit
             session.serve(run)
             if folder is None:
                 return closed(run, (*session.notes, *remarks), began, session.use)
             _resume(run, folder)
             started = time.monotonic() - began - session.waited
-            limit.stop.allowance = max(LEAST_RESERVE, WRITING * started)
-            kept = reserve(settings.seconds, started) if settings.seconds else limit.stop.allowance
-            run.deadline = session.deadline = replace(limit, end=limit.end - run.memory.seconds).before(kept)
+            run.schedule = Schedule(started, EXPECTED, formats, given["pictures"])
+            run.divide(replace(limit, end=limit.end - run.memory.seconds))
             result = closed(run, (*session.notes, *remarks), began, session.use)
-            until, pictures = limit.before(EXIT * started), given["pictures"]
-            return deliver(result, folder.path, library, settings.device, pictures, formats, until)
-
-
-def reserve(limit: float, started: float) -> float:
-    """Seconds of a time limit that are kept for writing the results.
-
-    To write the results of a room in their quickest form takes about two and a half times as long as to start up, which
-    so measures how fast this machine is just now.
-
-    Args:
-        limit: the time limit [s].
-        started: seconds that it took to start up and to read the request.
-    """
-    return min(MOST_RESERVE * limit, max(LEAST_RESERVE, 0.12 * limit, WRITING * started))
+            until, asked = limit.before(min(run.schedule.exit, LEAST)), given["export"] is not None
+            return deliver(
+                result,
+                folder.path,
+                library,
+                settings.device,
+                given["pictures"],
+                formats,
+                until,
+                started=started,
+                asked=asked,
+            )
 
 
 def usable(name: str, tool: Registered, settings: Settings, room_type: RoomType, by_model: bool = False) -> bool:

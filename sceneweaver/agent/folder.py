@@ -12,11 +12,10 @@ from typing import Any, ClassVar, Literal
 from pydantic import Field
 
 from sceneweaver.critic import Review
+from sceneweaver.io import locked, own_folder, parse_json, read_bytes, require_no_link, sweep, write_atomic
 from sceneweaver.language import SceneGraph
-from sceneweaver.scene import InputError, Scene, locked, read_bytes, sweep, write_atomic
+from sceneweaver.scene import InputError, Scene
 from sceneweaver.scene.base import FrozenModel
-from sceneweaver.scene.files import own_folder, require_no_link
-from sceneweaver.scene.io import parse
 from sceneweaver.verify import Report
 
 from .memory import Memory
@@ -124,7 +123,11 @@ class RunFolder:
                     f"{getattr(settings, name)!r}; choose another place"
                 )
         led_to = kept.memory.steps and kept.scene != SCENE
-        return (kept.memory, Scene.load(self.path / kept.scene)) if led_to else None
+        return (kept.memory, self.scene(kept.scene)) if led_to else None
+
+    def scene(self, name: str) -> Scene:
+        """The scene of a path inside the folder; InputError for one that is damaged, or lies elsewhere."""
+        return Scene.load(self.path / name, within=self.path)
 
     def step(
         self,
@@ -141,24 +144,28 @@ class RunFolder:
         folder = self.path / name
         own_folder(folder)
         self._save(scene, folder / "scene.json")
-        report.save(folder / "metrics.json")
-        _write(folder / "review.json", review.model_dump(mode="json"))
+        self._write(folder / "metrics.json", report.to_json() + "\n")
+        self._write(folder / "review.json", _text(review.model_dump(mode="json")))
         last = memory.steps[-1] if memory.steps else None
-        _write(folder / "step.json", last.model_dump(mode="json", exclude={"plan"}) if last else {})
+        self._write(folder / "step.json", _text(last.model_dump(mode="json", exclude={"plan"}) if last else {}))
         if last is not None and last.plan is not None:
-            _write(folder / "plan.json", last.plan.model_dump(mode="json"))
+            self._write(folder / "plan.json", _text(last.plan.model_dump(mode="json")))
         self.state(f"{name}/scene.json", memory, brief, settings)
 
     def keep(self, scene: Scene, report: Report) -> None:
         """Write the best valid scene so far as the scene of the folder: it is there however the run ends."""
         self._save(scene, self.path / SCENE)
-        replace(report, cut_off=report.cut_off or UNDONE).save(self.path / "metrics.json")
+        self._write(self.path / "metrics.json", replace(report, cut_off=report.cut_off or UNDONE).to_json() + "\n")
 
     def _save(self, scene: Scene, path: Path) -> None:
         """Write a scene. What a step leads to is most often what the folder keeps too: its text is made once."""
         if self._dumped is None or self._dumped[0] is not scene:
             self._dumped = (scene, scene.dumps())
-        write_atomic(path, self._dumped[1])
+        self._write(path, self._dumped[1])
+
+    def _write(self, path: Path, text: str) -> None:
+        """Write a file of the run, in its own folder."""
+        write_atomic(path, text, within=self.path)
 
     def state(self, scene: str, memory: Memory, brief: SceneGraph, settings: Settings) -> None:
         """Write the state to go on from; ``scene`` is a path inside the folder."""
@@ -173,7 +180,7 @@ class RunFolder:
             read_by=self.read_by,
             disagreements=self.disagreements,
         )
-        _write(self.path / STATE, state.model_dump(mode="json"))
+        self._write(self.path / STATE, _text(state.model_dump(mode="json")))
 
     def kept_scene(self) -> str:
         """The path, inside the folder, of the scene that the state points to; without a state the folder's own."""
@@ -186,7 +193,7 @@ class RunFolder:
         if not path.exists() and not path.is_symlink():
             return None
         try:
-            return State.model_validate(parse(read_bytes(path, max_bytes=MAX_STATE)))
+            return State.model_validate(parse_json(read_bytes(path, max_bytes=MAX_STATE, within=self.path)))
         except InputError as error:
             reason = str(error).removeprefix(f"{path}: ").partition("; ")[0]
             raise InputError(
@@ -194,5 +201,5 @@ class RunFolder:
             ) from None
 
 
-def _write(path: Path, data: Any) -> None:
-    write_atomic(path, json.dumps(data, indent=1, ensure_ascii=False) + "\n")
+def _text(data: Any) -> str:
+    return json.dumps(data, indent=1, ensure_ascii=False) + "\n"

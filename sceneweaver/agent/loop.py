@@ -10,12 +10,12 @@ from typing import Any
 from sceneweaver.assets import Library
 from sceneweaver.critic import CRITERIA, Review
 from sceneweaver.generate.shell import floor_area, shell
+from sceneweaver.io.messages import shorten
 from sceneweaver.knowledge import RoomType
 from sceneweaver.language import SceneGraph
 from sceneweaver.llm import ModelClient, ModelError
 from sceneweaver.runtime.deadline import NEVER, Deadline, TimeUp
 from sceneweaver.scene import InputError, Room, Scene, SceneWeaverError
-from sceneweaver.scene.messages import shorten
 from sceneweaver.tools.base import Context, Proposal, Tool
 from sceneweaver.tools.registry import Registered
 from sceneweaver.verify import check
@@ -27,15 +27,19 @@ from .memory import Call, Memory, Step, Thought
 from .planner import Planner, Situation, Thinker
 from .plans import next_calls
 from .relaxation import REASON, cleared
+from .schedule import EXPECTED, GROWTH, LEAST, Schedule
 from .settings import Settings
 from .sight import Look, looked
 
-GRACE, FIRST_GRACE, LEAST_GRACE = 0.2, 0.6, 1.0
-"""How much of the time kept for the files a step has to end in good order, how much as long as there is no layout, and
-how many seconds at least."""
+GRACE, FIRST_GRACE, LEAST_GRACE = 0.1, 0.4, 1.0
+"""How much of the time kept for what comes after a step has to end in good order, how much as long as there is no
+layout, and how many seconds at least."""
 
 REVIEW = 0.5
-"""How much of the time kept for the files has passed when a last review has to be done."""
+"""How much of the time kept for what comes after has passed when a last review has to be done."""
+
+JUDGED = 0.25
+"""Share of the time kept for what comes after the search that the judgement may take at most."""
 
 HURRY = 0.5
 """Share of the time left when a tool begins after which it has to hurry."""
@@ -61,8 +65,10 @@ class Run:
 
     ``memory`` and ``best`` are what the steps led to. What the end of the run adds is apart from them, so that a run
     which goes on in its folder does not see it: ``notes``, ``unmet``, what cut it off (``cut_off``), and the tools that
-    broke down (``undone``). ``client`` is for tools that ask a model, ``fill`` and ``look`` ask one; None where there
-    is none. ``kept`` is called when a step is over and written. ``thought`` is the last plan.
+    broke down (``undone``). ``limit`` is when all has to be done, ``deadline`` when the search has, and ``schedule``
+    says how much is kept in between; what it keeps for the judgement is in ``closing``. ``client`` is for tools that
+    ask a model, ``fill`` and ``look`` ask one; None where there is none. ``kept`` is called when a step is over and
+    written. ``thought`` is the last plan.
     """
 
     brief: SceneGraph
@@ -73,6 +79,8 @@ class Run:
     library: Library = field(default_factory=Library)
     folder: RunFolder | None = None
     deadline: Deadline = NEVER
+    limit: Deadline = NEVER
+    schedule: Schedule | None = None
     said: Said | None = None
     client: ModelClient | None = None
     fill: Fill | None = None
@@ -86,6 +94,7 @@ class Run:
     unmet: tuple[str, ...] = ()
     undone: tuple[str, ...] = ()
     cut_off: str = ""
+    _judgement: float = 0.0
 
     def go(self) -> Outcome:
         """Take steps until the scene is good, nothing more can be mended, or the budget is spent.
@@ -104,6 +113,9 @@ class Run:
             self.folder.keep(bare, check(bare))
         reason, spent = self.memory.finished, self.memory.spent
         while not reason:
+            if self.best is not None:
+                self._divided(len(self.best.scene.objects) + GROWTH)
+                executor.deadline = self.deadline
             reason = self._spent()
             spent = bool(reason)
             if reason or (reason := self._done()):
@@ -137,6 +149,26 @@ class Run:
             best = self._judged(executor, replace(best, scene=lighter.scene, report=report))
         return best
 
+    @property
+    def closing(self) -> Deadline:
+        """When the judgement of the best scene has to be done."""
+        return self.deadline.before(-min(self._judgement, self.deadline.margin))
+
+    def divide(self, limit: Deadline) -> None:
+        """Begin with a time limit, of which the schedule keeps a part from the search."""
+        self.limit = limit
+        self._divided(EXPECTED)
+
+    def _divided(self, objects: int) -> None:
+        """Keep as much from the search as a room of so many objects needs."""
+        if self.schedule is None:
+            return
+        schedule = replace(self.schedule, objects=objects)
+        seconds = self.settings.seconds
+        kept = schedule.kept(seconds) if seconds else LEAST + schedule.judgement
+        self._judgement = min(schedule.judgement, JUDGED * kept)
+        self.deadline = self.limit.before(kept)
+
     def _judged(self, executor: Executor, outcome: Outcome) -> Outcome:
         """A last outcome with a review of its own, if there is time for one."""
         try:
@@ -164,7 +196,9 @@ class Run:
 
     def _cut(self) -> str:
         """Note that time is up, and say why."""
-        self.cut_off = self.deadline.stop.reason or f"{self.settings.seconds:g} seconds"
+        seconds, kept = self.settings.seconds or 0.0, self.deadline.margin
+        rest = f", {kept:.0f} of them kept for judgement, files and pictures" if kept >= 0.5 else ""
+        self.cut_off = self.deadline.stop.reason or f"{seconds:g} seconds{rest}"
         return self.cut_off
 
     def _spent(self) -> str:

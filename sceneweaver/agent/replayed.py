@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.scene import InputError, read_bytes
-from sceneweaver.scene.io import parse
+from sceneweaver.io import parse_json, read_bytes
+from sceneweaver.scene import InputError
 
 from .folder import RunFolder, State
 from .roles import Roles
@@ -39,7 +39,7 @@ def recorded(folder: Path) -> State:
 def _cut_off(folder: Path) -> str:
     """What ended a run before it was done; empty where nothing did, or its results were never written."""
     try:
-        metrics = parse(read_bytes(folder / "metrics.json"))
+        metrics = parse_json(read_bytes(folder / "metrics.json"))
     except InputError:
         return ""
     return str(metrics.get("cut_off") or "") if isinstance(metrics, dict) else ""

@@ -9,10 +9,9 @@ from typing import ClassVar, Literal
 from pydantic import Field
 
 from sceneweaver.critic import ItemOutcome, Review
+from sceneweaver.io import parse_json, read_bytes, write_atomic
 from sceneweaver.language import SceneGraph
-from sceneweaver.scene import read_bytes, write_atomic
 from sceneweaver.scene.base import FrozenModel
-from sceneweaver.scene.io import parse
 
 NAME = "request.json"
 
@@ -53,7 +52,7 @@ class RequestFile(FrozenModel):
         Raises:
             InputError: when it cannot be read or is no such file.
         """
-        return cls.model_validate(parse(read_bytes(path, max_bytes=MAX_BYTES)))
+        return cls.model_validate(parse_json(read_bytes(path, max_bytes=MAX_BYTES)))
 
     def save(self, path: Path) -> None:
         """Write it under a temporary name beside the path and rename it."""

@@ -66,6 +66,9 @@ class Result:
         seconds: wall time.
         finished: why the agent ended.
         undone: files that there was no time for, what a signal cut off, and parts of the program that broke down.
+        broken: those of them that broke down.
+        files: what was written for this result, in the order in which to look at it, by paths inside ``out``.
+        left_out: files that there was no time for, by the paths that they would have.
         out: the folder that was written; None: none.
         models: what a model did; None: none had anything to do.
 
@@ -86,6 +89,9 @@ class Result:
     seconds: float
     finished: str
     undone: tuple[str, ...] = ()
+    broken: tuple[str, ...] = ()
+    files: tuple[str, ...] = ()
+    left_out: tuple[str, ...] = ()
     out: Path | None = None
     models: ModelUse | None = None
 

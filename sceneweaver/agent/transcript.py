@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from sceneweaver.scene.messages import shorten
+from sceneweaver.io.messages import shorten
 
 from .memory import Call, Memory, Step, Thought
 

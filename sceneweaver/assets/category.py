@@ -9,6 +9,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
+from sceneweaver.io import packaged
 from sceneweaver.scene.base import FrozenModel
 
 from .asset import Mount
@@ -86,9 +87,7 @@ class Category(FrozenModel):
 
 def read_yaml(file: Traversable) -> Any:
     """YAML data of a file of the package, by the fast reader where there is one."""
-    import yaml
-
-    return yaml.load(file.read_text(encoding="utf-8"), Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
+    return packaged.parse(packaged.text_of(file))
 
 
 @cache

@@ -1,7 +1,7 @@
 """Results of costly calls that processes tell each other: a folder with one growing file of each process.
 
-A record is the key, the length and a checksum of the value, and the value. What a killed process left half written at
-the end of its file is never read.
+A record is the key, the length of the value, a checksum of key and value, and the value. What a killed process left
+half written at the end of its file is never read.
 """
 
 from __future__ import annotations
@@ -17,7 +17,10 @@ from hashlib import blake2b
 from pathlib import Path
 from threading import Lock
 
+from sceneweaver.io import InputError, open_regular, open_writable
+
 _HEAD = struct.Struct("<16sII")
+_MOST = 2**40  # [bytes] of a file
 _LOOK = 1.0  # [s] between two looks for what others wrote
 
 
@@ -45,20 +48,20 @@ class Journal:
             if key not in self._places:
                 return None
             path, start, length, check = self._places[key]
-        with contextlib.suppress(OSError), open(path, "rb", buffering=0) as file:
+        with contextlib.suppress(OSError, InputError), open_regular(path, _MOST) as file:
             value = os.pread(file.fileno(), length, start)
-            if len(value) == length and zlib.crc32(value) == check:
+            if len(value) == length and zlib.crc32(key + value) == check:
                 return value
         return None
 
     def put(self, key: bytes, value: bytes) -> None:
         """Tell a value."""
-        with self._lock, contextlib.suppress(OSError):
+        with self._lock, contextlib.suppress(OSError, InputError):
             if self._own is None or self._process != os.getpid():
                 self._own, self._process = self.folder / f"{secrets.token_hex(8)}.journal", os.getpid()
                 self.folder.mkdir(parents=True, exist_ok=True)
-            with open(self._own, "ab", buffering=0) as file:
-                file.write(_HEAD.pack(key, len(value), zlib.crc32(value)) + value)
+            with open_writable(self._own, "ab") as file:
+                file.write(_HEAD.pack(key, len(value), zlib.crc32(key + value)) + value)
 
     def _look(self) -> None:
         """Note where things stand that were written since the last look."""
@@ -66,7 +69,7 @@ class Journal:
             return
         self._looked = time.monotonic()
         for path in self.folder.glob("*.journal"):
-            with contextlib.suppress(OSError), open(path, "rb", buffering=0) as file:
+            with contextlib.suppress(OSError, InputError), open_regular(path, _MOST) as file:
                 self._read[path] = self._index(path, file.fileno(), self._read.get(path, 0))
 
     def _index(self, path: Path, file: int, at: int) -> int:

@@ -7,7 +7,6 @@ import zlib
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cache
-from zipfile import BadZipFile
 
 import numpy as np
 
@@ -74,7 +73,7 @@ def scaled_asset(index: int, thing: SceneObject, load: Load) -> tuple[Asset | No
         asset = load(thing.asset)
     except InputError as error:
         raise InputError(f"objects[{index}].asset: {str(error).removeprefix('asset: ')}") from None
-    except (EOFError, KeyError, OSError, ValueError, BadZipFile) as error:
+    except (EOFError, KeyError, OSError, ValueError) as error:
         what = f"'{thing.asset}' cannot be read ({type(error).__name__}: {error})"
         raise InputError(f"objects[{index}].asset: {what}; import it again") from None
     factors = np.asarray(thing.size) / np.maximum(np.asarray(asset.size), 1e-9)

@@ -17,25 +17,21 @@ from typing import Any
 
 import numpy as np
 
-from sceneweaver.scene import InputError, Part, Surface, Zone, read_bytes, sweep
-from sceneweaver.scene.files import reason, temporary_folder
-from sceneweaver.scene.io import parse
-from sceneweaver.scene.messages import suggest
+from sceneweaver.io import parse_json, read_arrays, read_bytes, reason, sweep, temporary_folder, write_atomic
+from sceneweaver.io.messages import suggest
+from sceneweaver.runtime.caches import cache_place, kept_in
+from sceneweaver.scene import InputError, Part, Surface, Zone
 
 from .asset import Asset, Origin
 from .body import Grasp, Hull, Interior, Link, Material, Mesh
-from .imports.guarded import read_arrays
 
 SCHEMA = "sceneweaver.asset/1"
 
 
 def default_root() -> Path:
-    """``$SCENEWEAVER_ASSETS``, or the user's cache folder."""
+    """``$SCENEWEAVER_ASSETS``, or the user's cache folder, or what stands in for that where it cannot be written."""
     given = os.environ.get("SCENEWEAVER_ASSETS")
-    if given:
-        return Path(given).expanduser()
-    base = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
-    return Path(base).expanduser() / "sceneweaver" / "assets"
+    return Path(given).expanduser() if given else kept_in(cache_place("sceneweaver/assets"))
 
 
 class Store:
@@ -61,7 +57,7 @@ class Store:
         try:
             with self._draft() as draft:
                 _write_body(draft / "body.npz", asset)
-                (draft / "row.json").write_text(json.dumps(row_of(asset, content), indent=1) + "\n", encoding="utf-8")
+                write_atomic(draft / "row.json", json.dumps(row_of(asset, content), indent=1) + "\n")
                 final.parent.mkdir(parents=True, exist_ok=True)
                 os.rename(draft, final)
         except OSError as error:
@@ -76,7 +72,7 @@ class Store:
         found = []
         for path in self.root.glob("objects/*/*/row.json"):
             try:
-                row = parse(read_bytes(path))
+                row = parse_json(read_bytes(path))
             except InputError:
                 continue  # being removed by another process, or not ours
             if isinstance(row, dict) and row.get("schema") == SCHEMA and isinstance(row.get("id"), str):
@@ -87,7 +83,7 @@ class Store:
         """An asset by id; InputError when the store has none of that id."""
         tail = asset_id.rpartition("-")[2]
         for path in self.root.glob(f"objects/{tail[:2]}/{tail}*/row.json") if len(tail) >= 8 else ():
-            row = parse(read_bytes(path))
+            row = parse_json(read_bytes(path))
             if isinstance(row, dict) and row.get("id") == asset_id:
                 try:
                     return _read(path.parent, row)

@@ -11,6 +11,8 @@ from importlib import resources
 from itertools import combinations
 from typing import Any, Literal
 
+from sceneweaver.io import packaged
+
 from .asset import Mount
 from .category import Category, categories, read_yaml
 from .looks import is_look
@@ -286,7 +288,7 @@ def _misspelt(noun: str, asked: str) -> Match | None:
 @cache
 def near_words() -> frozenset[str]:
     """Words of English, singular, that a slip would turn into the name of a thing: "dressed" is no dresser."""
-    lines = resources.files(__package__ or "").joinpath("near_words.txt").read_text(encoding="utf-8").splitlines()
+    lines = packaged.text(__package__ or "", "near_words.txt").splitlines()
     return frozenset(word for line in lines if not line.startswith("#") for word in line.split())
 
 

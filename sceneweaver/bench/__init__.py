@@ -1,6 +1,6 @@
 """A harness: any optimiser over many problems, as anytime curves, profiles, tables and plots; `sceneweaver bench`.
 
-It needs the extra ``bench`` (pyarrow, matplotlib): ``pip install 'sceneweaver[bench]'``.
+It needs the extra ``bench`` (pyarrow, matplotlib).
 """
 
 from .curves import Profile as Profile

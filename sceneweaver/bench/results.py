@@ -16,7 +16,9 @@ from typing import Annotated, Any, get_type_hints
 
 import numpy as np
 
-from sceneweaver.scene import InputError, MissingDependencyError, write_atomic
+from sceneweaver.io import load_json, open_parquet, write_atomic
+from sceneweaver.runtime.package import missing_extra, package_version
+from sceneweaver.scene import InputError, MissingDependencyError
 
 from .settings import Settings
 
@@ -31,7 +33,7 @@ def needed(name: str) -> Any:
         return import_module(name)
     except ImportError:
         package = name.partition(".")[0]
-        raise MissingDependencyError(f"{package} is not installed; pip install 'sceneweaver[bench]'") from None
+        raise MissingDependencyError(missing_extra("bench", f"{package} is not installed")) from None
 
 
 def pyarrow() -> Any:
@@ -94,7 +96,7 @@ def arrow_schema(metadata: bytes) -> Any:
 
 
 RESULTS, PARTS, SETTINGS = "results.parquet", "runs", "settings.json"
-PACKAGES = ("sceneweaver", "warp-lang", "numpy", "jax", "torch", "optax", "optimistix", "blackjax", "evosax")
+PACKAGES = ("warp-lang", "numpy", "jax", "torch", "optax", "optimistix", "blackjax", "evosax")
 Key = tuple[str, str, int]
 """Method, problem and seed."""
 
@@ -148,7 +150,7 @@ class Folder:
         (path / PARTS).mkdir(parents=True, exist_ok=True)
         note = path / SETTINGS
         if note.exists():
-            before = json.loads(note.read_text("utf-8"))
+            before = load_json(note)
             other = [name for name, value in settings.to_dict().items() if before.get(name) != value]
             if other:
                 raise InputError(f"out: {path} holds runs with another {', '.join(other)}; give another folder")
@@ -189,7 +191,7 @@ def describe(settings: Settings) -> dict[str, Any]:
     found = {name: found for name in PACKAGES if (found := _version(name))}
     return {
         "settings": settings.to_dict(),
-        "versions": {"python": platform.python_version(), **found},
+        "versions": {"python": platform.python_version(), "sceneweaver": package_version(), **found},
         "machine": {"system": f"{platform.system()} {platform.machine()}", "cores": os.cpu_count(), "device": device},
     }
 
@@ -245,15 +247,13 @@ def read_about(path: Path | str) -> dict[str, Any]:
         >>> sorted(bench.read_about(path))
         ['machine', 'settings', 'versions']
     """
-    return json.loads(pyarrow().parquet.read_schema(_results(path)[0]).metadata[KEY])
+    with open_parquet(_results(path)[0]) as file:
+        return json.loads(file.schema_arrow.metadata[KEY])
 
 
 def _read(path: Path) -> Iterable[Run]:
-    pa = pyarrow()
-    try:
-        table = pa.parquet.read_table(path)
-    except (pa.ArrowInvalid, OSError) as error:
-        raise InputError(f"{path}: no Parquet file: {str(error).splitlines()[0]}") from None
+    with open_parquet(path) as file:
+        table = file.read()
     missing = [name for name in COLUMNS if name not in table.column_names]
     if missing:
         raise InputError(f"{path}: there is no column {missing[0]}; these are no results of sceneweaver bench")

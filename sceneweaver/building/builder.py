@@ -17,7 +17,14 @@ from .furniture import Size, find_furniture, object_of, surface_for
 from .relating import relation_type, require_frame, targets_of
 
 
-def build(room: Room, *, name: str = "scene", style: str | None = None, seed: int = 0) -> SceneBuilder:
+def build(
+    room: Room,
+    *,
+    name: str = "scene",
+    style: str | None = None,
+    seed: int = 0,
+    library: Library | None = None,
+) -> SceneBuilder:
     """Begin a scene in a room.
 
     Args:
@@ -25,6 +32,7 @@ def build(room: Room, *, name: str = "scene", style: str | None = None, seed: in
         name: of the scene.
         style: of the furniture, such as scandinavian; None: any.
         seed: which furniture is drawn where several suit; the same words give the same piece.
+        library: where furniture comes from; None: the library of this user.
 
     Examples:
         >>> import sceneweaver as sw
@@ -36,7 +44,7 @@ def build(room: Room, *, name: str = "scene", style: str | None = None, seed: in
         >>> [o.id for o in room.scene().objects], len(room.scene().relations)
         (['desk-0', 'office_chair-0', 'table_lamp-0'], 3)
     """
-    return SceneBuilder(room, name=name, style=style, seed=seed)
+    return SceneBuilder(room, name=name, style=style, seed=seed, library=library)
 
 
 class SceneBuilder:
@@ -68,9 +76,11 @@ class SceneBuilder:
         self.notes: list[str] = []
 
     @classmethod
-    def of(cls, scene: Scene, *, style: str | None = None, seed: int = 0) -> SceneBuilder:
+    def of(
+        cls, scene: Scene, *, style: str | None = None, seed: int = 0, library: Library | None = None
+    ) -> SceneBuilder:
         """A builder that goes on with a scene."""
-        builder = cls(scene.room, style=style, seed=seed)
+        builder = cls(scene.room, style=style, seed=seed, library=library)
         builder._scene = scene
         return builder
 

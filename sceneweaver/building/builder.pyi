@@ -13,7 +13,14 @@ Thing: TypeAlias = Named
 Things: TypeAlias = Thing | Sequence[Thing]
 Range: TypeAlias = tuple[float, float]
 
-def build(room: Room, *, name: str = "scene", style: str | None = None, seed: int = 0) -> SceneBuilder: ...
+def build(
+    room: Room,
+    *,
+    name: str = "scene",
+    style: str | None = None,
+    seed: int = 0,
+    library: Library | None = None,
+) -> SceneBuilder: ...
 
 class SceneBuilder:
     notes: list[str]
@@ -27,7 +34,9 @@ class SceneBuilder:
         library: Library | None = None,
     ) -> None: ...
     @classmethod
-    def of(cls, scene: Scene, *, style: str | None = None, seed: int = 0) -> SceneBuilder: ...
+    def of(
+        cls, scene: Scene, *, style: str | None = None, seed: int = 0, library: Library | None = None
+    ) -> SceneBuilder: ...
     @property
     def room(self) -> Room: ...
     @property

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from sceneweaver.assets import Asset, Library, Wish, drawable, resolve
 from sceneweaver.assets.asset import Mount
 from sceneweaver.assets.taxonomy import category_named
+from sceneweaver.io.messages import show
 from sceneweaver.scene import InputError, Intent, Pose, Scene, SceneObject, Support, Surface
-from sceneweaver.scene.messages import show
 
 HUNG = (1.2, 1.5)
 """Heights [m] of the bottom of what hangs on a wall, where its category says nothing."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from sceneweaver.io.messages import show, suggest
 from sceneweaver.scene import CATALOGUE, InputError, Room, id_of
-from sceneweaver.scene.messages import show, suggest
 
 SHORT = {"against": "against_wall"}
 """Short names of relation types."""

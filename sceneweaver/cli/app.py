@@ -24,8 +24,10 @@ import typer
 from typer.core import TyperCommand
 
 from sceneweaver.export.formats import FORMATS, USUAL
+from sceneweaver.runtime.compiling import watched_by
 from sceneweaver.runtime.deadline import process_began
 from sceneweaver.runtime.options import takes
+from sceneweaver.runtime.package import missing_module
 
 from .dataset import dataset
 from .exit_codes import BAD_INPUT, INTERRUPTED, MISSING
@@ -43,6 +45,7 @@ from .model_options import (
     limits_of,
 )
 from .options import Candidates, Device, Input, Json, Out, Picture, Png, Seed, TimeLimit, positive_seconds
+from .output import CompilingLine
 
 # The base of typer's usage errors, which lives in click or, with newer versions of typer, in typer itself.
 _UsageError: type[Exception] = next(c for c in typer.BadParameter.__mro__ if c.__name__ == "ClickException")
@@ -694,6 +697,14 @@ def problems_export(
     return run_export(name, out, as_json=as_json)
 
 
+@app.command()
+def warm(device: Device = "auto", as_json: Json = False) -> int:
+    """Compile all kernels ahead, so that no first run waits for that; needed once, and after an update."""
+    from .warm import run_warm
+
+    return run_warm(device, as_json=as_json)
+
+
 @problems.command("verify")
 def problems_verify(
     name: Annotated[
@@ -724,7 +735,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     try:
         load_extensions()
         command = typer.main.get_command(app)
-        code = command.main(args=args or ["--help"], prog_name="sceneweaver", standalone_mode=False, obj=began)
+        with watched_by(CompilingLine()):
+            code = command.main(args=args or ["--help"], prog_name="sceneweaver", standalone_mode=False, obj=began)
         sys.stdout.flush()
         if code == INTERRUPTED:  # so some versions of typer report Ctrl-C
             raise KeyboardInterrupt
@@ -740,11 +752,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     except ModuleNotFoundError as error:
         if (error.name or "").partition(".")[0] == "sceneweaver":
             return _fault(error, as_json)
-        return _fail(
-            f"the package '{error.name}' is missing; install it with: pip install {error.name}", MISSING, as_json
-        )
+        return _fail(missing_module(error.name or "", f"the package '{error.name}' is missing"), MISSING, as_json)
     except Exception as error:
-        from sceneweaver.scene.errors import SceneWeaverError
+        from sceneweaver.io import SceneWeaverError
 
         if not isinstance(error, SceneWeaverError):
             return _fault(error, as_json)

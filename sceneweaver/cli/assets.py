@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from sceneweaver.scene import InputError, write_atomic
-from sceneweaver.scene.messages import suggest
+from sceneweaver.io import write_atomic
+from sceneweaver.io.messages import suggest
+from sceneweaver.scene import InputError
 
 from .exit_codes import BAD_INPUT, NOT_VALID
 from .output import list_files, no_chatter

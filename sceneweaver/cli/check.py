@@ -6,7 +6,8 @@ from pathlib import Path
 
 import typer
 
-from sceneweaver.scene import InputError, Scene, write_atomic
+from sceneweaver.io import write_atomic
+from sceneweaver.scene import InputError, Scene
 
 from .exit_codes import NOT_VALID
 from .output import headline, list_files, list_violations, no_chatter, print_json, relations_line

@@ -77,6 +77,11 @@ Patient = Annotated[bool, typer.Option("--wait/--no-wait", help="When the disk i
 JsonLines = Annotated[bool, typer.Option("--json", help="Print a line of JSON a block and one at the end.")]
 
 
+FullCheck = Annotated[
+    bool, typer.Option("--full-check", help="Of one that is whole, read all files, not only their sizes.")
+]
+
+
 @dataset.command()
 def make(
     source: Spec,
@@ -110,13 +115,16 @@ def resume(
     worker_memory: Memory = None,
     patient: Patient = True,
     time_limit: TimeLimit = None,
+    full_check: FullCheck = False,
     as_json: JsonLines = False,
 ) -> int:
-    """Go on with a data set that is not whole; it needs no specification."""
+    """Go on with a data set that is not whole, or make anew what is damaged; it needs no specification."""
     from .dataset_runs import Run, run_resume
 
     memory = _bytes(worker_memory)
-    settings = Run(workers, device, _parts(shard or ""), engine.value, address, memory, patient, as_json, time_limit)
+    settings = Run(
+        workers, device, _parts(shard or ""), engine.value, address, memory, patient, as_json, time_limit, full_check
+    )
     return run_resume(folder, settings)
 
 

@@ -35,7 +35,7 @@ def run_plan(source: Path, sample: int, workers: int | None, device: str, *, as_
     with handles() as (_, stderr):
         from sceneweaver.datasets.engines import Listener, estimate
 
-        notices = Progress(0, None, stderr)
+        notices = Progress(None, stderr)
         found = estimate(source, sample, workers, device, Listener(lambda record: None, notices.notice))
     if as_json:
         print_json(found.to_dict())

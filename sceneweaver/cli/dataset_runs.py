@@ -38,6 +38,7 @@ class Run:
     patient: bool
     as_json: bool
     time_limit: float | None = None
+    full_check: bool = False
 
 
 def run_make(source: Path, out: Path, run: Run) -> int:
@@ -68,13 +69,20 @@ def _go_on(dataset: Dataset, run: Run, stdout: IO[str], stderr: IO[str]) -> int:
     from sceneweaver.datasets.engines import Listener, Options, missing, resume
 
     path, begun = dataset.folder.path, time.monotonic()
-    left = 0 if dataset.folder.complete.exists() else len(missing(dataset, run.shard))
-    progress = Progress(left, stdout if run.as_json else None, stderr)
+    progress = Progress(stdout if run.as_json else None, stderr)
     options = Options(
-        run.workers, run.device, run.shard, run.engine, run.address, run.memory, run.patient, run.time_limit
+        run.workers,
+        run.device,
+        run.shard,
+        run.engine,
+        run.address,
+        run.memory,
+        run.patient,
+        run.time_limit,
+        run.full_check,
     )
     try:
-        whole = resume(dataset, options, Listener(progress.block, progress.notice))
+        whole = resume(dataset, options, Listener(progress.block, progress.notice, progress.begun))
     except (KeyboardInterrupt, SystemExit):
         progress.notice(f"stopped; nothing is lost; go on with: sceneweaver dataset resume {path}")
         raise
@@ -83,11 +91,17 @@ def _go_on(dataset: Dataset, run: Run, stdout: IO[str], stderr: IO[str]) -> int:
     seconds = time.monotonic() - begun
     over = not whole and (run.shard is None or bool(missing(dataset, run.shard)))
     if run.as_json:
-        facts = {"folder": str(path), "whole": whole, "blocks": left, **progress.counts, "seconds": round(seconds, 3)}
+        facts = {
+            "folder": str(path),
+            "whole": whole,
+            "blocks": progress.blocks,
+            **progress.counts,
+            "seconds": round(seconds, 3),
+        }
         print(json.dumps(facts), file=stdout)
         return UNFINISHED if over else 0
     scenes = ", ".join(f"{progress.counts[status]} {status}" for status in STATUSES)
-    print(f"{path}: {left} blocks in {seconds:.1f} s: {scenes}", file=stdout)
+    print(f"{path}: {progress.blocks} blocks in {seconds:.1f} s: {scenes}", file=stdout)
     if over:
         print(f"the time is over; go on with: sceneweaver dataset resume {path}", file=stdout)
     elif not whole:
@@ -98,8 +112,8 @@ def _go_on(dataset: Dataset, run: Run, stdout: IO[str], stderr: IO[str]) -> int:
 class Progress:
     """What a run says: a line of JSON a block, a line on a terminal that moves, or a line now and then."""
 
-    def __init__(self, blocks: int, lines: IO[str] | None, stderr: IO[str]):
-        self._blocks, self._lines, self._stderr = blocks, lines, stderr
+    def __init__(self, lines: IO[str] | None, stderr: IO[str]):
+        self.blocks, self._lines, self._stderr = 0, lines, stderr
         self._begun = self._said = time.monotonic()
         self._moving = lines is None and stderr.isatty()
         self._done = 0
@@ -110,13 +124,17 @@ class Progress:
         self._done += 1
         self.counts.update({status: record[status] for status in STATUSES})
         if self._lines is not None:
-            print(json.dumps({**record, "done": self._done, "of": self._blocks}), file=self._lines, flush=True)
+            print(json.dumps({**record, "done": self._done, "of": self.blocks}), file=self._lines, flush=True)
         elif self._moving:
             self._stderr.write(f"\r\x1b[K{self._line()}")
             self._stderr.flush()
         elif time.monotonic() - self._said > QUIET:
             self._said = time.monotonic()
             print(self._line(), file=self._stderr, flush=True)
+
+    def begun(self, count: int) -> None:
+        """Hear how many blocks are made next."""
+        self.blocks += count
 
     def notice(self, text: str) -> None:
         """Say something in a line of its own."""
@@ -132,11 +150,11 @@ class Progress:
 
     def _line(self) -> str:
         seconds = time.monotonic() - self._begun
-        left = seconds / self._done * (self._blocks - self._done)
+        left = seconds / self._done * (self.blocks - self._done)
         troubles = self.counts["rejected"] + self.counts["failed"]
         rate = self.counts.total() / seconds
         return (
-            f"{self._done}/{self._blocks} blocks, {self.counts.total()} scenes, {rate:.2f} a second, "
+            f"{self._done}/{self.blocks} blocks, {self.counts.total()} scenes, {rate:.2f} a second, "
             f"{troubles} not delivered, {duration(left)} left"
         )
 

@@ -11,7 +11,7 @@ import typer
 from sceneweaver.runtime.deadline import stoppable
 from sceneweaver.scene import InputError
 
-from .exit_codes import NOT_VALID
+from .exit_codes import NOT_VALID, UNFINISHED
 from .model_options import announce, request_of, told
 from .output import headline, list_files, list_violations, no_chatter, print_json, relations_line
 
@@ -22,26 +22,16 @@ if TYPE_CHECKING:
 DEMO = "a bedroom for a teenager with a desk by the window"
 """What ``make demo`` asks for."""
 
-FILES = (
-    "report.html",
-    "views/eye-door.png",
-    "views/eye-corner.png",
-    "views/eye-corner2.png",
-    "views/corner.png",
-    "views/top.png",
-    "views/top_annotated.png",
-    "scene.json",
-    "scene.glb",
-    "scene.usdc",
-    "scene.xml",
-    "scenestate.json",
-    "metrics.json",
-    "llm/transcript.md",
-)
+TRANSCRIPT = "llm/transcript.md"
+"""What a model thought, where one did."""
 
 
 def run_design(prompt: str, out: Path, options: Mapping[str, Any], *, as_json: bool, began: float) -> int:
-    """Design a room into a folder; 0 when all that was asked for is so, 3 when not.
+    """Design a room into a folder.
+
+    Returns:
+        0 when all that was asked for is so and written, 3 when the room is not so or a part of the program broke down,
+        5 when it is so, and time or a signal left out some of the rest.
 
     Args:
         prompt: the request.
@@ -56,11 +46,11 @@ def run_design(prompt: str, out: Path, options: Mapping[str, Any], *, as_json: b
         raise InputError(f"--out: {out} is no folder; give a folder")
     if not as_json:
         announce(given)
+    with no_chatter():
+        from sceneweaver.agent import design  # takes seconds; before it is there, a signal ends the process at once
     with no_chatter(), stoppable() as stop:
-        from sceneweaver.agent import design
-
         result = design(prompt, out=out, said=None if as_json else _say, began=began, stop=stop, **given)
-    code = 0 if result.satisfied else NOT_VALID
+    code = exit_code(result)
     if as_json:
         print_json(_json(result, out, code))
         return code
@@ -78,8 +68,22 @@ def run_design(prompt: str, out: Path, options: Mapping[str, Any], *, as_json: b
         typer.echo("  not understood: " + ", ".join(word.words for word in result.brief.unread))
     told(result)
     typer.echo(f"  {len(result.steps)} steps, {result.seconds:.1f} s; ended: {result.finished}")
-    list_files([out / name for name in FILES if (out / name).exists()])
+    list_files([out / name for name in _files(result, out)])
+    for name in result.left_out:
+        typer.secho(f"  left out for time: {out / name}", fg="yellow")
     return code
+
+
+def exit_code(result: Result) -> int:
+    """How the command ends that led to a result."""
+    if not result.report.valid or result.unmet or result.broken:
+        return NOT_VALID
+    return UNFINISHED if result.undone else 0
+
+
+def _files(result: Result, out: Path) -> list[str]:
+    """What was written, by paths inside the folder."""
+    return [*result.files, *([TRANSCRIPT] if (out / TRANSCRIPT).exists() else [])]
 
 
 def _say(step: Step) -> None:
@@ -106,7 +110,8 @@ def _json(result: Result, out: Path, code: int) -> dict[str, Any]:
         "steps": [step.model_dump(mode="json") for step in result.steps],
         "seconds": round(result.seconds, 3),
         "finished": result.finished,
-        "files": [str(out / name) for name in FILES if (out / name).exists()],
+        "files": [str(out / name) for name in _files(result, out)],
+        "left_out": [str(out / name) for name in result.left_out],
         "models": result.models.to_dict() if result.models is not None else None,
         "metrics": result.report.to_dict(),
     }

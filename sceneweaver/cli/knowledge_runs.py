@@ -7,11 +7,12 @@ from typing import Any
 
 import typer
 
+from sceneweaver.io import write_atomic
+from sceneweaver.io.messages import shorten
 from sceneweaver.knowledge import Item, RoomType, match_room, room_type, room_types
 from sceneweaver.knowledge.learned import forget_room, keep_room, learned_rooms, room_file
 from sceneweaver.knowledge.room_files import slug
-from sceneweaver.scene import InputError, MissingDependencyError, write_atomic
-from sceneweaver.scene.messages import shorten
+from sceneweaver.scene import InputError, MissingDependencyError
 
 from .exit_codes import NOT_VALID
 from .output import no_chatter, print_json

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import typer
 
+from sceneweaver.io import write_atomic
 from sceneweaver.scene import InputError, SceneWeaverError
 
 from .exit_codes import NOT_VALID
@@ -52,8 +53,8 @@ def run_export(name: str, out: Path, *, as_json: bool) -> int:
     if out.suffix == ".json":
         raise InputError(f"--out: {out} is a file; give a folder")
     with staged(out, names) as folder:
-        (folder / "problem.json").write_bytes(problems.canonical(case) + b"\n")
-        (folder / "card.md").write_text(case.card, "utf-8")
+        write_atomic(folder / "problem.json", problems.canonical(case) + b"\n")
+        write_atomic(folder / "card.md", case.card)
         case.scene.save(folder / "scene.json")
         if case.witness is not None:
             case.layout(case.witness).save(folder / "witness.json")

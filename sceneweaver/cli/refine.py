@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import typer
 
-from sceneweaver.scene import Scene, write_atomic
+from sceneweaver.io import write_atomic
+from sceneweaver.scene import Scene
 
 from .exit_codes import NOT_VALID
 from .output import headline, list_files, list_violations, no_chatter, print_json, progress_bar, relations_line, staged

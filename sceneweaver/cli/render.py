@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from sceneweaver.scene import InputError, Scene, whole
+from sceneweaver.io import whole
+from sceneweaver.scene import InputError, Scene
 
 from .output import list_files, no_chatter, print_json
 

@@ -15,8 +15,8 @@ from urllib.parse import unquote, urlsplit
 
 import typer
 
-from sceneweaver.scene import InputError, Scene, read_bytes
-from sceneweaver.scene.io import parse
+from sceneweaver.io import parse_json, read_bytes
+from sceneweaver.scene import InputError, Scene
 
 HOST = "127.0.0.1"
 PORTS_TRIED = 50
@@ -130,7 +130,7 @@ def _metrics(path: Path, scene: Path) -> dict[str, Any] | None:
     try:
         if scene.name != "scene.json" or path.stat().st_mtime < scene.stat().st_mtime:
             return None
-        data = parse(read_bytes(path))
+        data = parse_json(read_bytes(path))
     except (OSError, InputError):
         return None
     return data if isinstance(data, dict) and data.get("schema") == "sceneweaver.metrics/1" else None

@@ -51,7 +51,7 @@ def undefine_check(name: str) -> None:
         >>> sw.undefine_check("no plants")
         Traceback (most recent call last):
             ...
-        sceneweaver.scene.errors.InputError: check "no plants" is unknown
+        sceneweaver.io.errors.InputError: check "no plants" is unknown
     """
     if CHECKS.pop(name, None) is None:
         raise InputError(f'check "{name}" is unknown')

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import hashlib
 import os
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import repeat
 from pathlib import Path
 
+from sceneweaver.io import InputError, read_bytes, reason, write_atomic
 from sceneweaver.runtime.processes import cores, pool
-from sceneweaver.scene import write_atomic
 
 from .folder import Folder
+from .seals import MOST_SEAL, DamagedError, require_inside, sha256
 
 MANY = 4096
 """Files from which on processes are worth their start."""
@@ -19,16 +21,12 @@ MANY = 4096
 TOGETHER = 256
 """Files that a process is given at a time."""
 
+DIGEST = re.compile("[0-9a-fA-F]{64}")
+
 NAMED = ("LICENSES.md", "README.md", "croissant.json")
 FOLDERS = ("assets", "data", "meta")
 TIMES = "meta/seconds.parquet"
 """What no two runs agree on has no checksum, so that equal data sets have equal files of checksums."""
-
-
-def sha256(path: Path) -> str:
-    """SHA-256 of a file, in hex."""
-    with open(path, "rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()
 
 
 def sha256_of(root: Path, names: Sequence[str]) -> list[str]:
@@ -77,9 +75,24 @@ def write_checksums(folder: Folder, known: Mapping[str, str] | None = None) -> N
 
 
 def read_checksums(folder: Folder) -> dict[str, str]:
-    """The checksums that are listed, by path relative to the root."""
-    lines = (line.partition(" ") for line in folder.checksums.read_text(encoding="utf-8").splitlines())
-    return {name.lstrip(" *").removeprefix("./"): digest for digest, _, name in lines}
+    """The checksums that are listed, by path relative to the root.
+
+    Raises:
+        DamagedError: the list cannot be read, or a line of it is none.
+    """
+    try:
+        text = read_bytes(folder.checksums, max_bytes=MOST_SEAL).decode()
+    except (InputError, UnicodeDecodeError) as error:
+        raise DamagedError(f"{folder.checksums}: cannot be read: {reason(error)}") from None
+    found: dict[str, str] = {}
+    for number, line in enumerate(text.splitlines(), start=1):
+        digest, _, name = line.partition(" ")
+        name = name.lstrip(" *").removeprefix("./")
+        if not DIGEST.fullmatch(digest) or not name:
+            raise DamagedError(f"{folder.checksums}: line {number} is no checksum and path")
+        require_inside(name, folder.checksums)
+        found[name] = digest.lower()
+    return found
 
 
 def _names(root: Path) -> Iterator[str]:

@@ -41,9 +41,11 @@ class Folder:
         work: what runs need on the way; no part of the data set.
         blocks: blocks that are made and not packed yet.
         records: when blocks were made, by whom, with how much memory.
-        complete: is there as soon as all blocks were made: from then on they are packed, and none is made again.
-        packed: is there as soon as the blocks are packed.
-        plan: what packing is to write; once it is there, no block is made any more.
+        complete: is there as soon as all blocks were made.
+        packed: the seal of all files, written when the blocks are packed.
+        plan: what packing is to write; it stays until all is written.
+        begun: the seal of what the data set was begun with.
+        joined: the data sets that this one was joined of, whose blocks cannot be made from its specification.
     """
 
     def __init__(self, path: Path):
@@ -55,6 +57,7 @@ class Folder:
         self.asset_table, self.statistics = self.meta / "assets.parquet", self.meta / "statistics.json"
         self.blocks, self.records, self.plan = (self.work / name for name in ("blocks", "records", "plan"))
         self.complete, self.packed = self.work / "complete", self.work / "packed"
+        self.begun, self.joined = self.work / "begun.sha256", self.work / "joined.txt"
 
     def block(self, number: int) -> Path:
         """The folder of a block; where it is, the block is whole. `samples` says which files it holds."""

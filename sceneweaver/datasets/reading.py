@@ -7,19 +7,21 @@ from __future__ import annotations
 
 import os
 import shutil
-import tarfile
 from collections.abc import Container, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.scene import InputError
-from sceneweaver.scene.files import reason, temporary_folder
-from sceneweaver.scene.messages import suggest
+from sceneweaver.io import InputError, reason, temporary_folder
+from sceneweaver.io.messages import clean, suggest
 
+from .digests import content_of
 from .folder import Folder
 from .samples import ROWS, SAMPLES, read_rows
+from .seals import DamagedError, kind_fault, open_own, require_inside
 from .tables import read_table
+from .tars import content, members
 
 SCENE = ("glb", "xml", "usdc")
 """Suffixes that become ``scene.<suffix>``, as a design has them; other files have the names of their suffixes."""
@@ -78,22 +80,19 @@ def spans_of(path: Path, scenes: int) -> Iterator[Span]:
     """The scenes of a tar file by groups, from the headers of its members alone.
 
     Raises:
-        InputError: no tar file, or a damaged one.
+        InputError: no regular file, no tar file, or a damaged one.
     """
     start, keys = 0, []
-    try:
-        with tarfile.open(path, "r:") as tar:
-            for member in tar:
-                key = split_name(member.name)[0]
-                if not keys or key != keys[-1]:
-                    if len(keys) == scenes:
-                        yield Span(path, start, tuple(keys))
-                        keys = []
-                    if not keys:
-                        start = member.offset
-                    keys.append(key)
-    except (tarfile.TarError, OSError) as error:
-        raise InputError(f"{path}: no whole tar file: {error}") from None
+    with open_own(path) as file:
+        for member in members(file, clean(str(path))):
+            key = split_name(member.name)[0]
+            if not keys or key != keys[-1]:
+                if len(keys) == scenes:
+                    yield Span(path, start, tuple(keys))
+                    keys = []
+                if not keys:
+                    start = member.start
+                keys.append(key)
     if keys:
         yield Span(path, start, tuple(keys))
 
@@ -104,23 +103,41 @@ def scenes_of(span: Span, suffixes: Container[str] | None = None) -> Iterator[tu
     Args:
         span: where they lie.
         suffixes: which files are read; None: all. A scene without any of them is passed over.
+
+    Raises:
+        InputError: as `spans_of`.
     """
-    left, key, files = len(span.keys), "", {}
-    with open(span.path, "rb") as file:
-        file.seek(span.start)
-        with tarfile.open(fileobj=file, mode="r:") as tar:
-            for member in tar:
-                name, suffix = split_name(member.name)
-                if files and name != key:
-                    yield key, files
-                    files, left = {}, left - 1
-                    if not left:
-                        return
-                if suffixes is None or suffix in suffixes:
-                    content = tar.extractfile(member)
-                    key, files[suffix] = name, content.read() if content else b""
+    left, key, files, name = len(span.keys), "", {}, clean(str(span.path))
+    with open_own(span.path) as file:
+        for member in members(file, name, span.start):
+            own, suffix = split_name(member.name)
+            if files and own != key:
+                yield key, files
+                files, left = {}, left - 1
+                if not left:
+                    return
+            if suffixes is None or suffix in suffixes:
+                key, files[suffix] = own, content(file, member, name)
     if files:
         yield key, files
+
+
+@contextmanager
+def of_others(folder: Folder) -> Iterator[None]:
+    """Rows and scenes that lack what every data set has, or have it in another form, are one line.
+
+    Raises:
+        InputError: with the way to see all that is wrong.
+    """
+    try:
+        yield
+    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
+        if isinstance(error, InputError):
+            raise
+        raise InputError(
+            f"{clean(str(folder.path))}: its tables or scenes are not those of a data set ({type(error).__name__}: "
+            f"{reason(error)}); see: sceneweaver dataset verify"
+        ) from error
 
 
 def split_name(name: str) -> tuple[str, str]:
@@ -148,7 +165,8 @@ def extract(path: Path, key: str, out: Path) -> list[Path]:
     from .store.scene_files import references
 
     folder = Folder(path)
-    files = _files(folder, key, _row(folder, key))
+    with of_others(folder):
+        files = _files(folder, key, _row(folder, key))
     if out.exists() and (not out.is_dir() or any(out.iterdir())):
         raise InputError(f"out: {out} is there already; give a new or empty folder")
     try:
@@ -156,13 +174,11 @@ def extract(path: Path, key: str, out: Path) -> list[Path]:
         with temporary_folder(out.parent) as drafts:
             draft = drafts / "scene"
             draft.mkdir()
-            for name, content in files.items():
-                (draft / name).write_bytes(content)
+            for name, written in files.items():
+                (draft / name).write_bytes(written)
             for relative in references(files):
-                if not (folder.path / relative).is_file():
-                    raise InputError(
-                        f"{folder.path / relative}: no such file; fetch the assets of the data set as well"
-                    )
+                if fault := kind_fault(folder.path / relative):
+                    raise InputError(f"{folder.path / relative}: {fault}; fetch the assets of the data set as well")
                 (draft / relative).parent.mkdir(parents=True, exist_ok=True)
                 link(folder.path / relative, draft / relative)
             os.replace(draft, out)
@@ -184,7 +200,7 @@ def link(source: str | Path, target: str | Path) -> None:
 
 def _row(folder: Folder, key: str) -> dict[str, Any]:
     keys = []
-    for row in rows_of(folder, ["key", "status", "reason", "shard"]):
+    for row in rows_of(folder, ["key", "status", "reason", "shard", "content_hash", "bytes"]):
         if row["key"] == key:
             if row["status"] != "ok":
                 raise InputError(f"key: scene {key} was not delivered ({row.get('reason')}); see the index")
@@ -195,12 +211,19 @@ def _row(folder: Folder, key: str) -> dict[str, Any]:
 
 def _files(folder: Folder, key: str, row: dict[str, Any]) -> dict[str, bytes]:
     """The files of a scene by the names that they have in a folder of their own."""
+    if row.get("shard"):
+        try:
+            require_inside(row["shard"], folder.index)
+        except DamagedError as error:
+            raise InputError(str(error)) from None
     for path in [folder.path / row["shard"]] if row.get("shard") else shards_of(folder):
         try:
             span = next((span for span in spans_of(path, 1) if span.keys == (key,)), None)
+            found = None if span is None else next(scenes_of(span))[1]
         except InputError as error:
             raise InputError(f"{error}; fetch it anew") from None
-        if span is not None:
-            _, files = next(scenes_of(span))
-            return {f"scene.{suffix}" if suffix in SCENE else suffix: content for suffix, content in files.items()}
+        if found is not None:
+            if row.get("content_hash") and content_of(found) != (row["content_hash"], row["bytes"]):
+                raise InputError(f"key: scene {key} in {path} is not what was delivered; fetch it anew")
+            return {f"scene.{suffix}" if suffix in SCENE else suffix: text for suffix, text in found.items()}
     raise InputError(f"key: no shard of {folder.path} has scene '{key}'; fetch all of the data set")

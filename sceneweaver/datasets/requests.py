@@ -12,7 +12,8 @@ from typing import Any
 import numpy as np
 
 import sceneweaver
-from sceneweaver.scene import InputError, read_bytes
+from sceneweaver.io import read_bytes
+from sceneweaver.scene import InputError
 
 from .spec import Spec, Weights
 

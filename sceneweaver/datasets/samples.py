@@ -11,12 +11,14 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal
 
+from sceneweaver.io import temporary_folder
 from sceneweaver.scene import Scene
-from sceneweaver.scene.files import temporary_folder
 from sceneweaver.verify import Report
 
 from .digests import content_of
+from .seals import open_own, seal_folder
 from .tables import read_lines, write_lines
+from .tars import content, members
 
 Status = Literal["ok", "rejected", "failed"]
 """Delivered; made, but not through the gates; not made."""
@@ -70,12 +72,13 @@ def report_columns(report: Report) -> dict[str, Any]:
 
 @contextmanager
 def whole_folder(path: Path) -> Iterator[Path]:
-    """A folder to fill that gets its name at the end of the block; another process may have been as quick."""
+    """A folder to fill, which is sealed and gets its name at the end; another process may have been as quick."""
     path.parent.mkdir(parents=True, exist_ok=True)
     with temporary_folder(path.parent) as folder:
         draft = folder / path.name
         draft.mkdir()
         yield draft
+        seal_folder(draft)
         try:
             os.rename(draft, path)
         except OSError:  # the folder is there and not empty
@@ -115,13 +118,15 @@ def read_rows(path: Path) -> Iterator[dict[str, Any]]:
 
 def read_samples(path: Path) -> Iterator[Sample]:
     """The samples of a block; `write_block` makes the same block of them."""
-    with tarfile.open(path / SAMPLES) as tar:
-        member = tar.next()
+    name = str(path / SAMPLES)
+    with open_own(path / SAMPLES) as file:
+        left = members(file, name)
+        member = next(left, None)
         for row, seconds in zip(read_rows(path), read_lines(path / SECONDS), strict=True):
             files: dict[str, bytes] = {}
             while member is not None and member.name.startswith(f"{row['key']}."):
-                files[member.name.partition(".")[2]] = tar.extractfile(member).read()  # pyright: ignore[reportOptionalMemberAccess]
-                member = tar.next()
+                files[member.name.partition(".")[2]] = content(file, member, name)
+                member = next(left, None)
             index, key, status = (row.pop(name) for name in ("index", "key", "status"))
             for name in ("content_hash", "bytes") if files else ():
                 del row[name]

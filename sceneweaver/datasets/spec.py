@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 from pydantic import Field, model_validator
 
 from sceneweaver.export import FORMATS
+from sceneweaver.io import load_yaml
+from sceneweaver.io.messages import suggest
 from sceneweaver.scene import InputError
 from sceneweaver.scene.base import FrozenModel
-from sceneweaver.scene.messages import suggest
-from sceneweaver.scene.yaml_text import load_yaml
 
 from .gates import Gates
 

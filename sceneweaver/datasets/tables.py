@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from functools import cache
 from importlib import resources
 from itertools import islice
@@ -11,12 +12,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sceneweaver.assets.category import read_yaml
-from sceneweaver.scene import MissingDependencyError
+from sceneweaver.io import InputError, MissingDependencyError, load_json_lines, open_parquet
+from sceneweaver.io.messages import clean
+from sceneweaver.runtime.package import missing_extra
 
 from .gates import gate_names
+from .seals import MOST, open_own
 
 if TYPE_CHECKING:
     import pyarrow as pa
+    import pyarrow.parquet as pq
 
 GROUP = 1024
 """Rows in memory at a time: one of a large room names a thousand files."""
@@ -35,9 +40,7 @@ def arrow():
         import pyarrow
         import pyarrow.parquet
     except ModuleNotFoundError:
-        raise MissingDependencyError(
-            "data sets need pyarrow; install it with: pip install sceneweaver[datasets]"
-        ) from None
+        raise MissingDependencyError(missing_extra("datasets", "data sets need pyarrow")) from None
     return pyarrow
 
 
@@ -59,9 +62,26 @@ def _type(kind: Any) -> pa.DataType:
     return pa.type_for_alias(kind)
 
 
+@contextmanager
+def open_table(path: Path, *, dictionaries: Sequence[str] = ()) -> Iterator[pq.ParquetFile]:
+    """A Parquet file of a data set, as `open_parquet`.
+
+    Raises:
+        InputError: as `open_parquet`, and for a link.
+    """
+    open_own(path).close()
+    with open_parquet(path, dictionaries=dictionaries) as file:
+        yield file
+
+
 def read_schema(path: Path) -> pa.Schema:
-    """The columns of a Parquet file."""
-    return arrow().parquet.read_schema(path)
+    """The columns of a Parquet file.
+
+    Raises:
+        InputError: as `open_table`.
+    """
+    with open_table(path) as file:
+        return file.schema_arrow
 
 
 def write_table(path: Path, rows: Iterable[dict[str, Any]], schema: pa.Schema) -> None:
@@ -73,8 +93,12 @@ def write_table(path: Path, rows: Iterable[dict[str, Any]], schema: pa.Schema) -
 
 
 def read_table(path: Path, columns: Sequence[str] | None = None) -> Iterator[dict[str, Any]]:
-    """The rows of a Parquet file, in order, some thousands in memory at a time; columns that it lacks are left out."""
-    with arrow().parquet.ParquetFile(path) as file:
+    """The rows of a Parquet file, in order, some thousands in memory at a time; columns that it lacks are left out.
+
+    Raises:
+        InputError: as `open_table`.
+    """
+    with open_table(path) as file:
         names = None if columns is None else [name for name in columns if name in file.schema_arrow.names]
         for some in file.iter_batches(GROUP, columns=names):
             yield from some.to_pylist()
@@ -86,6 +110,13 @@ def write_lines(path: Path, rows: Iterable[dict[str, Any]]) -> None:
 
 
 def read_lines(path: Path) -> Iterator[dict[str, Any]]:
-    """The rows of a file with a line of JSON each."""
-    with open(path, encoding="utf-8") as file:
-        yield from map(json.loads, file)
+    """The rows of a file with a line of JSON each.
+
+    Raises:
+        InputError: as `load_json_lines`, and for a link or a line that is no object.
+    """
+    open_own(path).close()
+    for number, row in enumerate(load_json_lines(path, max_bytes=MOST), start=1):
+        if not isinstance(row, dict):
+            raise InputError(f"{clean(str(path))}: line {number} is no JSON object")
+        yield row

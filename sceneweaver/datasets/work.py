@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import lru_cache
@@ -11,6 +12,7 @@ from pathlib import Path
 from .folder import Folder
 from .requests import Request, Requests
 from .samples import Sample, read_samples, write_block
+from .seals import folder_fault, remove
 from .spec import Spec
 from .store import AssetStore
 
@@ -41,9 +43,11 @@ def make_rooms(
     device: str = "auto",
     produce: Produce | None = None,
 ) -> None:
-    """Make some rooms, unless they are there; as `make_block`, at a path of their own."""
-    if path.exists():
-        return
+    """Make some rooms, unless they are there as they were made; as `make_block`, at a path of their own."""
+    if os.path.lexists(path):
+        if path.is_dir() and not folder_fault(path):
+            return
+        remove(path)
     if requests.spec.product == "layouts":
         from .layouts import write_programs
 

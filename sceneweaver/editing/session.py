@@ -8,6 +8,7 @@ from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from typing import Any
 
+from sceneweaver.assets import Library
 from sceneweaver.building import SceneBuilder
 from sceneweaver.layout.live import LiveLayout
 from sceneweaver.repairs.report import Move, moves_between
@@ -68,6 +69,7 @@ class EditSession:
         scene: what to begin with; it is left as it is.
         device: "auto", "cpu", "cuda" or "cuda:k".
         seed: of the search, and of furniture that is added by words.
+        library: where such furniture comes from; None: the library of this user.
 
     Examples:
         >>> import sceneweaver as sw
@@ -81,10 +83,10 @@ class EditSession:
         1.9
     """
 
-    def __init__(self, scene: Scene, *, device: str = "auto", seed: int = 0) -> None:
+    def __init__(self, scene: Scene, *, device: str = "auto", seed: int = 0, library: Library | None = None) -> None:
         if not isinstance(scene, Scene):
             raise InputError(f"scene: {type(scene).__name__} is not a Scene")
-        self._live, self._seed = LiveLayout(device), seed
+        self._live, self._seed, self._library = LiveLayout(device), seed, library
         self._scene, self._report = scene, check(scene, walkable=False)
         self._past: list[tuple[Scene, Report]] = []
         self._live.settle(scene, scene.ids[:1])  # loads the kernels and compiles the scene
@@ -118,7 +120,7 @@ class EditSession:
         """
 
         def changed(scene: Scene) -> tuple[Scene, Collection[str]]:
-            builder = SceneBuilder.of(scene, seed=self._seed)
+            builder = SceneBuilder.of(scene, seed=self._seed, library=self._library)
             handle = builder.add(what, **options)
             return builder.scene(), {handle.id}
 

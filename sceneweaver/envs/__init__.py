@@ -1,4 +1,4 @@
-"""Rooms as environments for robots: Gymnasium over MuJoCo. ``pip install 'sceneweaver[envs]'``.
+"""Rooms as environments for robots: Gymnasium over MuJoCo. It needs the extra ``envs``.
 
 `make` gives one; ``gymnasium.make("sceneweaver/Room-v0", scenes=...)`` does the same once this module is imported.
 """

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from sceneweaver.assets.placed import Load, loader
+from sceneweaver.runtime.package import missing_extra
 from sceneweaver.scene import InputError, MissingDependencyError, Scene
 
 from .control import Control, Controller, control_named
@@ -26,7 +27,7 @@ from .world import RoomState, World
 try:
     import gymnasium
 except ImportError:
-    raise MissingDependencyError("gymnasium is not installed; pip install 'sceneweaver[envs]'") from None
+    raise MissingDependencyError(missing_extra("envs", "gymnasium is not installed")) from None
 
 Array = np.ndarray
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from sceneweaver.io import read_spec
 from sceneweaver.scene import InputError
 
 from .robots import Robot
@@ -59,7 +60,7 @@ def attach(spec: Any, robot: Robot, touching: int = 0) -> None:
         if robot.folder is None:
             own = mujoco.MjSpec.from_string(robot.xml)
         else:
-            own = mujoco.MjSpec.from_file(str(robot.folder / f"{robot.name}.xml"))
+            own = read_spec(robot.folder / f"{robot.name}.xml")
         for key in list(own.keys):
             own.delete(key)
         for geom in own.geoms:

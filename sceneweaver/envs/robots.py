@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from sceneweaver.io import load_mjcf, read_text
 from sceneweaver.scene import InputError
 
 _SPEEDS = {"base_x": 0.6, "base_y": 0.6, "base_yaw": 1.2, "lift": 0.4, "extend_1": 0.3, "extend_2": 0.3}
@@ -81,14 +82,14 @@ class Robot:
             >>> envs.Robot.from_mjcf("none.xml", tool="grip", arm=["joint1"], gripper=["hand"])
             Traceback (most recent call last):
             ...
-            sceneweaver.scene.errors.InputError: robot: none.xml cannot be read (No such file or directory)
+            sceneweaver.io.errors.InputError: robot: none.xml: no such file; check the path
         """
         file = Path(path)
         try:
-            text = file.read_text(encoding="utf-8")
-        except (OSError, UnicodeDecodeError) as error:
-            reason = getattr(error, "strerror", None) or type(error).__name__
-            raise InputError(f"robot: {path} cannot be read ({reason})") from None
+            load_mjcf(file)
+            text = read_text(file)
+        except InputError as error:
+            raise InputError(f"robot: {error}") from None
         made = cls(file.stem, text, arm=tuple(arm), gripper=tuple(gripper), tool=tool, folder=file.parent.resolve())
         return replace(made, **more)  # type: ignore[arg-type]
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from .formats import FORMATS as FORMATS
 from .formats import export_file as export_file
 from .formats import export_scene as export_scene
+from .formats import format_named as format_named
 from .formats import formats_named as formats_named
 
 if TYPE_CHECKING:
@@ -20,6 +21,7 @@ __all__ = [
     "FORMATS",
     "export_file",
     "export_scene",
+    "format_named",
     "formats_named",
     "glb_bytes",
     "write_glb",

@@ -5,13 +5,13 @@ from __future__ import annotations
 import contextlib
 import os
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
+from sceneweaver.io import open_writable, opened_folder, require_no_link, temporary_folder
 from sceneweaver.runtime.threads import map_threads
 from sceneweaver.scene import InputError
-from sceneweaver.scene.files import require_no_link, temporary_folder
 
 _WRITERS = 16  # files that wait for the disk at once
 
@@ -74,16 +74,16 @@ def write_beside(path: Path, files: Mapping[str, bytes], stale: Mapping[str, str
     with staged(path, "path") as draft:
         if path.is_dir():
             raise InputError(f"path: {path} is a folder; give a file name in it")
-        for folder in {part for name in files for part in Path(name).parents} | {Path(name) for name in stale}:
-            if folder != Path("."):
-                require_no_link(path.parent / folder)
+        for folder in stale:
+            require_no_link(path.parent / folder)
         fill(draft, files)
-        move({draft / name: path.parent / name for name in sorted(files, key=lambda name: name == path.name)})
+        move(draft, sorted(files, key=lambda name: name == path.name), path.parent)
     for folder, pattern in stale.items():
         for left in (path.parent / folder).rglob("*"):
             ours = re.fullmatch(pattern, left.relative_to(path.parent / folder).as_posix())
             if ours and left.relative_to(path.parent).as_posix() not in files:
-                left.unlink()
+                with opened_folder(left.parent, within=path.parent) as descriptor:
+                    os.unlink(left.name, dir_fd=descriptor)
 
 
 def fill(folder: Path, files: Mapping[str, bytes]) -> None:
@@ -92,7 +92,7 @@ def fill(folder: Path, files: Mapping[str, bytes]) -> None:
         parent.mkdir(parents=True, exist_ok=True)
 
     def write(name: str) -> None:
-        with open(folder / name, "wb") as file:
+        with open_writable(folder / name, "wb") as file:
             file.write(files[name])
             file.flush()
             os.fsync(file.fileno())
@@ -100,17 +100,29 @@ def fill(folder: Path, files: Mapping[str, bytes]) -> None:
     map_threads(write, files, _WRITERS)
 
 
-def move(places: Mapping[Path, Path]) -> None:
-    """Give files their final names, one after the other; when one fails, those that were not there before go again."""
+def move(draft: Path, names: Sequence[str], home: Path) -> None:
+    """Give files their final names, one after the other; when one fails, those that were not there before go again.
+
+    Args:
+        draft: The folder in which they lie.
+        names: Their paths relative to it, and to ``home``.
+        home: Where they go; folders below it are made where they are not there, and none may be a link.
+
+    Raises:
+        InputError: when a link or a file stands where a folder has to be.
+        OSError: when one cannot be moved.
+    """
     fresh: list[Path] = []
     try:
-        for source, place in places.items():
-            for folder in reversed([p for p in (place.parent, place.parent.parent) if not p.exists()]):
-                folder.mkdir()
-                fresh.append(folder)
-            if not place.exists():
+        for place in (home / name for name in names):
+            for folder in [p for p in reversed(place.parents) if home in p.parents]:
+                if not os.path.lexists(folder):
+                    folder.mkdir()
+                    fresh.append(folder)
+            if not os.path.lexists(place):
                 fresh.append(place)
-            os.replace(source, place)
+            with opened_folder(place.parent, within=home) as descriptor:
+                os.replace(draft / place.relative_to(home), place.name, dst_dir_fd=descriptor)
     except (OSError, ValueError):
         for path in reversed(fresh):
             with contextlib.suppress(OSError, ValueError):

@@ -31,6 +31,7 @@ class Format:
         writer: Who writes it, as ``module:function`` of this package: called with scene, path, a function from asset id
             to asset, ``textures``, and ``client`` where there are some.
         clients: Readers that it can be written for.
+        seconds: About how long it takes to write a room, and each of its objects, where a design takes 3.5 s to start.
         shared: As ``writer``, for data sets: called with scene, load and ``shared``, where meshes and images go, it
             returns the bytes of the file; empty: data sets do not have it.
     """
@@ -39,6 +40,7 @@ class Format:
     file: str
     what: str
     writer: str
+    seconds: tuple[float, float]
     clients: tuple[str, ...] = ()
     shared: str = ""
 
@@ -60,20 +62,21 @@ def _function(place: str) -> Callable[..., Any]:
 FORMATS: dict[str, Format] = {
     f.name: f
     for f in (
-        Format("glb", "scene.glb", "glTF 2.0 binary", "glb:write_glb", shared="glb:glb_bytes"),
-        Format("usd", "scene.usdc", "USD with physics, binary", "usd:write_usd", shared="usd:usd_bytes"),
-        Format("usda", "scene.usda", "USD with physics, as text", "usd:write_usd"),
+        Format("glb", "scene.glb", "glTF 2.0 binary", "glb:write_glb", (0.3, 0.005), shared="glb:glb_bytes"),
+        Format("usd", "scene.usdc", "USD with physics, binary", "usd:write_usd", (0.4, 0.026), shared="usd:usd_bytes"),
+        Format("usda", "scene.usda", "USD with physics, as text", "usd:write_usd", (0.4, 0.026)),
         Format(
             "mjcf",
             "scene.xml",
             "MuJoCo, with meshes/",
             "mjcf:write_file",
+            (0.4, 0.004),
             ("mujoco", "robosuite", "genesis", "drake", "dm_control", "newton"),
             "mjcf:mjcf_bytes",
         ),
-        Format("scenestate", "scenestate.json", "SceneState, with models/", "scenestate:write_file"),
-        Format("sdf", "scene.sdf", "one SDF world, with sdf/", "sdf:write_file", ("pybullet",)),
-        Format("urdf", "scene.urdf.json", "a URDF a piece, with urdf/", "urdf:write_file"),
+        Format("scenestate", "scenestate.json", "SceneState, with models/", "scenestate:write_file", (0.1, 0.004)),
+        Format("sdf", "scene.sdf", "one SDF world, with sdf/", "sdf:write_file", (0.1, 0.005), ("pybullet",)),
+        Format("urdf", "scene.urdf.json", "a URDF a piece, with urdf/", "urdf:write_file", (0.2, 0.003)),
     )
 }
 

@@ -23,9 +23,10 @@ from sceneweaver.assets import Link, Mesh
 from sceneweaver.assets.placed import Load
 from sceneweaver.assets.textures import uv_of
 from sceneweaver.geometry.rotations import from_yaw
+from sceneweaver.io import write_atomic
 from sceneweaver.physics.leaves import Leaf, leaves
 from sceneweaver.physics.things import Joint, moving_links
-from sceneweaver.scene import Room, Scene, write_atomic
+from sceneweaver.scene import Room, Scene
 
 from .bodies import Body, Missing, bodies_of, some_faces, with_mesh
 from .glb_file import GlbFile

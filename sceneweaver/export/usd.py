@@ -23,9 +23,10 @@ from pathlib import Path
 from typing import Any
 
 from sceneweaver.assets.placed import Load
+from sceneweaver.io import open_writable, read_bytes, whole
 from sceneweaver.physics.model import coverings
 from sceneweaver.physics.things import things_of
-from sceneweaver.scene import InputError, Scene, whole
+from sceneweaver.scene import InputError, Scene
 
 from .folder import fill, move
 from .shared import SharedFiles
@@ -79,7 +80,7 @@ def usd_bytes(scene: Scene, load: Load | None, *, shared: SharedFiles) -> bytes:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "scene.usdc"
         layer.Export(str(path))
-        return path.read_bytes()
+        return read_bytes(path, max_bytes=2**32)
 
 
 def _layer(
@@ -127,7 +128,7 @@ def _save(layer: Any, name: str, files: dict[str, bytes]) -> None:
     try:
         with whole(name) as temporary:
             # Made here first: the system says better than USD why a place cannot be written.
-            os.close(os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666))
+            open_writable(temporary, "xb").close()
             try:
                 written = layer.Export(str(temporary))
             except usd().Tf.ErrorException:
@@ -135,7 +136,6 @@ def _save(layer: Any, name: str, files: dict[str, bytes]) -> None:
             if not written:
                 raise OSError("the disk may be full")
             fill(temporary.parent, files)
-            home = Path(os.path.realpath(name)).parent
-            move({temporary.parent / path: home / path for path in files})
+            move(temporary.parent, list(files), Path(name).parent)
     except InputError as error:
         raise InputError(f"path: {error}") from None

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+from sceneweaver.io.messages import suggest
 from sceneweaver.knowledge import Place
 from sceneweaver.scene import CATALOGUE, InputError, Relation, SceneObject
-from sceneweaver.scene.messages import suggest
 
 from .draft import Draft
 from .relations import CEILING, behind_it, wall_named

@@ -7,12 +7,13 @@ from collections.abc import Iterator, Sequence
 
 from sceneweaver.assets import categories
 from sceneweaver.assets.taxonomy import category_named, members
+from sceneweaver.io.messages import shorten, suggest
 from sceneweaver.knowledge import Item, Place, RoomType
 from sceneweaver.knowledge.kin import kin
 from sceneweaver.knowledge.surfaces import arrangements, crowds
 from sceneweaver.language import SceneGraph
 from sceneweaver.scene import CATALOGUE, InputError
-from sceneweaver.scene.messages import FieldError, shorten, suggest
+from sceneweaver.scene.messages import FieldError
 
 from .draft import groups_of
 

@@ -18,10 +18,10 @@ from sceneweaver.geometry.polygons import counter_clockwise
 from sceneweaver.geometry.rotations import is_upright
 from sceneweaver.geometry.se2 import SE2
 from sceneweaver.geometry.shell import WINDOW_CLEARANCE, heights
+from sceneweaver.io.messages import suggest
 from sceneweaver.knowledge import Item, RoomType
 from sceneweaver.knowledge.small_things import most_of
 from sceneweaver.scene import CATALOGUE, Door, InputError, Room, Scene, SceneObject, Surface
-from sceneweaver.scene.messages import suggest
 
 from .surface_field import EDGE, Array, Field, Prism
 

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from sceneweaver.assets import categories, resolve
+from sceneweaver.io.messages import show, suggest
 from sceneweaver.knowledge.surfaces import Arrangement, Slot
 from sceneweaver.scene import InputError
-from sceneweaver.scene.messages import show, suggest
 
 from .surface_slots import Layout
 

@@ -6,39 +6,23 @@ objects, so annotations are not postponed here.
 
 from collections.abc import Callable
 from functools import cache
-from itertools import count
 from typing import Any
-from weakref import WeakValueDictionary
 
 import jax
 import warp as wp
 
-from sceneweaver.layout import Problem
+from sceneweaver.layout import Problem, numbered
 
 from .graphs import measure, own_stream
 
 PoseArray = wp.array2d(dtype=wp.vec4)
 SceneArray = wp.array(dtype=wp.int32)
 
-_NUMBERS = count()
-_PROBLEMS: WeakValueDictionary[int, Problem] = WeakValueDictionary()
-
 jax.tree_util.register_static(Problem)
 
 
-def _number_of(problem: Problem) -> int:
-    """The number that calls know a problem by."""
-    number = getattr(problem, "_number", None)
-    if number is None:
-        number = problem._number = next(_NUMBERS)  # pyright: ignore[reportAttributeAccessIssue]
-        _PROBLEMS[number] = problem
-    return number
-
-
 def _problem(number: int, poses: wp.array) -> Problem:
-    problem = _PROBLEMS.get(int(number))
-    if problem is None:
-        raise RuntimeError("the problem of a compiled function is gone; keep it as long as the function")
+    problem = numbered(number)
     if str(poses.device) != problem.device:
         raise RuntimeError(f"poses: they are on {poses.device}, the problem is on {problem.device}")
     return problem
@@ -109,7 +93,7 @@ OUTPUTS: dict[Callable, int] = {energy: 2, residuals: 2, feasible: 1, sample: 1,
 
 def call(function: Callable, problem: Problem, *arguments: Any, output_dims: Any) -> tuple:
     """Call one of the functions above from JAX with the problem's number as its last input."""
-    return _callable(function)(*arguments, _number_of(problem), output_dims=output_dims)
+    return _callable(function)(*arguments, problem.number, output_dims=output_dims)
 
 
 @cache

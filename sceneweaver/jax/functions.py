@@ -44,7 +44,7 @@ def energy(problem: Problem, poses: Array, which: Array | None = None) -> jax.Ar
 
 
 def energy_and_grad(problem: Problem, poses: Array, which: Array | None = None) -> tuple[jax.Array, jax.Array]:
-    """Energies [...] and their gradients [..., N, 4] in one call; the gradient itself has no derivative.
+    """Energies [...] and their gradients [..., N, 4] in one call, which itself has no derivative: asking raises.
 
     Arguments and errors as for `energy`: [m], and [m/m] by x, y, z, [m/rad] by yaw.
 
@@ -56,7 +56,7 @@ def energy_and_grad(problem: Problem, poses: Array, which: Array | None = None) 
         >>> value.shape, gradient.shape == poses.shape
         ((2,), True)
     """
-    return _flat(_launch_energy, problem, poses, which)
+    return _flat(_measured_energy, problem, poses, which)
 
 
 def residuals(problem: Problem, poses: Array, which: Array | None = None) -> jax.Array:
@@ -87,7 +87,7 @@ def feasible(problem: Problem, poses: Array, which: Array | None = None) -> jax.
         >>> swj.feasible(problem, swj.project(problem, poses)).dtype.name
         'bool'
     """
-    return _flat(_launch_feasible, problem, poses, which)
+    return _flat(_launch_feasible, problem, jax.lax.stop_gradient(poses), which)  # yes or no does not change gradually
 
 
 def project(problem: Problem, poses: Array, which: Array | None = None) -> jax.Array:
@@ -101,7 +101,7 @@ def project(problem: Problem, poses: Array, which: Array | None = None) -> jax.A
         >>> bool((swj.energy(problem, near) <= swj.energy(problem, poses)).all())
         True
     """
-    return _flat(_launch_project, problem, poses, which)
+    return _flat(_projected, problem, poses, which)
 
 
 def sample(problem: Problem, key: Array, count: int) -> jax.Array:
@@ -258,6 +258,26 @@ def _launch_sample(problem: Problem, rng: jax.Array, which: jax.Array) -> jax.Ar
     return calls.call(calls.sample, problem, rng, which, output_dims=(len(rng), problem.objects))[0]
 
 
+def _without_derivative(function: Callable, says: str) -> Callable:
+    """The function, with one line where JAX asks for a derivative of it."""
+
+    @partial(jax.custom_jvp, nondiff_argnums=(0,))
+    def measured(problem: Problem, poses: jax.Array, which: jax.Array) -> Any:
+        return function(problem, poses, which)
+
+    @measured.defjvp
+    def _(problem: Problem, primals: tuple, tangents: tuple) -> Any:
+        raise InputError(f"{says}; jax.lax.stop_gradient takes it as a constant")
+
+    return measured
+
+
+_ONCE = "second derivatives are not available: energy and residuals are differentiable once"
+_measured_energy = _without_derivative(_launch_energy, _ONCE)
+_measured_residuals = _without_derivative(_launch_residuals, _ONCE)
+_projected = _without_derivative(_launch_project, "project has no derivative")
+
+
 @partial(jax.custom_jvp, nondiff_argnums=(0,))
 def _energy(problem: Problem, poses: jax.Array, which: jax.Array) -> jax.Array:
     return _launch_energy(problem, poses, which)[0]
@@ -266,7 +286,7 @@ def _energy(problem: Problem, poses: jax.Array, which: jax.Array) -> jax.Array:
 @_energy.defjvp
 def _energy_jvp(problem: Problem, primals: tuple, tangents: tuple) -> tuple[jax.Array, jax.Array]:
     """The derivative along a tangent is linear in it, so JAX turns it round for ``grad`` itself."""
-    value, gradient = _launch_energy(problem, *primals)
+    value, gradient = _measured_energy(problem, *primals)
     return value, jnp.sum(gradient * tangents[0], axis=(1, 2))
 
 
@@ -278,7 +298,7 @@ def _residuals(problem: Problem, poses: jax.Array, which: jax.Array) -> jax.Arra
 @_residuals.defjvp
 def _residuals_jvp(problem: Problem, primals: tuple, tangents: tuple) -> tuple[jax.Array, jax.Array]:
     """Each item moves with its three objects at most."""
-    value, slope = _launch_residuals(problem, *primals)
+    value, slope = _measured_residuals(problem, *primals)
     objects = jnp.maximum(jnp.asarray(problem.item_objects)[primals[1]], 0)  # slopes of missing ones are zero
     moved = jax.vmap(lambda tangent, rows: tangent[rows])(tangents[0], objects)
     return value, jnp.sum(slope * moved, axis=(2, 3))

@@ -7,9 +7,9 @@ from typing import Any
 
 from pydantic import Field, model_validator
 
+from sceneweaver.io.messages import suggest
 from sceneweaver.scene import InputError
 from sceneweaver.scene.base import FrozenModel
-from sceneweaver.scene.messages import suggest
 
 from .model import Item, Place, check_items
 

@@ -15,8 +15,10 @@ from functools import lru_cache
 from pathlib import Path
 from types import MappingProxyType
 
-from sceneweaver.scene import InputError, read_bytes, write_atomic
-from sceneweaver.scene.messages import shorten, suggest
+from sceneweaver.io import read_bytes, write_atomic
+from sceneweaver.io.messages import shorten, suggest
+from sceneweaver.runtime.caches import data_place, kept_in
+from sceneweaver.scene import InputError
 
 from .load import room_types, room_words
 from .model import RoomType
@@ -32,12 +34,9 @@ _beside: ContextVar[tuple[RoomType, ...] | None] = ContextVar("beside", default=
 
 
 def rooms_folder() -> Path:
-    """Where learned rooms are kept: ``$SCENEWEAVER_ROOMS``, or the user's data folder."""
+    """Where learned rooms are kept: ``$SCENEWEAVER_ROOMS``, or the user's data folder, or what stands in for it."""
     given = os.environ.get("SCENEWEAVER_ROOMS")
-    if given:
-        return Path(given).expanduser()
-    base = os.environ.get("XDG_DATA_HOME") or "~/.local/share"
-    return Path(base).expanduser() / "sceneweaver" / "rooms"
+    return Path(given).expanduser() if given else kept_in(data_place("sceneweaver/rooms"))
 
 
 @contextmanager

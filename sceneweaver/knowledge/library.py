@@ -11,10 +11,10 @@ from typing import Any
 
 from pydantic import Field
 
-from sceneweaver.scene import InputError, Scene, read_bytes
+from sceneweaver.io import parse_json, read_bytes
+from sceneweaver.io.messages import suggest
+from sceneweaver.scene import InputError, Scene
 from sceneweaver.scene.base import FrozenModel
-from sceneweaver.scene.io import parse
-from sceneweaver.scene.messages import suggest
 
 INDEX = "index.json"
 
@@ -107,7 +107,7 @@ def _cards(place: Path, count: int, stamp: int) -> tuple[SceneCard, ...]:
     index = place / INDEX
     if index.is_file():
         try:
-            rows = [SceneCard.model_validate(row) for row in parse(read_bytes(index))]
+            rows = [SceneCard.model_validate(row) for row in parse_json(read_bytes(index))]
         except (ValueError, TypeError):
             rows = []
         if {row.name for row in rows} == {_name(place, f) for f in _files(place)}:
@@ -115,7 +115,7 @@ def _cards(place: Path, count: int, stamp: int) -> tuple[SceneCard, ...]:
     found = []
     for file in _files(place):
         try:
-            data = parse(read_bytes(file))
+            data = parse_json(read_bytes(file))
             found.append(card_of(_name(place, file), data))
         except (OSError, ValueError, KeyError, TypeError, AttributeError):
             continue  # some other JSON file

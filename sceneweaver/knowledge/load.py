@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Container, Iterable, Mapping
 from functools import cache
-from importlib import resources
 from types import MappingProxyType
 from typing import Any
+
+from sceneweaver.io import packaged
 
 from .groups import GroupTemplate, expanded
 from .model import RoomType
@@ -14,9 +15,7 @@ from .model import RoomType
 
 def read_yaml(text: str) -> Any:
     """YAML data of our own whose bare key ``on`` is a word, not the truth value that YAML 1.1 makes of it."""
-    import yaml
-
-    return with_on(yaml.load(text, Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader)))
+    return with_on(packaged.parse(text))
 
 
 def with_on(data: Any) -> Any:
@@ -29,12 +28,12 @@ def with_on(data: Any) -> Any:
 @cache
 def data_of(name: str) -> Any:
     """What a YAML file beside this module says."""
-    return read_yaml(resources.files(__package__ or "").joinpath(name).read_text(encoding="utf-8"))
+    return read_yaml(packaged.text(__package__ or "", name))
 
 
 def files_of(folder: str) -> dict[str, dict[str, Any]]:
     """The data of all YAML files of a folder beside this module, in the order of their names without the ending."""
-    files = sorted(resources.files(__package__ or "").joinpath(folder).iterdir(), key=lambda f: f.name)
+    files = sorted(packaged.folder(__package__ or "", folder).iterdir(), key=lambda f: f.name)
     yaml_files = [file.name for file in files if file.name.endswith(".yaml")]
     return {name.removesuffix(".yaml"): data_of(f"{folder}/{name}") for name in yaml_files}
 

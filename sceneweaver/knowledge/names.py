@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import difflib
 
+from sceneweaver.io.messages import suggest
 from sceneweaver.scene import InputError
-from sceneweaver.scene.messages import suggest
 
 from .learned import learned_rooms, learned_words
 from .load import room_types, room_words

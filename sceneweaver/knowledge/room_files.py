@@ -6,9 +6,10 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
+from sceneweaver.io import dump_yaml
+from sceneweaver.io.messages import shorten
+from sceneweaver.io.yaml_text import parse_yaml
 from sceneweaver.scene import InputError
-from sceneweaver.scene.messages import shorten
-from sceneweaver.scene.yaml_text import parse_yaml
 
 from .groups import expanded
 from .load import group_templates, with_on
@@ -69,7 +70,5 @@ def room_text(data: Mapping[str, Any]) -> str:
     """The text of a file with the data of a room; equal data give equal text."""
     import json
 
-    import yaml
-
     plain_data = json.loads(json.dumps({"schema": SCHEMA, **data}))
-    return yaml.safe_dump(plain_data, sort_keys=False, allow_unicode=True, width=110, default_flow_style=None)
+    return dump_yaml(plain_data, width=110, default_flow_style=None)

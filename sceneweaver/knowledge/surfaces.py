@@ -13,9 +13,9 @@ from typing import Any, Literal, TypeVar
 from pydantic import Field, field_validator, model_validator
 
 from sceneweaver.assets import categories
+from sceneweaver.io.messages import suggest
 from sceneweaver.scene import CATALOGUE, InputError
 from sceneweaver.scene.base import FrozenModel
-from sceneweaver.scene.messages import suggest
 
 from .load import files_of
 from .model import Need, Range

@@ -113,6 +113,6 @@ def bounded(value: tuple[int, int], bound: str | None) -> tuple[int, int]:
         "least": (value[0], max(n, min(400, n + 4))),
         "above": (n + 1, n + 5),
         "most": (min(1, n), n),
-        "below": (min(1, n), max(0, n - 1)),
+        "below": (min(1, max(0, n - 1)), max(0, n - 1)),
         None: value,
     }[bound]

@@ -66,7 +66,7 @@ def _end_sentence(state: State) -> None:
         topic = state.out.mentions[state.begun :][:1]
     state.begun = len(state.out.mentions)
     if topic and topic not in state.refs.topics[-1:]:
-        state.refs.topics.append(list(topic))
+        state.refs.tell_of(topic)
     state.begin()
 
 
@@ -148,7 +148,7 @@ def _while(state: State, chunk: Chunk) -> None:
         state.relative = bool(state.head)
         return
     if state.subject:
-        state.refs.topics.append(list(state.subject))
+        state.refs.tell_of(state.subject)
     open_ends(state)
     state.close_frames()
     state.fronted, state.subject, state.subject_open = [], [], True
@@ -205,7 +205,7 @@ def _subjects_of(state: State, place: Place, glue: str) -> list[Mention] | None:
             state.close_frames()
         if state.subject and glue != "start":
             state.previous = list(state.subject)
-            state.refs.topics.append(list(state.subject))
+            state.refs.tell_of(state.subject)
             state.subject, state.subject_open, state.done = [], True, False
         return None
     if glue == "verb":

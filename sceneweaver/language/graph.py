@@ -187,7 +187,7 @@ def _entity(mention: Mention, notes: list[str]) -> Entity:
 
 def _relations(said: Said, mentions: list[Mention], notes: list[str]) -> list[StatedRelation]:
     """A spoken relation, one for each kind of thing that it is about."""
-    subjects = [m for m in said.subjects if m in mentions]
+    subjects = [m for m in dict.fromkeys(said.subjects) if m in mentions]
     if said.targets == ("each other",):
         if len(subjects) < 2:
             noun = subjects[0].noun if subjects else "things"

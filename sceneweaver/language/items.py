@@ -47,11 +47,12 @@ def begin_clause(state: State, mentions: list[Mention], glue: str, keep: bool = 
     if state.subject and not keep:
         state.previous = list(state.subject)
         if glue != "start":
-            state.refs.topics.append(list(state.subject))
+            state.refs.tell_of(state.subject)
     if glue != "start" or not state.frames:
         state.close_frames()
     state.subject = [*state.subject, *mentions] if keep else list(mentions)
-    state.head, state.first_items = list(mentions), [*state.first_items, *mentions]
+    state.head = list(mentions)
+    state.name_first(mentions)
     state.subject_open, state.lost, state.inverted, state.done, state.last_target = True, False, False, False, None
     state.head_related, state.joined = False, ""
     if state.frames and state.frames[0].kind == "list":
@@ -95,7 +96,8 @@ def _coordinate(state: State, mentions: list[Mention], phrase: NounPhrase, glue:
     else:
         state.previous = list(state.subject)
         state.subject, state.subject_open = list(mentions), True
-    state.head, state.first_items = list(mentions), [*state.first_items, *mentions]
+    state.head = list(mentions)
+    state.name_first(mentions)
     state.head_related = False
 
 
@@ -128,7 +130,7 @@ def _add_item(state: State, mentions: list[Mention], phrase: NounPhrase) -> None
         frame.numbered += [m.noun for m in mentions]
     state.head, state.glue, state.head_related = list(mentions), "", False
     if frame.kind == "list":
-        state.first_items = [*state.first_items, *mentions]
+        state.name_first(mentions)
         state.subject = list(mentions)
         if frame.type == "centered":
             frame.type = ""

@@ -12,6 +12,9 @@ from .vocabulary import words
 _ENDS = ("neg", "with", "while", "pron", "mutual", "only_all", "sides")
 """Kinds of words that end a noun phrase, unless they may be its noun."""
 
+DEEPEST = 12
+"""Levels of "of" that are read as one noun phrase; nobody says so many."""
+
 _ONE = ("a", "an", "one", "the", "this", "each", "every", "another")
 
 
@@ -82,10 +85,10 @@ def _is_quality(scan: Scan, k: int) -> bool:
     return before is not None and before.has("det", "adjective", "color", "each", "material", "scale")
 
 
-def _run_ends(scan: Scan, k: int, run: list[Token], phrase: NounPhrase) -> bool:
-    """Whether the words of a noun phrase end before token ``k``."""
+def _run_ends(scan: Scan, k: int, run: list[Token], phrase: NounPhrase, named: bool) -> bool:
+    """Whether the words of a noun phrase end before token ``k``; ``named``: whether one of them is surely a noun."""
     token, after = scan.tokens[k], scan.token(k + 1)
-    seen = any(nominal(t) and not t.has("material", "color") for t in run) or (bool(run) and nominal(run[-1]))
+    seen = named or (bool(run) and nominal(run[-1]))
     more = after is not None and bool(run) and after.has(*QUALITIES) and run[-1].has(*QUALITIES)
     if token.text in ("to", "for"):
         return True
@@ -153,8 +156,10 @@ def noun_phrase(scan: Scan) -> bool:
     start, phrase = scan.at, NounPhrase("thing")
     k = _opening(scan, start, phrase)
     run: list[Token] = []
-    while k < len(scan.tokens) and not _run_ends(scan, k, run, phrase):
+    named = False
+    while k < len(scan.tokens) and not _run_ends(scan, k, run, phrase, named):
         run.append(scan.tokens[k])
+        named = named or (nominal(run[-1]) and not run[-1].has("material", "color"))
         k += 1
     while run and not nominal(run[-1]) and any(nominal(t) for t in run):
         trailing = run.pop()  # "a magazine open on the sofa"
@@ -201,11 +206,12 @@ def _close(scan: Scan, start: int, end: int, phrase: NounPhrase, run: list[Token
     phrase.qualities = run[:-1] + phrase.qualities
     phrase.plural = head.has("plural") or (not head.has("noun", "place", "room") and _plural_form(head.text))
     phrase.what, phrase.value = _kind(scan, head, phrase, start)
-    if after is not None and after.text == "of" and end + 1 < len(scan.tokens):
-        scan.at = end + 1
-        length = len(scan.out)
+    if after is not None and after.text == "of" and end + 1 < len(scan.tokens) and scan.depth < DEEPEST:
+        scan.at, scan.depth = end + 1, scan.depth + 1
+        length, named = len(scan.out), set(scan.named)
         if noun_phrase(scan) and scan.out[-1].kind == "noun":
             phrase.of, end = scan.out[-1].value, scan.at
+        scan.depth, scan.named = scan.depth - 1, named
         del scan.out[length:]
     phrase.text = head.text
     if phrase.paired and phrase.count is not None and head.text.split()[-1] in words("nouns")["paired"]:
@@ -222,8 +228,7 @@ def _add_phrase(scan: Scan, start: int, end: int, phrase: NounPhrase) -> None:
 def _kind(scan: Scan, head: Token, phrase: NounPhrase, start: int) -> tuple[str, Any]:
     """What a noun phrase names by its head, and the value of that."""
     before, noun, place = scan.token(start - 1), head.has("noun"), head.get("place")
-    named = [c.value.what for c in scan.out if c.kind == "noun"]
-    if head.has("group") and (named or not head.has("room")):
+    if head.has("group") and (scan.named or not head.has("room")):
         return "group", head.get("group")
     of_room = not head.has("room") or place == "room"
     if place is not None and of_room and (place in ("window", "door") or not noun):
@@ -232,7 +237,7 @@ def _kind(scan: Scan, head: Token, phrase: NounPhrase, start: int) -> tuple[str,
         return "region", head.get("region")
     if head.has("room"):  # "a sofa by the library": a room is none among things
         placed = before is not None and before.has("preposition") and before.text not in ("in", "inside", "within")
-        if not noun or not (placed or "thing" in named or "group" in named):
+        if not noun or not (placed or {"thing", "group"} & scan.named):
             return "room", head.get("room")
     if head.has("parts") and not (noun and (before is None or before.text == ".")):
         return "part", head.text

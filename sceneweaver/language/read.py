@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import re
 
-from sceneweaver.scene import InputError
-
 from .chunker import chunked
 from .clauses import read_clauses
 from .graph import build
 from .model import SceneGraph
 from .parsed import Left, Parsed, without
-from .source import Source, check_measures, read_source
+from .source import Source, check_measures, check_text, read_source
 from .things import match_of
 from .tokens import tokens
 
@@ -28,10 +26,9 @@ def read_request(text: str) -> SceneGraph:
     """What a request says. What is not understood is listed, what is assumed is noted; nothing is lost.
 
     Raises:
-        InputError: when there is nothing to read.
+        InputError: when there is nothing to read, or more than `source.MOST` characters.
     """
-    if not isinstance(text, str) or not text.strip():
-        raise InputError('prompt: it is empty; say what room you want, such as "a bedroom with a desk"')
+    check_text(text)
     source = read_source(text)
     parsed = Parsed(notes=list(source.notes))
     read_clauses(chunked(tokens(source, parsed.notes)), source, parsed)

@@ -12,8 +12,12 @@ from .parsed import without as apart
 from .things import match_of, name_of, singular
 from .vocabulary import words
 
-_REACH = 60
+REACH = 60
 """Mentions that are looked through for what a word refers to."""
+
+
+TOPICS = 3
+"""Sentences back to which "it" and "them" may refer."""
 
 
 class References:
@@ -21,11 +25,15 @@ class References:
 
     def __init__(self, parsed: Parsed):
         self.parsed = parsed
-        self.topics: list[list[Mention]] = []  # what the sentences were about, the last one last
+        self.topics: list[list[Mention]] = []  # what the last sentences were about, the last one last
         self.rest: Mention | None = None  # what "the other" is
 
+    def tell_of(self, topic: list[Mention]) -> None:
+        """A sentence or clause ends that was about some things."""
+        self.topics = [*self.topics[-TOPICS + 1 :], list(topic)]
+
     def _recent(self) -> list[Mention]:
-        return self.parsed.mentions[: -_REACH - 1 : -1]
+        return self.parsed.mentions[: -REACH - 1 : -1]
 
     def known(self, phrase: NounPhrase, target: bool, without: list[Mention]) -> Mention | None:
         """What was named before and is meant again; None when it is another one."""
@@ -61,7 +69,7 @@ class References:
     def pronoun(self, phrase: NounPhrase, near: list[Mention], without: list[Mention]) -> list[Mention]:
         """Who "it", "them", "both" are; ``near`` is what stands closest in the sentence."""
         several = phrase.text in ("them", "they", "these", "those", "themselves") or phrase.value in ("both", "each")
-        for group in (near, *reversed(self.topics[-3:]), *([m] for m in self._recent()[:8])):
+        for group in (near, *reversed(self.topics), *([m] for m in self._recent()[:8])):
             group = apart(group, without)
             if not group:
                 continue
@@ -96,7 +104,7 @@ class References:
 
     def carrier(self, near: list[Mention], without: list[Mention], kind: str = "top", word: str = "") -> Mention | None:
         """Whose top, shelf or side is meant where nobody is named."""
-        choices = [*reversed(near), *(m for t in reversed(self.topics[-3:]) for m in t), *self._recent()[:20]]
+        choices = [*reversed(near), *(m for t in reversed(self.topics) for m in t), *self._recent()[:20]]
         held = bool(near) and near[-1].family in ("table", "storage")
         if word.endswith("top") and word != "top" and not held and self.parsed.said:
             last = [t for t in self.parsed.said[-1].targets if isinstance(t, Mention) and t.family == "table"]

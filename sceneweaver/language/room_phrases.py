@@ -24,7 +24,7 @@ _SAID_OF_ROOMS = (
 def group_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     """A part of a room ("reading corner") stands for its things."""
     out = state.out
-    if out.room_type is None and not names_a_room(state) and phrase.text in room_words():
+    if out.room_type is None and not state.names_a_room and phrase.text in room_words():
         out.room_type, out.room_words = room_words()[phrase.text], phrase.text
         describe_room(state, phrase)
     things = words("groups")["groups"][phrase.value]["things"]
@@ -72,11 +72,6 @@ def _made_of_group(state: State, phrase: NounPhrase, things: dict[str, tuple[int
             state.out.mentions.append(mention)
         made.append(mention)
     return made
-
-
-def names_a_room(state: State) -> bool:
-    """Whether the request names a kind of room anywhere."""
-    return any(c.kind == "noun" and c.value.what == "room" for c in state.chunks)
 
 
 def room_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 from .chunks import CLOSED, QUALITIES, Chunk, Kind
@@ -19,7 +20,10 @@ class Scan:
         self.tokens = tokens
         self.at = 0
         self.out: list[Chunk] = []
+        self.named: set[str] = set()  # what the noun phrases so far are: things, rooms ...
         self.noun_before = False  # whether the last chunk was a noun phrase
+        self.depth = 0  # of the noun phrase that is being read: of how many others it is
+        self.several = list(_several(tokens))  # by token: whether a plural stands before it in its clause
 
     def peek(self, offset: int) -> Token | None:
         """The token so many further on; None beyond the ends."""
@@ -36,6 +40,8 @@ class Scan:
         chunk = Chunk(kind, text, first.start, last.end, value, **more)
         self.out.append(chunk)
         self.at += count
+        if kind == "noun":
+            self.named.add(value.what)
         if kind != "word":
             self.noun_before = kind == "noun"
         return chunk
@@ -58,13 +64,18 @@ def participle_next(scan: Scan, token: Token, after: Token | None) -> bool:
     return token.get("verb").form == "ing" and after.has("number", "amount") and last != "place"
 
 
+def _several(tokens: list[Token]) -> Iterator[bool]:
+    """For each token whether there is a plural between it and the break before it."""
+    plural = False
+    for token in tokens:
+        yield plural
+        plural = not token.has("break") and (plural or token.has("plural"))
+
+
 def _of_several(scan: Scan, k: int) -> bool:
     """Whether several things, or where they are, stand just before: "shelves at the wall hold folded towels"."""
-    before = scan.tokens[k - 1] if k > 0 else None
-    if before is None or not before.has("plural", "place"):
-        return False
-    start = next((i for i in range(k - 1, -1, -1) if scan.tokens[i].has("break")), -1)
-    return any(token.has("plural") for token in scan.tokens[start + 1 : k])
+    before = scan.token(k - 1)
+    return before is not None and before.has("plural", "place") and scan.several[k]
 
 
 def is_verb(scan: Scan, k: int, seen_noun: bool) -> bool:

@@ -6,7 +6,12 @@ import re
 import unicodedata
 from dataclasses import dataclass, field
 
+from sceneweaver.scene import InputError
+
 from .model import Span
+
+MOST = 100_000
+"""Characters that a request has at most."""
 
 LONGEST = 20_000
 """Characters that are read; a longer request is cut there, with a note."""
@@ -14,22 +19,26 @@ LONGEST = 20_000
 FOOT, INCH = 0.3048, 0.0254
 SQUARE_FOOT = FOOT**2
 
+_GAP = r"\s{0,9}"
+"""White space inside a measure. It has an end, as has all that patterns repeat: their time is linear then."""
+
 _NUMBER = r"(\d{1,9}(?:[.,]\d{1,6})?)"
 _LENGTH = r"(meters?|metres?|m|cm|centimet(?:er|re)s?|feet|foot|ft|')"
-_BY = r"\s*(?:x|×|by|\*)\s*"
-_AXIS = r"\s*(?:long|wide|deep|broad|in\s+length|in\s+width)"
+_BY = rf"{_GAP}(?:x|×|by|\*){_GAP}"
+_AXIS = rf"{_GAP}(?:long|wide|deep|broad|in\s{{1,9}}length|in\s{{1,9}}width)"
 _SQUARE = re.compile(
-    _NUMBER + r"\s*-?\s*(m2|m²|sqm|sq\.?\s*m(?:et(?:er|re)s?)?|square[\s-]?met(?:er|re)s?|square[\s-]?m|"
-    r"sq\.?\s*ft\.?|sqft|square[\s-]?f(?:ee|oo)t|ft2|ft²)(?![a-z])"
+    rf"{_NUMBER}{_GAP}-?{_GAP}(m2|m²|sqm|sq\.?{_GAP}m(?:et(?:er|re)s?)?|square[\s-]?met(?:er|re)s?|square[\s-]?m|"
+    rf"sq\.?{_GAP}ft\.?|sqft|square[\s-]?f(?:ee|oo)t|ft2|ft²)(?![a-z])"
 )
-_SIDES = re.compile(
-    rf"{_NUMBER}\s*{_LENGTH}?(?:{_AXIS})?{_BY}{_NUMBER}\s*{_LENGTH}?(?:{_AXIS})?(?:{_BY}{_NUMBER}\s*{_LENGTH}?)?(?![\w])"
+_SIDE = rf"{_NUMBER}{_GAP}{_LENGTH}?"
+_SIDES = re.compile(rf"{_SIDE}(?:{_AXIS})?{_BY}{_SIDE}(?:{_AXIS})?(?:{_BY}{_SIDE})?(?![\w])")
+_LONG_WIDE = re.compile(
+    rf"{_NUMBER}{_GAP}{_LENGTH}{_AXIS}{_GAP}(?:and|,){_GAP}{_NUMBER}{_GAP}{_LENGTH}{_AXIS}(?![a-z])"
 )
-_LONG_WIDE = re.compile(rf"{_NUMBER}\s*{_LENGTH}{_AXIS}\s*(?:and|,)\s*{_NUMBER}\s*{_LENGTH}{_AXIS}(?![a-z])")
 _CEILING = re.compile(
-    rf"(?:{_NUMBER}\s*-?\s*{_LENGTH}\s*-?\s*(?:high|tall)?\s*-?\s*ceilings?"
-    rf"|ceilings?\s*(?:height)?\s*(?:of|is|at|:)?\s*{_NUMBER}\s*{_LENGTH}(?:\s*high)?"
-    rf"|(?:room\s+)?height\s*(?:of|is|:)?\s*{_NUMBER}\s*{_LENGTH})(?![a-z])"
+    rf"(?:{_NUMBER}{_GAP}-?{_GAP}{_LENGTH}{_GAP}-?{_GAP}(?:high|tall)?{_GAP}-?{_GAP}ceilings?"
+    rf"|ceilings?{_GAP}(?:height)?{_GAP}(?:of|is|at|:)?{_GAP}{_NUMBER}{_GAP}{_LENGTH}(?:{_GAP}high)?"
+    rf"|(?:room\s{{1,9}})?height{_GAP}(?:of|is|:)?{_GAP}{_NUMBER}{_GAP}{_LENGTH})(?![a-z])"
 )
 _DIGITS = dict(
     zip(
@@ -39,11 +48,14 @@ _DIGITS = dict(
     )
 )
 _SPELT = re.compile(
-    r"\b(" + "|".join(_DIGITS) + r")\b(?=\s*-?\s*(?:by|x|square|sq|m|met(?:er|re)s?|feet|foot|ft|cm)\b)"
+    r"\b(" + "|".join(_DIGITS) + rf")\b(?={_GAP}-?{_GAP}(?:by|x|square|sq|m|met(?:er|re)s?|feet|foot|ft|cm)\b)"
 )
-_FAR = re.compile(_NUMBER + r"\s*(?:km|kilomet(?:er|re)s?|miles?)\b")
-_BARE = re.compile(r"(?<![\w.])" + _NUMBER + _BY + _NUMBER + r"(?![\w.]|\s*(?:cm|mm|in)\b)")
+_FAR = re.compile(rf"{_NUMBER}{_GAP}(?:km|kilomet(?:er|re)s?|miles?)\b")
+_BARE = re.compile(rf"(?<![\w.]){_NUMBER}{_BY}{_NUMBER}(?![\w.]|{_GAP}(?:cm|mm|in)\b)")
 _ENDLESS = re.compile(r"\d{10,}")
+_WRAPPED = re.compile(r"(?<=[^\n]{60})(?<!\s)\s*\n(?=[a-z])")
+"""The end of a long line that was wrapped. It begins with the first white space, so that its time is linear."""
+
 _TAG = re.compile(r"<[^<>]{0,200}>")
 _PLAIN = {"‘": "'", "’": "'", "“": '"', "”": '"', "–": "-", "—": ",", "…": ".", "\u00a0": " ", "²": "2"}
 
@@ -79,15 +91,27 @@ class Source:
         self.text = pattern.sub(replace, self.text)
 
 
+def check_text(text: object) -> None:
+    """Refuse what is no request: nothing, or a book.
+
+    Raises:
+        InputError: one line that says what to give.
+    """
+    if not isinstance(text, str) or not text.strip():
+        raise InputError('prompt: it is empty; say what room you want, such as "a bedroom with a desk"')
+    if len(text) > MOST:
+        raise InputError(f"prompt: it has {len(text)} characters; give {MOST} at most, the first {LONGEST} are read")
+
+
 def read_source(text: str) -> Source:
     """Lower case, without control characters and markup, and without measures."""
     notes: list[str] = []
-    if len(text) > LONGEST:
-        notes.append(f"only the first {LONGEST} of {len(text)} characters were read")
-        text = text[:LONGEST]
     letters: list[str] = []
     origin: list[int] = []
     for index, letter in enumerate(text):
+        if len(letters) >= LONGEST:  # one letter may stand for twenty
+            notes.append(f"only the first {index} of {len(text)} characters were read")
+            break
         for plain in unicodedata.normalize("NFKC", _PLAIN.get(letter, letter)).lower():
             if plain.isdigit() and not plain.isdecimal():  # in a circle, raised ...: no number that int() reads
                 plain = str(unicodedata.digit(plain))
@@ -96,7 +120,7 @@ def read_source(text: str) -> Source:
     found = Source("".join(letters).replace("§", " "), origin, notes=notes)
     found.blank(_TAG, lambda m: " ")
     found.blank(_ENDLESS, lambda m: _endless(m, found))
-    found.blank(re.compile(r"(?<=[^\n]{60})\s*\n(?=[a-z])"), lambda m: " ")  # a long line that was wrapped
+    found.blank(_WRAPPED, lambda m: " ")
     found.colons = {k for k, letter in enumerate(found.text) if letter == ":"}
     found.text = re.sub(r"[\n;:!?•*|]|(?<=\s)-(?=\s)", ".", found.text)
     found.blank(_SPELT, lambda m: str(_DIGITS[m[1]]))

@@ -9,6 +9,9 @@ from .vocabulary import vocabulary, words
 SHORT = 6
 """Letters that both words must have; a short word has too many neighbours."""
 
+MOST = 40
+"""Letters that a word with a slip has at most; no known word is longer."""
+
 LONG = 8
 """Letters of a word in which one may be wrong: a letter too many or missing makes a word of its own less often."""
 
@@ -18,7 +21,7 @@ _USEFUL = ("noun", "room", "color", "styles", "preposition", "place", "material"
 
 def mended(word: str, notes: list[str]) -> str | None:
     """The known word that was probably meant; None when there is none, or when the word may be one of its own."""
-    if len(word) < SHORT or not word.isascii() or not word.isalpha():
+    if not SHORT <= len(word) <= MOST or not word.isascii() or not word.isalpha():
         return None
     found = _neighbour(word)
     if found is not None:

@@ -8,7 +8,7 @@ from typing import Any
 from .chunks import Chunk, NounPhrase
 from .model import Span
 from .parsed import Left, Mention, Parsed
-from .references import References
+from .references import REACH, References
 from .source import Source
 from .vocabulary import Place
 
@@ -63,6 +63,7 @@ class State:
         self.chunks, self.source, self.out = chunks, source, parsed
         self.refs = References(parsed)
         self.at = 0
+        self.names_a_room = any(self._is_noun(k) and c.value.what == "room" for k, c in enumerate(chunks))
         self.party: list[Mention] = []  # the things of the part of the room that was named last
         self.surface: Mention | None = None  # what the small things of the sentence stand on
         self.surface_words, self.started, self.begun = "", 0, 0
@@ -90,6 +91,12 @@ class State:
         self.lost = False  # whether the subject is no object, so that nothing is said of it
         self.lit = False  # whether light came through a window
         self.each = self.inverted = self.after_be = self.relative = self.head_related = False
+
+    def name_first(self, mentions: list[Mention]) -> None:
+        """Things are named first in a clause. Of many, the first one and the last ones are kept: "them and a book" over
+        and over names all before once more each time."""
+        kept = [*self.first_items, *mentions]
+        self.first_items = [*kept[:1], *kept[1:][-REACH:]]
 
     def close_frames(self) -> None:
         """A new clause goes on with the list of the sentence at most."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from .chunks import Chunk, NounPhrase
 from .items import name_nothing, name_things
 from .parsed import Mention, without
-from .room_phrases import abstract_phrase, describe_room, names_a_room, people_phrase, unknown_room
+from .room_phrases import abstract_phrase, describe_room, people_phrase, unknown_room
 from .state import State
 from .things import describe, match_of, name_of, new_mention, note_on, singular
 from .vocabulary import words
@@ -77,7 +77,7 @@ def _is_of_the_room(state: State, phrase: NounPhrase) -> bool:
     if before is not None and before.kind == "purpose" and before.value == "people" and phrase.count is not None:
         people_phrase(state, phrase, before)
         return True
-    room = state.out.room_type is not None or bool(state.out.room_words) or names_a_room(state)
+    room = state.out.room_type is not None or bool(state.out.room_words) or state.names_a_room
     if room or phrase.definite or phrase.plural or phrase.count not in (None, (1, 1)) or after is None:
         return False
     if not (after.start in state.source.colons or (after.kind == "purpose" and after.value == "people")):

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
-from importlib import resources
 from itertools import product
 from typing import Any
 
 from sceneweaver.assets import categories, resolve
 from sceneweaver.assets.materials import color_words, finishes
 from sceneweaver.assets.taxonomy import category_named, phrases
+from sceneweaver.io import packaged
 from sceneweaver.knowledge.load import read_yaml, room_words
 
 LONGEST = 8
@@ -55,8 +55,7 @@ class Verb:
 @cache
 def words(file: str = "words") -> dict[str, Any]:
     """A file of the lexicon."""
-    path = resources.files(__package__ or "").joinpath("lexicon", f"{file}.yaml")
-    return read_yaml(path.read_text(encoding="utf-8"))
+    return read_yaml(packaged.text(__package__ or "", "lexicon", f"{file}.yaml"))
 
 
 @cache

@@ -8,6 +8,7 @@ from .improve import improve as improve
 from .problem import Problem as Problem
 from .problem import Terms as Terms
 from .problem import compile as compile
+from .problem import numbered as numbered
 from .quality import QualityTerm as QualityTerm
 from .rate import rate as rate
 from .solution import Solution as Solution
@@ -29,6 +30,7 @@ __all__ = [
     "find_optimizer",
     "improve",
     "joined",
+    "numbered",
     "rate",
     "refine",
     "refine_many",

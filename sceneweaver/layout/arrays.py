@@ -7,6 +7,7 @@ from typing import Any, cast
 import numpy as np
 import warp as wp
 
+from sceneweaver.runtime.compiling import start_warp
 from sceneweaver.scene import InputError
 
 Array = Any
@@ -47,7 +48,7 @@ def from_dlpack(name: str, values: Array) -> wp.array:
     Raises:
         InputError: it does not hand out its memory.
     """
-    wp.init()
+    start_warp()
     try:
         return cast(wp.array, wp.from_dlpack(values))
     except Exception as error:  # each library raises its own

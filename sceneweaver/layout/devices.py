@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import warp as wp
 
+from sceneweaver.runtime.compiling import start_warp
 from sceneweaver.runtime.threads import map_threads
 from sceneweaver.scene import InputError, MissingDependencyError
 
@@ -23,7 +24,7 @@ def pick_devices(device: str) -> list[str]:
     Raises:
         InputError: not a device name. MissingDependencyError: a GPU that is not there.
     """
-    wp.init()
+    start_warp()
     if device == "auto":
         return ["cuda:0" if wp.is_cuda_available() else "cpu"]
     if device == "cpu":

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import warp as wp
 
+from sceneweaver.kernels import load_for
 from sceneweaver.kernels.bookkeeping import set_turns
 from sceneweaver.kernels.residuals import Items, mark_feasible, measure_residuals, measure_violations
 from sceneweaver.kernels.step import add_up
@@ -97,6 +98,7 @@ def residuals_of(batch: Batch, items: Items, count: int) -> tuple[wp.array, wp.a
     residual = wp.zeros((batch.size, count), dtype=wp.float32, device=batch.device)
     slope = wp.zeros((batch.size, count, 3), dtype=wp.vec4, device=batch.device)
     inputs = [batch.problems, items, batch.state]
+    load_for(measure_residuals, batch.device)
     wp.launch(measure_residuals, (batch.size, count), inputs, [residual, slope], device=batch.device)
     return residual, slope
 
@@ -105,6 +107,7 @@ def violations_of(batch: Batch, items: Items, count: int) -> wp.array:
     """Signed violations [B, M] of the items."""
     violation = wp.zeros((batch.size, count), dtype=wp.float32, device=batch.device)
     inputs = [batch.problems, items, batch.state]
+    load_for(measure_violations, batch.device)
     wp.launch(measure_violations, (batch.size, count), inputs, [violation], device=batch.device)
     return violation
 

@@ -36,6 +36,7 @@ WEIGHTS = {
     "opening": 1.0,
     "relation": 1.0,
     "pull": 0.0,
+    "soft": 1.0,
     "knee": 0.05,
 }
 PULL = 0.02  # [1/m] weight of the pull towards given poses, small beside any violation

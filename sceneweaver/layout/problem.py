@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import count
 from typing import Any
+from weakref import WeakValueDictionary
 
 import numpy as np
 import warp as wp
@@ -24,6 +26,9 @@ from .measure import KINDS, batch_at, energy_of, feasible_of, items_on, residual
 from .metadata import Metadata, bounds_of, freedom_of, metadata_of
 from .pack import PULL, Packed, pack, weights
 from .surfaces import surfaces_hold
+
+_NUMBERS = count()
+_PROBLEMS: WeakValueDictionary[int, Problem] = WeakValueDictionary()
 
 
 @dataclass(frozen=True)
@@ -57,6 +62,7 @@ class Problem:
     Attributes:
         scenes: the scenes S.
         device: the Warp device that it lives on.
+        number: what `numbered` knows it by, for calls of other libraries that carry arrays and numbers alone.
         metadata: for each scene what its objects, relations and items are.
         mask: [S, N] bool, which objects there are.
         free: [S, N, 4] bool, which coordinates an optimiser may change.
@@ -90,6 +96,8 @@ class Problem:
         """
         self.scenes = tuple(scenes)
         self.device = device
+        self.number = next(_NUMBERS)
+        _PROBLEMS[self.number] = self
         self._layouts = tuple(layouts)
         self._compiled = tuple(compiled)
         self._pools = pools
@@ -340,6 +348,18 @@ class Problem:
         for row, value in zip(padded, values, strict=True):
             row[: len(value)] = value
         return padded
+
+
+def numbered(number: int) -> Problem:
+    """The problem of a number.
+
+    Raises:
+        InputError: it is gone.
+    """
+    problem = _PROBLEMS.get(int(number))
+    if problem is None:
+        raise InputError("problem: it is gone; keep it as long as what calls it")
+    return problem
 
 
 def seed_of(key: int | Array) -> int:

@@ -69,7 +69,7 @@ class Account:
         if spent := self.usage.spent(self.limits, self.waited()):
             raise BudgetSpent(spent)
         if self.left() <= 0:
-            raise BudgetSpent("the time of the run is over")
+            raise BudgetSpent("the time for the model is over; what is left is kept to finish the room")
 
 
 class Requests:
@@ -143,7 +143,7 @@ class Requests:
         if seconds <= 0:
             return
         if seconds >= self._account.seconds_left():
-            raise BudgetSpent("the time of the run would be over before the next request may be made")
+            raise BudgetSpent("the time for the model would be over before the next request may be made")
         await asyncio.sleep(seconds)
         self._account.refuse_if_spent()
 
@@ -163,7 +163,7 @@ class Requests:
                     return cleaned(pieces.get())
         except TimeoutError:
             if self._account.seconds_left() <= 0:
-                raise BudgetSpent("the time of the run was over before the reply was there") from None
+                raise BudgetSpent("the time for the model was over before the reply was there") from None
             raise
 
     async def _wait_or_give_up(self, found: Fault, tried: int, tries: int) -> None:

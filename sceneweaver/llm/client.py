@@ -9,6 +9,7 @@ import time
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, TypeVar
 
+from sceneweaver.runtime.package import missing_extra
 from sceneweaver.scene import MissingDependencyError
 
 from .attempts import Account
@@ -152,7 +153,7 @@ class ModelClient:
         try:
             import pydantic_ai  # noqa: F401  # pyright: ignore[reportUnusedImport]
         except ImportError:
-            raise MissingDependencyError("models need pydantic-ai; pip install 'sceneweaver[llm]'") from None
+            raise MissingDependencyError(missing_extra("llm", "models need pydantic-ai")) from None
         assert self._model is not None
         endpoint = self._account.endpoint
         stream = endpoint.stream if endpoint else getattr(self._model, "function", True) is None

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from sceneweaver.io import load_yaml
 from sceneweaver.scene import InputError
-from sceneweaver.scene.yaml_text import load_yaml
 
 KEYS = ("input", "cached_input", "output")
 

@@ -18,7 +18,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.scene import InputError, write_atomic
+from sceneweaver.io import load_json, own_folder, require_no_link, write_atomic
+from sceneweaver.scene import InputError
 
 from .reply import Picture
 from .secrets import line, redact
@@ -118,10 +119,14 @@ class Recorder:
     def __init__(self, folder: Path, endpoint: Mapping[str, Any]) -> None:
         self.folder = folder
         try:
-            (folder / "pictures").mkdir(parents=True, exist_ok=True)
+            folder.parent.mkdir(parents=True, exist_ok=True)
+            for own in (folder, folder / "pictures", folder / "kinds"):
+                own_folder(own)
             numbers = [int(found[1]) for name in os.listdir(folder) if (found := NAME.fullmatch(name))]
         except OSError as error:
             raise InputError(f"{folder}: records cannot be written there ({line(error.strerror)})") from None
+        for name in ("endpoint.json", "usage.json"):
+            require_no_link(folder / name)
         before = read_folder(folder) if (folder / "endpoint.json").exists() else {"sessions": []}
         usage = _read(folder / "usage.json") if (folder / "usage.json").exists() else {}
         self.usage: dict[str, Any] = usage.get("usage", {})
@@ -131,7 +136,11 @@ class Recorder:
         self.session = len(sessions)
         self._keeps = False
         data = {"schema": FOLDER_SCHEMA, **endpoint, "sessions": sessions}
-        write_atomic(folder / "endpoint.json", _text(data))
+        self._save(folder / "endpoint.json", _text(data))
+
+    def _save(self, place: Path, content: bytes) -> None:
+        """Write a file of the records, in their own folder."""
+        write_atomic(place, content, within=self.folder.parent)
 
     def next_number(self) -> int:
         """The number of the next record; taken before a question is sent, so that equal runs number alike."""
@@ -145,14 +154,14 @@ class Recorder:
             if isinstance(part, Picture):
                 name = f"{hashlib.sha256(part.png).hexdigest()}.png"
                 if not (place := self.folder / "pictures" / name).exists():
-                    write_atomic(place, part.png)
+                    self._save(place, part.png)
                 names.append(name)
         data = redact(record.to_dict(names, self.session))
         data["kind"] = self._kind(record.asked)
         place = self.folder / f"{record.number:04d}-{_slug(record.asked.purpose)}.json"
         if place.exists():
             raise InputError(f"{place}: is there already; two runs write records into one folder")
-        write_atomic(place, _text(data))
+        self._save(place, _text(data))
         self._write_usage(usage)
 
     def _kind(self, asked: Asked) -> str:
@@ -160,8 +169,7 @@ class Recorder:
         text = _text(asked.schema)
         name = f"{asked.kind}-{hashlib.sha256(text).hexdigest()[:8]}"
         if not (place := self.folder / "kinds" / f"{name}.json").exists():
-            place.parent.mkdir(exist_ok=True)
-            write_atomic(place, text)
+            self._save(place, text)
         return name
 
     def keep(self, usage: Mapping[str, Any]) -> None:
@@ -174,7 +182,7 @@ class Recorder:
         if self._keeps:
             data["kept"] = self._kept
         self.usage = dict(usage)
-        write_atomic(self.folder / "usage.json", _text(redact(data)))
+        self._save(self.folder / "usage.json", _text(redact(data)))
 
 
 def read_folder(folder: Path) -> dict[str, Any]:
@@ -214,10 +222,7 @@ def read_records(folder: Path) -> list[dict[str, Any]]:
 
 
 def _read(place: Path) -> dict[str, Any]:
-    try:
-        data = json.loads(place.read_bytes())
-    except (OSError, ValueError) as error:
-        raise InputError(f"{place}: cannot be read as JSON ({line(error)})") from None
+    data = load_json(place)
     if not isinstance(data, dict):
         raise InputError(f"{place}: is no JSON object")
     return data

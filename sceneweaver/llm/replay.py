@@ -8,7 +8,8 @@ from typing import Any, TypeVar
 
 from pydantic import ValidationError
 
-from sceneweaver.scene import InputError, read_bytes
+from sceneweaver.io import read_bytes
+from sceneweaver.scene import InputError
 
 from .client import ModelClient
 from .conversation import accepted, error_of

@@ -8,6 +8,7 @@ import warnings
 from collections.abc import AsyncIterator
 from typing import TYPE_CHECKING, Any
 
+from sceneweaver.runtime.package import missing_extra
 from sceneweaver.scene import InputError, MissingDependencyError
 
 from .endpoint import Endpoint
@@ -40,7 +41,7 @@ def model_of(endpoint: Endpoint) -> Model:
     try:
         return _built(endpoint)
     except ImportError:
-        raise MissingDependencyError("models need pydantic-ai; pip install 'sceneweaver[llm]'") from None
+        raise MissingDependencyError(missing_extra("llm", "models need pydantic-ai")) from None
 
 
 def _built(endpoint: Endpoint) -> Model:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import hashlib
 import json
 import os
 from collections.abc import Iterator
@@ -11,9 +10,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.scene import InputError, locked, read_bytes, sweep, write_atomic
-from sceneweaver.scene.files import temporary_folder
-from sceneweaver.scene.io import parse
+from sceneweaver.io import locked, parse_json, read_bytes, sha256_of, sweep, temporary_folder, write_atomic
+from sceneweaver.scene import InputError
 
 from .paths import Folder, holds_links
 
@@ -103,7 +101,7 @@ class Files:
 
     def _noted(self) -> dict[str, Any]:
         try:
-            data = parse(read_bytes(self.folder.root / LEDGER))
+            data = parse_json(read_bytes(self.folder.root / LEDGER))
         except InputError:
             return {}
         return data if isinstance(data, dict) else {}
@@ -130,7 +128,7 @@ def tidy(folder: Path) -> None:
 
 def _is_run(folder: Path) -> bool:
     try:
-        data = parse(read_bytes(folder / "state.json"))
+        data = parse_json(read_bytes(folder / "state.json"))
     except InputError:
         return {p.name for p in folder.iterdir()} <= {"steps"}  # a run that ended before its first step
     return isinstance(data, dict) and data.get("schema") == RUN
@@ -141,5 +139,4 @@ def _files_below(folder: Path) -> list[Path]:
 
 
 def _digest(path: Path) -> str:
-    with open(path, "rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()
+    return sha256_of(path)

@@ -8,8 +8,8 @@ from typing import Any
 
 import anyio
 
+from sceneweaver.io.messages import clean, shorten, suggest
 from sceneweaver.scene import InputError, Scene
-from sceneweaver.scene.messages import clean, shorten, suggest
 
 from .limits import Limits
 

@@ -6,9 +6,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
+from sceneweaver.io.messages import suggest
 from sceneweaver.scene import CATALOGUE, InputError, Scene
 from sceneweaver.scene.edits import edits_from_json
-from sceneweaver.scene.messages import suggest
 
 from .job import Job, report_of
 

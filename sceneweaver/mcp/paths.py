@@ -6,8 +6,8 @@ import os
 import re
 from pathlib import Path
 
+from sceneweaver.io.messages import clean, shorten
 from sceneweaver.scene import InputError
-from sceneweaver.scene.messages import clean, shorten
 
 LONGEST, LONGEST_PART, DEEPEST = 400, 120, 6
 """Bytes of a name, bytes of each of its parts, and how many parts it may have."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Callable, Mapping
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -14,8 +13,9 @@ from mcp.server.mcpserver.tools import Tool
 from mcp_types import CallToolResult, InputRequiredResult, Resource, ToolAnnotations
 from pydantic import ValidationError
 
-from sceneweaver.scene.errors import SceneWeaverError
-from sceneweaver.scene.messages import clean, shorten
+from sceneweaver.io import SceneWeaverError
+from sceneweaver.io.messages import clean, shorten
+from sceneweaver.runtime.package import package_version
 
 from .leaving import unless_left
 from .limits import Limits
@@ -50,7 +50,7 @@ class SceneServer(MCPServer[Any]):
             "sceneweaver",
             title="sceneweaver",
             instructions=INSTRUCTIONS,
-            version=version("sceneweaver"),
+            version=package_version(),
             tools=tools,
             log_level="WARNING",
         )

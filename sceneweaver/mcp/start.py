@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
+from sceneweaver.runtime.package import missing_extra
 from sceneweaver.scene import InputError, MissingDependencyError
 
 from .limits import Limits
@@ -44,10 +45,8 @@ def build_server(
         import mcp.server.mcpserver  # noqa: F401
     except ModuleNotFoundError as error:
         name = error.name or "mcp"
-        raise MissingDependencyError(
-            f"the package '{name}' is missing, without which there is no MCP server; "
-            "install it with: pip install 'sceneweaver[mcp]'"
-        ) from None
+        what = f"the package '{name}' is missing, without which there is no MCP server"
+        raise MissingDependencyError(missing_extra("mcp", what)) from None
     from .server import make_server
 
     return make_server(folder, device, limits, llm)

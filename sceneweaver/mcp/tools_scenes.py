@@ -12,8 +12,9 @@ from mcp.server.mcpserver import Context
 from mcp_types import CallToolResult
 from pydantic import Field
 
+from sceneweaver.io import read_bytes
 from sceneweaver.runtime.options import takes
-from sceneweaver.scene import InputError, Scene, read_bytes
+from sceneweaver.scene import InputError, Scene
 from sceneweaver.scene.io import EXAMPLES
 
 from .answers import Closed, DesignedScene, OpenedScene, OpenScene, SceneList

@@ -17,8 +17,8 @@ import traceback
 from multiprocessing.connection import Connection
 from typing import Any
 
+from sceneweaver.io import MissingDependencyError, SceneWeaverError
 from sceneweaver.runtime.deadline import Deadline, Stop, TimeUp
-from sceneweaver.scene.errors import MissingDependencyError, SceneWeaverError
 
 from .jobs import JOBS, LONG_RUNNERS, Job
 

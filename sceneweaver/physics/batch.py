@@ -7,11 +7,8 @@ there). Scenes of other objects need other models: ``settle_scenes`` groups equa
 
 from __future__ import annotations
 
-import ctypes
 import json
 import math
-import os
-import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib import import_module
@@ -20,6 +17,7 @@ from typing import Any, Literal
 import numpy as np
 
 from sceneweaver.assets.placed import Load
+from sceneweaver.runtime.compiling import has_driver, start_warp
 from sceneweaver.runtime.threads import cores
 from sceneweaver.scene import InputError, MissingDependencyError, Pose, Scene
 
@@ -257,25 +255,12 @@ def device_named(name: str) -> str:
     kind, _, index = name.partition(":")
     if name != "auto" and (kind != "cuda" or not (index.isdigit() or name == "cuda")):
         raise InputError(f'device: "{name}" is not one of auto, cpu, cuda, cuda:0, cuda:1 ...')
-    if name == "auto" and not _driver():
+    if name == "auto" and not has_driver():
         return "cpu"
+    start_warp()
     wp: Any = import_module("warp")
-    if not os.environ.get("SCENEWEAVER_DEBUG"):
-        wp.config.log_level = wp.LOG_ERROR
-    wp.init()
     if name == "auto":
         return "cuda:0" if wp.is_cuda_available() else "cpu"
     if int(index or 0) >= wp.get_cuda_device_count():
         raise MissingDependencyError(f'device: "{name}" is not there; use device="cpu"')
     return f"cuda:{int(index or 0)}"
-
-
-def _driver() -> bool:
-    """Whether there may be a driver for a GPU; on Linux that is known without starting Warp, which takes a second."""
-    if sys.platform != "linux":
-        return True
-    try:
-        ctypes.CDLL("libcuda.so.1")
-    except OSError:
-        return False
-    return True

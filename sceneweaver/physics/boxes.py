@@ -7,6 +7,8 @@ from xml.etree import ElementTree as Xml
 
 import numpy as np
 
+from sceneweaver.io import parse_xml
+
 from .model import Model
 from .xml import text
 
@@ -30,7 +32,7 @@ def boxed(model: Model, most: int | None = None) -> Model:
     than ``FEW``, the fullest first; and any while a body that has a joint has more than ``most``. Handles stay boxes of
     their own. Masses stay; so do the room, joints and exclusions.
     """
-    root = Xml.fromstring(model.xml)
+    root = parse_xml(model.xml, "room")
     spans = {}
     for mesh in root.iterfind("asset/mesh"):
         points = np.array(mesh.get("vertex", "").split(), dtype=float).reshape(-1, 3)

@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import os
 import time
 from dataclasses import dataclass
 from importlib import import_module
@@ -14,6 +13,7 @@ import numpy as np
 import warp as wp
 
 from sceneweaver.geometry.rotations import matrix, xyzw
+from sceneweaver.runtime.compiling import start_warp
 from sceneweaver.scene import InputError
 
 from .worlds import CHUNK, SimulationResult, Template, merged
@@ -96,8 +96,7 @@ def launch(
         device: A Warp device.
         room: What there is room for at first; None: found out by a trial.
     """
-    if not os.environ.get("SCENEWEAVER_DEBUG"):
-        wp.config.log_level = wp.LOG_ERROR
+    start_warp()
     mjw: Any = import_module("mujoco_warp")
     worlds, placed = len(start), template.placed(start)
     qpos = template.qpos(start)

@@ -7,13 +7,13 @@ import json
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import jinja2
 import numpy as np
 
 from sceneweaver.geometry.se2 import absolute, relative
+from sceneweaver.io import packaged
 from sceneweaver.scene import SCHEMA, InputError, Pose, Scene
 
 from .certificates import prove
@@ -183,7 +183,7 @@ def card_of(case: ProblemCase) -> str:
         for word, hard in (("hard", True), ("soft", False))
         if (some := [r for r in scene.relations if r.hard == hard])
     ]
-    text = (Path(__file__).parent / "card.md").read_text("utf-8")
+    text = packaged.text(__package__ or "", "card.md")
     return jinja2.Template(text, trim_blocks=True, lstrip_blocks=True).render(
         case=case,
         scene=scene,

@@ -4,18 +4,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import partial
-from importlib import resources
 from typing import Any
 
 import numpy as np
-import yaml
 
+from sceneweaver.io import packaged
 from sceneweaver.scene import InputError
 
 from . import units
 from .units import Unit
 
-DATA: dict[str, Any] = yaml.safe_load(resources.files(__package__ or "").joinpath("recipes.yaml").read_text("utf-8"))
+DATA: dict[str, Any] = packaged.yaml_data(__package__ or "", "recipes.yaml")
 
 MOST_SEED = 2**32 - 1
 

@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from sceneweaver.io import load_json, load_packed_json, write_atomic
 from sceneweaver.scene import InputError
 from sceneweaver.verify import check
 
@@ -29,7 +30,7 @@ ROUNDING = 1e-4  # [m] of energies
 @cache
 def manifest() -> Mapping[str, Json]:
     """For each name: family, version, hash, objects, relations, feasible, facts; by family, then size, then name."""
-    data = json.loads((DATA / "manifest.json").read_text("utf-8"))
+    data = load_json(DATA / "manifest.json")
     if data["schema"] != SCHEMA:
         raise InputError(f"problems: the manifest is of {data['schema']}, not {SCHEMA}")
     return data["problems"]
@@ -63,13 +64,12 @@ def names(family: str | None = None, feasible: bool | None = None) -> tuple[str,
 def measured() -> Mapping[str, Json]:
     """For each name that was measured: hash, best energy [m], its layout where it is not the witness, difficulty."""
     path = DATA / "measured.json"
-    return json.loads(path.read_text("utf-8"))["problems"] if path.exists() else {}
+    return load_json(path)["problems"] if path.exists() else {}
 
 
 @cache
 def _family(name: str) -> Mapping[str, Json]:
-    with gzip.open(DATA / f"{name}.json.gz", "rt", encoding="utf-8") as file:
-        return {entry["name"]: entry for entry in json.load(file)}
+    return {entry["name"]: entry for entry in load_packed_json(DATA / f"{name}.json.gz")}
 
 
 @cache
@@ -117,10 +117,10 @@ def freeze(cases: Iterable[ProblemCase], folder: Path = DATA) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     for family in {c.family for c in rows}:
         text = json.dumps([plain(c) for c in rows if c.family == family], separators=(",", ":"), ensure_ascii=False)
-        (folder / f"{family}.json.gz").write_bytes(gzip.compress(text.encode(), 9, mtime=0))
+        write_atomic(folder / f"{family}.json.gz", gzip.compress(text.encode(), 9, mtime=0))
     problems = {c.name: _row(c) for c in rows}
     text = json.dumps({"schema": SCHEMA, "problems": problems}, indent=1, ensure_ascii=False)
-    (folder / "manifest.json").write_text(text + "\n", "utf-8")
+    write_atomic(folder / "manifest.json", text + "\n")
     _forget()
 
 
@@ -129,7 +129,7 @@ def record(results: Mapping[str, Json], folder: Path = DATA) -> None:
     rows = {name: results[name] for name in manifest() if name in results}
     lines = ",\n".join(f" {json.dumps(name)}: {json.dumps(row, separators=(',', ':'))}" for name, row in rows.items())
     text = f'{{"schema": {json.dumps(SCHEMA)}, "problems": {{\n{lines}\n}}}}'
-    (folder / "measured.json").write_text(text + "\n", "utf-8")
+    write_atomic(folder / "measured.json", text + "\n")
     _forget()
 
 

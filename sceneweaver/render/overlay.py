@@ -9,8 +9,8 @@ from collections.abc import Sequence
 import numpy as np
 from PIL import Image
 
+from sceneweaver.io.messages import shorten
 from sceneweaver.scene import Scene, SceneObject
-from sceneweaver.scene.messages import shorten
 
 from . import labels, palette
 from .canvas import Text, text_width

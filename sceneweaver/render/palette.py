@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 import zlib
-from importlib import resources
 from typing import TYPE_CHECKING
 
-import yaml
 from PIL import ImageColor
+
+from sceneweaver.io import packaged
 
 if TYPE_CHECKING:
     from sceneweaver.scene import SceneObject
@@ -29,7 +29,7 @@ ZONE: Rgb = (186, 140, 84)
 ALARM: Rgb = (208, 52, 48)
 GOOD: Rgb = (58, 128, 84)
 
-_WORDS = yaml.safe_load(resources.files(__package__ or "").joinpath("palette.yaml").read_text(encoding="utf-8"))
+_WORDS = packaged.yaml_data(__package__ or "", "palette.yaml")
 _OTHERS: list[Rgb] = [tuple(color) for color in _WORDS["others"]]
 _MATERIALS: dict[str, Rgb] = {name: tuple(color) for name, color in _WORDS["materials"].items()}
 _FAMILIES: dict[str, Rgb] = {

@@ -10,9 +10,10 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
-from sceneweaver.scene import InputError, MissingDependencyError, whole, write_atomic
-from sceneweaver.scene.files import own_folder
-from sceneweaver.scene.messages import suggest
+from sceneweaver.io import load_json, own_folder, whole, write_atomic
+from sceneweaver.io.messages import suggest
+from sceneweaver.runtime.package import missing_extra
+from sceneweaver.scene import InputError, MissingDependencyError
 
 from .camera import Shot, shot_from
 from .passes import Frame, PassRenderer, check_passes
@@ -97,11 +98,9 @@ def read_shots(path: Path, width: int, height: int) -> list[Shot]:
         InputError: the file cannot be read, or something in it makes no camera.
     """
     try:
-        data: Any = json.loads(path.read_text("utf-8"))
-    except OSError as error:
-        raise InputError(f"--cameras: {path} cannot be read ({error.strerror}); use auto or a JSON file") from None
-    except ValueError as error:
-        raise InputError(f"--cameras: {path} is no JSON ({error})") from None
+        data: Any = load_json(path)
+    except InputError as error:
+        raise InputError(f"--cameras: {error}; use auto or a JSON file") from None
     rows = data.get("cameras") if isinstance(data, dict) else data
     if not isinstance(rows, list) or not rows:
         example = '{"cameras": [{"eye": [1, 1, 1.5], "target": [3, 2, 1]}]}'
@@ -167,6 +166,5 @@ def _openexr() -> Any:
     try:
         import OpenEXR  # pyright: ignore[reportMissingImports]
     except ImportError:
-        fix = 'pip install "sceneweaver[exr]"'
-        raise MissingDependencyError(f"EXR files need OpenEXR, which is not installed: {fix}") from None
+        raise MissingDependencyError(missing_extra("exr", "EXR files need OpenEXR")) from None
     return OpenEXR

@@ -12,8 +12,8 @@ import numpy as np
 
 from sceneweaver.assets import Asset
 from sceneweaver.assets.category import categories, read_yaml
+from sceneweaver.io.messages import suggest
 from sceneweaver.scene import InputError, Scene, SceneObject
-from sceneweaver.scene.messages import suggest
 
 from .camera import Shot
 from .instances import instances_of

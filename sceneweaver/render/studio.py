@@ -9,8 +9,8 @@ from PIL import Image, ImageDraw
 
 from sceneweaver.assets.asset import Asset
 from sceneweaver.assets.body import Material, Mesh
+from sceneweaver.io.messages import suggest
 from sceneweaver.scene import InputError
-from sceneweaver.scene.messages import suggest
 
 from .camera import Camera
 from .canvas import font

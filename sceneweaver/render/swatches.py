@@ -12,8 +12,8 @@ from sceneweaver.assets import textures
 from sceneweaver.assets.body import Material
 from sceneweaver.assets.materials import finishes, rgb
 from sceneweaver.assets.textures.relief import to_linear, to_srgb
+from sceneweaver.io.messages import suggest
 from sceneweaver.scene import InputError
-from sceneweaver.scene.messages import suggest
 
 from .words import tables
 

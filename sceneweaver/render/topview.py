@@ -14,11 +14,12 @@ import numpy as np
 from PIL import Image
 
 from sceneweaver.geometry.polygons import signed_area
+from sceneweaver.io import write_atomic
 from sceneweaver.render import labels, palette, plan_objects, plan_room, sheet
 from sceneweaver.render.canvas import Text
 from sceneweaver.render.plan_objects import Item
 from sceneweaver.render.shapes import Plan, View, bounds_of, content
-from sceneweaver.scene import InputError, Scene, write_atomic
+from sceneweaver.scene import InputError, Scene
 
 MIN_WIDTH, MAX_WIDTH = 200, 8192
 SOFT = "soft_relation"  # the kind of violation that leaves a scene valid

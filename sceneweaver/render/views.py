@@ -12,8 +12,8 @@ from PIL import Image, ImageFilter
 from sceneweaver.assets import Asset
 from sceneweaver.assets.body import Material, Mesh
 from sceneweaver.geometry.shell import FLOOR_THICKNESS, WALL_THICKNESS
+from sceneweaver.io.messages import suggest
 from sceneweaver.scene import InputError, Room, Scene
-from sceneweaver.scene.messages import suggest
 
 from .blocks import finishes_of
 from .camera import Camera

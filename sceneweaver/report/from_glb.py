@@ -3,7 +3,6 @@ with a mesh is an object, in a room around them."""
 
 from __future__ import annotations
 
-import json
 import os
 import struct
 from collections.abc import Iterator, Sequence
@@ -15,10 +14,11 @@ import numpy as np
 
 from sceneweaver.assets import Asset, Material, Mesh
 from sceneweaver.assets.asset import Origin
-from sceneweaver.assets.imports.guarded import MAX_BYTES, read_meshes
 from sceneweaver.assets.placed import Load
 from sceneweaver.assets.textures import maps
-from sceneweaver.scene import InputError, MissingDependencyError, Pose, Room, Scene, SceneObject, read_bytes
+from sceneweaver.io import parse_json, read_bytes, read_meshes
+from sceneweaver.io.meshes import MAX_BYTES
+from sceneweaver.scene import InputError, MissingDependencyError, Pose, Room, Scene, SceneObject
 
 _GREY = Material("grey", (0.75, 0.74, 0.72))
 _Z_UP = np.array([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]], dtype=float)
@@ -172,7 +172,7 @@ class OwnFile:
 
     def __init__(self, data: bytes):
         length = struct.unpack_from("<I", data, 12)[0]
-        self.document: dict[str, Any] = json.loads(data[20 : 20 + length])
+        self.document: dict[str, Any] = parse_json(data[20 : 20 + length])
         self._binary = data[28 + length :]
         roots = self.document["scenes"][0]["nodes"] if self.document.get("scenes") else []
         self._z_up = any("rotation" in self.document["nodes"][root] for root in roots)

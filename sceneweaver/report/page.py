@@ -7,12 +7,11 @@ import hashlib
 import os
 from dataclasses import replace
 from functools import cache
-from importlib import resources
 from typing import Any
 
 import jinja2
 
-from sceneweaver.scene import write_atomic
+from sceneweaver.io import packaged, write_atomic
 
 from . import request, sections
 from .data import ReportData
@@ -92,4 +91,4 @@ def _script() -> str:
 
 @cache
 def _text(name: str) -> str:
-    return resources.files(__package__ or "").joinpath("web", name).read_text(encoding="utf-8")
+    return packaged.text(__package__ or "", "web", name)

@@ -16,7 +16,7 @@ from importlib import resources
 from types import MappingProxyType
 from typing import Any
 
-import yaml
+from sceneweaver.io import packaged
 
 from .expression import Expression
 
@@ -179,7 +179,7 @@ def limit(rule: str, name: str) -> float:
 
 def read_yaml(file: Any) -> Any:
     """What a YAML file has."""
-    return yaml.load(file.read_text(encoding="utf-8"), Loader=getattr(yaml, "CSafeLoader", yaml.SafeLoader))
+    return packaged.parse(packaged.text_of(file))
 
 
 def _rule(data: dict[str, Any]) -> DesignRule:

@@ -10,8 +10,9 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
-from importlib.resources import files
 from typing import Any, Literal
+
+from sceneweaver.io import packaged
 
 from .expression import Expression
 from .measures import MEASURES
@@ -152,10 +153,7 @@ def ways_of(label: str, entries: Sequence[Mapping[str, Any]], frame: str | None)
 @cache
 def load(name: str) -> Any:
     """A data file of this package, as plain values."""
-    import yaml
-
-    loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-    return yaml.load(files("sceneweaver.rules").joinpath(name).read_text("utf-8"), Loader=loader)
+    return packaged.yaml_data("sceneweaver.rules", name)
 
 
 def own_side(side: str, frame: str) -> str:

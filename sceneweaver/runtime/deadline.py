@@ -30,6 +30,9 @@ SEARCH = 0.75
 PATIENCE = 1.0
 """Seconds after the end of a block in which it has to come to a checkpoint."""
 
+HASTE = 0.3
+"""The same [s] when a stop is asked for."""
+
 AGAIN = 0.5
 """Seconds after which the alarm rings once more, where nothing could be broken off or `TimeUp` was lost."""
 
@@ -56,7 +59,7 @@ class Stop:
         reason: who asked, such as "SIGTERM"; empty until then.
     """
 
-    allowance: float = 2.0
+    allowance: float = 1.5
     end: float = math.inf
     reason: str = ""
 
@@ -136,7 +139,7 @@ class _Block:
     """A block under a deadline, which knows the one around it."""
 
     def __init__(self, deadline: Deadline, grace: Callable[[], float], patience: float) -> None:
-        self._deadline, self._grace, self.patience = deadline, grace, patience
+        self._deadline, self._grace, self._patience = deadline, grace, patience
         self._outer: _Block | None = None
         self._rings = False  # whether it has set the alarm clock going
         self.frame: FrameType | None = None
@@ -157,6 +160,11 @@ class _Block:
             signal.signal(signal.SIGALRM, signal.SIG_DFL)
         else:
             _set_alarm()
+
+    @property
+    def late(self) -> float:
+        """When it is broken off, by ``time.monotonic()`` [s]."""
+        return self.end + (min(self._patience, HASTE) if self._deadline.stop.reason else self._patience)
 
     @property
     def end(self) -> float:
@@ -190,14 +198,14 @@ def _set_alarm() -> None:
         signal.setitimer(signal.ITIMER_REAL, 1e-3, AGAIN)
         return
     block = _BLOCK.get()
-    late = math.inf if block is None else block.end + block.patience - time.monotonic()
+    late = math.inf if block is None else block.late - time.monotonic()
     signal.setitimer(signal.ITIMER_REAL, *((0.0,) if math.isinf(late) else (max(1e-3, late), AGAIN)))
 
 
 def _rung(number: int, frame: FrameType | None) -> None:
     """Break off what runs, unless that has time left or must be done as a whole; then the alarm rings again."""
     block = _BLOCK.get()
-    if block is None or time.monotonic() < block.end + block.patience:
+    if block is None or time.monotonic() < block.late:
         _set_alarm()
     elif not _leaving() and _may_break(frame, block.frame):
         raise TimeUp

@@ -4,6 +4,10 @@ A scene is immutable. Anything wrong with a file, a field or an edit raises Inpu
 field and the fix.
 """
 
+from sceneweaver.io import InputError as InputError
+from sceneweaver.io import MissingDependencyError as MissingDependencyError
+from sceneweaver.io import SceneWeaverError as SceneWeaverError
+
 from .catalogue import CATALOGUE as CATALOGUE
 from .catalogue import SIDES as SIDES
 from .catalogue import TUCKED as TUCKED
@@ -32,18 +36,9 @@ from .edits import edit_from_json as edit_from_json
 from .edits import edit_to_json as edit_to_json
 from .edits import edits_from_json as edits_from_json
 from .edits import invert as invert
-from .errors import InputError as InputError
-from .errors import MissingDependencyError as MissingDependencyError
-from .errors import SceneWeaverError as SceneWeaverError
 from .fields import Quat as Quat
 from .fields import Vec2 as Vec2
 from .fields import Vec3 as Vec3
-from .files import MAX_BYTES as MAX_BYTES
-from .files import locked as locked
-from .files import read_bytes as read_bytes
-from .files import sweep as sweep
-from .files import whole as whole
-from .files import write_atomic as write_atomic
 from .finish import FloorFinish as FloorFinish
 from .finish import RoomFinish as RoomFinish
 from .finish import WallAccent as WallAccent
@@ -85,7 +80,6 @@ __all__ = [
     "Geometry",
     "InputError",
     "Intent",
-    "MAX_BYTES",
     "MissingDependencyError",
     "Named",
     "PRIORITIES",
@@ -128,14 +122,9 @@ __all__ = [
     "edits_from_json",
     "id_of",
     "invert",
-    "locked",
     "migration",
     "point_of",
-    "read_bytes",
     "register_relation",
-    "sweep",
     "unregister_relation",
     "wall_number",
-    "whole",
-    "write_atomic",
 ]

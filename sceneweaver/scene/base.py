@@ -7,8 +7,10 @@ from typing import Any, ClassVar, Self
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 
-from .errors import InputError
-from .messages import one_line, quote
+from sceneweaver.io import InputError
+from sceneweaver.io.messages import quote
+
+from .messages import one_line
 
 
 class FrozenModel(BaseModel):

@@ -12,10 +12,11 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any, Literal, Protocol
 
+from sceneweaver.io import InputError
+from sceneweaver.io.messages import clean, show, suggest
 from sceneweaver.rules.relation import Way, load, own_side, ways_of
 
-from .errors import InputError
-from .messages import FieldError, clean, show, suggest
+from .messages import FieldError
 
 SIDES = ("front", "back", "left", "right")
 TARGETS = ("none", "wall", "wall?", "object", "objects", "window", "window?", "door", "door?")

@@ -15,10 +15,11 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
-from .errors import InputError
+from sceneweaver.io import InputError
+from sceneweaver.io.messages import quote, suggest
+
 from .fields import JsonDict, Name, Text
 from .io import SceneFile
-from .messages import quote, suggest
 from .migrate import SCHEMA
 from .objects import Dropped, Pose, SceneObject
 from .palette import Palette

@@ -5,6 +5,7 @@ What draws them is a floor far above this one, so it is named here, and imported
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from importlib import import_module
 from typing import Any
 
@@ -22,13 +23,14 @@ class Displayed:
 class Shown(Displayed):
     """Something that also has a view to walk around in."""
 
-    def show(self, *, width: int = 900, height: int = 560) -> Any:
+    def show(self, *, width: int = 900, height: int = 560, load: Callable[[str], Any] | None = None) -> Any:
         """The 3D view of the report, for the last line of a notebook's cell: one frame that loads nothing.
 
         Args:
             width, height: of the frame [pixels].
+            load: gives the asset of an id; None: the library of this user.
 
         Returns:
             What a notebook displays; ``html`` is its text.
         """
-        return import_module(DRAWN_BY).frame(self, width, height)
+        return import_module(DRAWN_BY).frame(self, width, height, load)

@@ -11,12 +11,14 @@ from typing import Annotated, Any, Literal, TypeVar, get_args
 
 from pydantic import Field
 
+from sceneweaver.io import InputError
+from sceneweaver.io.messages import quote, show, suggest
+
 from .base import FrozenModel
 from .content import SceneContent
-from .errors import InputError
 from .fields import Flag, Id, Index, JsonDict, Length, Name, Target
 from .intent import Intent
-from .messages import FieldError, describe, quote, show, suggest
+from .messages import FieldError, describe
 from .objects import Part, Pose, SceneObject, Support, Surface, Zone
 from .references import check_references, relation_fits
 from .relation import Relation

@@ -10,8 +10,9 @@ from typing import Annotated, Any
 from pydantic import AfterValidator, BeforeValidator, Field, WithJsonSchema
 
 from sceneweaver.geometry.polygons import signed_area
+from sceneweaver.io.messages import show
 
-from .messages import FieldError, show
+from .messages import FieldError
 from .polygons import Points, check_simple, convex, counter_clockwise
 
 LARGEST = 1e6

@@ -8,10 +8,10 @@ import re
 from pathlib import Path
 from typing import Any, Self
 
+from sceneweaver.io import MAX_BYTES, InputError, parse_json, read_bytes, write_atomic
+from sceneweaver.io.messages import clean, quote, suggest
+
 from .base import FrozenModel
-from .errors import InputError
-from .files import MAX_BYTES, read_bytes, write_atomic
-from .messages import clean, quote, show, suggest
 from .migrate import migrate
 
 EXAMPLES = tuple(sorted(p.stem for p in (Path(__file__).parent / "examples").glob("*.json")))
@@ -24,15 +24,26 @@ class SceneFile(FrozenModel):
     """A scene as far as reading and writing go: what `Scene` has of it."""
 
     @classmethod
-    def load(cls, path: str | os.PathLike[str], *, max_bytes: int = MAX_BYTES) -> Self:
+    def load(
+        cls,
+        path: str | os.PathLike[str],
+        *,
+        max_bytes: int = MAX_BYTES,
+        within: str | os.PathLike[str] | None = None,
+    ) -> Self:
         """Read a ``scene.json`` of this or an older schema version.
+
+        Args:
+            path: The file.
+            max_bytes: A larger one is refused.
+            within: A folder above it, from which on no link is followed; None: links are.
 
         Raises:
             InputError: with one line that names the file, the field and the fix.
         """
         name = clean(os.fspath(path))
         try:
-            return cls.loads(read_bytes(path, max_bytes=max_bytes))
+            return cls.loads(read_bytes(path, max_bytes=max_bytes, within=within))
         except InputError as error:
             text = str(error)
             raise InputError(text if text.startswith(f"{name}: ") else f"{name}: {text}") from None
@@ -40,7 +51,7 @@ class SceneFile(FrozenModel):
     @classmethod
     def loads(cls, text: str | bytes) -> Self:
         """The scene in the text of a ``scene.json``; InputError with one line on anything wrong."""
-        return cls.from_json(parse(text))
+        return cls.from_json(parse_json(text, wanted='a scene, {"schema": "sceneweaver.scene/1", ...}'))
 
     @classmethod
     def from_json(cls, data: Any) -> Self:
@@ -86,45 +97,5 @@ class SceneFile(FrozenModel):
         write_atomic(path, self.dumps(), through_link=True)
 
 
-def parse(text: str | bytes) -> Any:
-    """JSON text as data.
-
-    Raises:
-        InputError: not UTF-8, not JSON (with line and column), cut off, a key twice, nested too deep.
-    """
-    if isinstance(text, bytes):
-        try:
-            text = text.decode("utf-8-sig")
-        except UnicodeDecodeError as error:
-            raise InputError(f"not UTF-8 text (byte {error.start}); save the file as UTF-8") from None
-    if not text.strip():
-        raise InputError('the file is empty; give a scene, {"schema": "sceneweaver.scene/1", ...}')
-    try:
-        return json.loads(text, object_pairs_hook=_unique)
-    except json.JSONDecodeError as error:
-        where = f"line {error.lineno}, column {error.colno}"
-        if error.pos >= len(text.rstrip()) or error.msg.startswith("Unterminated string"):
-            text = f"invalid JSON: it ends too early, at {where} ({error.msg}); is the file cut off?"
-            raise InputError(text) from None
-        raise InputError(f"invalid JSON at {where}: {error.msg}") from None
-    except RecursionError:
-        raise InputError("invalid JSON: nested too deep; a scene has fewer than 40 levels") from None
-    except InputError:
-        raise
-    except ValueError:  # Python refuses to convert integers of thousands of digits
-        raise InputError("invalid JSON: a number has too many digits; numbers must fit a double") from None
-
-
 def _join(match: re.Match[str]) -> str:
     return "[" + re.sub(r"\s*\n\s*", " ", match[1].strip()) + "]"
-
-
-def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    data = dict(pairs)
-    if len(data) < len(pairs):
-        keys = [key for key, _ in pairs]
-        twice = next(key for key in keys if keys.count(key) > 1)
-        name = data.get("id")
-        where = f" of {quote(name)}" if isinstance(name, str) else ""
-        raise InputError(f"invalid JSON: key {show(twice)} stands twice in one object{where}; remove one")
-    return data

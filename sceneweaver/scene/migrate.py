@@ -19,11 +19,11 @@ from collections.abc import Callable
 from typing import Any
 
 from sceneweaver.geometry.rotations import from_yaw
+from sceneweaver.io import InputError
+from sceneweaver.io.messages import is_number, quote, show
 
-from .errors import InputError
 from .finish import RoomFinish
 from .intent import Intent
-from .messages import is_number, quote, show
 
 SCHEMA = "sceneweaver.scene/1"
 """The current version."""

@@ -7,12 +7,12 @@ from collections.abc import Iterable, Sequence
 from typing import Any, Protocol
 
 from sceneweaver.geometry.se2 import SE2
+from sceneweaver.io import InputError
+from sceneweaver.io.messages import is_number, show
 
 from .content import SceneContent
 from .display import Shown
 from .edits import Add, AnyEdit, Relate, Remove, Rename, SetSize, Unrelate, apply, apply_all, carried
-from .errors import InputError
-from .messages import is_number, show
 from .objects import Pose, SceneObject
 from .relation import Relation
 

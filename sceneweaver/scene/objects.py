@@ -9,12 +9,13 @@ from pydantic import Field, model_validator
 
 from sceneweaver.geometry.rotations import from_yaw, yaw_of
 from sceneweaver.geometry.se2 import SE2
+from sceneweaver.io import InputError
+from sceneweaver.io.messages import show
 
 from .base import FrozenModel
-from .errors import InputError
 from .fields import ConvexPolygon, Flag, Id, Interval, JsonDict, Length, Name, Number, Polygon, Quat, Text, Vec3
 from .intent import Intent
-from .messages import FieldError, show
+from .messages import FieldError
 
 
 class Pose(FrozenModel):

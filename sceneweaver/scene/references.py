@@ -7,8 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
 
+from sceneweaver.io.messages import quote, show, suggest
+
 from .catalogue import CATALOGUE
-from .messages import FieldError, Loc, quote, show, suggest
+from .messages import FieldError, Loc
 from .objects import SceneObject
 from .relation import Relation
 from .room import Room

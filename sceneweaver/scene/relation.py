@@ -7,10 +7,12 @@ from typing import Self
 
 from pydantic import Field, field_validator, model_validator
 
+from sceneweaver.io.messages import quote, show, suggest
+
 from .base import FrozenModel
 from .catalogue import CATALOGUE
 from .fields import Flag, Id, JsonDict, Name, Target, Weight
-from .messages import FieldError, quote, show, suggest
+from .messages import FieldError
 
 _WALL = re.compile(r"wall:(0|[1-9][0-9]{0,8})", re.ASCII)
 

@@ -9,12 +9,13 @@ from pydantic import Field, model_validator
 
 from sceneweaver.geometry.shell import heights
 from sceneweaver.geometry.walls import Wall, walls_of
+from sceneweaver.io import InputError
+from sceneweaver.io.messages import is_number, show, suggest
 
 from .base import FrozenModel
-from .errors import InputError
 from .fields import Id, Index, Length, Name, Offset, Outline
 from .finish import RoomFinish
-from .messages import FieldError, is_number, show, suggest
+from .messages import FieldError
 
 FIT_TOLERANCE = 1e-6
 """How far [m] an opening may stand over its wall's end or the ceiling: rounding, no more."""

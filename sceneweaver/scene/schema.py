@@ -11,8 +11,9 @@ import sys
 from pathlib import Path
 from typing import Any
 
+from sceneweaver.io import write_atomic
+
 from .catalogue import CATALOGUE
-from .files import write_atomic
 from .migrate import SCHEMA
 from .model import Scene
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
+from sceneweaver.io import InputError
 from sceneweaver.scene import Relation
 from sceneweaver.scene.catalogue import CATALOGUE, RelationSpec
-from sceneweaver.scene.errors import InputError
 from sceneweaver.verify.solids import Body, Placed
 
 

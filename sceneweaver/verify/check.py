@@ -9,9 +9,10 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from sceneweaver.io import InputError
 from sceneweaver.runtime.deadline import checkpoint
+from sceneweaver.runtime.package import package_version
 from sceneweaver.scene import Relation, Scene
-from sceneweaver.scene.errors import InputError
 from sceneweaver.verify import bounds, collisions, stability, support, zones
 from sceneweaver.verify import walkable as access
 from sceneweaver.verify.measure import Judgement
@@ -175,8 +176,8 @@ def _versions() -> tuple[tuple[str, str], ...]:
     import platform
     from importlib.metadata import PackageNotFoundError, version
 
-    found = [("python", platform.python_version())]
-    for name in ("sceneweaver", "numpy", "shapely", "manifold3d", "scipy", "trimesh"):
+    found = [("python", platform.python_version()), ("sceneweaver", package_version())]
+    for name in ("numpy", "shapely", "manifold3d", "scipy", "trimesh"):
         try:
             found.append((name, version(name)))
         except PackageNotFoundError:

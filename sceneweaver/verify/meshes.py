@@ -15,10 +15,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from sceneweaver.assets.imports.guarded import read_meshes
 from sceneweaver.geometry.prisms import prism_vertices
+from sceneweaver.io import InputError, read_meshes
 from sceneweaver.scene import SceneObject
-from sceneweaver.scene.errors import InputError
 from sceneweaver.verify import convex
 from sceneweaver.verify.solids import DEPTH, Array
 

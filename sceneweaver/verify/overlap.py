@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from sceneweaver.scene.errors import InputError
+from sceneweaver.io import InputError
 from sceneweaver.verify.solids import DEPTH, Array, Prisms
 
 ZONE_DEPTH = 5e-3

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from sceneweaver.io import InputError
 from sceneweaver.scene import Relation
 from sceneweaver.scene.catalogue import BUILT_IN, CATALOGUE
-from sceneweaver.scene.errors import InputError
 from sceneweaver.verify.case import Case
 from sceneweaver.verify.measure import HOLDS, Judgement, fails
 from sceneweaver.verify.measures import judge_ways

@@ -9,8 +9,8 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any, Literal
 
+from sceneweaver.io import write_atomic
 from sceneweaver.scene.display import Displayed
-from sceneweaver.scene.files import write_atomic
 
 from .measure import Measurement
 
@@ -173,9 +173,9 @@ class Report(Displayed):
     and ``scores`` belong to the physics and the critics, as does ``alignment``: how many items a request has (total),
     and how many are met, unmet, assumed and not_understood; ``seed``, ``device`` and ``candidates`` to the run that
     made the scene: fill them in with ``dataclasses.replace``. So does ``cut_off``, what ended that run before it was
-    done (None: nothing did). ``seconds`` is wall time, in all and by step. ``warnings`` say where meshes or measures
-    had to be done without. ``models`` says what a language or vision model did in the run that made the scene, as
-    docs/agent.md has it (None: no model was asked).
+    done (None: nothing did), and ``left_out``, the files that it had no time for. ``seconds`` is wall time, in all and
+    by step. ``warnings`` say where meshes or measures had to be done without. ``models`` says what a language or vision
+    model did in the run that made the scene, as docs/agent.md has it (None: no model was asked).
 
     Examples:
         >>> import sceneweaver as sw
@@ -209,19 +209,21 @@ class Report(Displayed):
     device: str | None = None
     candidates: int | None = None
     cut_off: str | None = None
+    left_out: tuple[str, ...] = ()
     versions: Mapping[str, str] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
     models: Mapping[str, Any] | None = None
 
     def to_dict(self) -> dict[str, Any]:
-        """Return plain JSON data; ``warnings`` and ``models`` are there only when there are any."""
+        """Return plain JSON data; ``left_out``, ``warnings`` and ``models`` are there only when there are any."""
         data: dict[str, Any] = {"schema": SCHEMA, **asdict(self)}
         data["violations"] = [v.to_dict() for v in self.violations]
         if self.blocked_links is not None:
             data["blocked_links"] = [asdict(link) for link in self.blocked_links]
-        data["warnings"] = list(self.warnings)
-        if not self.warnings:
-            del data["warnings"]
+        for name in ("left_out", "warnings"):
+            data[name] = list(data[name])
+            if not data[name]:
+                del data[name]
         if self.models is None:
             del data["models"]
         return data

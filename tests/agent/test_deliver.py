@@ -16,12 +16,14 @@ from sceneweaver.agent.request_file import RequestFile
 from sceneweaver.agent.result import Result
 from sceneweaver.assets import Library, make
 from sceneweaver.critic import CRITERIA, Alignment, ItemOutcome, Review
+from sceneweaver.export import FORMATS, formats_named
 from sceneweaver.language import SceneGraph
 from sceneweaver.runtime.deadline import Deadline, checkpoint
 from sceneweaver.scene import InputError, Pose, Room, Scene, Support
 from sceneweaver.verify import check
 
 EYE_LEVEL = {"eye-door", "eye-corner", "eye-corner2"}
+ALWAYS = {"scene.json", "metrics.json", "request.json"}
 PICTURES = {"top.png", "top_annotated.png", "corner.png", *(f"{view}.png" for view in EYE_LEVEL)}
 
 
@@ -34,8 +36,14 @@ class QuickEyeLevel:
         self.cameras = dict.fromkeys(sorted(EYE_LEVEL))
 
     def draw(self, view: str, width: int, height: int, quality: render.Quality) -> Image.Image:
-        self.clock[0] += self.seconds * width * height / (640 * 480)
+        slower = 3.4 if quality == render.Quality.normal() else 1.0
+        self.clock[0] += slower * self.seconds * width * height / (640 * 480)
         return Image.new("RGB", (width, height), (quality.rays, 0, 0))
+
+
+def at_once(scene: Scene, load: object, views: tuple[str, ...], *_: object, **__: object) -> dict[str, Image.Image]:
+    """Pictures from above that cost nothing."""
+    return {view: Image.new("RGB", (4, 4)) for view in views}
 
 
 @pytest.fixture(autouse=True)
@@ -153,18 +161,67 @@ def test_what_was_there_stays_when_a_picture_or_the_report_fails(result, tmp_pat
         path.write_text("<html>")
         raise InputError("no page")
 
-    monkeypatch.setattr("sceneweaver.render.draw_rooms", lambda *_, **__: {})
+    monkeypatch.setattr("sceneweaver.render.draw_rooms", at_once)
     monkeypatch.setattr("sceneweaver.report.write_report", broken)
     with pytest.raises(InputError, match="no page"):
         deliver(result, tmp_path, Library(), "cpu", True, ())
     assert (tmp_path / "report.html").read_bytes() == b"old"
-    assert files(tmp_path) == {"scene.json", "metrics.json", "request.json", "views/top.png", "report.html"}
+    assert files(tmp_path) == {*ALWAYS, "report.html", *(f"views/{name}" for name in PICTURES)}
 
 
 def test_when_time_is_up_the_scene_and_its_metrics_are_written_and_the_rest_is_noted(result, tmp_path):
     done = deliver(result, tmp_path, Library(), "cpu", True, ("glb", "usd"), Deadline(0.0))
-    assert files(tmp_path) == {"scene.json", "metrics.json", "request.json"}
-    assert done.notes[-1] == "time was up before these were written: glb, usd, pictures, report"
+    assert files(tmp_path) == ALWAYS == set(done.files)
+    assert done.undone == ("glb", "usd", "pictures", "report") and not done.broken
+    missing = ("scene.glb", "scene.usdc", *(f"views/{name}" for name in PICTURES), "report.html")
+    assert set(done.left_out) == set(missing) and len(done.left_out) == len(missing)
+    assert done.notes[-1] == f"time was up before these were written: {', '.join(done.left_out)}"
+    assert json.loads((tmp_path / "metrics.json").read_text("utf-8"))["left_out"] == list(done.left_out)
+
+
+def test_all_that_was_written_is_named_and_nothing_else(result, tmp_path, monkeypatch):
+    monkeypatch.setattr("sceneweaver.render.draw_rooms", at_once)
+    formats = formats_named("all")
+    done = deliver(result, tmp_path, Library(), "cpu", True, formats)
+    assert {FORMATS[name].file for name in formats} < set(done.files) <= files(tmp_path) and not done.left_out
+    assert done.files[0] == "report.html" and len(set(done.files)) == len(done.files)
+    beside = {name for name in files(tmp_path) - set(done.files) if "/" not in name}
+    assert beside == {"scene-sleep.xml"}  # which belongs to the MJCF, as meshes and textures do
+    assert "left_out" not in json.loads((tmp_path / "metrics.json").read_text("utf-8"))
+
+
+@pytest.mark.usefixtures("ours")
+@pytest.mark.parametrize("asked", [True, False])
+def test_pictures_go_before_formats_that_nobody_asked_for(result, tmp_path, monkeypatch, asked):
+    def endless(*_: object) -> None:
+        while True:
+            time.sleep(0.01)
+            checkpoint()
+
+    order: list[str] = []
+    monkeypatch.setattr("sceneweaver.export.export_scene", lambda *given: order.append("file") or endless())
+    monkeypatch.setattr("sceneweaver.render.draw_rooms", lambda *a, **k: order.append("above") or at_once(*a, **k))
+    draw = QuickEyeLevel.draw
+    monkeypatch.setattr(QuickEyeLevel, "draw", lambda *given: order.append("eye level") or draw(*given))
+    end = time.monotonic() + 3.0
+    done = deliver(result, tmp_path, Library(), "cpu", True, ("glb",), Deadline(end), asked=asked)
+    assert order[:2] == ["above", "above"] and order.index("file") == (2 if asked else 5)
+    assert done.undone == ("glb",) and done.left_out == ("scene.glb",)
+    assert {f"views/{name}" for name in PICTURES} <= files(tmp_path)  # as drafts
+
+
+@pytest.mark.usefixtures("ours")
+def test_a_report_that_takes_too_long_is_left_out(result, tmp_path, monkeypatch):
+    def endless(*_: object) -> None:
+        while True:
+            time.sleep(0.01)
+            checkpoint()
+
+    monkeypatch.setattr("sceneweaver.render.draw_rooms", at_once)
+    monkeypatch.setattr("sceneweaver.report.write_report", endless)
+    done = deliver(result, tmp_path, Library(), "cpu", True, (), Deadline(time.monotonic() + 1.5))
+    assert done.left_out == ("report.html",) and done.undone == ("report",) and "report.html" not in done.files
+    assert json.loads((tmp_path / "metrics.json").read_text("utf-8"))["left_out"] == ["report.html"]
 
 
 @pytest.mark.usefixtures("ours")
@@ -177,20 +234,13 @@ def test_a_file_that_takes_too_long_is_left_out_and_the_pictures_are_there(resul
         (folder / "scene.glb").touch()
 
     monkeypatch.setattr("sceneweaver.export.export_scene", endless)
-    monkeypatch.setattr("sceneweaver.render.draw_rooms", lambda *_, **__: {"top": Image.new("RGB", (4, 4))})
+    monkeypatch.setattr("sceneweaver.render.draw_rooms", at_once)
     end = time.monotonic() + 2.5
     done = deliver(result, tmp_path, Library(), "cpu", True, ("glb", "usd", "mjcf"), Deadline(end))
     assert time.monotonic() < end + 1.0
-    assert files(tmp_path) == {
-        "scene.json",
-        "metrics.json",
-        "request.json",
-        "scene.glb",
-        "report.html",
-        "views/top.png",
-    }
+    assert files(tmp_path) == {*ALWAYS, "scene.glb", "report.html", *(f"views/{name}" for name in PICTURES)}
     assert done.undone == ("usd", "mjcf") and not done.satisfied
-    assert done.notes[-1] == "time was up before these were written: usd, mjcf"
+    assert done.notes[-1] == "time was up before these were written: scene.usdc, scene.xml"
 
 
 @pytest.mark.usefixtures("ours")
@@ -201,6 +251,7 @@ def test_pictures_that_take_too_long_are_left_out(result, tmp_path, monkeypatch)
             checkpoint()
 
     monkeypatch.setattr("sceneweaver.render.draw_rooms", endless)
+    monkeypatch.setattr(QuickEyeLevel, "draw", endless)
     end = time.monotonic() + 1.0
     done = deliver(result, tmp_path, Library(), "cpu", True, (), Deadline(end))
     assert time.monotonic() < end + 1.0 and done.undone == ("pictures",)
@@ -243,7 +294,7 @@ def test_what_breaks_down_costs_only_itself(result, tmp_path, monkeypatch, part)
         raise ZeroDivisionError("no size")
 
     monkeypatch.setattr("sceneweaver.export.export_scene", lambda *_: None)
-    monkeypatch.setattr("sceneweaver.render.draw_rooms", lambda *_, **__: {"top": Image.new("RGB", (4, 4))})
+    monkeypatch.setattr("sceneweaver.render.draw_rooms", at_once)
     monkeypatch.setattr(part, broken)
     done = deliver(result, tmp_path, Library(), "cpu", True, ("glb",))
     assert {"scene.json", "metrics.json", "report.html"} <= files(tmp_path)
@@ -270,12 +321,29 @@ def test_pictures_are_as_large_as_there_is_time_for(result, tmp_path, monkeypatc
     assert (short in done.notes) == (size == (320, 240)) and clock[0] <= 100.0 + left
 
 
+def test_a_first_picture_that_waits_for_its_kernels_is_not_dropped(result, tmp_path, monkeypatch):
+    """On a first start kernels are compiled for the first picture, by a clock of our own."""
+    clock, compiled = [100.0], []
+    monkeypatch.setattr("sceneweaver.agent.deliver.time.monotonic", lambda: clock[0])
+
+    def drawn(scene, load, views, *_, **__):
+        clock[0] += 0.2 if compiled else 40.0
+        compiled.append(1)
+        checkpoint()
+        return at_once(scene, load, views)
+
+    monkeypatch.setattr("sceneweaver.render.draw_rooms", drawn)
+    done = deliver(result, tmp_path, Library(), "cpu", True, (), Deadline(159.0))
+    assert {f"views/{name}" for name in PICTURES} <= set(done.files) and not done.undone
+
+
 @pytest.mark.parametrize(
     ("left", "seconds", "size", "rays"),
     [
         (100.0, 1.0, (960, 720), render.Quality.normal().rays),
-        (25.0, 1.0, (960, 720), render.Quality.draft().rays),
-        (20.0, 2.0, (640, 480), render.Quality.draft().rays),
+        (20.0, 1.0, (960, 720), render.Quality.draft().rays),
+        (14.0, 2.0, (640, 480), render.Quality.draft().rays),
+        (4.0, 2.0, (320, 240), render.Quality.draft().rays),
     ],
 )
 def test_pictures_at_eye_level_are_as_good_as_there_is_time_for(
@@ -284,7 +352,7 @@ def test_pictures_at_eye_level_are_as_good_as_there_is_time_for(
     clock = eye_level.clock
     monkeypatch.setattr("sceneweaver.agent.deliver.time.monotonic", lambda: clock[0])
     monkeypatch.setattr(eye_level, "seconds", seconds)
-    monkeypatch.setattr("sceneweaver.render.draw_rooms", lambda *_, **__: {"corner": Image.new("RGB", (4, 4))})
+    monkeypatch.setattr("sceneweaver.render.draw_rooms", at_once)
     done = deliver(result, tmp_path, Library(), "cpu", True, (), Deadline(left))
     for view in EYE_LEVEL:
         with Image.open(tmp_path / "views" / f"{view}.png") as picture:
@@ -301,13 +369,12 @@ def test_without_time_for_all_pictures_at_eye_level_the_others_are_there(result,
         return Image.new("RGB", (4, 4))
 
     monkeypatch.setattr(eye_level, "draw", slow)
-    monkeypatch.setattr("sceneweaver.render.draw_rooms", lambda *_, **__: {"corner": Image.new("RGB", (4, 4))})
+    monkeypatch.setattr("sceneweaver.render.draw_rooms", at_once)
     end = time.monotonic() + 2.0
     done = deliver(result, tmp_path, Library(), "cpu", True, (), Deadline(end))
-    assert time.monotonic() < end + 1.0 and not done.undone
+    assert time.monotonic() < end + 1.0 and done.undone == ("pictures",) and done.left_out == ("views/eye-door.png",)
     assert {"views/corner.png", "views/eye-corner.png", "report.html"} <= files(tmp_path)
     assert "views/eye-door.png" not in files(tmp_path)
-    assert "time was short, so there are not all pictures at eye level" in done.notes
 
 
 def test_what_breaks_at_eye_level_is_told(result, tmp_path, monkeypatch, eye_level):
@@ -315,7 +382,7 @@ def test_what_breaks_at_eye_level_is_told(result, tmp_path, monkeypatch, eye_lev
         raise ZeroDivisionError("no light")
 
     monkeypatch.setattr(eye_level, "draw", broken)
-    monkeypatch.setattr("sceneweaver.render.draw_rooms", lambda *_, **__: {"corner": Image.new("RGB", (4, 4))})
+    monkeypatch.setattr("sceneweaver.render.draw_rooms", at_once)
     with pytest.warns(RuntimeWarning, match="unexpected"):
         done = deliver(result, tmp_path, Library(), "cpu", True, ())
     assert done.undone[0].startswith("pictures at eye level: unexpected ZeroDivisionError")

@@ -7,23 +7,20 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
-from dataclasses import replace
 
 import pytest
 
 from sceneweaver.agent import Settings, design
 from sceneweaver.agent.executor import Executor
 from sceneweaver.agent.folder import RunFolder
-from sceneweaver.assets import Asset, Library
-from sceneweaver.assets.sources import ParametricSource
-from sceneweaver.assets.sources.base import Card, Wish
+from sceneweaver.assets import Library
 from sceneweaver.knowledge import room_type
 from sceneweaver.language import read_request
 from sceneweaver.scene import InputError, MissingDependencyError, Relation, Scene
 from sceneweaver.scene.edits import Relate
 from sceneweaver.tools.base import Proposal
 from sceneweaver.verify import check
+from tests.assets.private import Private
 
 QUICK = {"candidates": 32, "side_by_side": 1}
 BARE = {**QUICK, "pictures": False, "export": "none"}  # the scene and the steps alone are written
@@ -224,25 +221,6 @@ def test_a_thing_half_a_millimetre_high_may_be_small():
     result = design("a living room with a small rug", seed=0, steps=1, candidates=16, side_by_side=1)
     (rug,) = [o for o in result.scene.objects if o.category == "rug"]
     assert 0 < rug.size[2] < 0.01
-
-
-class Private:
-    """The drawn assets under ids of their own, as a source that only the caller has."""
-
-    name = "mine"
-
-    def __init__(self) -> None:
-        self.drawn = ParametricSource()
-
-    def find(self, category: str, wish: Wish) -> Iterator[Card]:
-        for card in self.drawn.find(category, wish):
-            yield replace(card, id=f"mine:{card.id}", source=self.name)
-
-    def load(self, asset_id: str) -> Asset:
-        return replace(self.drawn.load(asset_id.removeprefix("mine:")), id=asset_id)
-
-    def owns(self, asset_id: str) -> bool:
-        return asset_id.startswith("mine:")
 
 
 def test_a_design_with_assets_of_a_private_source_ends_valid(tmp_path):

@@ -13,8 +13,10 @@ from sceneweaver.agent import Settings
 from sceneweaver.agent.folder import RunFolder
 from sceneweaver.agent.memory import Memory, Step
 from sceneweaver.agent.roles import Roles
+from sceneweaver.critic import CRITERIA, Review
 from sceneweaver.language import SceneGraph
 from sceneweaver.scene import InputError, Scene
+from sceneweaver.verify import check
 
 BRIEF = SceneGraph(text="a room")
 
@@ -133,3 +135,48 @@ def test_two_runs_do_not_share_a_folder_and_leftovers_go(kept):
             RunFolder(folder.path).held().__enter__()
     with folder.held():
         pass
+
+
+def test_a_run_does_not_go_on_from_links_to_elsewhere(kept):
+    folder, data, write = kept
+    for name in ("state.json", "steps/01/scene.json"):
+        place, away = folder.path / name, folder.path / "away"
+        place.rename(away)
+        place.symlink_to(away)
+        with pytest.raises(InputError, match="this is .*a link to another place"):
+            folder.resume(BRIEF, Settings())
+        place.unlink()
+        away.rename(place)
+    (folder.path / "steps" / "01").rename(folder.path / "away")
+    (folder.path / "steps" / "01").symlink_to(folder.path / "away")
+    with pytest.raises(InputError, match="01: this is a link to another place"):
+        folder.resume(BRIEF, Settings())
+
+
+@pytest.mark.parametrize("name", ["views", "steps", "steps/01"])
+def test_a_folder_with_links_for_folders_is_not_written(tmp_path, name):
+    own, away = tmp_path / "own", tmp_path / "away"
+    away.mkdir()
+    (own / name).parent.mkdir(parents=True)
+    (own / name).symlink_to(away)
+    with pytest.raises(InputError, match="this is a link to another place"), RunFolder(own).held():
+        pass
+    assert not os.listdir(away)
+
+
+@pytest.mark.parametrize("there", [True, False])
+def test_links_for_files_of_a_run_are_replaced(tmp_path, there):
+    own, away = tmp_path / "own", tmp_path / "away"
+    for folder in (own, own / "steps", own / "steps" / "01", away):
+        folder.mkdir()
+    names = ["scene.json", "metrics.json", "steps/01/scene.json", "steps/01/step.json"]
+    for k, name in enumerate(names):
+        if there:
+            (away / f"{k}").write_text("keep")
+        (own / name).symlink_to(away / f"{k}")
+    folder, scene = RunFolder(own), Scene.example("bedroom")
+    report = check(scene)
+    folder.keep(scene, report)
+    folder.step(1, scene, report, Review(grades=dict.fromkeys(CRITERIA, 7.0)), Memory(), BRIEF, Settings())
+    assert all((own / name).is_file() and not (own / name).is_symlink() for name in names)
+    assert {path.read_text() for path in away.iterdir()} == ({"keep"} if there else set())

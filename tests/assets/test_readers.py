@@ -123,12 +123,16 @@ def test_metascenes(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("name", "data", "says"),
     [
-        ("annotations.json", b"{", "annotations.json: not readable as JSON"),
+        ("annotations.json", b"{", "annotations.json: invalid JSON: it ends too early"),
         ("annotations.json.gz", gzip.compress(b"{}" * 99, mtime=0)[:-12], "annotations.json.gz: not readable as gzip"),
         ("annotations.json", b"[3]", "annotations.json: must be a list of objects"),
         ("model_info.json", b'{"a": 1}', "model_info.json: must be a list of objects"),
         ("x/model.xml", b"<mujoco><asset>", "model.xml: damaged XML"),
-        ("x/model.xml", b'<!DOCTYPE a [<!ENTITY b "c">]><mujoco/>', "model.xml: XML entities are not read"),
+        (
+            "x/model.xml",
+            b'<!DOCTYPE a [<!ENTITY b "c">]><mujoco/>',
+            "model.xml: XML entities and document types are not read",
+        ),
         ("x/model.xml", b"<mujoco/>", "model.xml: no geom with a mesh"),
     ],
 )

@@ -205,7 +205,5 @@ def test_what_is_no_setting(field, value):
 
 def test_results_need_pyarrow(tmp_path, monkeypatch):
     monkeypatch.setitem(__import__("sys").modules, "pyarrow.parquet", None)
-    with pytest.raises(
-        sw.MissingDependencyError, match=r"pyarrow is not installed; pip install 'sceneweaver\[bench\]'"
-    ):
+    with pytest.raises(sw.MissingDependencyError, match=r"pyarrow is not installed \(extra 'bench'\); install it with"):
         run(["adam"], [PAIR], tmp_path, settings=SHORT)

@@ -27,7 +27,14 @@ Thing: TypeAlias = Named
 Things: TypeAlias = Thing | Sequence[Thing]
 Range: TypeAlias = tuple[float, float]
 
-def build(room: Room, *, name: str = "scene", style: str | None = None, seed: int = 0) -> SceneBuilder: ...
+def build(
+    room: Room,
+    *,
+    name: str = "scene",
+    style: str | None = None,
+    seed: int = 0,
+    library: Library | None = None,
+) -> SceneBuilder: ...
 
 class SceneBuilder:
     notes: list[str]
@@ -41,7 +48,9 @@ class SceneBuilder:
         library: Library | None = None,
     ) -> None: ...
     @classmethod
-    def of(cls, scene: Scene, *, style: str | None = None, seed: int = 0) -> SceneBuilder: ...
+    def of(
+        cls, scene: Scene, *, style: str | None = None, seed: int = 0, library: Library | None = None
+    ) -> SceneBuilder: ...
     @property
     def room(self) -> Room: ...
     @property

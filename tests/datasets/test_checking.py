@@ -12,6 +12,7 @@ from pathlib import Path
 import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
+import yaml
 
 from sceneweaver.assets import Library
 from sceneweaver.datasets import AssetStore, Folder, Requests, Sample, Spec, write_block
@@ -31,6 +32,16 @@ from sceneweaver.verify import check
 
 ROOM = Room.rectangle(5, 4, height=2.6, kind="study").with_door("south", at=0.1).with_window("east")
 COUNT, REJECTED = 7, 6
+GIVEN = {
+    "schema": "sceneweaver.dataset/1",
+    "name": "studies",
+    "count": COUNT,
+    "requests": {"kinds": {"study": 1.0}},
+    "rooms": {"layouts": 2},
+    "splits": {"train": 0.5, "test": 0.5},
+    "block": 2,
+    "gates": {"still": 0.05},
+}
 
 
 def study(number: int) -> Scene:
@@ -50,20 +61,9 @@ def study(number: int) -> Scene:
 def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A packed data set of six studies in four rooms; a seventh was rejected."""
     root = tmp_path_factory.mktemp("set")
-    spec = Spec.model_validate(
-        {
-            "schema": "sceneweaver.dataset/1",
-            "name": "studies",
-            "count": COUNT,
-            "requests": {"kinds": {"study": 1.0}},
-            "rooms": {"layouts": 2},
-            "splits": {"train": 0.5, "test": 0.5},
-            "block": 2,
-            "gates": {"still": 0.05},
-        }
-    )
+    spec = Spec.model_validate(GIVEN)
     requests, store = Requests(spec), AssetStore(root)
-    create(Folder(root), spec, "cpu", {"spec.yaml": b""})
+    create(Folder(root), spec, "cpu", source=yaml.safe_dump(GIVEN).encode())
     writer = SceneFiles(store, Library().load)
     for number in range(requests.blocks):
         wanted = [(request, layout) for request in requests.block(number) for layout in range(request.layouts)]
@@ -316,7 +316,8 @@ def test_a_sample_is_judged_and_all_is_hashed(root):
 def test_what_is_no_packed_set_is_refused(tmp_path, root):
     with pytest.raises(InputError, match="no data set"):
         verify_dataset(tmp_path)
-    Folder(root).index.unlink()
+    for path in (Folder(root).index, Folder(root).checksums):
+        path.unlink()
     with pytest.raises(InputError, match="not packed yet"):
         verify_dataset(root)
 

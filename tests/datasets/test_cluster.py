@@ -15,7 +15,7 @@ from tests.datasets.test_engines import content, made, rows, spec_file
 def test_without_ray_one_line_says_what_to_install(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "ray", None)
     dataset, listener = begin(spec_file(tmp_path), tmp_path / "out", "cpu"), Listener(print, print)
-    with pytest.raises(MissingDependencyError, match=r"pip install sceneweaver\[ray\]"):
+    with pytest.raises(MissingDependencyError, match=r"\(extra 'ray'\); install it with: pip install .*'ray>="):
         resume(dataset, Options(engine="ray"), listener, produce=fake.produce)
 
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 import argparse
 import contextlib
 import hashlib
+import math
 import os
 import random
 import signal
@@ -21,7 +22,7 @@ import time
 from pathlib import Path
 
 from sceneweaver.datasets import Request, Sample
-from sceneweaver.datasets.engines import Listener, Options, begin, missing, open_dataset, resume
+from sceneweaver.datasets.engines import Listener, Options, begin, open_dataset, resume
 
 SPEC = """
 schema: sceneweaver.dataset/1
@@ -46,7 +47,9 @@ def fake(spec, requests: list[Request], store, device: str = "cpu"):
     for request in requests:
         time.sleep(0.02)
         asset = store.put(f"asset {request.seed % 9}".encode(), "bin")
-        sample: Sample = small_sample(request, small_scene(request.index), glb=asset.encode())
+        sample: Sample = small_sample(
+            request, small_scene(request.index), columns={"assets": [asset]}, glb=asset.encode()
+        )
         yield sample
 
 
@@ -69,23 +72,41 @@ def command(spec: Path, out: Path, *options: str, easy: bool) -> list[str]:
     return [sys.executable, "-m", "sceneweaver", "dataset", "make", str(spec), "--out", str(out), *options]
 
 
-def killed(spec: Path, out: Path, kills: int, seconds: float, rng: random.Random, *, easy: bool) -> list[float]:
-    """Make a data set with so many kills of the whole process group; when each came [s after the start of a run]."""
-    moments: list[float] = []
-    usual = 1.5 * seconds / (kills + 1)
-    while len(moments) < kills:
+def killed(spec: Path, out: Path, kills: int, rng: random.Random, *, easy: bool) -> list[str]:
+    """Make a data set with so many kills of the whole process group; where each came, by the blocks that there were.
+
+    Each run is killed a random while after it has made another part of the work, so that all kills come before the end
+    however quick or slow the machine is; the last ones come when all is made, and may find it whole.
+    """
+    moments: list[str] = []
+    for number in range(kills):
         process = subprocess.Popen(command(spec, out, "--workers", "2", easy=easy), start_new_session=True)
-        left = len(missing(open_dataset(out))) if (out / "dataset.json").exists() else 1
-        moment = rng.uniform(0.0, usual + 3.0) if left else rng.uniform(0.0, 3.0)
-        with contextlib.suppress(subprocess.TimeoutExpired):
-            process.wait(moment)
-            print(f"  it was done before kill {len(moments) + 1}", flush=True)
-            return moments
-        os.killpg(process.pid, signal.SIGKILL)
+        dataset = open_dataset(out) if (out / "dataset.json").exists() else None
+        blocks = 0 if dataset is None else dataset.requests.blocks
+        share = (number + rng.random()) / max(kills - PACKED, 1)
+        aim = math.ceil(0.9 * share * blocks) if share < 1 else blocks + 1
+        while process.poll() is None and _done(out, blocks) < aim:
+            time.sleep(0.005)
+        if process.poll() is None:
+            time.sleep(rng.uniform(0.0, 0.2))
+        ended = process.poll() is not None
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGKILL)
         process.wait()
-        moments.append(round(moment, 2))
+        moments.append(f"{_done(out, blocks)}/{blocks}{' (ended)' * ended}")
     subprocess.run(command(spec, out, "--workers", "2", easy=easy), check=True)
     return moments
+
+
+PACKED = 4
+"""How many of the kills come when all blocks are made."""
+
+
+def _done(out: Path, blocks: int) -> int:
+    """How many blocks are made; one more when packing has begun."""
+    if (out / "work" / "plan").exists() or (out / "checksums.sha256").exists():
+        return blocks + 1
+    return sum(1 for _ in out.glob("work/blocks/*/[0-9]*"))
 
 
 def by_ray(spec: Path, out: Path, *, easy: bool) -> int:
@@ -151,8 +172,9 @@ def torture(args: argparse.Namespace, place: Path) -> int:
     seconds = time.monotonic() - begun
     expected = content(place / "undisturbed")
     print(f"undisturbed: {args.scenes} scenes, {len(expected)} files, {seconds:.0f} s", flush=True)
-    moments = killed(spec, place / "killed", args.kills, seconds, random.Random(args.seed), easy=args.easy)
-    compare("killed", f"{len(moments)} kills after {moments} s")
+    moments = killed(spec, place / "killed", args.kills, random.Random(args.seed), easy=args.easy)
+    hit = sum("ended" not in moment for moment in moments)
+    compare("killed", f"{hit} kills before the end, at {', '.join(moments)} blocks")
     for other in filter(None, args.others.split(",")):
         if other == "ray":
             compare_text = f"worker {by_ray(spec, place / 'ray', easy=args.easy)} of Ray killed"

@@ -134,7 +134,9 @@ def lived_in() -> Scene:
     top = next(s for s in table.surfaces if s.name == "top")
     x, y, _ = table.pose.position
     support = Support(object=table.id, surface=top.name)
-    other = glass.model_copy(update={"id": "drinking_glass-1", "pose": Pose.from_yaw(x, y, top.z, 0.0), "support": support})
+    other = glass.model_copy(
+        update={"id": "drinking_glass-1", "pose": Pose.from_yaw(x, y, top.z, 0.0), "support": support}
+    )
     return scene.model_copy(update={"objects": (*scene.objects, other)})
 
 
@@ -197,7 +199,9 @@ def test_reach_is_that_of_the_robot():
     """Half a metre between two low walls: a base of 0.2 m goes through, one of 0.25 m does not."""
     scene, mobile = kitchen(), envs.mobile_manipulator()
     walls = tuple(
-        SceneObject(id=f"block-{k}", category="block", size=(0.1, 1.75, 0.9), pose=Pose.from_yaw(x, 1.6, 0.0, np.pi / 2))
+        SceneObject(
+            id=f"block-{k}", category="block", size=(0.1, 1.75, 0.9), pose=Pose.from_yaw(x, 1.6, 0.0, np.pi / 2)
+        )
         for k, x in enumerate((0.875, 3.125))
     )
     blocked = scene.model_copy(update={"objects": (*scene.objects, *walls)})

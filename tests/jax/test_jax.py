@@ -168,10 +168,29 @@ def test_scenes_have_to_be_said():
         swj.energy(problem_of("bedroom-small", "dining-round"), jnp.zeros((13, 4)))
 
 
-def test_there_is_no_second_derivative():
+SECOND = "second derivatives are not available"
+
+
+@pytest.mark.parametrize(
+    ("asked", "says"),
+    [
+        (lambda problem: jax.hessian(lambda x: swj.energy(problem, x)), SECOND),
+        (lambda problem: jax.hessian(lambda x: swj.residuals(problem, x).sum()), SECOND),
+        (lambda problem: jax.grad(lambda x: swj.energy_and_grad(problem, x)[1].sum()), SECOND),
+        (lambda problem: jax.grad(lambda x: swj.project(problem, x).sum()), "project has no derivative"),
+    ],
+    ids=["energy", "residuals", "gradient", "project"],
+)
+def test_what_has_no_derivative_says_so(asked, says):
+    problem = problem_of("bedroom-small")
+    with pytest.raises(sw.InputError, match=says):
+        asked(problem)(jnp.asarray(poses_of("bedroom-small", 1)[0]))
+
+
+def test_the_verdict_is_a_constant_to_derivatives():
     problem, layout = problem_of("bedroom-small"), jnp.asarray(poses_of("bedroom-small", 1)[0])
-    with pytest.raises(ValueError, match="cannot be differentiated"):
-        jax.hessian(lambda x: swj.energy(problem, x))(layout)
+    masked = jax.grad(lambda x: jnp.where(swj.feasible(problem, x), 0.0, swj.energy(problem, x)))(layout)
+    np.testing.assert_array_equal(masked, jax.grad(lambda x: swj.energy(problem, x))(layout))
 
 
 def test_a_compiled_function_keeps_its_problem():

@@ -17,7 +17,16 @@ GRADIENT = (1e-3, 1e-4)  # relative and absolute, of the norm of an object's gra
 LEFT_OUT = 0.03  # share of the objects that may stand so near to a kink that there is no one gradient
 JUMP = 50.0  # a slope that differs so much between two step sizes is a step in the energy itself
 
-UNEVEN = {"collision": 1.3, "bounds": 0.7, "zone": 1.1, "opening": 0.9, "relation": 0.8, "pull": 0.3, "knee": 0.04}
+UNEVEN = {
+    "collision": 1.3,
+    "bounds": 0.7,
+    "zone": 1.1,
+    "opening": 0.9,
+    "relation": 0.8,
+    "pull": 0.3,
+    "soft": 0.6,
+    "knee": 0.04,
+}
 """Weights that are all different, so that no two can be mistaken for each other."""
 
 

@@ -30,13 +30,17 @@ Poses = np.ndarray  # [K, objects of the term, 4]: x, y, z, yaw
 
 @dataclass(frozen=True)
 class Term:
-    """One term of the energy: ``value`` maps poses [K, len(objects), 4] to [K]; ``shares`` say whose it is."""
+    """One term of the energy: ``value`` maps poses [K, len(objects), 4] to [K]; ``shares`` say whose it is.
+
+    ``pulls`` is what the gradient has of it.
+    """
 
     kind: str
     objects: tuple[int, ...]
     shares: tuple[float, ...]
     value: Callable[[Poses], np.ndarray]
     soft: bool = False
+    pulls: float = 1.0
 
 
 @dataclass
@@ -159,7 +163,8 @@ def relation_term(problem: LayoutProblem, index: int, option: int, w: Mapping[st
         return w["relation"] * rel.weight * sum((huber(v, w["knee"]) for v in off), np.zeros(len(poses)))
 
     shares = (1.0, *[0.0] * (len(objects) - 1))
-    return Term("relation", objects, shares, value, soft=rel.fault == 0)
+    soft = rel.fault == 0
+    return Term("relation", objects, shares, value, soft=soft, pulls=w["soft"] if soft else 1.0)
 
 
 def _relation_terms(problem: LayoutProblem, options: Sequence[int], w: Mapping[str, float]) -> Iterator[Term]:
@@ -235,6 +240,6 @@ def energy(
             part = term.shares[place] * value
             result.share[obj] += part
             result.soft[obj] += part if term.soft else 0.0
-            result.gradient[obj] += fine[place]
-            result.rough[obj] += np.linalg.norm(fine[place] - coarse[place])
+            result.gradient[obj] += term.pulls * fine[place]
+            result.rough[obj] += term.pulls * np.linalg.norm(fine[place] - coarse[place])
     return result

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import random
+import sys
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sceneweaver.assets.taxonomy import category_named
-from sceneweaver.language import SceneGraph, read_request
+from sceneweaver.language import read_request
+from sceneweaver.language.source import LONGEST, MOST
 from sceneweaver.language.vocabulary import vocabulary
 from sceneweaver.scene import InputError
-
-PLACES = {"window", "door", "corner", "middle", "wall", "ceiling", "floor", "room"}
+from tests.language.graphs import PLACES, consistent
 
 HOSTILE = {
     "punctuation": "?!.,;:()[]{}<>/\\|~`'\"",
@@ -73,25 +73,45 @@ ODD = [
 ]
 
 
-def consistent(graph: SceneGraph) -> None:
-    """Names are unique, relations are about what is there, and counts make sense."""
-    ids = [a.id for a in graph.entities]
-    assert len(ids) == len(set(ids))
-    assert all(category_named(a.category).size is not None for a in graph.entities)
-    assert all(a.count is None or 0 <= a.count[0] <= a.count[1] for a in graph.entities)
-    for relation in graph.relations:
-        assert relation.subject in ids
-        for target in relation.targets:
-            assert target in ids or target.split(":")[0] in PLACES
-            assert target != relation.subject
-
-
 @pytest.mark.parametrize("text", ["", " ", "\n", "\t \r\n", "\u00a0"])
 def test_nothing_is_an_error_of_one_line(text: str) -> None:
     with pytest.raises(InputError) as caught:
         read_request(text)
     assert "\n" not in str(caught.value)
     assert str(caught.value).startswith("prompt:")
+
+
+def test_a_book_is_an_error_of_one_line() -> None:
+    graph = read_request("a bed, " * (MOST // 7))
+    assert f"only the first {LONGEST} of" in " ".join(graph.notes)
+    with pytest.raises(InputError, match=r"^prompt: it has 100001 characters; give 100000 at most[^\n]*$"):
+        read_request("x" * (MOST + 1))
+
+
+@pytest.mark.parametrize(
+    "unit",
+    ["ceiling of ", "red ", "law books hang "],
+)
+def test_a_long_request_is_read_in_time_that_grows_with_it(unit: str) -> None:
+    """Each raised RecursionError once, or took seconds: its time grew with the square of its length."""
+
+    def work(characters: int) -> int:
+        calls = 0
+
+        def count(*_: object) -> None:
+            nonlocal calls
+            calls += 1
+
+        text = "a bed, " + unit * (characters // len(unit))
+        read_request(text)  # caches are filled
+        sys.setprofile(count)
+        try:
+            read_request(text)
+        finally:
+            sys.setprofile(None)
+        return calls
+
+    assert work(8_000) < 3 * work(4_000) + 10_000
 
 
 @pytest.mark.parametrize("text", HOSTILE.values(), ids=HOSTILE)
@@ -101,7 +121,7 @@ def test_hostile_text_is_read_and_said_so(text: str) -> None:
     assert graph.notes or graph.unread
 
 
-@pytest.mark.parametrize("unit", ["bed ", "a bed with ", "next to ", "no ", "x", "🙂", "9", ","])
+@pytest.mark.parametrize("unit", ["bed ", "a bed with ", "next to ", "no ", "x", "🙂", "9", ",", "\ufdfa"])
 def test_a_hundred_kilobytes(unit: str) -> None:
     graph = read_request(unit * (100_000 // len(unit)))
     consistent(graph)
@@ -149,12 +169,14 @@ def test_odd_is_read(text: str) -> None:
 
 
 CRASHED = [
+    "less than 1 lamp",
+    "5h its edge grouped together",
     "three sofa two and door two",
     "about another metres beside : is",
     "bed inside. is the",
     "beside each full of on",
 ]
-"""Each raised something once."""
+"""Each raised something once, or gave a graph that says what cannot be."""
 
 
 @pytest.mark.parametrize("text", CRASHED)

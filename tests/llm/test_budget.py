@@ -123,7 +123,7 @@ def test_seconds():
 
     client = ModelClient(FunctionModel(said), limits=Limits(seconds=0.3))
     began = time.monotonic()
-    with pytest.raises(BudgetSpent, match="the time of the run was over"):
+    with pytest.raises(BudgetSpent, match="the time for the model was over"):
         ask(client)
     assert time.monotonic() - began < 10
 

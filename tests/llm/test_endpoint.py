@@ -138,7 +138,9 @@ def test_key_that_cannot_be_sent(monkeypatch):
 def test_library_is_not_installed(library, monkeypatch):
     monkeypatch.setitem(sys.modules, library, None)
     kind = "anthropic" if library == "anthropic" else "openai"
-    with pytest.raises(MissingDependencyError, match=r"pip install 'sceneweaver\[llm\]'"):
+    with pytest.raises(
+        MissingDependencyError, match=r"\(extra 'llm'\); install it with: pip install 'pydantic-ai-slim"
+    ):
         open_client(Endpoint.of(f"{kind}:small", LOCAL))
 
 

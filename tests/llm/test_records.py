@@ -249,3 +249,15 @@ def test_broken_record(tmp_path, text):
     (tmp_path / "llm" / "0001-plan.json").write_text(text)
     with pytest.raises(InputError, match="0001-plan.json"):
         open_client(replay=tmp_path)
+
+
+@pytest.mark.parametrize("name", ["llm", "llm/pictures", "llm/kinds", "llm/endpoint.json", "llm/usage.json"])
+def test_records_do_not_follow_links(tmp_path, name):
+    away = tmp_path / "away"
+    away.mkdir()
+    link = tmp_path / name
+    link.parent.mkdir(exist_ok=True)
+    link.symlink_to(away if not link.suffix else away / "keep.json")
+    with pytest.raises(InputError, match=f"{link.name}: this is a link to another place"):
+        Recorder(tmp_path / "llm", {"title": "m", "pictures": True})
+    assert not list(away.iterdir())

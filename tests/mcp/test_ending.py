@@ -79,5 +79,5 @@ def test_stdio_carries_the_protocol_alone_and_ends_in_the_middle_of_a_design(tmp
 def test_without_the_sdk_one_line_says_what_to_install(tmp_path):
     code = "import sys; sys.modules['mcp'] = None; from sceneweaver.cli import main; sys.exit(main(['mcp']))"
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, timeout=60)
-    assert done.returncode == 4 and "sceneweaver[mcp]" in done.stderr and done.stdout == ""
+    assert done.returncode == 4 and "pip install 'mcp<3,>=2.3'" in done.stderr and done.stdout == ""
     assert len(done.stderr.splitlines()) == 1

@@ -173,7 +173,8 @@ def test_those_that_never_come_close_leave_with_their_best_layout() -> None:
     progress, verdict, plan = new_run(what), DeviceVerdict(), Plan()
     plan.first_steps = 6
     progress.best.fill_(wp.vec4(1.0, 2.0, 0.0, 0.5))
-    progress.best_total.assign([0.0, 0.05, 0.3, 0.3, 0.3])
+    progress.best_hard.assign([0.0, 0.05, 0.3, 0.3, 0.3])
+    progress.best_total.assign([0.0, 0.45, 0.4, 0.3, 0.3])
     progress.active.assign([1, 1, 1, 0, 1])
     verdict.status = wp.array(np.int8([0, 1, 2, 0, 1]), device="cpu")
     before = what.state.poses.numpy().copy()

@@ -18,8 +18,9 @@ pytestmark = pytest.mark.packaging
 
 ROOT = Path(__file__).resolve().parents[2]
 LINKED = ("kernels", "optimizers", "tools", "toolcards")
-VERSION = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["version"]
-STEM = f"sceneweaver-{VERSION}"
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+VERSION = PROJECT["version"]
+STEM = f"{PROJECT['name'].replace('-', '_')}-{VERSION}"
 
 
 def run(*command: object, cwd: Path, codes: tuple[int, ...] = (0,)) -> str:
@@ -123,3 +124,11 @@ def test_command_judges_a_scene_away_from_the_repository(python, tmp_path):
     judged = json.loads(run(*command, cwd=tmp_path, codes=(0, 3)))
     assert judged["schema"] == "sceneweaver.metrics/1"
     assert judged["placed"] == len(json.loads((ROOT / "tests/zoo/bedroom.json").read_text())["objects"])
+
+
+def test_a_missing_extra_is_named_with_what_the_wheel_asks_for(python, tmp_path):
+    program = "from sceneweaver.runtime.package import missing_extra; print(missing_extra('envs', 'no gymnasium'))"
+    wanted = PROJECT["optional-dependencies"]["envs"][0]
+    assert run(python, "-c", program, cwd=tmp_path).strip() == (
+        f"no gymnasium (extra 'envs'); install it with: pip install '{wanted}' (in a clone: make install)"
+    )

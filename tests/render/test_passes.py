@@ -247,7 +247,7 @@ def test_exr_files(renderer, frames, tmp_path) -> None:
 
 def test_without_openexr_the_extra_is_named(renderer, tmp_path, monkeypatch) -> None:
     monkeypatch.setitem(__import__("sys").modules, "OpenEXR", None)
-    with pytest.raises(MissingDependencyError, match=r'pip install "sceneweaver\[exr\]"'):
+    with pytest.raises(MissingDependencyError, match=r"\(extra 'exr'\); install it with: pip install 'openexr"):
         write_passes(renderer, tmp_path, ["depth"], "exr")
     assert not list(tmp_path.iterdir())
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from sceneweaver.scene.errors import InputError
+from sceneweaver.io import InputError
 from sceneweaver.verify import MeshSet
 from tests.verify.build import box, judge, only, rectangle, turned
 

@@ -4,9 +4,9 @@ import math
 
 import pytest
 
+from sceneweaver.io import InputError
 from sceneweaver.scene import catalogue
 from sceneweaver.scene.catalogue import CATALOGUE, RelationSpec
-from sceneweaver.scene.errors import InputError
 from sceneweaver.verify import register_judge
 from sceneweaver.verify.relations import JUDGES
 from tests.verify.build import beside, box, judge, only, rectangle, relation

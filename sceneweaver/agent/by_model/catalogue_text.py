@@ -9,10 +9,10 @@ from typing import Any
 from sceneweaver.agent.memory import Call
 from sceneweaver.assets import categories, resolve
 from sceneweaver.assets.taxonomy import category_named, members
+from sceneweaver.io.messages import shorten
 from sceneweaver.knowledge.surfaces import arrangements, crowds
 from sceneweaver.scene import CATALOGUE
 from sceneweaver.scene.catalogue import ParamSpec
-from sceneweaver.scene.messages import shorten
 from sceneweaver.tools.base import Context
 from sceneweaver.tools.card import ToolCard
 

@@ -12,12 +12,12 @@ from typing import Any
 
 from sceneweaver.assets import Library
 from sceneweaver.critic import VisualFault, VisualReview
+from sceneweaver.io.messages import clean, printable_line, shorten
 from sceneweaver.knowledge import RoomType
 from sceneweaver.language import SceneGraph
 from sceneweaver.llm import ModelClient, ModelError, ModelFailed, Picture
 from sceneweaver.runtime.deadline import NEVER, Deadline
 from sceneweaver.scene import Scene
-from sceneweaver.scene.messages import clean, printable_line, shorten
 from sceneweaver.tools.registry import tools
 from sceneweaver.verify import Report
 

@@ -12,8 +12,8 @@ from pydantic import Field
 
 from sceneweaver.assets import Asset
 from sceneweaver.assets.body import Mesh
+from sceneweaver.io.messages import clean, printable_line, shorten
 from sceneweaver.llm import ModelClient, ModelFailed, Picture, Reply
-from sceneweaver.scene.messages import clean, printable_line, shorten
 
 from .pictures import packed
 from .scene_text import NAME, compact, prompt

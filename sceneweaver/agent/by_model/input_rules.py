@@ -10,9 +10,9 @@ from typing import Any
 from sceneweaver.assets import categories, resolve
 from sceneweaver.generate.draft import groups_of
 from sceneweaver.generate.program import named_kinds
+from sceneweaver.io.messages import shorten, show, suggest
 from sceneweaver.language import SceneGraph
 from sceneweaver.scene import CATALOGUE, InputError, Relation, Scene
-from sceneweaver.scene.messages import shorten, show, suggest
 from sceneweaver.tools.add_relation import clash
 
 LONGEST_TEXT = 200

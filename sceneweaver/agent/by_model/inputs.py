@@ -14,10 +14,10 @@ from typing import Annotated, Any
 from pydantic import Field, WithJsonSchema, create_model
 
 from sceneweaver.agent.memory import Call
+from sceneweaver.io.messages import shorten
 from sceneweaver.llm import ModelClient, ModelError, Reply
 from sceneweaver.scene import InputError, SceneWeaverError
 from sceneweaver.scene.edits import apply_all
-from sceneweaver.scene.messages import shorten
 from sceneweaver.tools.base import Context, Proposal, Tool
 from sceneweaver.tools.card import ToolCard
 from sceneweaver.tools.registry import Registered

@@ -9,10 +9,10 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from sceneweaver.io.messages import quote, suggest
 from sceneweaver.language.by_model.leniency import Listed
 from sceneweaver.llm import Reply
 from sceneweaver.scene import InputError, Scene
-from sceneweaver.scene.messages import quote, suggest
 
 MOST_FAULTS = 24
 """Faults of an answer that are read."""

@@ -10,10 +10,10 @@ from pydantic import BeforeValidator, Field
 
 from sceneweaver.agent.memory import Call
 from sceneweaver.agent.planner import Situation, seed_of
+from sceneweaver.io.messages import printable_line, quote, suggest
 from sceneweaver.language.by_model.leniency import absent, from_json
 from sceneweaver.llm import Reply
 from sceneweaver.scene import InputError
-from sceneweaver.scene.messages import printable_line, quote, suggest
 
 from .input_rules import check_extent
 

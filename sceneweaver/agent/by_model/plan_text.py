@@ -7,7 +7,7 @@ from typing import Any
 from sceneweaver.agent.memory import Call, Step
 from sceneweaver.agent.planner import Situation
 from sceneweaver.critic import VisualReview
-from sceneweaver.scene.messages import shorten
+from sceneweaver.io.messages import shorten
 
 from .scene_text import compact, facts_text, prompt, rounded, scene_text
 

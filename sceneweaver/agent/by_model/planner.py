@@ -6,10 +6,10 @@ from dataclasses import dataclass, field
 
 from sceneweaver.agent.memory import Call, Thought
 from sceneweaver.agent.planner import RulesPlanner, Situation, beginnings
+from sceneweaver.io.messages import shorten
 from sceneweaver.layout.devices import pick_devices
 from sceneweaver.llm import BudgetSpent, ModelClient, ModelError, ModelUnreachable, Picture
 from sceneweaver.scene import SceneWeaverError
-from sceneweaver.scene.messages import shorten
 
 from .pictures import top_picture
 from .plan_reply import SENTENCE, Plan, calls_of, checker

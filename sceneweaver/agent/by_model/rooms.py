@@ -13,6 +13,8 @@ from sceneweaver.agent.settings import Settings
 from sceneweaver.assets import Library
 from sceneweaver.assets.sources.parametric import ParametricSource
 from sceneweaver.generate.room_rules import check_room
+from sceneweaver.io import own_folder, read_bytes, require_no_link, write_atomic
+from sceneweaver.io.messages import shorten
 from sceneweaver.knowledge import RoomType, match_room, room_type
 from sceneweaver.knowledge.learned import keep_room, know, named_in, room_file, rooms_apart, rooms_of
 from sceneweaver.knowledge.load import room_words
@@ -20,8 +22,7 @@ from sceneweaver.knowledge.room_files import LARGEST, plain, read_room, room_tex
 from sceneweaver.language import SceneGraph
 from sceneweaver.language.vocabulary import vocabulary as known_phrases
 from sceneweaver.llm import ModelClient
-from sceneweaver.scene import InputError, Scene, SceneWeaverError, read_bytes, write_atomic
-from sceneweaver.scene.messages import shorten
+from sceneweaver.scene import InputError, Scene, SceneWeaverError
 from sceneweaver.tools.base import Context
 from sceneweaver.tools.init_llm import compact, drawn, instructions, vocabulary
 from sceneweaver.tools.room_reply import RoomReply, kind_data
@@ -67,8 +68,8 @@ def learned_room(client: ModelClient, words: str, folder: Path | None = None, *,
         return room_type(found[0])
     made = learn(client, words)
     if folder is not None:
-        folder.mkdir(parents=True, exist_ok=True)
-        write_atomic(folder / ROOM, made.text)
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        write_atomic(own_folder(folder) / ROOM, made.text, within=folder.parent)
     if keep:
         keep_room(made.text)
     know(made.room)
@@ -158,11 +159,14 @@ def rooms_of_run(text: str, own: Path | None, replayed: Path | None = None) -> I
     began = replayed or (own if own is not None and (own / ROOMS).is_dir() else None)
     with rooms_of(began / ROOMS) if began is not None else rooms_apart():
         if own is not None and began == own:
+            for place in (own / ROOMS, *(own / ROOMS).iterdir(), own / ROOM):
+                require_no_link(place)
             _known_again(own / ROOM)
         if own is not None and own != began:
-            (own / ROOMS).mkdir(parents=True, exist_ok=True)
+            own.parent.mkdir(parents=True, exist_ok=True)
+            own_folder(own_folder(own) / ROOMS)
             for room in named_in(text):
-                write_atomic(own / ROOMS / f"{room.name}.yaml", room_file(room.name))
+                write_atomic(own / ROOMS / f"{room.name}.yaml", room_file(room.name), within=own.parent)
         yield
 
 

@@ -9,12 +9,12 @@ import json
 import math
 from collections import Counter
 from collections.abc import Iterable, Mapping
-from importlib.resources import files
 from typing import Any
 
 from sceneweaver.critic import Review
+from sceneweaver.io import packaged
+from sceneweaver.io.messages import shorten
 from sceneweaver.scene import Door, Relation, Scene, SceneObject, Window
-from sceneweaver.scene.messages import shorten
 from sceneweaver.verify import Report
 
 MOST = 200
@@ -33,7 +33,7 @@ _SHARES = ("walkable_share", "reachable_share", "openable_share")
 
 def prompt(name: str) -> str:
     """A text of ``prompts/``; that of "scene" says what `scene_text` and `facts_text` mean."""
-    return (files(__package__ or "") / "prompts" / f"{name}.md").read_text("utf-8").strip()
+    return packaged.text(__package__ or "", "prompts", f"{name}.md").strip()
 
 
 def scene_text(scene: Scene, *, most: int = MOST) -> str:

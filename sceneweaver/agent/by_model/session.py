@@ -17,13 +17,14 @@ from sceneweaver.agent.planner import Planner, RulesPlanner
 from sceneweaver.agent.result import ModelUse
 from sceneweaver.agent.roles import Roles
 from sceneweaver.agent.transcript import NAME, transcript
+from sceneweaver.io import write_atomic
 from sceneweaver.language import SceneGraph, read_request
 from sceneweaver.language.by_model.reader import read_by_model
 from sceneweaver.layout.devices import pick_devices
 from sceneweaver.llm import ModelClient, ModelError
 from sceneweaver.llm.opening import records_of
 from sceneweaver.runtime.deadline import NEVER, Deadline, TimeUp
-from sceneweaver.scene import InputError, write_atomic
+from sceneweaver.scene import InputError
 from sceneweaver.tools.base import Context
 from sceneweaver.tools.registry import Registered
 
@@ -39,9 +40,9 @@ UNKNOWN = "is no kind of room that is known"
 SOON = 1.0
 """Seconds left below which a model that gives no answer is no reason to end a strict run in another way."""
 
-SHARE, MOST = 0.5, 120.0
-"""How much of the time is kept from the model as long as there is no room, for the rules to make one: a share, and
-seconds [s] at most."""
+SHARE, RULES, LEAST = 0.5, 6.0, 10.0
+"""How much of the time is kept from the model as long as there is no room, for the rules to make one: a share of it at
+most; how often as long as starting up they take, and seconds [s] at least."""
 
 RECORDS = "llm"
 """Folder of what was asked, in that of a run."""
@@ -51,7 +52,8 @@ RECORDS = "llm"
 class Session:
     """Who does what in one run. ``client`` is None where no model has anything to do.
 
-    The client is told how much time is left by ``deadline``, and whether its stop is asked for. ``waited`` are the
+    The client is told how much time is left by ``deadline``, that of the run once there is one, and whether its stop is
+    asked for. ``waited`` are the
     seconds that it took to read the request, ``reserve`` those that it may not take as long as there is no room.
     """
 
@@ -68,31 +70,38 @@ class Session:
     run: Run | None = None
 
     @classmethod
-    def opened(cls, roles: Roles, asking: Asking, deadline: Deadline, records: Path | None) -> Self:
-        """A session with a model, if the roles ask for one.
+    def opened(
+        cls, roles: Roles, asking: Asking, deadline: Deadline, records: Path | None, started: float = 0.0
+    ) -> Self:
+        """A session with a model, if the roles ask for one, in a run that took so many seconds to start.
 
         Raises:
             InputError: when something is wrong with an argument.
             MissingDependencyError: when a model is needed and none is there.
         """
         session = cls(roles, deadline=deadline)
-        session.reserve = 0.0 if math.isinf(deadline.left) else min(SHARE * deadline.left, MOST)
+        session.reserve = 0.0 if math.isinf(deadline.left) else min(SHARE * deadline.left, max(LEAST, RULES * started))
         if roles.by_model:
             session.records, session.replay = records, records_of(asking.replay) if asking.replay else None
             session.client = asking.client(
                 records,
                 lambda: session.left,
-                lambda: bool(session.deadline.stop.reason),
-                lambda: bool(session.deadline.stop.reason) or session.deadline.left < SOON,
+                lambda: bool(deadline.stop.reason),
+                lambda: bool(deadline.stop.reason) or session.time.left < SOON,
             )
             session.client.keep()  # a run that is killed before its first step is over has saved nothing of its own
         return session
 
     @property
+    def time(self) -> Deadline:
+        """When the search of the run has to be done."""
+        return self.deadline if self.run is None else self.run.deadline
+
+    @property
     def left(self) -> float:
         """Seconds that the model may take from now on."""
         begun = self.run is not None and self.run.best is not None
-        return self.deadline.left - (0.0 if begun else self.reserve)
+        return self.time.left - (0.0 if begun else self.reserve)
 
     def known_rooms(self, prompt: str) -> AbstractContextManager[None]:
         """Within it the run knows the kinds of rooms that it knew when it began."""
@@ -214,7 +223,7 @@ class Session:
         self.client.keep()
         if self.records is not None:
             text = transcript(self.run.brief.text, self.run.memory, self.read_by, self.disagreements)
-            write_atomic(self.records / NAME, text)
+            write_atomic(self.records / NAME, text, within=self.records.parent)
 
     def use(self) -> ModelUse | None:
         """What the model did; None where it had nothing to do."""

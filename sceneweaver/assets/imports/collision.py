@@ -7,16 +7,18 @@ to the part that it is nearest to, and that part grown around it.
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
+import io
+import os
 from pathlib import Path
 
 import numpy as np
 
-from sceneweaver.scene import write_atomic
+from sceneweaver.io import InputError, read_arrays, write_atomic
 
 from ..body import Hull
 from ..shapes import containing_hull, hull
-from .guarded import read_arrays
 from .limited import LimitedError, run_limited
 from .pieces import pieces_of
 
@@ -119,9 +121,8 @@ def _decomposed(points: np.ndarray, triangles: np.ndarray, cache: Path | None, s
     key = hashlib.sha256(points.tobytes() + triangles.astype(np.int64).tobytes())
     key.update(f"coacd 1 {THRESHOLD} {MAX_HULLS} {manifold}".encode())
     file = None if cache is None else cache / "coacd" / f"{key.hexdigest()}.npz"
-    if file is not None and file.exists():
-        made = read_arrays(file)
-    else:
+    made = _kept(file)
+    if made is None:
         made = run_limited(
             "decompose",
             {
@@ -134,13 +135,27 @@ def _decomposed(points: np.ndarray, triangles: np.ndarray, cache: Path | None, s
             seconds,
         )
         if file is not None:
-            import io
-
-            buffer = io.BytesIO()
-            np.savez_compressed(buffer, **made)  # pyright: ignore[reportArgumentType]
-            file.parent.mkdir(parents=True, exist_ok=True)
-            write_atomic(file, buffer.getvalue())
+            _keep(file, made)
     return np.split(made["points"], np.cumsum(made["counts"])[:-1])
+
+
+def _kept(file: Path | None) -> dict[str, np.ndarray] | None:
+    """What was found before; None where nothing was, or where it is not whole."""
+    if file is None or not os.path.exists(file):
+        return None
+    try:
+        return read_arrays(file)
+    except InputError:
+        return None
+
+
+def _keep(file: Path, made: dict[str, np.ndarray]) -> None:
+    """Keep what was found for the next time; where that cannot be written, it is found again then."""
+    buffer = io.BytesIO()
+    np.savez_compressed(buffer, **made)  # pyright: ignore[reportArgumentType]
+    with contextlib.suppress(OSError, InputError):
+        file.parent.mkdir(parents=True, exist_ok=True)
+        write_atomic(file, buffer.getvalue())
 
 
 def _is_manifold(triangles: np.ndarray) -> bool:

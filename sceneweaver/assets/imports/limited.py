@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
 import numpy as np
+
+from sceneweaver.io import read_arrays
+
+_MEMORY = 2 << 30
+"""Most bytes that a reader of files may take."""
+
+_ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1", "PXR_WORK_THREAD_LIMIT": "1"}
+"""Threads of many cores would take that memory for their stacks."""
 
 
 class LimitedError(RuntimeError):
@@ -25,14 +34,19 @@ def run_limited(task: str, arrays: dict[str, np.ndarray], seconds: float) -> dic
         np.savez(given, **arrays)  # pyright: ignore[reportArgumentType]
         command = [sys.executable, "-m", f"{__package__}.limited", task, str(given), str(made)]
         try:
-            done = subprocess.run(command, capture_output=True, timeout=seconds, stdin=subprocess.DEVNULL)
+            done = subprocess.run(
+                command,
+                capture_output=True,
+                timeout=seconds,
+                stdin=subprocess.DEVNULL,
+                env={**os.environ, **_ONE_THREAD},
+            )
         except subprocess.TimeoutExpired:
             raise LimitedError(f"not done within {seconds:g} s") from None
         if done.returncode or not made.exists():
             lines = done.stderr.decode(errors="replace").strip().splitlines()
             raise LimitedError(lines[-1][:160] if lines else f"ended with code {done.returncode}")
-        with np.load(made) as found:
-            return {key: found[key] for key in found.files}
+        return read_arrays(made)
 
 
 def _decompose(arrays: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
@@ -130,12 +144,21 @@ def _welded(points: np.ndarray, triangles: np.ndarray, step: float) -> tuple[np.
     return points[first], triangles[np.sort(once)].astype(np.int64)
 
 
-TASKS = {"decompose": _decompose, "simplify": _simplify}
+def _read_usd(arrays: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+    """The meshes of a USD file, in bounded memory."""
+    import resource
+
+    from .usd_mesh import read_usd
+
+    resource.setrlimit(resource.RLIMIT_DATA, (_MEMORY, _MEMORY))
+    return read_usd(Path(str(arrays["path"])))
+
+
+TASKS = {"decompose": _decompose, "simplify": _simplify, "read_usd": _read_usd}
 
 
 if __name__ == "__main__":
-    with np.load(sys.argv[2]) as _given:
-        _result = TASKS[sys.argv[1]]({key: _given[key] for key in _given.files})
+    _result = TASKS[sys.argv[1]](read_arrays(sys.argv[2]))
     _part = Path(sys.argv[3] + ".part.npz")
     np.savez(_part, **_result)  # pyright: ignore[reportArgumentType]
     _part.rename(sys.argv[3])

@@ -1,22 +1,23 @@
 """Mesh files as raw triangles with a look each: GLB, glTF, OBJ, STL, PLY, OFF and USD."""
 
-# pxr has no stubs:
-# pyright: reportAttributeAccessIssue=false
-
 from __future__ import annotations
 
+import os
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
+from sceneweaver.io import open_regular, read_arrays, read_meshes, reason
+from sceneweaver.io.meshes import MAX_BYTES
 from sceneweaver.scene import InputError, MissingDependencyError
-from sceneweaver.scene.files import open_regular, reason
 
 from ..body import Material
-from .guarded import MAX_BYTES, read_arrays, read_meshes, require_regular_layers
+from .limited import LimitedError, run_limited
+from .usd_mesh import MAX_TRIANGLES
 
-MAX_TRIANGLES = 10_000_000
+MAX_COORDINATE = 1e9
+"""Largest coordinate in a file's own unit: squares and products of such still fit."""
 
 _USD = {".usd", ".usda", ".usdc", ".usdz"}
 SUFFIXES = frozenset({".glb", ".gltf", ".obj", ".stl", ".ply", ".off"} | _USD)
@@ -42,8 +43,8 @@ class RawMesh:
     metres: float | None = None
 
 
-def load(path: Path) -> RawMesh:
-    """Read a mesh file.
+def load(path: Path, seconds: float = 60.0) -> RawMesh:
+    """Read a mesh file; USD takes ``seconds`` at most.
 
     Raises:
         InputError: for a file that is missing, too large, damaged, of an unknown kind, or without triangles.
@@ -58,17 +59,20 @@ def load(path: Path) -> RawMesh:
         if not file.read(1):
             raise InputError(f"{path.name}: the file is empty")
     try:
-        raw = (
-            _load_usd(path) if suffix in _USD else _load_arrays(path) if suffix == _ARRAYS else _load_mesh(path, suffix)
-        )
+        if suffix in _USD:
+            raw = _load_usd(path, seconds)
+        elif suffix == _ARRAYS:
+            raw = _load_arrays(path)
+        else:
+            raw = _load_mesh(path, suffix)
     except (InputError, MissingDependencyError):
         raise
     except Exception as error:  # libraries raise whatever they like for damaged files
         raise InputError(f"{path.name}: the file is damaged or cut off ({reason(error)})") from error
     if len(raw.faces) == 0:
         raise InputError(f"{path.name}: the file has no triangles")
-    if not np.isfinite(raw.vertices).all():
-        raise InputError(f"{path.name}: some vertices are NaN or infinite")
+    if not np.isfinite(raw.vertices).all() or np.abs(raw.vertices).max() > MAX_COORDINATE:
+        raise InputError(f"{path.name}: some vertices are NaN, infinite or beyond {MAX_COORDINATE:g}")
     if int(raw.faces.min()) < 0 or int(raw.faces.max()) >= len(raw.vertices):
         raise InputError(f"{path.name}: a triangle names a vertex that is not there")
     extent = np.ptp(raw.vertices[np.unique(raw.faces)], axis=0)
@@ -165,84 +169,25 @@ def _rgb(values) -> tuple[float, float, float]:
     return r, g, b
 
 
-def _load_usd(path: Path) -> RawMesh:
-    from pxr import Usd, UsdGeom, UsdShade
-
-    require_regular_layers(path)
-    stage = Usd.Stage.Open(str(path))
-    cache = UsdGeom.XformCache()
-    vertices, faces, slots, looks = [], [], [], []
-    start = 0
-    for prim in Usd.PrimRange(stage.GetPseudoRoot(), Usd.TraverseInstanceProxies()):
-        if not prim.IsA(UsdGeom.Mesh):
-            continue
-        mesh = UsdGeom.Mesh(prim)
-        if mesh.ComputePurpose() == UsdGeom.Tokens.guide or mesh.ComputeVisibility() == UsdGeom.Tokens.invisible:
-            continue
-        points = np.asarray(mesh.GetPointsAttr().Get() or [], dtype=np.float64).reshape(-1, 3)
-        counts = np.asarray(mesh.GetFaceVertexCountsAttr().Get() or [], dtype=np.int64)
-        corners = np.asarray(mesh.GetFaceVertexIndicesAttr().Get() or [], dtype=np.int64)
-        if not len(points) or not len(counts):
-            continue
-        world = np.array(cache.GetLocalToWorldTransform(prim))  # row vectors
-        points = points @ world[:3, :3] + world[3, :3]
-        triangles = _fans(counts, corners)
-        _require_few(path, sum(map(len, faces)) + len(triangles))
-        flipped = mesh.GetOrientationAttr().Get() == UsdGeom.Tokens.leftHanded
-        if flipped != (np.linalg.det(world[:3, :3]) < 0):
-            triangles = triangles[:, ::-1]
-        bound, _ = UsdShade.MaterialBindingAPI(prim).ComputeBoundMaterial()
-        vertices.append(points)
-        faces.append(triangles + start)
-        slots.append(np.full(len(triangles), len(looks)))
-        looks.append(_usd_look(mesh, bound, len(looks)))
-        start += len(points)
-    if not vertices:
-        raise InputError(f"{path.name}: the file has no triangles")
+def _load_usd(path: Path, seconds: float) -> RawMesh:
+    """In another process: the reader is native code, which a damaged file may crash."""
+    try:
+        found = run_limited("read_usd", {"path": np.array(os.path.abspath(path))}, seconds)
+    except LimitedError as error:
+        raise InputError(f"{path.name}: the file is damaged, too large or takes too long ({error})") from None
+    if "refused" in found:
+        raise InputError(str(found["refused"]))
+    rows = zip(found["names"], found["looks"], strict=True)
+    looks = [
+        Material(str(name), _rgb(row), roughness=float(row[3]), metallic=float(row[4]), opacity=float(row[5]))
+        for name, row in rows
+    ]
+    metres = float(found["metres"])
     return RawMesh(
-        np.concatenate(vertices),
-        np.concatenate(faces),
-        np.concatenate(slots),
+        found["vertices"],
+        found["faces"],
+        found["face_material"],
         tuple(looks),
-        up=str(UsdGeom.GetStageUpAxis(stage)).lower(),
-        metres=float(UsdGeom.GetStageMetersPerUnit(stage)) if UsdGeom.StageHasAuthoredMetersPerUnit(stage) else None,
+        up=str(found["up"]),
+        metres=None if np.isnan(metres) else metres,
     )
-
-
-def _fans(counts: np.ndarray, corners: np.ndarray) -> np.ndarray:
-    """Polygons as triangles that share their first corner."""
-    starts = np.concatenate([[0], np.cumsum(counts)[:-1]])
-    fans = np.maximum(counts - 2, 0)
-    which = np.repeat(np.arange(len(counts)), fans)
-    step = np.arange(len(which)) - np.repeat(np.cumsum(fans) - fans, fans)
-    first = starts[which]
-    return np.stack([corners[first], corners[first + step + 1], corners[first + step + 2]], axis=1)
-
-
-def _usd_look(mesh, bound, index: int) -> Material:
-    """The inputs of a UsdPreviewSurface, or the mesh's display colour."""
-    from pxr import UsdShade
-
-    values = {}
-    shader = UsdShade.Material(bound).ComputeSurfaceSource()[0] if bound else None
-    if shader:
-        for key in ("diffuseColor", "roughness", "metallic", "opacity"):
-            port = shader.GetInput(key)
-            value = port.Get() if port and not port.HasConnectedSource() else None
-            if value is not None:
-                values[key] = value
-    display = mesh.GetDisplayColorAttr().Get()
-    linear = values.get("diffuseColor") or (display[0] if display else None)
-    color = _GREY if linear is None else _rgb([_srgb(float(c)) for c in linear])
-    return Material(
-        name=bound.GetPrim().GetName() if bound else f"material-{index}",
-        color=color,
-        roughness=float(values.get("roughness", 0.6)),
-        metallic=float(values.get("metallic", 0.0)),
-        opacity=max(0.05, float(values.get("opacity", 1.0))),
-    )
-
-
-def _srgb(c: float) -> float:
-    c = min(1.0, max(0.0, c))
-    return 12.92 * c if c <= 0.0031308 else 1.055 * c ** (1 / 2.4) - 0.055

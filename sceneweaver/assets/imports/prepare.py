@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import hashlib
+import time
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from sceneweaver.runtime.deadline import SEARCH, Deadline, TimeUp
 from sceneweaver.scene import InputError, Zone
 
 from ..asset import Asset, Origin
@@ -32,19 +34,31 @@ _DENSITY = 180.0
 def prepare(hints: Hints, *, cache: Path | None = None, seconds: float = 60.0) -> Asset:
     """Read, normalise and complete one mesh.
 
-    ``cache`` is a folder for convex decompositions; ``seconds`` limits each piece of native work.
+    ``cache`` is a folder for convex decompositions; ``seconds`` limits all of it.
 
     Raises:
-        InputError: when the file cannot be used, in one line that names it.
+        InputError: when the file cannot be used, or not in time, in one line that names it.
     """
+    deadline = Deadline(time.monotonic() + seconds)
+    try:
+        with deadline.enforced():
+            return _prepared(hints, cache, deadline)
+    except TimeUp:
+        if not deadline.passed:  # it was that of a block around this one
+            raise
+        line = f"{hints.path.name}: not done within {seconds:g} s; raise --time-limit, or simplify the mesh"
+        raise InputError(line) from None
+
+
+def _prepared(hints: Hints, cache: Path | None, deadline: Deadline) -> Asset:
     category = _category(hints)
-    raw, notes = _simplified(load(hints.path), hints, seconds)
+    raw, notes = _simplified(load(hints.path, deadline.left), hints, SEARCH * deadline.left)
     body = normalise(raw, hints, category)
     mesh = body.mesh
     if hints.hulls:
         hulls, more = _given_hulls(hints, raw, body), []
     else:
-        found, more = convex_parts(mesh.vertices, mesh.faces, cache=cache, seconds=seconds)
+        found, more = convex_parts(mesh.vertices, mesh.faces, cache=cache, seconds=SEARCH * deadline.left)
         hulls = tuple(found)
     # A seat is flat as well: only what is meant to carry things, or is not known, has surfaces.
     carries = category is None or (bool(category.holds) and category.body == "hard")

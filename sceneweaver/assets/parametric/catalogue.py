@@ -6,8 +6,8 @@ from functools import cache
 from importlib import import_module
 from pkgutil import iter_modules
 
+from sceneweaver.io.messages import suggest
 from sceneweaver.scene import InputError
-from sceneweaver.scene.messages import suggest
 
 from ..asset import Asset
 from ..category import categories

@@ -19,6 +19,8 @@ from weakref import WeakValueDictionary
 
 import numpy as np
 
+from sceneweaver.io import packaged
+
 from ..asset import Asset
 from ..body import Material
 from ..category import categories
@@ -177,7 +179,7 @@ def _edition() -> str:
     for folder in (here, here.parent / "geometry"):
         for file in sorted(folder.rglob("*")):
             if file.suffix in (".py", ".yaml"):
-                digest.update(file.read_bytes())
+                digest.update(packaged.bytes_of(file))
     return digest.hexdigest()
 
 

@@ -9,8 +9,9 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from sceneweaver.io import required_inside
+from sceneweaver.io.messages import suggest
 from sceneweaver.scene import InputError
-from sceneweaver.scene.messages import suggest
 
 from ..imports.hints import Hints
 from . import abo, folder, future3d, hssd, metascenes, mjcf, objathor
@@ -45,7 +46,8 @@ def entries(path: Path, kind: str = "auto") -> Iterator[Hints]:
     """The assets of a folder, or of one file; ``kind`` names a reader, or "auto" takes the first that fits.
 
     Raises:
-        InputError: for a folder that is not there, a reader that is unknown, or one that does not fit.
+        InputError: for a folder that is not there, a reader that is unknown, one that does not fit, or an asset whose
+            files lie outside of the folder.
     """
     if not path.exists():
         raise InputError(f"{path}: no such file or folder")
@@ -57,4 +59,8 @@ def entries(path: Path, kind: str = "auto") -> Iterator[Hints]:
             raise InputError(f"{path}: this does not look like a folder of {kind}")
     else:
         raise InputError(f"format: '{kind}' is unknown{suggest(kind, READERS)}")
-    yield from reader.read(path)
+    folder = path if path.is_dir() else path.parent
+    for found in reader.read(path):
+        for place in (found.path, *found.hulls):
+            required_inside(folder, place, found.name)
+        yield found

@@ -6,10 +6,9 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.scene.files import lines_unpacked
+from sceneweaver.io import load_csv, load_json_lines
 
 from ..imports.hints import Hints
-from .tables import parsed, read_csv
 
 
 def fits(path: Path) -> bool:
@@ -22,7 +21,7 @@ def read(path: Path) -> Iterator[Hints]:
     table = _table(path)
     assert table is not None
     listings = _listings(path)
-    for row in read_csv(table):
+    for row in load_csv(table):
         uid, place = row.get("3dmodel_id") or "", row.get("path") or ""
         file = next((f for base in (path / "original", path, table.parent) if (f := base / place).is_file()), None)
         if not uid or file is None:
@@ -56,8 +55,7 @@ def _listings(path: Path) -> dict[str, dict[str, Any]]:
     """Listings (one JSON object a line) by the id of their 3D model."""
     found = {}
     for file in sorted(path.rglob("listings_*.json*")):
-        for line in lines_unpacked(file):
-            row = parsed(file, line) if line.strip() else {}
+        for row in load_json_lines(file):
             if isinstance(row, dict) and isinstance(row.get("3dmodel_id"), str):
                 found[row["3dmodel_id"]] = row
     return found

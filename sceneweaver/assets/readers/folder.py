@@ -12,12 +12,13 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+from sceneweaver.io import load_csv, load_packed_json
+from sceneweaver.io.messages import suggest
 from sceneweaver.scene import InputError
-from sceneweaver.scene.messages import suggest
 
 from ..imports.hints import Hints
 from ..imports.load import SUFFIXES
-from .tables import axis_of, number, read_csv, read_json
+from .tables import axis_of, number
 
 _COLUMNS = (
     "file",
@@ -64,14 +65,14 @@ def read(path: Path) -> Iterator[Hints]:
 
 def _manifest(path: Path) -> list[dict[str, Any]] | None:
     if (path / "manifest.json").exists():
-        data = read_json(path / "manifest.json")
+        data = load_packed_json(path / "manifest.json")
         if isinstance(data, dict):
             data = [{"file": name, **row} for name, row in data.items() if isinstance(row, dict)]
         if not isinstance(data, list) or not all(isinstance(row, dict) for row in data):
             raise InputError("manifest.json: must be a list of objects, or an object from file name to object")
         return data
     if (path / "manifest.csv").exists():
-        return [{k: v for k, v in row.items() if v not in ("", None)} for row in read_csv(path / "manifest.csv")]
+        return [{k: v for k, v in row.items() if v not in ("", None)} for row in load_csv(path / "manifest.csv")]
     return None
 
 

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
+from sceneweaver.io import load_packed_json
+
 from ..imports.hints import Hints
-from .tables import read_json, rows_of
+from .tables import rows_of
 
 
 def fits(path: Path) -> bool:
@@ -17,7 +19,7 @@ def fits(path: Path) -> bool:
 def read(path: Path) -> Iterator[Hints]:
     """Models whose mesh is there."""
     table = path / "model_info.json"
-    for row in rows_of(table, read_json(table)):
+    for row in rows_of(table, load_packed_json(table)):
         uid = str(row.get("model_id", ""))
         file = next((f for n in ("raw_model.obj", "normalized_model.obj") if (f := path / uid / n).exists()), None)
         if not uid or file is None:

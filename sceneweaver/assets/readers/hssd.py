@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
+from sceneweaver.io import load_csv
+
 from ..imports.hints import Hints
-from .tables import axis_of, read_csv
+from .tables import axis_of
 
 _TABLES = (
     "hssd_obj_semantics_condensed.csv",
@@ -26,7 +28,7 @@ def read(path: Path) -> Iterator[Hints]:
     table = _table(path)
     assert table is not None
     files = {file.stem: file for file in sorted(path.rglob("*.glb"))}
-    for row in read_csv(table):
+    for row in load_csv(table):
         low = {str(k).strip().lower(): (v or "").strip() for k, v in row.items() if k}
         uid = next((low[k] for k in ("id", "object hash", "fullid", "uid") if low.get(k)), "").split(".")[-1]
         if uid not in files:

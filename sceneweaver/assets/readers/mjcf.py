@@ -6,6 +6,7 @@ which a ``front`` may overrule.
 
 from __future__ import annotations
 
+import os
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator
 from pathlib import Path
@@ -13,12 +14,11 @@ from pathlib import Path
 import numpy as np
 
 from sceneweaver.geometry.rotations import euler, matrix, xyzw
-from sceneweaver.scene import InputError, read_bytes
+from sceneweaver.io import load_mjcf
+from sceneweaver.scene import InputError
 
 from ..imports.hints import Hints
 from .tables import number
-
-MAX_BYTES = 16 << 20
 
 
 def fits(path: Path) -> bool:
@@ -40,15 +40,9 @@ def _models(path: Path) -> list[Path]:
 
 
 def _hints(model: Path, root: Path) -> Hints:
-    text = read_bytes(model, max_bytes=MAX_BYTES)
-    if b"<!ENTITY" in text:
-        raise InputError(f"{model.name}: XML entities are not read")
-    try:
-        tree = ET.fromstring(text)
-    except ET.ParseError as error:
-        raise InputError(f"{model.name}: damaged XML ({error})") from error
+    tree = load_mjcf(model, root if root.is_dir() else root.parent)
     compiler = tree.find("compiler")
-    base = model.parent / (compiler.get("meshdir", "") if compiler is not None else "")
+    base = model.parent / ((compiler.get("meshdir") or compiler.get("assetdir") or "") if compiler is not None else "")
     meshes = {m.get("name") or Path(m.get("file", "")).stem: m for m in tree.iter("mesh") if m.get("file")}
     visual, solid = [], []
     for geom in tree.iter("geom"):
@@ -71,7 +65,7 @@ def _hints(model: Path, root: Path) -> Hints:
     same = [pair for pair in solid if _placed(*pair) == _placed(geom, mesh)]
     names = [part for part in model.parent.relative_to(root).parts if part] if model != root else []
     return Hints(
-        path=base / mesh.get("file", ""),
+        path=_file(base, mesh),
         name=model.parent.name if model.stem == "model" else model.stem,
         category=(names[0] if len(names) > 1 else names[-1] if names else model.parent.name).rstrip("0123456789_"),
         up="z",
@@ -80,7 +74,7 @@ def _hints(model: Path, root: Path) -> Hints:
         transform=tuple(tuple(float(v) for v in row) for row in pose),
         mass=sum(v for g, _ in solid if (v := number(g.get("mass"))) is not None) or None,
         source="mjcf",
-        hulls=tuple(base / m.get("file", "") for _, m in same) if len(same) == len(solid) and visual else (),
+        hulls=tuple(_file(base, m) for _, m in same) if len(same) == len(solid) and visual else (),
     )
 
 
@@ -89,8 +83,13 @@ def _placed(geom: ET.Element, mesh: ET.Element) -> tuple[str | None, ...]:
     return (*(geom.get(key) for key in ("pos", "quat", "euler")), mesh.get("scale"))
 
 
+def _file(base: Path, mesh: ET.Element) -> Path:
+    """Where the file of a mesh lies, without ``..`` in its path."""
+    return Path(os.path.abspath(base / mesh.get("file", "")))
+
+
 def _bytes(base: Path, mesh: ET.Element) -> int:
-    file = base / mesh.get("file", "")
+    file = _file(base, mesh)
     return file.stat().st_size if file.is_file() else 0
 
 

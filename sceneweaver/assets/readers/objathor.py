@@ -12,9 +12,10 @@ from pathlib import Path
 from typing import Any
 
 from sceneweaver.geometry.angles import wrap_angle
+from sceneweaver.io import load_packed_json
 
 from ..imports.hints import Hints
-from .tables import number, read_json, rows_of
+from .tables import number, rows_of
 
 _NAMES = ("annotations.json", "annotations.json.gz")
 
@@ -28,7 +29,7 @@ def read(path: Path) -> Iterator[Hints]:
     """Assets whose GLB is there, by uid."""
     table = _table(path)
     if table is not None:
-        rows = read_json(table)
+        rows = load_packed_json(table)
         if isinstance(rows, dict):
             rows = [{"uid": uid, **row} for uid, row in rows.items() if isinstance(row, dict)]
         for row in rows_of(table, rows):
@@ -41,7 +42,7 @@ def read(path: Path) -> Iterator[Hints]:
     for notes in sorted(path.glob("*/annotations.json*")):
         file = next(iter(sorted(notes.parent.glob("*.glb"))), None)
         if file is not None:
-            (row,) = rows_of(notes, [read_json(notes)])
+            (row,) = rows_of(notes, [load_packed_json(notes)])
             yield _hints(file, notes.parent.name, row)
 
 

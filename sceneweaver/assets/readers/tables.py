@@ -2,32 +2,10 @@
 
 from __future__ import annotations
 
-import csv
-import io
-import json
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.scene import InputError, read_bytes
-from sceneweaver.scene.files import MAX_UNPACKED, read_unpacked, reason
-
-MAX_CONTAINERS = 10_000_000
-"""Lists and objects of a JSON file, or cells of a table, at most: in memory they take far more than in the file."""
-
-
-def read_json(path: Path) -> Any:
-    """A JSON file, gzipped or not; InputError names the file when it is damaged or holds over `MAX_UNPACKED` bytes."""
-    return parsed(path, read_unpacked(path))
-
-
-def parsed(path: Path, text: bytes) -> Any:
-    """JSON text of a file; InputError names the file when it is damaged."""
-    try:
-        if text.count(b"{") + text.count(b"[") > MAX_CONTAINERS:
-            raise ValueError(f"over {MAX_CONTAINERS} lists and objects; split it")
-        return json.loads(text)
-    except (ValueError, RecursionError) as error:
-        raise InputError(f"{path.name}: not readable as JSON ({reason(error)})") from error
+from sceneweaver.scene import InputError
 
 
 def rows_of(path: Path, data: Any) -> list[dict[str, Any]]:
@@ -35,19 +13,6 @@ def rows_of(path: Path, data: Any) -> list[dict[str, Any]]:
     if not isinstance(data, list) or not all(isinstance(row, dict) for row in data):
         raise InputError(f"{path.name}: must be a list of objects")
     return data
-
-
-def read_csv(path: Path) -> list[dict[str, str]]:
-    """A CSV file with a header; InputError names the file when it is damaged."""
-    try:
-        text = read_bytes(path, max_bytes=MAX_UNPACKED).decode("utf-8-sig")
-        if text.count(",") + text.count("\n") > MAX_CONTAINERS:
-            raise ValueError(f"over {MAX_CONTAINERS} cells; split it")
-        return list(csv.DictReader(io.StringIO(text, newline="")))
-    except InputError:
-        raise
-    except (ValueError, csv.Error) as error:
-        raise InputError(f"{path.name}: not readable as CSV ({reason(error)})") from error
 
 
 def number(value: Any) -> float | None:

@@ -16,8 +16,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from sceneweaver.io.messages import suggest
 from sceneweaver.scene import InputError, MissingDependencyError
-from sceneweaver.scene.messages import suggest
 
 from ..asset import Asset
 from ..imports.hints import Hints

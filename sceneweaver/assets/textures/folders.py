@@ -8,9 +8,9 @@ from pathlib import Path
 
 import numpy as np
 
-from sceneweaver.scene import InputError, read_bytes
-from sceneweaver.scene.messages import clean
-from sceneweaver.scene.yaml_text import load_yaml
+from sceneweaver.io import load_yaml, open_image
+from sceneweaver.io.messages import clean
+from sceneweaver.scene import InputError
 
 from .relief import Maps, encoded_roughness, encoded_tint, to_linear
 
@@ -21,7 +21,7 @@ _ROLES = {
     "metallic": ("metalness", "metallic", "metal"),
 }
 _SUFFIXES = (".png", ".jpg", ".jpeg")
-_MAX_SIDE, _MAX_FILE = 1024, 128 * 2**20
+_MAX_SIDE = 1024
 _SIZE = 1.0  # metres, where nobody says
 
 
@@ -75,19 +75,16 @@ def _images(folder: Path) -> dict[str, Path]:
 
 def _image(path: Path, mode: str, side: int | None) -> np.ndarray:
     """An image as uint8 [side, side(, 3)]; without a side, the power of two at or below its own, at most 1024."""
-    import io
-
     from PIL import Image
 
-    data = read_bytes(path, max_bytes=_MAX_FILE)
     try:
-        with Image.open(io.BytesIO(data)) as image:
+        with open_image(path) as image:
             if mode == "L" and image.mode in ("I", "I;16", "I;16B"):
                 image = Image.fromarray((np.asarray(image, dtype=float) / 257).astype(np.uint8))
             side = side or min(_MAX_SIDE, 1 << (min(image.size).bit_length() - 1))
             return np.asarray(image.convert(mode).resize((side, side), Image.Resampling.LANCZOS))
-    except Exception as error:  # a broken image fails in many ways inside the reader
-        raise InputError(f"texture: {clean(str(path))} cannot be read ({type(error).__name__}); save it anew") from None
+    except InputError as error:
+        raise InputError(f"texture: {error}") from None
 
 
 def _size(folder: Path) -> tuple[float, float]:

@@ -11,9 +11,10 @@ from pathlib import Path
 
 import numpy as np
 
+from sceneweaver.io import packaged, read_arrays, temporary_folder
+from sceneweaver.io.messages import suggest
+from sceneweaver.runtime.caches import cache_place, places, writable
 from sceneweaver.scene import InputError
-from sceneweaver.scene.files import temporary_folder
-from sceneweaver.scene.messages import suggest
 
 from .catalogue import OLD_NAMES, found, patterns
 from .folders import folder_of, read_folder
@@ -48,11 +49,11 @@ def _of_folder(folder: Path) -> Maps:
 
 @cache
 def _of_pattern(entry: Pattern) -> Maps:
-    path = cache_folder() / f"{entry.name}-{entry.pixels}-{_version()}.npz"
-    kept = _read(path)
+    name = f"{entry.name}-{entry.pixels}-{_version()}.npz"
+    kept = next((found for folder in places(cache_folder()) if (found := _read(folder / name)) is not None), None)
     if kept is None:
         kept = developed(entry.draw(entry.pixels), entry.size)
-        _write(path, kept)
+        _write(name, kept)
     for image in (kept.tint, kept.normal, kept.roughness, kept.metallic):
         if image is not None:
             image.setflags(write=False)
@@ -60,9 +61,8 @@ def _of_pattern(entry: Pattern) -> Maps:
 
 
 def cache_folder() -> Path:
-    """Where baked maps are kept."""
-    base = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
-    return Path(base).expanduser() / "sceneweaver" / "textures"
+    """Where baked maps are kept, as long as that can be written."""
+    return cache_place("sceneweaver/textures")
 
 
 @cache
@@ -73,30 +73,30 @@ def _version() -> str:
     for folder in (package, package.joinpath("patterns")):
         for file in sorted(folder.iterdir(), key=lambda f: f.name):
             if file.name.endswith(".py"):
-                digest.update(file.read_bytes())
+                digest.update(packaged.bytes_of(file))
     return digest.hexdigest()[:12]
 
 
 def _read(path: Path) -> Maps | None:
     """Maps of a file; None when it is not there or is not whole."""
     try:
-        with np.load(path, allow_pickle=False) as data:
-            size = (float(data["size"][0]), float(data["size"][1]))
-            metallic = data.get("metallic")
-            images = [data[name] for name in ("tint", "normal", "roughness")]
-            return Maps(size, images[0], float(data["gain"]), images[1], images[2], float(data["rough_gain"]), metallic)
+        data = read_arrays(path)
+        size = (float(data["size"][0]), float(data["size"][1]))
+        images = [data[name] for name in ("tint", "normal", "roughness")]
+        gains = float(data["gain"]), float(data["rough_gain"])
+        return Maps(size, images[0], gains[0], images[1], images[2], gains[1], data.get("metallic"))
     except Exception:  # a file that another process left half-written, or that is broken, is made again
         return None
 
 
-def _write(path: Path, made: Maps) -> None:
-    """Keep maps for the next time; where the folder cannot be written, they are baked again then."""
+def _write(name: str, made: Maps) -> None:
+    """Keep maps for the next time; where no folder can be written, they are baked again then."""
     arrays = {"size": np.array(made.size), "gain": np.array(made.gain), "rough_gain": np.array(made.rough_gain)}
     arrays |= {"tint": made.tint, "normal": made.normal, "roughness": made.roughness}
     if made.metallic is not None:
         arrays["metallic"] = made.metallic
     with contextlib.suppress(OSError, InputError):
-        path.parent.mkdir(parents=True, exist_ok=True)
+        path = writable(cache_folder()) / name
         with temporary_folder(path.parent) as draft:
             np.savez_compressed(draft / path.name, allow_pickle=False, **arrays)
             os.replace(draft / path.name, path)

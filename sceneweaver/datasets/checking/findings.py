@@ -7,12 +7,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from sceneweaver.io.messages import clean, printable_line
 from sceneweaver.scene import Scene
 from sceneweaver.verify import Report
 
 from ..templates import render
 
 CHECKS = {
+    "file": "all files are regular ones of the data set: none is missing, a link, a pipe, a device, or foreign",
+    "manifest": "dataset.json and what it names are what the data set was begun with, and agree with the index",
     "checksum": "shards, tables and assets have the SHA-256 that is listed",
     "index": "rows are complete, in order, and have reasons where nothing was delivered",
     "shard": "every delivered scene lies in its shard once, and nothing else does",
@@ -28,6 +31,9 @@ CHECKS = {
     "stability": "nothing diverges, or moves farther than a gate allows",
 }
 """The checks, with what holds where they find nothing."""
+
+LONGEST = 400
+"""Most characters of what is said of a fault."""
 
 KEPT = 10
 """How many faults of each kind are kept, those of the first keys."""
@@ -69,6 +75,7 @@ class Findings:
     def fault(self, check: str, key: str, detail: str) -> None:
         """Note a fault."""
         self.faults[check] += 1
+        key, detail = clean(str(key)), printable_line(detail, LONGEST)
         kept = self.first.setdefault(check, [])
         kept.append(Fault(key, check, detail))
         if len(kept) > 2 * KEPT:

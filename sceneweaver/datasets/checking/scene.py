@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import struct
 import tempfile
@@ -17,11 +16,13 @@ import numpy as np
 
 from sceneweaver.geometry.polygons import signed_area
 from sceneweaver.geometry.rotations import matrix, xyzw
+from sceneweaver.io import InputError, load_mjcf, parse_json, parse_xml, read_bytes
 from sceneweaver.physics.mjcf_file import simulate
-from sceneweaver.scene import InputError, Scene
+from sceneweaver.scene import Scene
 from sceneweaver.verify import Report, check
 
 from ..samples import report_columns, scene_columns
+from ..seals import kind_fault
 from ..store.scene_files import SUFFIXES
 from .findings import Findings
 
@@ -45,8 +46,8 @@ def glb_json(content: bytes) -> dict[str, Any]:
         length, kind = struct.unpack_from("<II", content, 12)
         if (magic, version, size, kind) != (b"glTF", 2, len(content), _JSON_CHUNK):
             raise InputError("no GLB of version 2, or cut off")
-        return json.loads(content[20 : 20 + length])
-    except (struct.error, ValueError) as error:
+        return parse_json(content[20 : 20 + length])
+    except struct.error as error:
         raise InputError(f"no GLB: {error}") from None
 
 
@@ -92,10 +93,7 @@ def mjcf_tree(content: bytes) -> ElementTree.Element:
     Raises:
         InputError: no XML, or of something else.
     """
-    try:
-        root = ElementTree.fromstring(content)
-    except ElementTree.ParseError as error:
-        raise InputError(f"no XML: {error}") from None
+    root = parse_xml(content, "MJCF")
     if root.tag not in ("mujoco", "mujocoinclude"):
         raise InputError(f"no MJCF: its root is <{root.tag}>")
     return root
@@ -217,6 +215,7 @@ class Judge:
             path.write_bytes(content)
             (path.parent / "assets").symlink_to((self.root / "assets").resolve())
             try:
+                load_mjcf(path, self.root.resolve())
                 result = simulate(path, seconds)
             except ValueError as error:
                 return found.fault("compile", key, f"MuJoCo does not take it: {' '.join(str(error).split())[:200]}")
@@ -260,12 +259,12 @@ class Judge:
         while left:
             name = left.pop()
             if name not in self._there:
-                if not name.startswith("assets/") or ".." in name or not (self.root / name).is_file():
+                if not name.startswith("assets/") or ".." in name or kind_fault(self.root / name):
                     found.fault("asset", row["key"], f"{suffix} names {name}, which is not in the store")
                     continue
                 self._there[name] = frozenset()
                 if name.endswith(".xml"):
-                    self._there[name] = included_files((self.root / name).read_bytes())
+                    self._there[name] = included_files(read_bytes(self.root / name))
             left |= self._there[name] - names
             names |= self._there[name]
         if row.get("assets") is not None and (more := names.difference(row["assets"])):
@@ -295,7 +294,7 @@ def _metrics(content: bytes | None, report: Report) -> list[str]:
     if content is None:
         return []
     try:
-        said = json.loads(content)
+        said = parse_json(content)
         return [
             f"{name} is {getattr(report, name)!r}; metrics.json says {said[name]!r}"
             for name in _COUNTS
@@ -320,7 +319,7 @@ def twin_faults(scene: Scene, files: Mapping[str, bytes]) -> Iterator[str]:
     for name in twin_names(files):
         try:
             twin = Scene.loads(files[name + SCENE])
-            stated = json.loads(files[name + DIFFERENCE])
+            stated = parse_json(files[name + DIFFERENCE])
             changed, report = {stated["object"], *stated["carried"]}, check(twin, walkable=False)
             for key in _MEASURED:
                 said, measured = stated["measured"][key][1], getattr(report, key)

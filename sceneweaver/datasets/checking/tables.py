@@ -2,28 +2,35 @@
 
 from __future__ import annotations
 
-import json
+import os
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from sceneweaver.io import InputError, MissingDependencyError, SceneWeaverError, load_json, reason
 from sceneweaver.scene import Scene
 from sceneweaver.verify import check
 
-from ..digests import TIMES, read_checksums, sha256
+from ..digests import NAMED, TIMES, read_checksums
+from ..engines.manifest import PROMPTS, Dataset, begun_with, input_faults
 from ..folder import Folder
 from ..gates import failures
-from ..layouts.tables import posed
+from ..layouts.tables import posed, schema
 from ..reading import Span
-from ..spec import Spec
+from ..seals import DamagedError, fault_of, kind_fault, read_seal, sha256
+from ..spec import Spec, load_spec
 from ..statistics import statistics
 from ..store import DIGITS
-from ..tables import arrow, read_schema, read_table, schema_of
+from ..tables import open_table, read_schema, read_table, schema_of
 from .findings import Findings
+
+if TYPE_CHECKING:
+    import pyarrow as pa
 
 _NEEDED = ("index", "key", "status", "reason", "split", "shard", "room", "content_hash", "bytes")
 
@@ -111,11 +118,11 @@ def _licences(row: Mapping[str, Any], licences: Mapping[str, str] | None) -> Ite
                 yield f"does not name the licence {licences[asset]} of {asset}"
 
 
-def asset_licences(folder: Folder) -> dict[str, str] | None:
-    """The licence of each asset by the table of assets; None where there is no such table."""
-    if not folder.asset_table.is_file():
-        return None
-    return {row["asset"]: row["licence"] for row in read_table(folder.asset_table, ["asset", "licence"])}
+def asset_licences(folder: Folder, found: Findings) -> dict[str, str] | None:
+    """The licence of each asset by the table of assets; None where it cannot be read."""
+    with guarded(found, "licence", folder.asset_table.name):
+        return {row["asset"]: row["licence"] for row in read_table(folder.asset_table, ["asset", "licence"])}
+    return None
 
 
 def gates_failed(row: Mapping[str, Any], spec: Spec) -> Iterator[str]:
@@ -126,12 +133,17 @@ def gates_failed(row: Mapping[str, Any], spec: Spec) -> Iterator[str]:
     yield from failures(spec.gates, row.get)
 
 
-def check_schema(folder: Folder, found: Findings) -> None:
-    """The types of the columns of the index. Only those that all else needs have to be there: versions add some."""
-    there = {field.name: field.type for field in read_schema(folder.index)}
+def check_schema(folder: Folder, found: Findings) -> bool:
+    """The types of the columns of the index. Only those that all else needs have to be there: versions add some.
+
+    Returns:
+        Whether they are right, so that rows can be looked at.
+    """
+    there, before = {field.name: field.type for field in read_schema(folder.index)}, found.faults["index"]
     for field in schema_of("index"):
         if there.get(field.name, None if field.name in _NEEDED else field.type) != field.type:
             found.fault("index", folder.index.name, f"column {field.name} is {there.get(field.name)}, not {field.type}")
+    return found.faults["index"] == before
 
 
 def check_statistics(folder: Folder, rows: Iterable[Mapping[str, Any]], found: Findings) -> None:
@@ -139,8 +151,10 @@ def check_statistics(folder: Folder, rows: Iterable[Mapping[str, Any]], found: F
     path = folder.statistics
     name = path.relative_to(folder.path).as_posix()
     try:
-        said = json.loads(path.read_bytes())
-    except (OSError, ValueError) as error:
+        said = load_json(path)
+        if not isinstance(said, dict):
+            raise InputError("is no object")
+    except InputError as error:
         return found.fault("record", name, f"cannot be read: {error}")
     measured = statistics(rows)
     for key in measured.keys() | said.keys():
@@ -172,31 +186,121 @@ def check_spans(spans: Iterable[Span], shards: Mapping[str, str], found: Finding
 
 
 def checksums(folder: Folder, found: Findings) -> list[tuple[Path, str]]:
-    """The files in the list of checksums with their SHA-256; files of ``data/`` and ``meta/`` must be in it."""
+    """The files in the list of checksums that are there, with their SHA-256; all that every data set has is listed."""
     path = folder.checksums
-    if not path.is_file():
+    if not os.path.lexists(path):
         found.fault("checksum", path.name, "is not there")
         return []
-    listed = read_checksums(folder)
-    for part in (folder.data, folder.meta):
-        for file in sorted(part.rglob("*")):
+    try:
+        listed = read_checksums(folder)
+    except DamagedError as error:
+        found.fault("checksum", path.name, str(error))
+        return []
+    for name in NAMED:
+        if name not in listed:
+            found.fault("checksum", name, f"is not in {path.name}")
+    for part in (folder.data, folder.meta, folder.assets):
+        for file in _files(part):
             name = file.relative_to(folder.path).as_posix()
-            if file.is_file() and name not in listed and name != TIMES:
+            if name not in listed and name != TIMES:
                 found.fault("checksum", name, f"is not in {path.name}")
     for name, digest in listed.items():
         if (stem := _store_name(name)) and not digest.startswith(stem):
             found.fault("checksum", name, f"is listed with {digest[:16]}..., which is not its name")
-    there = {name: digest for name, digest in listed.items() if (folder.path / name).is_file()}
-    for name in sorted(listed.keys() - there.keys()):
-        found.fault("checksum", name, f"is not there; {path.name} lists it")
-    return [(folder.path / name, digest) for name, digest in there.items()]
+    faults = {name: kind_fault(folder.path / name) for name in listed}
+    for name, fault in sorted(faults.items()):
+        if fault in ("is missing", "is a folder"):
+            found.fault("checksum", name, f"{'is not there' if fault == 'is missing' else fault}; {path.name} lists it")
+    return [(folder.path / name, digest) for name, digest in listed.items() if not faults[name]]
 
 
-def stored(folder: Folder, listed: Iterable[Path]) -> list[tuple[Path, str]]:
-    """The files of the store that are not listed, with the beginning of their SHA-256, which is their name."""
-    known = set(listed)
-    files = (path for path in sorted(folder.assets.glob("??/*.*")) if path not in known)
-    return [(path, stem) for path in files if (stem := _store_name(path.relative_to(folder.path).as_posix()))]
+KNOWN = ("dataset.json", "spec.yaml", "checksums.sha256", *NAMED)
+WRITTEN = ("verification.json", "verification.md", "report.html")
+"""What commands write into a data set beside it."""
+
+PLACES = ("assets", "data", "meta", "work", "inputs")
+
+
+def check_files(dataset: Dataset, found: Findings) -> None:
+    """Whether all that lies in a data set are regular files, and what is at its root belongs there.
+
+    What is hidden at the root and what is below ``work`` is no part of a data set, and is passed over.
+    """
+    folder = dataset.folder
+    if fault := kind_fault(folder.meta / Path(TIMES).name):
+        found.fault("file", TIMES, fault)
+    for path in sorted(folder.path.iterdir()):
+        if path.name.startswith("."):
+            continue
+        fault, place = kind_fault(path), path.name in PLACES
+        if path.name not in (*KNOWN, *WRITTEN, *PLACES, *dataset.inputs):
+            found.fault("file", path.name, "is no part of the data set")
+        elif fault != ("is a folder" if place else ""):
+            found.fault("file", path.name, fault or "is no folder")
+        elif place and path != folder.work:
+            for file in _files(path):
+                name = file.relative_to(folder.path).as_posix()
+                if fault := kind_fault(file):
+                    found.fault("file", name, fault)
+                elif path.name == "inputs" and name not in dataset.inputs:
+                    found.fault("file", name, "is no part of the data set")
+
+
+def check_manifest(dataset: Dataset, found: Findings) -> None:
+    """Whether specification and inputs are what the data set was begun with.
+
+    That the fields of the manifest agree with each other is seen where it is read.
+    """
+    folder, begun = dataset.folder, begun_with(dataset.folder)
+    if begun is None and os.path.lexists(folder.begun):
+        found.fault("manifest", folder.begun.relative_to(folder.path).as_posix(), "is damaged")
+    for name, fault in input_faults(dataset, begun):
+        found.fault("manifest", name, fault)
+    if folder.spec.name in dataset.inputs or kind_fault(folder.spec):
+        return
+    try:
+        given = load_spec(folder.spec)
+    except InputError as error:
+        return found.fault("manifest", folder.spec.name, str(error))
+    asked = given.requests
+    changed = {"prompts_file": PROMPTS} if asked.prompts_file is not None else {}
+    changed |= {"scenes": dataset.spec.requests.scenes} if asked.scenes is not None else {}
+    said = given.model_copy(update={"requests": asked.model_copy(update=changed)})
+    if said != dataset.spec:
+        found.fault("manifest", folder.spec.name, "is not the specification that dataset.json has")
+    return None
+
+
+def check_seal(folder: Folder, found: Findings) -> None:
+    """Whether what has no checksum is as it was when the data set was packed, where its seal is still there."""
+    if not os.path.lexists(folder.packed):
+        return
+    name = folder.packed.relative_to(folder.path).as_posix()
+    try:
+        entries = read_seal(folder.packed)
+    except DamagedError:
+        return found.fault("file", name, "is damaged")
+    for path in (folder.checksums, folder.path / TIMES):
+        entry = entries.get(path.relative_to(folder.path).as_posix())
+        if entry is not None and (fault := fault_of(path, entry)):
+            found.fault("file", path.relative_to(folder.path).as_posix(), fault)
+    return None
+
+
+def check_version(dataset: Dataset, rows: Iterable[Mapping[str, Any]], found: Findings) -> None:
+    """Whether any row was made by the version that the manifest states."""
+    made = {row["version"] for row in rows if row.get("version") is not None}
+    said = dataset.versions["sceneweaver"]
+    if made and said not in made:
+        found.fault("manifest", "dataset.json", f"says version {said}; the rows were made by {min(made)}")
+
+
+def _files(place: Path) -> Iterator[Path]:
+    """All that lies in a folder but folders, in order; links are not followed."""
+    for path, folders, files in os.walk(place):
+        folders.sort()
+        links = [name for name in folders if Path(path, name).is_symlink()]
+        yield from (Path(path, name) for name in sorted((*files, *links)))
 
 
 def _store_name(name: str) -> str:
@@ -210,9 +314,14 @@ def check_digests(root: Path, files: Iterable[tuple[Path, str]]) -> Findings:
     found = Findings()
     for path, expected in files:
         found.counts["files hashed"] += 1
-        digest = sha256(path)
+        name = path.relative_to(root).as_posix()
+        try:
+            digest = sha256(path)
+        except InputError as error:
+            found.fault("checksum", name, f"cannot be read: {error}")
+            continue
         if not expected or not digest.startswith(expected.lower()):
-            found.fault("checksum", path.relative_to(root).as_posix(), f"has SHA-256 {digest[:16]}..., not {expected}")
+            found.fault("checksum", name, f"has SHA-256 {digest[:16]}..., not {expected}")
     return found
 
 
@@ -230,25 +339,34 @@ def check_layouts(path: Path, row_group: int, rows: Sequence[int], program: int,
         program: number of the program.
         text: the JSON of its scene.
     """
-    found, scene = Findings(), Scene.loads(text)
-    table = arrow().parquet.ParquetFile(path).read_row_group(row_group, columns=["program", "layout", "poses"])
-    for row in table.take(rows).to_pylist():
-        key, poses = f"{program}/{row['layout']}", np.array(row["poses"], dtype=np.float32)
-        found.counts["judged"] += 1
-        if row["program"] != program or not np.isfinite(poses[: 4 * len(scene.objects)]).all():
-            found.fault("record", key, "is of another program, or has poses that are no numbers")
-            continue
-        placed = posed(scene, poses)
-        found.judged(key, placed, check(placed, walkable=False))
+    found = Findings()
+    with guarded(found, "shard", str(program)):
+        scene = Scene.loads(text)
+        with open_table(path) as file:
+            table = file.read_row_group(row_group, columns=["program", "layout", "poses"])
+        for row in table.take(rows).to_pylist():
+            key, poses = f"{program}/{row['layout']}", np.array(row["poses"], dtype=np.float32)
+            found.counts["judged"] += 1
+            if row["program"] != program or not np.isfinite(poses[: 4 * len(scene.objects)]).all():
+                found.fault("record", key, "is of another program, or has poses that are no numbers")
+                continue
+            placed = posed(scene, poses)
+            found.judged(key, placed, check(placed, walkable=False))
     return found
 
 
 def layout_tasks(folder: Folder, spec: Spec, found: Findings, sample: int | None) -> Iterator[Callable[[], Findings]]:
     """Check the tables of a data set of layouts; what is left are the layouts to judge."""
-    programs = {row["program"]: row for row in read_table(folder.programs)}
-    _check_programs(list(programs.values()), spec, found)
-    shards = sorted(folder.data.glob("*.parquet"))
-    places = [place for shard in shards for place in _row_groups(shard, programs, found)]
+    programs: dict[int, dict[str, Any]] = {}
+    with guarded(found, "index", folder.programs.name):
+        _require_columns(folder.programs, schema_of("programs"))
+        programs = {row["program"]: row for row in read_table(folder.programs)}
+        _check_programs(list(programs.values()), spec, found)
+    places: list[_Place] = []
+    for shard in sorted(folder.data.glob("*.parquet")):
+        with guarded(found, "shard", f"data/{shard.name}"):
+            _require_columns(shard, schema(0))
+            places += _row_groups(shard, programs, found)
     _check_counts(places, programs, found)
     total = sum(rows for _, _, _, rows in places)
     found.counts["layouts"] += total
@@ -263,15 +381,41 @@ def layout_tasks(folder: Folder, spec: Spec, found: Findings, sample: int | None
         start += rows
 
 
+def _require_columns(path: Path, wanted: pa.Schema) -> None:
+    """InputError when a table lacks columns, or has others of the same name."""
+    there = {field.name: field.type for field in read_schema(path)}
+    for field in wanted:
+        kind = there.get(field.name)
+        same = kind == field.type or (kind is not None and field.name == "poses" and kind.id == field.type.id)
+        if not same:
+            raise InputError(f"column {field.name} is {kind}, not {field.type}")
+
+
+_TROUBLES = (OSError, EOFError, ArithmeticError, AttributeError, LookupError, RuntimeError, TypeError, ValueError)
+
+
+@contextmanager
+def guarded(found: Findings, check: str, key: str) -> Iterator[None]:
+    """What goes wrong in the block because of files that others wrote is a fault."""
+    try:
+        yield
+    except MissingDependencyError:
+        raise
+    except (SceneWeaverError, *_TROUBLES) as error:
+        found.fault(check, key, f"cannot be read: {reason(error)}")
+
+
 _Place = tuple[Path, int, int, int]  # shard, row group, program, rows
 
 
 def _row_groups(shard: Path, programs: Mapping[int, Mapping[str, Any]], found: Findings) -> Iterator[_Place]:
     """The row groups of a shard; that each is of one program, whose layouts are distinct."""
-    file = arrow().parquet.ParquetFile(shard)
     name, seen, last = f"data/{shard.name}", np.zeros(0, dtype=np.int64), None
-    for number in range(file.metadata.num_row_groups):
-        columns = file.read_row_group(number, columns=["program", "signature"])
+    with open_table(shard) as file:
+        groups = [file.read_row_group(k, columns=["program", "signature"]) for k in range(file.metadata.num_row_groups)]
+    for number, columns in enumerate(groups):
+        if not len(columns):
+            continue
         mine = np.unique(columns["program"].to_numpy())
         program = int(mine[0])
         if len(mine) != 1 or name not in (programs.get(program) or {"shards": ()})["shards"]:

@@ -17,15 +17,15 @@ from typing import Any
 import numpy as np
 
 import sceneweaver
+from sceneweaver.io import InputError, write_atomic
 from sceneweaver.runtime.processes import pool
-from sceneweaver.scene import InputError, write_atomic
 
 from ..digests import content_of
-from ..engines import open_dataset
+from ..engines import open_dataset, require_free
 from ..folder import Folder
 from ..reading import Span, rows_of, scenes_of, shards_of, spans_of
 from ..spec import Spec
-from ..tables import arrow, read_schema
+from ..tables import open_table
 from . import tables
 from .findings import CHECKS, KEPT, Findings, markdown
 from .scene import Judge
@@ -48,18 +48,18 @@ def check_scenes(
         simulated: keys of those that are compiled by MuJoCo, and how long they are let loose [s].
     """
     found = Findings()
-    try:
+    with tables.guarded(found, "shard", span.path.name):
         for key, files in scenes_of(span):
             if (row := rows.get(key)) is None:
                 continue
             if content_of(files) != (row["content_hash"], row["bytes"]):
                 found.fault("content", key, "is not what was delivered: its content hash differs from the index")
             if key in judged:
-                judge.judge(row, files, found)
+                with tables.guarded(found, "judge", key):
+                    judge.judge(row, files, found)
             if key in simulated and "xml" in files:
-                judge.simulate(key, files["xml"], simulated[key], found)
-    except (OSError, EOFError, InputError) as error:
-        found.fault("shard", span.path.name, f"cannot be read: {error}")
+                with tables.guarded(found, "compile", key):
+                    judge.simulate(key, files["xml"], simulated[key], found)
     return found
 
 
@@ -164,22 +164,29 @@ def verify_dataset(
         progress: called as scenes are done.
 
     Raises:
-        InputError: no data set, or one that is not packed yet.
+        InputError: no data set, one that a run is at work on, or one that is not packed yet.
         MissingDependencyError: when pyarrow is not installed.
     """
     began = time.perf_counter()
+    require_free(Folder(Path(path)))
     dataset = open_dataset(Path(path))
     folder, spec, found = dataset.folder, dataset.spec, Findings()
     layouts = spec.product == "layouts"
-    if not folder.table(spec.product).is_file():
+    if not any(map(os.path.lexists, (folder.table(spec.product), folder.checksums, folder.packed))):
         raise InputError(f"{folder.path}: is not packed yet; finish it with `sceneweaver dataset resume`")
+    tables.check_files(dataset, found)
+    tables.check_manifest(dataset, found)
+    tables.check_seal(folder, found)
+    work: Iterable[Task] = ()
     if layouts:
         work = layout_tasks(folder, spec, found, sample)
     else:
-        tables.check_schema(folder, found)
-        tables.check_rows(rows_of(folder), spec, found, tables.asset_licences(folder))
-        tables.check_statistics(folder, rows_of(folder), found)
-        work = _scenes(folder, spec, found, sample, stability)
+        with tables.guarded(found, "index", folder.index.name):
+            if tables.check_schema(folder, found):
+                tables.check_version(dataset, rows_of(folder, ["version"]), found)
+                tables.check_rows(rows_of(folder), spec, found, tables.asset_licences(folder, found))
+                tables.check_statistics(folder, rows_of(folder), found)
+                work = _scenes(folder, _table(folder), spec, found, sample, stability)
     done = 0
     for result in results(chain(_digests(folder, found), work), workers):
         found.add(result)
@@ -199,13 +206,13 @@ def _digests(folder: Folder, found: Findings) -> Iterator[Task]:
     large = [pair for pair in files if pair[0].parent == folder.data]
     yield from (partial(tables.check_digests, folder.path, (pair,)) for pair in large)
     small = [pair for pair in files if pair[0].parent != folder.data]
-    small += tables.stored(folder, (path for path, _ in files))
     yield from (partial(tables.check_digests, folder.path, small[k : k + 256]) for k in range(0, len(small), 256))
 
 
-def _scenes(folder: Folder, spec: Spec, found: Findings, sample: int | None, stability: int) -> Iterator[Task]:
+def _scenes(
+    folder: Folder, table: Any, spec: Spec, found: Findings, sample: int | None, stability: int
+) -> Iterator[Task]:
     """All scenes of the shards; the contents of these are checked on the way."""
-    table = _table(folder)
     delivered = [status == "ok" for status in table["status"].to_pylist()]
     table = table.filter(delivered)
     places = {key: place for place, key in enumerate(table["key"].to_pylist())}
@@ -219,7 +226,7 @@ def _scenes(folder: Folder, spec: Spec, found: Findings, sample: int | None, sta
         try:
             of_shard = list(spans_of(shard, _TOGETHER))
         except InputError as error:
-            found.fault("shard", shard.name, str(error))
+            found.fault("shard", shard.name, f"cannot be read: {error}")
             continue
         spans += of_shard
         for span in of_shard:
@@ -232,9 +239,9 @@ def _scenes(folder: Folder, spec: Spec, found: Findings, sample: int | None, sta
 
 def _table(folder: Folder) -> Any:
     """What is compared of the index, as an Arrow table: names that many rows share are held once."""
-    names = [name for name in _ROW if name in read_schema(folder.index).names]
     shared = [f"{name}.list.element" for name in ("assets", "categories")]
-    return arrow().parquet.read_table(folder.index, columns=names, read_dictionary=shared)
+    with open_table(folder.index, dictionaries=shared) as file:
+        return file.read(columns=[name for name in _ROW if name in file.schema_arrow.names])
 
 
 def _chosen(keys: Sequence[str], count: int | None) -> frozenset[str]:

@@ -13,9 +13,10 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
+from sceneweaver.io import reason
+from sceneweaver.runtime.package import missing_extra
 from sceneweaver.runtime.processes import THREADS
 from sceneweaver.scene import MissingDependencyError, SceneWeaverError
-from sceneweaver.scene.files import reason
 
 from ..work import Produce
 from .local import START
@@ -40,7 +41,7 @@ def ray_module():
     try:
         import ray
     except ModuleNotFoundError:
-        raise MissingDependencyError("--engine ray needs Ray; install it with: pip install sceneweaver[ray]") from None
+        raise MissingDependencyError(missing_extra("ray", "--engine ray needs Ray")) from None
     return ray
 
 

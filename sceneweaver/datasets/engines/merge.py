@@ -12,16 +12,19 @@ from itertools import chain, islice
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.scene import InputError, Scene, write_atomic
-from sceneweaver.scene.files import temporary_folder
+from sceneweaver.io import InputError, read_bytes, temporary_folder, write_atomic
+from sceneweaver.scene import Scene
 
+from ..digests import content_of
 from ..folder import Folder
-from ..reading import link, rows_of, scenes_of, shards_of, spans_of
+from ..reading import link, of_others, rows_of, scenes_of, shards_of, spans_of
 from ..samples import Sample, write_block
+from ..seals import folder_fault, kind_fault, sealed_row, sha256
 from ..spec import Spec
 from ..tables import read_table, write_lines
-from .manifest import PROMPTS, Dataset, create, digests, open_dataset
-from .run import missing, run_lock, whole
+from .manifest import MAX_INPUT, PROMPTS, Dataset, begun_with, create, digests, input_faults, open_dataset, restore
+from .mending import lost, missing
+from .run import require_free, run_lock, whole
 
 BLOCK = 64
 """Scenes of a block of joined data sets."""
@@ -48,6 +51,8 @@ def merge(sources: Sequence[Path], out: Path) -> Dataset:
         InputError: they do not go together, or a folder holds something else.
     """
     parts = [open_dataset(path) for path in sources]
+    for part in parts:
+        require_free(part.folder, "merge: ")
     if len(parts) < 2 or len({path.resolve() for path in [*sources, out]}) <= len(parts):
         raise InputError("merge: give two different data sets or more, and another folder for --out")
     first = parts[0]
@@ -64,14 +69,17 @@ def _unite(parts: Sequence[Dataset], out: Path) -> Dataset:
         if whole(part):
             raise InputError(f"{part.folder.path} is whole: there is nothing to merge with it")
     first = parts[0]
-    inputs = {name: (first.folder.path / name).read_bytes() for name in first.inputs}
-    given = first.folder.spec.read_bytes() if first.folder.spec.exists() else None
+    for part in parts:
+        for name, fault in input_faults(part, begun_with(part.folder)):
+            raise InputError(f"{part.folder.path / name}: {fault}; resume that data set first")
+    inputs = {name: read_bytes(first.folder.path / name, max_bytes=MAX_INPUT) for name in first.inputs}
+    given = read_bytes(first.folder.spec) if first.folder.spec.exists() else None
     dataset = _begun(out, first.spec, inputs) or create(Folder(out), first.spec, first.device, inputs, given)
     with run_lock(dataset.folder, None):
         for k, part in enumerate(parts):
             _take_assets(part.folder, dataset.folder, k)
             for number in missing(dataset):
-                if part.folder.block(number).exists():
+                if part.folder.block(number).is_dir() and not folder_fault(part.folder.block(number)):
                     _take_folder(part.folder.block(number), dataset.folder.block(number))
     return dataset
 
@@ -79,6 +87,8 @@ def _unite(parts: Sequence[Dataset], out: Path) -> Dataset:
 def _join(parts: Sequence[Dataset], out: Path) -> Dataset:
     """The scenes of whole data sets, one after the other, as blocks of a new one."""
     for part in parts:
+        if whole(part) and (damaged := lost(part)):
+            raise InputError(f"{part.folder.path / damaged[0][0]}: {damaged[0][1]}; resume that data set first")
         if part.spec.product != "scenes" or not whole(part):
             what = "holds layouts" if part.spec.product != "scenes" else "is not whole"
             raise InputError(
@@ -104,7 +114,9 @@ def _join(parts: Sequence[Dataset], out: Path) -> Dataset:
     )
     spec = type(spec).model_validate(spec.model_dump(mode="json"))
     inputs = {PROMPTS: prompts.getvalue().encode()}
-    dataset = _begun(out, spec, inputs) or create(Folder(out), spec, "cpu", inputs)
+    names = "".join(f"{part.folder.path.absolute()}\n" for part in parts)
+    marker = {Folder(out).joined.relative_to(out).as_posix(): names.encode()}
+    dataset = _begun(out, spec, inputs) or create(Folder(out), spec, "cpu", inputs, more=marker)
     with run_lock(dataset.folder, None):
         for k, part in enumerate(parts):
             _take_assets(part.folder, dataset.folder, k)
@@ -120,6 +132,7 @@ def _join(parts: Sequence[Dataset], out: Path) -> Dataset:
 
 def _begun(out: Path, spec: Spec, inputs: dict[str, bytes]) -> Dataset | None:
     """The data set in a folder, if it is the one that is wanted; None where there is none."""
+    restore(Folder(out), spec, inputs, None)
     if not Folder(out).manifest.exists():
         return None
     there = open_dataset(out)
@@ -138,6 +151,11 @@ def _samples(parts: Sequence[Dataset]) -> Iterator[Iterator[Sample]]:
 
 def _of_part(part: Dataset, first: int, first_room: int) -> Iterator[Sample]:
     """The scenes of a whole data set in order, with new numbers."""
+    with of_others(part.folder):
+        yield from _samples_of(part, first, first_room)
+
+
+def _samples_of(part: Dataset, first: int, first_room: int) -> Iterator[Sample]:
     from ..files import fingerprint
 
     places = {span.keys[0]: span for path in shards_of(part.folder) for span in spans_of(path, 1)}
@@ -148,7 +166,9 @@ def _of_part(part: Dataset, first: int, first_room: int) -> Iterator[Sample]:
         kept |= {"room": first_room + row["room"], "source": part.spec.name}
         files: dict[str, bytes] = {}
         if status == "ok":
-            _, files = next(scenes_of(places[row["key"]]))
+            files = next(scenes_of(places[row["key"]]))[1] if row["key"] in places else {}
+            if content_of(files) != (row["content_hash"], row["bytes"]):
+                raise InputError(f"{part.folder.path}: scene {row['key']} is not what was delivered; fetch it anew")
             kept |= fingerprint(Scene.loads(files["scene.json"].decode()))
         yield Sample(index, f"{index:08d}", status, kept, files, times.get(row["index"], {}))
 
@@ -164,17 +184,20 @@ def _times(folder: Folder) -> dict[int, dict[str, float]]:
 
 def _take_assets(source: Folder, target: Folder, number: int) -> None:
     """Assets of a data set, and what is known about them."""
+    from ..store.scene_files import read_records
+
     for path in source.assets.glob("*/*"):
         place = target.path / path.relative_to(source.path)
-        if path.is_file() and not place.exists():
+        good = not kind_fault(path) and sha256(path).startswith(path.stem)
+        if good and not place.exists():
             place.parent.mkdir(parents=True, exist_ok=True)
             link(path, place)
     place = target.work / "assets"
     place.mkdir(parents=True, exist_ok=True)
     for path in (source.work / "assets").glob("*.jsonl"):
-        write_atomic(place / f"{number:04d}-{path.name}", path.read_bytes())
+        write_atomic(place / f"{number:04d}-{path.name}", b"".join(read_records(path)))
     if source.asset_table.exists():
-        write_lines(place / f"{number:04d}.jsonl", read_table(source.asset_table))
+        write_lines(place / f"{number:04d}.jsonl", map(sealed_row, read_table(source.asset_table)))
 
 
 def _take_folder(source: Path, target: Path) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 import random
 import shutil
 import time
@@ -11,13 +12,16 @@ from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.scene import InputError, locked, sweep, write_atomic
-from sceneweaver.scene.files import TEMPORARY
+from sceneweaver.io import TEMPORARY, locked, reason, require_unlocked, sweep, write_atomic
+from sceneweaver.scene import InputError
 
 from .. import work
+from ..files import packing_began
 from ..folder import Folder, disk_full, waiting
+from ..seals import DamagedError, read_seal, remove
 from .local import TICK, LocalEngine
-from .manifest import Dataset, agreed_device, devices
+from .manifest import Dataset, agreed_device, begun_with, devices, input_faults, require_inputs
+from .mending import NAMED, lost, mend, missing, reopen, seal_whole
 from .schedule import Job, Listener, Options, Records
 
 ONLY_MAKING = ("rooms", "journal")
@@ -48,48 +52,106 @@ def resume(
         Whether it is whole now.
 
     Raises:
-        InputError: another run is at work there, or the device is of another kind.
+        InputError: another run is at work there, the device is of another kind, or what the data set was begun with is
+            not there any more.
+        DamagedError: what is damaged cannot be made anew.
         DiskFullError: the disk is full, and the run is not patient.
     """
-    if whole(dataset):
+    folder, notice = dataset.folder, listener.notice
+    if _untouched(dataset, full=options.full_check):
         return True
     until = math.inf if options.time_limit is None else time.monotonic() + options.time_limit
     device = agreed_device(dataset, options.device)
-    with run_lock(dataset.folder, options.shard):
+    with run_lock(folder, options.shard):
         clean(dataset)
+        require_inputs(dataset, notice)
+        if whole(dataset) and _holds(dataset, notice, full=options.full_check):
+            return True
         try:
-            if not dataset.folder.complete.exists():
-                _make(dataset, options, device, listener, produce, until)
-            clean(dataset)  # before what is there is counted
-            complete = dataset.folder.complete.exists()
-            if options.shard is not None:
-                return complete
-            if time.monotonic() >= until or (not complete and missing(dataset)):
-                return False
-            finish(dataset, pack, listener, patient=options.patient)
+            mend(dataset, notice, full=options.shard is None)
+            for _ in range(ROUNDS):
+                numbers = missing(dataset, options.shard)
+                if numbers:
+                    _require_made_here(dataset, numbers)
+                    if packing_began(folder):
+                        notice(f"blocks made again, as what was packed of them is gone: {_listed(numbers)}")
+                    listener.begun(len(numbers))
+                    _make(dataset, numbers, options, device, listener, produce, until)
+                    clean(dataset)  # before what is there is counted
+                if options.shard is not None:
+                    return folder.complete.exists()
+                if time.monotonic() >= until or (numbers and missing(dataset)):
+                    return False
+                if not mend(dataset, notice):
+                    finish(dataset, pack, listener, patient=options.patient)
+                    return True
         finally:  # also of processes that were still dying when this run began
             clean(dataset)
+    raise DamagedError(f"{folder.path}: what is made anew is damaged each time; check the disk, then resume")
+
+
+ROUNDS = 5
+"""How often a run makes anew what was damaged before it gives up."""
+
+
+def _untouched(dataset: Dataset, *, full: bool) -> bool:
+    """Whether a data set is whole, by its seals, which nothing is written for."""
+    begun = begun_with(dataset.folder)
+    try:
+        read_seal(dataset.folder.packed)
+    except DamagedError:
+        return False
+    if begun is None:
+        return False
+    return not any(input_faults(dataset, begun)) and not lost(dataset, full=full)
+
+
+def _holds(dataset: Dataset, notice: Callable[[str], None], *, full: bool) -> bool:
+    """Whether all files of a data set that was whole are as they were; what is not is to be made anew then."""
+    damaged = lost(dataset, full=full)
+    if damaged:
+        reopen(dataset, damaged, notice)
+        return False
+    path = dataset.folder.packed
+    try:
+        read_seal(path)
+    except DamagedError as error:
+        notice(f"{path.relative_to(dataset.folder.path)}: {reason(error).partition(': ')[2]}; it is written again")
+    remove(path)
+    seal_whole(dataset.folder)
+    remove(dataset.folder.plan)
     return True
+
+
+def _listed(numbers: list[int]) -> str:
+    more = f" and {len(numbers) - NAMED} more" if len(numbers) > NAMED else ""
+    return ", ".join(map(str, numbers[:NAMED])) + more
+
+
+def _require_made_here(dataset: Dataset, numbers: list[int]) -> None:
+    if os.path.lexists(dataset.folder.joined):
+        raise InputError(
+            f"{dataset.folder.path}: block {numbers[0]} is missing or damaged, and was joined of other data sets; "
+            "merge them again, then resume"
+        )
 
 
 def _make(
     dataset: Dataset,
+    numbers: list[int],
     options: Options,
     device: str,
     listener: Listener,
     produce: work.Produce | None,
     until: float,
 ) -> None:
-    numbers = missing(dataset, options.shard)
-    if not numbers:
-        return
     records = Records(dataset.folder)
 
     def block(record: dict[str, Any]) -> None:
         records.add(record)
         listener.block(record)
 
-    told = Listener(block, listener.notice)
+    told = Listener(block, listener.notice, listener.begun)
     job = Job(dataset, told, options, produce, until)
     if options.engine == "ray":
         from .cluster import RayEngine
@@ -105,12 +167,6 @@ def whole(dataset: Dataset) -> bool:
     return dataset.folder.packed.exists() or dataset.folder.checksums.exists()
 
 
-def missing(dataset: Dataset, shard: tuple[int, int] | None = None) -> list[int]:
-    """The blocks of a data set, or of a shard of the work, that are not made yet."""
-    first, step = shard or (0, 1)
-    return [n for n in range(first, dataset.requests.blocks, step) if not dataset.folder.block(n).exists()]
-
-
 def finish(dataset: Dataset, pack: Pack | None, listener: Listener, *, patient: bool) -> None:
     """Pack the blocks of a data set that has them all."""
     while True:
@@ -120,7 +176,7 @@ def finish(dataset: Dataset, pack: Pack | None, listener: Listener, *, patient: 
                     shutil.rmtree(dataset.folder.work / name, ignore_errors=True)
                 write_atomic(dataset.folder.complete, "")
             (pack or _pack)(dataset)
-            write_atomic(dataset.folder.packed, "")
+            seal_whole(dataset.folder)
             return
         except (OSError, InputError) as error:
             if not disk_full(error):
@@ -171,6 +227,22 @@ def run_lock(folder: Folder, shard: tuple[int, int] | None) -> Iterator[None]:
             held.enter_context(locked(shards / f"{shard[0]}-of-{shard[1]}", f"{what}, shard {shard[0]}/{shard[1]}"))
             _require_no_whole_run(folder.manifest, what)
         yield
+
+
+def require_free(folder: Folder, what: str = "") -> None:
+    """Refuse a data set that a run is at work on.
+
+    Args:
+        folder: the data set.
+        what: goes before its path in the error.
+
+    Raises:
+        InputError: with the number of the process, and its host where that is another one.
+    """
+    require_unlocked(folder.manifest, f"{what}{folder.path}")
+    for lock in (folder.work / "shards").glob(f"{TEMPORARY}*.lock"):
+        shard = lock.with_name(lock.name.removeprefix(TEMPORARY).removesuffix(".lock"))
+        require_unlocked(shard, f"{what}{folder.path}")
 
 
 def _require_no_whole_run(manifest: Path, what: str) -> None:

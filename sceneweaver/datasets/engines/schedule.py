@@ -15,11 +15,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal
 
-from sceneweaver.scene import MissingDependencyError
+from sceneweaver.io import InputError, MissingDependencyError
 
 from ..folder import LEAST, Folder, Wait, disk_full, waiting
 from ..requests import Request
 from ..samples import Sample, read_rows
+from ..seals import open_own, opened_row, sealed_row
 from ..spec import Spec
 from ..store import AssetStore
 from ..work import Produce, join_rooms, make_block, make_rooms, usual
@@ -117,7 +118,7 @@ class Records:
         with suppress(OSError):
             self._path.parent.mkdir(parents=True, exist_ok=True)
             with open(self._path, "a", encoding="utf-8") as file:
-                file.write(json.dumps(record) + "\n")
+                file.write(json.dumps(sealed_row(record)) + "\n")
 
 
 def read_records(folder: Folder) -> list[dict[str, Any]]:
@@ -128,9 +129,9 @@ def read_records(folder: Folder) -> list[dict[str, Any]]:
     """
     found = []
     for path in sorted(folder.records.glob("*.jsonl")):
-        for line in path.read_text(encoding="utf-8", errors="replace").splitlines():
-            with suppress(ValueError):  # the last line of a run that was killed may be torn
-                found.append(json.loads(line))
+        with suppress(InputError), open_own(path) as file:
+            rows = filter(None, map(opened_row, file))  # the last line of a run that was killed may be torn
+            found += [row for row in rows if isinstance(row.get("end"), float)]
     return sorted(found, key=lambda record: record["end"])
 
 
@@ -158,10 +159,12 @@ class Listener:
     Attributes:
         block: told of each block's record.
         notice: told in one line what else happens.
+        begun: told how many blocks are made next.
     """
 
     block: Callable[[dict[str, Any]], None]
     notice: Callable[[str], None]
+    begun: Callable[[int], None] = lambda count: None
 
 
 @dataclass(frozen=True)
@@ -177,6 +180,7 @@ class Options:
         memory: resident bytes above which a worker is replaced between two blocks.
         patient: wait when the disk is full, or end.
         time_limit: seconds after which a run ends with whole blocks and leaves the rest to another; None: none.
+        full_check: whether all files of a data set that is whole are read; else there is a look at their sizes only.
     """
 
     workers: int | None = None
@@ -187,6 +191,7 @@ class Options:
     memory: int | None = None
     patient: bool = True
     time_limit: float | None = None
+    full_check: bool = False
 
 
 @dataclass(frozen=True)

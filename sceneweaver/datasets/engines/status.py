@@ -72,8 +72,8 @@ def status(dataset: Dataset) -> Status:
     made = blocks if complete else sum(folder.block(number).exists() for number in range(blocks))
     rows, reasons = Counter({"ok": 0, "rejected": 0, "failed": 0}), Counter()
     for row in rows_of(folder, ["status", "reason"]):
-        rows[row["status"]] += 1
-        if row["status"] != "ok":
+        rows[str(row.get("status"))] += 1
+        if row.get("status") != "ok":
             reasons[row.get("reason") or "no reason given"] += 1
     records = read_records(folder)
     if dataset.spec.product == "layouts":  # whose rows are programs

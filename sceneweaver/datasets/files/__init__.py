@@ -2,6 +2,7 @@
 
 from .card import push_card
 from .fingerprint import fingerprint
-from .packing import finish, pack, packing_began
+from .packing import finish, pack
+from .planned import packing_began
 
 __all__ = ["finish", "fingerprint", "pack", "packing_began", "push_card"]

@@ -5,7 +5,6 @@ from __future__ import annotations
 import fnmatch
 import json
 import os
-import tarfile
 from collections import Counter
 from collections.abc import Mapping
 from itertools import islice
@@ -15,11 +14,14 @@ from typing import Any, NamedTuple
 import yaml
 
 import sceneweaver
+from sceneweaver.runtime.package import missing_extra
 from sceneweaver.scene import InputError, MissingDependencyError
 
 from ..folder import Folder
+from ..seals import kind_fault, open_own
 from ..spec import Spec
 from ..tables import read_schema, read_table
+from ..tars import members
 from ..templates import render
 
 TEXTS = {
@@ -201,8 +203,8 @@ def _info(folder: Folder, splits: list[str], numbers: dict[str, Any]) -> dict[st
 def suffixes(folder: Folder) -> set[str]:
     """The suffixes of the files of the first scenes."""
     for path in sorted(folder.data.glob("*.tar"))[:1]:
-        with tarfile.open(path, "r:") as tar:
-            return {member.name.partition(".")[2] for member in islice(tar, SEEN)}
+        with open_own(path) as file:
+            return {member.name.partition(".")[2] for member in islice(members(file, str(path)), SEEN)}
     return set()
 
 
@@ -231,7 +233,9 @@ def push_card(
     """
     if not Folder(path).checksums.exists():
         raise InputError(f"{path}: not packed yet; finish it with: sceneweaver dataset resume {path}")
-    files = sorted({file.relative_to(path).as_posix() for name in NAMES for file in path.glob(name) if file.is_file()})
+    files = sorted(
+        {file.relative_to(path).as_posix() for name in NAMES for file in path.glob(name) if not kind_fault(file)}
+    )
     if dry_run:
         return files
     token = os.environ.get(token_env)
@@ -241,9 +245,7 @@ def push_card(
         from huggingface_hub import CommitOperationAdd, HfApi
         from huggingface_hub.errors import HfHubHTTPError, HFValidationError
     except ModuleNotFoundError:
-        raise MissingDependencyError(
-            "push-card needs huggingface_hub; install it with: pip install sceneweaver[hub]"
-        ) from None
+        raise MissingDependencyError(missing_extra("hub", "push-card needs huggingface_hub")) from None
     api = HfApi(endpoint=endpoint, token=token)
     try:
         api.create_repo(repo, repo_type="dataset", private=True, exist_ok=True)

@@ -1,11 +1,12 @@
 """From blocks to the files of a data set, in steps that may each be cut off and go on.
 
 Samples are copied in order into shards; blocks go when what they held is safe. The state of a packing that was killed
-follows from the first block that is left: what came before it is in shards that are finished or in the beginnings of
-others. These are cut after the last sample of a block that is gone, and go on.
+follows from the plan and from what is there: of each shard, the scenes that are as they were delivered count, whatever
+else is in it is cut off, and the next ones are copied from their blocks.
 
 The plan says what is to be written: the index with split, shard and near-duplicate group of each scene, and the times.
-It is a function of the rows of all blocks, there whole or not at all, and packing goes by it to the end.
+It is a function of the rows of all blocks, there whole or not at all, and packing goes by it to the end. Its seal stays
+until the checksums are there.
 """
 
 from __future__ import annotations
@@ -14,36 +15,31 @@ import hashlib
 import json
 import os
 import shutil
-import tarfile
 from collections.abc import Iterator
 from contextlib import ExitStack
-from itertools import chain
+from itertools import chain, groupby
 from pathlib import Path
 from typing import IO, Any
 
 import numpy as np
 from scipy.cluster.hierarchy import DisjointSet
 
-from sceneweaver.scene import InputError, write_atomic
-from sceneweaver.scene.files import sweep, temporary_folder
+from sceneweaver.io import sweep, temporary_folder, write_atomic
+from sceneweaver.scene import InputError
 
-from ..digests import checksums_of, write_checksums
+from ..digests import checksums_of, content_of, write_checksums
 from ..folder import Folder
 from ..requests import Requests
 from ..samples import SAMPLES, SECONDS, read_rows, whole_folder
+from ..seals import DamagedError, kind_fault, open_own, remove
 from ..spec import Spec
 from ..statistics import statistics
 from ..store import AssetStore
 from ..tables import read_lines, read_schema, read_table, schema_of, write_table
+from ..tars import content, ending, members
 from .card import card, croissant, licences, licences_text
 from .fingerprint import Layout, join_near_duplicates, smallest
-
-INDEX, SECONDS_TABLE, ASSETS = "index.parquet", "seconds.parquet", "assets.parquet"
-
-
-def packing_began(folder: Folder) -> bool:
-    """Whether packing has begun: then blocks may be gone, and none is to be made."""
-    return folder.plan.exists() or folder.index.exists()
+from .planned import ASSETS, INDEX, SECONDS_TABLE, Planned, packing_began, planned, there
 
 
 def write_plan(folder: Folder, requests: Requests) -> None:
@@ -159,24 +155,23 @@ def pack(folder: Folder, requests: Requests) -> None:
 
     Raises:
         InputError: when a block is missing.
+        DamagedError: when a block does not hold what was planned.
         OSError: when the disk is full; called again, it goes on.
     """
-    if folder.checksums.exists():
-        return
-    for place in (folder.path, folder.plan.parent, *folder.blocks.glob("*")):
-        sweep(place)
-    if not packing_began(folder):
-        write_plan(folder, requests)
-    if (folder.plan / INDEX).exists():
+    if not folder.checksums.exists():
+        for place in (folder.path, folder.plan.parent, *folder.blocks.glob("*")):
+            sweep(place)
+        if not packing_began(folder):
+            write_plan(folder, requests)
         write_shards(folder, requests)
         folder.meta.mkdir(exist_ok=True)
         for name in (SECONDS_TABLE, ASSETS, INDEX):
             if (folder.plan / name).exists():
                 os.replace(folder.plan / name, folder.meta / name)
-    for place in (folder.plan, folder.blocks):
-        shutil.rmtree(place, ignore_errors=True)
-    _prune(folder)
-    finish(folder, requests.spec)
+        shutil.rmtree(folder.blocks, ignore_errors=True)
+        _prune(folder)
+        finish(folder, requests.spec)
+    shutil.rmtree(folder.plan, ignore_errors=True)  # with its seal, which is of use until then
 
 
 def _prune(folder: Folder) -> None:
@@ -223,21 +218,21 @@ def _json(data: object) -> str:
 def write_shards(folder: Folder, requests: Requests) -> None:
     """Copy the samples of all blocks that are left into shards, and remove the blocks."""
     folder.data.mkdir(exist_ok=True)
-    blocks = [n for n in range(requests.blocks) if folder.block(n).exists()]
-    plan = read_table(folder.plan / INDEX, ["index", "key", "shard"])
-    places = {row["key"]: (row["index"], row["shard"]) for row in plan if row["shard"] is not None}
-    first = requests.block(blocks[0])[0].index if blocks else requests.spec.count
+    wanted = planned(folder)
     copied, done = 0, []
     with ExitStack() as stack:
-        shards = Shards(folder, stack, {key for key, (index, _) in places.items() if index < first})
-        for number in blocks:
-            copied += _copy(folder.block(number) / SAMPLES, places, shards)
-            done.append(folder.block(number))
+        shards = Shards(folder, stack, wanted)
+        for number in range(requests.blocks):
+            block = folder.block(number)
+            if not block.exists():
+                continue
+            copied += _copy(block / SAMPLES, shards)
+            done.append(block)
             if copied > SAFE:
                 shards.sync()
                 _remove(done)
                 copied, done = 0, []
-        shards.finish({shard for _, shard in places.values()})
+        shards.finish()
         _remove(done)
 
 
@@ -247,82 +242,107 @@ class Shards:
     Args:
         folder: the data set.
         stack: closes the files.
-        safe: keys of the samples whose block is gone.
+        wanted: the scenes of each shard, in order.
     """
 
-    def __init__(self, folder: Folder, stack: ExitStack, safe: set[str]):
-        self._folder, self._stack, self._safe = folder, stack, safe
-        self._open: dict[str, IO[bytes]] = {}
+    def __init__(self, folder: Folder, stack: ExitStack, wanted: dict[str, list[Planned]]):
+        self._folder, self._stack, self._wanted = folder, stack, wanted
+        self._places = {one.key: (shard, k) for shard, scenes in wanted.items() for k, one in enumerate(scenes)}
+        self._open: dict[str, tuple[IO[bytes], int]] = {}
 
-    def file(self, shard: str) -> IO[bytes] | None:
-        """Where samples of a shard are appended; None when it is finished already."""
-        if shard not in self._open:
-            if (self._folder.path / shard).exists():
-                return None
-            split = shard.rpartition("-")[0]
-            for other in [name for name in self._open if name.rpartition("-")[0] == split]:
-                self._finish(other)
-            self._open[shard] = self._begun(self._draft(shard))
-        return self._open[shard]
+    def add(self, key: str, files: dict[str, bytes], raw: bytes) -> int:
+        """Append a scene to its shard, unless it is there.
+
+        Args:
+            key: its name.
+            files: what it holds, by suffix.
+            raw: the same as it stands in a tar file.
+
+        Returns:
+            How many bytes were written.
+
+        Raises:
+            DamagedError: it is not what was planned.
+        """
+        shard, place = self._places.get(key, ("", 0))
+        if not shard:
+            raise DamagedError(f"{self._folder.path}: scene {key} is in no shard of the plan; {_ANEW}")
+        planned = self._wanted[shard][place]
+        if content_of(files) != (planned.digest, planned.size):
+            raise DamagedError(
+                f"{self._folder.path}: scene {key} is not what was planned when it was first made; {_ANEW}"
+            )
+        if (self._folder.path / shard).exists():
+            return 0
+        file, count = self._opened(shard)
+        if place < count:
+            return 0
+        self._require(shard, place)
+        file.write(raw)
+        self._open[shard] = file, count + 1
+        return len(raw)
 
     def sync(self) -> None:
         """Write what was appended to the disk."""
-        for file in self._open.values():
+        for file, _ in self._open.values():
             file.flush()
             os.fsync(file.fileno())
 
-    def finish(self, shards: set[str]) -> None:
+    def finish(self) -> None:
         """End all shards."""
-        for shard in sorted(shards):
-            if self.file(shard) is not None:
+        for shard in sorted(self._wanted):
+            if not (self._folder.path / shard).exists():
+                self._opened(shard)
                 self._finish(shard)
 
-    def _begun(self, path: Path) -> IO[bytes]:
-        end = _end_of(path, self._safe) if path.exists() else 0
-        path.touch()
-        file = self._stack.enter_context(path.open("r+b"))
-        file.truncate(end)
-        file.seek(end)
-        return file
+    def _opened(self, shard: str) -> tuple[IO[bytes], int]:
+        if shard not in self._open:
+            split = shard.rpartition("-")[0]
+            for other in [name for name in self._open if name.rpartition("-")[0] == split]:
+                self._finish(other)
+            path = self._draft(shard)
+            count, end = there(path, self._wanted[shard])
+            if kind_fault(path):
+                remove(path)
+                path.touch()
+            file = self._stack.enter_context(path.open("r+b"))
+            file.truncate(end)
+            file.seek(end)
+            self._open[shard] = file, count
+        return self._open[shard]
 
     def _finish(self, shard: str) -> None:
-        file = self._open.pop(shard)
-        file.write(bytes(2 * tarfile.BLOCKSIZE))
-        file.write(bytes(-file.tell() % tarfile.RECORDSIZE))
+        self._require(shard, len(self._wanted[shard]))
+        file, _ = self._open.pop(shard)
+        file.write(ending(file.tell()))
         file.flush()
         os.fsync(file.fileno())
         file.close()
         os.replace(self._draft(shard), self._folder.path / shard)
 
+    def _require(self, shard: str, count: int) -> None:
+        """Raise InputError where a shard has not so many scenes yet: the block of the next one is missing."""
+        so_far = self._open[shard][1]
+        if so_far < count:
+            key = self._wanted[shard][so_far].key
+            raise InputError(f"{self._folder.path}: the block of scene {key} is missing; resume the data set")
+
     def _draft(self, shard: str) -> Path:
         return self._folder.plan / Path(shard).name
 
 
-def _end_of(path: Path, safe: set[str]) -> int:
-    """Where in a beginning of a shard the samples end that are in no block any more [bytes]."""
-    end = 0
-    try:
-        with tarfile.open(path, "r:") as tar:
-            for member in tar:
-                if member.name.partition(".")[0] not in safe:
-                    break
-                end = member.offset_data + _padded(member.size)
-    except tarfile.ReadError:  # it ends within a header
-        pass
-    return end
+_ANEW = "make the data set anew in another folder"
 
 
-def _copy(path: Path, places: dict[str, tuple[int, str]], shards: Shards) -> int:
+def _copy(path: Path, shards: Shards) -> int:
     """Append the samples of a block to their shards; returns their bytes."""
-    copied = 0
-    with open(path, "rb") as source, tarfile.open(path, "r:") as tar:
-        for member in tar:
-            file = shards.file(places[member.name.partition(".")[0]][1])
-            if file is not None:
-                source.seek(member.offset)
-                size = member.offset_data - member.offset + _padded(member.size)
-                file.write(source.read(size))
-                copied += size
+    copied, name = 0, str(path)
+    with open_own(path) as source:
+        for key, some in groupby(members(source, name), lambda member: member.name.partition(".")[0]):
+            found = list(some)
+            files = {member.name.partition(".")[2]: content(source, member, name) for member in found}
+            source.seek(found[0].start)
+            copied += shards.add(key, files, source.read(found[-1].end - found[0].start))
     return copied
 
 
@@ -331,7 +351,3 @@ def _remove(blocks: list[Path]) -> None:
     for path in blocks:
         with temporary_folder(path.parent) as folder:
             os.rename(path, folder / path.name)
-
-
-def _padded(size: int) -> int:
-    return -(-size // tarfile.BLOCKSIZE) * tarfile.BLOCKSIZE

@@ -6,19 +6,21 @@ import hashlib
 import json
 import os
 import shutil
+from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from sceneweaver.scene.files import sweep, temporary_folder
+from sceneweaver.io import InputError, sweep
 
-from ..files.packing import SECONDS_TABLE, finish, seconds_rows
+from ..files.packing import finish, seconds_rows
+from ..files.planned import SECONDS_TABLE, final_place, packing_began
 from ..folder import Folder
 from ..requests import Requests
-from ..samples import read_rows
+from ..samples import read_rows, whole_folder
 from ..spec import Spec
-from ..tables import arrow, schema_of, write_table
+from ..tables import arrow, open_table, schema_of, write_table
 from .block import width
 from .tables import COMPRESSION, RowGroup, row_groups, schema, tables
 
@@ -35,26 +37,31 @@ def pack(folder: Folder, requests: Requests) -> None:
     Programs of the same furniture in rooms of the same size are of one group, and a group lies in one split.
 
     Raises:
+        InputError: when a block is missing.
         OSError: when the disk is full; called again, it goes on.
     """
-    if folder.checksums.exists():
-        return
-    sweep(folder.path)
-    if not folder.programs.exists():
-        _write(folder, requests)
-    shutil.rmtree(folder.blocks, ignore_errors=True)
-    finish(folder, requests.spec)
+    if not folder.checksums.exists():
+        for place in (folder.path, folder.plan.parent):
+            sweep(place)
+        if not packing_began(folder):
+            _write(folder, requests)
+        _take(folder)
+        shutil.rmtree(folder.blocks, ignore_errors=True)
+        finish(folder, requests.spec)
+    shutil.rmtree(folder.plan, ignore_errors=True)  # with its seal, which is of use until then
 
 
 def _write(folder: Folder, requests: Requests) -> None:
-    """Write shards and tables; the table of programs comes last."""
-    folder.meta.mkdir(parents=True, exist_ok=True)
-    with temporary_folder(folder.path) as temporary:
-        shards = _Shards(temporary / "data", schema(width(requests)), requests.spec.shard * 10**6)
+    """Write shards and tables into the plan, which is there whole or not at all."""
+    blocks = [folder.block(number) for number in range(requests.blocks)]
+    missing = [path.name for path in blocks if not path.exists()]
+    if missing:
+        raise InputError(f"{folder.path}: block {missing[0]} of {len(blocks)} is missing; resume the data set")
+    with whole_folder(folder.plan) as plan:
+        shards = _Shards(plan / "data", schema(width(requests)), requests.spec.shard * 10**6)
         rows: list[dict[str, Any]] = []
         groups: dict[str, int] = {}
-        for number in range(requests.blocks):
-            block = folder.block(number)
+        for block in blocks:
             groups_of = _of_programs(block)
             for row in read_rows(block):
                 row |= {"program": row["room"], "shards": [], "layouts": row.get("layouts", 0), "split": None}
@@ -64,13 +71,18 @@ def _write(folder: Folder, requests: Requests) -> None:
                     row["shards"] = shards.add(row["split"], groups_of[row["room"]])
                 rows.append(row)
         shards.close()
-        blocks = [folder.block(number) for number in range(requests.blocks)]
-        write_table(temporary / SECONDS_TABLE, seconds_rows(blocks), schema_of("seconds"))
-        write_table(temporary / folder.programs.name, rows, schema_of("programs"))
-        shutil.rmtree(folder.data, ignore_errors=True)  # of a packing that was cut off
-        os.rename(temporary / "data", folder.data)
-        for name in (SECONDS_TABLE, folder.programs.name):
-            os.replace(temporary / name, folder.meta / name)
+        write_table(plan / SECONDS_TABLE, seconds_rows(blocks), schema_of("seconds"))
+        write_table(plan / folder.programs.name, rows, schema_of("programs"))
+
+
+def _take(folder: Folder) -> None:
+    """Bring what is in the plan to where it is to be; the table of programs comes last."""
+    for place in (folder.data, folder.meta):
+        place.mkdir(parents=True, exist_ok=True)
+    shards = sorted((folder.plan / "data").glob("*.parquet"))
+    for path in (*shards, folder.plan / SECONDS_TABLE, folder.plan / folder.programs.name):
+        if path.exists():
+            os.replace(path, final_place(folder, path.relative_to(folder.plan).as_posix()))
 
 
 def split_of(spec: Spec, group: int) -> str:
@@ -94,12 +106,11 @@ def furniture(scene: str) -> str:
 def _of_programs(block: Path) -> dict[int, list[RowGroup]]:
     """The row groups of each program of a block, in their order."""
     found: dict[int, list[RowGroup]] = {}
-    of_file: dict[Path, Any] = {}
-    for path, number in row_groups(block):
-        if path not in of_file:
-            of_file[path] = arrow().parquet.read_metadata(path)
-        program = of_file[path].row_group(number).column(0).statistics.min
-        found.setdefault(program, []).append((path, number))
+    for path, groups in groupby(row_groups(block), lambda one: one[0]):
+        with open_table(path) as file:
+            for _, number in groups:
+                program = file.metadata.row_group(number).column(0).statistics.min
+                found.setdefault(program, []).append((path, number))
     return found
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
+from itertools import groupby
 from pathlib import Path
 from threading import Lock
 from typing import TYPE_CHECKING, Any
@@ -15,7 +16,8 @@ from sceneweaver.scene import InputError, Pose, Scene
 from ..folder import Folder
 from ..reading import block_folders
 from ..samples import read_rows
-from ..tables import arrow, read_table
+from ..seals import require_inside
+from ..tables import arrow, open_table, read_table
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -138,16 +140,19 @@ RowGroup = tuple[Path, int]
 def row_groups(block: Path) -> list[RowGroup]:
     """The row groups of a block, file by file."""
     paths = [block / f"layouts-{k}.parquet" for k in range(FILES)]
-    return [(path, k) for path in paths for k in range(arrow().parquet.read_metadata(path).num_row_groups)]
+    found = []
+    for path in paths:
+        with open_table(path) as file:
+            found += [(path, k) for k in range(file.metadata.num_row_groups)]
+    return found
 
 
 def tables(found: Sequence[RowGroup]) -> Iterator[pa.Table]:
     """Row groups, read one after the other."""
-    path, file = None, None
-    for where, number in found:
-        if where != path or file is None:
-            path, file = where, arrow().parquet.ParquetFile(where)
-        yield file.read_row_group(number)
+    for path, some in groupby(found, lambda one: one[0]):
+        with open_table(path) as file:
+            for _, number in some:
+                yield file.read_row_group(number)
 
 
 def programs_of(folder: Folder) -> Iterator[dict[str, Any]]:
@@ -185,10 +190,10 @@ def load_layout(folder: Path | str, program: int, layout: int) -> Scene:
     Raises:
         InputError: there is no such layout.
     """
-    row, pq = _row(folder, program), arrow().parquet
+    row = _row(folder, program)
     for shard in row["shards"]:
-        chosen = [("program", "=", program), ("layout", "=", layout)]
-        found = pq.read_table(Path(folder) / shard, columns=["poses"], filters=chosen)
+        require_inside(shard, Folder(Path(folder)).programs)
+        found = _where(Path(folder) / shard, ["poses"], [("program", "=", program), ("layout", "=", layout)])
         if len(found):
             return posed(Scene.loads(row["scene"]), np.array(found["poses"][0].as_py(), dtype=np.float32))
     raise InputError(f"layout: program {program} of {folder} has {row['layouts']} layouts, none of number {layout}")
@@ -215,7 +220,13 @@ def _row(folder: Path | str, program: int) -> dict[str, Any]:
     path = Folder(Path(folder)).programs
     if not path.exists():
         raise InputError(f"{folder}: no data set of layouts, or not packed yet: {path} is missing")
-    found = arrow().parquet.read_table(path, filters=[("program", "=", program)]).to_pylist()
+    found = _where(path, None, [("program", "=", program)]).to_pylist()
     if not found or not found[0]["layouts"]:
         raise InputError(f"program: {folder} has no layouts of program {program}")
     return found[0]
+
+
+def _where(path: Path, columns: list[str] | None, filters: list[tuple[str, str, int]]) -> pa.Table:
+    """The rows of a Parquet file that some conditions hold for; its statistics say which parts need not be read."""
+    with open_table(path):
+        return arrow().parquet.read_table(path, columns=columns, filters=filters)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from sceneweaver.agent.design import LONGEST, chosen_room, design
+from sceneweaver.agent.design import chosen_room, design
 from sceneweaver.agent.executor import Executor, Outcome
 from sceneweaver.agent.lived_in import lived_in
 from sceneweaver.agent.loop import empty_scene
@@ -57,9 +57,9 @@ def drafted(spec: Spec, request: Request, seed: int, library: Library, device: s
     """The room that a request asks for, drawn from a seed.
 
     Raises:
-        InputError: a request that says nothing.
+        InputError: a request that says nothing, or is too long.
     """
-    brief = read_request(request.prompt[:LONGEST])
+    brief = read_request(request.prompt)
     room_type, remarks = chosen_room(brief)
     settings = Settings(
         seed=seed,

@@ -14,13 +14,14 @@ from typing import Any
 import numpy as np
 
 from sceneweaver.geometry.rotations import from_yaw
+from sceneweaver.io import parse_json
 from sceneweaver.runtime.processes import pool
 
 from ..folder import Folder
 from ..layouts.tables import layout_files, programs_of
-from ..reading import Span, rows_of, scenes_of, shards_of, spans_of
+from ..reading import Span, of_others, rows_of, scenes_of, shards_of, spans_of
 from ..statistics import statistics
-from ..tables import arrow
+from ..tables import open_table
 from .charts import box_of, plan
 
 PICTURES, PAIRS = 400, 8
@@ -178,7 +179,15 @@ def gather(folder: Folder, product: str = "scenes", *, pictures: int = PICTURES,
         product: "scenes" or "layouts".
         pictures: scenes that are drawn, at most.
         workers: processes that read scenes, where there are many.
+
+    Raises:
+        InputError: its files are damaged, or not those of a data set.
     """
+    with of_others(folder):
+        return _gather(folder, product, pictures, workers)
+
+
+def _gather(folder: Folder, product: str, pictures: int, workers: int) -> Gathered:
     sampler, layouts = Sampler(pictures), product == "layouts"
     numbers = statistics(sampler.watch(program_rows(folder) if layouts else rows_of(folder)))
     if layouts:
@@ -223,7 +232,7 @@ def _look_at(
     for number, (key, content) in scenes:
         if number % step and key not in drawn:
             continue
-        scene = json.loads(content)
+        scene = parse_json(content)
         if key in drawn and key not in found.plans:
             found.plans[key] = plan(scene)
         if number % step == 0:
@@ -244,17 +253,17 @@ def program_layouts(folder: Folder) -> Iterator[tuple[str, str]]:
     """Key of the program and JSON of the scene of some layouts of each."""
     scenes = {row["program"]: row["scene"] for row in programs_of(folder) if row.get("scene")}
     for path in layout_files(folder):
-        file = arrow().parquet.ParquetFile(path)
-        for number in range(file.metadata.num_row_groups):
-            table = file.read_row_group(number, columns=["program", "poses"])
-            rows = np.unique(np.linspace(0, len(table) - 1, min(LAYOUTS, len(table))).astype(int))
-            for row in table.take(rows).to_pylist():
-                if row["program"] in scenes:
-                    yield _program_key(row["program"]), _posed(scenes[row["program"]], row["poses"])
+        with open_table(path) as file:
+            for number in range(file.metadata.num_row_groups):
+                table = file.read_row_group(number, columns=["program", "poses"])
+                rows = np.unique(np.linspace(0, len(table) - 1, min(LAYOUTS, len(table))).astype(int))
+                for row in table.take(rows).to_pylist():
+                    if row["program"] in scenes:
+                        yield _program_key(row["program"]), _posed(scenes[row["program"]], row["poses"])
 
 
 def _posed(text: str, poses: list[float]) -> str:
-    scene = json.loads(text)
+    scene = parse_json(text)
     for obj, (x, y, z, yaw) in zip(scene["objects"], np.reshape(poses, (-1, 4)).tolist(), strict=False):
         if not obj.get("fixed"):
             obj["pose"] = {"position": [x, y, z], "quaternion": list(from_yaw(yaw))}

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import base64
 import hashlib
-import json
 import os
 from collections import Counter
 from collections.abc import Mapping, Sequence
@@ -14,8 +13,9 @@ from typing import Any
 import numpy as np
 import shapely
 
+from sceneweaver.io import load_json, write_atomic
 from sceneweaver.knowledge.palettes import palettes
-from sceneweaver.scene import InputError, write_atomic
+from sceneweaver.scene import InputError
 
 from ..engines import open_dataset, read_records
 from ..templates import html
@@ -57,7 +57,7 @@ def write_report(
         raise InputError(f"{folder.path}: nothing is made yet; try again when the first block is there")
     verification = folder.path / "verification.json"
     whole = folder.table(dataset.spec.product).is_file()
-    verified = json.loads(verification.read_bytes()) if verification.is_file() and whole else None
+    verified = load_json(verification) if verification.is_file() and whole else None
     target = folder.path / NAME if out is None else Path(out)
     write_atomic(target, page(dataset.spec.name, found, read_records(folder), verified, whole))
     return target

@@ -10,8 +10,7 @@ from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.scene import sweep
-from sceneweaver.scene.files import temporary_folder
+from sceneweaver.io import sweep, temporary_folder
 
 DIGITS = 32
 """Hex digits of a SHA-256 in a name: two contents share a name with a chance of about 1e-38 a pair."""

@@ -6,6 +6,7 @@ import json
 import os
 import secrets
 from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 from sceneweaver.assets.journal import Journal
@@ -13,9 +14,11 @@ from sceneweaver.assets.placed import Load
 from sceneweaver.assets.sources.parametric import share_drawings
 from sceneweaver.export import FORMATS
 from sceneweaver.export.shared import SharedFiles
+from sceneweaver.io import InputError
 from sceneweaver.physics.hulls import share_parts
 from sceneweaver.scene import Scene
 
+from ..seals import open_own, opened_row, sealed_row
 from . import NAME, AssetStore
 
 SUFFIXES = {name: one.file.rpartition(".")[2] for name, one in FORMATS.items() if one.shared}
@@ -79,7 +82,8 @@ class SceneFiles:
         """Write a line for each asset that this process has met for the first time."""
         if not self._fresh:
             return
-        lines = [json.dumps(self._row(name, paths), ensure_ascii=False) for name, paths in self._fresh.items()]
+        rows = (sealed_row(self._row(name, paths)) for name, paths in self._fresh.items())
+        lines = [json.dumps(row, ensure_ascii=False) for row in rows]
         self._records.parent.mkdir(parents=True, exist_ok=True)
         with open(self._records, "a", encoding="utf-8") as file:
             file.write("".join(line + "\n" for line in lines))
@@ -104,14 +108,23 @@ class SceneFiles:
 def asset_rows(store: AssetStore) -> list[dict[str, Any]]:
     """What is known of each asset of a data set, by id: category, source, licence, attribution, files and bytes.
 
-    A last line that a killed process left half written is left out; the block that it was for is not there, either.
+    Lines that are not what was written are left out: a killed process leaves its last one half written, and the block
+    that it was for is not there, either.
     """
     found: dict[str, dict[str, Any]] = {}
     for path in sorted((store.root / RECORDS).glob("*.jsonl")):
-        for line in path.read_bytes().split(b"\n")[:-1]:
-            row = json.loads(line)
+        for row in filter(None, map(opened_row, read_records(path))):
             found[row["asset"]] = row
     return [found[name] for name in sorted(found)]
+
+
+def read_records(path: Path) -> list[bytes]:
+    """The lines of a file of records; none where it is no file of ours."""
+    try:
+        with open_own(path) as file:
+            return file.read().splitlines(keepends=True)
+    except InputError:
+        return []
 
 
 def references(files: Mapping[str, bytes]) -> list[str]:

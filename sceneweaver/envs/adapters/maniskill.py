@@ -6,12 +6,12 @@ ManiSkill is no dependency: ``pip install mani_skill``. Rooms are folders with `
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from sceneweaver.io import load_json
 from sceneweaver.scene import InputError, MissingDependencyError
 
 ENV_ID = "SceneWeaverRoom-v1"
@@ -28,7 +28,7 @@ def room_files(folder: str | os.PathLike[str]) -> list[dict[str, Any]]:
         raise InputError(
             f"rooms: {path} is not there; write it with: sceneweaver export scene.json -o FOLDER --to urdf"
         )
-    rows = json.loads(path.read_text(encoding="utf-8"))["robots"]
+    rows = load_json(path)["robots"]
     return [row | {"file": str(path.parent.resolve() / row["file"])} for row in rows]
 
 

@@ -23,6 +23,7 @@ from sceneweaver.envs.predicates import product
 from sceneweaver.envs.robots import Robot, robot_named
 from sceneweaver.envs.tasks import KINDS, Task
 from sceneweaver.geometry.rotations import matrix, xyzw
+from sceneweaver.io import open_writable, parse_json, read_arrays, whole
 from sceneweaver.runtime.processes import pool
 from sceneweaver.scene import InputError, Room, Scene
 
@@ -207,18 +208,18 @@ class Bank:
         arrays = {f"room/{k}": v for k, v in self.room.items()} | {f"layout/{k}": v for k, v in self.layout.items()}
         about = {name: getattr(self, name) for name in ("names", "instructions", "dropped")}
         about["slots"] = asdict(self.slots)
-        with open(path, "wb") as file:
+        with whole(path, through_link=True) as temporary, open_writable(temporary, "xb") as file:
             np.savez_compressed(file, allow_pickle=False, about=np.array(json.dumps(about)), **arrays)
 
     @classmethod
     def load(cls, path: str | Path) -> Bank:
         """What ``save`` wrote."""
-        with np.load(path, allow_pickle=False) as file:
-            about: Any = json.loads(str(file["about"]))
-            parts = [
-                {k.partition("/")[2]: file[k] for k in file.files if k.startswith(f"{name}/")}
-                for name in ("room", "layout")
-            ]
+        arrays = read_arrays(path)
+        about: Any = parse_json(str(arrays["about"]))
+        parts = [
+            {key.partition("/")[2]: values for key, values in arrays.items() if key.startswith(f"{name}/")}
+            for name in ("room", "layout")
+        ]
         still, *moving = about["slots"].values()
         slots = Slots(still, *map(tuple, moving))
         parts[1]["goals"] = parts[1]["goals"].view(GOAL)  # older files name its poses otherwise

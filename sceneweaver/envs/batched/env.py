@@ -14,6 +14,7 @@ from sceneweaver.envs.joining import PREFIX, indices_of
 from sceneweaver.envs.robots import Robot, robot_named
 from sceneweaver.envs.tasks import KINDS
 from sceneweaver.physics.batch import device_named
+from sceneweaver.runtime.package import missing_extra
 from sceneweaver.scene import InputError, MissingDependencyError, Scene
 
 from . import reset_kernels, task_kernels
@@ -26,7 +27,7 @@ try:
     import gymnasium
     from gymnasium.vector import AutoresetMode, VectorEnv
 except ImportError:
-    raise MissingDependencyError("gymnasium is not installed; pip install 'sceneweaver[envs]'") from None
+    raise MissingDependencyError(missing_extra("envs", "gymnasium is not installed")) from None
 
 Backend = Literal["c", "warp"]
 

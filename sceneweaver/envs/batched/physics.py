@@ -6,7 +6,6 @@ arrays themselves; for MuJoCo C they are copied to a model and a state of each w
 
 from __future__ import annotations
 
-import os
 from copy import copy
 from importlib import import_module
 from types import SimpleNamespace
@@ -15,6 +14,7 @@ from typing import Any
 import numpy as np
 import warp as wp
 
+from sceneweaver.runtime.compiling import start_warp
 from sceneweaver.runtime.threads import cores, map_threads
 
 from .bank import UNUSED
@@ -42,8 +42,7 @@ class WarpPhysics:
 
     def __init__(self, template: Any, worlds: int, contacts: int, rows: int, device: str) -> None:
         """Make room on the device."""
-        if not os.environ.get("SCENEWEAVER_DEBUG"):
-            wp.config.log_level = wp.LOG_ERROR
+        start_warp()
         self._mjw: Any = import_module("mujoco_warp")
         self.device = device
         with wp.ScopedDevice(device):

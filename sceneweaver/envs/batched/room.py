@@ -18,6 +18,7 @@ import numpy as np
 from sceneweaver.assets.placed import Load
 from sceneweaver.envs.predicates import product
 from sceneweaver.geometry.rotations import matrix, xyzw
+from sceneweaver.io import parse_xml
 from sceneweaver.physics.batch import model_of
 from sceneweaver.physics.boxes import boxed
 from sceneweaver.physics.model import COVERING
@@ -135,7 +136,7 @@ def bodies_of(scene: Scene, load: Load | None = None, anchored: float = ANCHORED
 
 def _anchored(xml: str, heaviest: float) -> str:
     """The model without the free joints of what is heavy or has links."""
-    root = Xml.fromstring(xml)
+    root = parse_xml(xml, "room")
     for body in root.iterfind("worldbody/body"):
         joint = body.find("freejoint")
         if joint is None:

@@ -10,7 +10,7 @@ import re
 from dataclasses import dataclass, field
 
 from sceneweaver.assets.taxonomy import narrower
-from sceneweaver.scene.messages import quote as shown
+from sceneweaver.io.messages import quote as shown
 
 from ..graph import MOST
 from ..model import Attribute, Span

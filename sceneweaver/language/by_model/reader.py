@@ -6,10 +6,10 @@ import json
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
-from importlib import resources
 from string import Template
 from typing import get_args
 
+from sceneweaver.io import packaged
 from sceneweaver.knowledge import room_types
 from sceneweaver.llm import ModelClient, ModelError
 from sceneweaver.scene import InputError
@@ -134,7 +134,7 @@ def _told(wrong: Sequence[str]) -> str:
 @cache
 def instructions() -> str:
     """What the model is told of the vocabulary."""
-    prompt = resources.files(__package__ or "").joinpath("prompts", "read_request.md").read_text(encoding="utf-8")
+    prompt = packaged.text(__package__ or "", "prompts", "read_request.md")
     return Template(prompt).substitute(
         rooms=", ".join(room_types()).replace("_", " "),
         styles=", ".join(get_args(Style)),

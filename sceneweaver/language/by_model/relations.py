@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sceneweaver.scene.messages import quote as shown
+from sceneweaver.io.messages import quote as shown
 
 from ..graph import MOST
 from ..grounding import FURTHEST

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from sceneweaver.io.messages import quote as shown
 from sceneweaver.knowledge import match_room, room_types
-from sceneweaver.scene.messages import quote as shown
 
 from ..parsed import Left
 from ..source import check_measures

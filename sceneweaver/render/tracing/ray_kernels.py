@@ -1,11 +1,10 @@
 """Rays of cameras and what they meet first, and an even sequence of points to spread others by."""
 
-import os
-
 import warp as wp
 
-if not os.environ.get("SCENEWEAVER_DEBUG"):
-    wp.config.log_level = wp.LOG_ERROR  # no greeting, no notes on what is compiled
+from sceneweaver.runtime.compiling import prepare_warp
+
+prepare_warp()
 wp.set_module_options({"enable_backward": False, "fast_math": True})
 
 PI = wp.constant(3.14159265)

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from types import ModuleType
 from typing import Any
 
 import numpy as np
 import warp as wp
 
+from sceneweaver.runtime.compiling import load, start_warp
 from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.runtime.threads import cores, map_threads
 from sceneweaver.scene import InputError, MissingDependencyError
@@ -92,10 +94,15 @@ def lens_of(camera: Camera, width: int, height: int) -> Any:
 
 def check_device(device: str) -> None:
     """MissingDependencyError for a device that is not there."""
-    wp.init()
+    start_warp()
     known = {"cpu", *(found.alias for found in wp.get_cuda_devices())}
     if device not in known and not (device == "cuda" and wp.is_cuda_available()):
         raise MissingDependencyError(f'device: "{device}" is not there; use device="cpu"')
+
+
+def load_kernels(device: str, *modules: ModuleType) -> int:
+    """Compile and load modules of kernels ahead of their first launch; returns how many were compiled."""
+    return load(device, [wp.get_module(module.__name__) for module in modules])
 
 
 def launch(kernel: Any, count: int, before: list, after: list) -> None:
@@ -107,11 +114,12 @@ def launch(kernel: Any, count: int, before: list, after: list) -> None:
     if count == 0:
         return
     device = wp.get_device()
+    load(str(device), [kernel.module])
     threads = cores()
     if not device.is_cpu or count < 4096:
         wp.launch(kernel, count, [*before, 0, *after], device=device)
         return
-    wp.launch(kernel, 1, [*before, 0, *after], device=device)  # compiles before there are threads
+    wp.launch(kernel, 1, [*before, 0, *after], device=device)  # what Warp does once, before there are threads
     cuts = np.linspace(0, count, _BANDS * threads + 1).astype(int)
 
     def work(k: int) -> None:

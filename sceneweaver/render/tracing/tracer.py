@@ -14,11 +14,23 @@ from sceneweaver.scene import InputError
 
 from ..camera import Camera
 from ..instances import Instance
-from . import develop_kernels, filter_kernels, view_kernels, world_kernels
+from . import cache_kernels, develop_kernels, filter_kernels, ray_kernels, view_kernels, world_kernels
 from .cache import build_cache
 from .lights import DirectLights, Lights
-from .rays import MAX_RAYS, check_device, launch, lens_of
+from .rays import MAX_RAYS, check_device, launch, lens_of, load_kernels
 from .world import bounds_of, collect, direct_lights_on, lights_on, seen_of, triangles_on, world_on
+
+DRAFT = (view_kernels, filter_kernels, develop_kernels)
+"""The kernels of pictures in plain light."""
+
+TRACED = (*DRAFT, cache_kernels)
+"""The kernels of all other pictures."""
+
+
+def kernel_modules() -> list[wp.Module]:
+    """The modules of pictures and data passes, to be compiled ahead."""
+    return [wp.get_module(module.__name__) for module in (*TRACED, ray_kernels)]
+
 
 _CONTRAST = 1.22
 _DIRECT_SPACING = 2  # of the pixels for which plain light is cast
@@ -106,6 +118,7 @@ class Tracer:
     ) -> None:
         check_device(device)
         self._device, self._lights = device, lights or Lights()
+        load_kernels(device, *(DRAFT if isinstance(self._lights, DirectLights) else TRACED))
         geometry = collect(instances, self._lights)
         self._triangles = triangles_on(geometry, device)
         with wp.ScopedDevice(device):

@@ -290,7 +290,7 @@ def test_a_request_is_data() -> None:
 
 
 def test_only_the_beginning_of_an_endless_request_is_read() -> None:
-    text = TEXT + " and so on" * 10_000
+    text = TEXT + " and so on" * 9_000
     reading, model = read(text, GOOD)
     assert len(model.asked) < 21_000
     assert any("only the first 20000" in note for note in reading.graph.notes)

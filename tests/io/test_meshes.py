@@ -12,10 +12,9 @@ import zipfile
 import numpy as np
 import pytest
 
-from sceneweaver.assets.imports import guarded
 from sceneweaver.assets.imports.load import load
 from sceneweaver.assets.readers import entries
-from sceneweaver.assets.readers.tables import read_csv, read_json
+from sceneweaver.io import archives, load_csv, load_packed_json
 from sceneweaver.scene import InputError, MissingDependencyError
 from sceneweaver.verify.meshes import MeshSet
 
@@ -107,7 +106,7 @@ def test_a_mesh_shown_over_and_over_is_counted_each_time(tmp_path, monkeypatch):
 
 def test_a_packed_array_is_bounded(tmp_path, monkeypatch):
     np.savez_compressed(tmp_path / "zeros.npz", vertices=np.zeros(1 << 20))
-    monkeypatch.setattr(guarded, "MAX_BYTES", 1 << 20)
+    monkeypatch.setitem(archives.read_arrays.__kwdefaults__, "max_bytes", 1 << 20)
     with pytest.raises(InputError, match="zeros.npz: it unpacks to more than 1 MiB"):
         load(tmp_path / "zeros.npz")
     with zipfile.ZipFile(tmp_path / "odd.npz", "w") as packed:
@@ -117,23 +116,24 @@ def test_a_packed_array_is_bounded(tmp_path, monkeypatch):
 
 
 def test_tables_are_bounded(tmp_path, monkeypatch):
-    monkeypatch.setattr("sceneweaver.assets.readers.tables.read_unpacked.__kwdefaults__", {"max_bytes": 1 << 20})
+    monkeypatch.setitem(load_packed_json.__kwdefaults__, "max_bytes", 1 << 20)
     (tmp_path / "annotations.json.gz").write_bytes(gzip.compress(b" " * (8 << 20)))
     with pytest.raises(InputError, match="annotations.json.gz: it unpacks to more than 1 MB"):
         list(entries(tmp_path, "objathor"))
-    monkeypatch.setattr("sceneweaver.assets.readers.tables.MAX_CONTAINERS", 1000)
+    monkeypatch.setattr("sceneweaver.io.json_text.MAX_CONTAINERS", 1000)
+    monkeypatch.setattr("sceneweaver.io.tables.MAX_CELLS", 1000)
     (tmp_path / "wide.json").write_text("[" + "[],[]," * 1000 + "[]]")
-    with pytest.raises(InputError, match="wide.json: not readable as JSON .over 1000 lists and objects"):
-        read_json(tmp_path / "wide.json")
+    with pytest.raises(InputError, match="wide.json: invalid JSON: over 1000 lists and objects"):
+        load_packed_json(tmp_path / "wide.json")
     (tmp_path / "wide.csv").write_text("a,b\n" * 1000)
     with pytest.raises(InputError, match="wide.csv: not readable as CSV .over 1000 cells"):
-        read_csv(tmp_path / "wide.csv")
+        load_csv(tmp_path / "wide.csv")
 
 
 def test_a_table_nested_too_deep_is_one_line(tmp_path):
     (tmp_path / "deep.json").write_text("[" * 100_000)
-    with pytest.raises(InputError, match="deep.json: not readable as JSON"):
-        read_json(tmp_path / "deep.json")
+    with pytest.raises(InputError, match="deep.json: invalid JSON: nested too deep"):
+        load_packed_json(tmp_path / "deep.json")
 
 
 def test_a_sound_stl_with_a_name_in_latin_letters_is_read(tmp_path):

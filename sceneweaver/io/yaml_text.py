@@ -6,8 +6,8 @@ import re
 from typing import Any
 
 from .errors import InputError
-from .files import Place, read_bytes
 from .messages import clean
+from .reading import Place, read_bytes
 
 MAX_BYTES = 2**20
 """Largest file [bytes]."""
@@ -32,7 +32,7 @@ def load_yaml(path: Place, *, max_bytes: int = MAX_BYTES) -> Any:
     """The data of a YAML file.
 
     Raises:
-        InputError: as `sceneweaver.scene.files.read_bytes` and `parse_yaml`, naming the file.
+        InputError: as `sceneweaver.io.read_bytes` and `parse_yaml`, naming the file.
     """
     return parse_yaml(read_bytes(path, max_bytes=max_bytes), clean(str(path)))
 
@@ -81,6 +81,13 @@ def parse_yaml(text: str | bytes, name: str) -> Any:
         mark = getattr(error, "problem_mark", None)
         where = f"line {mark.line + 1}: " if mark is not None else ""
         raise InputError(f"{name}: cannot be read as YAML ({where}{clean(' '.join(said.split()))[:120]})") from None
+
+
+def dump_yaml(data: Any, **style: Any) -> str:
+    """Plain data as YAML, keys in their order; ``style`` as ``yaml.safe_dump`` takes it."""
+    import yaml
+
+    return yaml.safe_dump(data, **{"sort_keys": False, "allow_unicode": True, **style})
 
 
 def _line(event: Any) -> str:

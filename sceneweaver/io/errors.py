@@ -28,7 +28,7 @@ class InputError(SceneWeaverError, ValueError):
         >>> sw.Pose.from_yaw(0.0, 0.0, 0.0, float("nan"))
         Traceback (most recent call last):
             ...
-        sceneweaver.scene.errors.InputError: pose: yaw is NaN; numbers must be finite
+        sceneweaver.io.errors.InputError: pose: yaw is NaN; numbers must be finite
     """
 
     exit_code = 2

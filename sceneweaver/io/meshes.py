@@ -1,34 +1,37 @@
-"""Mesh files and arrays of unknown origin, read without waiting for pipes and without growing past a limit."""
-
-# pxr has no stubs:
-# pyright: reportAttributeAccessIssue=false
+"""Mesh files that somebody else made, read by trimesh: GLB, glTF, OBJ, STL, PLY and OFF."""
 
 from __future__ import annotations
 
-import contextlib
-import json
 import os
-import zipfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
+from sceneweaver.runtime.package import missing_module
 
-from sceneweaver.scene import InputError, MissingDependencyError
-from sceneweaver.scene.files import open_regular, read_bytes, reason
+from .errors import InputError, MissingDependencyError
+from .json_text import parse_json
+from .messages import clean
+from .reading import Place, open_regular, read_bytes, reason
+from .references import named_inside
 
 if TYPE_CHECKING:
     import trimesh
 
-MAX_BYTES = 1 << 30
+MAX_BYTES = 2**30
 """Largest mesh file [bytes], and the most that all files which it names, or its arrays, may have together."""
+
+MAX_NODES = 50_000
+"""Nodes of a glTF scene."""
+
+MAX_DEPTH = 256
+"""glTF nodes within each other: trimesh walks the whole chain for each of them."""
 
 _COMPONENTS = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}
 _SHAPES = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
 
 
-def read_meshes(path: str | os.PathLike[str]) -> trimesh.Scene:
-    """A GLB, glTF, OBJ, STL, PLY or OFF file by trimesh; files that it names are read from its own folder only.
+def read_meshes(path: Place) -> trimesh.Scene:
+    """A GLB, glTF, OBJ, STL, PLY or OFF file; files that it names are read from its own folder only.
 
     Raises:
         InputError: for a file that is missing, no regular file, too large, damaged, or names such a file.
@@ -37,61 +40,20 @@ def read_meshes(path: str | os.PathLike[str]) -> trimesh.Scene:
     import trimesh
 
     place = Path(path)
-    suffix = place.suffix.lower()
+    name, suffix = clean(place.name), place.suffix.lower()
     try:
         with open_regular(place, MAX_BYTES) as file:
             if suffix in (".glb", ".gltf"):
-                _check_gltf(place.name, file.read())
+                _check_gltf(name, file.read())
                 file.seek(0)
             return trimesh.load_scene(file, file_type=suffix[1:], resolver=_resolver(place), process=False)
     except (InputError, MissingDependencyError):
         raise
     except ModuleNotFoundError as error:
-        raise MissingDependencyError(
-            f"{place.name}: reading it needs the package '{error.name}'; install it with: pip install {error.name}"
-        ) from error
+        what = f"{name}: reading it needs the package '{error.name}'"
+        raise MissingDependencyError(missing_module(error.name or "", what)) from error
     except Exception as error:  # libraries raise whatever they like for damaged files
-        raise InputError(f"{place.name}: the file is damaged or cut off ({reason(error)})") from error
-
-
-def read_arrays(path: str | os.PathLike[str]) -> dict[str, np.ndarray]:
-    """The arrays of an ``.npz`` file, which may unpack to `MAX_BYTES` at most.
-
-    Raises:
-        InputError: as `read_meshes`.
-    """
-    name = os.path.basename(path)
-    try:
-        with open_regular(path, MAX_BYTES) as file:
-            with zipfile.ZipFile(file) as packed:
-                if sum(entry.file_size for entry in packed.infolist()) > MAX_BYTES:
-                    raise InputError(f"{name}: it unpacks to more than {MAX_BYTES >> 20} MiB")
-            file.seek(0)
-            with np.load(file) as found:
-                return {key: found[key] for key in found.files}
-    except InputError:
-        raise
-    except Exception as error:
         raise InputError(f"{name}: the file is damaged or cut off ({reason(error)})") from error
-
-
-def require_regular_layers(path: Path) -> None:
-    """InputError when a USD file, or one that it refers to by references, payloads or sublayers, is a pipe or device.
-
-    A layer that is missing is left to USD, which goes on without it.
-    """
-    from pxr import Sdf
-
-    todo, seen = [str(path)], set()
-    while todo:
-        place = todo.pop()
-        if place in seen or not os.path.exists(place):
-            continue
-        seen.add(place)
-        open_regular(place, MAX_BYTES).close()
-        layer = Sdf.Layer.FindOrOpen(place)
-        if layer is not None:
-            todo += [layer.ComputeAbsolutePath(asset) for asset in layer.GetCompositionAssetDependencies()]
 
 
 def _resolver(path: Path) -> Any:
@@ -103,9 +65,7 @@ def _resolver(path: Path) -> Any:
 
         def get(self, name: str) -> bytes:
             for candidate in (name.strip(), name.strip().lstrip("/"), os.path.basename(name)):
-                place = None
-                with contextlib.suppress(ValueError):  # it leads out of the folder
-                    place = self.absolute(candidate)
+                place = named_inside(path.parent, path.parent / candidate)
                 if place is not None and place.exists():
                     content = read_bytes(place, max_bytes=self.left)
                     self.left -= len(content)
@@ -116,7 +76,7 @@ def _resolver(path: Path) -> Any:
 
 
 def _check_gltf(name: str, content: bytes) -> None:
-    """What a reader would find out late, or with an odd error: a GLB cut off, and arrays larger than any file.
+    """What a reader would find out late, or with an odd error: a GLB cut off, and more than memory or time allow.
 
     An accessor without a buffer is as many zeros as it says, and one buffer may serve any number of accessors.
     """
@@ -127,7 +87,30 @@ def _check_gltf(name: str, content: bytes) -> None:
         if len(content) < length:
             raise InputError(f"{name}: the file is cut off: {len(content)} of {length} bytes")
         content = content[20 : 20 + int.from_bytes(content[12:16], "little")]
-    rows = json.loads(content).get("accessors", [])
+    document = parse_json(content)
+    rows = document.get("accessors", [])
     size = sum(int(r["count"]) * _COMPONENTS.get(r["componentType"], 4) * _SHAPES.get(r["type"], 1) for r in rows)
     if size > MAX_BYTES:
         raise InputError(f"{name}: its arrays have {size >> 20} MiB; at most {MAX_BYTES >> 20} MiB are read")
+    _require_tree(name, [list(node.get("children", ())) for node in document.get("nodes", [])])
+
+
+def _require_tree(name: str, children: list[list[int]]) -> None:
+    """That nodes are few, each has one parent at most, and none is deep."""
+    if len(children) > MAX_NODES:
+        raise InputError(f"{name}: {len(children)} nodes; at most {MAX_NODES} are read")
+    parents = [0] * len(children)
+    for child in (child for mine in children for child in mine):
+        parents[child] += 1
+    if max(parents, default=0) > 1:
+        raise InputError(f"{name}: a node has two parents; glTF allows one")
+    level, seen = [k for k, count in enumerate(parents) if not count], 0
+    for _ in range(MAX_DEPTH):
+        seen += len(level)
+        level = [child for k in level for child in children[k]]
+        if not level:
+            break
+    if level:
+        raise InputError(f"{name}: nodes within each other more than {MAX_DEPTH} deep; flatten it")
+    if seen < len(children):
+        raise InputError(f"{name}: nodes that are their own parents")

@@ -13,8 +13,18 @@ import tracemalloc
 
 import pytest
 
-from sceneweaver.scene import InputError, locked, sweep, whole, write_atomic
-from sceneweaver.scene.files import lines_unpacked, open_regular, read_unpacked, temporary_folder
+from sceneweaver.io import (
+    lines_unpacked,
+    locked,
+    open_regular,
+    read_bytes,
+    read_unpacked,
+    sweep,
+    temporary_folder,
+    whole,
+    write_atomic,
+)
+from sceneweaver.scene import InputError
 
 
 @pytest.fixture
@@ -74,7 +84,7 @@ def test_a_file_is_whole_or_as_before(tmp_path):
 
 WRITER = """
 import sys, time
-from sceneweaver.scene import whole
+from sceneweaver.io import whole
 with whole(sys.argv[1]) as temporary:
     open(temporary, "w").write("half")
     print("ready", flush=True)
@@ -100,7 +110,7 @@ def test_what_a_killed_run_left_is_swept_and_what_a_live_one_writes_is_not(tmp_p
 
 HOLDER = """
 import sys, time
-from sceneweaver.scene import locked
+from sceneweaver.io import locked
 with locked(sys.argv[1], "--out: x"):
     print("ready", flush=True)
     time.sleep(60)
@@ -143,3 +153,74 @@ def test_the_lock_excludes_however_they_race(tmp_path):
         worker.join(30)
     lines = log.read_text().split()
     assert lines == ["in", "out"] * (len(lines) // 2)
+
+
+@pytest.fixture
+def elsewhere(tmp_path):
+    """A folder that nothing may be written to, with one file in it; a run's own folder lies beside it."""
+    (tmp_path / "own").mkdir()
+    place = tmp_path / "elsewhere"
+    place.mkdir()
+    (place / "keep.txt").write_text("keep")
+    yield place
+    assert [p.name for p in place.iterdir()] == ["keep.txt"] and (place / "keep.txt").read_text() == "keep"
+
+
+def test_a_file_takes_the_place_of_a_link(elsewhere, tmp_path):
+    for name, target in (("a", elsewhere / "keep.txt"), ("dangling", elsewhere / "new.txt"), ("folder", elsewhere)):
+        link = tmp_path / "own" / name
+        link.symlink_to(target)
+        write_atomic(link, "new")
+        assert not link.is_symlink() and link.read_text() == "new"
+
+
+def test_no_folder_of_a_run_is_a_link(elsewhere, tmp_path):
+    own = tmp_path / "own"
+    (own / "views").symlink_to(elsewhere)
+    (own / "steps").mkdir()
+    (own / "steps" / "01").symlink_to(elsewhere)
+    for name in ("views/top.png", "steps/01/scene.json"):
+        with pytest.raises(InputError, match=f"{name.rpartition('/')[0]}: this is a link to another place; remove it"):
+            write_atomic(own / name, "new", within=own)
+    with pytest.raises(InputError, match="outside"):
+        write_atomic(elsewhere / "new.txt", "new", within=own)
+    (tmp_path / "linked").symlink_to(own)  # what a user names may be one
+    write_atomic(tmp_path / "linked" / "a.txt", "new", within=tmp_path / "linked")
+    assert (own / "a.txt").read_text() == "new"
+
+
+def test_a_file_lands_in_the_folder_that_was_opened(elsewhere, tmp_path):
+    """A link that takes the folder's name while the file is being written gets nothing."""
+    own, views = tmp_path / "own", tmp_path / "own" / "views"
+    views.mkdir()
+    with whole(views / "top.png", within=own) as temporary:
+        temporary.write_text("new")
+        views.rename(own / "moved")
+        views.symlink_to(elsewhere)
+    assert (own / "moved" / "top.png").read_text() == "new"
+    assert os.listdir(own / "moved") == ["top.png"]
+
+
+def test_what_a_run_goes_on_from_is_no_link(elsewhere, tmp_path):
+    own = tmp_path / "own"
+    (own / "state.json").symlink_to(elsewhere / "keep.txt")
+    with pytest.raises(InputError, match=r"state.json: this is a link to another place"):
+        read_bytes(own / "state.json", within=own)
+    (own / "steps").symlink_to(elsewhere)
+    with pytest.raises(InputError, match=r"steps: this is a link to another place"):
+        read_bytes(own / "steps" / "keep.txt", within=own)
+    assert read_bytes(own / "steps" / "keep.txt") == b"keep"  # which a user may name
+
+
+@pytest.mark.parametrize("kind", ["link", "hard link", "pipe"])
+def test_a_lock_file_is_a_file_of_ours(elsewhere, tmp_path, kind):
+    lock = tmp_path / "own" / ".sceneweaver-scene.json.lock"
+    if kind == "pipe":
+        os.mkfifo(lock)
+    else:
+        (os.link if kind == "hard link" else os.symlink)(elsewhere / "keep.txt", lock)
+    with (
+        pytest.raises(InputError, match="--out: own cannot be written"),
+        locked(tmp_path / "own" / "scene.json", "--out: own"),
+    ):
+        pass

@@ -9,10 +9,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sceneweaver.datasets.spec import load_spec
+from sceneweaver.io import load_yaml, parse_yaml
 from sceneweaver.knowledge.room_files import read_room
 from sceneweaver.llm.prices import Prices
 from sceneweaver.scene import InputError
-from sceneweaver.scene.yaml_text import load_yaml, parse_yaml
 
 WRONG = {
     "brackets": ("[" * 50_000, "nested more than 40 deep"),

@@ -1,0 +1,76 @@
+"""``sceneweaver warm``, and what a terminal shows while kernels are compiled."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from sceneweaver.cli import output
+from sceneweaver.runtime.compiling import Compiling
+
+ROOT = Path(__file__).parents[2]
+FEW = """
+import sys
+from sceneweaver.kernels import variants_of
+from sceneweaver.layout import warming
+from sceneweaver.render.tracing import tracer
+warming.kernel_modules = lambda device: [*variants_of("cells"), *variants_of("chains")]
+tracer.kernel_modules = lambda: []
+from sceneweaver.cli import main
+sys.exit(main(sys.argv[1:]))
+"""
+
+
+def warm(cache: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-c", FEW, "warm", "--device", "cpu", *arguments]
+    environment = {**os.environ, "WARP_CACHE_PATH": str(cache)}
+    return subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, timeout=240, check=False)
+
+
+def test_it_compiles_once_and_says_where_the_cache_is(tmp_path):
+    done = warm(tmp_path)
+    (folder,) = tmp_path.iterdir()
+    assert done.returncode == 0
+    assert done.stdout.startswith("cpu: 2 of 2 modules of kernels compiled in ")
+    assert done.stdout.endswith(f" s; the cache is {folder}\n")
+    first, *_, last = done.stderr.splitlines()
+    assert first.startswith("compiling kernels, once (about ") and first.endswith("): 0 of 2 modules")
+    assert last.startswith("compiled 2 modules of kernels in ")
+    again = warm(tmp_path, "--json")
+    assert again.returncode == 0 and again.stderr == ""
+    told = json.loads(again.stdout)
+    assert (told["modules"], told["compiled"], told["folder"], told["exit_code"]) == (2, 0, str(folder), 0)
+
+
+def test_it_is_said_while_libraries_are_kept_quiet(capfd):
+    line = output.CompilingLine()
+    with output.no_chatter():
+        line(Compiling(0, 3, 0.0, 10.0))
+        assert capfd.readouterr().err == "compiling kernels, once (about 10 s): 0 of 3 modules\n"
+        line(Compiling(1, 3, 5.0, 10.0))  # too soon
+        assert capfd.readouterr().err == ""
+        line(Compiling(2, 3, 16.0, 20.0))
+        line(Compiling(3, 3, 17.0, 20.0))
+    said = capfd.readouterr().err.splitlines()
+    assert said == ["compiling kernels, once (about 20 s): 2 of 3 modules", "compiled 3 modules of kernels in 17.0 s"]
+
+
+def test_a_terminal_has_one_line_that_moves():
+    pty = pytest.importorskip("pty")
+    ours, theirs = pty.openpty()
+    line, before = output.CompilingLine(), output._stderr
+    output._stderr = theirs
+    try:
+        for done in range(3):
+            line(Compiling(done, 2, float(done), 4.0))
+    finally:
+        output._stderr = before
+    said = os.read(ours, 10_000).decode()
+    os.close(ours)
+    os.close(theirs)
+    assert said.count("\r\x1b[K") == 3 and said.count("\n") == 1 and "(about 5 s): 1 of 2" in said
