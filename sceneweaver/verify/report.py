@@ -183,14 +183,15 @@ class Report(Displayed):
     every hard relation holds. ``relations`` counts these; `unmet` has those that do not hold, one by one.
 
     Counts: ``collisions`` pairs of objects; ``out_of_bounds`` and ``unsupported`` objects; ``blocked_zones`` (object,
-    zone, other object) triples; ``blocked_openings`` (opening, object) pairs. The shares are explained in `walkable.Access`; None when they were not measured. ``openable_share`` is that of the doors, drawers
-    and lids that open to 90 % (None: not measured, or there are none), ``blocked_links`` are the others. ``stability``
-    and ``scores`` belong to the physics and the critics, as does ``alignment``: how many items a request has (total),
-    and how many are met, unmet, assumed and not_understood; ``seed``, ``device`` and ``candidates`` to the run that
-    made the scene: fill them in with ``dataclasses.replace``. So does ``cut_off``, what ended that run before it was
-    done (None: nothing did), and ``left_out``, the files that it had no time for. ``seconds`` is wall time, in all and
-    by step. ``warnings`` say where meshes or measures had to be done without. ``models`` says what a language or vision
-    model did in the run that made the scene, as docs/agent.md has it (None: no model was asked).
+    zone, other object) triples; ``blocked_openings`` (opening, object) pairs. The shares are explained in
+    `walkable.Access`; None when they were not measured. ``openable_share`` is that of the doors, drawers and lids that
+    open to 90 % (None: not measured, or there are none), ``blocked_links`` are the others. ``stability`` and ``scores``
+    belong to the physics and the critics, as does ``alignment``: how many items a request has (total), and how many are
+    met, unmet, assumed and not_understood; ``seed``, ``device`` and ``candidates`` to the run that made the scene: fill
+    them in with ``dataclasses.replace``. So does ``cut_off``, what ended that run before it was done (None: nothing
+    did), and ``left_out``, the files that it had no time for. ``seconds`` is wall time, in all and by step.
+    ``warnings`` say where meshes or measures had to be done without. ``models`` says what a language or vision model
+    did in the run that made the scene, as docs/agent.md has it (None: no model was asked).
 
     Examples:
         >>> import sceneweaver as sw
