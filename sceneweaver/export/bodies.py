@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
+
+import numpy as np
 
 from sceneweaver.assets import Asset, Mesh
 from sceneweaver.assets.placed import Load, loader, parts_mesh, plain_material, scaled_asset
-from sceneweaver.physics.things import Thing
+from sceneweaver.physics.things import Joint, Thing, moving_links
 from sceneweaver.scene import InputError, Scene, SceneObject
 
 Missing = Literal["error", "parts"]
@@ -51,6 +53,57 @@ def bodies_of(scene: Scene, load: Load | None = None, missing: Missing = "error"
 def body_of(thing: Thing) -> Body:
     """The look of what a simulator has."""
     return _body(thing.object, thing.asset, thing.scale)
+
+
+@dataclass(frozen=True)
+class MovingPart:
+    """A door, drawer or lid of a body, closed.
+
+    ``mesh`` is in the frame of the asset as that of the body, ``axis`` (a unit vector) and ``anchor`` [m] are in the
+    object's frame and size; ``limits`` are those of `sceneweaver.physics.things.Joint` [rad] or [m].
+    """
+
+    name: str
+    number: int
+    mesh: Mesh
+    kind: Literal["hinge", "slide"]
+    axis: tuple[float, float, float]
+    anchor: tuple[float, float, float]
+    limits: tuple[float, float]
+
+
+def moving_parts(body: Body) -> tuple[Mesh | None, list[MovingPart]]:
+    """The mesh of a body without its doors, drawers and lids (None: nothing is left), and these; controls, as knobs,
+    and what can be taken stay with the rest."""
+    if body.asset is None:
+        return body.mesh, []
+    parts, left = [], np.ones(len(body.mesh.faces), dtype=bool)
+    for number in sorted(moving_links(body.asset)):
+        link, chosen = body.asset.links[number - 1], body.mesh.face_link == number
+        joint = Joint.of(link, body.scale, 0.0)  # what it weighs matters to its friction alone
+        if joint is None or link.role == "control" or not chosen.any():
+            continue
+        left &= ~chosen
+        mesh = some_faces(body.mesh, chosen)
+        ax, ay, az = joint.axis.tolist()
+        x, y, z = joint.anchor.tolist()
+        parts.append(MovingPart(link.name, number, mesh, joint.kind, (ax, ay, az), (x, y, z), joint.limits))
+    if not parts:
+        return body.mesh, []
+    return some_faces(body.mesh, left) if left.any() else None, parts
+
+
+def some_faces(mesh: Mesh, chosen: np.ndarray) -> Mesh:
+    """Some faces of a mesh."""
+    used, packed = np.unique(mesh.faces[chosen], return_inverse=True)
+    return replace(
+        mesh,
+        vertices=mesh.vertices[used],
+        faces=packed.reshape(-1, 3).astype(np.int32),
+        face_material=mesh.face_material[chosen],
+        face_link=mesh.face_link[chosen],
+        uv=None if mesh.uv is None else mesh.uv[chosen],
+    )
 
 
 def _body(thing: SceneObject, asset: Asset | None, scale: tuple[float, float, float]) -> Body:

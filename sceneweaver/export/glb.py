@@ -28,7 +28,7 @@ from sceneweaver.physics.leaves import Leaf, leaves
 from sceneweaver.physics.things import Joint, moving_links
 from sceneweaver.scene import Room, Scene
 
-from .bodies import Body, Missing, bodies_of, with_mesh
+from .bodies import Body, Missing, bodies_of, some_faces, with_mesh
 from .glb_file import GlbFile
 from .glb_mesh import y_up
 from .openings import window_mesh
@@ -196,13 +196,5 @@ def _axes(axis: Sequence[float] | np.ndarray) -> dict[str, list[float]]:
 
 def _part(body: Body, chosen: np.ndarray, origin: np.ndarray) -> Mesh:
     """Some faces of an object's mesh in its size, with their origin at a point of the object's frame."""
-    mesh = body.mesh
-    used, packed = np.unique(mesh.faces[chosen], return_inverse=True)
-    return replace(
-        mesh,
-        vertices=mesh.vertices[used] * body.scale - origin,
-        faces=packed.reshape(-1, 3).astype(np.int32),
-        face_material=mesh.face_material[chosen],
-        face_link=mesh.face_link[chosen],
-        uv=None if mesh.uv is None else mesh.uv[chosen],
-    )
+    mesh = some_faces(body.mesh, chosen)
+    return replace(mesh, vertices=mesh.vertices * body.scale - origin)

@@ -60,9 +60,16 @@ def without_excludes(root: Xml.Element) -> None:
         root.remove(contact)
 
 
+def without_margins(root: Xml.Element) -> None:
+    """No distance at which parts touch already: Newton sets it to 0 and warns of each part."""
+    for geom in root.iter("geom"):
+        geom.attrib.pop("margin", None)
+
+
 CLIENTS: dict[str, Callable[[Xml.Element], None]] = {
     "mujoco": sleeping,
     "robosuite": inlined,
     "genesis": without_excludes,
+    "newton": without_margins,
 }
 """Readers that need more than the file for all. It suits the other clients of the format as it is."""

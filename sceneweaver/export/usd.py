@@ -94,11 +94,16 @@ def _layer(
         world = prim(layer, "World", kind="assembly", displayName=scene.id)
         looks = Looks(prim(world, "Looks", "Scope"), prim(world, "PhysicsMaterials", "Scope"), textures, shared)
         prototypes = Prototypes(prim(world, "Prototypes", "Scope"), looks)
-        doors = add_room(prim(world, "Room", kind="group"), scene.room, looks)
+        # No two bodies or joints are named alike: engines and importers take the last part of a path.
+        names = prim_names()
+        titles = [names(thing.object.id) for thing in things]
+        doors = add_room(prim(world, "Room", kind="group"), scene.room, looks, names)
         add_lights(prim(world, "Lights", "Scope"), scene.room)
         add_cameras(prim(world, "Cameras", "Scope"), scene)
-        objects, names = prim(world, "Objects", kind="group"), prim_names()
-        solids = [add_object(objects, names(thing.object.id), thing, prototypes) for thing in things]
+        objects = prim(world, "Objects", kind="group")
+        solids = [
+            add_object(objects, title, thing, prototypes, names) for title, thing in zip(titles, things, strict=True)
+        ]
         for cover, above in coverings(things):  # they share the layer of what stands or swings over them
             for other in (*doors, *(solids[k] for k in above)):
                 filter_pair(solids[cover], other, layer)

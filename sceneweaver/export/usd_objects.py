@@ -14,6 +14,7 @@ from sceneweaver.physics.things import RigidBody, Thing
 from sceneweaver.runtime.deadline import checkpoint
 
 from .bodies import Body, body_of
+from .names import Names
 from .slices import sliced
 from .usd_bodies import Solids, filter_pair, join, rigid, weld
 from .usd_layer import Prim, apply, label, place, prim, prim_names, usd
@@ -72,8 +73,10 @@ class Prototypes:
         return _Prototype(made.path, tuple(names))
 
 
-def add_object(parent: Prim, name: str, thing: Thing, prototypes: Prototypes) -> Solids:
+def add_object(parent: Prim, name: str, thing: Thing, prototypes: Prototypes, names: Names) -> Solids:
     """One object at its pose: a rigid body when it may move, else colliders that stand still.
+
+    ``names`` gives those of its bodies and joints: `<object>_<link>`, `<object>_base`, and both with `_joint` behind.
 
     A piece with doors or drawers is an articulation: its base and each of them are bodies side by side, and the base
     of one that stands still is fixed to the world. So all doors of a piece can be driven in the same way.
@@ -85,7 +88,7 @@ def add_object(parent: Prim, name: str, thing: Thing, prototypes: Prototypes) ->
     label(made, item.category, item.id)
     place(made, item.pose.position, item.pose.quaternion)
     if len(thing.bodies) > 1:
-        return _articulated(made, thing, body, prototypes)
+        return _articulated(made, thing, body, prototypes, names)
     colliders = prototypes.instance(made, thing, body, thing.bodies[0])
     if not thing.free:
         return Solids((), colliders)
@@ -93,12 +96,12 @@ def add_object(parent: Prim, name: str, thing: Thing, prototypes: Prototypes) ->
     return Solids((made.path,))
 
 
-def _articulated(made: Prim, thing: Thing, body: Body, prototypes: Prototypes) -> Solids:
+def _articulated(made: Prim, thing: Thing, body: Body, prototypes: Prototypes, names: Names) -> Solids:
     """The base, its doors and drawers, and what can be taken off it, as bodies side by side."""
-    names, placed = prim_names("joints"), []
+    placed: list[Prim] = []
     for part in thing.bodies:
         title = "base" if part.link is None else part.link.name
-        mine = prim(made, names(title), displayName=title)
+        mine = prim(made, names(f"{made.name}_{title}"), displayName=title)
         place(mine)
         rigid(mine, part.inertia)
         facts = {"name": part.name} if part.link is None else {"name": part.name, "role": part.link.role}
@@ -114,11 +117,10 @@ def _articulated(made: Prim, thing: Thing, body: Body, prototypes: Prototypes) -
     if moving or not thing.free:
         joints = prim(made, "joints", "Scope")
         if not thing.free:
-            weld(joints, "world", made, base)
-        titles = prim_names("world")
+            weld(joints, names(f"{base.name}_joint"), made, base)
         for part, mine in moving:
             assert part.link is not None and part.joint is not None
-            join(joints, titles(part.link.name), base, mine, part.joint)
+            join(joints, names(f"{mine.name}_joint"), base, mine, part.joint)
             filter_pair(Solids((base.path,)), Solids((mine.path,)), layer)
     return Solids(tuple(b.path for b in placed))
 

@@ -18,6 +18,7 @@ from sceneweaver.physics.leaves import Leaf, leaves
 from sceneweaver.physics.shell import FLOOR_FRICTION, LEAF_FRICTION, floor_slab, wall_slab, wall_slabs
 from sceneweaver.scene import Room
 
+from .names import Names
 from .openings import window_mesh
 from .room import floor_mesh, leaf_mesh, wall_mesh
 from .usd_bodies import Solids, filter_pair, join, rigid, weld
@@ -27,15 +28,18 @@ from .usd_mesh import box_collider, render_mesh
 from .usd_views import add_frames
 
 
-def add_room(parent: Prim, room: Room, looks: Looks) -> list[Solids]:
-    """Floor, walls, windows and doors below a prim; returns the leaves of the doors."""
+def add_room(parent: Prim, room: Room, looks: Looks, names: Names) -> list[Solids]:
+    """Floor, walls, windows and doors below a prim; returns the leaves of the doors.
+
+    ``names`` gives those of the doors: `room_door_<id>`, and with `_frame`, `_leaf` and `_joint` of what is below.
+    """
     _floor(parent, room, looks)
     walls = prim(parent, "Walls", kind="group")
     stays = [_wall(walls, room, k, looks) for k in range(len(room.outline))]
     if room.windows:
-        windows, names = prim(parent, "Windows", kind="group"), prim_names()
+        windows, titles = prim(parent, "Windows", kind="group"), prim_names()
         for window in room.windows:
-            made = prim(windows, names(window.id), kind="component", displayName=window.id)
+            made = prim(windows, titles(window.id), kind="component", displayName=window.id)
             label(made, "window")
             place(made, *wall_pose(room.walls[window.wall]))
             render_mesh(made, "Mesh", _in_wall(window_mesh(room, window), room, window.wall), looks)
@@ -45,10 +49,10 @@ def add_room(parent: Prim, room: Room, looks: Looks) -> list[Solids]:
     if not found:
         return []
     add_frames(prim(parent, "Spawns", kind="group"), spawns(room))
-    doors, names = prim(parent, "Doors", kind="group"), prim_names()
+    doors = prim(parent, "Doors", kind="group")
     moving = []
     for leaf, door in zip(found, room.doors, strict=True):
-        moving.append(_door(doors, names(leaf.door), leaf, looks))
+        moving.append(_door(doors, names, leaf, looks))
         # Its hinge is in the opening: it may touch the wall that carries it, and no more than touch.
         filter_pair(moving[-1], stays[door.wall], parent.layer)
     return moving
@@ -90,14 +94,15 @@ def _in_wall(mesh: Mesh, room: Room, wall: int) -> Mesh:
     return replace(mesh, vertices=points)
 
 
-def _door(parent: Prim, name: str, leaf: Leaf, looks: Looks) -> Solids:
+def _door(parent: Prim, names: Names, leaf: Leaf, looks: Looks) -> Solids:
     """A leaf on a frame that is fixed to the world: an articulation like that of any piece with doors."""
+    name = names(leaf.name)
     made = prim(parent, name, kind="component", displayName=leaf.door)
     made.SetInfo("customData", {"sceneweaver": {"id": leaf.door, "name": leaf.name}})
     label(made, "door")
     apply(made, "PhysicsArticulationRootAPI")
     place(made, leaf.position, from_yaw(leaf.yaw))
-    frame, panel = prim(made, "frame"), prim(made, "leaf")
+    frame, panel = prim(made, names(f"{name}_frame")), prim(made, names(f"{name}_leaf"))
     place(frame)
     rigid(frame, Inertia(1.0, np.zeros(3), 0.1 * np.eye(3)))  # it never moves
     place(panel)
@@ -106,6 +111,6 @@ def _door(parent: Prim, name: str, leaf: Leaf, looks: Looks) -> Solids:
     add_frames(panel, leaf_frames(leaf))
     _boxes(panel, leaf.boxes, looks, LEAF_FRICTION)
     joints = prim(made, "joints", "Scope")
-    weld(joints, "world", made, frame)
-    join(joints, "leaf", frame, panel, leaf.moves)
+    weld(joints, names(f"{name}_frame_joint"), made, frame)
+    join(joints, names(f"{name}_joint"), frame, panel, leaf.moves)
     return Solids((panel.path,))

@@ -18,7 +18,7 @@ import numpy as np
 from sceneweaver.assets import Material, Mesh
 from sceneweaver.assets.placed import Load
 from sceneweaver.assets.textures import maps
-from sceneweaver.export.bodies import bodies_of
+from sceneweaver.export.bodies import bodies_of, moving_parts
 from sceneweaver.export.corners import texture_coordinates
 from sceneweaver.export.glb import room_meshes
 from sceneweaver.export.images import has_relief, square
@@ -109,17 +109,21 @@ def pack(scene: Scene, rows: list[RelationRow], faults: list[ViolationRow], load
     bodies = bodies_of(scene, load, missing="parts")
     for body in bodies:
         thing = body.object
-        place = {"position": list(thing.pose.position), "quaternion": list(thing.pose.quaternion)}
-        items.append(
-            {
-                "id": thing.id,
-                "kind": "object",
-                "wall": _wall_of(scene.room, thing),
-                "mesh": store.add(body.key, body.mesh),
-                **place,
-                "scale": list(body.scale),
-            }
-        )
+        item = {
+            "id": thing.id,
+            "kind": "object",
+            "wall": _wall_of(scene.room, thing),
+            "position": list(thing.pose.position),
+            "quaternion": list(thing.pose.quaternion),
+            "scale": list(body.scale),
+        }
+        rest, parts = moving_parts(body)
+        if rest is not None:
+            items.append({**item, "mesh": store.add(f"{body.key}.0" if parts else body.key, rest)})
+        for part in parts:
+            joint = {"name": part.name, "kind": part.kind, "axis": part.axis, "anchor": part.anchor}
+            mesh = store.add(f"{body.key}.{part.number}", part.mesh)
+            items.append({**item, "mesh": mesh, "joint": {**joint, "limits": part.limits}})
     outline = np.asarray(scene.room.outline)
     data = {
         "room": {

@@ -40,7 +40,7 @@ CLIENTS = {
     "mujoco33": Entry("MuJoCo 3.3", "mujoco", "mujoco33", "mjcf"),
     "dm_control": Entry("dm_control", "dm_control", "dm_control", "mjcf"),
     "robosuite": Entry("robosuite", "robosuite", "robosuite", "mjcf:robosuite"),
-    "newton": Entry("Newton, MJCF", "newton", "newton", "mjcf"),
+    "newton": Entry("Newton, MJCF", "newton", "newton", "mjcf:newton"),
     "newton_usd": Entry("Newton, USD", "newton_usd", "newton", "usd"),
     "ovphysx": Entry("ovphysx", "ovphysx", "ovphysx", "usd"),
     "sapien": Entry("SAPIEN", "sapien", "sapien", "urdf"),

@@ -69,11 +69,17 @@ def plain(name):
 
 
 def usd_name(path):
-    """The name of the body at a path of a USD stage: objects have their links below them, doors a frame and a leaf."""
+    """The name of the body at a path of a USD stage: objects have their links below them, doors a frame and a leaf.
+
+    Joints have the name of their body and "_joint".
+    """
     _, _, group, *names = path.split("/")
+    if not names:
+        return path
+    name = names[-1].removesuffix("_joint")
     if group == "Objects":
-        return ".".join(name for name in names if name != "base")
-    return f"room:door:{names[1]}" if names[-1] == "leaf" else path
+        return names[0] if name == f"{names[0]}_base" else name
+    return name.removesuffix("_leaf") if name.endswith("_leaf") or names[-1].endswith("_joint") else path
 
 
 def rotation(q):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+import re
 from dataclasses import replace
 from importlib import import_module
 from typing import Any
@@ -380,10 +381,10 @@ def test_a_simulator_finds_bodies_shapes_and_articulations(stage) -> None:
     desk = found["desk é/1"].GetPath()
     assert len(kinds["RigidBody"][str(desk)].collisions) == len(_colliders(found["desk é/1"]))
     counter, cabinet = found["counter"].GetPath(), found["cabinet"].GetPath()
-    assert kinds["Articulation"][str(counter)].rootPrims == [counter.AppendPath("joints/world")]
-    assert kinds["Articulation"][str(cabinet)].rootPrims == [cabinet.AppendChild("base")]
-    root = kinds["FixedJoint"][str(counter.AppendPath("joints/world"))]
-    assert root.body0 == Sdf.Path.emptyPath and root.body1 == counter.AppendChild("base")
+    assert kinds["Articulation"][str(counter)].rootPrims == [counter.AppendPath("joints/counter_base_joint")]
+    assert kinds["Articulation"][str(cabinet)].rootPrims == [cabinet.AppendChild("cabinet_base")]
+    root = kinds["FixedJoint"][str(counter.AppendPath("joints/counter_base_joint"))]
+    assert root.body0 == Sdf.Path.emptyPath and root.body1 == counter.AppendChild("counter_base")
     assert np.allclose(root.localPose0Position, SCENE.object("counter").pose.position, atol=1e-5)
     shapes = {**kinds["CubeShape"], **kinds["MeshShape"]}
     still = [d for p, d in shapes.items() if p.startswith(("/World/Room/Walls", "/World/Room/Floor"))]
@@ -522,7 +523,7 @@ def test_doors_and_drawers_have_their_joints(stage, object_id) -> None:
     matrix = _matrix(thing.pose.position, thing.pose.quaternion)
     assert prim.HasAPI(UsdPhysics.ArticulationRootAPI)
     joints = [p for p in prim.GetChild("joints").GetChildren() if not p.IsA(UsdPhysics.FixedJoint)]
-    base = prim.GetChild("base")
+    base = prim.GetChild(f"{prim.GetName()}_base")
     assert len(joints) == len(asset.links) > 0
     for joint, link in zip(joints, asset.links, strict=True):
         one, two = _frames(joint)
@@ -565,11 +566,11 @@ def test_the_leaves_of_the_doors_open(stage) -> None:
     doors = {d.GetCustomDataByKey("sceneweaver:id"): d for d in stage.GetPrimAtPath("/World/Room/Doors").GetChildren()}
     for leaf in leaves(ROOM):
         door = doors[leaf.door]
-        panel = door.GetChild("leaf")
+        panel = door.GetChild(f"{door.GetName()}_leaf")
         turn = (0.0, 0.0, math.sin(leaf.yaw / 2), math.cos(leaf.yaw / 2))
         assert np.allclose(_world(panel), _matrix(leaf.position, turn), atol=1e-6)
         assert UsdPhysics.MassAPI(panel).GetMassAttr().Get() == pytest.approx(leaf.mass)
-        joint = door.GetPrimAtPath("joints/leaf")
+        joint = door.GetPrimAtPath(f"joints/{door.GetName()}_joint")
         one, two = _frames(joint)
         assert np.allclose(one, two, atol=1e-6)
         assert np.allclose(_axis(joint), _matrix((0, 0, 0), turn)[:3, :3] @ leaf.axis, atol=1e-6)
@@ -595,7 +596,7 @@ def test_a_rug_does_not_lift_what_stands_on_it(stage) -> None:
     assert frozenset((rug, found["desk é/1"].GetPath())) in pairs
     assert frozenset((rug, found["desk é-1"].GetPath())) not in pairs  # far away
     assert frozenset((rug, found["mug"].GetPath())) not in pairs  # on the desk
-    assert frozenset((rug, stage.GetPrimAtPath("/World/Room/Doors/door_0/leaf").GetPath())) in pairs
+    assert frozenset((rug, Sdf.Path("/World/Room/Doors/room_door_door_0/room_door_door_0_leaf"))) in pairs
 
 
 def test_a_rug_under_what_stands_still_names_its_colliders() -> None:
@@ -690,7 +691,7 @@ def test_it_can_be_put_into_another_stage(tmp_path) -> None:
     assert any(UsdShade.MaterialBindingAPI(t).ComputeBoundMaterial()[0] for t in targets)
     parsed = UsdPhysics.UsdPhysicsLoadStageFromPrimRange(outer, ["/"])
     paths, descs = parsed[UsdPhysics.ObjectType.FixedJoint]
-    joint = dict(zip(map(str, paths), descs, strict=True))["/env/room/Objects/counter/joints/world"]
+    joint = dict(zip(map(str, paths), descs, strict=True))["/env/room/Objects/counter/joints/counter_base_joint"]
     want = np.array(SCENE.object("counter").pose.position) + (10, 20, 0)
     assert np.allclose(joint.localPose0Position, want, atol=1e-5)
 
@@ -761,3 +762,15 @@ def test_errors_are_one_line_and_leave_nothing_behind(tmp_path, monkeypatch) -> 
     assert (tmp_path / "scene.usda").read_bytes() == before
     assert sorted(os.listdir(tmp_path)) == ["file", "folder.usda", "scene.usda", "textures"]
     assert sorted(os.listdir(tmp_path / "textures")) == images
+
+
+def test_no_two_bodies_or_joints_are_named_alike(stage) -> None:
+    """Importers that know names and no paths, and engines that list joints by name, mean one thing by each."""
+    moving = [p for p in stage.Traverse() if p.HasAPI(UsdPhysics.RigidBodyAPI) or p.IsA(UsdPhysics.Joint)]
+    names = [p.GetName() for p in moving]
+    assert len(names) > 20 and sorted(set(names)) == sorted(names)
+    cabinet = _objects(stage)["cabinet"]
+    links = {link.name for asset in [ASSETS[SCENE.object("cabinet").asset or ""]] for link in asset.links}
+    for link in links:
+        title = re.sub(r"\W", "_", f"cabinet_{link}")
+        assert cabinet.GetChild(title) and cabinet.GetPrimAtPath(f"joints/{title}_joint")

@@ -10,7 +10,9 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from sceneweaver.report import write_report
+from sceneweaver.assets import make
+from sceneweaver.report import ReportData, write_report
+from sceneweaver.scene import Pose, Room, Scene
 from tests.report.browser import BINARY, Browser
 from tests.report.scenes import HOSTILE, full
 
@@ -190,3 +192,54 @@ def test_without_webgl_a_picture_stands_in(tmp_path: Path) -> None:
         browser.wait("document.getElementById('stage').classList.contains('failed')")
         assert "WebGL 2 is not available" in browser.js("document.getElementById('stage-note').innerText")
         assert browser.js("document.querySelector('.still').getBoundingClientRect().width > 100")
+
+
+def test_doors_and_drawers_open(tmp_path: Path) -> None:
+    """By a slider each and by one button for all: they move as their joints say, and are drawn open."""
+    chest, fridge = make("filing_cabinet", 1), make("fridge", 1)
+    objects = (
+        chest.object("chest", pose=Pose.from_yaw(1.2, 2.0, 0.0, -1.57)),
+        fridge.object("fridge", pose=Pose.from_yaw(2.6, 2.0, 0.0, -1.57)),
+    )
+    scene = Scene(id="s", room=Room(outline=((0, 0), (4, 0), (4, 4), (0, 4))), objects=objects)
+    path = tmp_path / "report.html"
+    load = {a.id: a for a in (chest, fridge)}.__getitem__
+    write_report(path, ReportData(scene, load=load))
+    with Browser(640, 440, limit=90.0) as page:
+        page.open(path.as_uri())
+        page.wait("document.getElementById('stage').className === 'stage running'")
+        moving = page.js("sceneView.renderer.moving().map(i => [i.id, i.joint.name])")
+        wanted = {(k, link.name) for k, a in (("chest", chest), ("fridge", fridge)) for link in a.links}
+        assert len(moving) >= 4 and {(k, name) for k, name in moving} <= wanted
+        page.js("document.getElementById('room').scrollIntoView()")
+        page.wait("Number(document.getElementById('stage').dataset.frames) >= 1")
+        before = _shot(page, tmp_path / "closed.png")
+        page.js("[...document.querySelectorAll('.object-row')].find(r => r.textContent.startsWith('chest')).click()")
+        assert page.js("document.querySelectorAll('.panel-doors input').length") == sum(k == "chest" for k, _ in moving)
+        page.js(
+            "(() => { const s = document.querySelector('.panel-doors input'); s.value = '50';"
+            "s.dispatchEvent(new Event('input')); })()"
+        )
+        name, far = page.js(
+            "(() => { const i = sceneView.renderer.moving('chest')[0]; const [x, y, z] = i.position;"
+            "return [i.joint.name, Math.hypot(i.model[12] - x, i.model[13] - y, i.model[14] - z)]; })()"
+        )
+        link = next(link for link in chest.links if link.name == name)
+        assert link.joint == "slide" and far == pytest.approx(0.5 * max(map(abs, link.limits)), abs=1e-4)
+        page.js("document.getElementById('button-open').click()")
+        assert page.js("[...document.querySelectorAll('.panel-doors input')].map(s => s.value)") == ["100"] * sum(
+            k == "chest" for k, _ in moving
+        )
+        door = next(link for link in fridge.links if link.joint == "hinge")
+        item = f"sceneView.renderer.moving('fridge').find(i => i.joint.name === '{door.name}')"
+        model = np.array(page.js(f"Array.from({item}.model)")).reshape(4, 4).T
+        hinge = (model @ [*door.anchor, 1.0])[:2]
+        turn = np.array([[0.0008, 1.0], [-1.0, 0.0008]])  # of the fridge, by -1.57
+        assert hinge == pytest.approx(np.array([2.6, 2.0]) + turn @ np.array(door.anchor[:2]), abs=2e-3)
+        page.key("Escape")
+        page.wait("Number(document.getElementById('stage').dataset.frames) >= 1")
+        after = _shot(page, tmp_path / "open.png")
+        assert (np.abs(after - before).max(axis=-1) > 40).mean() > 0.01, "open doors are to be seen"
+        page.js("document.getElementById('button-open').click()")
+        assert page.js("sceneView.renderer.moving().every(i => i.share === 0)")
+        assert [line for line in page.logs if not line.startswith("request: file:")] == []

@@ -50,6 +50,13 @@ function placed(p, q, s) {
   ]);
 }
 
+// A turn by an angle about an axis (of length 1) through a point.
+function turnedAbout(axis, point, angle) {
+  const q = [...scale(axis, Math.sin(angle / 2)), Math.cos(angle / 2)];
+  const moved = transform(placed([0, 0, 0], q, [1, 1, 1]), point);
+  return placed(sub(point, moved), q, [1, 1, 1]);
+}
+
 function transform(m, p) {
   return [
     m[0] * p[0] + m[4] * p[1] + m[8] * p[2] + m[12],

@@ -47,7 +47,13 @@ async function start() {
     show(ids, null, "shown");
     if (ids.length) byId("room").scrollIntoView({ block: "nearest", behavior: still ? "auto" : "smooth" });
   };
-  const panel = new Panel(data, select);
+  const open = (items, share) => {
+    renderer.open(items, share);
+    const all = renderer.moving();
+    byId("button-open").setAttribute("aria-pressed", String(all.length > 0 && all.every((item) => item.share > 0)));
+    changed();
+  };
+  const panel = new Panel(data, select, (id) => renderer.moving(id), open);
   const labels = new Labels(data, select);
   const pixel = (x, y) => {
     const ratio = canvas.width / (canvas.clientWidth || 1);
@@ -122,6 +128,12 @@ async function start() {
   toggle("button-boxes", "boxes");
   toggle("button-labels", "labels");
   toggle("button-walls", "hideWalls");
+  const doors = byId("button-open");
+  doors.hidden = !renderer.moving().length;
+  doors.addEventListener("click", () => {
+    open(renderer.moving(), doors.getAttribute("aria-pressed") === "true" ? 0 : 1);
+    panel.opened();
+  });
   byId("button-top").addEventListener("click", () => { orbit.top(); changed(); });
   byId("button-reset").addEventListener("click", () => { orbit.reset(); select(null); changed(); });
   canvas.addEventListener("webglcontextlost", () => fail(new Error("the graphics driver gave up")));

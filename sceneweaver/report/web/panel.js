@@ -12,10 +12,14 @@ function element(tag, className, text) {
 const metres = (v) => v.toFixed(2);
 
 class Panel {
-  constructor(data, select) {
+  // ``moving`` has the doors and drawers of an object by its id, and ``open`` opens some by a share of their range.
+  constructor(data, select, moving, open) {
     this.data = data;
     this.select = select;
+    this.moving = moving;
+    this.open = open;
     this.rows = new Map();
+    this.sliders = [];
     const list = byId("object-list");
     for (const id of Object.keys(data.objects)) {
       const thing = data.objects[id];
@@ -47,6 +51,7 @@ class Panel {
     }
     const panel = byId("object-panel");
     panel.replaceChildren();
+    this.sliders = [];
     panel.hidden = id === null;
     if (id === null) return;
     const thing = this.data.objects[id];
@@ -81,12 +86,37 @@ class Panel {
     link("Carries", thing.carries);
     if (thing.asset) links.append(element("dt", "", "Asset"), element("dd", "asset-id", thing.asset));
     panel.append(links);
+    this.doors(panel, id);
     this.rules(panel, "Relations", thing.relations);
     if (thing.faults.length) {
       const faults = element("ul", "panel-faults");
       for (const text of thing.faults) faults.append(element("li", "", text));
       panel.append(element("h4", "", "Violations"), faults);
     }
+  }
+
+  // A slider for each door, drawer and lid.
+  doors(panel, id) {
+    const items = this.moving(id);
+    if (!items.length) return;
+    const list = element("ul", "panel-doors");
+    for (const item of items) {
+      const label = element("label", "", item.joint.name);
+      const slider = element("input");
+      Object.assign(slider, { type: "range", min: "0", max: "100", step: "1", value: String(100 * item.share) });
+      slider.addEventListener("input", () => this.open([item], Number(slider.value) / 100));
+      label.append(slider);
+      const row = element("li");
+      row.append(label);
+      list.append(row);
+      this.sliders.push({ item, slider });
+    }
+    panel.append(element("h4", "", "Opens"), list);
+  }
+
+  // Puts the sliders where the doors are.
+  opened() {
+    for (const { item, slider } of this.sliders) slider.value = String(100 * item.share);
   }
 
   // The rows of some objects, the first of them in sight.

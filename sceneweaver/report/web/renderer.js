@@ -31,7 +31,8 @@ class Renderer {
       const thick = mesh.high[2] - mesh.low[2];
       const scale = [item.scale[0], item.scale[1], item.scale[2] * (thick < THIN ? THICK / thick : 1)];
       const model = placed(item.position, item.quaternion, scale);
-      return { ...item, mesh, model, inverseScale: scale.map((s) => 1 / (s * s)), cut: NEVER_CUT };
+      const more = { stretch: scale, share: 0, inverseScale: scale.map((s) => 1 / (s * s)), cut: NEVER_CUT };
+      return { ...item, mesh, model, ...more };
     });
     this.empty = gl.createVertexArray();
     this.cube = this.makeCube();
@@ -44,6 +45,25 @@ class Renderer {
     this.mask = { texture: null, frame: null, width: 0, height: 0 };
     this.heights = data.walls.map(() => data.room.height + 0.01);
     this.gathered = 0;
+    this.renderSun(this.sun);
+  }
+
+  // The doors, drawers and lids of an object, or of all.
+  moving(id) {
+    return this.items.filter((item) => item.joint && (id === undefined || item.id === id));
+  }
+
+  // Opens doors and drawers by a share of their range; 0 is closed.
+  open(items, share) {
+    const none = [0, 0, 0, 1];
+    for (const item of items) {
+      const { kind, axis, anchor, limits } = item.joint;
+      const far = share * (Math.abs(limits[1]) >= Math.abs(limits[0]) ? limits[1] : limits[0]);
+      const moved = kind === "hinge" ? turnedAbout(axis, anchor, far) : placed(scale(axis, far), none, [1, 1, 1]);
+      const still = placed(item.position, item.quaternion, [1, 1, 1]);
+      item.model = multiply(multiply(still, moved), placed([0, 0, 0], none, item.stretch));
+      item.share = share;
+    }
     this.renderSun(this.sun);
   }
 
