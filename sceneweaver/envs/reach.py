@@ -155,7 +155,7 @@ class ReachReport:
         >>> from sceneweaver import envs
         >>> report = envs.reach_of(sw.Scene.example("bedroom"))
         >>> report.share, report.unreached
-        (1.0, ())
+        (0.9, ('nightstand-left',))
     """
 
     share: float
