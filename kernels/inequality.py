@@ -53,6 +53,7 @@ class InequalitySystem:
     scratch: wp.array2d(dtype=wp.vec4)  # [candidate, object]
     last_step: wp.array(dtype=wp.float32)  # [candidate]: how far [m] the last step went
     live: wp.array(dtype=wp.int32)  # [candidate]: 1 until it has settled
+    cut: wp.array(dtype=wp.int32)  # [1]: from 1 on, nothing is done any more: for a CPU
 
 
 @wp.struct

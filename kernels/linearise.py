@@ -173,7 +173,7 @@ def linearise(
     """Rows of every selected (candidate, object) at the present poses, with the forces that they had before."""
     slot, obj = wp.tid()
     candidate = selected[slot]
-    if system.live[candidate] == 0:
+    if system.live[candidate] == 0 or system.cut[0] != 0:
         return
     c = candidate_of(b, candidate)
     if obj >= c.objects:

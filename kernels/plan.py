@@ -48,3 +48,4 @@ class SearchRun:
     best_hard: wp.array(dtype=wp.float32)  # [candidate]: of that, what soft terms do not make up
     left: wp.array(dtype=wp.int32)  # [2]: candidates that go on, and those that just left without being valid
     more: wp.array(dtype=wp.int32)  # [1]: 1 when another round is due
+    cut: wp.array(dtype=wp.int32)  # [1]: from 1 on, rounds on a CPU break off where they are

@@ -29,13 +29,16 @@ def search(
     proposals: Proposals,
     run: SearchRun,
 ):
-    """Search each active candidate in place for one round, one after the other: for a CPU."""
+    """Search each active candidate in place for one round, one after the other: for a CPU.
+
+    A round that is broken off has no energy that is known, so that what was kept before stays the best.
+    """
     candidate = wp.tid()
     if run.active[candidate] == 0:
         return
     c = candidate_of(b, candidate)
     d = initial_state(plan, c, run, s)
-    while d.job != STOP:
+    while d.job != STOP and run.cut[0] == 0:
         anew = problems_at(b, d)
         if d.job >= MOVE:
             draw_proposals(anew, plan, c, d, 0, 1, s, proposals)
@@ -45,4 +48,6 @@ def search(
         else:
             x = rate_proposals(anew, plan, c, d, s, proposals)
         d = transition(b.tables, plan, c, x, s, d)
+    if d.job != STOP:
+        d.total = wp.inf
     finish_round(candidate, d, s, run)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import importlib
 import pkgutil
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -40,41 +41,59 @@ def unregister_residual(name: str) -> None:
     _rebuild()
 
 
-def probe_gradients(residual: wp.Function, a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Gradients [K, 4] of a residual for the poses a [K, 4], beside those b: Warp's own, and the engine's."""
+def prober(residual: wp.Function) -> Callable[..., tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]]:
+    """A function that looks at a residual as the engine does; compiled once, at its first call.
+
+    It takes poses a, b [K, 4], sizes [K, 3] of both and params [K, 4], and gives values [K], Warp's own gradients by a
+    [K, 4], and the engine's differences by a and by b [K, 4].
+    """
 
     @wp.kernel(module="unique", enable_backward=False)
     def probe(
         # State in:
         a: wp.array(dtype=wp.vec4),
         b: wp.array(dtype=wp.vec4),
+        size_a: wp.array(dtype=wp.vec3),
+        size_b: wp.array(dtype=wp.vec3),
+        p: wp.array(dtype=wp.vec4),
         # State out:
+        value_out: wp.array(dtype=wp.float32),
         exact_out: wp.array(dtype=wp.vec4),
-        near_out: wp.array(dtype=wp.vec4),
+        by_a_out: wp.array(dtype=wp.vec4),
+        by_b_out: wp.array(dtype=wp.vec4),
     ):
         i = wp.tid()
-        size_a = wp.vec3(0.6, 0.8, 0.9)
-        size_b = wp.vec3(0.5, 1.1, 0.7)
-        p = wp.vec4(0.5, 0.5, 0.5, 0.5)
-        ga, _gb, _sa, _sb, _p = wp.grad(residual)(a[i], b[i], size_a, size_b, p)
+        value_out[i] = float(residual(a[i], b[i], size_a[i], size_b[i], p[i]))
+        ga, _gb, _sa, _sb, _p = wp.grad(residual)(a[i], b[i], size_a[i], size_b[i], p[i])
         exact_out[i] = ga
-        g = wp.vec4(0.0, 0.0, 0.0, 0.0)
+        by_a = wp.vec4(0.0, 0.0, 0.0, 0.0)
+        by_b = wp.vec4(0.0, 0.0, 0.0, 0.0)
         for c in range(4):
             h = wp.vec4(0.0, 0.0, 0.0, 0.0)
             h[c] = features.STEP
-            up = residual(a[i] + h, b[i], size_a, size_b, p)
-            down = residual(a[i] - h, b[i], size_a, size_b, p)
-            g[c] = (up - down) / (2.0 * features.STEP)
-        near_out[i] = g
+            up = residual(a[i] + h, b[i], size_a[i], size_b[i], p[i])
+            down = residual(a[i] - h, b[i], size_a[i], size_b[i], p[i])
+            by_a[c] = (up - down) / (2.0 * features.STEP)
+            up_b = residual(a[i], b[i] + h, size_a[i], size_b[i], p[i])
+            down_b = residual(a[i], b[i] - h, size_a[i], size_b[i], p[i])
+            by_b[c] = (up_b - down_b) / (2.0 * features.STEP)
+        by_a_out[i] = by_a
+        by_b_out[i] = by_b
 
-    count = len(a)
-    compiling.start_warp()
-    device = wp.get_preferred_device()
-    compiling.load(str(device), [probe.module])
-    inputs = [wp.array(x, dtype=wp.vec4, device=device) for x in (a, b)]
-    outputs = [wp.zeros(count, dtype=wp.vec4, device=device) for _ in "ab"]
-    wp.launch(probe, count, inputs, outputs, device=device)
-    return outputs[0].numpy(), outputs[1].numpy()
+    def measure(a: np.ndarray, b: np.ndarray, size_a: np.ndarray, size_b: np.ndarray, p: np.ndarray):
+        compiling.start_warp()
+        device, count = wp.get_preferred_device(), len(a)
+        compiling.load(str(device), [probe.module])
+        types = (wp.vec4, wp.vec4, wp.vec3, wp.vec3, wp.vec4)
+        inputs = [
+            wp.array(np.ascontiguousarray(x, dtype=np.float32), dtype=t, device=device)
+            for x, t in zip((a, b, size_a, size_b, p), types, strict=True)
+        ]
+        outputs = [wp.zeros(count, dtype=t, device=device) for t in (wp.float32, wp.vec4, wp.vec4, wp.vec4)]
+        wp.launch(probe, count, inputs, outputs, device=device)
+        return tuple(x.numpy() for x in outputs)
+
+    return measure
 
 
 def _link(residual: wp.Function, before: wp.Function, code: int) -> wp.Function:

@@ -2,15 +2,24 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable, Generator
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import NamedTuple, Protocol, TypeVar, cast, runtime_checkable
 
 import numpy as np
 import warp as wp
 
 from .batch import Batch
+
+GRACE = 0.3
+"""Seconds beyond the deadline, or from its own start on, that a run has to come to an end by itself; then its kernels
+break off."""
+
+Moment = float | Callable[[], float]
+"""A time by ``time.monotonic()`` [s], or what tells it, where it may come earlier than was thought."""
 
 Start = str
 """Where an optimiser begins: "given": at the batch's poses, to move little; "random": anywhere; "sample": drawn from
@@ -19,22 +28,57 @@ the relations; "drawn": at the batch's poses, as at ones that it had drawn itsel
 
 @dataclass
 class Monitor:
-    """Reports progress and says when time is up. Shared by the threads of a run."""
+    """Reports progress and says when time is up. Shared by the threads of a run.
+
+    ``cut`` [1] int32, on the host, is what kernels on a CPU look at in their loops: from 1 on they break off.
+    """
 
     total: int
-    deadline: float | None = None
+    deadline: Moment | None = None
     report: Callable[[int, int, int, float], None] | None = None
     done: int = 0
     valid: int = 0
     best: float = float("inf")
     timed_out: bool = False
     _last: float = field(default=0.0, repr=False)
+    _cut: np.ndarray = field(default_factory=lambda: np.zeros(1, dtype=np.int32), repr=False)
+
+    @property
+    def end(self) -> float:
+        """The deadline by ``time.monotonic()`` [s]; infinite without one."""
+        if self.deadline is None:
+            return math.inf
+        return self.deadline() if callable(self.deadline) else self.deadline
+
+    @cached_property
+    def cut(self) -> wp.array:
+        """What kernels on a CPU look at."""
+        return wp.array(self._cut, dtype=wp.int32, device="cpu", copy=False)
+
+    @property
+    def broken_off(self) -> bool:
+        """Whether kernels break off."""
+        return bool(self._cut[0])
 
     def expired(self) -> bool:
         """True once the deadline has passed; remembered."""
-        if self.deadline is not None and time.monotonic() > self.deadline:
+        if time.monotonic() > self.end:
             self.timed_out = True
         return self.timed_out
+
+    def watch(self, began: float) -> None:
+        """Break off kernels when time was up `GRACE` seconds ago, of a run that began then; called again and again."""
+        if self.expired() and time.monotonic() > max(self.end, began) + GRACE:
+            self.break_off()
+
+    def break_off(self) -> None:
+        """End all that is under way, now."""
+        self.timed_out = True
+        self._cut[0] = 1
+
+    def inner(self, total: int) -> Monitor:
+        """One of a part of the run, which ends with it and reports to nobody."""
+        return Monitor(total, self.deadline, _cut=self._cut)
 
     @property
     def watched(self) -> bool:

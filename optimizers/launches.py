@@ -55,24 +55,28 @@ class Launches:
             if self._expired(monitor):
                 return False
             if graph is None:
-                self._run(self._commands * self.unroll)
+                if not self._run(self._commands * self.unroll, monitor):
+                    return False
             else:
                 wp.capture_launch(graph)
-        if left or rest:
-            if self._expired(monitor):
-                return False
-            self._run(self._commands * left + self._commands[:rest])
+        last = self._commands * left + self._commands[:rest]
+        if last and (self._expired(monitor) or not self._run(last, monitor)):
+            return False
         if graph is not None:
             wp.synchronize_device(self.device)  # to let go of a graph that runs would hold up other devices' threads
         return True
 
-    def _run(self, commands: Sequence[Callable[[], None]]) -> None:
+    def _run(self, commands: Sequence[Callable[[], None]], monitor: Monitor) -> bool:
         for command in commands:
+            if monitor.broken_off:
+                return False
             command()
+        return True
 
     def _graph(self) -> Any:
         with wp.ScopedCapture(device=self.device, force_module_load=False) as capture:  # recording loaded the modules
-            self._run(self._commands * self.unroll)
+            for command in self._commands * self.unroll:
+                command()
         return capture.graph
 
     def _expired(self, monitor: Monitor) -> bool:

@@ -34,7 +34,7 @@ MEMORY = 2**30  # [bytes] of rows at once
 _Result = TypeVar("_Result")
 
 
-def new_system(batch: Batch) -> tuple[InequalitySystem, NearestLayout]:
+def new_system(batch: Batch, monitor: Monitor) -> tuple[InequalitySystem, NearestLayout]:
     """Arrays for a batch: no rows, nothing found yet, all roots at their anchors."""
     system, best, device, shape = InequalitySystem(), NearestLayout(), batch.device, (batch.size, max(batch.objects, 1))
     slots = (shape[0], shape[1] * int(ROWS))
@@ -48,6 +48,7 @@ def new_system(batch: Batch) -> tuple[InequalitySystem, NearestLayout]:
     system.missed, best.fault = (wp.zeros(shape, dtype=wp.float32, device=device) for _ in range(2))
     system.shift, system.scratch, best.shift = (wp.zeros(shape, dtype=wp.vec4, device=device) for _ in range(3))
     system.live = wp.zeros(batch.size, dtype=wp.int32, device=device)
+    system.cut = monitor.cut if device == "cpu" else wp.zeros(1, dtype=wp.int32, device=device)
     system.last_step, best.lack, best.moved = (
         wp.full(batch.size, float("inf"), dtype=wp.float32, device=device) for _ in range(3)
     )
@@ -74,7 +75,7 @@ def projection_blocks(batch: Batch, start: Start, budget: int | None, monitor: M
     if start != "given":
         draw_starts(batch, start)
         wp.copy(batch.state.anchors, batch.state.poses)
-    (system, best), tries = new_system(batch), TRIES if budget is None else budget
+    (system, best), tries = new_system(batch, monitor), TRIES if budget is None else budget
     everyone, most = np.arange(batch.size), max(MOST, batch.objects // 2)
     lost = yield from _improve(batch, system, best, everyone, tries, most, monitor)
     _restored(batch, best)
@@ -97,8 +98,9 @@ def nearest_feasible(batch: Batch, tries: int) -> tuple[np.ndarray, np.ndarray]:
     Returns:
         What each candidate misses [B] of the verdict's limits [m], 0 where it is feasible, and its squared movement.
     """
-    system, best = new_system(batch)
-    to_the_end(_improve(batch, system, best, np.arange(batch.size), 1, tries, Monitor(batch.size)))
+    monitor = Monitor(batch.size)
+    system, best = new_system(batch, monitor)
+    to_the_end(_improve(batch, system, best, np.arange(batch.size), 1, tries, monitor))
     _restored(batch, best)
     return best.lack.numpy(), best.moved.numpy()
 
@@ -118,7 +120,7 @@ def _improve(
     for attempt in range(most):
         if not left.size or monitor.expired():
             break
-        _try(batch, system, best, left, attempt)
+        _try(batch, system, best, left, attempt, monitor)
         yield Checkpoint(partial(_restored, batch, best), (attempt + 1) * STEPS)
         lack, moved = best.lack.numpy(), best.moved.numpy()
         feasible[left] += lack[left] == 0
@@ -157,8 +159,13 @@ def _perturbation(attempt: int) -> Perturbation:
     return perturbation
 
 
-def _try(batch: Batch, system: InequalitySystem, best: NearestLayout, left: np.ndarray, attempt: int) -> None:
-    """One try of the candidates ``left``: begin, choose options, then rows and projection in turn."""
+def _try(
+    batch: Batch, system: InequalitySystem, best: NearestLayout, left: np.ndarray, attempt: int, monitor: Monitor
+) -> None:
+    """One try of the candidates ``left``: begin, choose options, then rows and projection in turn.
+
+    One that is broken off has changed nothing but the poses, which are put back to the best at the end.
+    """
     device, n, state = batch.device, left.size, batch.state
     selected = wp.array(left.astype(np.int32), dtype=wp.int32, device=device)
     inputs = [batch.problems, _perturbation(attempt), selected, best]
@@ -168,6 +175,8 @@ def _try(batch: Batch, system: InequalitySystem, best: NearestLayout, left: np.n
         system.keys, system.last_keys = system.last_keys, system.keys
         system.force, system.last_force = system.last_force, system.force
         wp.launch(linearise, (n, batch.objects), [batch.problems, selected, state], [system], device=device)
+        if monitor.broken_off:
+            break
         wp.launch(project, n, [batch.problems, SWEEPS, selected], [state, system, best], device=device)
 
 
@@ -176,11 +185,11 @@ def _search(
 ) -> Generator[Checkpoint, None, np.ndarray]:
     """Search the candidates ``lost`` from where they are, and lead back what is found; returns what they lack [m]."""
     few = _subset(batch, lost)
-    inner = Monitor(few.size, monitor.deadline)
+    inner = monitor.inner(few.size)
     found = (yield from _for_whole(batch, lost, search_blocks(few, "given", None, inner, whole), energies)).energy
     monitor.timed_out |= inner.timed_out
     poses = few.state.poses.numpy().copy()  # on a CPU it is the state itself
-    system, best = new_system(few)
+    system, best = new_system(few, monitor)
     with np.errstate(invalid="ignore"):  # poses that are no numbers stay what they are
         shift = poses - few.state.anchors.numpy()
         shift[..., 3] -= 2 * np.pi * np.round(shift[..., 3] / (2 * np.pi))

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import time
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor, wait
 
 import numpy as np
@@ -10,7 +12,9 @@ import warp as wp
 
 from .base import OPTIMIZERS, Monitor, OptimizerResult, Start
 from .batch import Batch
+from .verdict import Verdict, judge
 
+BROKEN = 1  # the verdict's status of bodies that are in each other's way
 PIECE = 32  # candidates that one CPU thread takes at a time: small enough to share work, large enough to pay a launch
 TICK = 0.1  # [s] after which who waits for the threads looks up
 PIECE_PAIRS = 2**17  # pairs of objects in those candidates: no launch should go on for seconds when time is up
@@ -25,14 +29,21 @@ def cpu_threads() -> int:
 
 def pieces(batch: Batch) -> list[Batch]:
     """The batch in the pieces that CPU threads take, on a GPU as it is."""
-    if batch.device != "cpu":
-        return [batch]
+    return [batch.part(*rows) for rows in _cuts(batch)] if batch.device == "cpu" else [batch]
+
+
+def _cuts(batch: Batch) -> list[tuple[int, int]]:
+    """The first candidate of each piece that a CPU thread takes, and the one after its last."""
     piece = max(1, min(PIECE, -(-batch.size // cpu_threads()), PIECE_PAIRS // max(1, batch.objects**2)))
-    return [batch.part(i, min(i + piece, batch.size)) for i in range(0, batch.size, piece)]
+    return [(i, min(i + piece, batch.size)) for i in range(0, batch.size, piece)]
 
 
 def run(batch: Batch, optimizer: str, start: Start, budget: int | None, monitor: Monitor) -> OptimizerResult:
-    """Move the batch's poses in place. Pieces do not know of each other, so threads do not change the result."""
+    """Move the batch's poses in place. Pieces do not know of each other, so threads do not change the result.
+
+    On a CPU the caller waits and looks at the clock while threads work, so that neither a signal nor the end of the
+    time waits for a kernel. What is not begun by then stays at the poses it has, with an infinite energy.
+    """
     solve = OPTIMIZERS[optimizer]
     if not batch.size or not batch.objects:
         monitor.add(batch.size, batch.size, 0.0)
@@ -40,20 +51,54 @@ def run(batch: Batch, optimizer: str, start: Start, budget: int | None, monitor:
     if batch.device != "cpu":
         with wp.ScopedDevice(batch.device):
             return solve(batch, start, budget, monitor)
-    parts = pieces(batch)
-    if cpu_threads() == 1:
-        return OptimizerResult(np.concatenate([solve(part, start, budget, monitor).energy for part in parts]))
-    if len(parts) == 1:
-        return solve(parts[0], start, budget, monitor)
-    outcomes = [solve(parts[0], start, budget, monitor)]  # the first alone: it compiles what is not compiled yet
-    with ThreadPoolExecutor(cpu_threads()) as pool:
-        futures = [pool.submit(solve, part, start, budget, monitor) for part in parts[1:]]
+    energy = np.full(batch.size, np.inf, dtype=np.float32)
+
+    def piece(rows: tuple[int, int]) -> None:
+        if rows[0] and monitor.expired():  # late or not, the first begins
+            monitor.add(rows[1] - rows[0], 0, float("inf"))
+            return
+        energy[slice(*rows)] = solve(batch.part(*rows), start, budget, monitor).energy
+
+    on_threads(piece, _cuts(batch), monitor)
+    return OptimizerResult(energy)
+
+
+def judge_in_time(batch: Batch, monitor: Monitor) -> Verdict:
+    """Verdict on every candidate, as by `judge`; those that there is no time for count as at fault."""
+    if batch.device != "cpu" or batch.size <= PIECE or not batch.objects:
+        return judge(batch)
+    status = np.full(batch.size, BROKEN, dtype=np.int8)
+    fault = np.zeros((batch.size, batch.objects), dtype=np.int8)
+    holds = np.zeros((batch.size, max(batch.relations, 1)), dtype=bool)
+
+    def piece(rows: tuple[int, int]) -> None:
+        if not rows[0] or not monitor.broken_off:
+            found = judge(batch.part(*rows))
+            mine = slice(*rows)
+            status[mine], fault[mine], holds[mine] = found.status, found.fault, found.holds
+
+    on_threads(piece, _cuts(batch), monitor)
+    return Verdict(status, fault, holds)
+
+
+def on_threads(work: Callable[[tuple[int, int]], None], cuts: Sequence[tuple[int, int]], monitor: Monitor) -> None:
+    """Do the first piece, which compiles what is not compiled yet, then the others, on the threads of a CPU.
+
+    After an exception of the caller the pieces that are under way end at once, and no other begins.
+    """
+    if not cuts:
+        return
+    began = time.monotonic()
+    with ThreadPoolExecutor(min(cpu_threads(), len(cuts))) as pool:
         try:
-            for future in futures:
-                while not future.done():  # an interrupt can end the wait at each turn
-                    wait([future], TICK)
-                outcomes.append(future.result())
+            for some in (cuts[:1], cuts[1:]):
+                futures = [pool.submit(work, rows) for rows in some]
+                for future in futures:
+                    while not future.done():
+                        wait([future], TICK)
+                        monitor.watch(began)
+                    future.result()
         except BaseException:
-            monitor.timed_out = True  # the other threads end as well, when they look at it next
+            monitor.break_off()
+            pool.shutdown(wait=False, cancel_futures=True)
             raise
-    return OptimizerResult(np.concatenate([o.energy for o in outcomes]))

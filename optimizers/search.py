@@ -216,6 +216,8 @@ def search_blocks(batch: Batch, start: Start, budget: int | None, monitor: Monit
     if early:
         plan.first_steps = EARLY
     state, run, verdict = extend_state(batch), new_run(batch), new_device_verdict(batch)
+    if device == "cpu":
+        run.cut = monitor.cut
     block, common = Launches(device), [batch.problems]
     solved = 0
     if start == "given":  # what is in order already is left alone

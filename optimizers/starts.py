@@ -19,7 +19,7 @@ BLOCK = 32  # threads of a block on a GPU: one warp, so that a block ends with i
 def new_run(batch: Batch) -> SearchRun:
     """A run before its first round, all candidates active."""
     run, device, count = SearchRun(), batch.device, batch.size
-    for name, length in (("clock", 1), ("left", 2), ("more", 1)):
+    for name, length in (("clock", 1), ("left", 2), ("more", 1), ("cut", 1)):
         setattr(run, name, wp.zeros(length, dtype=wp.int32, device=device))
     run.active = wp.full(count, 1, dtype=wp.int32, device=device)
     run.total = wp.zeros(count, dtype=wp.float32, device=device)

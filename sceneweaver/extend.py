@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
+from sceneweaver.layout.probe import Predicate, check_relation, check_term
+from sceneweaver.layout.probe import check_gradient as check_gradient
 from sceneweaver.layout.user import TERMS, WIDTH, enter_relation, enter_term, leave_relation, leave_term
-from sceneweaver.layout.user import check_gradient as check_gradient
-from sceneweaver.scene import InputError, ParamSpec, RelationSpec, SceneObject
+from sceneweaver.scene import InputError, ParamSpec, RelationSpec
 from sceneweaver.scene.catalogue import CATALOGUE, register_relation, unregister_relation
 from sceneweaver.verify.relations import JUDGES, register_judge
-
-Predicate = Callable[[SceneObject, SceneObject | None, Mapping[str, float]], bool]
 
 
 def define_relation(
@@ -24,8 +23,13 @@ def define_relation(
     scale: float = 1.0,
     ties_zones: bool = False,
     description: str = "",
+    check: bool = True,
 ) -> None:
     """Define a relation type; scenes may use it from then on, on CPU and CUDA.
+
+    Residual and predicate are tried first, at the same sample poses and sizes and with the defaults of the params: the
+    residual has to be finite everywhere, also of two things at one pose, smooth, to have a gradient where something is
+    missing, and to lead to poses at which it holds; the predicate has to say the same.
 
     Args:
         name: the relation's ``type``.
@@ -38,9 +42,12 @@ def define_relation(
         scale: metres that a unit of the residual counts as.
         ties_zones: True exempts the two objects from each other's hard zones.
         description: what the type means, for catalogues and messages.
+        check: False leaves out what is tried at sample poses, for a predicate that asks more of objects than their
+            poses and sizes (the samples have the category "thing", no parts and no surfaces).
 
     Raises:
-        InputError: the name is taken, the residual does not compile, or its gradient is wrong.
+        InputError: the name is taken, the residual does not compile, or what was found at which sample poses: no
+            number, not smooth, flat, never met, or a predicate that disagrees.
 
     Examples:
         >>> import sceneweaver as sw, warp as wp
@@ -64,6 +71,8 @@ def define_relation(
         raise InputError(f'relation "{name}": scale {scale!r} is not a positive number')
     if name in CATALOGUE:
         raise InputError(f'relation "{name}" is there already; choose another name')
+    if check:
+        check_relation(f'relation "{name}"', residual, holds, defaults, scale, target == "object")
     enter_relation(name, residual, scale)
     specs = {k: ParamSpec(k, "number", float(v), "", "") for k, v in defaults.items()}
     register_relation(RelationSpec(name, description, target=target, params=specs, ties_zones=ties_zones))
@@ -118,8 +127,8 @@ def define_term(
         scale: metres that a unit of the residual counts as.
 
     Raises:
-        InputError: the name is taken, a number is out of range, the residual does not compile, or its gradient is
-            wrong.
+        InputError: the name is taken, a number is out of range, the residual does not compile, or what was found at
+            which sample poses: no number, not smooth, flat, or never above 0.
 
     Examples:
         >>> import sceneweaver as sw, warp as wp
@@ -138,6 +147,7 @@ def define_term(
         raise InputError(f'term "{name}": subjects and targets are lists of categories')
     if not (weight > 0 and scale > 0):
         raise InputError(f'term "{name}": weight {weight!r} and scale {scale!r} have to be positive numbers')
+    check_term(f'term "{name}"', residual, numbers, targets is not None)
     enter_term(name, residual, subjects, targets, numbers, weight, scale)
 
 

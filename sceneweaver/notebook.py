@@ -94,7 +94,8 @@ def _about_solution(solution: Solution) -> list[Row]:
         ("energy of the best", f"{number(float(solution.energy[best]), 3)} m"),
         ("time", f"{number(solution.elapsed)} s on {solution.device}{', cut off' if solution.timed_out else ''}"),
     ]
-    return rows + ([("why none is valid", solution.explanation)] if solution.explanation else [])
+    title = "what to know" if len(solution.ranked) else "why none is valid"
+    return rows + ([(title, solution.explanation)] if solution.explanation else [])
 
 
 def _about_report(report: Report) -> list[Row]:

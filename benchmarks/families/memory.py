@@ -1,4 +1,4 @@
-"""Peak memory over candidates and over objects."""
+"""Peak memory over candidates and over objects, and what a process holds after many designs."""
 
 from __future__ import annotations
 
@@ -12,8 +12,13 @@ from benchmarks.settings import Settings
 ROOM = "bedroom-small"
 CANDIDATES = (64, 512, 2048, 8192)
 OBJECTS = (50, 100, 200, 350, 500)
+DESIGNS = 200
 QUICK_CANDIDATES = (8, 64)
 QUICK_OBJECTS = (50, 100)
+QUICK_DESIGNS = 2
+
+FLAT = 1.05
+"""How much more may be held after all designs than after those that fill the caches."""
 
 TAIL = (
     Column("peak", "peak RSS [MiB]", "mib"),
@@ -45,6 +50,20 @@ def run(settings: Settings, judge: Judge) -> Result:
     )
     for objects in QUICK_OBJECTS if settings.quick else OBJECTS:
         _measure(table, {"objects": objects}, {**task, "scenes": [objects], "candidates": count}, base)
+    designs = QUICK_DESIGNS if settings.quick else DESIGNS
+    table = result.add(
+        "designs",
+        "Memory over designs in one process",
+        (Column("designs", "designs", "count"), Column("held", "RSS [MiB]", "mib")),
+    )
+    made = children.run(
+        {"device": settings.device, "seed": settings.seed, "designs": designs}, module="benchmarks.many_designs"
+    )
+    table.rows += [{"designs": int(count), "held": held} for count, held in made["mib"].items()]
+    if made["ratio"] is not None:
+        result.notes.append(f"After {designs} designs {made['ratio']:.2f} of what was held after {made['warm']}.")
+        if made["ratio"] > FLAT:
+            result.failures.append(f"memory grows over designs: {made['ratio']:.2f} of what it was")
     result.notes.append(f"The smallest call peaks at {base:.0f} MiB." if base else "Peak memory is not known here.")
     for name in ("candidates", "objects"):
         result.plots.append(Plot(f"memory-{name}", "Peak RSS [MiB]", name, name, ("peak",)))

@@ -110,7 +110,7 @@ def deliver(
         files=(*drawn, SCENE, *(format_named(name).file for name in written), METRICS, NAME),
         seconds=result.seconds + spent,
     )
-    result = _without(result, late, left_out)
+    result = _without(result, late, left_out, deadline)
     result.report.save(folder / METRICS)
     if album is None or REPORT in left_out:
         return result
@@ -118,20 +118,21 @@ def deliver(
         with deadline.enforced(patience=HANGS):
             _report(result, folder, load, album.views, deadline.before(page))
     except TimeUp:
-        result = _without(result, ["report"], [REPORT])
+        result = _without(result, ["report"], [REPORT], deadline)
         result.report.save(folder / METRICS)
         return result
     return replace(result, files=(REPORT, *result.files))
 
 
-def _without(result: Result, late: Sequence[str], files: Sequence[str]) -> Result:
-    """A result that says what there was no time for, as its names and its files."""
+def _without(result: Result, late: Sequence[str], files: Sequence[str], deadline: Deadline) -> Result:
+    """A result that says what there was no time for, as its names and its files, and what ended that time."""
     if not files:
         return result
+    ended = f"{reason} came" if (reason := deadline.stop.reason) else "time was up"
     left_out = (*result.left_out, *files)
     return replace(
         result,
-        notes=(*result.notes, f"time was up before these were written: {', '.join(files)}"),
+        notes=(*result.notes, f"{ended} before these were written: {', '.join(files)}"),
         undone=(*result.undone, *late),
         left_out=left_out,
         report=replace(result.report, left_out=left_out),

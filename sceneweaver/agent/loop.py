@@ -111,6 +111,7 @@ class Run:
         if self.best is None and self.folder is not None:
             bare = bare_scene(self.brief, self.room_type, self.settings.seed)
             self.folder.keep(bare, check(bare))
+        self.limit.stop.ready = True
         reason, spent = self.memory.finished, self.memory.spent
         while not reason:
             if self.best is not None:

@@ -1,7 +1,7 @@
 """The commands with their options, and what every one of them has in common: errors and exit codes.
 
 Exit codes: 0 done and valid, 1 a fault of the program, 2 bad input, 3 not valid, 4 something needed is missing,
-5 a time limit ended the making of a data set, 130 interrupted. What went wrong is one line on stderr.
+5 a time limit or a signal ended it before all was done, 130 interrupted. What went wrong is one line on stderr.
 """
 
 from __future__ import annotations
@@ -111,6 +111,7 @@ def _root(
 
 @app.command(cls=WithOptimizers)
 def refine(
+    context: typer.Context,
     source: Input,
     out: Out,
     candidates: Candidates = 1024,
@@ -139,11 +140,13 @@ def refine(
         time_limit=time_limit,
         as_json=as_json,
         picture=picture,
+        began=context.obj,
     )
 
 
 @app.command()
 def repair(
+    context: typer.Context,
     source: Input,
     out: Out,
     relations: Annotated[
@@ -174,11 +177,13 @@ def repair(
         time_limit=time_limit,
         as_json=as_json,
         picture=picture,
+        began=context.obj,
     )
 
 
 @app.command()
 def check(
+    context: typer.Context,
     source: Input,
     as_json: Json = False,
     metrics: Annotated[
@@ -201,6 +206,7 @@ def check(
     openable: Annotated[
         bool, typer.Option("--openable", help="Open doors, drawers and lids as well: is anything in their way?")
     ] = False,
+    time_limit: TimeLimit = None,
 ) -> int:
     """Judge a scene: collisions, bounds, support, zones, relations. Changes nothing."""
     from .check import run_check
@@ -213,11 +219,14 @@ def check(
         picture=picture,
         physics=physics,
         openable=openable,
+        time_limit=time_limit,
+        began=context.obj,
     )
 
 
 @app.command()
 def render(
+    context: typer.Context,
     source: Input,
     out: Annotated[
         Path, typer.Option("--out", "-o", metavar="OUT", help="A PNG; with --passes a folder.", show_default=False)
@@ -243,19 +252,22 @@ def render(
     ] = "auto",
     kind: Annotated[str, typer.Option("--format", metavar="png|exr|npz", help="Of passes.")] = "png",
     device: Device = "cpu",
+    time_limit: TimeLimit = None,
     as_json: Json = False,
 ) -> int:
     """Draw a scene: a plan, a picture of the room, or data passes for learning."""
     from .render import run_passes, run_render
 
     size = (width, height or round(0.75 * width))
+    common: Any = {"device": device, "as_json": as_json, "time_limit": time_limit, "began": context.obj}
     if passes is not None:
-        return run_passes(source, out, passes, cameras, kind, size, device=device, as_json=as_json)
-    return run_render(source, out, view, size, plain=plain, device=device, as_json=as_json)
+        return run_passes(source, out, passes, cameras, kind, size, **common)
+    return run_render(source, out, view, size, plain=plain, **common)
 
 
 @app.command()
 def export(
+    context: typer.Context,
     source: Input,
     out: Annotated[
         Path,
@@ -280,12 +292,22 @@ def export(
     welded: Annotated[
         bool, typer.Option("--welded/--loose", help="Fruit in a bowl, books of a stack as one body, or each its own.")
     ] = False,
+    time_limit: TimeLimit = None,
     as_json: Json = False,
 ) -> int:
     """Write a scene for other tools: USD for Isaac Sim, MJCF for MuJoCo, GLB, SceneState."""
     from .export import run_export
 
-    return run_export(source, out, to=to, as_json=as_json, textures=textures, welded=welded)
+    return run_export(
+        source,
+        out,
+        to=to,
+        as_json=as_json,
+        textures=textures,
+        welded=welded,
+        time_limit=time_limit,
+        began=context.obj,
+    )
 
 
 @app.command()

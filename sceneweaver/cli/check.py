@@ -9,6 +9,7 @@ import typer
 from sceneweaver.io import write_atomic
 from sceneweaver.scene import InputError, Scene
 
+from .clock import clock
 from .exit_codes import NOT_VALID
 from .output import headline, list_files, list_violations, no_chatter, print_json, relations_line
 from .render import require_png
@@ -23,8 +24,10 @@ def run_check(
     picture: Path | None,
     physics: bool,
     openable: bool,
+    time_limit: float | None,
+    began: float,
 ) -> int:
-    """Judge a scene file."""
+    """Judge a scene file; the time limit [s] counts from ``began``, by ``time.monotonic()``."""
     if picture is not None:
         require_png(picture, "--picture")
     if meshes is not None and not meshes.is_dir():
@@ -32,17 +35,20 @@ def run_check(
     scene = Scene.load(source)
     from sceneweaver.verify import check
 
-    with no_chatter():
-        report = check(scene, meshes=meshes, physics=physics, openable=openable)
-    if metrics is not None:
-        write_atomic(metrics, report.to_json() + "\n")
-    if picture is not None:
-        from sceneweaver.render import save_top
+    with clock(time_limit, began) as until:
+        with no_chatter():
+            report = until.needed("check", lambda: check(scene, meshes=meshes, physics=physics, openable=openable))
+        if metrics is not None:
+            write_atomic(metrics, report.to_json() + "\n")
+        if picture is not None:
+            from sceneweaver.render import save_top
 
-        save_top(scene, picture, violations=report.violations, valid=report.valid)
+            png = picture
+            until.extra(str(png), lambda: save_top(scene, png, violations=report.violations, valid=report.valid))
+    code = until.code(0 if report.valid else NOT_VALID)
     if as_json:
         print_json(report.to_dict())
-        return 0 if report.valid else NOT_VALID
+        return code
     headline(scene.id, report.valid, f"{report.placed} of {report.requested} objects, {relations_line(report)}")
     list_violations(report)
     if report.walkable_share is not None and report.reachable_share is not None:
@@ -56,5 +62,6 @@ def run_check(
         )
     for warning in report.warnings:
         typer.echo(f"  note: {warning}")
-    list_files([path for path in (metrics, picture) if path is not None])
-    return 0 if report.valid else NOT_VALID
+    until.tell()
+    list_files([path for path in (metrics, picture) if path is not None and str(path) not in until.left_out])
+    return code

@@ -46,9 +46,9 @@ def run_design(prompt: str, out: Path, options: Mapping[str, Any], *, as_json: b
         raise InputError(f"--out: {out} is no folder; give a folder")
     if not as_json:
         announce(given)
-    with no_chatter():
-        from sceneweaver.agent import design  # takes seconds; before it is there, a signal ends the process at once
-    with no_chatter(), stoppable() as stop:
+    with no_chatter(), stoppable(ready=False) as stop:
+        from sceneweaver.agent import design
+
         result = design(prompt, out=out, said=None if as_json else _say, began=began, stop=stop, **given)
     code = exit_code(result)
     if as_json:

@@ -4,42 +4,66 @@ from __future__ import annotations
 
 import time
 from pathlib import Path
+from typing import Any
 
 import typer
 
 from sceneweaver.scene import InputError, Scene
 
+from .clock import clock
 from .output import list_files, no_chatter, print_json
 
 
-def run_export(source: Path, out: Path, *, to: str | None, as_json: bool, textures: bool, welded: bool) -> int:
-    """Write a scene for other tools: a folder of formats, or one file whose suffix says which."""
+def run_export(
+    source: Path,
+    out: Path,
+    *,
+    to: str | None,
+    as_json: bool,
+    textures: bool,
+    welded: bool,
+    time_limit: float | None,
+    began: float,
+) -> int:
+    """Write a scene for other tools: a folder of formats, or one file whose suffix says which.
+
+    The time limit [s] counts from ``began``, by ``time.monotonic()``; formats that there is no time for are left out.
+    """
     scene = Scene.load(source)
-    began = time.monotonic()
+    start = time.monotonic()
+    files: dict[str, Path] = {}
+    look: Any = {"textures": textures, "welded": welded}
     with no_chatter():
+        from sceneweaver.assets.placed import loader
         from sceneweaver.export import FORMATS, export_file, export_scene, formats_named
         from sceneweaver.export.formats import USUAL, format_of
-
+    with no_chatter(), clock(time_limit, began) as until:
         if out.suffix and not out.is_dir():
             if to is not None:
                 raise InputError(f"--to: {out} is a file, whose suffix says the format; give a folder, or no --to")
-            files = {format_of(out).name: export_file(scene, out, textures=textures, welded=welded)}
+            files[format_of(out).name] = until.needed("export", lambda: export_file(scene, out, **look))
         else:
             names = formats_named(to) if to is not None else USUAL
             if not names:
                 raise InputError(f"--to: names no format; use {', '.join(FORMATS)} or all")
-            files = export_scene(scene, out, names, textures=textures, welded=welded)
-    seconds = time.monotonic() - began
+            load = loader()
+            for name in names:
+                until.extra(name, lambda name=name: files.update(export_scene(scene, out, [name], load, **look)))
+            if not files:
+                until.over("export")
+    seconds, code = time.monotonic() - start, until.code(0)
     if as_json:
         print_json(
             {
-                "exit_code": 0,
+                "exit_code": code,
                 "objects": len(scene.objects),
                 "seconds": round(seconds, 3),
                 "files": {name: str(path) for name, path in files.items()},
+                "left_out": list(until.left_out),
             }
         )
-        return 0
+        return code
     typer.echo(f"{scene.id}: {len(scene.objects)} objects in {seconds:.1f} s")
+    until.tell()
     list_files(list(files.values()))
-    return 0
+    return code

@@ -37,6 +37,11 @@ Candidates = Annotated[int, typer.Option(min=1, help="How many layouts are refin
 Seed = Annotated[int, typer.Option(min=0, max=2**32 - 1, help="Equal seeds give equal results.")]
 Device = Annotated[str, typer.Option(callback=device_name, metavar="auto|cpu|cuda[:k|:all]", help="Where to compute.")]
 TimeLimit = Annotated[
-    float | None, typer.Option(callback=positive_seconds, help="Stop after this many seconds.", show_default=False)
+    float | None,
+    typer.Option(
+        callback=positive_seconds,
+        help="Seconds that all may take, files included; what is done by then is written.",
+        show_default=False,
+    ),
 ]
 Json = Annotated[bool, typer.Option("--json", help="Print one JSON object and nothing else.")]

@@ -12,6 +12,7 @@ import typer
 from sceneweaver.io import write_atomic
 from sceneweaver.scene import Scene
 
+from .clock import Clock, clock, keep_for
 from .exit_codes import NOT_VALID
 from .output import headline, list_files, list_violations, no_chatter, print_json, relations_line, staged
 from .refine import METRICS, PICTURE, SCENE
@@ -35,38 +36,48 @@ def run_repair(
     time_limit: float | None,
     as_json: bool,
     picture: bool,
+    began: float,
 ) -> int:
-    """Repair a scene file into a folder, or into a scene file when ``out`` ends in .json."""
+    """Repair a scene file into a folder, or into a scene file when ``out`` ends in .json.
+
+    The time limit [s] of all, files included, counts from ``began``, by ``time.monotonic()``.
+    """
     scene = Scene.load(source)
     single = out.suffix == ".json"
     folder, scene_name = (out.parent, out.name) if single else (out, SCENE)
     names = [scene_name] if single else [scene_name, METRICS, *([PICTURE] if picture else [])]
-    with staged(folder, names) as temporary:
+    budget = {"candidates": candidates, "seed": seed, "device": device}
+    with no_chatter():  # before the clock listens to signals, so that one ends a command at once that still starts
+        import sceneweaver.layout  # noqa: F401 - what a repair loads where there is something to repair
+        from sceneweaver.repairs import repair_report
+    with clock(time_limit, began) as until, staged(folder, names) as temporary:
         with no_chatter():
-            from sceneweaver.repairs import repair_report
-
-            done = repair_report(
-                scene, relations=relations, candidates=candidates, seed=seed, device=device, time_limit=time_limit
-            )
-        _write(done, temporary, names, scene_name)
+            limit = until.for_search(keep_for(scene) / 2)  # it judges by itself
+            done = until.needed("repair", lambda: repair_report(scene, relations=relations, time_limit=limit, **budget))
+        _write(done, temporary, names, scene_name, until)
+        names = [name for name in names if (temporary / name).exists()]
     keys = {scene_name: "scene", METRICS: "metrics", PICTURE: "picture"}
     files = {keys[name]: folder / name for name in names}
-    code = 0 if done.valid else NOT_VALID
+    code = until.code(0 if done.valid else NOT_VALID)
     if as_json:
-        print_json({"exit_code": code, **done.to_dict(), "files": {key: str(path) for key, path in files.items()}})
+        written = {key: str(path) for key, path in files.items()}
+        print_json({"exit_code": code, **done.to_dict(), "files": written, "left_out": list(until.left_out)})
         return code
-    _tell(done)
+    _tell(done, until)
     list_files(list(files.values()))
     return code
 
 
-def _write(done: Repair, folder: Path, names: list[str], scene_name: str) -> None:
+def _write(done: Repair, folder: Path, names: list[str], scene_name: str, until: Clock) -> None:
     done.scene.save(folder / scene_name)
     if PICTURE in names:
         from sceneweaver.render import save_top
 
         (folder / PICTURE).parent.mkdir()
-        save_top(done.scene, folder / PICTURE, violations=done.after.violations, valid=done.valid)
+        after = done.after
+        until.extra(
+            PICTURE, lambda: save_top(done.scene, folder / PICTURE, violations=after.violations, valid=done.valid)
+        )
     if METRICS in names:
         report = replace(
             done.after,
@@ -78,7 +89,7 @@ def _write(done: Repair, folder: Path, names: list[str], scene_name: str) -> Non
         write_atomic(folder / METRICS, report.to_json() + "\n")
 
 
-def _tell(done: Repair) -> None:
+def _tell(done: Repair, until: Clock) -> None:
     """What was wrong, what is, and who moved."""
     headline(done.scene.id, done.valid, f"{done.after.placed} objects, {relations_line(done.after)}")
     if done.scene is done.source:
@@ -89,9 +100,10 @@ def _tell(done: Repair) -> None:
     for note in done.notes:
         typer.echo(f"  note: {note}")
     if done.timed_out:
-        typer.echo("  stopped by the time limit")
+        typer.echo(f"  stopped by {until.deadline.stop.reason or 'the time limit'}")
     if done.explanation:
         typer.echo(f"  {done.explanation}")
+    until.tell()
 
 
 def _tables(done: Repair) -> None:

@@ -70,6 +70,7 @@ class EditSession:
         device: "auto", "cpu", "cuda" or "cuda:k".
         seed: of the search, and of furniture that is added by words.
         library: where such furniture comes from; None: the library of this user.
+        ready: whether to load the kernels and compile the scene now; else the first edit that can be done does.
 
     Examples:
         >>> import sceneweaver as sw
@@ -83,13 +84,22 @@ class EditSession:
         1.9
     """
 
-    def __init__(self, scene: Scene, *, device: str = "auto", seed: int = 0, library: Library | None = None) -> None:
+    def __init__(
+        self,
+        scene: Scene,
+        *,
+        device: str = "auto",
+        seed: int = 0,
+        library: Library | None = None,
+        ready: bool = True,
+    ) -> None:
         if not isinstance(scene, Scene):
             raise InputError(f"scene: {type(scene).__name__} is not a Scene")
         self._live, self._seed, self._library = LiveLayout(device), seed, library
         self._scene, self._report = scene, check(scene, walkable=False)
         self._past: list[tuple[Scene, Report]] = []
-        self._live.settle(scene, scene.ids[:1])  # loads the kernels and compiles the scene
+        if ready:
+            self._live.settle(scene, scene.ids[:1])  # loads the kernels and compiles the scene
 
     @property
     def scene(self) -> Scene:

@@ -142,13 +142,14 @@ def _too_tall(study: Study) -> list[str]:
 
 def _base(study: Study, i: int) -> float | None:
     """Height that an object stands at, where that is given."""
-    obj = study.scene.objects[i]
+    obj, above = study.scene.objects[i], 0.0
+    while not obj.fixed and obj.support is not None:
+        above += study.surface(obj).z
+        obj = study.scene.objects[study.index[obj.support.object]]
     if obj.fixed:
-        return obj.pose.position[2]
-    if obj.support is not None:
-        base = _base(study, study.index[obj.support.object])
-        return None if base is None else base + study.surface(obj).z
-    return {"floor": 0.0, "ceiling": study.scene.room.height - obj.size[2]}.get(obj.mount)
+        return above + obj.pose.position[2]
+    base = {"floor": 0.0, "ceiling": study.scene.room.height - obj.size[2]}.get(obj.mount)
+    return None if base is None else above + base
 
 
 def _too_large_for_surfaces(study: Study) -> list[str]:

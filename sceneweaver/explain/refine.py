@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
 
 import numpy as np
 
 from sceneweaver.layout import Progress, QualityTerm, Solution, StepOptimizer, engine
+from sceneweaver.runtime.deadline import Deadline, TimeUp, ending
 from sceneweaver.scene import Scene
 
+from .remarks import remarks
 from .report import explain as find_reason
 
 GRACE = 1.0  # [s] beyond a time limit in which to explain why nothing is valid
+HANGS = 0.2  # [s] after which an explanation that comes to no checkpoint is broken off
 
 
 # Options of a refinement are keyword arguments with defaults of their own, hence more than ten; `refine_many` as well.
@@ -47,7 +52,8 @@ def refine(
         steps: the optimiser's budget in its own work units (search: attempts, projection: tries of a candidate from
             the first feasible one on, the others: steps).
         progress: called now and then as ``progress(done, total, valid, lowest energy)``.
-        explain: when nothing is valid, find out why (``solution.explanation``); takes up to 10 s.
+        explain: when nothing is valid, find out why (``solution.explanation``); takes up to 10 s. It also names soft
+            relations that hold in no valid layout, and relations of your own that engine and judge see otherwise.
         snap: bring valid layouts to the exact values of their relations at the end: square to the room, flush with
             walls and neighbours, centred, chairs pushed in, as far as nothing is in the way.
         quality: terms of design quality that all valid candidates are rated by (``solution.quality``) and ranked.
@@ -125,12 +131,23 @@ def refine_many(
 
 
 def _explained(solution: Solution, began: float, time_limit: float | None) -> Solution:
-    """The solution with the reason why nothing in it is valid, where that is so.
+    """The solution with the reason why nothing in it is valid, where that is so, and what else is odd about it.
 
-    A run that its time limit cut off has a little more time to say why.
+    A run that its time limit cut off has a little more time to say why. Where that is not enough, nothing is said:
+    the layouts are not lost for it.
     """
-    if np.any(solution.status == 0):
+    stop = ending()
+    if stop is not None and time.monotonic() >= stop():
         return solution
+    lines = remarks(solution)
+    if np.any(solution.status == 0):
+        return replace(solution, explanation="
+".join(lines)) if lines else solution
     deadline = None if time_limit is None else max(began + time_limit, time.monotonic() + GRACE)
-    text = find_reason(solution.source, solution, device=solution.device, seed=solution.seed, deadline=deadline)
-    return replace(solution, explanation=text, elapsed=time.monotonic() - began)
+    clock = Deadline(math.inf if deadline is None else deadline)
+    text = None
+    with suppress(TimeUp), clock.enforced(patience=HANGS):
+        text = find_reason(solution.source, solution, device=solution.device, seed=solution.seed, deadline=deadline)
+    said = "
+".join([*lines, *([text] if text else [])])
+    return replace(solution, explanation=said or None, elapsed=time.monotonic() - began)

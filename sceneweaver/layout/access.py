@@ -8,7 +8,8 @@ import numpy as np
 import warp as wp
 
 from sceneweaver.kernels.walk import Floor, mark_floor, walk
-from sceneweaver.optimizers import Batch
+from sceneweaver.optimizers import Batch, Monitor
+from sceneweaver.optimizers.run import on_threads
 
 from .compile import LayoutProblem
 
@@ -18,17 +19,29 @@ LOW, HIGH = 0.02, 1.8
 MOST_CELLS = 20_000  # of one room; larger rooms get larger cells
 
 
-def walkable_shares(batch: Batch, room: LayoutProblem, candidates: np.ndarray) -> np.ndarray:
+def walkable_shares(
+    batch: Batch, room: LayoutProblem, candidates: np.ndarray, monitor: Monitor | None = None
+) -> np.ndarray:
     """Share of the free floor that can be reached from the doors, for some candidates of a batch.
 
     Args:
         batch: holds the poses.
         room: the candidates' problem.
         candidates: indices [K] into the batch.
+        monitor: of a run that time may end; None: all are measured, in one piece.
 
     Returns:
-        Shares [K] float32, 0 to 1.
+        Shares [K] float32, 0 to 1; nan where time was up.
     """
+    if monitor is not None and batch.device == "cpu":
+        found = np.full(len(candidates), np.nan, dtype=np.float32)
+
+        def one(rows: tuple[int, int]) -> None:
+            if not monitor.broken_off:
+                found[slice(*rows)] = walkable_shares(batch, room, candidates[slice(*rows)])
+
+        on_threads(one, [(k, k + 1) for k in range(len(candidates))], monitor)
+        return found
     x0, y0, x1, y1 = room.region.box
     cell = max(CELL, math.sqrt((x1 - x0) * (y1 - y0) / MOST_CELLS))
     floor = Floor()

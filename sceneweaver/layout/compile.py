@@ -17,6 +17,7 @@ import numpy as np
 from sceneweaver.geometry.polygons import tidy
 from sceneweaver.geometry.se2 import relative
 from sceneweaver.kernels import tables as k
+from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.scene import CATALOGUE, Relation, Room, Scene, SceneObject
 
 from .region import Region, enclosure, room_region
@@ -138,10 +139,23 @@ def _families(relations: Sequence[Relation], index: dict[str, int], roots: np.nd
         if parents[j] >= 0:
             placed.setdefault(int(parents[j]), []).append(j)
 
-    def group(i: int) -> list[int]:
-        return [i, *carried.get(i, ()), *(k for j in placed.get(i, ()) for k in group(j))]
+    groups: list[list[int]] = [[] for _ in range(n)]
+    for i in reversed(_parents_first(parents)):  # the groups of what it places are there before its own
+        if roots[i] == i:
+            groups[i] = [i, *carried.get(i, ()), *(k for j in placed.get(i, ()) for k in groups[j])]
+    return groups, parents
 
-    return [group(i) if roots[i] == i else [] for i in range(n)], parents
+
+def _parents_first(parents: Sequence[int] | np.ndarray) -> list[int]:
+    """All indices, those of parents (-1: none) before those of their children."""
+    order: dict[int, None] = {}
+    for i in range(len(parents)):
+        chain, at = [], i
+        while at >= 0 and at not in order:
+            chain.append(at)
+            at = int(parents[at])
+        order.update(dict.fromkeys(reversed(chain)))
+    return list(order)
 
 
 def _freedom(obj: SceneObject, carried: bool) -> int:
@@ -197,7 +211,10 @@ def _compile(
     tied = Counter((rel.type, rel.target) for _, rel in relations if isinstance(rel.target, str))
     openings = (room.windows, room.doors) if room is not None else ((), ())
     frame = Frame(objects, index, region, footprints, *openings, around, tied)
-    compiled = [compile_relation(frame, rel) for _, rel in relations]
+    compiled = []
+    for _, rel in relations:
+        checkpoint()
+        compiled.append(compile_relation(frame, rel))
     riders: dict[int, int] = {}
     for i, (_, rel) in enumerate(relations):
         extra = spread_before(frame, rel) if rel.type == "around" else None
@@ -265,12 +282,14 @@ def compile_scene(scene: Scene) -> CompiledScene:
         if obj.support is not None:
             groups.setdefault((obj.support.object, obj.support.surface), []).append(i)
 
-    def depth(i: int) -> int:
-        support = scene.objects[i].support
-        return 0 if support is None else 1 + depth(index[support.object])
+    depths = [0] * len(scene.objects)
+    carriers = [-1 if o.support is None else index[o.support.object] for o in scene.objects]
+    for i in _parents_first(carriers):
+        depths[i] = depths[carriers[i]] + 1 if carriers[i] >= 0 else 0
 
     domains = []
-    for (supporter_id, surface), members in sorted(groups.items(), key=lambda item: depth(item[1][0])):
+    for (supporter_id, surface), members in sorted(groups.items(), key=lambda item: depths[item[1][0]]):
+        checkpoint()
         supporter = index[supporter_id]
         region, z = _domain_region(scene.objects[supporter], surface)
         local = relative(home[members], home[supporter][None, :])

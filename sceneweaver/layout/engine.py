@@ -16,10 +16,12 @@ from sceneweaver.kernels import load
 from sceneweaver.kernels.bookkeeping import broadcast_poses, set_turns
 from sceneweaver.kernels.cells import CROWD
 from sceneweaver.optimizers import OPTIMIZERS, Batch, Monitor, judge, load_poses, run, streams
+from sceneweaver.optimizers.base import Moment
 from sceneweaver.optimizers.batch import Progress
+from sceneweaver.optimizers.run import judge_in_time
 from sceneweaver.optimizers.snap import MODULES as SNAP_MODULES
 from sceneweaver.optimizers.snap import snap_batch
-from sceneweaver.runtime.deadline import end_of_block
+from sceneweaver.runtime.deadline import ending
 from sceneweaver.scene import InputError, Scene
 
 from .access import walkable_shares
@@ -146,10 +148,12 @@ def _rated(
     return solutions
 
 
-def _until(began: float, time_limit: float | None) -> float | None:
+def _until(began: float, time_limit: float | None) -> Moment | None:
     """When to stop, by ``time.monotonic()`` [s]: after the time limit, and with the deadline of the caller."""
-    until = min(math.inf if time_limit is None else began + time_limit, end_of_block())
-    return None if math.isinf(until) else until
+    block, own = ending(), math.inf if time_limit is None else began + time_limit
+    if block is None:
+        return None if math.isinf(own) else own
+    return lambda: min(own, block())
 
 
 def _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps) -> np.ndarray | None:
@@ -198,7 +202,7 @@ def solve(
         group = [jobs[i] for i in members]
         if start == "given":
             for job in group:
-                mend_surfaces(job, optimizer, device, monitor.deadline)
+                mend_surfaces(job, optimizer, device, monitor)
         sizes = [len(job.world) for job in group]
         batch = make_batch(
             [j.compiled.room for j in group],
@@ -223,14 +227,15 @@ def solve(
         if snap:
             batch = replace(batch, weights=weights())
             snap_batch(batch, _orders([job.compiled.room for job in group], batch.objects))
-        verdict = judge(batch)
+        verdict = judge_in_time(batch, monitor)
         layouts = _layouts(batch, group)
         first = 0
         for i, job, final, n in zip(members, group, layouts, sizes, strict=True):
             rows = slice(first, first + n)
             room, scene = job.compiled.room, job.compiled.scene
             status = verdict.status[rows].copy()
-            status[(status != DIVERGED) & (room.faulty | ~surfaces_hold(job.compiled, batch, first, n))] = BROKEN
+            broken = room.faulty | ~surfaces_hold(job.compiled, batch, first, n, monitor)
+            status[(status != DIVERGED) & broken] = BROKEN
             holds = verdict.holds[rows, : len(scene.relations)].copy()
             for rider, relation in room.riders.items():
                 holds[:, relation] &= verdict.holds[rows, rider]
@@ -239,7 +244,7 @@ def solve(
             walkable = np.full(n, np.nan, dtype=np.float32)
             if job.walk:
                 order = best_of(WALKED, scene, status, holds, energy, moved)
-                walkable[order] = walkable_shares(batch, room, first + order)
+                walkable[order] = walkable_shares(batch, room, first + order, monitor)
             solutions[i] = Solution(
                 source=scene,
                 poses=final,
@@ -389,7 +394,7 @@ def _domain_batch(compiled: CompiledScene, world: np.ndarray, seed: int, first: 
     return batch
 
 
-def mend_surfaces(job: Job, optimizer: str | StepOptimizer, device: str, deadline: float | None) -> None:
+def mend_surfaces(job: Job, optimizer: str | StepOptimizer, device: str, monitor: Monitor) -> None:
     """Put what the given poses have on a surface back on it, with as little change as that takes."""
     how = "projection" if optimizer == "projection" else "search"
     compiled, world = job.compiled, job.world.copy()
@@ -399,7 +404,7 @@ def mend_surfaces(job: Job, optimizer: str | StepOptimizer, device: str, deadlin
     if compiled.domains:
         batch = _domain_batch(compiled, world, job.seed, job.first, device)
         batch = replace(batch, weights=weights(pull=PULL))
-        run(batch, how, "given", None, Monitor(batch.size, deadline))
+        run(batch, how, "given", None, monitor.inner(batch.size))
         poses = batch.state.poses.numpy().reshape(len(compiled.domains), len(world), batch.objects, 4)
         for domain, solved in zip(compiled.domains, poses.astype(np.float64), strict=True):
             surface = domain.surface

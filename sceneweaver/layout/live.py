@@ -13,7 +13,7 @@ from sceneweaver.geometry.rotations import is_upright
 from sceneweaver.geometry.se2 import absolute, relative
 from sceneweaver.kernels import load
 from sceneweaver.kernels.bookkeeping import set_turns
-from sceneweaver.optimizers import Batch, streams
+from sceneweaver.optimizers import Batch, Monitor, streams
 from sceneweaver.optimizers.projection import nearest_feasible
 from sceneweaver.scene import Scene
 
@@ -74,7 +74,7 @@ class LiveLayout:
         world = compiled.room.home[None]
         if surfaces and compiled.domains:
             job = Job(compiled, world, "given", seed)
-            mend_surfaces(job, "projection", self.device, None)
+            mend_surfaces(job, "projection", self.device, Monitor(len(job.world)))
             world = job.world
         poses, lack, moved = self._nearest(compiled, np.repeat(world, CANDIDATES, axis=0), free, tries, seed)
         best = int(np.lexsort((moved, lack))[0])

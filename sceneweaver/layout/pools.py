@@ -15,6 +15,7 @@ import numpy as np
 
 from sceneweaver.kernels.tables import FEATURE_USER
 from sceneweaver.optimizers import Monitor, judge, load_poses, run, streams
+from sceneweaver.optimizers.base import Moment
 from sceneweaver.optimizers.search import effort_for
 
 from .batch import make_batch, stacked
@@ -32,7 +33,7 @@ _lock = Lock()
 _unique = count()
 
 
-def surface_pools(jobs: Sequence[Job], device: str, deadline: float | None) -> list[list[np.ndarray]]:
+def surface_pools(jobs: Sequence[Job], device: str, deadline: Moment | None) -> list[list[np.ndarray]]:
     """For every surface of every job, POOL layouts [POOL, members, 4] of its surface, all solved in shared launches."""
     wanted = [
         (_key(domain.problem, job.seed, number, device), domain.problem, job.seed, number)

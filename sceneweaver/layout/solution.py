@@ -104,7 +104,8 @@ class Solution(Shown):
         quality: [B] float32, minus the points that the terms of design quality take off (0 at best), NaN where a
             candidate is not valid; None where there are no such terms.
         timed_out: True when the time limit cut the run off.
-        explanation: what stands in the way when nothing is valid; None otherwise.
+        explanation: what stands in the way when nothing is valid, soft relations that hold in no valid layout, and
+            relations of your own that engine and judge see otherwise; None where there is nothing to say.
 
     Examples:
         >>> import sceneweaver as sw

@@ -6,7 +6,8 @@ import numpy as np
 import warp as wp
 
 from sceneweaver.kernels.bookkeeping import set_turns, to_surface_frames
-from sceneweaver.optimizers import Batch, judge
+from sceneweaver.optimizers import Batch, Monitor, judge
+from sceneweaver.optimizers.run import judge_in_time
 
 from .batch import make_batch
 from .compile import CompiledScene
@@ -14,8 +15,13 @@ from .compile import CompiledScene
 BROKEN = 1  # the verdict's status of bodies that are in each other's way
 
 
-def surfaces_hold(compiled: CompiledScene, batch: Batch, first: int, count: int) -> np.ndarray:
-    """Which of so many candidates of a batch, from the first on, have everything on its surface in order [count]."""
+def surfaces_hold(
+    compiled: CompiledScene, batch: Batch, first: int, count: int, monitor: Monitor | None = None
+) -> np.ndarray:
+    """Which of so many candidates of a batch, from the first on, have everything on its surface in order [count].
+
+    Those that the ``monitor`` leaves no time to look at do not count as in order.
+    """
     if not compiled.domains:
         return np.ones(count, dtype=bool)
     surfaces, device = [d.surface for d in compiled.domains], batch.device
@@ -32,4 +38,5 @@ def surfaces_hold(compiled: CompiledScene, batch: Batch, first: int, count: int)
         device=device,
     )
     wp.launch(set_turns, state.poses.shape, [state.poses], [state.turns], device=device)
-    return np.all(judge(onto).status.reshape(len(surfaces), count) != BROKEN, axis=0)
+    verdict = judge(onto) if monitor is None else judge_in_time(onto, monitor)
+    return np.all(verdict.status.reshape(len(surfaces), count) != BROKEN, axis=0)

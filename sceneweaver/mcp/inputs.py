@@ -8,19 +8,21 @@ from typing import Annotated, Any
 from pydantic import Field, FiniteFloat
 
 from sceneweaver.runtime.options import DesignOptions, Option, options_of
+from sceneweaver.scene.limits import MOST_TURN
 
-from .limits import LEAST_SIDE, MOST_CANDIDATES, MOST_PROMPT, MOST_SIDE
+from .limits import LEAST_SIDE, MOST_CANDIDATES, MOST_PROMPT, MOST_SECONDS, MOST_SIDE, MOST_WAY
 
 SceneId = Annotated[str, Field(min_length=1, max_length=40, description="Handle of an open scene, such as s1")]
 ObjectId = Annotated[str, Field(min_length=1, max_length=200, description="Id of an object, such as desk-0")]
 Name = Annotated[str, Field(min_length=1, max_length=400, description="Name below the server's folder")]
 Prompt = Annotated[str, Field(min_length=1, max_length=MOST_PROMPT, description="The room, in plain English")]
 Words = Annotated[str, Field(min_length=1, max_length=400)]
-Point = Annotated[list[FiniteFloat], Field(min_length=2, max_length=3, description="x, y or x, y, z [m]")]
-Degrees = Annotated[FiniteFloat, Field(description="Counter-clockwise [degrees]")]
+Coordinate = Annotated[FiniteFloat, Field(ge=-MOST_WAY, le=MOST_WAY)]
+Point = Annotated[list[Coordinate], Field(min_length=2, max_length=3, description="x, y or x, y, z [m]")]
+Degrees = Annotated[FiniteFloat, Field(ge=-MOST_TURN, le=MOST_TURN, description="Counter-clockwise [degrees]")]
 Metres = Annotated[FiniteFloat, Field(gt=0, le=100, description="[m]")]
 Seed = Annotated[int, Field(ge=0, lt=2**32, description="Equal seeds give equal results")]
-Seconds = Annotated[FiniteFloat, Field(gt=0, description="Seconds that it may take; null: as usual")]
+Seconds = Annotated[FiniteFloat, Field(gt=0, le=MOST_SECONDS, description="Seconds that it may take; null: as usual")]
 VersionNumber = Annotated[int, Field(ge=1, description="Number of a version")]
 Side = Annotated[int, Field(ge=LEAST_SIDE, le=MOST_SIDE, description="Pixels")]
 Exact = Annotated[

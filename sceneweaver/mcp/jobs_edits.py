@@ -20,7 +20,10 @@ MOST_SESSIONS = 4
 
 
 def edit(job: Job, *, scene: Scene, op: str, arguments: Mapping[str, Any]) -> dict[str, Any]:
-    """One edit of a live session."""
+    """One edit of a live session. An object that is not there is refused before the engine is loaded."""
+    for key in ("name", "subject"):
+        if key in arguments:
+            scene.index(arguments[key])
     session = _session(scene, job.device)
     try:
         result = EDITS[op](session, **arguments)
@@ -46,7 +49,7 @@ def _session(scene: Scene, device: str) -> EditSession:
 
     kept = next((each for each in _SESSIONS if each.scene == scene), None)
     if kept is None:
-        kept = EditSession(scene, device=device)
+        kept = EditSession(scene, device=device, ready=False)
     else:
         _SESSIONS.remove(kept)
     _SESSIONS[:] = [*_SESSIONS[-(MOST_SESSIONS - 1) :], kept]

@@ -28,6 +28,12 @@ MOST_VIEWS = 4
 LEAST_SIDE, MOST_SIDE = 200, 2048
 """Pixels of a side of a picture."""
 
+MOST_WAY = 1_000.0
+"""Metres of a coordinate or a way, either way."""
+
+MOST_SECONDS = 86_400.0
+"""Seconds that a call may ask for; the server's own bound is mostly less."""
+
 GRACE = 6.0
 """Seconds that cancelled work has to end in good order, and work that is late to say so."""
 

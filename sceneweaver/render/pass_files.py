@@ -43,7 +43,13 @@ _MILLIMETRE = 1000.0
 _DEEPEST = 65535
 
 
-def write_passes(renderer: PassRenderer, folder: Path, passes: Sequence[str], kind: str = "png") -> list[Path]:
+def write_passes(
+    renderer: PassRenderer,
+    folder: Path,
+    passes: Sequence[str],
+    kind: str = "png",
+    written: list[Path] | None = None,
+) -> list[Path]:
     """Write the frames of all cameras; the paths of what was written, ``cameras.json`` and ``labels.json`` last.
 
     Args:
@@ -51,6 +57,7 @@ def write_passes(renderer: PassRenderer, folder: Path, passes: Sequence[str], ki
         folder: Where to; it is made if its own folder exists.
         passes: Which ones, see `PASSES`.
         kind: One of `FORMATS`.
+        written: Where the paths are put as files are done, for who may run out of time; None: a new list.
 
     Raises:
         InputError: a pass or format that is unknown, a camera's name that makes no file name, or a folder that cannot
@@ -63,7 +70,7 @@ def write_passes(renderer: PassRenderer, folder: Path, passes: Sequence[str], ki
             raise InputError(f"cameras: '{shot.name}' makes no file name; use letters, digits and dashes")
     own_folder(folder)
     write: Callable[[Frame, Path], list[Path]] = {"png": _write_png, "exr": _write_exr, "npz": _write_npz}[kind]
-    written = []
+    written = [] if written is None else written
     for frame in renderer.frames(passes):
         written += write(frame, folder)
     tables = {

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import time
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from sceneweaver.runtime.deadline import Deadline, TimeUp
 from sceneweaver.scene import InputError, Scene
 from sceneweaver.verify import Report, check
 
@@ -19,6 +22,7 @@ if TYPE_CHECKING:
 MOST, LEAST, WORK = 64, 4, 1280  # candidates: as many as WORK objects, within these bounds
 TRIES = 4  # of a candidate from the first feasible one on
 TRIED = 4  # layouts that are judged when none is valid
+JUDGED = 0.5  # [s] beyond a time limit in which what was found is judged
 
 
 def repair(
@@ -97,11 +101,14 @@ def repair_report(
             seconds=time.monotonic() - began,
         )
     budget = {"candidates": candidates, "seed": seed, "device": device}
-    solution, options = _solve(scene, relations, time_limit=time_limit, **budget)
-    if relations and solution.status.min() != 0:  # where relations cannot hold, everything else still can
-        left = None if time_limit is None else max(0.1, time_limit - (time.monotonic() - began))
-        options += _solve(scene, False, time_limit=left, explain=False, **budget)[1]
-    judged = [(option, _judge(option, relations), moves_between(scene, option)) for option in options]
+    clock = Deadline(math.inf if time_limit is None else began + time_limit)
+    solution, options = _solve(scene, relations, time_limit=clock.time_limit, **budget)
+    judged: list[tuple[Scene, Report, tuple[Move, ...]]] = []
+    with suppress(TimeUp), clock.enforced(lambda: JUDGED):
+        if relations and solution.status.min() != 0:  # where relations cannot hold, everything else still can
+            options += _solve(scene, False, time_limit=clock.time_limit, explain=False, **budget)[1]
+        for option in options:
+            judged.append((option, _judge(option, relations), moves_between(scene, option)))
     fixed, after, moves = min([*judged, (scene, before, ())], key=_badness)
     return Repair(
         source=scene,
@@ -114,7 +121,7 @@ def repair_report(
         seed=seed,
         device=solution.device,
         seconds=time.monotonic() - began,
-        timed_out=solution.timed_out,
+        timed_out=solution.timed_out or len(judged) < len(options),
     )
 
 

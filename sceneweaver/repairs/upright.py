@@ -78,7 +78,7 @@ def put_back(scene: Scene, lift: np.ndarray, poses: np.ndarray) -> Scene:
     after: dict[int, Pose] = {}
 
     def settle(i: int) -> Pose:
-        """The pose of an object, that of what it stands on before it."""
+        """The pose of an object, where that of what it stands on is known."""
         obj, (x, y, z, yaw) = scene.objects[i], (float(value) for value in poses[i])
         (u, v, w), quaternion = obj.pose.position, obj.pose.quaternion
         if i in after or obj.fixed:
@@ -97,5 +97,11 @@ def put_back(scene: Scene, lift: np.ndarray, poses: np.ndarray) -> Scene:
         )
         return after[i]
 
-    settled = {obj.id: settle(i) for i, obj in enumerate(scene.objects)}
+    settled = {}
+    for i, obj in enumerate(scene.objects):
+        chain = [i]  # what it stands on, and what that stands on, first
+        while (support := scene.objects[chain[-1]].support) is not None and index[support.object] not in after:
+            chain.append(index[support.object])
+        for below in reversed(chain):
+            settled[obj.id] = settle(below)
     return scene.replace_poses({o.id: settled[o.id] for o in scene.objects if settled[o.id] != o.pose})

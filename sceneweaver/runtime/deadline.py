@@ -36,7 +36,9 @@ HASTE = 0.3
 AGAIN = 0.5
 """Seconds after which the alarm rings once more, where nothing could be broken off or `TimeUp` was lost."""
 
-WHOLE = frozenset(("_frozen_importlib", "importlib", "threading", "concurrent", "weakref", "contextlib", "warp"))
+WHOLE = frozenset(
+    ("_frozen_importlib", "importlib", "threading", "concurrent", "weakref", "contextlib", "warp", "pydantic")
+)
 """Packages whose calls are never broken off: an exception in one breaks more than the call."""
 
 HANDLERS = ("__enter__", "__exit__", "__del__")
@@ -56,16 +58,23 @@ class Stop:
     Attributes:
         allowance: seconds from the request until all files have to be written.
         end: that moment of ``time.monotonic()`` [s]; it never comes until it is asked for.
+        asked: when it was asked for [s].
         reason: who asked, such as "SIGTERM"; empty until then.
+        heard: whether signals ask for it, see `stoppable`.
+        ready: whether there is something to end with; where there is not, a signal ends the process at once.
     """
 
     allowance: float = 1.5
     end: float = math.inf
+    asked: float = math.inf
     reason: str = ""
+    heard: bool = False
+    ready: bool = True
 
     def request(self, reason: str) -> None:
         """Ask; the first reason stays."""
-        self.end = min(self.end, time.monotonic() + self.allowance)
+        self.asked = min(self.asked, time.monotonic())
+        self.end = min(self.end, self.asked + self.allowance)
         self.reason = self.reason or reason
         _set_alarm()
 
@@ -135,6 +144,16 @@ def end_of_block() -> float:
     return math.inf if block is None else block.end
 
 
+def ending() -> Callable[[], float] | None:
+    """What tells any thread when searches in the block that runs here end, by ``time.monotonic()`` [s].
+
+    That is the end of the block, or the moment in which a stop is asked for: what is found by then has to be written.
+    None outside of a block, and where nothing ends it: no deadline, and no signal that asks for a stop.
+    """
+    block = _BLOCK.get()
+    return block.ending if block is not None and (block.may_stop or block.end < math.inf) else None
+
+
 class _Block:
     """A block under a deadline, which knows the one around it."""
 
@@ -173,6 +192,16 @@ class _Block:
         if own < math.inf and not self._deadline.stop.reason:
             own += self._grace()
         return own if self._outer is None else min(own, self._outer.end)
+
+    def ending(self) -> float:
+        """When searches end, see the function of this name."""
+        end = min(self.end, self._deadline.stop.asked)
+        return end if self._outer is None else min(end, self._outer.ending())
+
+    @property
+    def may_stop(self) -> bool:
+        """Whether a signal can end it."""
+        return self._deadline.stop.heard or (self._outer is not None and self._outer.may_stop)
 
 
 _BLOCK: ContextVar[_Block | None] = ContextVar("deadline", default=None)
@@ -232,20 +261,24 @@ def _leaving() -> bool:
 
 
 @contextlib.contextmanager
-def stoppable() -> Iterator[Stop]:
-    """A stop that Ctrl-C and SIGTERM ask for while the block runs; a second signal ends the process at once.
+def stoppable(ready: bool = True) -> Iterator[Stop]:
+    """A stop that Ctrl-C and SIGTERM ask for while the block runs; a second signal ends the process at once, and so
+    does the first until the stop is ``ready``.
 
     Only the main thread hears of them.
     """
-    stop = Stop()
+    stop = Stop(ready=ready)
     if threading.current_thread() is not threading.main_thread():
         yield stop
         return
+    stop.heard = True
     before = {number: signal.getsignal(number) for number in SIGNALS}
 
     def ask(number: int, frame: FrameType | None) -> None:
         for each, handler in before.items():
             signal.signal(each, handler)
+        if not stop.ready:
+            signal.raise_signal(number)
         stop.request(signal.Signals(number).name)
 
     try:

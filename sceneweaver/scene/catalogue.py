@@ -16,6 +16,7 @@ from sceneweaver.io import InputError
 from sceneweaver.io.messages import clean, show, suggest
 from sceneweaver.rules.relation import Way, load, own_side, ways_of
 
+from .fields import LARGEST
 from .messages import FieldError
 
 SIDES = ("front", "back", "left", "right")
@@ -115,6 +116,8 @@ class ParamSpec:
             raise FieldError(loc, f"is {show(value)}; give a number")
         if not math.isfinite(value):
             raise FieldError(loc, f"is {show(value)}; numbers must be finite")
+        if abs(value) > LARGEST:
+            raise FieldError(loc, f"is {show(value)}; numbers are at most {LARGEST:g}")
         low, more, high = self.minimum, self.exclusive_minimum, self.maximum
         if (low is not None and value < low) or (more is not None and value <= more):
             bound = f"at least {low:g}" if low is not None else f"more than {more:g}"

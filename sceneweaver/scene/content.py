@@ -20,15 +20,14 @@ from sceneweaver.io.messages import quote, suggest
 
 from .fields import JsonDict, Name, Text
 from .io import SceneFile
+from .limits import MAX_OBJECTS, MAX_RELATIONS, MAX_SHAPES
+from .messages import FieldError
 from .migrate import SCHEMA
 from .objects import Dropped, Pose, SceneObject
 from .palette import Palette
 from .references import check_references
 from .relation import Relation
 from .room import Room
-
-MAX_OBJECTS, MAX_RELATIONS = 10_000, 100_000
-"""How many objects and relations one scene may have; with more, judging it would take minutes."""
 
 
 class SceneContent(SceneFile):
@@ -46,12 +45,15 @@ class SceneContent(SceneFile):
     )
     palette: Palette | None = Field(default=None, description="The look that its things follow; null: each its own")
     provenance: JsonDict = Field(default_factory=dict, description="Free data: where the scene comes from")
-    dropped: Annotated[tuple[Dropped, ...], Field(fail_fast=True)] = Field(
+    dropped: Annotated[tuple[Dropped, ...], Field(fail_fast=True, max_length=MAX_OBJECTS)] = Field(
         default=(), description="What was asked for and could not be placed; anything here makes the scene invalid"
     )
 
     @model_validator(mode="after")
     def _check(self) -> Self:
+        shapes = sum(len(o.parts or ()) + len(o.zones) + len(o.surfaces) for o in self.objects)
+        if shapes > MAX_SHAPES:
+            raise FieldError(("objects",), f": have {shapes} parts, zones and surfaces; give at most {MAX_SHAPES}")
         check_references(self.room, self.objects, self.relations)
         return self
 

@@ -12,6 +12,7 @@ from pydantic import AfterValidator, BeforeValidator, Field, WithJsonSchema
 from sceneweaver.geometry.polygons import signed_area
 from sceneweaver.io.messages import show
 
+from .limits import MAX_CORNERS
 from .messages import FieldError
 from .polygons import Points, check_simple, convex, counter_clockwise
 
@@ -136,7 +137,7 @@ def _check_target(value: Any) -> Any:
     raise FieldError((), f"is {show(value)}; give an id, a list of two ids, or null")
 
 
-_Corners = Annotated[tuple[Vec2, ...], Field(min_length=3, fail_fast=True)]
+_Corners = Annotated[tuple[Vec2, ...], Field(min_length=3, max_length=MAX_CORNERS, fail_fast=True)]
 
 Id = Annotated[str, Field(min_length=1), AfterValidator(_check_id)]
 """The name of a door, window or object: printable, not empty, not like "wall:3"."""

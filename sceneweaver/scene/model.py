@@ -13,6 +13,8 @@ from sceneweaver.io.messages import is_number, show
 from .content import SceneContent
 from .display import Shown
 from .edits import Add, AnyEdit, Relate, Remove, Rename, SetSize, Unrelate, apply, apply_all, carried
+from .fields import LARGEST
+from .limits import MOST_TURN
 from .objects import Pose, SceneObject
 from .relation import Relation
 
@@ -93,7 +95,7 @@ class Scene(Shown, SceneContent):
             what: the object to move.
             to: where its bottom centre goes: (x, y) or (x, y, z) [m], or a whole pose.
             by: how far it goes instead: (dx, dy) or (dx, dy, dz) [m].
-            turn: how far it is turned [degrees].
+            turn: how far it is turned [degrees], `MOST_TURN` either way at most.
         """
         object_id = id_of(what)
         here = self.object(object_id).pose
@@ -105,7 +107,7 @@ class Scene(Shown, SceneContent):
         else:
             step = point_of("by", by, 0.0) if by is not None else (0.0, 0.0, 0.0)
             there, yaw = point_of("to", to, z) if to is not None else (x + step[0], y + step[1], z + step[2]), here.yaw
-        yaw += math.radians(_number("turn", turn))
+        yaw += math.radians(_degrees("turn", turn))
         before, after = here.frame, SE2(there[0], there[1], yaw)
         poses = {}
         for name in carried(self, object_id):
@@ -169,18 +171,18 @@ def _target(target: Any) -> str | tuple[str, str] | None:
     return None if target is None else id_of(target)
 
 
-def _number(name: str, value: Any) -> float:
-    if not is_number(value) or not math.isfinite(value):
-        raise InputError(f"{name} is {show(value)}; give a finite number")
+def _degrees(name: str, value: Any) -> float:
+    if not is_number(value) or not -MOST_TURN <= value <= MOST_TURN:
+        raise InputError(f"{name} is {show(value)}; give degrees from {-MOST_TURN:g} to {MOST_TURN:g}")
     return float(value)
 
 
 def point_of(name: str, values: Iterable[Any], height: float) -> tuple[float, float, float]:
-    """Three finite numbers out of two or three; InputError, with ``name``, for anything else."""
+    """Three metres within `LARGEST` out of two or three; InputError, with ``name``, for anything else."""
     try:
         found = [float(v) for v in values]
     except (TypeError, ValueError):
         raise InputError(f"{name} is {show(values)}; give two or three numbers") from None
-    if len(found) not in (2, 3) or not all(math.isfinite(v) for v in found):
-        raise InputError(f"{name} is {show(values)}; give two or three finite numbers")
+    if len(found) not in (2, 3) or not all(-LARGEST <= v <= LARGEST for v in found):
+        raise InputError(f"{name} is {show(values)}; give two or three numbers from {-LARGEST:g} to {LARGEST:g}")
     return found[0], found[1], found[2] if len(found) == 3 else height

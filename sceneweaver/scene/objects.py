@@ -15,6 +15,7 @@ from sceneweaver.io.messages import show
 from .base import FrozenModel
 from .fields import ConvexPolygon, Flag, Id, Interval, JsonDict, Length, Name, Number, Polygon, Quat, Text, Vec3
 from .intent import Intent
+from .limits import MAX_PARTS
 from .messages import FieldError
 
 
@@ -107,13 +108,13 @@ class SceneObject(FrozenModel):
     mount: Literal["floor", "wall", "ceiling", "surface"] = Field(default="floor", description="What holds it")
     support: Support | None = Field(default=None, description="What it stands on; for mount surface, and only there")
     asset: Name | None = Field(default=None, description="Id of its mesh; null: shown as its parts")
-    parts: Annotated[tuple[Part, ...], Field(fail_fast=True)] | None = Field(
+    parts: Annotated[tuple[Part, ...], Field(fail_fast=True, max_length=MAX_PARTS)] | None = Field(
         default=None, description="Collision shape as convex prisms; null: its box"
     )
-    zones: Annotated[tuple[Zone, ...], Field(fail_fast=True)] = Field(
+    zones: Annotated[tuple[Zone, ...], Field(fail_fast=True, max_length=MAX_PARTS)] = Field(
         default=(), description="Space to keep free around it"
     )
-    surfaces: Annotated[tuple[Surface, ...], Field(fail_fast=True)] = Field(
+    surfaces: Annotated[tuple[Surface, ...], Field(fail_fast=True, max_length=MAX_PARTS)] = Field(
         default=(), description="What others may stand on"
     )
     fixed: Flag = Field(default=False, description="Whether it must stay where it is")

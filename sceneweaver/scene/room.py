@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
@@ -10,15 +10,19 @@ from pydantic import Field, model_validator
 from sceneweaver.geometry.shell import heights
 from sceneweaver.geometry.walls import Wall, walls_of
 from sceneweaver.io import InputError
-from sceneweaver.io.messages import is_number, show, suggest
+from sceneweaver.io.messages import is_number, quote, show, suggest
 
 from .base import FrozenModel
 from .fields import Id, Index, Length, Name, Offset, Outline
 from .finish import RoomFinish
+from .limits import MAX_DOORS, MAX_WINDOWS
 from .messages import FieldError
 
 FIT_TOLERANCE = 1e-6
 """How far [m] an opening may stand over its wall's end or the ceiling: rounding, no more."""
+
+SHARED = 1e-3
+"""How far [m] two openings of one wall may reach into each other, or differ and still fill the same place."""
 
 
 Swing = Literal["in-left", "in-right", "out", "slide"]
@@ -55,7 +59,8 @@ COMPASS = {"south": (0.0, -1.0), "east": (1.0, 0.0), "north": (0.0, 1.0), "west"
 class Room(FrozenModel):
     """The room: a simple outline, counter-clockwise; wall i runs from corner i to corner i + 1.
 
-    Corners are [x, y] in metres. An opening outside of its wall, or an outline that is not simple, is an `InputError`.
+    Corners are [x, y] in metres. An opening outside of its wall or partly where another one is, or an outline that is
+    not simple, is an `InputError`.
 
     Examples:
         >>> import sceneweaver as sw
@@ -67,8 +72,10 @@ class Room(FrozenModel):
     type: Name = Field(default="room", description="Kind of room, such as bedroom")
     outline: Outline = Field(description="Corners [x, y] of the floor in counter-clockwise order [m]")
     height: Length = Field(default=2.7, description="Height of the ceiling above the floor [m]")
-    doors: Annotated[tuple[Door, ...], Field(fail_fast=True)] = Field(default=(), description="Doors in its walls")
-    windows: Annotated[tuple[Window, ...], Field(fail_fast=True)] = Field(
+    doors: Annotated[tuple[Door, ...], Field(fail_fast=True, max_length=MAX_DOORS)] = Field(
+        default=(), description="Doors in its walls"
+    )
+    windows: Annotated[tuple[Window, ...], Field(fail_fast=True, max_length=MAX_WINDOWS)] = Field(
         default=(), description="Windows in its walls"
     )
     finish: RoomFinish | None = Field(default=None, description="Of walls and floor; null: by the kind of room")
@@ -237,4 +244,36 @@ class Room(FrozenModel):
                     what = "sill + height" if key == "windows" else "height"
                     fix = f"the room is {self.height:.6g} m high; make it lower"
                     raise FieldError((key, i), f": {what} is {top:.6g} m, but {fix}")
+        for first, second in self._in_one_place():
+            if not _same(first, second):
+                key, known = ("doors", self.doors) if second in self.doors else ("windows", self.windows)
+                there = f"{quote(first.id)} is partly in the same place of wall {second.wall}"
+                raise FieldError((key, known.index(second)), f": {there}; move one of them")
         return self
+
+    @property
+    def doubled(self) -> list[tuple[Door | Window, Door | Window]]:
+        """Openings that fill the very same place of their wall, as one that is listed twice; the later one second."""
+        return [pair for pair in self._in_one_place() if _same(*pair)]
+
+    def _in_one_place(self) -> Iterator[tuple[Door | Window, Door | Window]]:
+        """Pairs of openings that reach into each other, in the order in which they are listed."""
+        order = {id(opening): k for k, opening in enumerate(self.openings)}
+        open_ones: list[Door | Window] = []
+        for opening in sorted(self.openings, key=lambda o: (o.wall, o.offset)):
+            open_ones = [
+                o for o in open_ones if o.wall == opening.wall and o.offset + o.width > opening.offset + SHARED
+            ]
+            low, high = heights(opening)
+            for other in open_ones:
+                bottom, top = heights(other)
+                if min(top, high) - max(low, bottom) > SHARED and opening.width > SHARED:
+                    first, second = sorted((other, opening), key=lambda o: order[id(o)])
+                    yield first, second
+            open_ones.append(opening)
+
+
+def _same(a: Door | Window, b: Door | Window) -> bool:
+    """Whether two openings of a wall fill the same place."""
+    ends = ((o.offset, o.offset + o.width, *heights(o)) for o in (a, b))
+    return all(abs(x - y) <= SHARED for x, y in zip(*ends, strict=True))

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from sceneweaver.geometry.polygons import union
+from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.verify.measure import at_most, length
 from sceneweaver.verify.meshes import MeshSet
 from sceneweaver.verify.report import Violation
@@ -31,6 +32,7 @@ def find(placed: Placed, meshes: MeshSet) -> list[Violation]:
     suspects = set(placed.parts.owner[~inside].tolist())
     found = []
     for body in placed.bodies:
+        checkpoint()
         mesh = meshes.get(body.item.asset)
         low, high = body.z
         if mesh is not None:

@@ -66,6 +66,8 @@ def check(
     clock, warnings = _Clock(), list[str]()
     placed, shapes = Placed.of(scene), MeshSet.of(meshes)
     load = library.load if library is not None else None
+    doubled = {second.id: first.id for first, second in reversed(scene.room.doubled)}
+    warnings += [f"{second} is in the place of {first}: listed twice?" for second, first in sorted(doubled.items())]
     found = [Violation("dropped", (d.id,), f"{d.id} could not be placed: {d.reason}", 0.0) for d in scene.dropped]
     clock.lap("prepare")
     found += collisions.find(placed, shapes, warnings)
@@ -74,9 +76,12 @@ def check(
     clock.lap("bounds")
     found += support.find(placed)
     clock.lap("support")
-    found += zones.find(placed)
+    found += zones.find(placed, warnings)
     clock.lap("zones")
-    judgements = [judge_relation(placed, relation) for relation in scene.relations]
+    judgements = []
+    for relation in scene.relations:
+        checkpoint()
+        judgements.append(judge_relation(placed, relation))
     found += [_relation(scene, k, judgement) for k, judgement in enumerate(judgements) if not judgement.holds]
     clock.lap("relations")
     shares = links = steady = None

@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.verify import convex
 from sceneweaver.verify.measure import at_most, length
 from sceneweaver.verify.meshes import MeshBody, MeshSet, part_points
@@ -72,8 +73,9 @@ def find(placed: Placed, meshes: MeshSet, warnings: list[str]) -> list[Violation
     for index, shape in shapes.items():
         plain[index] = False
         warnings.extend(_notes(shape, meshes))
-    found = _prisms(placed, plain)
+    found = _prisms(placed, plain, warnings)
     for a, b in _special_pairs(placed, shapes):
+        checkpoint()
         depth = _penetration(*(shapes.get(k) or Shape(placed.bodies[k], None) for k in (a, b)))
         if depth > 0.0:
             found[a, b] = depth
@@ -106,10 +108,12 @@ def _notes(shape: Shape, meshes: MeshSet) -> Iterator[str]:
         yield note
 
 
-def _prisms(placed: Placed, plain: Any) -> dict[tuple[int, int], float]:
+def _prisms(placed: Placed, plain: Any, warnings: list[str]) -> dict[tuple[int, int], float]:
     """Collisions among the upright objects without meshes."""
     parts = placed.parts if plain.all() else placed.parts.pick(plain[placed.parts.owner])
     pairs = overlaps(parts, parts)
+    if pairs.cut:
+        warnings.append(f"over {len(pairs)} pairs of parts overlap; no more of them were counted")
     a, b = parts.owner[pairs.i], parts.owner[pairs.j]
     volumes = np.array([body.volume for body in placed.bodies])
     depth = np.minimum(pairs.depth, pairs.rise)

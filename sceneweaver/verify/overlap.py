@@ -11,17 +11,17 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from sceneweaver.io import InputError
+from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.verify.solids import DEPTH, Array, Prisms
 
 ZONE_DEPTH = 5e-3
 """Depth in metres up to which a solid may reach into a zone."""
 
-MAX_PAIRS = 2_000_000
-"""Pairs of bounding boxes that are looked at, both ways round: some 20 s of work."""
+MOST_PAIRS = 20_000
+"""Pairs that are found at most: what is wrong with a heap is clear by then."""
 
-CHUNK = 256
-"""Boxes that are looked up at a time, so that a heap of objects does not fill the memory before it is counted."""
+CHUNK = 64
+"""Prisms that are looked up at a time, between two looks at the clock: a heap of objects does not fill the memory."""
 
 ZONE_AREA = 1e-4
 """Area in square metres up to which a solid may cover a zone."""
@@ -29,31 +29,20 @@ ZONE_AREA = 1e-4
 
 @dataclass(frozen=True, eq=False)
 class Overlaps:
-    """Pairs of row ``i`` of one set and ``j`` of the other: ``depth`` in the plane, ``rise`` in z [m], ``area``."""
+    """Pairs of row ``i`` of one set and ``j`` of the other: ``depth`` in the plane, ``rise`` in z [m], ``area``.
+
+    ``cut``: there may be more than the `MOST_PAIRS` that were found.
+    """
 
     i: NDArray[np.intp]
     j: NDArray[np.intp]
     depth: Array
     rise: Array
     area: Array
+    cut: bool = False
 
     def __len__(self) -> int:
         return len(self.i)
-
-
-def _broad(a: Prisms, b: Prisms) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-    """Pairs whose bounding boxes meet; InputError where there are more than `MAX_PAIRS`."""
-    import shapely
-
-    tree = shapely.STRtree(shapely.box(*b.boxes.T))
-    boxes, found, count = shapely.box(*a.boxes.T), [], 0
-    for start in range(0, len(boxes), CHUNK):
-        i, j = tree.query(boxes[start : start + CHUNK])
-        found.append((i + start, j))
-        count += len(i)
-        if count > MAX_PAIRS:
-            raise InputError(f"objects: over {MAX_PAIRS} pairs of parts or zones overlap; spread the objects out")
-    return np.concatenate([i for i, _ in found]), np.concatenate([j for _, j in found])
 
 
 def _reach(a: Prisms, b: Prisms, i: NDArray[np.intp], j: NDArray[np.intp]) -> Array:
@@ -70,14 +59,33 @@ def overlaps(a: Prisms, b: Prisms, *, skip: NDArray[np.bool_] | None = None, dep
     """Return the pairs of ``a`` x ``b`` that overlap by more than ``depth`` in the plane and `DEPTH` in z.
 
     With ``a is b`` each pair is listed once and pairs of one owner are left out. ``skip`` [owners of a, owners of b]
-    masks out pairs by their owners.
+    masks out pairs by their owners. Of more than `MOST_PAIRS` the first of them are found.
     """
     import shapely
 
+    none = np.empty(0, dtype=np.intp)
+    found, count = [Overlaps(none, none, np.empty(0), np.empty(0), np.empty(0))], 0
     if not len(a) or not len(b):
-        none = np.empty(0, dtype=np.intp)
-        return Overlaps(none, none, np.empty(0), np.empty(0), np.empty(0))
-    i, j = _broad(a, b)
+        return found[0]
+    tree, boxes = shapely.STRtree(shapely.box(*b.boxes.T)), shapely.box(*a.boxes.T)
+    for start in range(0, len(boxes), CHUNK):
+        checkpoint()
+        i, j = tree.query(boxes[start : start + CHUNK])
+        some = _of_boxes(a, b, i + start, j, skip, depth)
+        found.append(some)
+        count += len(some)
+        if count > MOST_PAIRS:
+            break
+    columns = (np.concatenate([getattr(some, name) for some in found]) for name in ("i", "j", "depth", "rise", "area"))
+    return Overlaps(*(column[:MOST_PAIRS] for column in columns), cut=count > MOST_PAIRS)
+
+
+def _of_boxes(
+    a: Prisms, b: Prisms, i: NDArray[np.intp], j: NDArray[np.intp], skip: NDArray[np.bool_] | None, depth: float
+) -> Overlaps:
+    """Those of the pairs (i, j), whose bounding boxes meet, that overlap."""
+    import shapely
+
     rise = np.minimum(a.z[i, 1], b.z[j, 1]) - np.maximum(a.z[i, 0], b.z[j, 0])
     keep = rise > DEPTH
     if a is b:

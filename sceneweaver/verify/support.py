@@ -17,6 +17,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from sceneweaver.geometry.prisms import prism_vertices
+from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.scene import Relation, Surface
 from sceneweaver.verify.case import Case
 from sceneweaver.verify.measure import Measurement, at_most, length
@@ -101,6 +102,7 @@ def find(placed: Placed) -> list[Violation]:
     """What is wrong with the support of every object, in scene order; an object appears once at most."""
     found = []
     for body in placed.bodies:
+        checkpoint()
         wrong = [w for w in (_mounting(placed, body), _resting(placed, body)) if w is not None]
         if wrong:
             text = " and ".join(w.text for w in wrong)

@@ -18,20 +18,20 @@ from sceneweaver.verify.report import Violation
 from sceneweaver.verify.solids import Placed, Prisms
 
 
-def find(placed: Placed) -> list[Violation]:
+def find(placed: Placed, warnings: list[str]) -> list[Violation]:
     """Each (object, hard zone, other object) that is blocked, once, then each (opening, object).
 
-    Objects that hang on a wall are in the way of no opening.
+    Objects that hang on a wall are in the way of no opening. What was not counted is said in ``warnings``.
     """
     found = []
-    for owner, zone, other, depth in _blocked(placed, placed.zones, _tied(placed)):
+    for owner, zone, other, depth in _blocked(placed, placed.zones, _tied(placed), warnings):
         first, second = placed.bodies[owner].id, placed.bodies[other].id
         detail = f"{second} stands {length(depth)} inside the zone {zone!r} of {first}"
         measured = at_most("depth in the zone", depth, 0.0, slack=ZONE_DEPTH)
         found.append(Violation.of("blocked_zone", (first, second), detail, measured, zone=zone))
     hanging = np.array([body.item.mount == "wall" for body in placed.bodies], dtype=bool)
     skip = np.broadcast_to(hanging, (len(placed.openings), len(hanging)))
-    for _, opening, other, depth in _blocked(placed, placed.opening_zones, skip):
+    for _, opening, other, depth in _blocked(placed, placed.opening_zones, skip, warnings):
         name = placed.bodies[other].id
         detail = f"{name} stands {length(depth)} inside the clear space of {opening}"
         measured = at_most("depth in the clear space", depth, 0.0, slack=ZONE_DEPTH)
@@ -49,9 +49,13 @@ def _tied(placed: Placed) -> np.ndarray:
     return skip
 
 
-def _blocked(placed: Placed, zones: Prisms, skip: np.ndarray) -> Iterator[tuple[int, str, int, float]]:
+def _blocked(
+    placed: Placed, zones: Prisms, skip: np.ndarray, warnings: list[str]
+) -> Iterator[tuple[int, str, int, float]]:
     """Owner and name of each zone, the object in it, and how deep [m]; ``skip`` [owners, objects] do not count."""
     pairs = overlaps(zones, placed.parts, skip=skip, depth=ZONE_DEPTH)
+    if pairs.cut:
+        warnings.append(f"over {len(pairs)} parts are in zones; no more of them were counted")
     deepest: dict[tuple[int, str, int], float] = {}
     for k in np.flatnonzero(pairs.area > ZONE_AREA):
         row = int(pairs.i[k])

@@ -18,7 +18,7 @@ from sceneweaver.assets import Library, make
 from sceneweaver.critic import CRITERIA, Alignment, ItemOutcome, Review
 from sceneweaver.export import FORMATS, formats_named
 from sceneweaver.language import SceneGraph
-from sceneweaver.runtime.deadline import Deadline, checkpoint
+from sceneweaver.runtime.deadline import Deadline, Stop, checkpoint
 from sceneweaver.scene import InputError, Pose, Room, Scene, Support
 from sceneweaver.verify import check
 
@@ -188,6 +188,13 @@ def test_all_that_was_written_is_named_and_nothing_else(result, tmp_path, monkey
     beside = {name for name in files(tmp_path) - set(done.files) if "/" not in name}
     assert beside == {"scene-sleep.xml"}  # which belongs to the MJCF, as meshes and textures do
     assert "left_out" not in json.loads((tmp_path / "metrics.json").read_text("utf-8"))
+
+
+def test_what_a_signal_left_out_says_so(result, tmp_path):
+    stop = Stop(allowance=0.0)
+    stop.request("SIGTERM")
+    done = deliver(result, tmp_path, Library(), "cpu", True, ("glb",), Deadline(stop=stop))
+    assert files(tmp_path) == ALWAYS and done.notes[-1].startswith("SIGTERM came before these were written: scene.glb")
 
 
 @pytest.mark.usefixtures("ours")

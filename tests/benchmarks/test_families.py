@@ -20,7 +20,7 @@ TABLES = {
     "large": {"large": 1, "memory": 1},
     "cold": {"cold": 3},
     "scaling": {"objects": 2, "candidates": 1},
-    "memory": {"candidates": 1, "objects": 2},
+    "memory": {"candidates": 1, "objects": 2, "designs": 1},
     "soundness": {"soundness": 2},
     "edits": {"edits": 5, "rooms": 1, "detail": 5},
     "live": {"sizes": 2, "edits": 5, "rooms": 1, "detail": 5},

@@ -82,13 +82,16 @@ class Inline:
             self._job.listener.block({**value, "worker": 0, "host": "here", "pid": os.getpid()})
 
 
-def make(out: Path, source: Path | None = None, *, easy: bool, pack: Callable | None = None) -> list[str]:
-    """Make or resume a data set in this process; what was noticed."""
+def make(
+    out: Path, source: Path | None = None, *, easy: bool, pack: Callable | None = None, workers: int = 1
+) -> list[str]:
+    """Make or resume a data set, with one worker in this process; what was noticed."""
     notices: list[str] = []
     dataset = open_dataset(out) if source is None else begin(source, out, "cpu")
     listener = Listener(lambda record: None, notices.append)
-    with mock.patch.object(run, "LocalEngine", Inline):
-        resume(dataset, Options(workers=1, full_check=True), listener, produce=_fake if easy else None, pack=pack)
+    with contextlib.nullcontext() if workers > 1 else mock.patch.object(run, "LocalEngine", Inline):
+        options = Options(workers=workers, full_check=True)
+        resume(dataset, options, listener, produce=_fake if easy else None, pack=pack)
     return notices
 
 
@@ -298,7 +301,7 @@ def cases(product: str) -> list[Case]:
     ]
 
 
-def make_stages(place: Path, product: str, scenes: int, *, easy: bool) -> Path:
+def make_stages(place: Path, product: str, scenes: int, *, easy: bool, workers: int = 1) -> Path:
     """A data set at all its stages, and another version of it; the specification."""
     text = SCENES if product == "scenes" else LAYOUTS
     for name, seed in (("", 0), ("older ", 1)):
@@ -310,7 +313,7 @@ def make_stages(place: Path, product: str, scenes: int, *, easy: bool) -> Path:
             if not first:
                 shutil.copytree(place / f"{name}made", out)
             with contextlib.suppress(Stopped):
-                make(out, source, easy=easy, pack=pack)
+                make(out, source, easy=easy, pack=pack, workers=workers if first else 1)
             first = False
     return place / "spec.yaml"
 
@@ -320,14 +323,14 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--scenes", type=int, default=12)
     parser.add_argument("--product", choices=list(STAGES), default="scenes")
     parser.add_argument("--easy", action="store_true", help="scenes that cost nothing")
-    parser.add_argument("--jobs", type=int, default=1, help="processes that try cases")
+    parser.add_argument("--jobs", type=int, default=1, help="processes that make the data set, and try cases")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--only", default="", help="cases whose stage, kind and way have this in them")
     args = parser.parse_args(argv)
     began = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="sw-stages-") as scratch:
         place = Path(scratch)
-        source = make_stages(place, args.product, args.scenes, easy=args.easy)
+        source = make_stages(place, args.product, args.scenes, easy=args.easy, workers=args.jobs)
         expected = torture.content(place / "whole")
         chosen = [case for case in cases(args.product) if args.only in f"{case.stage} {case.kind} {case.way}"]
         attempt_one = partial(tried, stages=place, source=source, expected=expected, easy=args.easy, seed=args.seed)

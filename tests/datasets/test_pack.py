@@ -10,6 +10,7 @@ import pytest
 
 from sceneweaver.datasets import Folder
 from sceneweaver.datasets.files import pack, packing, packing_began, planned
+from sceneweaver.datasets.seals import sealed_row
 from sceneweaver.datasets.tables import arrow
 from sceneweaver.scene import InputError
 from tests.datasets.small import make_small
@@ -183,7 +184,9 @@ def test_assets_that_no_scene_names_go_and_others_are_listed(tmp_path):
     ]
     record = tmp_path / "work" / "assets" / "0.jsonl"
     record.parent.mkdir()
-    record.write_text("".join(json.dumps(line) + "\n" for line in lines) + '{"asset": "torn')
+    torn = '{"asset": "torn'
+    wrong = json.dumps(sealed_row(lines[0]) | {"licence": "MIT"}) + "\n"
+    record.write_text("".join(json.dumps(sealed_row(line)) + "\n" for line in lines) + wrong + torn)
     pack(Folder(tmp_path), requests)
     assert (tmp_path / kept).exists() and not (tmp_path / left).exists()
     table = arrow().parquet.read_table(tmp_path / "meta" / "assets.parquet").to_pylist()

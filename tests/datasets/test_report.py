@@ -17,6 +17,7 @@ from sceneweaver.datasets.files import pack
 from sceneweaver.datasets.report import collect, memory_svg, write_report
 from sceneweaver.datasets.report.charts import histogram, memory, nice, plan, throughput
 from sceneweaver.datasets.report.collect import CELLS, PICTURES, Sampler, gather, shell_signature, turn_of, turned
+from sceneweaver.datasets.seals import sealed_row
 from sceneweaver.datasets.statistics import Spread
 from sceneweaver.scene import InputError
 from tests.datasets.small import make_small, small_spec
@@ -34,7 +35,7 @@ def half_way(tmp_path_factory: pytest.TempPathFactory) -> Path:
     records = Folder(root).records
     records.mkdir(parents=True)
     lines = [_record(k, 10.0 * k, 10.0 * k + 20.0, worker=k % 2, rss=3e8 + 1e6 * k) for k in range(6)]
-    (records / "a.jsonl").write_text("".join(json.dumps(line) + "\n" for line in lines))
+    (records / "a.jsonl").write_text("".join(json.dumps(sealed_row(line)) + "\n" for line in lines))
     return root
 
 

@@ -8,6 +8,7 @@ import pytest
 import warp as wp
 
 import sceneweaver as sw
+from sceneweaver.verify.relations import JUDGES
 from tests.layout.made import BED, BOX, relation, scene, thing
 from tests.layout.research import KNEE
 
@@ -66,6 +67,17 @@ def test_it_is_reached_judged_and_differentiated(defined):
     assert np.mean(adam.status == 0) > 0.5  # the gradient leads there
 
 
+def test_engine_against_judge_is_told(defined, monkeypatch):
+    """A predicate that is otherwise than at the samples: the engine calls the best layout valid, the judge does not."""
+    what = scene([BED, BOX], [relation("made_by_test_ring", "box", "bed", radius=1.7)])
+    assert sw.refine(what, candidates=8, device="cpu").explanation is None
+    monkeypatch.setitem(JUDGES, "made_by_test_ring", lambda case: False)
+    solution = sw.refine(what, candidates=8, device="cpu")
+    assert (solution.status == 0).any() and not sw.check(solution.best).valid
+    assert "Engine and judge disagree about box made_by_test_ring bed (radius 1.7)" in solution.explanation
+    assert "its residual says that it holds, its `holds` that it does not" in solution.explanation
+
+
 def test_built_in_relations_go_on_as_before(defined):
     what = scene([BED, BOX], [relation("near", "box", "bed", max=0.3)])
     with_user = sw.refine(what, candidates=4, device="cpu", seed=1)
@@ -101,7 +113,7 @@ def test_names_and_params_are_checked():
 
 def test_its_residuals_make_up_the_energy():
     """The sum of residuals, by kernels that are built anew, is the energy of those that are built anew as well."""
-    sw.define_relation("on_ring", residual=ring, holds=lambda a, b, p: True, params={"radius": 1.5, "slack": 0.1})
+    sw.define_relation("on_ring", residual=ring, holds=ring_holds, params={"radius": 1.5, "slack": 0.1})
     try:
         what = scene([BOX, thing("other")], [relation("on_ring", "box", "other")])
         problem = sw.compile(what, device="cpu")

@@ -8,8 +8,12 @@ import signal
 
 import pytest
 
-from sceneweaver.mcp import build_server
+from sceneweaver.editing import EditSession
+from sceneweaver.layout.live import LiveLayout
+from sceneweaver.mcp import build_server, jobs_edits
+from sceneweaver.mcp.job import Job
 from sceneweaver.mcp.limits import MOST_PROMPT, MOST_SCENE, Limits
+from sceneweaver.runtime.deadline import Stop
 from sceneweaver.scene import InputError, Scene
 from tests.mcp.driving import children, command, connected, wait_for
 
@@ -63,7 +67,15 @@ WRONG = [
     ("move", {"scene": "s1", "object": "bed", "by": [1, 1], "to": [1, 1]}),
     ("move", {"scene": "s1", "object": "throne", "by": [1, 1]}),
     ("move", {"scene": "s99", "object": "bed", "by": [1, 1]}),
+    ("move", {"scene": "s1", "object": "bed", "by": [1e300, 0]}),
+    ("move", {"scene": "s1", "object": "bed", "to": [0, 1e300], "exact": True}),
+    ("move", {"scene": "s1", "object": "bed", "turn": 1e300}),
     ("turn", {"scene": "s1", "object": "bed"}),
+    ("turn", {"scene": "s1", "object": "bed", "degrees": 1e300, "exact": True}),
+    ("add", {"scene": "s1", "what": "chair", "turn": 1e300}),
+    ("add", {"scene": "s1", "what": "chair", "at": [1e300, 0]}),
+    ("repair", {"scene": "s1", "time_limit": 1e300}),
+    ("relate", {"scene": "s1", "subject": "bed", "type": "near", "target": "chair", "params": {"max": 1e300}}),
     ("turn", {"scene": "s1", "object": "bed", "degrees": "left"}),
     ("resize", {"scene": "s1", "object": "bed"}),
     ("resize", {"scene": "s1", "object": "bed", "width": -1}),
@@ -216,3 +228,22 @@ def test_work_that_is_late_or_loses_its_process_is_an_error_and_the_server_goes_
         assert answer.is_error and "the process that did it has ended" in answer.content[0].text
         assert driver.call("check", scene="s1")["version"] == 1
     server.service.workers.close()
+
+
+@pytest.mark.parametrize(
+    ("op", "arguments"),
+    [("move", {"name": "throne", "by": [1, 1]}), ("remove", {"name": "throne"}), ("relate", {"subject": "throne"})],
+)
+def test_an_object_that_is_not_there_is_refused_before_the_engine_is_loaded(monkeypatch, op, arguments):
+    monkeypatch.setattr(jobs_edits, "_session", lambda *_: pytest.fail("the engine was loaded"))
+    with pytest.raises(InputError, match="'throne' is no object of scene"):
+        jobs_edits.edit(Job("cpu", lambda *_: None, Stop(), 60.0), scene=Scene.example(), op=op, arguments=arguments)
+
+
+def test_an_edit_that_cannot_be_done_compiles_nothing(monkeypatch):
+    monkeypatch.setattr(LiveLayout, "settle", lambda *_: pytest.fail("something was compiled"))
+    session = EditSession(Scene.example(), device="cpu", ready=False)
+    with pytest.raises(InputError, match="throne"):
+        session.relate("bed", "near", "throne")
+    with pytest.raises(InputError, match="turn is"):
+        session.move("bed", turn=1e300)

@@ -34,6 +34,8 @@ def test_wishes_that_imply_overlap_leave_layouts_valid(given):
     solution = sw.refine(given, candidates=16, device="cpu")
     assert (solution.status == 0).all()
     assert sw.check(solution.best).valid
+    told = solution.explanation
+    assert "Soft relations that hold in none of 16 valid layouts" in told and "box-0 near box-1 (max 0 m)" in told
     gaps = [np.linalg.norm(solution.poses[:, i, :2] - solution.poses[:, j, :2], axis=1) for i, j in ((0, 1), (2, 3))]
     assert np.median(gaps) < 2.0  # they are as near as bodies may be, not anywhere
 

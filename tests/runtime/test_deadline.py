@@ -10,6 +10,8 @@ import time
 from contextlib import suppress
 
 import pytest
+from pydantic import TypeAdapter
+from pydantic_core import core_schema
 
 import sceneweaver as sw
 from sceneweaver.runtime.deadline import HASTE, NEVER, PATIENCE, SHORTEST, Deadline, Stop, TimeUp, checkpoint
@@ -112,6 +114,21 @@ def test_what_comes_to_no_checkpoint_is_broken_off(how):
     with pytest.raises(TimeUp), end.enforced():
         hanging()  # it would end after a minute, without an error
     assert time.monotonic() - began > (PATIENCE if how == "deadline" else HASTE)
+
+
+def test_a_model_is_built_as_a_whole():
+    """Pydantic turns what is raised while it builds a model into an error of its own."""
+
+    class Slow:
+        @classmethod
+        def __get_pydantic_core_schema__(cls, source: type, handler: object) -> core_schema.CoreSchema:
+            hanging(PATIENCE + 0.5)
+            return core_schema.any_schema()
+
+    with pytest.raises(TimeUp), soon().enforced():
+        built = TypeAdapter(Slow)
+        working()
+    assert built.validate_python(3) == 3
 
 
 def test_a_module_is_imported_as_a_whole(tmp_path, monkeypatch):

@@ -11,6 +11,15 @@ import numpy as np
 import pytest
 
 from sceneweaver.scene import InputError, Pose, Relation, Room, Scene, SceneObject, SceneWeaverError
+from sceneweaver.scene.limits import (
+    MAX_CORNERS,
+    MAX_DOORS,
+    MAX_OBJECTS,
+    MAX_PARTS,
+    MAX_RELATIONS,
+    MAX_SHAPES,
+    MAX_WINDOWS,
+)
 
 NAN, INF = float("nan"), float("inf")
 DESK, CHAIR = ("objects", 1), ("objects", 3)
@@ -236,12 +245,12 @@ def test_longer_circle_of_support_is_named(small):
 def test_long_chain_of_supports_is_fine():
     top = [{"name": "top", "polygon": [[0, 0], [1, 0], [1, 1]], "z": 1}]
     objects = [{"id": "o0", "category": "box", "size": [1, 1, 1], "surfaces": top}]
-    for i in range(1, 3000):
+    for i in range(1, MAX_OBJECTS):
         support = {"object": f"o{i - 1}", "surface": "top"}
         more = {"id": f"o{i}", "mount": "surface", "support": support}
         objects.append({**objects[0], **more})
     scene = Scene(id="tower", room={"outline": SQUARE}, objects=objects[::-1])
-    assert len(scene.objects) == 3000
+    assert len(scene.objects) == MAX_OBJECTS
 
 
 def test_models_made_alone_name_themselves():
@@ -401,13 +410,79 @@ def test_data_given_is_not_changed(small):
     assert small == before
 
 
-def test_a_scene_has_ten_thousand_objects_at_most(small):
-    many = [{"id": f"a{i}", "category": "box", "size": [1, 1, 1]} for i in range(10_001)]
-    small["objects"], small["relations"] = many, []
-    with pytest.raises(InputError, match="^objects has 10001 entries; give at most 10000$"):
-        Scene.from_json(small)
-    small["objects"] = many[:-1]
-    assert len(Scene.from_json(small).objects) == 10_000
+def boxes(count):
+    return [{"id": f"a{i}", "category": "box", "size": [1, 1, 1]} for i in range(count)]
+
+
+def doors(count, wall=0, **more):
+    door = {"wall": wall, "offset": 0.1, "width": 0.5, "height": 2.0, **more}
+    return [{**door, "id": f"e{i}"} for i in range(count)]
+
+
+def windows(count):
+    return [{**door, "id": f"f{i}", "sill": 0.1} for i, door in enumerate(doors(count, height=1.0))]
+
+
+def polygon(corners):
+    turns = [2 * math.pi * k / corners for k in range(corners)]
+    return [[math.cos(turn), math.sin(turn)] for turn in turns]
+
+
+@pytest.mark.parametrize(
+    ("path", "made", "most"),
+    [
+        (("objects",), boxes, MAX_OBJECTS),
+        (("relations",), lambda n: [{"type": "on_floor", "subject": "a0"}] * n, MAX_RELATIONS),
+        (("dropped",), lambda n: [{"id": f"d{k}", "category": "box", "reason": "-"} for k in range(n)], MAX_OBJECTS),
+        (("room", "doors"), doors, MAX_DOORS),
+        (("room", "windows"), windows, MAX_WINDOWS),
+        (("room", "outline"), polygon, MAX_CORNERS),
+        (("objects", 0, "parts"), lambda n: [{"polygon": SQUARE, "z": [0, 1]}] * n, MAX_PARTS),
+        (("objects", 0, "zones"), lambda n: [{"name": "z", "polygon": SQUARE, "z": [0, 1]}] * n, MAX_PARTS),
+        (("objects", 0, "surfaces"), lambda n: [{"name": f"s{k}", "polygon": SQUARE, "z": 1} for k in range(n)], 64),
+    ],
+)
+def test_a_scene_holds_so_much_at_most(path, made, most):
+    scene = {
+        "schema": "sceneweaver.scene/1",
+        "id": "full",
+        "room": {"outline": SQUARE, "height": 3.0},
+        "objects": boxes(1),
+    }
+    *above, last = path
+    inner = scene
+    for key in above:
+        inner = inner[key]
+    inner[last] = made(most)
+    Scene.from_json(copy.deepcopy(scene))
+    inner[last] = made(most + 1)
+    with pytest.raises(InputError, match=rf"has {most + 1} entries; give at most {most}$"):
+        Scene.from_json(scene)
+
+
+def test_all_shapes_of_a_scene_are_counted():
+    part = {"polygon": SQUARE, "z": [0, 1]}
+    objects = [{**box, "parts": [part] * MAX_PARTS} for box in boxes(MAX_SHAPES // MAX_PARTS + 1)]
+    with pytest.raises(InputError, match=f"^objects: have .* parts, zones and surfaces; give at most {MAX_SHAPES}$"):
+        Scene(id="full", room={"outline": SQUARE}, objects=objects)
+
+
+def test_openings_of_a_wall_do_not_reach_into_each_other():
+    first = doors(1)[0]
+    beside, above = {**first, "id": "e1", "offset": 0.6}, {**windows(1)[0], "sill": 2.0, "height": 0.5}
+    room = {"outline": SQUARE, "height": 3.0}
+    assert not Room(**room, doors=[first, beside], windows=[above]).doubled
+    for other in ({**first, "id": "e1", "offset": 0.4}, {**first, "id": "e1", "height": 1.5}):
+        with pytest.raises(InputError, match=r"doors\[1\] 'e1': 'e0' is partly in the same place of wall 0; move one"):
+            Room(**room, doors=[first, other])
+    with pytest.raises(InputError, match=r"windows\[0\] 'f0': 'e0' is partly in the same place"):
+        Room(**room, doors=[first], windows=[{**above, "sill": 1.5}])
+    assert not Room(**room, doors=[first, {**first, "id": "e1", "wall": 1}]).doubled
+
+
+def test_an_opening_that_is_listed_twice_is_told():
+    room = Room(outline=SQUARE, height=3.0, doors=doors(3))
+    assert [(a.id, b.id) for a, b in room.doubled] == [("e0", "e1"), ("e0", "e2"), ("e1", "e2")]
 
 
 def test_finishes_are_on_walls_that_exist(small):

@@ -1,16 +1,17 @@
 """Collisions of prisms and of tilted bodies on both sides of each threshold, and the depth of convex bodies."""
 
+import importlib
 import math
 import tracemalloc
 
 import numpy as np
 import pytest
+import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sceneweaver.scene import InputError
 from sceneweaver.verify import check, convex
-from sceneweaver.verify.overlap import overlaps
+from sceneweaver.verify.overlap import CHUNK, MOST_PAIRS, overlaps
 from sceneweaver.verify.solids import Placed
 from tests.verify.build import box, judge, only, rectangle, scene, times, turned
 
@@ -169,12 +170,42 @@ def test_flat_bodies_have_no_depth():
     assert convex.hull_vertices(sheet).shape == (4, 3)
 
 
-def test_a_heap_of_objects_is_refused_before_its_pairs_fill_the_memory():
+def test_a_heap_of_objects_is_judged_without_filling_the_memory():
     heap = scene([box(f"a{i}", (1, 1, 1), 4, 4) for i in range(2000)])
     tracemalloc.start()
     try:
-        with pytest.raises(InputError, match="over 2000000 pairs of parts or zones overlap; spread the objects"):
-            check(heap)
+        report = check(heap, walkable=False)
         assert tracemalloc.get_traced_memory()[1] < 200 << 20
     finally:
         tracemalloc.stop()
+    assert not report.valid and report.collisions == MOST_PAIRS
+    assert f"over {MOST_PAIRS} pairs of parts overlap; no more of them were counted" in report.warnings
+
+
+def test_a_tower_is_no_heap():
+    tower = scene([box(f"a{i}", (1, 1, 0.001), 4, 4, 0, 0.001 * i) for i in range(2000)])
+    report = check(tower, walkable=False)
+    assert report.collisions == 0 and not report.warnings
+
+
+def test_overlaps_of_many_are_those_of_all_pairs():
+    rng = np.random.default_rng(1)
+    some = [box(f"a{i}", (1, 1, 1), *rng.uniform(0, 8, 2), rng.uniform(0, 360)) for i in range(3 * CHUNK)]
+    parts = Placed.of(scene(some)).parts
+    found = overlaps(parts, parts)
+    crossing = shapely.area(shapely.intersection(parts.polygons[:, None], parts.polygons[None, :])) > 0.05
+    assert {(i, j) for i, j in zip(*np.nonzero(np.triu(crossing, 1)), strict=True)} <= set(
+        zip(found.i.tolist(), found.j.tolist(), strict=True)
+    )
+    assert not found.cut and len(set(zip(found.i.tolist(), found.j.tolist(), strict=True))) == len(found)
+
+
+def test_the_judge_ends_with_the_block_that_it_runs_in(monkeypatch):
+    """Each of its loops comes to a checkpoint: none of them goes on for long after the deadline."""
+    made = scene([box(f"a{i}", (0.2, 0.2, 0.2), 0.1 + 0.25 * i, 4) for i in range(20)])
+    for name in ("check", "overlap", "bounds", "support"):
+        looked = []
+        module = importlib.import_module(f"sceneweaver.verify.{name}")
+        monkeypatch.setattr(module, "checkpoint", lambda looked=looked: looked.append(1))
+        check(made)
+        assert looked, name

@@ -48,11 +48,15 @@ def test_a_client_of_ones_own_has_limits_of_its_own():
         design("a store room", planner="llm", model=ModelClient(saying("")), limits=Limits(calls=1))
 
 
-@pytest.mark.parametrize(("seconds", "reserve"), [(100.0, 50.0), (1000.0, 120.0), (math.inf, 0.0)])
-def test_as_long_as_there_is_no_room_the_rules_keep_time_to_make_one(tmp_path, seconds, reserve):
-    session = Session.opened(Roles.of("llm"), Asking(saying("")), Deadline(time.monotonic() + seconds), tmp_path)
+@pytest.mark.parametrize(
+    ("seconds", "started", "reserve"),
+    [(90.0, 3.5, 21.0), (90.0, 0.1, 10.0), (12.0, 0.1, 6.0), (90.0, 30.0, 45.0), (math.inf, 3.5, 0.0)],
+)
+def test_as_long_as_there_is_no_room_the_rules_keep_time_to_make_one(tmp_path, seconds, started, reserve):
+    limit = Deadline(time.monotonic() + seconds)
+    session = Session.opened(Roles.of("llm"), Asking(saying("")), limit, tmp_path, started)
     assert session.reserve == pytest.approx(reserve, rel=0.1) and session.left <= seconds - session.reserve
-    session.run = SimpleNamespace(best=object())  # type: ignore[assignment]
+    session.run = SimpleNamespace(best=object(), deadline=limit)  # type: ignore[assignment]
     assert session.left > session.deadline.left - 1 or math.isinf(seconds)
 
 
