@@ -18,7 +18,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.io import write_atomic
+from sceneweaver.io import load_json, write_atomic
 from sceneweaver.scene import InputError
 
 from .reply import Picture
@@ -199,26 +199,24 @@ def read_records(folder: Path) -> list[dict[str, Any]]:
         InputError: for a file that is no record.
     """
     sessions = read_folder(folder)["sessions"]
-    left_out: set[int] = set()
-    for session in sessions[1:]:
-        left_out.update(range(session["kept"] + 1, session["first"]))
+    try:
+        ranges = [range(session["kept"] + 1, session["first"]) for session in sessions[1:]]
+    except (KeyError, TypeError):
+        raise InputError(f"{folder}: the sessions in its endpoint.json are not of {FOLDER_SCHEMA}") from None
     places = sorted((int(named[1]), name) for name in os.listdir(folder) if (named := NAME.fullmatch(name)))
     found: list[dict[str, Any]] = []
     for number, name in places:
-        if number in left_out:
+        if any(number in left_out for left_out in ranges):
             continue
         data = _read(folder / name)
-        if data.get("schema") != SCHEMA or not {"purpose", "digest", "answer", "failure", "usage"} <= set(data):
+        if data.get("schema") != SCHEMA or not {"purpose", "number", "digest", "answer", "failure", "usage"} <= set(data):
             raise InputError(f"{folder / name}: is no record of {SCHEMA}")
         found.append({**data, "file": name})
     return found
 
 
 def _read(place: Path) -> dict[str, Any]:
-    try:
-        data = json.loads(place.read_bytes())
-    except (OSError, ValueError) as error:
-        raise InputError(f"{place}: cannot be read as JSON ({line(error)})") from None
+    data = load_json(place)
     if not isinstance(data, dict):
         raise InputError(f"{place}: is no JSON object")
     return data

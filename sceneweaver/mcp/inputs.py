@@ -9,19 +9,20 @@ from pydantic import Field, FiniteFloat
 
 from sceneweaver.runtime.options import DesignOptions, Option, options_of
 
-from .limits import LEAST_SIDE, MOST_CANDIDATES, MOST_PROMPT, MOST_SIDE
+from .limits import FARTHEST, LEAST_SIDE, LONGEST, MOST_CANDIDATES, MOST_PROMPT, MOST_SIDE
 
 SceneId = Annotated[str, Field(min_length=1, max_length=40, description="Handle of an open scene, such as s1")]
 ObjectId = Annotated[str, Field(min_length=1, max_length=200, description="Id of an object, such as desk-0")]
 Name = Annotated[str, Field(min_length=1, max_length=400, description="Name below the server's folder")]
 Prompt = Annotated[str, Field(min_length=1, max_length=MOST_PROMPT, description="The room, in plain English")]
 Words = Annotated[str, Field(min_length=1, max_length=400)]
-Point = Annotated[list[FiniteFloat], Field(min_length=2, max_length=3, description="x, y or x, y, z [m]")]
+Coordinate = Annotated[FiniteFloat, Field(ge=-FARTHEST, le=FARTHEST)]
+Point = Annotated[list[Coordinate], Field(min_length=2, max_length=3, description="x, y or x, y, z [m]")]
 Degrees = Annotated[FiniteFloat, Field(description="Counter-clockwise [degrees]")]
 Metres = Annotated[FiniteFloat, Field(gt=0, le=100, description="[m]")]
 Seed = Annotated[int, Field(ge=0, lt=2**32, description="Equal seeds give equal results")]
-Seconds = Annotated[FiniteFloat, Field(gt=0, description="Seconds that it may take; null: as usual")]
-VersionNumber = Annotated[int, Field(ge=1, description="Number of a version")]
+Seconds = Annotated[FiniteFloat, Field(gt=0, le=LONGEST, description="Seconds that it may take; null: as usual")]
+VersionNumber = Annotated[int, Field(ge=1, lt=2**32, description="Number of a version")]
 Side = Annotated[int, Field(ge=LEAST_SIDE, le=MOST_SIDE, description="Pixels")]
 Exact = Annotated[
     bool,

@@ -10,6 +10,12 @@ MOST_PROMPT = 4_000
 MOST_CANDIDATES = 65536
 """Layouts that a design refines for each call of a tool."""
 
+FARTHEST = 1000.0
+"""Metres from the origin of a room at which a thing may be put, or by which it may be moved."""
+
+LONGEST = 86_400.0
+"""Seconds that a caller may give a call; the server's own bound holds as well."""
+
 MOST_SCENE = 8 * 2**20
 """Bytes of a scene file that is opened."""
 
