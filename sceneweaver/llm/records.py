@@ -178,6 +178,10 @@ class Recorder:
         write_atomic(self.folder / "usage.json", _text(redact(data)))
 
 
+NEEDED = frozenset(("purpose", "number", "digest", "answer", "failure", "usage"))
+"""What a record has at least."""
+
+
 def read_folder(folder: Path) -> dict[str, Any]:
     """What `endpoint.json` says.
 
@@ -209,7 +213,7 @@ def read_records(folder: Path) -> list[dict[str, Any]]:
         if any(number in left_out for left_out in ranges):
             continue
         data = _read(folder / name)
-        if data.get("schema") != SCHEMA or not {"purpose", "number", "digest", "answer", "failure", "usage"} <= set(data):
+        if data.get("schema") != SCHEMA or not NEEDED <= data.keys():
             raise InputError(f"{folder / name}: is no record of {SCHEMA}")
         found.append({**data, "file": name})
     return found
