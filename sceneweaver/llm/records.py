@@ -213,7 +213,7 @@ def read_records(folder: Path) -> list[dict[str, Any]]:
         if any(number in left_out for left_out in ranges):
             continue
         data = _read(folder / name)
-        if data.get("schema") != SCHEMA or not NEEDED <= data.keys():
+        if data.get("schema") != SCHEMA or not data.keys() >= NEEDED:
             raise InputError(f"{folder / name}: is no record of {SCHEMA}")
         found.append({**data, "file": name})
     return found
