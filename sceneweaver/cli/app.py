@@ -45,7 +45,7 @@ from .model_options import (
     limits_of,
 )
 from .options import Candidates, Device, Input, Json, Out, Picture, Png, Seed, TimeLimit, positive_seconds
-from .output import CompilingLine
+from .streams import CompilingLine
 
 # The base of typer's usage errors, which lives in click or, with newer versions of typer, in typer itself.
 _UsageError: type[Exception] = next(c for c in typer.BadParameter.__mro__ if c.__name__ == "ClickException")

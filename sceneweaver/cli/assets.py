@@ -14,7 +14,8 @@ from sceneweaver.io.messages import suggest
 from sceneweaver.scene import InputError
 
 from .exit_codes import BAD_INPUT, NOT_VALID
-from .output import list_files, no_chatter
+from .output import list_files
+from .streams import no_chatter
 
 if TYPE_CHECKING:
     from PIL.Image import Image

@@ -9,7 +9,8 @@ from typing import Any
 
 import typer
 
-from .output import list_files, no_chatter, print_json
+from .output import list_files, print_json
+from .streams import no_chatter
 
 
 def run_bench(

@@ -11,8 +11,9 @@ from sceneweaver.scene import InputError, Scene
 
 from .clock import clock
 from .exit_codes import NOT_VALID
-from .output import headline, list_files, list_violations, no_chatter, print_json, relations_line
+from .output import headline, list_files, list_violations, print_json, relations_line
 from .render import require_png
+from .streams import no_chatter
 
 
 def run_check(

@@ -8,7 +8,8 @@ import typer
 
 from .dataset_runs import Progress, duration, handles
 from .exit_codes import NOT_VALID
-from .output import list_files, no_chatter, print_json, progress_bar
+from .output import list_files, print_json, progress_bar
+from .streams import no_chatter
 
 
 def run_status(path: Path, *, as_json: bool) -> int:

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
 
 from .exit_codes import UNFINISHED
-from .output import no_chatter
+from .streams import no_chatter
 
 if TYPE_CHECKING:
     from sceneweaver.datasets.engines import Dataset

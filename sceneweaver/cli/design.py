@@ -13,7 +13,8 @@ from sceneweaver.scene import InputError
 
 from .exit_codes import NOT_VALID, UNFINISHED
 from .model_options import announce, request_of, told
-from .output import headline, list_files, list_violations, no_chatter, print_json, relations_line
+from .output import headline, list_files, list_violations, print_json, relations_line
+from .streams import no_chatter
 
 if TYPE_CHECKING:
     from sceneweaver.agent import Result

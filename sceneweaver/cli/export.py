@@ -11,7 +11,8 @@ import typer
 from sceneweaver.scene import InputError, Scene
 
 from .clock import clock
-from .output import list_files, no_chatter, print_json
+from .output import list_files, print_json
+from .streams import no_chatter
 
 
 def run_export(

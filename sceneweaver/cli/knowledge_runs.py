@@ -15,7 +15,8 @@ from sceneweaver.knowledge.room_files import slug
 from sceneweaver.scene import InputError, MissingDependencyError
 
 from .exit_codes import NOT_VALID
-from .output import no_chatter, print_json
+from .output import print_json
+from .streams import no_chatter
 
 
 def run_learn(

@@ -11,7 +11,8 @@ from sceneweaver.io import write_atomic
 from sceneweaver.scene import InputError, SceneWeaverError
 
 from .exit_codes import NOT_VALID
-from .output import list_files, no_chatter, print_json, staged
+from .output import list_files, print_json, staged
+from .streams import no_chatter
 
 if TYPE_CHECKING:
     from sceneweaver.problems import ProblemCase

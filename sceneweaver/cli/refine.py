@@ -15,7 +15,8 @@ from sceneweaver.scene import Scene
 
 from .clock import Clock, clock, keep_for
 from .exit_codes import NOT_VALID
-from .output import headline, list_files, list_violations, no_chatter, print_json, progress_bar, relations_line, staged
+from .output import headline, list_files, list_violations, print_json, progress_bar, relations_line, staged
+from .streams import no_chatter
 
 if TYPE_CHECKING:
     from sceneweaver.layout import Solution

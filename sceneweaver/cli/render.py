@@ -8,7 +8,8 @@ from sceneweaver.io import whole
 from sceneweaver.scene import InputError, Scene
 
 from .clock import clock
-from .output import list_files, no_chatter, print_json
+from .output import list_files, print_json
+from .streams import no_chatter
 
 PLAN = "plan"
 """The view that is a drawing and no picture."""

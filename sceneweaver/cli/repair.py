@@ -14,8 +14,9 @@ from sceneweaver.scene import Scene
 
 from .clock import Clock, clock, keep_for
 from .exit_codes import NOT_VALID
-from .output import headline, list_files, list_violations, no_chatter, print_json, relations_line, staged
+from .output import headline, list_files, list_violations, print_json, relations_line, staged
 from .refine import METRICS, PICTURE, SCENE
+from .streams import no_chatter
 
 if TYPE_CHECKING:
     from sceneweaver.repairs import Move, Repair

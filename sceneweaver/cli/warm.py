@@ -6,7 +6,8 @@ import time
 
 import typer
 
-from .output import no_chatter, print_json
+from .output import print_json
+from .streams import no_chatter
 
 
 def run_warm(device: str, *, as_json: bool) -> int:

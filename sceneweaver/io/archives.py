@@ -8,13 +8,14 @@ import tarfile
 import zipfile
 from collections.abc import Iterator
 from pathlib import PurePosixPath
-from typing import IO
-
-import numpy as np
+from typing import IO, TYPE_CHECKING
 
 from .errors import InputError
 from .messages import clean, quote
 from .reading import Place, open_regular, reason
+
+if TYPE_CHECKING:
+    import numpy as np
 
 MAX_BYTES = 2**30
 """Largest archive [bytes], and the most that it may unpack to, unless told otherwise."""
@@ -83,6 +84,8 @@ def read_arrays(path: Place, *, max_bytes: int = MAX_BYTES) -> dict[str, np.ndar
 
 def _array(file: IO[bytes], max_bytes: int) -> np.ndarray:
     """An array, whose header is believed only as far as there are bytes for it."""
+    import numpy as np
+
     version = np.lib.format.read_magic(file)
     read = {(1, 0): np.lib.format.read_array_header_1_0, (2, 0): np.lib.format.read_array_header_2_0}
     if version not in read:

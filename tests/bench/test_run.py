@@ -180,7 +180,7 @@ def test_what_is_no_results(tmp_path, text):
     with pytest.raises(sw.InputError, match="no results"):
         read_runs(tmp_path)
     (tmp_path / "x.parquet").write_text(text)
-    with pytest.raises(sw.InputError, match="no Parquet file"):
+    with pytest.raises(sw.InputError, match="x.parquet: not readable as Parquet"):
         read_runs(tmp_path / "x.parquet")
 
 

@@ -85,7 +85,7 @@ def test_render_writes_views_and_data_passes(run, bedroom, tmp_path):
     [
         (("--passes", "dept"), "passes: 'dept' is unknown"),
         (("--passes", ""), "passes: none is named"),
-        (("--passes", "depth", "--cameras", "none.json"), "--cameras: none.json cannot be read"),
+        (("--passes", "depth", "--cameras", "none.json"), "--cameras: none.json: no such file"),
         (("--passes", "depth", "--format", "tiff"), "format: 'tiff' is unknown"),
         (("--view", "eye"), "view: 'eye' is unknown"),
     ],

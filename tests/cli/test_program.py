@@ -100,7 +100,7 @@ def test_a_crash_of_native_code_says_where_also_while_libraries_are_kept_quiet(t
     program = (
         "import ctypes, sys\n"
         "from sceneweaver.cli.app import app, main\n"
-        "from sceneweaver.cli.output import no_chatter\n"
+        "from sceneweaver.cli.streams import no_chatter\n"
         "@app.command('crash')\n"
         "def crash():\n"
         "    with no_chatter():\n"

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from sceneweaver.cli import output
+from sceneweaver.cli import streams
 from sceneweaver.runtime.compiling import Compiling
 
 ROOT = Path(__file__).parents[2]
@@ -48,8 +48,8 @@ def test_it_compiles_once_and_says_where_the_cache_is(tmp_path):
 
 
 def test_it_is_said_while_libraries_are_kept_quiet(capfd):
-    line = output.CompilingLine()
-    with output.no_chatter():
+    line = streams.CompilingLine()
+    with streams.no_chatter():
         line(Compiling(0, 3, 0.0, 10.0))
         assert capfd.readouterr().err == "compiling kernels, once (about 10 s): 0 of 3 modules\n"
         line(Compiling(1, 3, 5.0, 10.0))  # too soon
@@ -63,13 +63,13 @@ def test_it_is_said_while_libraries_are_kept_quiet(capfd):
 def test_a_terminal_has_one_line_that_moves():
     pty = pytest.importorskip("pty")
     ours, theirs = pty.openpty()
-    line, before = output.CompilingLine(), output._stderr
-    output._stderr = theirs
+    line, before = streams.CompilingLine(), streams._stderr
+    streams._stderr = theirs
     try:
         for done in range(3):
             line(Compiling(done, 2, float(done), 4.0))
     finally:
-        output._stderr = before
+        streams._stderr = before
     said = os.read(ours, 10_000).decode()
     os.close(ours)
     os.close(theirs)

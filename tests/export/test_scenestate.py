@@ -287,10 +287,10 @@ def test_a_failure_half_way_leaves_the_old_file(tmp_path, monkeypatch) -> None:
     path.write_text("old")
     real = os.replace
 
-    def full(source, target):
-        if target == path:
+    def full(source, target, **folders):
+        if os.path.basename(target) == path.name:
             raise OSError(28, "No space left on device")
-        real(source, target)
+        real(source, target, **folders)
 
     monkeypatch.setattr(os, "replace", full)
     with pytest.raises(InputError, match="No space left"):

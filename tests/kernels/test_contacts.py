@@ -11,6 +11,7 @@ import warp as wp
 from sceneweaver.kernels.inequality import CONTENT, ROWS, SLACK
 from sceneweaver.kernels.linearise import linearise
 from sceneweaver.layout.compile import LayoutProblem
+from sceneweaver.optimizers.base import Monitor
 from sceneweaver.optimizers.batch import Batch
 from sceneweaver.optimizers.projection import new_system
 from sceneweaver.optimizers.verdict import judge
@@ -30,7 +31,7 @@ class Rows:
 
 def gather(batch: Batch) -> list[Rows]:
     """Rows of every candidate at its poses, which count as its anchors."""
-    system, _best = new_system(batch)
+    system, _best = new_system(batch, Monitor(batch.size))
     system.live.fill_(1)
     selected = wp.array(np.arange(batch.size, dtype=np.int32), dtype=wp.int32, device=batch.device)
     best_options(batch)

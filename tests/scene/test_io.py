@@ -194,7 +194,7 @@ def test_failed_save_leaves_the_old_file_and_no_other(tmp_path, small, monkeypat
     path = tmp_path / "scene.json"
     path.write_text("old")
 
-    def fail(*args):
+    def fail(*args, **options):
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(os, broken, fail)

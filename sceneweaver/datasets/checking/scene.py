@@ -16,7 +16,7 @@ import numpy as np
 
 from sceneweaver.geometry.polygons import signed_area
 from sceneweaver.geometry.rotations import matrix, xyzw
-from sceneweaver.io import InputError, load_mjcf, parse_json, parse_xml, read_bytes
+from sceneweaver.io import InputError, load_mjcf, parse_json, parse_xml, read_bytes, write_atomic
 from sceneweaver.physics.mjcf_file import simulate
 from sceneweaver.scene import Scene
 from sceneweaver.verify import Report, check
@@ -212,10 +212,10 @@ class Judge:
         """Compile the MJCF file of a scene and let it loose for a time; 0: only compile it."""
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "scene.xml"
-            path.write_bytes(content)
+            write_atomic(path, content)
             (path.parent / "assets").symlink_to((self.root / "assets").resolve())
             try:
-                load_mjcf(path, self.root.resolve())
+                load_mjcf(path)
                 result = simulate(path, seconds)
             except ValueError as error:
                 return found.fault("compile", key, f"MuJoCo does not take it: {' '.join(str(error).split())[:200]}")
