@@ -12,6 +12,7 @@ beside it), or more than 2 GB.
 from __future__ import annotations
 
 import argparse
+import contextlib
 import hashlib
 import os
 import re
@@ -284,10 +285,8 @@ def _ended(case: Case) -> Result | None:
 
 
 def _kill(group: int) -> None:
-    try:
+    with contextlib.suppress(ProcessLookupError, PermissionError):
         os.killpg(group, signal.SIGKILL)
-    except (ProcessLookupError, PermissionError):
-        pass
 
 
 def _resident(pid: int) -> int:
@@ -367,9 +366,7 @@ class Tally:
         rows = [f"{'kind':<10}" + "".join(f"{name:>8}" for name in columns) + f"{'all':>8}"]
         total = sum(self.counts.values(), Counter[str]())
         for kind, count in (*sorted(self.counts.items()), ("all", total)):
-            rows.append(
-                f"{kind:<10}" + "".join(f"{count[name]:>8}" for name in columns) + f"{sum(count.values()):>8}"
-            )
+            rows.append(f"{kind:<10}" + "".join(f"{count[name]:>8}" for name in columns) + f"{sum(count.values()):>8}")
         return "\n".join((*rows, f"slowest {self.slowest:.1f} s, most memory {self.largest >> 20} MiB"))
 
     def stories(self) -> str:
@@ -384,7 +381,7 @@ class Tally:
 def fuzz(count: int, seed: int, jobs: int, kinds: Sequence[str], case: int | None = None) -> Tally:
     """Run so many cases, or one by its number."""
     tally = Tally()
-    root = Path(tempfile.mkdtemp(prefix="mutated-files-"))  # no TemporaryDirectory: each fork would remove it at its end
+    root = Path(tempfile.mkdtemp(prefix="mutated-files-"))  # a TemporaryDirectory is removed by each fork as it ends
     try:
         fuzzer = Fuzzer(root, seed, kinds)
         fuzzer.prepare()

@@ -239,9 +239,25 @@ def _manifest_csv(folder: Path) -> None:
 
 def _objathor(folder: Path) -> None:
     (folder / "abc").mkdir()
-    _chair().export(folder / "abc" / "abc.obj")
+    _chair().export(folder / "abc" / "abc.glb")
     row = {"category": "chair", "scale": 1.0, "pose_z_rot_angle": 0.5, "height": 90, "material": "wood"}
     (folder / "annotations.json").write_text(json.dumps({"abc": {**row, "description": "a chair"}}, indent=1))
+
+
+def _abo(folder: Path) -> None:
+    (folder / "original").mkdir()
+    _chair().export(folder / "original" / "c1.glb")
+    (folder / "3dmodels.csv").write_text("3dmodel_id,path,extent_x\nC1,c1.glb,0.5\nC2,c1.glb,0.5\n")
+    name = {"language_tag": "en_GB", "value": "CHAIR"}
+    row = {"3dmodel_id": "C1", "product_type": [{"value": "CHAIR"}], "item_name": [name], "color": [name]}
+    (folder / "listings_0.json").write_text(json.dumps(row) + "\n")
+
+
+def _future(folder: Path) -> None:
+    (folder / "m1").mkdir()
+    _chair().export(folder / "m1" / "raw_model.obj")
+    row = {"model_id": "m1", "category": "Lounge Chair / Cafe Chair", "super-category": "Chair", "style": "Modern"}
+    (folder / "model_info.json").write_text(json.dumps([row], indent=1))
 
 
 def _store(folder: Path) -> None:
@@ -354,8 +370,9 @@ _LINKS = ("store", "store/objects", "store/cache", "store/drafts")
 
 def _imported(*files: str) -> tuple[Call, ...]:
     """The commands that read mesh files."""
-    one = tuple(Call(f"assets import {{in}}/{file} --store {{out}}/store --time-limit 10", 10, _LINKS) for file in files)
-    return (*one, Call(f"{_IMPORT} --json", 10, _LINKS))
+    given = "--store {out}/store --time-limit 10"
+    one = tuple(Call(f"assets import {{in}}/{file} {given}", 10, _LINKS) for file in files)
+    return (*one, Call(f"{_IMPORT} --json", 20, _LINKS))  # the limit is that of each of two files
 
 
 _ENGINE = "--candidates 4 --device cpu --time-limit 10"
@@ -476,6 +493,8 @@ KINDS: dict[str, Kind] = {
     "manifest": Kind(_manifest, ("manifest.json",), _imported()),
     "csv": Kind(_manifest_csv, ("manifest.csv",), _imported()),
     "objathor": Kind(_objathor, ("annotations.json",), (Call(f"{_IMPORT} --format objathor", 10, _LINKS),)),
+    "abo": Kind(_abo, ("3dmodels.csv", "listings_0.json"), _imported()),
+    "future3d": Kind(_future, ("model_info.json",), _imported()),
     "store": Kind(
         _store,
         ("objects/*/*/*",),
