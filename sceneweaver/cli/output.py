@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import typer
 
 from sceneweaver.io import locked, sweep, temporary_folder
+from sceneweaver.io.messages import printable_line
 from sceneweaver.runtime.compiling import Compiling, watched_by
 from sceneweaver.scene import InputError
 
@@ -22,6 +23,9 @@ if TYPE_CHECKING:
     from sceneweaver.verify import Report
 
 Progress = Callable[[int, int, int, float], None]
+
+LONGEST = 1000
+"""Characters of a line about what is wrong."""
 
 MOST_LISTED = 20
 """Violations that are listed on a terminal; files and --json have them all."""
@@ -153,6 +157,13 @@ def no_chatter() -> Iterator[None]:
             for line in said.read().decode(errors="replace").splitlines():
                 if line.strip():
                     typer.echo(line, err=True)
+
+
+def complain(text: str) -> str:
+    """Say what is wrong as one printable line on stderr, whatever the file says that it quotes; gives the line."""
+    line = printable_line(text, LONGEST)
+    typer.echo(f"sceneweaver: {line}", err=True)
+    return line
 
 
 def print_json(data: dict[str, Any]) -> None:
