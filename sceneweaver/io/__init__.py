@@ -20,6 +20,7 @@ from .json_text import load_json as load_json
 from .json_text import load_json_lines as load_json_lines
 from .json_text import load_packed_json as load_packed_json
 from .json_text import parse_json as parse_json
+from .meshes import read_mesh as read_mesh
 from .meshes import read_meshes as read_meshes
 from .mjcf import load_mjcf as load_mjcf
 from .mjcf import read_spec as read_spec

@@ -16,7 +16,7 @@ import pytest
 from sceneweaver.assets.imports.load import load
 from sceneweaver.assets.readers import entries
 from sceneweaver.cli.app import main
-from sceneweaver.io import archives, load_csv, load_packed_json
+from sceneweaver.io import archives, load_csv, load_packed_json, read_mesh, read_meshes
 from sceneweaver.scene import InputError, MissingDependencyError
 from sceneweaver.verify.meshes import MeshSet
 
@@ -177,9 +177,12 @@ def test_a_table_names_files_of_its_own_folder_only(tmp_path, kind, table, text)
     root = tmp_path / "library"
     for place in ("a.glb", "a/raw_model.obj", "../b.glb", "../b/raw_model.obj"):
         tetrahedron(root / place)
-    for name, found in (("a", 1), ("../b", 0), (str(tmp_path / "b"), 0)):
+    (root / table).write_text(text.replace("NAME", "a"))
+    assert len(list(entries(root, kind))) == 1
+    for name in ("../b", str(tmp_path / "b")):
         (root / table).write_text(text.replace("NAME", name))
-        assert len(list(entries(root, kind))) == found
+        with pytest.raises(InputError, match="which lies outside of the folder"):
+            list(entries(root, kind))
 
 
 def test_odd_values_of_a_manifest_are_one_line(tmp_path):
@@ -244,3 +247,31 @@ def test_a_reader_of_usd_that_crashes_is_one_line(tmp_path, monkeypatch):
     with pytest.raises(InputError, match="chair.usda: the file is damaged.*ended with code -6") as caught:
         load(tmp_path / "chair.usda")
     assert "\n" not in str(caught.value)
+
+
+def test_a_triangle_without_its_vertices_is_one_line_wherever_it_is_read(tmp_path):
+    rows = "0 0 0\n1 0 0\n0 1 0\n"
+    head = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+    head += "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+    (tmp_path / "a.ply").write_text(f"{head}{rows}3 0 1 11521\n")
+    for read in (read_meshes, read_mesh, load, lambda path: MeshSet({"a": path}).get("a")):
+        with pytest.raises(InputError, match="a.ply: a triangle names a vertex that is not there"):
+            read(tmp_path / "a.ply")
+
+
+def test_a_document_that_is_no_text_is_named(tmp_path):
+    (tmp_path / "a.gltf").write_bytes(b'{"asset": "\xff"}')
+    with pytest.raises(InputError, match="a.gltf: not UTF-8 text .byte 11."):
+        load(tmp_path / "a.gltf")
+
+
+def test_names_longer_than_any_file_has_are_one_line(tmp_path):
+    long = "x" * 300
+    (tmp_path / "annotations.json").write_text(json.dumps({long: {"category": "chair"}}))
+    assert list(entries(tmp_path, "objathor")) == []
+    body = '<worldbody><geom type="mesh" mesh="x"/></worldbody>'
+    model = tmp_path / "model.xml"
+    model.write_text(f'<mujoco><asset><mesh name="x" file="{long}.obj"/></asset>{body}</mujoco>')
+    (hints,) = entries(model, "mjcf")
+    with pytest.raises(InputError, match="File name too long"):
+        load(hints.path)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.io import named_inside
 from sceneweaver.io.messages import printable_line
 from sceneweaver.scene import InputError
 
@@ -34,9 +34,9 @@ def text(value: Any) -> str:
 
 
 def file_of(root: Path, *names: str) -> Path | None:
-    """The file that a table names, where it is there and lies below the folder of the library; else None."""
-    place = named_inside(root, root.joinpath(*names))
-    return place if place is not None and place.is_file() else None
+    """The file that a table names, where there is one; whether it lies below the folder is for `entries` to say."""
+    place = root.joinpath(*names)
+    return place if os.path.isfile(place) else None  # which holds for names that are too long, or none, as well
 
 
 def axis_of(value: Any) -> str | None:
