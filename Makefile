@@ -17,6 +17,14 @@ CODE := sceneweaver kernels optimizers tools tests benchmarks notebooks docs
 export UV_PROJECT_ENVIRONMENT := .venv
 export UV_PYTHON_DOWNLOADS := never
 
+# uv keeps what it fetches in the user's cache folder; where that cannot be written, beside itself.
+UV_CACHE := $(or $(XDG_CACHE_HOME),$(HOME)/.cache)/uv
+ifndef UV_CACHE_DIR
+ifneq ($(shell mkdir -p "$(UV_CACHE)" 2>/dev/null && test -w "$(UV_CACHE)" && echo yes),yes)
+export UV_CACHE_DIR := .uv/cache
+endif
+endif
+
 # Written last, so that an interrupted install is not taken for a finished one; named by what was installed.
 UV_READY := .uv/ready-$(UV_VERSION)
 READY := .venv/ready-$(shell cat uv.lock pyproject.toml | cksum | cut -d ' ' -f 1)

@@ -11,10 +11,9 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.io import read_bytes, write_atomic
+from sceneweaver.io import parse_json, read_bytes, write_atomic
 from sceneweaver.knowledge.library import INDEX, card_of, own_folder
 from sceneweaver.scene import InputError, Scene
-from sceneweaver.io import parse_json
 
 DIGITS = 6
 """Decimals of numbers in library files."""

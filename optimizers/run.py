@@ -42,7 +42,7 @@ def run(batch: Batch, optimizer: str, start: Start, budget: int | None, monitor:
     """Move the batch's poses in place. Pieces do not know of each other, so threads do not change the result.
 
     On a CPU the caller waits and looks at the clock while threads work, so that neither a signal nor the end of the
-    time waits for a kernel. What is not begun by then stays at the poses it has, with an infinite energy.
+    time waits for a kernel. What is not begun when kernels break off stays at its poses, with an infinite energy.
     """
     solve = OPTIMIZERS[optimizer]
     if not batch.size or not batch.objects:
@@ -54,7 +54,7 @@ def run(batch: Batch, optimizer: str, start: Start, budget: int | None, monitor:
     energy = np.full(batch.size, np.inf, dtype=np.float32)
 
     def piece(rows: tuple[int, int]) -> None:
-        if rows[0] and monitor.expired():  # late or not, the first begins
+        if rows[0] and monitor.broken_off:  # late or not, the first begins
             monitor.add(rows[1] - rows[0], 0, float("inf"))
             return
         energy[slice(*rows)] = solve(batch.part(*rows), start, budget, monitor).energy

@@ -20,9 +20,10 @@ from sceneweaver.scene import InputError, SceneObject
 from sceneweaver.scene.edits import Add, AnyEdit, Relate
 
 from .base import Context, Proposal
+from .card import own_card
 
-MOST = 40
-"""Most things of one kind that one call is asked for."""
+MOST: int = own_card("add_tabletop").inputs["properties"]["objects"]["items"]["properties"]["count"]["maximum"]
+"""Most things of one kind that one call is asked for, as the card says."""
 
 
 class AddTabletop:

@@ -16,11 +16,12 @@ from sceneweaver.knowledge.load import group_templates
 from sceneweaver.knowledge.surfaces import arrangements, crowds
 from sceneweaver.language import SceneGraph
 from sceneweaver.llm import ModelError
-from sceneweaver.scene import CATALOGUE, InputError, Scene
+from sceneweaver.scene import CATALOGUE, InputError
 
 from .base import Context, Proposal
 from .card import checked
 from .init_prior import InitPrior
+from .room_kept import not_kept
 from .room_reply import ProgrammeReply, room_of
 
 RETRIES = 4
@@ -61,18 +62,12 @@ class InitLlm:
             f"a model wrote down what the room holds: {len(room.items)} kinds of things for {shorten(reply.kind, 60)}"
         )
         scene = made.scene
-        absent = _absent(room, scene)
-        if absent:
-            said += f"; not in it, as the request names such things itself or there is no place: {', '.join(absent)}"
+        lost = not_kept(room, made, context.brief)
+        if lost:
+            said += f"; not as it was written: {'; '.join(lost)}"
         if scene is not None:
             scene = scene.model_copy(update={"provenance": {**scene.provenance, "tool": self.name}})
         return replace(made, scene=scene, notes=(said, *made.notes))
-
-
-def _absent(room: RoomType, scene: Scene | None) -> list[str]:
-    """Items of which nothing was drawn."""
-    there = {o.intent.program_item for o in scene.objects} if scene is not None else set()
-    return [item.id for item in room.items if item.id not in there and item.count.most > 0]
 
 
 def programme(reply: ProgrammeReply, usual: RoomType) -> RoomType:

@@ -149,6 +149,13 @@ class ReachReport:
             `NavigateTo` asks; 1 when there are none.
         unreached: Ids of the others.
         surfaces: By object and name of a surface, the share of its area that the tool gets to.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> from sceneweaver import envs
+        >>> report = envs.reach_of(sw.Scene.example("bedroom"))
+        >>> report.share, report.unreached
+        (0.9, ('nightstand-left',))
     """
 
     share: float

@@ -141,13 +141,11 @@ def _explained(solution: Solution, began: float, time_limit: float | None) -> So
         return solution
     lines = remarks(solution)
     if np.any(solution.status == 0):
-        return replace(solution, explanation="
-".join(lines)) if lines else solution
+        return replace(solution, explanation="\n".join(lines)) if lines else solution
     deadline = None if time_limit is None else max(began + time_limit, time.monotonic() + GRACE)
     clock = Deadline(math.inf if deadline is None else deadline)
     text = None
     with suppress(TimeUp), clock.enforced(patience=HANGS):
         text = find_reason(solution.source, solution, device=solution.device, seed=solution.seed, deadline=deadline)
-    said = "
-".join([*lines, *([text] if text else [])])
+    said = "\n".join([*lines, *([text] if text else [])])
     return replace(solution, explanation=said or None, elapsed=time.monotonic() - began)

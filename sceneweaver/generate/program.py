@@ -20,6 +20,7 @@ from sceneweaver.scene import PRIORITIES, InputError, Palette, SceneObject, Zone
 
 from .draft import CRAMMED, groups_of
 from .hanging import OVER, before_window, hanging_height, is_lit_table
+from .written import roles_written
 
 GENERAL = (
     "table",
@@ -173,12 +174,13 @@ def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, wi
     """What the room should hold: what was asked, then the room's items by need, without what must not be there.
 
     Of a kind that was named there is what was named: it takes the place of the room's own, of which none is added.
+    What was written for this very request is there besides, where it stands for nothing that the request names.
     """
     rng = random.Random(seed)
-    banned = decided_kinds(brief)
+    banned = excluded_kinds(brief.without) if room_type.for_request else decided_kinds(brief)
     asked = {a.id: a for a in brief.entities}
-    shares = _shares(room_type, brief, area, people)
-    roles = _roles(room_type, brief)
+    roles = roles_of(room_type, brief)
+    shares = _shares(room_type, brief, area, people, roles)
     holders = {i.with_ for i in room_type.items if any(i.id in items for items in roles.values())}
     skipped: set[str] = set()
     found: list[Demand] = []
@@ -240,9 +242,11 @@ def _usual_enough(item: Item, brief: SceneGraph, keep: float) -> bool:
     return said < MANY[1] and not (sparse and keep < 0.4)
 
 
-def _roles(room_type: RoomType, brief: SceneGraph) -> dict[str, tuple[str, ...]]:
+def roles_of(room_type: RoomType, brief: SceneGraph) -> dict[str, tuple[str, ...]]:
     """For each thing asked for the items of the room that it stands for: of its category, of a general word, or, where
     there is none of these and nothing else has it, of its kind: a daybed takes the place of the bed."""
+    if room_type.for_request:
+        return roles_written(room_type, {one.id: _alike(one, room_type, brief) for one in brief.entities}, brief)
     found = {one.id: tuple(item.id for item in room_type.items if meant_by(one, item, brief)) for one in brief.entities}
     taken = {name for items in found.values() for name in items}
     for one in brief.entities:
@@ -260,7 +264,17 @@ def _roles(room_type: RoomType, brief: SceneGraph) -> dict[str, tuple[str, ...]]
     return found
 
 
-def _shares(room_type: RoomType, brief: SceneGraph, area: float, people: int) -> dict[str, dict[str, int]]:
+def _alike(one: Entity, room_type: RoomType, brief: SceneGraph) -> list[Item]:
+    """The items that a thing asked for may stand for: those of its category or of a general word, then those of its
+    kind."""
+    own = kin(one.category)
+    alike = [item for item in room_type.items if meant_by(one, item, brief)]
+    return [*alike, *(item for item in room_type.items if item not in alike and own & set(item.what))]
+
+
+def _shares(
+    room_type: RoomType, brief: SceneGraph, area: float, people: int, roles: Mapping[str, Sequence[str]]
+) -> dict[str, dict[str, int]]:
     """Where several items of the room stand for something asked for, how its number is spread over them.
 
     Each takes what it usually has, in the order of the room's file, and the last takes the rest: of eight bar stools
@@ -268,7 +282,7 @@ def _shares(room_type: RoomType, brief: SceneGraph, area: float, people: int) ->
     """
     found: dict[str, dict[str, int]] = {}
     for one in brief.entities:
-        items = [item for item in room_type.items if matches(one.category, item)]
+        items = [item for item in room_type.items if item.id in roles[one.id] and matches(one.category, item)]
         if one.count is None or len(items) < 2:
             continue
         left = _asked_demand(one, items[0], area, people, 0.5, brief).count

@@ -12,16 +12,17 @@ import jax.numpy as jnp
 import numpy as np
 import warp as wp
 from jax.core import Tracer
+from jax.typing import ArrayLike
 
 from sceneweaver.layout import Problem
 from sceneweaver.scene import InputError
 
 from . import calls
 
-Array = Any
+Array = jax.Array | np.ndarray
 
 
-def energy(problem: Problem, poses: Array, which: Array | None = None) -> jax.Array:
+def energy(problem: Problem, poses: Array, which: ArrayLike | None = None) -> jax.Array:
     """Energy [...] float32 [m] of layouts [..., N, 4]: `Problem.energy`, differentiable once, forwards and backwards.
 
     Args:
@@ -43,7 +44,7 @@ def energy(problem: Problem, poses: Array, which: Array | None = None) -> jax.Ar
     return _flat(_energy, problem, poses, which)
 
 
-def energy_and_grad(problem: Problem, poses: Array, which: Array | None = None) -> tuple[jax.Array, jax.Array]:
+def energy_and_grad(problem: Problem, poses: Array, which: ArrayLike | None = None) -> tuple[jax.Array, jax.Array]:
     """Energies [...] and their gradients [..., N, 4] in one call, which itself has no derivative: asking raises.
 
     Arguments and errors as for `energy`: [m], and [m/m] by x, y, z, [m/rad] by yaw.
@@ -59,7 +60,7 @@ def energy_and_grad(problem: Problem, poses: Array, which: Array | None = None) 
     return _flat(_measured_energy, problem, poses, which)
 
 
-def residuals(problem: Problem, poses: Array, which: Array | None = None) -> jax.Array:
+def residuals(problem: Problem, poses: Array, which: ArrayLike | None = None) -> jax.Array:
     """Residuals [..., M] in metres: `Problem.residuals`; ``jacfwd``, ``jacrev`` and least-squares solvers take it.
 
     The energy is the sum of their squares over 0.1 m. Errors as for `energy`.
@@ -77,7 +78,7 @@ def residuals(problem: Problem, poses: Array, which: Array | None = None) -> jax
     return _flat(_residuals, problem, poses, which)
 
 
-def feasible(problem: Problem, poses: Array, which: Array | None = None) -> jax.Array:
+def feasible(problem: Problem, poses: Array, which: ArrayLike | None = None) -> jax.Array:
     """Which layouts [...] bool the engine calls valid: `Problem.feasible`. Errors as for `energy`.
 
     Examples:
@@ -90,7 +91,7 @@ def feasible(problem: Problem, poses: Array, which: Array | None = None) -> jax.
     return _flat(_launch_feasible, problem, jax.lax.stop_gradient(poses), which)  # yes or no does not change gradually
 
 
-def project(problem: Problem, poses: Array, which: Array | None = None) -> jax.Array:
+def project(problem: Problem, poses: Array, which: ArrayLike | None = None) -> jax.Array:
     """The feasible layouts [..., N, 4] nearest to poses: `Problem.project`. It has no derivative. Errors as above.
 
     Examples:
@@ -121,7 +122,7 @@ def sample(problem: Problem, key: Array, count: int) -> jax.Array:
     return _launch_sample(problem, rng, jnp.repeat(jnp.arange(scenes, dtype=jnp.int32), count))
 
 
-def carry(problem: Problem, poses: Array, which: Array | None = None, *, like: Array | None = None) -> jax.Array:
+def carry(problem: Problem, poses: Array, which: ArrayLike | None = None, *, like: Array | None = None) -> jax.Array:
     """Poses [..., N, 4] with all that is carried put on its root as it stands in ``like``; differentiable.
 
     ``like`` [..., N, 4] defaults to the scenes as given. ``energy(problem, carry(problem, poses))`` is a function of
@@ -141,7 +142,7 @@ def carry(problem: Problem, poses: Array, which: Array | None = None, *, like: A
     return _flat(_carry, problem, poses, which, *(() if like is None else (like,)))
 
 
-def free(problem: Problem, which: Array = 0) -> jax.Array:
+def free(problem: Problem, which: ArrayLike = 0) -> jax.Array:
     """One for each coordinate [..., N, 4] that may change, else zero: what to multiply gradients with.
 
     Examples:
@@ -154,7 +155,7 @@ def free(problem: Problem, which: Array = 0) -> jax.Array:
     return jnp.asarray(problem.free, dtype=jnp.float32)[which]
 
 
-def ravel(problem: Problem, poses: Array, which: Array | None = None) -> jax.Array:
+def ravel(problem: Problem, poses: Array, which: ArrayLike | None = None) -> jax.Array:
     """The coordinates [..., D] of poses [..., N, 4] that may change (`free`), x before y before yaw of each object.
 
     D is that of the scene with most; behind a smaller one's there are zeros. Errors as for `energy`.
@@ -168,7 +169,7 @@ def ravel(problem: Problem, poses: Array, which: Array | None = None) -> jax.Arr
     return _flat(_ravel, problem, poses, which)
 
 
-def unravel(problem: Problem, vector: Array, like: Array, which: Array | None = None) -> jax.Array:
+def unravel(problem: Problem, vector: Array, like: Array, which: ArrayLike | None = None) -> jax.Array:
     """Poses [..., N, 4] with the free coordinates ``vector`` [..., D] and all else as in ``like``; differentiable.
 
     What is carried goes along with its root. ``energy(problem, unravel(problem, v, like))`` is a function of what may
@@ -186,7 +187,7 @@ def unravel(problem: Problem, vector: Array, like: Array, which: Array | None = 
 
 
 def _flat(
-    function: Callable, problem: Problem, poses: Array, which: Array | None, *more: Array, rows: Array | None = None
+    function: Callable, problem: Problem, poses: Array, which: ArrayLike | None, *more: Array, rows: Array | None = None
 ) -> Any:
     """Call a function of poses [B, N, 4], which [B], ``more`` poses and ``rows`` [B, D] with any leading dimensions."""
     if not isinstance(problem, Problem):

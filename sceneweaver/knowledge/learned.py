@@ -150,9 +150,10 @@ State = tuple[tuple[str, int, int], ...]
 
 
 def _state(folder: Path) -> State:
-    """Path, time and length of each file of a folder."""
+    """Path, time and length of each file of a folder, also of what is none: reading it says so."""
     try:
-        files = [(str(f), f.stat()) for f in folder.glob("*.yaml") if f.is_file() and not f.name.startswith(".")]
+        named = [f for f in folder.glob("*.yaml") if not f.name.startswith(".")]
+        files = [(str(f), f.stat() if f.exists() else f.lstat()) for f in named]
     except OSError:
         return ()
     return tuple(sorted((path, stat.st_mtime_ns, stat.st_size) for path, stat in files))

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Any, cast
+from collections.abc import Sequence
+from typing import Any, Protocol, cast
 
 import numpy as np
 import warp as wp
@@ -10,8 +11,20 @@ import warp as wp
 from sceneweaver.runtime.compiling import start_warp
 from sceneweaver.scene import InputError
 
-Array = Any
-"""What has poses in it: a NumPy array, a Warp array, or anything with ``__dlpack__``."""
+
+class SharesMemory(Protocol):
+    """An array that hands out its memory by DLPack: of jax, torch, CuPy and others."""
+
+    def __dlpack__(self, *args: Any, **options: Any) -> Any:
+        """A capsule of the memory."""
+        ...
+
+
+HostArray = np.ndarray | Sequence
+"""What is answered with NumPy arrays: a NumPy array, or lists of numbers."""
+
+Array = HostArray | wp.array | SharesMemory
+"""What has poses in it: a NumPy array or lists, a Warp array, or anything with ``__dlpack__``."""
 
 
 def poses_from(poses: Array, objects: int, device: str) -> wp.array:
@@ -30,7 +43,7 @@ def poses_from(poses: Array, objects: int, device: str) -> wp.array:
         whole = poses if poses.is_contiguous else poses.contiguous()
         return whole if poses.dtype == wp.vec4 else _shared(whole, wp.vec4, whole.shape[:2])
     if hasattr(poses, "__dlpack__") and not isinstance(poses, np.ndarray):
-        found = from_dlpack("poses", poses)
+        found = from_dlpack("poses", cast(SharesMemory, poses))
         if found.dtype != wp.float32:
             raise InputError(f"poses: numbers of type {found.dtype.__name__}; poses are float32")
         return poses_from(found, objects, device)
@@ -42,7 +55,7 @@ def poses_from(poses: Array, objects: int, device: str) -> wp.array:
     return wp.array(values, dtype=wp.vec4, device=device, copy=device != "cpu")
 
 
-def from_dlpack(name: str, values: Array) -> wp.array:
+def from_dlpack(name: str, values: SharesMemory) -> wp.array:
     """An array of another library as a Warp array of the same memory.
 
     Raises:
@@ -69,7 +82,7 @@ def _shared(values: wp.array, dtype: Any, shape: tuple[int, ...]) -> wp.array:
     return found
 
 
-def handed_out(values: wp.array, like: Array) -> Array:
+def handed_out(values: wp.array, like: Array) -> Any:
     """A result as what it was asked with: NumPy for NumPy and lists, Warp for all else; vectors as a last dimension."""
     width = getattr(values.dtype, "_length_", 1)
     if isinstance(like, wp.array) or (hasattr(like, "__dlpack__") and not isinstance(like, np.ndarray)):

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import count
-from typing import Any
+from typing import Any, Generic, TypeVar, cast, overload
 from weakref import WeakValueDictionary
 
 import numpy as np
@@ -18,7 +18,7 @@ from sceneweaver.optimizers import Batch, Monitor, run, streams
 from sceneweaver.optimizers.starts import draw_starts
 from sceneweaver.scene import InputError, Scene
 
-from .arrays import Array, from_dlpack, handed_out, poses_from
+from .arrays import Array, HostArray, SharesMemory, from_dlpack, handed_out, poses_from
 from .batch import make_batch
 from .compile import CompiledScene, LayoutProblem, compile_scene
 from .devices import pick_devices
@@ -31,9 +31,13 @@ _NUMBERS = count()
 _PROBLEMS: WeakValueDictionary[int, Problem] = WeakValueDictionary()
 
 
+A = TypeVar("A")
+Device = wp.array | SharesMemory  # what is answered with Warp arrays
+
+
 @dataclass(frozen=True)
-class Terms:
-    """The energy of layouts taken apart.
+class Terms(Generic[A]):
+    """The energy of layouts taken apart, in NumPy or Warp arrays.
 
     Attributes:
         energy: for "collision", "bounds", "zone", "opening" and "relation" each object's share [B, N] of it [m]; their
@@ -44,9 +48,9 @@ class Terms:
             stand, and behind a smaller problem's items.
     """
 
-    energy: dict[str, Array]
-    residual: Array
-    violation: Array
+    energy: dict[str, A]
+    residual: A
+    violation: A
 
 
 class Problem:
@@ -188,7 +192,11 @@ class Problem:
         which = self._which_of(None, len(seeds))
         return self.drawn(wp.array(seeds, dtype=wp.uint32, device=self.device), which).numpy()
 
-    def energy(self, poses: Array, which: Array | None = None) -> Array:
+    @overload
+    def energy(self, poses: HostArray, which: Array | None = None) -> np.ndarray: ...
+    @overload
+    def energy(self, poses: Device, which: Array | None = None) -> wp.array: ...
+    def energy(self, poses: Array, which: Array | None = None) -> Any:
         """Energy [B] float32 [m] of layouts; 0: all holds with its margin.
 
         It is the sum of Huber penalties of all that is missing: air between bodies and to walls, free zones, openings,
@@ -200,7 +208,11 @@ class Problem:
         """
         return handed_out(self.measured(*self._read(poses, which))[0], poses)
 
-    def energy_and_grad(self, poses: Array, which: Array | None = None) -> tuple[Array, Array]:
+    @overload
+    def energy_and_grad(self, poses: HostArray, which: Array | None = None) -> tuple[np.ndarray, np.ndarray]: ...
+    @overload
+    def energy_and_grad(self, poses: Device, which: Array | None = None) -> tuple[wp.array, wp.array]: ...
+    def energy_and_grad(self, poses: Array, which: Array | None = None) -> Any:
         """Energies [B] and their gradients [B, N, 4], by x, y, z [m/m] and yaw [m/rad] of every object on its own.
 
         The gradient is there for all coordinates; multiply by ``free`` to leave alone what has to stay.
@@ -208,7 +220,11 @@ class Problem:
         energy, gradient = self.measured(*self._read(poses, which))
         return handed_out(energy, poses), handed_out(gradient, poses)
 
-    def residuals(self, poses: Array, which: Array | None = None) -> tuple[Array, Array]:
+    @overload
+    def residuals(self, poses: HostArray, which: Array | None = None) -> tuple[np.ndarray, np.ndarray]: ...
+    @overload
+    def residuals(self, poses: Device, which: Array | None = None) -> tuple[wp.array, wp.array]: ...
+    def residuals(self, poses: Array, which: Array | None = None) -> Any:
         """Residuals r [B, M] of the energy's items, and their derivatives [B, M, 3, 4] by the poses of their objects.
 
         r = sqrt(2 k e) for an item's part e of the energy, with the knee k = 0.05 m, so the energy is the sum of
@@ -217,7 +233,11 @@ class Problem:
         residual, slope = self.taken_apart(*self._read(poses, which))
         return handed_out(residual, poses), handed_out(slope, poses)
 
-    def terms(self, poses: Array, which: Array | None = None) -> Terms:
+    @overload
+    def terms(self, poses: HostArray, which: Array | None = None) -> Terms[np.ndarray]: ...
+    @overload
+    def terms(self, poses: Device, which: Array | None = None) -> Terms[wp.array]: ...
+    def terms(self, poses: Array, which: Array | None = None) -> Any:
         """The energy by kinds of terms, and residual and signed violation of every relation, object and pair."""
         batch = self._measured_at(*self._read(poses, which))
         energy = {kind: handed_out(shares_of(batch, kind), poses) for kind in KINDS}
@@ -225,14 +245,22 @@ class Problem:
         violation = violations_of(batch, self._items, self.items)
         return Terms(energy, handed_out(residual, poses), handed_out(violation, poses))
 
-    def feasible(self, poses: Array, which: Array | None = None) -> Array:
+    @overload
+    def feasible(self, poses: HostArray, which: Array | None = None) -> np.ndarray: ...
+    @overload
+    def feasible(self, poses: Device, which: Array | None = None) -> wp.array: ...
+    def feasible(self, poses: Array, which: Array | None = None) -> Any:
         """Which layouts [B] bool the engine calls valid; then `sw.check` does.
 
         It looks at what stands on surfaces as well, and at hard relations and bodies that no movement here changes.
         """
         return handed_out(self.judged(*self._read(poses, which)), poses)
 
-    def project(self, poses: Array, which: Array | None = None) -> Array:
+    @overload
+    def project(self, poses: HostArray, which: Array | None = None) -> np.ndarray: ...
+    @overload
+    def project(self, poses: Device, which: Array | None = None) -> wp.array: ...
+    def project(self, poses: Array, which: Array | None = None) -> Any:
         """The feasible layouts nearest to poses, [B, N, 4]: what `sw.refine` does with ``optimizer="projection"``.
 
         Where none is found, the least faulty one. What stands on something moves along.
@@ -335,7 +363,11 @@ class Problem:
                 rows = np.repeat(np.arange(len(self._layouts), dtype=np.int32), count // len(self._layouts))
                 self._which = {count: wp.array(rows, dtype=wp.int32, device=self.device)}
             return self._which[count]
-        values = which if isinstance(which, wp.array | np.ndarray | list | tuple) else from_dlpack("which", which)
+        values = (
+            which
+            if isinstance(which, wp.array | np.ndarray | list | tuple)
+            else from_dlpack("which", cast(SharesMemory, which))
+        )
         rows = values.numpy() if isinstance(values, wp.array) else np.asarray(values)
         if rows.shape != (count,) or not np.issubdtype(rows.dtype, np.integer):
             raise InputError(f"which: {rows.dtype} of shape {rows.shape}; one whole number for each of {count} layouts")

@@ -1,5 +1,8 @@
 """The functions: shapes are made [B, N, 4], types of number float32, and the operators are called."""
 
+# Without PyTorch pyright takes the folder of this module for it:
+# pyright: reportAttributeAccessIssue=false
+
 from __future__ import annotations
 
 from collections.abc import Callable

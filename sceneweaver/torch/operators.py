@@ -5,6 +5,9 @@ whole (`register_fake` says their shapes), ``torch.func.vmap`` makes one batch o
 needs PyTorch, so `functions` imports it inside a function.
 """
 
+# Without PyTorch pyright takes the folder of this module for it:
+# pyright: reportAttributeAccessIssue=false
+
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence

@@ -7,7 +7,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, NoReturn
 
 from sceneweaver.io import write_atomic
 from sceneweaver.scene.display import Displayed
@@ -137,12 +137,26 @@ class LinkTravel:
 
 
 class _Items:
-    """Lets fields be read like keys as well, as in the JSON form."""
+    """Lets fields be read like keys as well, as in the JSON form; they are no lists."""
 
     def __getitem__(self, key: str) -> Any:
-        if key not in self.__dataclass_fields__:  # type: ignore[attr-defined]
-            raise KeyError(key)
+        if not isinstance(key, str):
+            raise TypeError(self._no_list())
+        if key not in self._names():
+            raise KeyError(f"{key!r} is not one of {', '.join(self._names())}")
         return getattr(self, key)
+
+    def __iter__(self) -> NoReturn:
+        raise TypeError(self._no_list())
+
+    def _names(self) -> tuple[str, ...]:
+        return tuple(self.__dataclass_fields__)  # type: ignore[attr-defined]
+
+    def _no_list(self) -> str:
+        return (
+            f"{type(self).__name__} is no list: it counts relations ({', '.join(self._names())}); Report.unmet has "
+            "those that do not hold, one by one"
+        )
 
 
 @dataclass(frozen=True)
@@ -166,16 +180,18 @@ class Report(Displayed):
     """The verdict on one scene.
 
     ``valid`` when nothing is dropped, collides, leaves the room, lacks support or blocks a hard zone or opening, and
-    every hard relation holds. Counts: ``collisions`` pairs of objects; ``out_of_bounds`` and ``unsupported`` objects;
-    ``blocked_zones`` (object, zone, other object) triples; ``blocked_openings`` (opening, object) pairs. The shares are
-    explained in `walkable.Access`; None when they were not measured. ``openable_share`` is that of the doors, drawers
-    and lids that open to 90 % (None: not measured, or there are none), ``blocked_links`` are the others. ``stability``
-    and ``scores`` belong to the physics and the critics, as does ``alignment``: how many items a request has (total),
-    and how many are met, unmet, assumed and not_understood; ``seed``, ``device`` and ``candidates`` to the run that
-    made the scene: fill them in with ``dataclasses.replace``. So does ``cut_off``, what ended that run before it was
-    done (None: nothing did), and ``left_out``, the files that it had no time for. ``seconds`` is wall time, in all and
-    by step. ``warnings`` say where meshes or measures had to be done without. ``models`` says what a language or vision
-    model did in the run that made the scene, as docs/agent.md has it (None: no model was asked).
+    every hard relation holds. ``relations`` counts these; `unmet` has those that do not hold, one by one.
+
+    Counts: ``collisions`` pairs of objects; ``out_of_bounds`` and ``unsupported`` objects; ``blocked_zones`` (object,
+    zone, other object) triples; ``blocked_openings`` (opening, object) pairs. The shares are explained in
+    `walkable.Access`; None when they were not measured. ``openable_share`` is that of the doors, drawers and lids that
+    open to 90 % (None: not measured, or there are none), ``blocked_links`` are the others. ``stability`` and ``scores``
+    belong to the physics and the critics, as does ``alignment``: how many items a request has (total), and how many are
+    met, unmet, assumed and not_understood; ``seed``, ``device`` and ``candidates`` to the run that made the scene: fill
+    them in with ``dataclasses.replace``. So does ``cut_off``, what ended that run before it was done (None: nothing
+    did), and ``left_out``, the files that it had no time for. ``seconds`` is wall time, in all and by step.
+    ``warnings`` say where meshes or measures had to be done without. ``models`` says what a language or vision model
+    did in the run that made the scene, as docs/agent.md has it (None: no model was asked).
 
     Examples:
         >>> import sceneweaver as sw
@@ -184,6 +200,10 @@ class Report(Displayed):
         >>> report = sw.check(outside)
         >>> report.valid, report.out_of_bounds
         (False, 1)
+        >>> report.relations.soft.total - report.relations.soft.satisfied
+        1
+        >>> [(v.relation.type, v.relation.subject) for v in report.unmet]
+        [('in_corner', 'plant')]
     """
 
     valid: bool
@@ -213,6 +233,11 @@ class Report(Displayed):
     versions: Mapping[str, str] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
     models: Mapping[str, Any] | None = None
+
+    @property
+    def unmet(self) -> tuple[Violation, ...]:
+        """The relations that do not hold, hard ones first; ``relation.index`` is the place in the scene's relations."""
+        return tuple(v for kind in ("relation", "soft_relation") for v in self.violations if v.kind == kind)
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain JSON data; ``left_out``, ``warnings`` and ``models`` are there only when there are any."""

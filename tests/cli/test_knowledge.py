@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import logging
+import os
 
 import pytest
 
 from sceneweaver.knowledge.room_files import read_room
+from sceneweaver.language import read_request
 from sceneweaver.llm import attempts
 from sceneweaver.tools.room_reply import RoomReply
 from tests.agent.by_model.test_rooms import SHED
@@ -81,9 +83,41 @@ def test_known_rooms_are_shown(run):
     assert shown.code == 0 and "bedroom: A room to sleep" in shown.out and "nightstand" in shown.out
 
 
-def test_a_damaged_file_is_a_warning(run, folder, caplog):
+DAMAGED = {
+    "cut off": "name: [",
+    "50,000 levels": "[" * 50_000,
+    "no date": "name: hut\nwords: [2001-99-99]\n",
+    "200,000 digits": "name: hut\narea: " + "9" * 200_000,
+    "code": '!!python/object/apply:os.system ["echo"]',
+    "no text": "\0",
+}
+"""Text of a room's file, by what is wrong with it."""
+
+
+def test_damaged_files_are_left_out_each_with_a_line(run, folder, caplog):
+    """So one of them takes nothing from the other rooms, and no design from the user."""
     folder.mkdir()
-    (folder / "hut.yaml").write_text("name: [")
+    for k, text in enumerate(DAMAGED.values()):
+        (folder / f"hut{k}.yaml").write_text(text)
+    os.mkfifo(folder / "pipe.yaml")
+    (folder / "folder.yaml").mkdir()
+    (folder / "zero.yaml").symlink_to("/dev/zero")
+    (folder / "gone.yaml").symlink_to(folder / "nowhere")
     with caplog.at_level(logging.WARNING):
         assert run("knowledge", "list").code == 0
-    assert "learned room" in caplog.text and "is left out" in caplog.text
+    lines = [line.getMessage() for line in caplog.records if "is left out" in line.getMessage()]
+    assert len(lines) == len(DAMAGED) + 4 and all("learned room" in line and "\n" not in line for line in lines)
+    assert read_request("a bedroom with a bed").room_type == "bedroom"
+
+
+@pytest.mark.parametrize("text", DAMAGED.values(), ids=DAMAGED)
+def test_damaged_specifications_and_prices_are_one_line(run, tmp_path, text):
+    file = tmp_path / "wrong.yaml"
+    file.write_text(text)
+    model = ("--planner", "llm", "--model", "openai:m", "--base-url", "http://127.0.0.1:9/v1")
+    for command in (
+        ("dataset", "make", file, "--out", tmp_path / "set"),
+        ("design", "a bedroom", *model, "--prices", file, "--out", tmp_path / "run"),
+    ):
+        ended = run(*command)
+        assert ended.code == 2 and ended.err.count("\n") == 1 and "wrong.yaml" in ended.err, ended.err

@@ -20,6 +20,7 @@ import tempfile
 import time
 from collections.abc import Callable, Iterable, Sequence
 from functools import partial
+from importlib import import_module
 from pathlib import Path
 from typing import NamedTuple
 from unittest import mock
@@ -29,7 +30,6 @@ from sceneweaver.datasets.checking import verify_dataset
 from sceneweaver.datasets.engines import Listener, Options, begin, open_dataset, resume, run
 from sceneweaver.datasets.engines.schedule import Job, Task, attempt
 from sceneweaver.datasets.files import packing
-from sceneweaver.datasets.layouts import pack as pack_layouts
 from sceneweaver.io import SceneWeaverError
 from sceneweaver.runtime.processes import pool
 from tests.datasets import torture
@@ -61,6 +61,8 @@ rooms: {{candidates: 8, layouts: 8}}
 splits: {{train: 0.6, test: 0.4}}
 requests: {{scenes: [{zoo}/bedroom-small.json, {zoo}/living.json, {zoo}/dining-round.json, {zoo}/children-twin.json]}}
 """
+pack_layouts = import_module("sceneweaver.datasets.layouts.pack")  # the package has a function of that name
+
 ZOO = Path(__file__).parents[1] / "zoo"
 
 

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import inspect
+from typing import get_overloads
+
 import jax
 import jax.numpy as jnp
 import numpy as np
@@ -9,6 +12,7 @@ import pytest
 import warp as wp
 
 import sceneweaver as sw
+from sceneweaver.layout import Problem
 from sceneweaver.layout.arrays import poses_from
 from sceneweaver.layout.compile import compile_scene
 from tests.kernels.harness import batch_of, best_options, run_energy
@@ -343,3 +347,10 @@ def test_energy_calls_and_measured_layouts_are_counted():
     problem.residuals(poses)
     problem.terms(poses[:1])
     assert (problem.energy_calls, problem.evaluations) == (4, 13)
+
+
+@pytest.mark.parametrize("name", ["energy", "energy_and_grad", "residuals", "terms", "feasible", "project"])
+def test_what_comes_back_has_a_type(name):
+    """NumPy and lists are answered with NumPy, all else with Warp arrays; type checkers see it as well."""
+    host, device = (str(inspect.signature(f).return_annotation) for f in get_overloads(getattr(Problem, name)))
+    assert "np.ndarray" in host and "wp.array" in device and "Any" not in host + device

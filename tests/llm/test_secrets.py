@@ -13,10 +13,14 @@ import pytest
 from sceneweaver.llm import Endpoint, ModelError, Reply, open_client, redact
 from sceneweaver.llm.secrets import HIDDEN, guard_logs, line
 from sceneweaver.runtime.deadline import Deadline, TimeUp
+from tests.llm.bad_echoes import key_of
+from tests.llm.bad_statuses import status
+from tests.llm.hiding_places import blobs
 from tests.llm.misbehaviour import always, catalogue, misbehaving
-from tests.llm.model_server import ModelServer, Said, answering
+from tests.llm.model_server import ModelServer, answering
 from tests.llm.planted_key import KEY as PLANTED
 from tests.llm.planted_key import planted
+from tests.llm.said import Asked, Said
 
 KEY = 'sk-Ab/9+"x<y>0123456789_-zZ=='
 
@@ -184,6 +188,31 @@ def test_a_server_that_shows_the_key(name, kind, tmp_path, capfd):
         key.said += [repr(client), repr(vars(client)), repr(endpoint), client.lost, str(client.usage.to_dict())]
         assert key.key in server.keys_seen
     key.assert_nowhere(tmp_path, capfd.readouterr())
+
+
+@pytest.mark.parametrize("form", FORMS.values(), ids=FORMS)
+def test_a_server_that_shows_the_key_in_another_form(form, tmp_path):
+    """As an answer that is taken, and in the words of an error: neither is kept on disk, given or said."""
+
+    def answer(asked: Asked) -> Said:
+        shown = form(key_of(asked))
+        if len(server.requests) > 1:
+            return status(400, f"no such key: {shown}")
+        return Said(calls=((next(iter(asked.tools)), {"name": f"bed {shown}"}),))
+
+    said: list[str] = []
+    with planted() as key, ModelServer(lambda asked: answer(asked)) as server:
+        client = open_client(Endpoint.of("openai:m", server.url, tries=1), records=tmp_path / "llm")
+        for _ in range(2):
+            try:
+                said.append(repr(client.ask("plan", Plan, "Plan.", ["a room"], retries=0)))
+            except ModelError as error:
+                said.append(str(error))
+    written = ["".join(json.dumps(text)[1:-1].split()) for text in (form(key.key), form(key.key[::-1]))]
+    for text in (*said, *(data.decode(errors="replace") for _, data in blobs(tmp_path))):
+        squeezed = "".join(text.split())
+        assert not any(one[at : at + 16] in squeezed for one in written for at in range(len(one) - 15))
+    assert len(server.requests) == 2 and HIDDEN in "".join(said)
 
 
 def test_no_key_in_the_frames_of_an_interrupted_wait(tmp_path):

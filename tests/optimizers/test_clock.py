@@ -88,7 +88,7 @@ def test_pieces_that_there_is_no_time_for_are_not_begun(bedroom, monkeypatch):
 
     def first(batch, start, budget, monitor):
         begun.append(batch.size)
-        monitor.timed_out = True
+        monitor.break_off()
         return kept(batch, start, 1, Monitor(batch.size))
 
     monkeypatch.setitem(OPTIMIZERS, "search", first)

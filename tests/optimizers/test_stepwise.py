@@ -120,7 +120,8 @@ def test_time_that_runs_out(device, optimizer):
     monitor = Monitor(4, deadline=time.monotonic() - 1.0)
     energy = run(what, optimizer, "given", 10**6, monitor).energy
     assert monitor.timed_out and np.isfinite(what.state.poses.numpy()).all()
-    assert (energy <= before * (1 + 1e-5) + 1e-6).all()
+    begun = np.isfinite(energy)  # on a CPU that is busy, pieces after the first may find no time at all
+    assert begun[0] and (energy <= before * (1 + 1e-5) + 1e-6)[begun].all()
 
 
 @each

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import Any
 
 import pytest
@@ -219,3 +220,45 @@ def test_all_that_a_model_wrote_is_there_however_much_the_request_says(library):
     assert script.refusals == [] and made.scene is not None
     kinds = {o.intent.program_item for o in made.scene.objects}
     assert {"stove", "shelf", "lamp", "locker", "table"} <= kinds
+
+
+DESKS = item("desk", "desk", need="needed", count=[24, 24], row="grid")
+CHAIRS = item("chair", "chair", need="needed", **{"with": "desk"}, place=[place("front_against", "desk")])
+BOARD = item("board", "whiteboard", need="needed", place=[place("against_wall")])
+TEACHER = item("teacher_desk", "desk", need="needed", place=[place("against_wall")])
+
+
+def furnished(library, text: str, *items: dict[str, Any], room: str = "classroom") -> tuple[Counter[str], str]:
+    """How many of each item of a model's room there are, those of the request alone under "", and what is noted."""
+    script = Script({"kind": room, "area": 70, "items": list(items)})
+    made = proposed(library, script, text=text, room=room)
+    assert script.refusals == [] and made.scene is not None
+    return Counter(o.intent.program_item or "" for o in made.scene.objects), made.notes[0]
+
+
+@pytest.mark.parametrize("text", ["a classroom with a teacher's desk", "a classroom with a desk"])
+def test_what_the_request_names_takes_no_place_of_other_things(text, library):
+    counts, note = furnished(library, text, TEACHER, DESKS, CHAIRS, BOARD)
+    assert (counts["teacher_desk"], counts["desk"], counts["chair"]) == (1, 24, 24)
+    assert "not as it was written" not in note
+
+
+def test_what_the_request_names_besides_is_there_besides(library):
+    counts, _ = furnished(library, "a classroom with a teacher's desk", DESKS, CHAIRS, BOARD)
+    assert (counts[""], counts["desk"], counts["chair"]) == (1, 24, 24)
+    counts, _ = furnished(library, "a classroom with 24 desks and a teacher's desk", TEACHER, DESKS, CHAIRS, BOARD)
+    assert (counts[""], counts["teacher_desk"], counts["desk"]) == (0, 1, 24)
+
+
+def test_the_number_of_the_request_counts_and_is_told(library):
+    counts, note = furnished(library, "a classroom with two desks", DESKS, CHAIRS, BOARD)
+    assert (counts["desk"], counts["chair"]) == (2, 2)
+    assert "not as it was written: 2 of 24 desk, as the request says how many" in note
+
+
+def test_hard_relations_that_cannot_be_kept_are_told(library):
+    locker = item("locker", "locker", need="needed", place=[place("around", "table"), place("near", "table", True)])
+    wrong = {**GOOD, "area": 40, "items": [locker if one["id"] == "locker" else one for one in HELD]}
+    made = proposed(library, Script(wrong))
+    assert "locker around table is not kept, as around cannot be said of such a thing there" in made.notes[0]
+    assert "near" not in made.notes[0]

@@ -212,6 +212,21 @@ def test_names_are_those_of_the_json(wrong):
         report.relations["medium"]
 
 
+def test_the_tally_of_relations_is_no_list_and_those_unmet_are_one(wrong):
+    report = check(wrong, walkable=False)
+    for read in (lambda: report.relations[0], lambda: list(report.relations), lambda: report.relations.hard[0]):
+        with pytest.raises(TypeError, match=r"Tally is no list: it counts relations .* Report\.unmet has those"):
+            read()
+    with pytest.raises(KeyError, match="'firm' is not one of hard, soft"):
+        report.relations["firm"]
+    hard, soft = report.relations["hard"], report.relations.soft
+    assert hard["total"] == hard.total
+    missed = [v.hard for v in report.unmet]
+    assert (missed.count(True), missed.count(False)) == (hard.total - hard.satisfied, soft.total - soft.satisfied)
+    assert missed and all(wrong.relations[v.relation.index].type == v.relation.type for v in report.unmet)
+    assert "unmet" not in report.to_dict()
+
+
 def test_seconds(wrong):
     seconds = check(wrong).seconds
     assert sum(v for k, v in seconds.items() if k != "total") <= seconds["total"]

@@ -14,6 +14,7 @@ from sceneweaver.io.messages import shorten, show, suggest
 from sceneweaver.language import SceneGraph
 from sceneweaver.scene import CATALOGUE, InputError, Relation, Scene
 from sceneweaver.tools.add_relation import clash
+from sceneweaver.tools.card import own_card
 
 LONGEST_TEXT = 200
 """Characters that a text of inputs may have."""
@@ -27,8 +28,8 @@ MOST_ENTRIES = 100
 DEEPEST = 12
 """Levels of nesting that inputs may have."""
 
-MOST_NAMED = 40
-"""Things that one call may name, beside those that the request asks for."""
+MOST_NAMED: int = own_card("add_objects").inputs["properties"]["objects"]["maxItems"]
+"""Things that one call may name, besides those that the request asks for: as the card says, which a model is shown."""
 
 MOST_ADDED = 400
 """Things that one call may add, with all that fills shelves."""

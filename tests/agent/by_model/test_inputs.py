@@ -9,7 +9,7 @@ from functools import partial
 import pytest
 from pydantic_ai.models.test import TestModel
 
-from sceneweaver.agent.by_model.input_rules import check_extent
+from sceneweaver.agent.by_model.input_rules import check_extent, wrong_inputs
 from sceneweaver.agent.by_model.inputs import answer_for, filled, plain_schema, question, said
 from sceneweaver.agent.executor import Executor
 from sceneweaver.agent.memory import Call
@@ -107,7 +107,11 @@ REFUSED = [
     ("add_tabletop", {"objects": [{"category": "mug", "by": "plate"}]}, '"plate" is no row before it'),
     ("add_tabletop", {"supports": ["armchair-7"]}, "'armchair-7' is no object"),
     ("add_objects", {"objects": [{"category": "television"}]}, "the request wants no"),
-    ("add_objects", {"objects": [{"category": "stool", "count": 99}]}, "inputs.objects names 99 things"),
+    (
+        "add_objects",
+        {"objects": [{"category": "stool", "count": 100}, {"category": "bench", "count": 30}]},
+        "inputs.objects names 130 things",
+    ),
     ("add_objects", {"objects": [{"category": "stool", "size": [0.4, 4.0, 0.5]}]}, "inputs.objects[0].size[1] is 4; a"),
     ("add_objects", {"objects": [{"category": "stool", "need": "asked"}]}, "say with asked which thing"),
     ("add_objects", {"objects": [{"category": "stool", "asked": "sofas"}]}, 'did you mean "sofa"?'),
@@ -333,3 +337,17 @@ def test_the_scene_is_valid_in_the_end(at, lounge, context_of):
     executor = Executor(context.room_type, context.brief, Settings(device="cpu", candidates=8))
     proposal = tool(name).load().propose(replace(context, inputs=call.inputs))
     assert executor.run(lounge, proposal, seed=1).report.valid
+
+
+@pytest.mark.parametrize(("count", "refused"), [(60, False), (100, False), (101, True)])
+def test_as_many_things_may_be_named_as_the_card_says(count, refused, lounge, context_of):
+    brief = context_of(lounge).brief.model_copy(update={"entities": ()})
+    rows = [{"category": "stool", "count": min(count, 100)}, *[{"category": "vase"}] * (count - 100)]
+    assert bool(wrong_inputs({"objects": rows}, lounge, brief)) == refused
+
+
+def test_a_card_allows_what_its_tool_takes():
+    card = own_card("add_tabletop")
+    card.check({"objects": [{"category": "mug", "count": 40}]})
+    with pytest.raises(InputError, match=r"inputs.objects\[0\].count is 50; at most 40"):
+        card.check({"objects": [{"category": "mug", "count": 50}]})
