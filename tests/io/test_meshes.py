@@ -275,3 +275,11 @@ def test_names_longer_than_any_file_has_are_one_line(tmp_path):
     (hints,) = entries(model, "mjcf")
     with pytest.raises(InputError, match="File name too long"):
         load(hints.path)
+
+
+@pytest.mark.parametrize("height", ["1e308", "1e-308"])
+def test_a_size_that_nothing_has_is_one_line(tmp_path, capsys, height):
+    (tmp_path / "a.obj").write_text("v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nv 0 0 0.1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
+    (tmp_path / "manifest.csv").write_text(f"file,category,height\na.obj,chair,{height}\n")
+    assert main(["assets", "import", str(tmp_path), "--store", str(tmp_path / "store")]) == 2
+    assert "sceneweaver: a: with the stated size it would be" in capsys.readouterr().err
