@@ -49,7 +49,7 @@ def read_meshes(path: Place) -> trimesh.Scene:
             file.seek(0)
         scene = trimesh.load_scene(file, file_type=suffix[1:], resolver=_resolver(place), process=False)
         for body in scene.geometry.values():
-            faces = getattr(body, "faces", ())
+            faces: Any = getattr(body, "faces", ())
             if len(faces) and not 0 <= faces.min() <= faces.max() < len(body.vertices):
                 raise InputError(f"{name}: a triangle names a vertex that is not there")
     return scene
