@@ -348,7 +348,7 @@ class Tally:
     """How cases of each kind ended, and those that failed."""
 
     counts: dict[str, Counter[str]] = field(default_factory=dict[str, Counter[str]])
-    failures: list[tuple[Case, Result, str]] = field(default_factory=list[tuple[Case, Result, str]])
+    failures: list[tuple[Case, Result]] = field(default_factory=list[tuple[Case, Result]])
     slowest: float = 0.0
     largest: int = 0
 
@@ -358,7 +358,7 @@ class Tally:
         self.counts.setdefault(case.kind, Counter())[outcome] += 1
         self.slowest, self.largest = max(self.slowest, result.seconds), max(self.largest, result.memory)
         if result.faults:
-            self.failures.append((case, result, case.text("err")[-1500:]))
+            self.failures.append((case, result))
 
     def table(self) -> str:
         """Kinds by outcomes."""
@@ -369,12 +369,12 @@ class Tally:
             rows.append(f"{kind:<10}" + "".join(f"{count[name]:>8}" for name in columns) + f"{sum(count.values()):>8}")
         return "\n".join((*rows, f"slowest {self.slowest:.1f} s, most memory {self.largest >> 20} MiB"))
 
-    def stories(self) -> str:
-        """What failed, and how to do it again."""
-        return "\n".join(
+    def story(self, number: int) -> str:
+        """What failed, by its number among the failures, and how to do it again."""
+        case, result = self.failures[number]
+        return (
             f"--seed {case.seed} --case {case.number} ({case.kind}): {'; '.join(result.faults)}\n"
             f"    {case.call.argv}\n    {case.damage}"
-            for case, result, _ in self.failures
         )
 
 
@@ -388,7 +388,9 @@ def fuzz(count: int, seed: int, jobs: int, kinds: Sequence[str], case: int | Non
         numbers = iter(range(10**9)) if case is None else iter([case])
         for one, result in fuzzer.run(numbers, count if case is None else 1, jobs):
             tally.add(one, result)
-            if case is not None or (result.faults and sys.stdout.isatty()):
+            if result.faults:
+                print(tally.story(-1), file=sys.stderr, flush=True)  # at once: a long run may be ended
+            if case is not None:
                 print(f"{one.number} {one.kind} {one.call.argv}: {one.damage}\n  {result}\n{one.text('err')[-3000:]}")
     finally:
         shutil.rmtree(root, ignore_errors=True)
@@ -408,7 +410,8 @@ def main() -> int:
     if unknown := set(kinds) - set(KINDS):
         parser.error(f"unknown kinds: {', '.join(sorted(unknown))}; known: {', '.join(KINDS)}")
     tally = fuzz(given.count, given.seed, given.jobs, kinds, given.case)
-    print(tally.stories())
+    for number in range(len(tally.failures)):
+        print(tally.story(number))
     print(tally.table())
     return 1 if tally.failures else 0
 

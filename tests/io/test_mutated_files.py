@@ -82,7 +82,7 @@ specimens.KINDS["sin"] = specimens.Kind(
 found = {}
 for sin, program in json.loads(sys.argv[1]).items():
     failures = mutated_files.fuzz(1, 1, 1, ["sin"]).failures
-    found[sin] = [fault for _, result, _ in failures for fault in result.faults]
+    found[sin] = [fault for _, result in failures for fault in result.faults]
 print(json.dumps(found))
 """
 
