@@ -262,6 +262,8 @@ def _read(path: Path) -> Iterable[Run]:
         raise InputError(f"{path}: there is no column {missing[0]}; these are no results of sceneweaver bench")
     columns = {name: table[name].to_numpy(zero_copy_only=False) for name in COLUMNS}
     keys = list(zip(*(columns[name].tolist() for name in ("method", "problem", "seed")), strict=True))
+    if not keys:
+        raise InputError(f"{path}: there is no row in it; these are no results of sceneweaver bench")
     first = [i for i, key in enumerate(keys) if i == 0 or key != keys[i - 1]]
     parts = zip(first, [*first[1:], len(keys)], strict=True)
     return [Run({name: values[a:b] for name, values in columns.items()}) for a, b in parts]

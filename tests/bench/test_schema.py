@@ -34,3 +34,11 @@ def test_results_that_do_not_say_of_which_settings_they_are_are_one_line(tmp_pat
         pa.parquet.write_table(pa.Table.from_pylist([row], schema), path)
         with pytest.raises(InputError, match="does not say of which settings|invalid JSON"):
             results.read_about(path)
+
+
+def test_results_without_rows_are_one_line(tmp_path):
+    pa = results.pyarrow()
+    path = tmp_path / "results.parquet"
+    pa.parquet.write_table(pa.Table.from_pylist([], results.arrow_schema(b"{}")), path)
+    with pytest.raises(InputError, match="there is no row in it"):
+        results.read_runs(path)
