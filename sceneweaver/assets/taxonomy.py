@@ -281,7 +281,7 @@ def _misspelt(noun: str, asked: str) -> Match | None:
             meant = " ".join(near if w == word else w for w in words)
             found = _known(noun, meant)
             if found is not None and found.how != "group":
-                return Match(found.category, "spelling", f"'{noun}' was taken for '{meant}'")
+                return replace(found, how="spelling", note=f"'{noun}' was taken for '{meant}'")
     return None
 
 

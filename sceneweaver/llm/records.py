@@ -185,6 +185,10 @@ class Recorder:
         self._save(self.folder / "usage.json", _text(redact(data)))
 
 
+NEEDED = frozenset(("purpose", "number", "digest", "answer", "failure", "usage"))
+"""What a record has at least."""
+
+
 def read_folder(folder: Path) -> dict[str, Any]:
     """What `endpoint.json` says.
 
@@ -206,16 +210,17 @@ def read_records(folder: Path) -> list[dict[str, Any]]:
         InputError: for a file that is no record.
     """
     sessions = read_folder(folder)["sessions"]
-    left_out: set[int] = set()
-    for session in sessions[1:]:
-        left_out.update(range(session["kept"] + 1, session["first"]))
+    try:
+        ranges = [range(session["kept"] + 1, session["first"]) for session in sessions[1:]]
+    except (KeyError, TypeError):
+        raise InputError(f"{folder}: the sessions in its endpoint.json are not of {FOLDER_SCHEMA}") from None
     places = sorted((int(named[1]), name) for name in os.listdir(folder) if (named := NAME.fullmatch(name)))
     found: list[dict[str, Any]] = []
     for number, name in places:
-        if number in left_out:
+        if any(number in left_out for left_out in ranges):
             continue
         data = _read(folder / name)
-        if data.get("schema") != SCHEMA or not {"purpose", "digest", "answer", "failure", "usage"} <= set(data):
+        if data.get("schema") != SCHEMA or not data.keys() >= NEEDED:
             raise InputError(f"{folder / name}: is no record of {SCHEMA}")
         found.append({**data, "file": name})
     return found

@@ -23,7 +23,7 @@ Degrees = Annotated[FiniteFloat, Field(ge=-MOST_TURN, le=MOST_TURN, description=
 Metres = Annotated[FiniteFloat, Field(gt=0, le=100, description="[m]")]
 Seed = Annotated[int, Field(ge=0, lt=2**32, description="Equal seeds give equal results")]
 Seconds = Annotated[FiniteFloat, Field(gt=0, le=MOST_SECONDS, description="Seconds that it may take; null: as usual")]
-VersionNumber = Annotated[int, Field(ge=1, description="Number of a version")]
+VersionNumber = Annotated[int, Field(ge=1, lt=2**32, description="Number of a version")]
 Side = Annotated[int, Field(ge=LEAST_SIDE, le=MOST_SIDE, description="Pixels")]
 Exact = Annotated[
     bool,

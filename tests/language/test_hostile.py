@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from sceneweaver.assets.taxonomy import category_named, resolve
 from sceneweaver.language import read_request
 from sceneweaver.language.source import LONGEST, MOST
 from sceneweaver.language.vocabulary import vocabulary
@@ -177,6 +178,11 @@ CRASHED = [
     "beside each full of on",
 ]
 """Each raised something once, or gave a graph that says what cannot be."""
+
+
+def test_a_slip_in_the_name_of_what_another_body_stands_for_keeps_that_body() -> None:
+    """ "11 dog stairses" was a KeyError."""
+    assert resolve("dog_stairse").body == "step_stool" and category_named("dog_stairse").size is not None
 
 
 @pytest.mark.parametrize("text", CRASHED)

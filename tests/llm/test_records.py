@@ -1,8 +1,11 @@
 """Questions and answers as files, and runs that are answered from them."""
 
 import json
+import os
 import subprocess
 import sys
+from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 from pydantic_ai.messages import ModelResponse, ToolCallPart
@@ -261,3 +264,34 @@ def test_records_do_not_follow_links(tmp_path, name):
     with pytest.raises(InputError, match=f"{link.name}: this is a link to another place"):
         Recorder(tmp_path / "llm", {"title": "m", "pictures": True})
     assert not list(away.iterdir())
+
+
+def _pipe(file: Path) -> None:
+    file.unlink()
+    os.mkfifo(file)
+
+
+def _device(file: Path) -> None:
+    file.unlink()
+    file.symlink_to("/dev/zero")
+
+
+TAMPERED: dict[str, Callable[[Path], object]] = {
+    "truncated": lambda file: file.write_bytes(file.read_bytes()[:-40]),
+    "huge": lambda file: os.truncate(file, 2 << 30),
+    "pipe": _pipe,
+    "device": _device,
+    "deep": lambda file: file.write_text("[" * 100_000),
+    "digits": lambda file: file.write_text('{"number": ' + "9" * 200_000 + "}"),
+    "no text": lambda file: file.write_bytes(b"\xff\xfe\0"),
+}
+
+
+@pytest.mark.parametrize("tamper", TAMPERED.values(), ids=TAMPERED)
+@pytest.mark.parametrize("name", ["endpoint.json", "0001-plan.json"])
+def test_tampered_records_are_one_line(tmp_path, tamper, name):
+    ask(client(tmp_path / "llm", {"steps": 1}))
+    tamper(tmp_path / "llm" / name)
+    with pytest.raises(InputError) as caught:
+        open_client(replay=tmp_path)
+    assert "\n" not in str(caught.value) and len(str(caught.value)) < 400
