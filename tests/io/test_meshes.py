@@ -283,3 +283,19 @@ def test_a_size_that_nothing_has_is_one_line(tmp_path, capsys, height):
     (tmp_path / "manifest.csv").write_text(f"file,category,height\na.obj,chair,{height}\n")
     assert main(["assets", "import", str(tmp_path), "--store", str(tmp_path / "store")]) == 2
     assert "sceneweaver: a: with the stated size it would be" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("name", ["objects", "drafts", "cache"])
+def test_a_link_in_a_store_is_not_written_through(tmp_path, capsys, name):
+    outside, store = tmp_path / "outside", tmp_path / "store"
+    outside.mkdir(), store.mkdir()
+    (store / name).symlink_to(outside)
+    bar = np.array([[0, 0, 0], [1, 0, 0], [1, 0.1, 0], [0.1, 0.1, 0], [0.1, 1, 0], [0, 1, 0]])
+    rows = "".join("v {} {} {}\n".format(*p) for z in (0, 0.1) for p in bar + [0, 0, z])
+    sides = [(k, (k + 1) % 6, (k + 1) % 6 + 6, k + 6) for k in range(6)]
+    faces = [(3, 2, 1, 0), (5, 4, 3, 0), (6, 7, 8, 9), (6, 9, 10, 11), *sides]  # of an L, which has to be decomposed
+    rows += "".join("f {} {} {} {}\n".format(*(k + 1 for k in face)) for face in faces)
+    (tmp_path / "a.obj").write_text(rows)
+    assert main(["assets", "import", str(tmp_path / "a.obj"), "--store", str(store)]) == (0 if name == "cache" else 2)
+    assert list(outside.iterdir()) == []
+    assert name == "cache" or f"{name}: this is a link to another place; remove it" in capsys.readouterr().err
