@@ -17,7 +17,16 @@ from typing import Any
 
 import numpy as np
 
-from sceneweaver.io import parse_json, read_arrays, read_bytes, reason, sweep, temporary_folder, write_atomic
+from sceneweaver.io import (
+    own_folder,
+    parse_json,
+    read_arrays,
+    read_bytes,
+    reason,
+    sweep,
+    temporary_folder,
+    write_atomic,
+)
 from sceneweaver.io.messages import suggest
 from sceneweaver.runtime.caches import cache_place, kept_in
 from sceneweaver.scene import InputError, Part, Surface, Zone
@@ -58,7 +67,8 @@ class Store:
             with self._draft() as draft:
                 _write_body(draft / "body.npz", asset)
                 write_atomic(draft / "row.json", json.dumps(row_of(asset, content), indent=1) + "\n")
-                final.parent.mkdir(parents=True, exist_ok=True)
+                own_folder(self.root / "objects")
+                own_folder(final.parent)
                 os.rename(draft, final)
         except OSError as error:
             if (final / "row.json").exists():  # another process was quicker
@@ -103,8 +113,8 @@ class Store:
 
     def _draft(self) -> AbstractContextManager[Path]:
         """A temporary folder on the disk of the store; what a killed process left there goes."""
-        drafts = self.root / "drafts"
-        drafts.mkdir(parents=True, exist_ok=True)
+        self.root.mkdir(parents=True, exist_ok=True)
+        drafts = own_folder(self.root / "drafts")
         sweep(drafts)
         return temporary_folder(drafts)
 

@@ -16,7 +16,7 @@ from typing import Annotated, Any, get_type_hints
 
 import numpy as np
 
-from sceneweaver.io import load_json, open_parquet, write_atomic
+from sceneweaver.io import load_json, open_parquet, parse_json, write_atomic
 from sceneweaver.runtime.package import missing_extra, package_version
 from sceneweaver.scene import InputError, MissingDependencyError
 
@@ -248,7 +248,10 @@ def read_about(path: Path | str) -> dict[str, Any]:
         ['machine', 'settings', 'versions']
     """
     with open_parquet(_results(path)[0]) as file:
-        return json.loads(file.schema_arrow.metadata[KEY])
+        about = (file.schema_arrow.metadata or {}).get(KEY)
+    if about is None:
+        raise InputError(f"{path}: does not say of which settings it is; these are no results of sceneweaver bench")
+    return parse_json(about)
 
 
 def _read(path: Path) -> Iterable[Run]:
@@ -259,6 +262,8 @@ def _read(path: Path) -> Iterable[Run]:
         raise InputError(f"{path}: there is no column {missing[0]}; these are no results of sceneweaver bench")
     columns = {name: table[name].to_numpy(zero_copy_only=False) for name in COLUMNS}
     keys = list(zip(*(columns[name].tolist() for name in ("method", "problem", "seed")), strict=True))
+    if not keys:
+        raise InputError(f"{path}: there is no row in it; these are no results of sceneweaver bench")
     first = [i for i, key in enumerate(keys) if i == 0 or key != keys[i - 1]]
     parts = zip(first, [*first[1:], len(keys)], strict=True)
     return [Run({name: values[a:b] for name, values in columns.items()}) for a, b in parts]

@@ -813,8 +813,9 @@ def _debugging() -> bool:
 
 
 def _fail(text: str, code: int, as_json: bool) -> int:
-    line = " ".join(text.split())
-    typer.echo(f"sceneweaver: {line}", err=True)
+    from .output import complain
+
+    line = complain(text)
     if as_json:
         typer.echo(json.dumps({"error": line, "exit_code": code}, ensure_ascii=False))
     return code

@@ -14,7 +14,7 @@ from sceneweaver.io.messages import suggest
 from sceneweaver.scene import InputError
 
 from .exit_codes import BAD_INPUT, NOT_VALID
-from .output import list_files
+from .output import complain, list_files
 from .streams import no_chatter
 
 if TYPE_CHECKING:
@@ -121,7 +121,7 @@ def _named(asset_id: str, store: Path | None, seed: int) -> Asset:
     if ":" not in asset_id:
         match = resolve(asset_id)
         if match.note:
-            typer.echo(f"sceneweaver: {match.note}", err=True)
+            complain(match.note)
         label = f"&label={match.category}" if match.generic else ""
         asset_id = f"parametric:{match.body}?seed={seed}{label}"
     return Library([StoreSource(Store(store)), ParametricSource()]).load(asset_id)
@@ -236,7 +236,7 @@ def run_import(
             new = keep.add(asset, content_hash(asset))
         except InputError as error:
             refused.append(str(error))
-            typer.echo(f"sceneweaver: {' '.join(str(error).split())}", err=True)
+            complain(str(error))
             continue
         made.append(
             {
@@ -282,7 +282,7 @@ def _seen(client: ModelClient, hints: Hints, asset: Asset) -> SeenFront | None:
     try:
         found = front_by_views(client, asset)
     except ModelError as error:
-        typer.echo(f"sceneweaver: {hints.name}: front found from the shape, as {error}", err=True)
+        complain(f"{hints.name}: front found from the shape, as {error}")
         return None
     return SeenFront(found.quarters, found.confidence, found.by) if found.by == client.name else None
 

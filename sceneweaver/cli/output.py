@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import typer
 
 from sceneweaver.io import locked, sweep, temporary_folder
+from sceneweaver.io.messages import printable_line
 from sceneweaver.runtime.compiling import watched_by
 from sceneweaver.scene import InputError
 
@@ -20,6 +21,9 @@ if TYPE_CHECKING:
     from sceneweaver.verify import Report
 
 Progress = Callable[[int, int, int, float], None]
+
+LONGEST = 1000
+"""Characters of a line about what is wrong."""
 
 MOST_LISTED = 20
 """Violations that are listed on a terminal; files and --json have them all."""
@@ -91,6 +95,13 @@ def progress_bar(text: str, total: int) -> Iterator[Progress | None]:
 
             with watched_by(lambda state: bar.update(task, description=str(state))):
                 yield report
+
+
+def complain(text: str) -> str:
+    """Say what is wrong as one printable line on stderr, whatever the file says that it quotes; gives the line."""
+    line = printable_line(text, LONGEST)
+    typer.echo(f"sceneweaver: {line}", err=True)
+    return line
 
 
 def print_json(data: dict[str, Any]) -> None:

@@ -13,15 +13,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.io import InputError, reason, temporary_folder
+from sceneweaver.io import InputError, reason, temporary_folder, write_atomic
 from sceneweaver.io.messages import clean, suggest
+from sceneweaver.io.tars import content, members
 
 from .digests import content_of
 from .folder import Folder
 from .samples import ROWS, SAMPLES, read_rows
 from .seals import DamagedError, kind_fault, open_own, require_inside
 from .tables import read_table
-from .tars import content, members
 
 SCENE = ("glb", "xml", "usdc")
 """Suffixes that become ``scene.<suffix>``, as a design has them; other files have the names of their suffixes."""
@@ -175,7 +175,7 @@ def extract(path: Path, key: str, out: Path) -> list[Path]:
             draft = drafts / "scene"
             draft.mkdir()
             for name, written in files.items():
-                (draft / name).write_bytes(written)
+                write_atomic(draft / name, written)
             for relative in references(files):
                 if fault := kind_fault(folder.path / relative):
                     raise InputError(f"{folder.path / relative}: {fault}; fetch the assets of the data set as well")

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,7 +10,7 @@ from typing import Any
 import numpy as np
 
 import sceneweaver
-from sceneweaver.io import read_bytes
+from sceneweaver.io import load_csv
 from sceneweaver.scene import InputError
 
 from .spec import Spec, Weights
@@ -123,7 +121,7 @@ def _prompts(spec: Spec, folder: Path) -> Sequence[str] | None:
     if spec.requests.prompts_file is None:
         return None
     path = folder / spec.requests.prompts_file
-    rows = list(csv.DictReader(io.StringIO(read_bytes(path).decode("utf-8-sig"))))
+    rows = load_csv(path)
     if not rows or "prompt" not in rows[0]:
         raise InputError(f"{path}: no column 'prompt'; the first line must name the columns")
     return [row["prompt"] for row in rows]

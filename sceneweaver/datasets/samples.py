@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-import io
 import os
-import tarfile
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal
 
-from sceneweaver.io import temporary_folder
+from sceneweaver.io import open_writable, temporary_folder
+from sceneweaver.io.tars import content, ending, header, members, padded
 from sceneweaver.scene import Scene
 from sceneweaver.verify import Report
 
 from .digests import content_of
 from .seals import open_own, seal_folder
 from .tables import read_lines, write_lines
-from .tars import content, members
 
 Status = Literal["ok", "rejected", "failed"]
 """Delivered; made, but not through the gates; not made."""
@@ -95,18 +93,18 @@ def write_block(path: Path, samples: Iterable[Sample]) -> None:
     """
     rows, seconds = [], []
     with whole_folder(path) as draft:
-        with tarfile.open(draft / SAMPLES, "w", format=tarfile.USTAR_FORMAT) as tar:
+        with open_writable(draft / SAMPLES, "xb") as tar:
             for sample in samples:
                 for suffix, content in sorted(sample.files.items()):
-                    member = tarfile.TarInfo(f"{sample.key}.{suffix}")
-                    member.size, member.mtime, member.mode = len(content), 0, 0o644
-                    tar.addfile(member, io.BytesIO(content))
+                    written = len(content)
+                    tar.write(header(f"{sample.key}.{suffix}", written) + content + bytes(padded(written) - written))
                 row = {"index": sample.index, "key": sample.key, "status": sample.status, **sample.row}
                 if sample.files:
                     digest, size = content_of(sample.files)
                     row |= {"content_hash": digest, "bytes": size}
                 rows.append(row)
                 seconds.append({"index": sample.index, **sample.seconds})
+            tar.write(ending(tar.tell()))
         write_lines(draft / ROWS, rows)
         write_lines(draft / SECONDS, seconds)
 

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sceneweaver.assets.category import read_yaml
-from sceneweaver.io import InputError, MissingDependencyError, load_json_lines, open_parquet
+from sceneweaver.io import InputError, MissingDependencyError, load_json_lines, open_parquet, write_atomic
 from sceneweaver.io.messages import clean
 from sceneweaver.runtime.package import missing_extra
 
@@ -106,7 +106,7 @@ def read_table(path: Path, columns: Sequence[str] | None = None) -> Iterator[dic
 
 def write_lines(path: Path, rows: Iterable[dict[str, Any]]) -> None:
     """Write rows to a file, a line of JSON each."""
-    path.write_text("".join(json.dumps(row, ensure_ascii=False) + "\n" for row in rows), encoding="utf-8")
+    write_atomic(path, "".join(json.dumps(row, ensure_ascii=False) + "\n" for row in rows))
 
 
 def read_lines(path: Path) -> Iterator[dict[str, Any]]:

@@ -8,6 +8,7 @@ from typing import Any
 
 import jinja2
 
+from sceneweaver.io import packaged
 from sceneweaver.report.html import clean
 
 ROOT = Path(__file__).parent
@@ -44,7 +45,9 @@ def markdown() -> jinja2.Environment:
 def html() -> jinja2.Environment:
     """Templates of HTML, without the ends of lines; all that they show is escaped unless it is said to be safe."""
     loader = jinja2.FunctionLoader(
-        lambda name: "".join(line.strip() for line in (ROOT / name).read_text("utf-8").splitlines())
+        lambda name: "".join(
+            line.strip() for line in packaged.text("sceneweaver.datasets", *name.split("/")).splitlines()
+        )
     )
     found = jinja2.Environment(autoescape=True, finalize=clean, loader=loader)
     found.filters |= _FILTERS

@@ -4,9 +4,7 @@ Whatever is wrong with a file raises InputError with one line that names the fil
 floor opens files, archives, tables, images or meshes (``tests/io/test_one_door.py``).
 """
 
-from .archives import TarMembers as TarMembers
 from .archives import is_plain_name as is_plain_name
-from .archives import open_tar as open_tar
 from .archives import open_zip as open_zip
 from .archives import read_arrays as read_arrays
 from .errors import InputError as InputError
@@ -20,6 +18,7 @@ from .json_text import load_json as load_json
 from .json_text import load_json_lines as load_json_lines
 from .json_text import load_packed_json as load_packed_json
 from .json_text import parse_json as parse_json
+from .meshes import read_mesh as read_mesh
 from .meshes import read_meshes as read_meshes
 from .mjcf import load_mjcf as load_mjcf
 from .mjcf import read_spec as read_spec
@@ -37,9 +36,11 @@ from .references import named_inside as named_inside
 from .references import required_inside as required_inside
 from .tables import load_csv as load_csv
 from .tables import open_parquet as open_parquet
+from .tables import parquet_rows as parquet_rows
 from .usd import open_stage as open_stage
 from .writing import SUFFIX as SUFFIX
 from .writing import TEMPORARY as TEMPORARY
+from .writing import bring_to_disk as bring_to_disk
 from .writing import locked as locked
 from .writing import open_writable as open_writable
 from .writing import own_folder as own_folder

@@ -1,10 +1,9 @@
-"""Zip, NumPy and tar archives that somebody else made: regular members with plain names, bounded before they unpack."""
+"""Zip and NumPy archives that somebody else made: members with plain names, bounded before they unpack."""
 
 from __future__ import annotations
 
 import contextlib
 import os
-import tarfile
 import zipfile
 from collections.abc import Iterator
 from pathlib import PurePosixPath
@@ -22,12 +21,6 @@ MAX_BYTES = 2**30
 
 MAX_MEMBERS = 100_000
 """Files in an archive that is read into memory."""
-
-TAR_BYTES = 2**40
-"""Largest tar [bytes]: those of a data set are read member by member."""
-
-TAR_MEMBER = 2**30
-"""Largest member [bytes] of a tar."""
 
 
 def is_plain_name(name: str) -> bool:
@@ -103,51 +96,3 @@ def _array(file: IO[bytes], max_bytes: int) -> np.ndarray:
         raise ValueError("an array ends too early")
     array = np.frombuffer(bytearray(content), dtype=kind, count=count)
     return array.reshape(shape[::-1]).T if by_columns else array.reshape(shape)
-
-
-@contextlib.contextmanager
-def open_tar(path: Place, *, max_bytes: int = TAR_BYTES) -> Iterator[TarMembers]:
-    """A tar without compression, whose members are regular files with plain names.
-
-    Raises:
-        InputError: as `open_regular`; on the way through it where it is damaged, or has other members.
-    """
-    name = os.path.basename(os.fspath(path))
-    with open_regular(path, max_bytes) as file:
-        try:
-            with tarfile.open(fileobj=file, mode="r:") as tar:
-                yield TarMembers(tar, name)
-        except (tarfile.TarError, EOFError, OSError, ValueError) as error:
-            if isinstance(error, InputError):
-                raise
-            raise InputError(f"{name}: the file is damaged or cut off ({reason(error)})") from error
-
-
-class TarMembers:
-    """The files of a tar in order.
-
-    Iterating gives ``(name, size, offset)``: size [bytes] and where the content begins in the file [bytes].
-    """
-
-    def __init__(self, tar: tarfile.TarFile, name: str) -> None:
-        self._tar, self._name, self._member = tar, name, tarfile.TarInfo()
-
-    def __iter__(self) -> Iterator[tuple[str, int, int]]:
-        while (member := self._tar.next()) is not None:
-            self._tar.members.clear()  # pyright: ignore[reportAttributeAccessIssue] - else it remembers each of millions
-            if not member.isreg() or not is_plain_name(member.name):
-                raise InputError(f"{self._name}: {quote(member.name)} is no plain file in it; pack it anew")
-            if member.size > TAR_MEMBER:
-                raise InputError(f"{self._name}: {quote(member.name)} has over {TAR_MEMBER >> 20} MiB")
-            self._member = member
-            yield member.name, member.size, member.offset_data
-
-    def read(self) -> bytes:
-        """The content of the member that was given last."""
-        file = self._tar.extractfile(self._member)
-        content = b"" if file is None else file.read()
-        if len(content) < self._member.size:
-            raise InputError(
-                f"{self._name}: the file is damaged or cut off ({quote(self._member.name)} ends too early)"
-            )
-        return content

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
+from collections.abc import Generator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -41,18 +43,36 @@ def read_meshes(path: Place) -> trimesh.Scene:
 
     place = Path(path)
     name, suffix = clean(place.name), place.suffix.lower()
+    with _damage_named(name), open_regular(place, MAX_BYTES) as file:
+        if suffix in (".glb", ".gltf"):
+            _check_gltf(name, file.read())
+            file.seek(0)
+        scene = trimesh.load_scene(file, file_type=suffix[1:], resolver=_resolver(place), process=False)
+        for body in scene.geometry.values():
+            faces: Any = getattr(body, "faces", ())
+            if len(faces) and not 0 <= faces.min() <= faces.max() < len(body.vertices):
+                raise InputError(f"{name}: a triangle names a vertex that is not there")
+    return scene
+
+
+def read_mesh(path: Place) -> trimesh.Trimesh:
+    """All that `read_meshes` finds, as one mesh; errors are the same."""
+    scene = read_meshes(path)
+    with _damage_named(clean(Path(path).name)):
+        return scene.to_mesh()
+
+
+@contextlib.contextmanager
+def _damage_named(name: str) -> Generator[None, None, None]:
+    """What libraries raise for damaged files, which is whatever they like, as one line."""
     try:
-        with open_regular(place, MAX_BYTES) as file:
-            if suffix in (".glb", ".gltf"):
-                _check_gltf(name, file.read())
-                file.seek(0)
-            return trimesh.load_scene(file, file_type=suffix[1:], resolver=_resolver(place), process=False)
+        yield
     except (InputError, MissingDependencyError):
         raise
     except ModuleNotFoundError as error:
         what = f"{name}: reading it needs the package '{error.name}'"
         raise MissingDependencyError(missing_module(error.name or "", what)) from error
-    except Exception as error:  # libraries raise whatever they like for damaged files
+    except Exception as error:
         raise InputError(f"{name}: the file is damaged or cut off ({reason(error)})") from error
 
 
@@ -87,7 +107,10 @@ def _check_gltf(name: str, content: bytes) -> None:
         if len(content) < length:
             raise InputError(f"{name}: the file is cut off: {len(content)} of {length} bytes")
         content = content[20 : 20 + int.from_bytes(content[12:16], "little")]
-    document = parse_json(content)
+    try:
+        document = parse_json(content)
+    except InputError as error:
+        raise InputError(f"{name}: {error}") from None
     rows = document.get("accessors", [])
     size = sum(int(r["count"]) * _COMPONENTS.get(r["componentType"], 4) * _SHAPES.get(r["type"], 1) for r in rows)
     if size > MAX_BYTES:

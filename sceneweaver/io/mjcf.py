@@ -54,7 +54,7 @@ def load_mjcf(path: Place, folder: Path | None = None) -> ElementTree.Element:
                 for attribute, value in asset.items():
                     if attribute.startswith("file"):
                         found = required_inside(folder, place.parent / base[key] / value, name)
-                        if found.exists():
+                        if os.path.exists(found):  # also of a name that is too long
                             open_regular(found, MAX_ASSET).close()
     return root
 

@@ -77,6 +77,16 @@ def open_parquet(path: Place, *, dictionaries: Sequence[str] = ()) -> Iterator[p
             raise InputError(f"{name}: not readable as Parquet ({reason(error)})") from error
 
 
+def parquet_rows(path: Place, columns: Sequence[str] | None, filters: list[tuple[str, str, int]]) -> pyarrow.Table:
+    """The rows of a Parquet file that some conditions hold for; its statistics say which parts need not be read.
+
+    Raises:
+        InputError: as `open_parquet`.
+    """
+    with open_parquet(path):
+        return _pyarrow().parquet.read_table(path, columns=columns, filters=filters)
+
+
 def _require_small(name: str, group: Any) -> None:
     """Sizes as stated; a run of equal values may unpack to more, but never to more than a value for each row."""
     if not 0 <= group.total_byte_size <= MAX_GROUP or not 0 <= group.num_rows * group.num_columns <= MAX_GROUP:

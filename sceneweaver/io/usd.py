@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import Any
 
@@ -43,7 +44,7 @@ def _check_layers(path: Path, name: str) -> None:
     todo, seen = [str(path)], set()
     while todo:
         place = todo.pop()
-        if place in seen or not Path(place).exists():
+        if place in seen or not os.path.exists(place):
             continue
         seen.add(place)
         if len(seen) > MAX_LAYERS:
@@ -53,5 +54,5 @@ def _check_layers(path: Path, name: str) -> None:
         if layer is not None:
             for asset in layer.GetCompositionAssetDependencies():
                 found = layer.ComputeAbsolutePath(asset)
-                if Path(found).exists():
+                if os.path.exists(found):
                     todo.append(str(required_inside(path.parent, Path(found), name)))

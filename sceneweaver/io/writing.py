@@ -100,6 +100,19 @@ def open_writable(path: Place, mode: Literal["xb", "ab", "wb", "r+b"]) -> IO[byt
         raise
 
 
+def bring_to_disk(path: Place) -> None:
+    """Wait until what was written to a file is on the disk.
+
+    Raises:
+        OSError: the disk is full or gone.
+    """
+    descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_CLOEXEC)
+    try:
+        os.fsync(descriptor)
+    finally:
+        os.close(descriptor)
+
+
 def own_folder(path: Path) -> Path:
     """A folder of a run or an export, made where it is not there; what is written to it lands in it.
 

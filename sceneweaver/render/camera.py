@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from sceneweaver.io import reason
 from sceneweaver.scene import InputError
 
 
@@ -170,6 +171,9 @@ def _tuples(*vectors) -> list[tuple[float, float, float]]:
     return [(float(v[0]), float(v[1]), float(v[2])) for v in vectors]
 
 
+MAX_SIDE = 8192
+"""Most pixels along a side of a picture."""
+
 SENSOR = 36.0
 """Width of 35 mm film [mm], for which focal lengths are given."""
 
@@ -256,6 +260,8 @@ def shot_from(data: Any, name: str, width: int, height: int) -> Shot:
     try:
         label = str(data.get("name", name))
         width, height = int(data.get("width", width)), int(data.get("height", height))
+        if not (0 < width <= MAX_SIDE and 0 < height <= MAX_SIDE):
+            raise ValueError(f"width and height have to be from 1 to {MAX_SIDE} pixels")
         if "eye" in data or "target" in data:
             angle = math.radians(float(data.get("fov", 60.0)))
             aspect = width / height
@@ -269,8 +275,8 @@ def shot_from(data: Any, name: str, width: int, height: int) -> Shot:
         return Shot(label, _camera(np.asarray(k, dtype=float), pose, width, height), width, height)
     except KeyError as error:
         raise InputError(f"{name}: has no {error}; give eye and target, or K and camera_to_world_opencv") from None
-    except (TypeError, ValueError, ZeroDivisionError) as error:
-        raise InputError(f"{name}: makes no camera ({error})") from None
+    except (TypeError, ValueError, ArithmeticError) as error:  # also an infinite number of pixels
+        raise InputError(f"{name}: makes no camera ({reason(error)})") from None
 
 
 def _camera(k: np.ndarray, pose: np.ndarray, width: int, height: int) -> Camera:
@@ -280,8 +286,8 @@ def _camera(k: np.ndarray, pose: np.ndarray, width: int, height: int) -> Camera:
     if not np.allclose(turn @ turn.T, np.eye(3), atol=1e-4) or np.linalg.det(turn) < 0:
         raise ValueError("the pose is no rotation")
     fx, fy, cx, cy = k[0, 0], k[1, 1], k[0, 2], k[1, 2]
-    if not (fx > 0 and fy > 0 and width > 0 and height > 0):
-        raise ValueError("fx, fy, width and height have to be above 0")
+    if not (fx > 0 and fy > 0):
+        raise ValueError("fx and fy have to be above 0")
     x, y, z = turn.T
     right, up = x * (width / 2 / fx), -y * (height / 2 / fy)
     forward = z + x * ((width / 2 - cx) / fx) + y * ((height / 2 - cy) / fy)

@@ -11,7 +11,7 @@ import numpy as np
 from PIL import Image
 
 from sceneweaver.io import load_json, own_folder, whole, write_atomic
-from sceneweaver.io.messages import suggest
+from sceneweaver.io.messages import quote, suggest
 from sceneweaver.runtime.package import missing_extra
 from sceneweaver.scene import InputError, MissingDependencyError
 
@@ -66,8 +66,8 @@ def write_passes(
     """
     check_request(passes, kind)
     for shot in renderer.shots:
-        if not shot.name or set(shot.name) & set('/\\:*?"<>|') or shot.name.startswith("."):
-            raise InputError(f"cameras: '{shot.name}' makes no file name; use letters, digits and dashes")
+        if not shot.name or set(shot.name) & set('/\\:*?"<>|') or shot.name.startswith(".") or len(shot.name) > 100:
+            raise InputError(f"cameras: {quote(shot.name)} makes no file name; use letters, digits and dashes")
     own_folder(folder)
     write: Callable[[Frame, Path], list[Path]] = {"png": _write_png, "exr": _write_exr, "npz": _write_npz}[kind]
     written = [] if written is None else written

@@ -12,7 +12,7 @@ import numpy as np
 
 from sceneweaver.assets import Asset
 from sceneweaver.assets.category import categories, read_yaml
-from sceneweaver.io.messages import suggest
+from sceneweaver.io.messages import quote, suggest
 from sceneweaver.scene import InputError, Scene, SceneObject
 
 from .camera import Shot
@@ -180,9 +180,9 @@ def _check(shots: Sequence[Shot]) -> None:
     names = [shot.name for shot in shots]
     for shot in shots:
         if names.count(shot.name) > 1:
-            raise InputError(f"cameras: two have the name '{shot.name}'; give each its own")
+            raise InputError(f"cameras: two have the name {quote(shot.name)}; give each its own")
         if shot.camera.flat:
-            raise InputError(f"cameras: '{shot.name}' has no perspective; data passes need some")
+            raise InputError(f"cameras: {quote(shot.name)} has no perspective; data passes need some")
 
 
 def _batches(shots: Sequence[Shot]) -> Iterator[list[Shot]]:

@@ -7,6 +7,7 @@ judged by its parts instead.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from functools import cached_property
 from pathlib import Path
@@ -16,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sceneweaver.geometry.prisms import prism_vertices
-from sceneweaver.io import InputError, read_meshes
+from sceneweaver.io import InputError, read_mesh
 from sceneweaver.scene import SceneObject
 from sceneweaver.verify import convex
 from sceneweaver.verify.solids import DEPTH, Array
@@ -127,7 +128,7 @@ class MeshSet:
         root = self._folder.resolve()
         for suffix in SUFFIXES:
             path = root / f"{asset}{suffix}"
-            if path.resolve().is_relative_to(root) and path.is_file():
+            if os.path.isfile(path) and path.resolve().is_relative_to(root):
                 return path
         return None
 
@@ -141,6 +142,6 @@ def part_points(item: SceneObject, body: MeshBody | None) -> list[Array]:
 
 def _load(asset: str, path: Path) -> Any:
     try:
-        return read_meshes(path).to_mesh()
+        return read_mesh(path)
     except InputError as error:
         raise InputError(f"meshes[{asset!r}]: {error}") from None

@@ -173,3 +173,9 @@ def test_the_filter_shows_what_fits(half_way, tmp_path):
         page.js("f.kind.value = ''; f.grade.value = 9; f.dispatchEvent(new Event('input'))")
         assert page.js(shown) == 0 and page.js("document.getElementById('count').textContent") == "0 of 5 plans"
         assert page.logs == [f"request: {path.as_uri()}"]
+
+
+@pytest.mark.parametrize("content", [b"", b"[", b"{}", b'{"room": 3}', b"[1]"])
+def test_a_damaged_scene_is_named_in_one_line(content):
+    with pytest.raises(InputError, match="^00000001: its scene.json is damaged .*; see: sceneweaver dataset verify"):
+        collect._look_at(collect.Gathered({}, {}, []), [(0, ("00000001", content))], 1, {"00000001"})

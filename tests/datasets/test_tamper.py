@@ -17,8 +17,8 @@ from sceneweaver.datasets.engines import begin, merge, open_dataset
 from sceneweaver.datasets.engines.run import run_lock
 from sceneweaver.datasets.reading import extract, spans_of
 from sceneweaver.datasets.seals import SEAL, DamagedError, folder_fault, read_seal, require_inside, seal_folder
-from sceneweaver.datasets.tars import header
 from sceneweaver.io import InputError
+from sceneweaver.io.tars import header
 from tests.datasets import tamper, torture
 
 COUNT = 12

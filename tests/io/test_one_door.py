@@ -28,6 +28,7 @@ MODULES = {"yaml", "zipfile", "tarfile", "bz2", "lzma", "shelve", "configparser"
 
 ALONE = {
     "runtime/deadline.py": "what the system says of this process",
+    "runtime/memory.py": "what the system says of this process",
     "physics/mjcf_file.py": "a program that runs where the library is not installed",
     "assets/sources/infinigen_worker.py": "a program for another environment",
 }
@@ -58,7 +59,9 @@ def doors(source: str) -> list[str]:
 
 def _of_a_stream(call: ast.Call) -> bool:
     """Whether it opens what is open already, such as the terminal, or the null device."""
-    return bool(call.args) and ast.unparse(call.args[0]).startswith(("os.dup(", "os.devnull", "descriptor"))
+    return bool(call.args) and ast.unparse(call.args[0]).startswith(
+        ("os.dup(", "os.devnull", "os.memfd_create(", "descriptor")
+    )
 
 
 def test_nothing_but_io_opens_files():

@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-from sceneweaver.io import InputError, read_arrays, write_atomic
+from sceneweaver.io import InputError, own_folder, read_arrays, write_atomic
 
 from ..body import Hull
 from ..shapes import containing_hull, hull
@@ -154,7 +154,9 @@ def _keep(file: Path, made: dict[str, np.ndarray]) -> None:
     buffer = io.BytesIO()
     np.savez_compressed(buffer, **made)  # pyright: ignore[reportArgumentType]
     with contextlib.suppress(OSError, InputError):
-        file.parent.mkdir(parents=True, exist_ok=True)
+        file.parents[2].mkdir(parents=True, exist_ok=True)
+        own_folder(file.parents[1])
+        own_folder(file.parent)
         write_atomic(file, buffer.getvalue())
 
 

@@ -150,8 +150,8 @@ def _guess_up(points: np.ndarray, category: Category | None) -> str:
 def _unit(raw: RawMesh, hints: Hints, category: Category | None, extent: np.ndarray, notes: list[str]) -> float:
     """Metres per unit: the wanted size decides, then what is stated if it is believable, then what fits best."""
     wanted = [(w, float(e)) for w, e in zip(hints.size, extent, strict=True) if w is not None]
-    if wanted:
-        scales = [w / e for w, e in wanted if e > 0]
+    scales = [w / e for w, e in wanted if e > 0]  # a flat mesh has no extent that could be scaled to a size
+    if scales:
         scale = float(np.median(scales))
         if max(scales) > 1.15 * min(scales):
             notes.append("the stated size has other proportions than the mesh; the median scale was used")
@@ -197,4 +197,5 @@ def _misfit(size: np.ndarray, category: Category | None) -> float:
         return abs(math.log(max(1e-9, float(size.max())) / 0.8))
     (d0, d1), (w0, w1), (h0, h1) = category.size.ranges
     spans = ((max(d0, w0), max(d1, w1), float(max(size[0], size[1]))), (h0, h1, float(size[2])))
-    return max(max(0.0, math.log(low / max(v, 1e-9)), math.log(max(v, 1e-9) / high)) for low, high, v in spans)
+    sizes = [min(max(v, 1e-9), 1e9) for *_, v in spans]  # a size that somebody states may be anything
+    return max(max(0.0, math.log(a / v), math.log(v / b)) for (a, b, _), v in zip(spans, sizes, strict=True))

@@ -9,6 +9,7 @@ from typing import Any
 from sceneweaver.io import load_csv, load_json_lines
 
 from ..imports.hints import Hints
+from .tables import file_of
 
 
 def fits(path: Path) -> bool:
@@ -23,7 +24,8 @@ def read(path: Path) -> Iterator[Hints]:
     listings = _listings(path)
     for row in load_csv(table):
         uid, place = row.get("3dmodel_id") or "", row.get("path") or ""
-        file = next((f for base in (path / "original", path, table.parent) if (f := base / place).is_file()), None)
+        bases = ("original", "", str(table.parent.relative_to(path)))
+        file = next((f for base in bases if (f := file_of(path, base, place)) is not None), None) if place else None
         if not uid or file is None:
             continue
         listing = listings.get(uid, {})

@@ -12,13 +12,13 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.io import load_csv, load_packed_json
-from sceneweaver.io.messages import suggest
+from sceneweaver.io import load_csv, load_packed_json, named_inside
+from sceneweaver.io.messages import quote, suggest
 from sceneweaver.scene import InputError
 
 from ..imports.hints import Hints
 from ..imports.load import SUFFIXES
-from .tables import axis_of, number
+from .tables import axis_of, number, text
 
 _COLUMNS = (
     "file",
@@ -77,33 +77,34 @@ def _manifest(path: Path) -> list[dict[str, Any]] | None:
 
 
 def _hints(root: Path, row: dict[str, Any]) -> Hints:
-    name = row.get("file")
-    if not isinstance(name, str) or not name:
+    given = row.get("file")
+    if not isinstance(given, str) or not given:
         raise InputError("manifest: a row has no 'file'")
+    name = text(given)
     for key in row:
         if key not in _COLUMNS:
-            raise InputError(f"manifest: {name}: unknown column '{key}'{suggest(key, _COLUMNS)}")
-    file = (root / name).resolve()
-    if not file.is_relative_to(root.resolve()):
+            raise InputError(f"manifest: {name}: unknown column {quote(key)}{suggest(key, _COLUMNS)}")
+    file = named_inside(root, root / given)
+    if file is None:
         raise InputError(f"manifest: {name}: the file lies outside the folder")
     for key in ("up", "front"):
         if key in row and axis_of(row[key]) is None:
-            raise InputError(f"manifest: {name}: {key} '{row[key]}' is no axis; use x, -x, y, -y, z or -z")
+            raise InputError(f"manifest: {name}: {key} {quote(row[key])} is no axis; use x, -x, y, -y, z or -z")
     values = {}
     for key in ("depth", "width", "height", "mass", "friction", "yaw"):
         if key in row:
             values[key] = number(row[key])
             if values[key] is None or (values[key] <= 0 and key != "yaw"):
-                raise InputError(f"manifest: {name}: {key} '{row[key]}' is no number above 0")
+                raise InputError(f"manifest: {name}: {key} {quote(row[key])} is no number above 0")
     unit = row.get("unit")
     metres = _UNITS.get(str(unit).lower(), number(unit)) if unit is not None else None
     if unit is not None and (metres is None or metres <= 0):
-        raise InputError(f"manifest: {name}: unit '{unit}' is unknown; use m, cm, mm, in, ft or metres per unit")
+        raise InputError(f"manifest: {name}: unit {quote(unit)} is unknown; use m, cm, mm, in, ft or metres per unit")
     return Hints(
         path=file,
         name=file.stem,
-        category=row.get("category"),
-        description=str(row.get("description", "")),
+        category=text(row.get("category")) or None,
+        description=text(row.get("description")),
         up=axis_of(row.get("up")),
         front=axis_of(row.get("front")),
         yaw=math.radians(values.get("yaw", 0.0) or 0.0),
@@ -111,8 +112,8 @@ def _hints(root: Path, row: dict[str, Any]) -> Hints:
         size=(values.get("depth"), values.get("width"), values.get("height")),
         mass=values.get("mass"),
         friction=values.get("friction"),
-        mount=row.get("mount"),
-        licence=str(row.get("licence", "unknown")),
-        attribution=str(row.get("attribution", "")),
-        attributes={k: row[k] for k in ("color", "material", "style") if k in row},
+        mount=text(row.get("mount")) or None,
+        licence=text(row.get("licence")) or "unknown",
+        attribution=text(row.get("attribution")),
+        attributes={k: text(row[k]) for k in ("color", "material", "style") if k in row},
     )

@@ -8,7 +8,7 @@ from pathlib import Path
 from sceneweaver.io import load_packed_json
 
 from ..imports.hints import Hints
-from .tables import rows_of
+from .tables import file_of, rows_of, text
 
 
 def fits(path: Path) -> bool:
@@ -20,12 +20,13 @@ def read(path: Path) -> Iterator[Hints]:
     """Models whose mesh is there."""
     table = path / "model_info.json"
     for row in rows_of(table, load_packed_json(table)):
-        uid = str(row.get("model_id", ""))
-        file = next((f for n in ("raw_model.obj", "normalized_model.obj") if (f := path / uid / n).exists()), None)
+        uid = text(row.get("model_id"))
+        files = (file_of(path, uid, name) for name in ("raw_model.obj", "normalized_model.obj"))
+        file = next((f for f in files if f is not None), None)
         if not uid or file is None:
             continue
         # Categories read like "King-size Bed" or "Lounge Chair / Cafe Chair / Office Chair".
-        category = str(row.get("category") or row.get("super-category") or "").split("/")[0].strip().lower()
+        category = text(row.get("category") or row.get("super-category")).split("/")[0].strip().lower()
         yield Hints(
             path=file,
             name=uid,
@@ -36,8 +37,8 @@ def read(path: Path) -> Iterator[Hints]:
             source="3d-future",
             licence="3D-FUTURE terms of use",
             attributes={
-                "style": str(row.get("style") or "").lower(),
-                "material": str(row.get("material") or "").lower(),
-                "theme": str(row.get("theme") or "").lower(),
+                "style": text(row.get("style")).lower(),
+                "material": text(row.get("material")).lower(),
+                "theme": text(row.get("theme")).lower(),
             },
         )

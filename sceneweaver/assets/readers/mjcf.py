@@ -90,7 +90,7 @@ def _file(base: Path, mesh: ET.Element) -> Path:
 
 def _bytes(base: Path, mesh: ET.Element) -> int:
     file = _file(base, mesh)
-    return file.stat().st_size if file.is_file() else 0
+    return file.stat().st_size if os.path.isfile(file) else 0
 
 
 def _numbers(text: str, count: int, name: str) -> list[float]:

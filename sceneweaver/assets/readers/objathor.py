@@ -15,7 +15,7 @@ from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.io import load_packed_json
 
 from ..imports.hints import Hints
-from .tables import number, rows_of
+from .tables import file_of, number, rows_of, text
 
 _NAMES = ("annotations.json", "annotations.json.gz")
 
@@ -33,10 +33,10 @@ def read(path: Path) -> Iterator[Hints]:
         if isinstance(rows, dict):
             rows = [{"uid": uid, **row} for uid, row in rows.items() if isinstance(row, dict)]
         for row in rows_of(table, rows):
-            uid = row.get("uid")
-            for file in (path / f"{uid}.glb", path / str(uid) / f"{uid}.glb", path / "glbs" / f"{uid}.glb"):
-                if file.exists():
-                    yield _hints(file, str(uid), row)
+            uid = text(row.get("uid"))
+            for names in ((f"{uid}.glb",), (uid, f"{uid}.glb"), ("glbs", f"{uid}.glb")):
+                if (file := file_of(path, *names)) is not None:
+                    yield _hints(file, uid, row)
                     break
         return
     for notes in sorted(path.glob("*/annotations.json*")):
@@ -59,8 +59,8 @@ def _hints(file: Path, uid: str, row: dict[str, Any]) -> Hints:
     return Hints(
         path=file,
         name=uid,
-        category=row.get("category"),
-        description=str(row.get("description", "")),
+        category=text(row.get("category")) or None,
+        description=text(row.get("description")),
         up="y",
         front=front,
         yaw=wrap_angle(turn),
@@ -68,9 +68,9 @@ def _hints(file: Path, uid: str, row: dict[str, Any]) -> Hints:
         mass=number(row.get("mass")),
         mount=_mount(row),
         source="objaverse",
-        licence=str(row.get("license", row.get("licence", "unknown"))),
-        attribution=str(row.get("uid", uid)),
-        attributes={"material": ", ".join(map(str, row["materials"]))}
+        licence=text(row.get("license", row.get("licence"))) or "unknown",
+        attribution=text(row.get("uid")) or uid,
+        attributes={"material": text(", ".join(map(text, row["materials"][:20])))}
         if isinstance(row.get("materials"), list)
         else {},
     )

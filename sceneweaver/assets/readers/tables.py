@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import Any
 
+from sceneweaver.io.messages import printable_line
 from sceneweaver.scene import InputError
+
+_LONGEST = 200
 
 
 def rows_of(path: Path, data: Any) -> list[dict[str, Any]]:
@@ -19,9 +23,20 @@ def number(value: Any) -> float | None:
     """A finite number, or None."""
     try:
         found = float(value)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         return None
     return found if abs(found) < float("inf") else None
+
+
+def text(value: Any) -> str:
+    """A word or a line of a table as one short printable line; empty where it is neither a text nor a number."""
+    return printable_line(str(value), _LONGEST) if isinstance(value, str | int | float) else ""
+
+
+def file_of(root: Path, *names: str) -> Path | None:
+    """The file that a table names, where there is one; whether it lies below the folder is for `entries` to say."""
+    place = root.joinpath(*names)
+    return place if os.path.isfile(place) else None  # which holds for names that are too long, or none, as well
 
 
 def axis_of(value: Any) -> str | None:

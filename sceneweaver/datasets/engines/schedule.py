@@ -5,17 +5,16 @@ from __future__ import annotations
 import json
 import math
 import os
-import resource
 import socket
 import time
 from collections import Counter, deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any, Literal
 
-from sceneweaver.io import InputError, MissingDependencyError
+from sceneweaver.io import InputError, MissingDependencyError, open_writable
+from sceneweaver.runtime.memory import memory
 
 from ..folder import LEAST, Folder, Wait, disk_full, waiting
 from ..requests import Request
@@ -117,8 +116,8 @@ class Records:
         """Write one record; without room on the disk it is lost, as nothing depends on it."""
         with suppress(OSError):
             self._path.parent.mkdir(parents=True, exist_ok=True)
-            with open(self._path, "a", encoding="utf-8") as file:
-                file.write(json.dumps(sealed_row(record)) + "\n")
+            with open_writable(self._path, "ab") as file:
+                file.write((json.dumps(sealed_row(record)) + "\n").encode())
 
 
 def read_records(folder: Folder) -> list[dict[str, Any]]:
@@ -133,16 +132,6 @@ def read_records(folder: Folder) -> list[dict[str, Any]]:
             rows = filter(None, map(opened_row, file))  # the last line of a run that was killed may be torn
             found += [row for row in rows if isinstance(row.get("end"), float)]
     return sorted(found, key=lambda record: record["end"])
-
-
-def memory() -> tuple[int, int]:
-    """Resident memory of this process now and at its peak [bytes]."""
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
-    try:
-        pages = int(Path("/proc/self/statm").read_text().split()[1])
-    except OSError:
-        return peak, peak
-    return pages * resource.getpagesize(), peak
 
 
 CHANCES = 2

@@ -11,9 +11,9 @@ from itertools import islice
 from pathlib import Path
 from typing import Any, NamedTuple
 
-import yaml
-
 import sceneweaver
+from sceneweaver.io import dump_yaml, packaged
+from sceneweaver.io.tars import members
 from sceneweaver.runtime.package import missing_extra
 from sceneweaver.scene import InputError, MissingDependencyError
 
@@ -21,7 +21,6 @@ from ..folder import Folder
 from ..seals import kind_fault, open_own
 from ..spec import Spec
 from ..tables import read_schema, read_table
-from ..tars import members
 from ..templates import render
 
 TEXTS = {
@@ -86,7 +85,7 @@ def croissant(
     columns = [column for column in read_schema(table) if not is_struct(column.type)]
     key, made = columns[0].name, f"made with sceneweaver {sceneweaver.__version__}"
     shards = sorted(path for path in folder.data.iterdir() if path.suffix in KINDS) if folder.data.exists() else []
-    fixed = json.loads((Path(__file__).parent / "croissant.json").read_bytes())
+    fixed = json.loads(packaged.text(__package__ or "", "croissant.json"))
     (records,) = fixed["recordSet"]
     fields = [_field(index["@id"], column) for column in columns]
     return fixed | {
@@ -146,7 +145,7 @@ def card(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Licence
         numbers: its statistics.
         used: licences of its assets.
     """
-    front = yaml.safe_dump(_front(folder, spec, numbers, used), sort_keys=False, allow_unicode=True)
+    front = dump_yaml(_front(folder, spec, numbers, used))
     found = suffixes(folder)
     fields: dict[str, Any] = {
         "spec": spec,
@@ -155,9 +154,7 @@ def card(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Licence
         "there": lambda pattern: bool(fnmatch.filter(found, pattern)),
         "licences": list(dict.fromkeys(one.name for one in used)),
         "version": sceneweaver.__version__,
-        "text": yaml.safe_dump(
-            spec.model_dump(mode="json", by_alias=True), sort_keys=False, allow_unicode=True
-        ).rstrip(),
+        "text": dump_yaml(spec.model_dump(mode="json", by_alias=True), sort_keys=False, allow_unicode=True).rstrip(),
     }
     texts = (render(f"files/{name}.md", **fields) for name in (f"card_{spec.product}", "card_end"))
     return f"---\n{front}---\n\n" + "\n".join(texts)

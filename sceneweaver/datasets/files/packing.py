@@ -25,6 +25,7 @@ import numpy as np
 from scipy.cluster.hierarchy import DisjointSet
 
 from sceneweaver.io import sweep, temporary_folder, write_atomic
+from sceneweaver.io.tars import content, ending, members
 from sceneweaver.scene import InputError
 
 from ..digests import checksums_of, content_of, write_checksums
@@ -36,7 +37,6 @@ from ..spec import Spec
 from ..statistics import statistics
 from ..store import AssetStore
 from ..tables import read_lines, read_schema, read_table, schema_of, write_table
-from ..tars import content, ending, members
 from .card import card, croissant, licences, licences_text
 from .fingerprint import Layout, join_near_duplicates, smallest
 from .planned import ASSETS, INDEX, SECONDS_TABLE, Planned, packing_began, planned, there

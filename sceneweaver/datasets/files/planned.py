@@ -7,13 +7,14 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from sceneweaver.io.tars import content, ending, header, members
+
 from ..digests import content_of
 from ..folder import Folder
 from ..requests import Requests
 from ..seals import kind_fault, open_own
 from ..spec import Spec
 from ..tables import read_table
-from ..tars import content, ending, header, members
 
 INDEX, SECONDS_TABLE, ASSETS = "index.parquet", "seconds.parquet", "assets.parquet"
 

@@ -17,6 +17,7 @@ from sceneweaver.agent.loop import empty_scene
 from sceneweaver.agent.riders import searched
 from sceneweaver.assets import Library
 from sceneweaver.geometry.polygons import signed_area
+from sceneweaver.io import read_bytes, write_atomic
 from sceneweaver.language import read_request
 from sceneweaver.layout.compile import CompiledScene, compile_scene
 from sceneweaver.layout.devices import pick_devices
@@ -183,7 +184,7 @@ def join(path: Path, requests: Requests, parts: Sequence[Path]) -> None:
             for table in tables(row_groups(part)):
                 writers.write(position, table)
         for name in (ROWS, SECONDS):
-            (draft / name).write_bytes(b"".join((part / name).read_bytes() for part in parts))
+            write_atomic(draft / name, b"".join(read_bytes(part / name) for part in parts))
 
 
 def width(requests: Requests) -> int:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from sceneweaver.io import InputError, sweep
+from sceneweaver.io import InputError, open_writable, sweep
 
 from ..files.packing import finish, seconds_rows
 from ..files.planned import SECONDS_TABLE, final_place, packing_began
@@ -130,7 +130,7 @@ class _Shards:
             if split not in self._open:
                 number = self._count[split] = self._count.get(split, -1) + 1
                 name = f"{split}-{number:06d}.parquet"
-                file = open(self._folder / name, "wb")  # noqa: SIM115
+                file = open_writable(self._folder / name, "xb")
                 self._open[split] = file, arrow().parquet.ParquetWriter(file, self._schema, **COMPRESSION), name
             file, writer, name = self._open[split]
             writer.write_table(table, row_group_size=len(table))

@@ -11,12 +11,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from sceneweaver.io import parquet_rows
 from sceneweaver.scene import InputError, Pose, Scene
 
 from ..folder import Folder
 from ..reading import block_folders
 from ..samples import read_rows
-from ..seals import require_inside
+from ..seals import open_own, require_inside
 from ..tables import arrow, open_table, read_table
 
 if TYPE_CHECKING:
@@ -228,5 +229,5 @@ def _row(folder: Path | str, program: int) -> dict[str, Any]:
 
 def _where(path: Path, columns: list[str] | None, filters: list[tuple[str, str, int]]) -> pa.Table:
     """The rows of a Parquet file that some conditions hold for; its statistics say which parts need not be read."""
-    with open_table(path):
-        return arrow().parquet.read_table(path, columns=columns, filters=filters)
+    open_own(path).close()
+    return parquet_rows(path, columns, filters)

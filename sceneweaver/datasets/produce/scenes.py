@@ -16,6 +16,7 @@ import shapely
 
 from sceneweaver.agent.executor import Outcome
 from sceneweaver.assets import Library
+from sceneweaver.io import read_bytes
 from sceneweaver.runtime.deadline import Deadline, TimeUp
 from sceneweaver.scene import InputError, MissingDependencyError, Scene
 from sceneweaver.verify import Report
@@ -102,7 +103,7 @@ def _pictures(scene: Scene, views: Views, device: str) -> dict[str, bytes]:
         with tempfile.TemporaryDirectory() as folder:
             renderer = PassRenderer(scene, auto_shots(scene, *size), device=where)
             for path in write_passes(renderer, Path(folder), views.passes):
-                files[path.name] = path.read_bytes()
+                files[path.name] = read_bytes(path, max_bytes=2**32)
     return files
 
 

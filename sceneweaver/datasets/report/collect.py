@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from sceneweaver.geometry.rotations import from_yaw
-from sceneweaver.io import parse_json
+from sceneweaver.io import InputError, parse_json, reason
 from sceneweaver.runtime.processes import pool
 
 from ..folder import Folder
@@ -213,7 +213,9 @@ def _gathered(task: tuple[Span, int, int, frozenset[str]]) -> Gathered:
     """What is gathered of the scenes of a span: it, the number of its first scene, the step, and who is drawn."""
     span, first, step, drawn = task
     found, scenes = Gathered({}, {}, []), scenes_of(span, ("scene.json",))
-    _look_at(found, ((k, (key, files["scene.json"])) for k, (key, files) in enumerate(scenes, first)), step, drawn)
+    _look_at(
+        found, ((k, (key, files.get("scene.json", b""))) for k, (key, files) in enumerate(scenes, first)), step, drawn
+    )
     return found
 
 
@@ -232,11 +234,15 @@ def _look_at(
     for number, (key, content) in scenes:
         if number % step and key not in drawn:
             continue
-        scene = parse_json(content)
-        if key in drawn and key not in found.plans:
-            found.plans[key] = plan(scene)
-        if number % step == 0:
-            found.add(scene)
+        try:
+            scene = parse_json(content)
+            if key in drawn and key not in found.plans:
+                found.plans[key] = plan(scene)
+            if number % step == 0:
+                found.add(scene)
+        except (ValueError, ArithmeticError, LookupError, TypeError, AttributeError) as error:
+            line = f"{key}: its scene.json is damaged ({reason(error)}); see: sceneweaver dataset verify"
+            raise InputError(line) from None
 
 
 def program_rows(folder: Folder) -> Iterator[dict[str, Any]]:

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import shapely
 
-from sceneweaver.io import load_json, write_atomic
+from sceneweaver.io import load_json, packaged, write_atomic
 from sceneweaver.knowledge.palettes import palettes
 from sceneweaver.scene import InputError
 
@@ -71,7 +71,7 @@ def page(
     whole: bool = True,
 ) -> str:
     """The text of the page."""
-    script = (WEB / "report.js").read_text("utf-8")
+    script = packaged.text(__package__ or "", "web", "report.js")
     digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
     environment = html()
     environment.filters |= {
@@ -90,7 +90,7 @@ def page(
         verification=verification,
         whole=whole,
         policy=f"default-src 'none'; script-src 'sha256-{digest}'; style-src 'unsafe-inline'; img-src data:",
-        style=(WEB / "report.css").read_text("utf-8"),
+        style=packaged.text(__package__ or "", "web", "report.css"),
         script=script,
         noun="layouts" if found.numbers.get("layouts") else "scenes",
         places=_places(found),

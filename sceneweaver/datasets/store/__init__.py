@@ -10,7 +10,7 @@ from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.io import sweep, temporary_folder
+from sceneweaver.io import bring_to_disk, open_writable, sweep, temporary_folder
 
 DIGITS = 32
 """Hex digits of a SHA-256 in a name: two contents share a name with a chance of about 1e-38 a pair."""
@@ -48,7 +48,8 @@ class AssetStore:
         if not self.holds(relative, len(content)):
             path = self.root / relative
             draft = self._drafts() / path.name
-            draft.write_bytes(content)
+            with open_writable(draft, "wb") as file:
+                file.write(content)
             path.parent.mkdir(parents=True, exist_ok=True)
             os.replace(draft, path)
             self._fresh.append(path)
@@ -72,11 +73,7 @@ class AssetStore:
             OSError: the disk is full or gone.
         """
         while self._fresh:
-            file = os.open(self._fresh[-1], os.O_RDONLY)
-            try:
-                os.fsync(file)
-            finally:
-                os.close(file)
+            bring_to_disk(self._fresh[-1])
             self._fresh.pop()
 
     def close(self) -> None:

@@ -14,7 +14,7 @@ from sceneweaver.assets.placed import Load
 from sceneweaver.assets.sources.parametric import share_drawings
 from sceneweaver.export import FORMATS
 from sceneweaver.export.shared import SharedFiles
-from sceneweaver.io import InputError
+from sceneweaver.io import InputError, open_writable, write_atomic
 from sceneweaver.physics.hulls import share_parts
 from sceneweaver.scene import Scene
 
@@ -85,9 +85,8 @@ class SceneFiles:
         rows = (sealed_row(self._row(name, paths)) for name, paths in self._fresh.items())
         lines = [json.dumps(row, ensure_ascii=False) for row in rows]
         self._records.parent.mkdir(parents=True, exist_ok=True)
-        with open(self._records, "a", encoding="utf-8") as file:
-            file.write("".join(line + "\n" for line in lines))
-            file.flush()
+        with open_writable(self._records, "ab") as file:
+            file.write("".join(line + "\n" for line in lines).encode())
             os.fsync(file.fileno())
         self._recorded |= self._fresh.keys()
         self._fresh.clear()
@@ -150,5 +149,5 @@ def _usd_text(content: bytes) -> bytes:
 
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "scene.usdc"
-        path.write_bytes(content)
+        write_atomic(path, content)
         return usd().Sdf.Layer.FindOrOpen(str(path)).ExportToString().encode()

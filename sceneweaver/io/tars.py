@@ -8,11 +8,11 @@ from __future__ import annotations
 import os
 import tarfile
 from collections.abc import Iterator
-from pathlib import PurePosixPath
 from typing import IO, NamedTuple
 
-from sceneweaver.io import InputError
-from sceneweaver.io.messages import clean
+from .archives import is_plain_name
+from .errors import InputError
+from .messages import clean
 
 BLOCK = tarfile.BLOCKSIZE
 
@@ -79,8 +79,7 @@ def members(file: IO[bytes], name: str, start: int = 0) -> Iterator[Member]:
         member = Member(found.name, at, at + BLOCK, found.size)
         if found.type not in _PLAIN:
             raise InputError(f"{name}: {clean(found.name)} in it is no plain file; fetch it anew")
-        parts = PurePosixPath(found.name).parts
-        if not parts or ".." in parts or PurePosixPath(found.name).is_absolute() or "\0" in found.name:
+        if not is_plain_name(found.name):
             raise InputError(f"{name}: {clean(found.name)} in it leads out of its folder; fetch it anew")
         if not 0 <= member.size <= MOST_MEMBER or member.end > size:
             raise InputError(f"{name}: no whole tar file: {clean(found.name)} in it has {member.size} bytes")
