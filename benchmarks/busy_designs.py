@@ -24,7 +24,7 @@ from typing import Any
 
 import yaml
 
-from sceneweaver.export.formats import FORMATS
+from sceneweaver.export.formats import format_named, formats_named
 
 REQUESTS = Path(__file__).with_name("requests.yaml")
 BUSY = "while True: sum(i * i for i in range(100_000))"
@@ -89,7 +89,11 @@ def _design(request: str, seed: int, out: Path, limit: float, cores: list[int]) 
         data = json.loads(said)
     except ValueError:
         data = {}
-    wanted = [*ALWAYS, *(f.file for f in FORMATS.values()), *(f"views/{name}.png" for name in PICTURES)]
+    wanted = [
+        *ALWAYS,
+        *(format_named(name).file for name in formats_named("all")),
+        *(f"views/{name}.png" for name in PICTURES),
+    ]
     missing = [name for name in wanted if not (out / name).is_file()]
     left_out = {os.path.relpath(name, out) for name in data.get("left_out", ())}
     code = process.returncode

@@ -16,10 +16,12 @@ from tests.cli.test_refine import listing
 
 
 def endless() -> None:
-    """Work that never ends by itself."""
-    while True:
+    """Work that does not end by itself while the test may run."""
+    end = time.monotonic() + 60.0
+    while time.monotonic() < end:
         time.sleep(0.001)
         checkpoint()
+    pytest.fail("nothing ended it")
 
 
 def late(*_: object, **__: object) -> None:
@@ -51,8 +53,16 @@ def test_extras_are_left_out_and_told(capsys):
     assert capsys.readouterr().out == "  left out (3 s are over): b, c\n"
 
 
+@pytest.fixture
+def heard():
+    """Signals as a program in the foreground has them; one in the background may be told to ignore Ctrl-C."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
 @pytest.mark.parametrize(("number", "error"), [(signal.SIGINT, KeyboardInterrupt), (signal.SIGTERM, SystemExit)])
-def test_a_signal_with_nothing_to_write_ends_the_process_as_ever(number, error):
+def test_a_signal_with_nothing_to_write_ends_the_process_as_ever(number, error, heard):
     with clock(None, time.monotonic()) as until:
         until.deadline.stop.allowance = 0.01
         with pytest.raises(error):
