@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from .errors import InputError
-from .messages import clean
+from .messages import clean, path_name
 
 Place = str | os.PathLike[str]
 
@@ -34,7 +34,7 @@ def opened_folder(path: Place, *, within: Place | None = None) -> Iterator[int]:
         for part in below:
             start = os.path.join(start, part)
             if part == os.pardir:
-                raise InputError(f"{clean(os.fspath(path))}: this is outside of {clean(os.fspath(within or ''))}")
+                raise InputError(f"{path_name(path)}: this is outside of {clean(os.fspath(within or ''))}")
             require_no_link(part, descriptor, start)
             inner = os.open(part, flags | os.O_NOFOLLOW, dir_fd=descriptor)
             os.close(descriptor)

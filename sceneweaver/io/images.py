@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from .errors import InputError
-from .messages import clean
+from .messages import path_name
 from .reading import Place, read_bytes
 
 if TYPE_CHECKING:
@@ -39,9 +39,9 @@ def open_image(path: Place) -> Iterator[Image.Image]:
             warnings.simplefilter("ignore")  # PIL warns of large ones, which are refused below
             with Image.open(io.BytesIO(data), formats=FORMATS) as image:
                 if image.width * image.height > MAX_PIXELS:
-                    raise InputError(f"{clean(str(path))}: {image.width} x {image.height} pixels; make it smaller")
+                    raise InputError(f"{path_name(path)}: {image.width} x {image.height} pixels; make it smaller")
                 yield image
     except InputError:
         raise
     except Exception as error:  # a broken image fails in many ways inside the reader
-        raise InputError(f"{clean(str(path))}: cannot be read ({type(error).__name__}); save it anew") from None
+        raise InputError(f"{path_name(path)}: cannot be read ({type(error).__name__}); save it anew") from None

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Iterator
 from typing import Any
 
 from .errors import InputError
-from .messages import clean, quote, show
+from .messages import path_name, quote, show
 from .reading import MAX_BYTES, MAX_UNPACKED, Place, lines_unpacked, read_bytes, read_unpacked
 
 MAX_CONTAINERS = 10_000_000
@@ -74,19 +73,19 @@ def load_json_lines(path: Place, *, max_bytes: int = MAX_UNPACKED) -> Iterator[A
     """The values of a file with one a line, one by one; errors as `load_json`, with the number of the line."""
     for number, row in enumerate(lines_unpacked(path, max_bytes=max_bytes), 1):
         if len(row) > MAX_LINE:
-            raise InputError(f"{clean(os.fspath(path))}: line {number} has over {MAX_LINE >> 20} MB")
+            raise InputError(f"{path_name(path)}: line {number} has over {MAX_LINE >> 20} MB")
         if row.strip():
             try:
                 yield parse_json(row, unique=False)
             except InputError as error:
-                raise InputError(f"{clean(os.fspath(path))}: line {number}: {error}") from None
+                raise InputError(f"{path_name(path)}: line {number}: {error}") from None
 
 
 def _named(path: Place, text: bytes, wanted: str, unique: bool) -> Any:
     try:
         return parse_json(text, wanted=wanted, unique=unique)
     except InputError as error:
-        raise InputError(f"{clean(os.fspath(path))}: {error}") from None
+        raise InputError(f"{path_name(path)}: {error}") from None
 
 
 def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import logging
 import os
 from collections.abc import Generator
 from pathlib import Path
@@ -28,6 +29,8 @@ MAX_NODES = 50_000
 MAX_DEPTH = 256
 """glTF nodes within each other: trimesh walks the whole chain for each of them."""
 
+_QUIET = logging.NullHandler()  # what trimesh logs of a damaged file is an error of ours
+
 _COMPONENTS = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}
 _SHAPES = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
 
@@ -41,6 +44,7 @@ def read_meshes(path: Place) -> trimesh.Scene:
     """
     import trimesh
 
+    logging.getLogger("trimesh").addHandler(_QUIET)
     place = Path(path)
     name, suffix = clean(place.name), place.suffix.lower()
     with _damage_named(name), open_regular(place, MAX_BYTES) as file:

@@ -6,6 +6,7 @@ import difflib
 import itertools
 import json
 import math
+import os
 from collections.abc import Iterable, Mapping
 
 _MOST_COMPARED = 5000
@@ -24,6 +25,12 @@ def shorten(text: str, length: int = 60) -> str:
 def printable_line(text: str, length: int) -> str:
     """``text`` as one printable line of at most ``length`` characters, whatever its size and its white space."""
     return shorten(clean(" ".join(text[: 4 * length].split())), length)
+
+
+def path_name(path: str | os.PathLike[str]) -> str:
+    """A path as one printable line; of a long one the beginning and the end."""
+    text = clean(os.fspath(path))
+    return text if len(text) <= 300 else f"{text[:60]}...{text[-200:]}"
 
 
 def quote(name: object) -> str:

@@ -13,7 +13,7 @@ from typing import IO
 
 from .errors import InputError
 from .folders import Place, opened_folder, require_no_link
-from .messages import clean
+from .messages import clean, path_name
 
 MAX_BYTES = 64 * 2**20
 """Largest file [bytes] that is read unless told otherwise."""
@@ -34,7 +34,7 @@ def open_regular(path: Place, max_bytes: int = MAX_BYTES, *, within: Place | Non
         InputError: when it is missing, no regular file (a folder, pipe, socket or device), too large, or unreadable;
             where a link is, and none may be.
     """
-    name = clean(os.fspath(path))
+    name = path_name(path)
     folder, file = os.path.split(os.fspath(path))
     try:
         with contextlib.ExitStack() as stack:
@@ -78,9 +78,9 @@ def read_bytes(path: Place, *, max_bytes: int = MAX_BYTES, within: Place | None 
         try:
             content = file.read(max_bytes + 1)
         except OSError as error:
-            raise InputError(f"{clean(os.fspath(path))}: cannot be read ({reason(error)}); check the disk") from None
+            raise InputError(f"{path_name(path)}: cannot be read ({reason(error)}); check the disk") from None
     if len(content) > max_bytes:  # it grew since it was opened
-        raise InputError(f"{clean(os.fspath(path))}: the file has more than {_megabytes(max_bytes)}")
+        raise InputError(f"{path_name(path)}: the file has more than {_megabytes(max_bytes)}")
     return content
 
 
@@ -93,7 +93,7 @@ def read_text(path: Place, *, max_bytes: int = MAX_BYTES) -> str:
     try:
         return read_bytes(path, max_bytes=max_bytes).decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        name = clean(os.fspath(path))
+        name = path_name(path)
         raise InputError(f"{name}: not UTF-8 text (byte {error.start}); save the file as UTF-8") from None
 
 
@@ -103,7 +103,7 @@ def sha256_of(path: Place, *, max_bytes: int = 2**62) -> str:
         try:
             return hashlib.file_digest(file, "sha256").hexdigest()  # pyright: ignore[reportArgumentType]
         except OSError as error:
-            raise InputError(f"{clean(os.fspath(path))}: cannot be read ({reason(error)}); check the disk") from None
+            raise InputError(f"{path_name(path)}: cannot be read ({reason(error)}); check the disk") from None
 
 
 @contextlib.contextmanager
@@ -113,7 +113,7 @@ def open_unpacked(path: Place, max_bytes: int = MAX_UNPACKED) -> Iterator[IO[byt
     Raises:
         InputError: as `open_regular`, and for a gzip file that is damaged.
     """
-    name = clean(os.fspath(path))
+    name = path_name(path)
     with open_regular(path, max_bytes) as packed:
         try:
             yield gzip.GzipFile(fileobj=packed) if name.endswith(".gz") else packed  # pyright: ignore[reportReturnType]
@@ -146,7 +146,7 @@ def lines_unpacked(path: Place, *, max_bytes: int = MAX_UNPACKED) -> Iterator[by
 def _require_fewer(size: int, path: Place, max_bytes: int) -> None:
     if size > max_bytes:
         raise InputError(
-            f"{clean(os.fspath(path))}: it unpacks to more than {_megabytes(max_bytes)}; split it into smaller files"
+            f"{path_name(path)}: it unpacks to more than {_megabytes(max_bytes)}; split it into smaller files"
         )
 
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from sceneweaver.runtime.package import missing_extra
 
 from .errors import InputError, MissingDependencyError
-from .messages import clean
+from .messages import path_name
 from .reading import MAX_UNPACKED, Place, open_regular, read_bytes, reason
 
 if TYPE_CHECKING:
@@ -37,7 +37,7 @@ def load_csv(path: Place) -> list[dict[str, str]]:
     Raises:
         InputError: as `read_bytes`; not UTF-8, damaged, too many cells.
     """
-    name = clean(os.path.basename(os.fspath(path)))
+    name = path_name(os.path.basename(os.fspath(path)))
     try:
         text = read_bytes(path, max_bytes=MAX_UNPACKED).decode("utf-8-sig")
         if text.count(",") + text.count("\n") > MAX_CELLS:
@@ -61,7 +61,7 @@ def open_parquet(path: Place, *, dictionaries: Sequence[str] = ()) -> Iterator[p
         InputError: as `open_regular`; damaged, or it says that it unpacks to more than memory should hold.
         MissingDependencyError: pyarrow is not installed.
     """
-    pyarrow, name = _pyarrow(), clean(os.path.basename(os.fspath(path)))
+    pyarrow, name = _pyarrow(), path_name(os.path.basename(os.fspath(path)))
     with open_regular(path, MAX_TABLE) as file:
         try:
             with pyarrow.parquet.ParquetFile(file, read_dictionary=list(dictionaries) or None) as table:

@@ -21,7 +21,7 @@ from typing import IO, Literal
 
 from .errors import InputError
 from .folders import Place, opened_folder, require_no_link
-from .messages import clean
+from .messages import clean, path_name
 from .reading import reason
 
 TEMPORARY, SUFFIX = ".sceneweaver-", ".tmp"
@@ -44,7 +44,7 @@ def whole(path: Place, *, through_link: bool = False, within: Place | None = Non
     Raises:
         InputError: when the folder is missing or cannot be written, ``path`` is a folder, or a link stands on the way.
     """
-    name = clean(os.fspath(path))
+    name = path_name(path)
     try:
         target = os.path.realpath(path) if through_link else os.path.abspath(path)
         folder, file = os.path.split(target)
@@ -123,7 +123,7 @@ def own_folder(path: Path) -> Path:
     try:
         path.mkdir(exist_ok=True)
     except (OSError, ValueError) as error:
-        raise InputError(f"{clean(str(path))}: cannot be made ({reason(error)}); choose another place") from None
+        raise InputError(f"{path_name(path)}: cannot be made ({reason(error)}); choose another place") from None
     return path
 
 

@@ -6,7 +6,7 @@ import re
 from typing import Any
 
 from .errors import InputError
-from .messages import clean
+from .messages import clean, path_name
 from .reading import Place, read_bytes
 
 MAX_BYTES = 2**20
@@ -34,7 +34,7 @@ def load_yaml(path: Place, *, max_bytes: int = MAX_BYTES) -> Any:
     Raises:
         InputError: as `sceneweaver.io.read_bytes` and `parse_yaml`, naming the file.
     """
-    return parse_yaml(read_bytes(path, max_bytes=max_bytes), clean(str(path)))
+    return parse_yaml(read_bytes(path, max_bytes=max_bytes), path_name(path))
 
 
 def parse_yaml(text: str | bytes, name: str) -> Any:

@@ -46,7 +46,7 @@ LONGEST = 1000
 
 KNOWN = b"what stands outside is nobody's business\n"
 
-_LINE = re.compile(r"^sceneweaver: .*[\w.\]'\")]: ?.+|^sceneweaver: .*('.+'|--\w+|/)")
+_LINE = re.compile(r"^sceneweaver: .*[^\s:]: ?.+|^sceneweaver: .*('.+'|--\w+|/)")
 
 
 @dataclass

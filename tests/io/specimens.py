@@ -365,7 +365,7 @@ def _blocks(folder: Path) -> None:
 
 
 _IMPORT = "assets import {in} --store {out}/store --time-limit 10"
-_LINKS = ("store", "store/objects", "store/cache", "store/drafts")
+_LINKS = ("store/objects", "store/cache", "store/drafts")
 
 
 def _imported(*files: str) -> tuple[Call, ...]:

@@ -92,7 +92,8 @@ def _load_mesh(path: Path, suffix: str) -> RawMesh:
         body = scene.geometry[key]
         if not isinstance(body, trimesh.Trimesh) or not len(body.faces):
             continue
-        points = np.asarray(body.vertices, dtype=np.float64) @ transform[:3, :3].T + transform[:3, 3]
+        with np.errstate(over="ignore", invalid="ignore"):  # `load` looks at what comes out
+            points = np.asarray(body.vertices, dtype=np.float64) @ transform[:3, :3].T + transform[:3, 3]
         triangles = np.asarray(body.faces, dtype=np.int64)
         _require_few(path, sum(map(len, faces)) + len(triangles))
         if np.linalg.det(transform[:3, :3]) < 0:

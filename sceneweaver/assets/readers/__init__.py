@@ -43,7 +43,7 @@ READERS: dict[str, Reader] = {
 
 
 def entries(path: Path, kind: str = "auto") -> Iterator[Hints]:
-    """The assets of a folder, or of one file; ``kind`` names a reader, or "auto" takes the first that fits.
+    """The assets of a folder, or of one file, each once; ``kind`` names a reader, or "auto" takes the first that fits.
 
     Raises:
         InputError: for a folder that is not there, a reader that is unknown, one that does not fit, or an asset whose
@@ -60,7 +60,11 @@ def entries(path: Path, kind: str = "auto") -> Iterator[Hints]:
     else:
         raise InputError(f"format: '{kind}' is unknown{suggest(kind, READERS)}")
     folder = path if path.is_dir() else path.parent
+    seen: set[str] = set()
     for found in reader.read(path):
+        if (row := repr(found)) in seen:  # a table that names an asset twice in the same words
+            continue
+        seen.add(row)
         for place in (found.path, *found.hulls):
             required_inside(folder, place, found.name)
         yield found

@@ -10,7 +10,7 @@ import os
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from sceneweaver.io import reason, sweep, temporary_folder, write_atomic
+from sceneweaver.io import own_folder, reason, sweep, temporary_folder, write_atomic
 
 from ..digests import read_checksums, sha256_of
 from ..files.planned import (
@@ -282,7 +282,7 @@ def reopen(dataset: Dataset, damaged: list[tuple[str, str]], notice: Notice) -> 
     times = folder.meta / SECONDS_TABLE
     if times.relative_to(folder.path).as_posix() in names:  # what no run can measure again
         remove(times)
-        folder.meta.mkdir(exist_ok=True)
+        own_folder(folder.meta)
         write_table(times, [], schema_of("seconds"))
     planned = _plan_of(dataset, names)
     if planned is None:

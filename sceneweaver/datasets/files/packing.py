@@ -24,7 +24,7 @@ from typing import IO, Any
 import numpy as np
 from scipy.cluster.hierarchy import DisjointSet
 
-from sceneweaver.io import sweep, temporary_folder, write_atomic
+from sceneweaver.io import own_folder, sweep, temporary_folder, write_atomic
 from sceneweaver.io.tars import content, ending, members
 from sceneweaver.scene import InputError
 
@@ -164,7 +164,7 @@ def pack(folder: Folder, requests: Requests) -> None:
         if not packing_began(folder):
             write_plan(folder, requests)
         write_shards(folder, requests)
-        folder.meta.mkdir(exist_ok=True)
+        own_folder(folder.meta)
         for name in (SECONDS_TABLE, ASSETS, INDEX):
             if (folder.plan / name).exists():
                 os.replace(folder.plan / name, folder.meta / name)
@@ -217,7 +217,7 @@ def _json(data: object) -> str:
 
 def write_shards(folder: Folder, requests: Requests) -> None:
     """Copy the samples of all blocks that are left into shards, and remove the blocks."""
-    folder.data.mkdir(exist_ok=True)
+    own_folder(folder.data)
     wanted = planned(folder)
     copied, done = 0, []
     with ExitStack() as stack:

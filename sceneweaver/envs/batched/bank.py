@@ -23,9 +23,9 @@ from sceneweaver.envs.predicates import product
 from sceneweaver.envs.robots import Robot, robot_named
 from sceneweaver.envs.tasks import KINDS, Task
 from sceneweaver.geometry.rotations import matrix, xyzw
-from sceneweaver.io import open_writable, parse_json, read_arrays, whole
+from sceneweaver.io import InputError, open_writable, parse_json, read_arrays, reason, whole
 from sceneweaver.runtime.processes import pool
-from sceneweaver.scene import InputError, Room, Scene
+from sceneweaver.scene import Room, Scene
 
 from .goals import TaskRow, goal_rows, has_goal, task_rows
 from .room import (
@@ -213,8 +213,21 @@ class Bank:
 
     @classmethod
     def load(cls, path: str | Path) -> Bank:
-        """What ``save`` wrote."""
-        arrays = read_arrays(path)
+        """What ``save`` wrote.
+
+        Raises:
+            InputError: it is no such file, or damaged.
+        """
+        try:
+            return cls._of(read_arrays(path))
+        except InputError as error:
+            text = str(error)
+            raise InputError(text if text.startswith(Path(path).name) else f"{Path(path).name}: {text}") from None
+        except (KeyError, TypeError, ValueError, AttributeError, IndexError) as error:
+            raise InputError(f"{Path(path).name}: no bank of rooms, or damaged ({reason(error)})") from None
+
+    @classmethod
+    def _of(cls, arrays: dict[str, np.ndarray]) -> Bank:
         about: Any = parse_json(str(arrays["about"]))
         parts = [
             {key.partition("/")[2]: values for key, values in arrays.items() if key.startswith(f"{name}/")}
