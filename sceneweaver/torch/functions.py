@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def energy(problem: Problem, poses: Tensor, which: Tensor | None = None) -> Tensor:
-    """Energy [...] [m] of layouts [..., N, 4]: `Problem.energy`, differentiable by the poses.
+    """Energy [...] in metres of layouts [..., N, 4]: `Problem.energy`, differentiable by the poses.
 
     The first derivative is the engine's gradient. The second one is a central difference of it over 1 mm and 1 mrad,
     at a kink that of one side. There is no third one. All of it is measured in float32; float64

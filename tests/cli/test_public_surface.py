@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 import sceneweaver
+from sceneweaver.runtime.package import DISTRIBUTION
 
 PUBLIC = [
     "Dropped",
@@ -82,7 +83,7 @@ def test_an_unknown_name_is_an_attribute_error():
 
 
 def test_the_version_is_that_of_the_distribution():
-    assert sceneweaver.__version__ == importlib.metadata.version("sceneweaver")
+    assert sceneweaver.__version__ == importlib.metadata.version(DISTRIBUTION)
 
 
 def test_importing_is_light(tmp_path):

@@ -183,7 +183,7 @@ def test_stopped():
 def test_time_of_the_run():
     end = time.monotonic() + 0.3
     client = ModelClient(slow(), left=lambda: end - time.monotonic())
-    with pytest.raises(BudgetSpent, match="the time for the model is over; what is left is kept to finish the room"):
+    with pytest.raises(BudgetSpent, match="plan: the time for the model was over before the reply was there"):
         ask(client)
     assert client.lost
 

@@ -99,7 +99,8 @@ def test_every_module_imports_away_from_the_repository(python, tmp_path):
     program = (
         "import importlib, pkgutil, sceneweaver\n"
         "for module in pkgutil.walk_packages(sceneweaver.__path__, 'sceneweaver.'):\n"
-        "    if not module.name.endswith('.__main__'):\n"
+        "    # operators of PyTorch, which the wheel does not bring, are imported by who uses them\n"
+        "    if not module.name.endswith(('.__main__', '.torch.operators')):\n"
         "        importlib.import_module(module.name)\n"
         "print(sceneweaver.__file__)"
     )
