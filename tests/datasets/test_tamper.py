@@ -284,3 +284,14 @@ def test_a_shard_run_locks_out_a_whole_one_by_name(stages, tmp_path):
     held = f"written by process {os.getpid()}"
     with run_lock(Folder(out), (0, 2)), pytest.raises(InputError, match=held):
         verify_dataset(out)
+
+
+@pytest.mark.parametrize("name", ["work", "data", "meta", "assets", "work/plan"])
+def test_a_folder_of_a_set_that_is_a_link_is_not_written_through(stages, tmp_path, name):
+    out, away = shutil.copytree(stages / "made", tmp_path / "set"), tmp_path / "away"
+    away.mkdir()
+    shutil.rmtree(out / name, ignore_errors=True)
+    (out / name).symlink_to(away)
+    with pytest.raises(InputError, match="this is a link to another place"):
+        tamper.make(out, easy=True)
+    assert not list(away.iterdir())

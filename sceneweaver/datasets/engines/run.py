@@ -12,7 +12,7 @@ from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.io import TEMPORARY, locked, reason, require_unlocked, sweep, write_atomic
+from sceneweaver.io import TEMPORARY, locked, reason, require_no_link, require_unlocked, sweep, write_atomic
 from sceneweaver.scene import InputError
 
 from .. import work
@@ -213,9 +213,12 @@ def run_lock(folder: Folder, shard: tuple[int, int] | None) -> Iterator[None]:
     """Keep other runs out while the block goes on; runs of other shards may work beside one of a shard.
 
     Raises:
-        InputError: another run is at work, with its process number.
+        InputError: another run is at work, with its process number; or a folder of the set is a link to elsewhere.
     """
     what, shards = f"--out: {folder.path}", folder.work / "shards"
+    own = (folder.work, shards, folder.plan, folder.records, folder.work / "blocks")
+    for place in (*own, folder.data, folder.meta, folder.path / "assets"):
+        require_no_link(place)
     with ExitStack() as held:
         if shard is None:
             held.enter_context(locked(folder.manifest, what))
