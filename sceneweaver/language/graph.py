@@ -12,6 +12,7 @@ from .model import Attribute, Entity, Exclusion, SceneGraph, StatedRelation, Unr
 from .mutual import split_mutual
 from .parsed import Left, Mention, Parsed, Said
 from .source import Source
+from .statements.resolve import resolved
 from .vocabulary import words
 
 MOST = 400
@@ -37,6 +38,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     relations = _once([r for said in parsed.said for r in _relations(said, mentions, notes)])
     exclusions = {(words, names): span for words, names, span in reversed(parsed.without)}
     unread = {left.words: left for left in reversed(parsed.unread) if left.words.strip()}
+    entities = tuple(_entity(m, notes) for m in mentions)
     graph = SceneGraph(
         text=text,
         **{name: getattr(parsed, name) for name in _SAME},
@@ -49,7 +51,11 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         windows=parsed.openings.get("window"),
         doors=parsed.openings.get("door"),
         density=parsed.density or "normal",  # type: ignore[arg-type]
-        entities=tuple(_entity(m, notes) for m in mentions),
+        entities=entities,
+        openings=resolved(parsed.stated_openings, entities, "opening"),
+        free_areas=resolved(parsed.free_areas, entities, "free_area"),
+        capacities=resolved(parsed.capacities, entities, "capacity"),
+        arrangements=resolved(parsed.arrangements, entities, "arrangement"),
         relations=tuple(r.model_copy(update={"id": f"relation-{k}"}) for k, r in enumerate(relations)),
         exclusions=tuple(
             Exclusion(id=f"exclusion-{k}", words=words, categories=names, span=span)

@@ -131,6 +131,72 @@ class Exclusion(FrozenModel):
     span: Span | None = None
 
 
+class StatedOpening(FrozenModel):
+    """Doors, windows or parts of the shell of one kind that a request describes.
+
+    ``wall`` is as seen from the first door (left, right, far, near), by compass, by length (long, short), or opposite
+    another opening; ``at`` is where along it.
+    """
+
+    id: str = ""
+    part: Literal["door", "window", "niche", "column"]
+    count: int = 1
+    wall: Literal["left", "right", "far", "near", "north", "south", "east", "west", "long", "short", "any"] = "any"
+    at: Literal["middle", "left", "right", "corner", "along", "any"] = Field(
+        default="any", description="'along' runs over the length of the wall; left and right as seen from the room"
+    )
+    opposite: str = Field(default="", description="Another opening, by id, in whose opposite wall it is")
+    width: float | None = Field(default=None, description="[m]")
+    height: float | None = Field(default=None, description="[m]")
+    sill: float | None = Field(default=None, description="[m]")
+    features: tuple[str, ...] = Field(default=(), description="Double, sliding, to a bathroom, stained glass, ...")
+    words: str = ""
+    span: Span | None = None
+
+
+class FreeArea(FrozenModel):
+    """Floor that is to stay free.
+
+    A ``rectangle`` of two sides or a ``circle`` is anywhere, or at its ``targets``; a ``clearance`` is a width on the
+    sides of its first target; a ``gap`` lies between two targets (or between all of one); a ``path`` leads from the
+    first target to the second, or from the door to everything where it has none.
+    """
+
+    id: str = ""
+    kind: Literal["rectangle", "circle", "clearance", "gap", "path"]
+    size: tuple[float, float] = Field(description="Sides, or diameter twice, or least width twice [m]")
+    most: float | None = Field(default=None, description="Largest width [m], where one was given")
+    targets: tuple[str, ...] = Field(default=(), description="Ids of entities, or `PLACES`")
+    side: Literal["front", "back", "left", "right", "around", "any"] = "any"
+    words: str = ""
+    span: Span | None = None
+
+
+class Capacity(FrozenModel):
+    """How many people do something in the room."""
+
+    id: str = ""
+    people: int
+    activity: Literal["sit", "sleep", "work", "eat", "stand", "wait", "use"]
+    target: str = Field(default="", description="The entity at which they do it, by id")
+    words: str = ""
+    span: Span | None = None
+
+
+class Arrangement(FrozenModel):
+    """How things of one kind stand to each other."""
+
+    id: str = ""
+    entity: str
+    pattern: Literal["row", "rows", "grid", "circle", "semicircle", "u", "back_to_back", "stack", "cluster", "islands"]
+    rows: int | None = None
+    columns: int | None = Field(default=None, description="In each row")
+    spacing: float | None = Field(default=None, description="Clear between neighbours [m]")
+    facing: str = Field(default="", description="What they look at: an entity, one of `PLACES`, or 'each other'")
+    words: str = ""
+    span: Span | None = None
+
+
 class Unread(FrozenModel):
     """Words that were not understood."""
 
@@ -160,6 +226,10 @@ class SceneGraph(FrozenModel):
     entities: tuple[Entity, ...] = ()
     relations: tuple[StatedRelation, ...] = ()
     exclusions: tuple[Exclusion, ...] = ()
+    openings: tuple[StatedOpening, ...] = ()
+    free_areas: tuple[FreeArea, ...] = ()
+    capacities: tuple[Capacity, ...] = ()
+    arrangements: tuple[Arrangement, ...] = ()
     only: bool = Field(default=False, description="Nothing but what is named: 'only', 'just', 'nothing else'")
     unread: tuple[Unread, ...] = ()
     notes: tuple[str, ...] = Field(default=(), description="What was assumed, corrected or contradicts itself")

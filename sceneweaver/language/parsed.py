@@ -8,7 +8,7 @@ from typing import Any, Self
 
 from sceneweaver.assets.roles import has_role
 
-from .model import Attribute, Span
+from .model import Arrangement, Attribute, Capacity, FreeArea, Span, StatedOpening
 from .vocabulary import family, mounts
 
 
@@ -105,6 +105,10 @@ class Parsed:
     mentions: list[Mention] = field(default_factory=list)
     said: list[Said] = field(default_factory=list)
     without: list[tuple[str, tuple[str, ...], Span | None]] = field(default_factory=list)
+    stated_openings: list[StatedOpening] = field(default_factory=list)
+    free_areas: list[FreeArea] = field(default_factory=list)
+    capacities: list[Capacity] = field(default_factory=list)
+    arrangements: list[Arrangement] = field(default_factory=list)
     room_type: str | None = None
     room_words: str = ""
     other_rooms: list[str] = field(default_factory=list)

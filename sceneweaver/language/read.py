@@ -10,6 +10,7 @@ from .graph import build
 from .model import SceneGraph
 from .parsed import Left, Parsed, without
 from .source import Source, check_measures, check_text, read_source
+from .statements import STATEMENTS
 from .things import match_of
 from .tokens import tokens
 
@@ -31,6 +32,8 @@ def read_request(text: str) -> SceneGraph:
     check_text(text)
     source = read_source(text)
     parsed = Parsed(notes=list(source.notes))
+    for read in STATEMENTS:
+        read(source, parsed)
     read_clauses(chunked(tokens(source, parsed.notes)), source, parsed)
     _sides(parsed, source)
     for note in source.notes:

@@ -1,0 +1,55 @@
+"""Names in statements as ids of the graph: a noun of the request is the entity that was named by it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from typing import Any, TypeVar
+
+from sceneweaver.assets.taxonomy import members
+from sceneweaver.scene.base import FrozenModel
+
+from ..model import PLACES, Entity
+from ..things import match_of, singular
+
+S = TypeVar("S", bound=FrozenModel)
+
+_DETERMINERS = re.compile(r"^(?:the|a|an|this|that|each|every|its|their|my|our)\s+")
+
+
+def entity_named(words: str, entities: Sequence[Entity]) -> str | None:
+    """The id of the entity that words mean, or one of `PLACES`; None where the request names no such thing.
+
+    The same noun counts first, then the last word of it, then the category (a "table" is the dining table).
+    """
+    spoken = _DETERMINERS.sub("", words.strip().lower())
+    if spoken.partition(":")[0] in PLACES:
+        return spoken
+    if any(entity.id == spoken for entity in entities):
+        return spoken
+    noun = singular(spoken)
+    for alike in (lambda e: singular(e.noun) == noun, lambda e: singular(e.noun).split()[-1] == noun.split()[-1]):
+        found = next((entity.id for entity in entities if entity.noun and alike(entity)), None)
+        if found is not None:
+            return found
+    match = match_of(noun)
+    names = {match.category, *members(match.category)} if match.how != "generic" else set[str]()
+    return next((entity.id for entity in entities if entity.category in names), None)
+
+
+def resolved(statements: Sequence[S], entities: Sequence[Entity], prefix: str) -> tuple[S, ...]:
+    """Statements with ids of their own and of what they are about; what names nothing keeps its words."""
+    found: list[S] = []
+    for k, statement in enumerate(statements):
+        changed: dict[str, Any] = {"id": f"{prefix}-{k}"}
+        for name in ("entity", "target", "facing"):
+            words = getattr(statement, name, "")
+            if words:
+                changed[name] = entity_named(words, entities) or words
+        if targets := getattr(statement, "targets", ()):
+            changed["targets"] = tuple(entity_named(words, entities) or words for words in targets)
+        found.append(statement.model_copy(update=changed))
+    return tuple(found)
+
+
+__all__ = ["entity_named", "resolved"]
