@@ -207,6 +207,13 @@ class RoomType(FrozenModel):
         default=False, description="Whether it was written for the very request, so that all of it is wanted"
     )
     made_of: tuple[str, ...] = Field(default=(), description="Items that may be most of it: chairs in a restaurant")
+    palettes: str | None = Field(
+        default=None, description="Group of palettes.yaml whose palettes it takes; None: the one that lists it"
+    )
+    never: tuple[str, ...] = Field(default=(), description="Categories, or groups of them, that do not belong in it")
+    names: dict[Literal["de", "es", "fr", "zh"], tuple[str, ...]] = Field(
+        default={}, description="What it is called in other languages, the usual name first"
+    )
     items: tuple[Item, ...]
 
     @model_validator(mode="after")

@@ -14,7 +14,7 @@ from pydantic import Field
 from sceneweaver.assets.materials import color_named, shade
 from sceneweaver.scene.base import FrozenModel
 
-from .load import data_of
+from .load import data_of, room_types
 
 FloorMaterial = Literal["wood", "tile", "carpet", "concrete", "stone"]
 AccentKind = Literal["plain", "paint", "paper", "panelling"]
@@ -55,6 +55,9 @@ def palettes() -> Mapping[str, Palette]:
 @cache
 def groups_of(room: str) -> tuple[str, ...]:
     """The groups of a kind of room, for which there are palettes."""
+    known = room_types().get(room)
+    if known is not None and known.palettes is not None:
+        return (known.palettes,)
     return tuple(name for name, rooms in _data()["kinds"].items() if room in rooms) or (FALLBACK,)
 
 
