@@ -9,7 +9,7 @@ from sceneweaver.geometry.angles import cross
 from sceneweaver.rules.faults import fault_kind
 from sceneweaver.verify.measure import Measurement
 
-from . import kinds
+from . import asked_openings, kinds
 from .survey import Survey
 from .verdict import Asked, counted, met, not_understood, unmet
 
@@ -51,6 +51,7 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
             number = counted(f"{name}s", len(have), asked, asked)
             reason = f"{len(have)} {name}s, {asked} were asked for"
             yield _fact(f"{name}s", number.ok(), reason, number, f"wrong_{name}s")
+    yield from asked_openings.outcomes(survey)
     yield from _style(survey)
     for k, unread in enumerate(brief.unread):
         yield not_understood("unread", f"unread-{k}", (), f"'{unread.words}' was not understood")

@@ -145,7 +145,10 @@ class StatedOpening(FrozenModel):
     at: Literal["middle", "left", "right", "corner", "along", "any"] = Field(
         default="any", description="'along' runs over the length of the wall; left and right as seen from the room"
     )
-    opposite: str = Field(default="", description="Another opening, by id, in whose opposite wall it is")
+    wall_length: float | None = Field(default=None, description="Length [m] by which its wall was told")
+    opposite: str = Field(
+        default="", description="Another opening, by id, in whose opposite wall it is; 'door' is the first door"
+    )
     width: float | None = Field(default=None, description="[m]")
     height: float | None = Field(default=None, description="[m]")
     sill: float | None = Field(default=None, description="[m]")

@@ -11,8 +11,9 @@ from collections.abc import Callable
 
 from ..parsed import Parsed
 from ..source import Source
+from .openings import read_openings
 
-STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = ()
+STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (read_openings,)
 """The readers, in order; each gets what the ones before it left."""
 
 __all__ = ["STATEMENTS"]
