@@ -95,6 +95,9 @@ class Entity(FrozenModel):
     )
     scale: float = Field(default=1.0, description="1.2 for large, 0.8 for small, relative to the usual size")
     words: tuple[str, ...] = Field(default=(), description="Other words about it, for choosing an asset")
+    unnamed: tuple[str, ...] = Field(
+        default=(), description="Words of its name that its category does not tell: 'jury' of a 'jury box'"
+    )
     attributes: tuple[Attribute, ...] = Field(default=(), description="All that was said of what it is like, in order")
     implied: bool = Field(default=False, description="Whether only a part of the room ('dining area') called for it")
     span: Span | None = None
