@@ -28,7 +28,7 @@ from .planner import Planner, Situation, Thinker
 from .plans import next_calls
 from .relaxation import REASON, cleared
 from .schedule import EXPECTED, GROWTH, LEAST, Schedule
-from .settings import Settings
+from .settings import CLUTTER, Settings
 from .sight import Look, looked
 
 GRACE, FIRST_GRACE, LEAST_GRACE = 0.1, 0.4, 1.0
@@ -46,6 +46,9 @@ HURRY = 0.5
 
 MOST_LEFT, SAID = 4, 240
 """Sentences that a step keeps of what gave way in an outcome, and characters of each."""
+
+MESSY = 0.9
+"""How lived-in a room is of which the request says that it is messy or full, where nobody sets that."""
 
 NOTHING_YET = "time was up before anything was placed"
 
@@ -323,6 +326,8 @@ class Run:
     def context(self, scene: Scene, seed: int) -> Context:
         """What a tool may look at."""
         clutter = self.settings.clutter
+        if clutter == CLUTTER and self.brief.density == "full":
+            clutter = MESSY
         return Context(self.brief, self.room_type, scene, self.library, seed, clutter=clutter, client=self.client)
 
     def _take(
