@@ -12,6 +12,7 @@ from sceneweaver.critic import CRITERIA, Review
 from sceneweaver.generate.shell import floor_area, shell
 from sceneweaver.io.messages import shorten
 from sceneweaver.knowledge import RoomType
+from sceneweaver.knowledge.small_things import CLUTTER
 from sceneweaver.language import SceneGraph
 from sceneweaver.llm import ModelClient, ModelError
 from sceneweaver.runtime.deadline import NEVER, Deadline, TimeUp
@@ -28,7 +29,7 @@ from .planner import Planner, Situation, Thinker
 from .plans import next_calls
 from .relaxation import REASON, cleared
 from .schedule import EXPECTED, GROWTH, LEAST, Schedule
-from .settings import CLUTTER, Settings
+from .settings import Settings
 from .sight import Look, looked
 
 GRACE, FIRST_GRACE, LEAST_GRACE = 0.1, 0.4, 1.0

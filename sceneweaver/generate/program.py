@@ -339,7 +339,8 @@ def _sat_elsewhere(seat: Item, room_type: RoomType, brief: SceneGraph) -> bool:
 def loose(asked: Entity, brief: SceneGraph) -> bool:
     """Whether a request used a general word ("chair"), which each kind of room has its own kind of.
 
-    What it puts on something is small: a lamp on a sideboard is no floor lamp. Shelves on the wall do not stand before it.
+    What it puts on something is small: a lamp on a sideboard is no floor lamp. Shelves on the wall do not
+    stand before it.
     """
     carried = any(r.subject == asked.id and r.type in ("on", "inside") and r.targets for r in brief.relations)
     if carried and "surface" in category_named(asked.category).mount:

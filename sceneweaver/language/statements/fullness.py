@@ -18,12 +18,6 @@ _WORD = re.compile(r"[a-z][a-z'-]*")
 LONGEST = 3
 """Words of a noun before its spread that are looked at."""
 
-NO_NOUN = frozenset(
-    ("with", "there", "are", "is", "the", "a", "an", "of", "on", "in", "and", "lie", "lying", "lies", "stand", "stacked",
-     "piled", "heaped", "hang", "hanging", "scattered", "strewn", "have", "has", "must", "should", "be", "just")
-)  # fmt: skip
-"""Words that belong to no noun."""
-
 
 def fullness(source: Source, parsed: Parsed) -> None:
     """Read what a request says of how full its room is; what is understood goes out of the source."""
@@ -55,14 +49,15 @@ def fullness(source: Source, parsed: Parsed) -> None:
 
 def _before(text: str) -> Iterator[str]:
     """The nouns at the end of a text: of its last clause, as far as they are listed."""
+    no_noun = words("fullness")["no_noun"]
     clause = _CLAUSE.split(text)[-1]
     for part in reversed(_AND.split(clause.rstrip(" ,"))):
         spoken = _WORD.findall(part)
         noun: list[str] = []
         for word in reversed(spoken):
-            if word in NO_NOUN and noun:
+            if word in no_noun and noun:
                 break
-            if word not in NO_NOUN:
+            if word not in no_noun:
                 noun.insert(0, word)
         if not noun:
             return
