@@ -45,14 +45,16 @@ def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1) -> Rela
 
     First go objects that are optional, then usual ones, ``at_once`` of them; then relations that do not hold become
     soft, those that nobody asked for, one or with ``at_once`` above 1 all; then goes what a room of the kind needs and
-    no asked relation names; then what was asked for may be elsewhere than is usual, the smallest first or with
+    no asked relation names. Where something asked for suffers, all of these give way at once, and of the last `FEW`.
+    Then what was asked for may be elsewhere than is usual, the smallest first or with
     ``at_once`` above 1 all; then relations that were asked for become soft, with ``at_once`` above 1 one for each group
     of objects, above `FEW` all. Then go the other objects, by priority; of one that was asked for all relations become
     soft and so light that it may be anywhere, before it goes. None when the faults are about nothing that could give
     way.
     """
+    ours = max(at_once, len(scene.objects)) if _harms_asked(scene, faults) else at_once
     for priority in PRIORITIES[:2]:
-        lighter = lightened(scene, faults, priority, at_once)
+        lighter = lightened(scene, faults, priority, ours)
         if lighter is not None:
             return lighter
     trouble = Counter(name for fault in faults for name in fault.objects)
@@ -61,11 +63,12 @@ def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1) -> Rela
     broken = [r for r in scene.relations if r.hard and (r.type, (r.subject, *r.targets)) in false]
     unasked = [r for r in broken if not r.asked]
     if unasked:
-        return _softened(scene, unasked[:1] if at_once == 1 else unasked)
+        return _softened(scene, unasked[:1] if ours == 1 else unasked)
     named = {name for r in scene.relations if r.asked for name in (r.subject, *r.targets)}
     needed = [o for o in pool if o.intent.priority == "needed" and o.id not in named]
     if needed and broken:
-        return _without(scene, [max(needed, key=lambda o: (trouble[o.id], o.size[0] * o.size[1], o.id))])
+        needed.sort(key=lambda o: (-trouble[o.id], -o.size[0] * o.size[1], o.id))
+        return _without(scene, needed[: 1 if ours == at_once else FEW])
     usual = {o.id: [r for r in scene.relations if r.subject == o.id and r.hard and not r.asked] for o in pool}
     bound = [o for o in pool if o.intent.priority == "asked" and usual[o.id]]
     if bound:
@@ -84,6 +87,16 @@ def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1) -> Rela
     twins.sort(key=lambda o: (-trouble[o.id], o.id))
     alike = sum(o.category == first.category for o in scene.objects)
     return _without(scene, twins[: 1 + alike // ALIKE])
+
+
+def _harms_asked(scene: Scene, faults: Sequence[Violation]) -> bool:
+    """Whether something that was asked for stands in another's way, or is not where it was asked to be."""
+    asked = {o.id for o in scene.objects if o.intent.priority == "asked"}
+    said = {(r.type, (r.subject, *r.targets)) for r in scene.relations if r.asked and r.hard}
+    return any(
+        (fault.relation.type, fault.objects) in said if fault.relation is not None else asked & set(fault.objects)
+        for fault in faults
+    )
 
 
 def lightened(

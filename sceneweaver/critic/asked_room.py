@@ -5,8 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator
 
+from sceneweaver.assets.materials import color_named
 from sceneweaver.geometry.angles import cross
 from sceneweaver.rules.faults import fault_kind, number
+from sceneweaver.scene import InputError
 from sceneweaver.verify.measure import Measurement
 
 from . import asked_openings, kinds
@@ -129,6 +131,21 @@ def shape_of(survey: Survey) -> str:
     return "polygon"
 
 
+def basic_color(name: str) -> str:
+    """The basic colour of a name; the name itself where it is none."""
+    try:
+        return color_named(name)
+    except InputError:
+        return name.lower()
+
+
+def _colors_of_shell(survey: Survey) -> Iterator[str]:
+    """The colours of walls and floor."""
+    finish = survey.scene.room.finish
+    if finish is not None:
+        yield from (finish.walls, *([finish.accent.color] if finish.accent else []), finish.floor.tone or "")
+
+
 def _style(survey: Survey) -> Iterator[Asked]:
     brief = survey.brief
     furniture = [b for b in survey.bodies if b.item.mount == "floor"]
@@ -150,11 +167,12 @@ def _style(survey: Survey) -> Iterator[Asked]:
         )
     if brief.colors:
         told = [b for b in furniture if "color" in b.item.attributes]
-        wanted = {c.lower().replace("gray", "grey") for c in brief.colors}
-        so = [b.id for b in told if str(b.item.attributes["color"]).lower() in wanted]
+        wanted = {basic_color(c) for c in brief.colors}
+        so = [b.id for b in told if basic_color(str(b.item.attributes["color"])) in wanted]
+        painted = any(basic_color(c) in wanted for c in _colors_of_shell(survey))
         yield _fact(
             "colors",
-            bool(so) or not told,
+            bool(so) or painted or not told,
             f"nothing is {' or '.join(brief.colors)}",
             counted("pieces of the colours", len(so), min(1, len(told))),
             "wrong_colors",

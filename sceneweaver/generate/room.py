@@ -6,6 +6,7 @@ import random
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field, replace
 
+from sceneweaver.assets.materials import finish
 from sceneweaver.assets.roles import has_role
 from sceneweaver.knowledge.palettes import Palette as RoomPalette
 from sceneweaver.knowledge.palettes import palette_for
@@ -25,6 +26,7 @@ from .run import Variant, has_place
 from .seats import lengthened
 from .setup import Proposal, Setup
 from .shell import floor_area, shell
+from .stated_finish import stated_finish
 from .supports import Places, laid, supported
 
 FILL = {"sparse": 0.73, "normal": 1.0, "full": 1.21}
@@ -107,6 +109,9 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
     floor = _Floor(area if given else min(area * roomier, most), people, given, shrinks)
     style = brief.style or style or random.Random(seed ^ 0x57).choice(room.styles)
     look = palette_for(room.name, style, brief.colors, seed)
+    woods = [name for name in stated_finish(brief.text).woods if finish(name).family == "wood"]
+    if woods:
+        look = look.model_copy(update={"woods": tuple(woods[:2])})
     palette = kept(look, style, seed)
 
     made = _shelled(setup, floor, palette, roomier, hurried)
@@ -121,7 +126,7 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
         floor.area *= GROWTH
         made = _shelled(setup, floor, palette, roomier, hurried)
 
-    space = finished(made.space, room, look, seed, brief.text)
+    space = finished(made.space, room, look, seed, brief.text, brief.colors)
     scene, unmet = _scene(setup, space, made, palette, people)
     rooms, larger = ([], []) if hurried() else _alternatives(setup, floor, made, space, scene)
     notes += made.remarks + made.program.notes
@@ -132,8 +137,8 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
     return Proposal(
         scene=scene,
         variants=tuple(made.variants),
-        rooms=tuple(finished(r, room, look, seed, brief.text) for r in rooms[:ROOMS]),
-        larger=tuple(finished(r, room, look, seed, brief.text) for r in larger),
+        rooms=tuple(finished(r, room, look, seed, brief.text, brief.colors) for r in rooms[:ROOMS]),
+        larger=tuple(finished(r, room, look, seed, brief.text, brief.colors) for r in larger),
         fresh=True,
         notes=tuple(notes),
         unmet=(*unmet, *made.places.unmet, *_missing(brief, made.program)),

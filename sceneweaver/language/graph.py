@@ -40,6 +40,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     exclusions = {(words, names): span for words, names, span in reversed(parsed.without)}
     unread = {left.words: left for left in reversed(parsed.unread) if left.words.strip()}
     entities = tuple(_entity(m, notes) for m in mentions)
+    named = {entity.id for entity in entities}
     graph = SceneGraph(
         text=text,
         **{name: getattr(parsed, name) for name in _SAME},
@@ -57,6 +58,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         free_areas=resolved(parsed.free_areas, entities, "free_area"),
         capacities=resolved(parsed.capacities, entities, "capacity"),
         arrangements=resolved(parsed.arrangements, entities, "arrangement"),
+        amounts=tuple(a for a in resolved(parsed.amounts, entities, "amount") if a.entity in named),
         relations=tuple(r.model_copy(update={"id": f"relation-{k}"}) for k, r in enumerate(relations)),
         exclusions=tuple(
             Exclusion(id=f"exclusion-{k}", words=words, categories=names, span=span)

@@ -203,6 +203,17 @@ class Arrangement(FrozenModel):
     span: Span | None = None
 
 
+class Amount(FrozenModel):
+    """Things of which there are many: ``many`` of them, or so that they are all over the room or a part of it."""
+
+    id: str = ""
+    entity: str
+    spread: Literal["many", "everywhere", "surfaces", "floor", "walls"]
+    least: int | None = Field(default=None, description="At least so many, where that is told")
+    words: str = ""
+    span: Span | None = None
+
+
 class Unread(FrozenModel):
     """Words that were not understood."""
 
@@ -236,6 +247,7 @@ class SceneGraph(FrozenModel):
     free_areas: tuple[FreeArea, ...] = ()
     capacities: tuple[Capacity, ...] = ()
     arrangements: tuple[Arrangement, ...] = ()
+    amounts: tuple[Amount, ...] = ()
     only: bool = Field(default=False, description="Nothing but what is named: 'only', 'just', 'nothing else'")
     unread: tuple[Unread, ...] = ()
     notes: tuple[str, ...] = Field(default=(), description="What was assumed, corrected or contradicts itself")

@@ -8,7 +8,7 @@ from typing import Any, Self
 
 from sceneweaver.assets.roles import has_role
 
-from .model import Arrangement, Attribute, Capacity, FreeArea, Span, StatedOpening
+from .model import Amount, Arrangement, Attribute, Capacity, FreeArea, Span, StatedOpening
 from .vocabulary import family, mounts
 
 
@@ -111,6 +111,7 @@ class Parsed:
     free_areas: list[FreeArea] = field(default_factory=list)
     capacities: list[Capacity] = field(default_factory=list)
     arrangements: list[Arrangement] = field(default_factory=list)
+    amounts: list[Amount] = field(default_factory=list)
     room_type: str | None = None
     room_words: str = ""
     other_rooms: list[str] = field(default_factory=list)

@@ -11,9 +11,10 @@ from collections.abc import Callable
 
 from ..parsed import Parsed
 from ..source import Source
+from .fullness import fullness
 from .openings import read_openings
 
-STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (read_openings,)
+STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (read_openings, fullness)
 """The readers, in order; each gets what the ones before it left."""
 
 __all__ = ["STATEMENTS"]
