@@ -11,8 +11,9 @@ from collections.abc import Callable
 
 from ..parsed import Parsed
 from ..source import Source
+from .free_areas import read_free_areas
 
-STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = ()
+STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (read_free_areas,)
 """The readers, in order; each gets what the ones before it left."""
 
 __all__ = ["STATEMENTS"]
