@@ -245,7 +245,7 @@ def _compile(
     stated = [r for _, r in relations]
     groups, parents = _families([*stated, *plates.relations], index, roots, free)
     ties = _ties(stated, index)
-    flags = flags_of(_flags(zones, roots, ties, [o.fixed for o in objects]), plates, ties)
+    flags = flags_of(_flags(zones, roots, ties, [o.fixed for o in objects]), plates, ties, roots)
     clear = [_keeps_clear(o) for o in objects]
     clear[len(objects) - len(plates.objects) :] = [not over for over in plates.over_doors]
     return LayoutProblem(

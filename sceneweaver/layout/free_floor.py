@@ -13,13 +13,12 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field
-from itertools import combinations
 
 import numpy as np
 
 from sceneweaver.geometry.se2 import absolute
 from sceneweaver.kernels import tables as k
-from sceneweaver.scene import CATALOGUE, Door, FreeArea, Part, Pose, Relation, Scene, SceneObject, Support, Zone
+from sceneweaver.scene import Door, FreeArea, Part, Pose, Relation, Scene, SceneObject, Support, Zone
 
 PLATE = 0.01
 """Height of a stand-in [m]: it is walked on."""
@@ -96,9 +95,9 @@ def stand_ins(scene: Scene, home: np.ndarray) -> StandIns:
                 if target in index:
                     _add_clearance(found, area, scene.objects[index[target]], index[target], home[index[target]])
         elif area.kind == "gap":
-            found.relations += _gaps(scene, area, index)
-        elif len(area.targets) == 2 and all(target in doors for target in area.targets):
-            _add_way(found, scene, area, [doors[target] for target in area.targets])
+            found.relations += _gaps(scene, area)
+        elif len(ends := [doors[name] for name in (*area.targets, *area.others) if name in doors]) == 2:
+            _add_way(found, scene, area, ends)
     return found
 
 
@@ -111,9 +110,14 @@ def area_poses(scene: Scene, areas: Sequence[int | None], poses: np.ndarray) -> 
     }
 
 
-def flags_of(flags: np.ndarray, stand_in: StandIns, ties: Collection[tuple[int, int]]) -> np.ndarray:
+def flags_of(
+    flags: np.ndarray, stand_in: StandIns, ties: Collection[tuple[int, int]], roots: np.ndarray
+) -> np.ndarray:
     """Pair flags [n, n] of a room's bodies, of which the last are stand-ins: those meet nothing, and things are kept
-    out of their zones alone. What is tied to the owner of a clearance (a chair at its table) may stand in it."""
+    out of their zones alone.
+
+    What is tied to the owner of a clearance may stand in it, with all that it carries: a chair at its table.
+    """
     flags = flags.copy()
     first = len(flags) - len(stand_in.objects)
     flags[first:, first:] = 0
@@ -121,8 +125,9 @@ def flags_of(flags: np.ndarray, stand_in: StandIns, ties: Collection[tuple[int, 
     flags[first:, :first] &= np.uint8(k.PAIR_ZONE_OF_FIRST) | rigid
     flags[:first, first:] &= np.uint8(k.PAIR_ZONE_OF_SECOND) | rigid
     for at, owner in enumerate(stand_in.owner, first):
-        for other in [owner, *(b for a, b in ties if a == owner)] if owner >= 0 else ():
-            flags[at, other] = flags[other, at] = 0
+        if owner >= 0:
+            tied = np.isin(roots, [roots[owner], *(roots[b] for a, b in ties if a == owner)])
+            flags[at, tied] = flags[tied, at] = 0
     return flags
 
 
@@ -202,23 +207,11 @@ def _inside(scene: Scene, door: Door, size: tuple[float, float]) -> tuple[float,
     return sx + ax * along + nx * gap, sy + ay * along + ny * gap, 0.0, math.atan2(ny, nx)
 
 
-def sides_meant(area: FreeArea, obj: SceneObject) -> tuple[str, ...]:
-    """The sides of a target that a clearance is about."""
-    depth, width = obj.size[:2]
-    if area.side == "around":
-        return ("front", "back", "left", "right")
-    if area.side == "sides":
-        return ("left", "right")
-    if area.side == "long":
-        return ("left", "right") if depth >= width else ("front", "back")
-    return ("front",) if area.side == "any" else (area.side,)
-
-
 def _add_clearance(found: StandIns, area: FreeArea, obj: SceneObject, owner: int, home: np.ndarray) -> None:
     """Strips along sides of an object, that it takes along."""
     depth, width = obj.size[:2]
     free = area.size[0]
-    sides = sides_meant(area, obj)
+    sides = area.sides_of(depth, width)
     low = np.array([-depth / 2 - free * ("back" in sides), -width / 2 - free * ("right" in sides)])
     high = np.array([depth / 2 + free * ("front" in sides), width / 2 + free * ("left" in sides)])
     strips = {
@@ -265,38 +258,18 @@ def _add_way(found: StandIns, scene: Scene, area: FreeArea, doors: Sequence[Door
     found.add(_plate(area, corners, [corners], _name(area), fixed=True), (*centre, 0.0, 0.0), over_doors=True)
 
 
-def _gaps(scene: Scene, area: FreeArea, index: dict[str, int]) -> Iterator[Relation]:
-    """The targets of a gap are its width apart, but for those that stand in one row."""
-    targets = [target for target in area.targets if target in index]
+def _gaps(scene: Scene, area: FreeArea) -> Iterator[Relation]:
+    """The two sides of a gap are its width apart."""
+    ids = set(scene.ids)
     least, most = area.size[0], area.most
-    if "wall" in area.targets:
-        yield from (Relation(type="off_walls", subject=target, params={"min": least}) for target in targets)
-        return
-    joined = joined_by(scene, least)
-    pairs = [pair for pair in combinations(targets, 2) if joined.get(pair[0], 0) != joined.get(pair[1], 1)]
+    if "wall" in area.others:
+        for target in area.targets:
+            if target in ids:
+                yield Relation(type="off_walls", subject=target, params={"min": least})
+    pairs = area.pairs(ids, scene.relations)
+    upper = most if most is not None and len(pairs) == 1 else FAR
     for a, b in pairs[:MOST_PAIRS]:
-        upper = most if most is not None and len(pairs) == 1 else FAR
         yield Relation(type="distance", subject=a, target=b, params={"min": least, "max": upper})
-
-
-def joined_by(scene: Scene, gap: float) -> dict[str, int]:
-    """The number of the row that each object belongs to whose relations put it nearer to another than a gap [m]."""
-    parent: dict[str, str] = {}
-
-    def root(name: str) -> str:
-        while parent.setdefault(name, name) != name:
-            name = parent[name]
-        return name
-
-    for relation in scene.relations:
-        spec = CATALOGUE[relation.type]
-        if not isinstance(relation.target, str) or "gap" not in spec.params or spec.target_kind != "object":
-            continue
-        span = spec.value(relation, "gap")
-        if isinstance(span, str) or span[1] < gap:
-            parent[root(relation.subject)] = root(relation.target)
-    roots = sorted({root(name) for name in list(parent)})
-    return {name: roots.index(root(name)) for name in parent}
 
 
 def _name(area: FreeArea) -> str:

@@ -433,7 +433,9 @@ def _renamed(scene: AnyScene, edit: Rename) -> AnyScene:
             r = r.model_copy(update={"subject": new(r.subject), "target": target})
         relations.append(r)
     areas = tuple(
-        a.model_copy(update={"targets": tuple(map(new, a.targets))}) if edit.id in a.targets else a
+        a.model_copy(update={"targets": tuple(map(new, a.targets)), "others": tuple(map(new, a.others))})
+        if edit.id in (*a.targets, *a.others)
+        else a
         for a in scene.free_areas
     )
     changed = {"objects": tuple(objects), "relations": tuple(relations), "free_areas": areas}
