@@ -49,8 +49,8 @@ def widest_way(placed: Placed, area: FreeArea) -> tuple[float | None, tuple[str,
     parts = placed.parts
     rows = (parts.z[:, 0] < HIGH) & (parts.z[:, 1] > LOW)
     free = grid.inside() & ~grid.covered(grid.spans(grid.to_grid(parts.xy[rows]), 1e-3))
-    room = np.asarray(distance_transform_edt(np.pad(free, 1)))[1:-1, 1:-1] * CELL - CELL / 2  # to what is in the way
-    away = {name: _distance(grid, placed, name) for name in {*starts, *ends}}
+    room = np.asarray(distance_transform_edt(np.pad(free, 1)))[1:-1, 1:-1] * CELL - CELL / 4  # to what is in the way
+    away = {name: _distance(grid, placed, name, free) for name in {*starts, *ends}}
     low, high = 0.0, WIDEST
     for _ in range(_STEPS):
         width = (low + high) / 2
@@ -76,9 +76,10 @@ def _ends(placed: Placed, area: FreeArea) -> tuple[list[str], list[str]]:
     return doors, [*doors[1:], *things]
 
 
-def _distance(grid: Grid, placed: Placed, name: str) -> NDArray[np.float64]:
-    """The distance [m] of every cell to a door or to the footprint of a thing."""
-    from scipy.ndimage import distance_transform_edt
+def _distance(grid: Grid, placed: Placed, name: str, free: NDArray[np.bool_]) -> NDArray[np.float64]:
+    """The way [m] of free cells to a door or to the footprint of a thing, in steps to eight and four neighbours by
+    turns; infinite beyond what the widest disc reaches."""
+    from scipy.ndimage import binary_dilation, generate_binary_structure
 
     body: Body | None = placed.by_id.get(name)
     if body is not None:
@@ -87,7 +88,12 @@ def _distance(grid: Grid, placed: Placed, name: str) -> NDArray[np.float64]:
         opening = next(door for door in placed.doors if door.item.id == name)
         shapes = np.array([opening.polygon[:2]])  # the sill: the side of its clear space that is in the wall
     held = grid.covered(grid.spans(grid.to_grid(np.asarray(shapes, dtype=float)), CELL))
-    return np.asarray(distance_transform_edt(~held)) * CELL
+    steps = np.where(held, 0.0, np.inf)
+    for step in range(1, round((WIDEST / 2 + ARRIVED) / CELL) + 1):
+        grown = binary_dilation(held, generate_binary_structure(2, 1 + step % 2)) & (free | held)
+        steps[grown & ~held] = step * CELL
+        held = grown
+    return steps
 
 
 def _missed(
