@@ -45,11 +45,11 @@ def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1) -> Rela
 
     First go objects that are optional, then usual ones, ``at_once`` of them; then relations that do not hold become
     soft, those that nobody asked for, one or with ``at_once`` above 1 all; then goes what a room of the kind needs and
-    no asked relation or free area names; then what was asked for may be elsewhere than is usual, the smallest first or with
-    ``at_once`` above 1 all; then floor is no longer kept free; then relations that were asked for become soft, with ``at_once`` above 1 one for each group
-    of objects, above `FEW` all. Then go the other objects, by priority; of one that was asked for all relations become
-    soft and so light that it may be anywhere, before it goes. None when the faults are about nothing that could give
-    way.
+    no asked relation or free area names; then what was asked for may be elsewhere than is usual, the smallest first or
+    with ``at_once`` above 1 all; then floor is no longer kept free; then relations that were asked for become soft,
+    with ``at_once`` above 1 one for each group of objects, above `FEW` all. Then go the other objects, by priority; of
+    one that was asked for all relations become soft and so light that it may be anywhere, before it goes. None when the
+    faults are about nothing that could give way.
     """
     for priority in PRIORITIES[:2]:
         lighter = lightened(scene, faults, priority, at_once)
@@ -154,7 +154,9 @@ def cleared(scene: Scene, report: Report) -> tuple[Relaxed, Report]:
     notes, unmet = list[str](), list[str]()
     while faults := [v for v in report.violations if v.hard and v.kind != "dropped"]:
         known = {o.id: o for o in scene.objects}
-        if floors := [a for a in scene.free_areas if a.id in {v.objects[0] for v in faults if v.kind == "blocked_floor"}]:
+        if floors := [
+            a for a in scene.free_areas if a.id in {v.objects[0] for v in faults if v.kind == "blocked_floor"}
+        ]:
             step = _walked_over(scene, floors)
             scene, unmet = step.scene, [*unmet, *step.unmet]
             report = check(scene)

@@ -14,7 +14,8 @@ PARTS = (asked_entities.outcomes, asked_relations.outcomes, asked_free.outcomes,
 
 
 def measured(survey: Survey) -> tuple[Asked, ...]:
-    """Every item of the request: things and what they are like, exclusions, relations, free floor, the room, unknown words."""
+    """Every item of the request: things and what they are like, exclusions, relations, free floor, the room, and words
+    that are not known."""
     return tuple(item for part in PARTS for item in part(survey))
 
 

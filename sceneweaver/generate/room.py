@@ -114,7 +114,9 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
     for attempt in range(1, GROWTHS + 1):
         _furnished(setup, made, palette)
         # Where a grid or a line fits no shell of this size, or all is crowded, only more floor helps.
-        crowded = made.program.footprint > FILL["full"] * room.fill * max(floor.area - kept_free(brief), 0.5 * floor.area)
+        crowded = made.program.footprint > FILL["full"] * room.fill * max(
+            floor.area - kept_free(brief), 0.5 * floor.area
+        )
         crowded = crowded or made.program.wall > WALLED * walls_of(made.space)
         astray = not made.variants and in_rows(_free_of_rows(made.program.wanted, made.rows))
         if given or not (crowded or astray) or attempt == GROWTHS or floor.area >= most or hurried():

@@ -110,9 +110,7 @@ def area_poses(scene: Scene, areas: Sequence[int | None], poses: np.ndarray) -> 
     }
 
 
-def flags_of(
-    flags: np.ndarray, stand_in: StandIns, ties: Collection[tuple[int, int]], roots: np.ndarray
-) -> np.ndarray:
+def flags_of(flags: np.ndarray, stand_in: StandIns, ties: Collection[tuple[int, int]], roots: np.ndarray) -> np.ndarray:
     """Pair flags [n, n] of a room's bodies, of which the last are stand-ins: those meet nothing, and things are kept
     out of their zones alone.
 

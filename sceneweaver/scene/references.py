@@ -10,8 +10,8 @@ from collections.abc import Collection, Iterable, Sequence
 from sceneweaver.io.messages import quote, show, suggest
 
 from .catalogue import CATALOGUE
-from .messages import FieldError, Loc
 from .free_area import FreeArea
+from .messages import FieldError, Loc
 from .objects import SceneObject
 from .relation import Relation
 from .room import Room

@@ -13,8 +13,6 @@ from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
-import shapely
-from shapely import affinity
 
 from sceneweaver.scene import CATALOGUE, FreeArea
 from sceneweaver.verify.grid import CELL, Grid
@@ -93,6 +91,9 @@ def _outside(placed: Placed) -> Any:
 
 def _at_pose(placed: Placed, area: FreeArea) -> FreeFloor:
     """The largest rectangle or circle of its form about its middle."""
+    import shapely
+    from shapely import affinity
+
     x, y, _ = area.pose.position
     polygons, names = _in_the_way(placed)
     solids = [*polygons, _outside(placed)]
@@ -111,6 +112,9 @@ def _at_pose(placed: Placed, area: FreeArea) -> FreeFloor:
 
 def _square_about(solid: Any, size: tuple[float, float]) -> float:
     """By how much a rectangle about the origin can be scaled until it meets a solid."""
+    import shapely
+    from shapely import affinity
+
     scaled = affinity.scale(solid, 2 / size[0], 2 / size[1], origin=(0, 0))
     low, high = 0.0, 2 * FAR / min(size)
     if shapely.distance(scaled, shapely.Point(0, 0)) > high * 1.5:
@@ -179,6 +183,8 @@ def _clearance(placed: Placed, area: FreeArea) -> FreeFloor:
 
 def _before(body: Body, side: str, solid: Any) -> float:
     """How far a solid is before a side of a body, where it is before it at all [m]; `FAR` where not."""
+    import shapely
+
     (x, y), (nx, ny), half = body.face(side)
     wide = max(half - SLACK, 1e-3)
     strip = shapely.Polygon(
@@ -210,6 +216,8 @@ def _belonging(placed: Placed, body: Body) -> frozenset[str]:
 
 def _gap(placed: Placed, area: FreeArea) -> FreeFloor:
     """The least distance between the two sides of a gap, as seen from above."""
+    import shapely
+
     found: list[tuple[float, tuple[str, ...]]] = []
     if "wall" in area.others:
         border = placed.floor.exterior

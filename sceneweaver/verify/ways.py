@@ -71,7 +71,10 @@ def _ends(placed: Placed, area: FreeArea) -> tuple[list[str], list[str]]:
     things = [
         body.id
         for body in placed.bodies
-        if body.item.mount == "floor" and body.size[0] * body.size[1] >= PIECE and body.id not in tucked and body.z[1] > LOW
+        if body.item.mount == "floor"
+        and body.size[0] * body.size[1] >= PIECE
+        and body.id not in tucked
+        and body.z[1] > LOW
     ]
     return doors, [*doors[1:], *things]
 

@@ -17,15 +17,15 @@ READ = [
     ("a dance studio with a mirror. The centre of the room stays empty", "circle", 1.5, ("middle",)),
     # ---- rectangles
     ("playroom with 2 x 1.5 m of free floor for the train set", "rectangle", 2.0, ()),
-    ("gym with a mirror; leave an open area of 2 by 2 metres in front of the mirror", "rectangle", 2.0, ("wall_mirror",)),
+    ("gym with a mirror; an open area of 2 by 2 metres in front of the mirror", "rectangle", 2.0, ("wall_mirror",)),
     ("A nursery. Keep one by one metre free inside the door.", "rectangle", 1.0, ("door",)),
     ("living room, free floor space for yoga, about 200 x 90 cm", "rectangle", 2.0, ()),
     ("a bedroom with some open space to play, at least 6 x 5 ft", "rectangle", 1.8288, ()),
     # ---- ways
-    ("shop with 2 shelves and a counter, aisle of 1.2 m from the entrance to the counter", "path", 1.2, ("door", "kitchen_counter")),
+    ("shop with 2 shelves and a desk, aisle of 1.2 m from the entrance to the desk", "path", 1.2, ("door", "desk")),
     ("hall: keep a straight walkway of 1.1 m from door to door", "path", 1.1, ("door", "door:2")),
-    ("an armchair and boxes, a path maybe 50-60 cm wide from the door to the armchair", "path", 0.5, ("door", "armchair")),
-    ("Ward with a bed. Nothing may stand between the bed and the door, 90 cm wide at least.", "path", 0.9, ("bed", "door")),
+    ("an armchair, a path maybe 50-60 cm wide from the door to the armchair", "path", 0.5, ("door", "armchair")),
+    ("A bed. Nothing may stand between the bed and the door, 90 cm wide at least.", "path", 0.9, ("bed", "door")),
     ("library, all aisles at least 36 inches wide", "path", 0.9144, ()),
     ("a clear path from the door to the window in a storage room", "path", 0.8, ("door", "window")),
     ("a bar with a sofa, a 1 m wide path to the sofa", "path", 1.0, ("door", "sofa")),
@@ -33,7 +33,7 @@ READ = [
     # ---- gaps
     ("classroom with four desks, 1.2 m between the desks", "gap", 1.2, ("desk",)),
     ("Studio: five benches, 1 m between them, a mirror", "gap", 1.0, ("bench",)),
-    ("kitchen with an island and a fridge, we need 4 ft between the island and the fridge", "gap", 1.2192, ("kitchen_island", "fridge")),
+    ("an island and a fridge, 4 ft between the island and the fridge", "gap", 1.2192, ("kitchen_island", "fridge")),
     ("the gap between sofa and coffee table should be 45 cm. living room", "gap", 0.45, ("sofa", "coffee_table")),
     ("a bathtub that stands 50 cm off the walls", "gap", 0.5, ("bathtub", "wall")),
     ("Lounge. The sofa must be half a metre away from the wall!", "gap", 0.5, ("sofa", "wall")),

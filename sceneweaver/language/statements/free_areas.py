@@ -13,7 +13,7 @@ from sceneweaver.assets import resolve
 from ..model import FreeArea
 from ..parsed import Parsed
 from ..source import Source, metres
-from .free_phrases import PHRASES, PLACE_WORDS, Phrase, compiled, widened
+from .free_phrases import Phrase, phrases, place_words, widened
 from .lengths import LENGTH, length_of
 
 _LENGTH = re.compile(rf"(?<![\w.]){LENGTH}(?!\s{{0,2}}(?:high|tall|long|thick|diameter\s+(?:table|rug))\b)")
@@ -39,10 +39,9 @@ def read_free_areas(source: Source, parsed: Parsed) -> None:
     """Adds every free area that a source asks for to what is parsed, and takes its words out."""
     _take_sides(source)
     marked, lengths = _marked(source.text)
-    for phrase in PHRASES:
-        pattern = compiled(phrase)
+    for phrase in phrases():
         at = 0
-        while (found := pattern.search(marked, at)) is not None:
+        while (found := phrase.pattern.search(marked, at)) is not None:
             at = max(found.end(), at + 1)
             area = _area(phrase, found, source, lengths)
             if area is None:
@@ -112,7 +111,7 @@ def _area(
     names = tuple(target for target in targets if target is not None)
     if len(names) == 2 and names[0] == names[1] == "door":
         names = ("door", "door:2")
-    if phrase.kind in ("gap", "clearance") and names[0] in PLACE_WORDS.values():
+    if phrase.kind in ("gap", "clearance") and names[0] in place_words().values():
         if names[0] not in ("door", "window") or phrase.kind == "gap":
             return None
         return [FreeArea(kind="rectangle", size=sized, targets=names, side="front", words=words)]
@@ -144,8 +143,8 @@ def _target(words: str, source: Source, start: int) -> str | None:
     last = plain.split()[-1]
     if plain in _PRONOUNS:
         return _thing_before(source.text, start, several=plain in ("them", "these", "those", "both", "each"))
-    if last in PLACE_WORDS:
-        return PLACE_WORDS[last]
+    if last in place_words():
+        return place_words()[last]
     return plain
 
 
@@ -175,7 +174,9 @@ def _names(sentence: str) -> list[str]:
     ]
     if known:
         return known
-    first = re.match(r"[\s,]*(?:(?:and|the|a|an|with|one|two|three|four|five|six|\d+)\s+)*([a-z][a-z'-]{2,20})\b", sentence)
+    first = re.match(
+        r"[\s,]*(?:(?:and|the|a|an|with|one|two|three|four|five|six|\d+)\s+)*([a-z][a-z'-]{2,20})\b", sentence
+    )
     return [first[1]] if first is not None and first[1] not in _NOT_THINGS and len(words) > 1 else []
 
 
@@ -190,12 +191,16 @@ def _filler(text: str, start: int, end: int, found: re.Match[str]) -> str:
             continue
         words = found[name]
         last = words.split()[-1]
-        if words in _PRONOUNS or last in PLACE_WORDS or last in _NOT_THINGS:
+        if words in _PRONOUNS or last in place_words() or last in _NOT_THINGS:
             continue
         if re.search(rf"\b{re.escape(last.rstrip('s'))}", rest):
             continue
         first = text.rfind(" ", start, found.start(name) - 1) + 1 or found.start(name)  # with its count or article
-        begin = first if re.fullmatch(r"(?:two|three|four|five|six|\d{1,2}|a|an)\s+", text[first : found.start(name)]) else found.start(name)
+        begin = (
+            first
+            if re.fullmatch(r"(?:two|three|four|five|six|\d{1,2}|a|an)\s+", text[first : found.start(name)])
+            else found.start(name)
+        )
         begin = max(begin, start + 2)
         filler[begin - start : found.end(name) - start] = text[begin : found.end(name)]
     return "".join(filler)

@@ -6,15 +6,8 @@ import re
 
 from ..source import FOOT, INCH
 
-_WORDS = {
-    "half a": 0.5,
-    "an": 1.0,
-    "a": 1.0,
-    **{
-        word: float(k)
-        for k, word in enumerate("one two three four five six seven eight nine ten eleven twelve".split(), 1)
-    },
-}
+_COUNTED = ("one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve")
+_WORDS = {"half a": 0.5, "an": 1.0, "a": 1.0, **{word: float(k) for k, word in enumerate(_COUNTED, 1)}}
 _NUMBER = rf"(?:\d{{1,4}}(?:[.,]\d{{1,3}})?(?:\s?1/2)?|(?:{'|'.join(_WORDS)})(?=\s|-))"
 _UNIT = (
     r"(?:(?:centi|milli)?met(?:er|re)s?\b|m\b|cms?\b|mm\b|foot\b|feet\b|ft\b\.?|yards?\b|inch(?:es)?\b|"
@@ -31,7 +24,7 @@ LENGTH = (
     rf"(?P<unit>{_UNIT})(?:\s{{0,2}}(?P<rest>\d{{1,2}})(?:\s{{0,2}}(?:cm\b|in\b|inch(?:es)?\b|\")|"
     r"(?=\s{0,3}(?:[.,;)]|$|wide|clear|free|between|around|in\s+between|of|on|all))))?"
 )
-"""A pattern of one length, with what softens it; its groups are what `length_of` reads. It takes no time to speak of."""
+"""A pattern of one length, with what softens it; its groups are what `length_of` reads. """
 
 
 def _value(number: str, unit: str) -> float:
