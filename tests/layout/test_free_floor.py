@@ -122,3 +122,11 @@ def test_an_edit_session_moves_things_off_free_floor():
     moved = session.move("chair", to=(3.6, 2.6))
     assert moved.valid
     assert measure(Placed.of(moved.scene), moved.scene.free_areas[0]).holds
+
+
+def test_floor_that_cannot_be_free_is_the_reason():
+    circle = FreeArea(id="dance", kind="circle", size=(2.6, 2.6))
+    made = scene([BED, thing("wardrobe", (0.6, 2.0, 2.0))], [], free_areas=(circle,), room=room(3.0, 3.0))
+    solution = sw.refine(made, candidates=16, seed=1, device="cpu")
+    assert not (solution.status == 0).any()
+    assert solution.explanation is not None and "dance (circle of 2.60 m)" in solution.explanation
