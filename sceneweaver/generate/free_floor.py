@@ -21,6 +21,12 @@ WAY = 0.8
 EDGES = CATALOGUE.with_role("edge")
 """Relations that put a thing at a wall."""
 
+BEYOND = frozenset({"behind", "in_front_of", "left_of", "right_of", "beside"})
+"""Relations by which the middle of a thing is beyond a side of another."""
+
+BEYOND_GAP = 1.0
+"""How much more than the gap [m] the middle of what is beyond it may be away."""
+
 BESIDE = 0.3
 """How much farther than asked a thing may be from its wall or corner [m]."""
 
@@ -52,7 +58,10 @@ def free_areas_of(brief: SceneGraph, made: Mapping[str, Sequence[str]], room: Ro
 
 
 def agreeing(relations: Sequence[Relation], areas: Sequence[FreeArea]) -> list[Relation]:
-    """Relations without those that nobody asked for and that contradict free floor; what was asked for gives room."""
+    """Relations without those that nobody asked for and that contradict free floor; what was asked for gives room.
+
+    What something stands behind, across a gap, has its back to no wall.
+    """
     off = {name: a.size[0] for a in areas if a.kind == "gap" and "wall" in a.others for name in a.targets}
     around = {name for a in areas if a.kind == "clearance" and a.side == "around" for name in a.targets}
     boxed = {name for a in areas if a.kind == "clearance" and a.side in ("sides", "long") for name in a.targets}
@@ -61,19 +70,21 @@ def agreeing(relations: Sequence[Relation], areas: Sequence[FreeArea]) -> list[R
         if area.kind == "gap":
             pairs = area.pairs((*area.targets, *area.others), relations)
             apart |= {frozenset(pair): area.size[0] for pair in pairs}
+    backed = {r.targets[0] for r in relations if r.type == "behind" and frozenset((r.subject, *r.targets)) in apart}
     kept: list[Relation] = []
     for one in relations:
         at_wall = one.type in EDGES and one.type != "at_window"
-        astray = at_wall and (one.subject in off or one.subject in around)
+        astray = at_wall and (one.subject in off or one.subject in around or one.subject in backed)
         astray = astray or (one.type == "in_corner" and one.subject in boxed)
         near = _nearest(one)
         least = apart.get(frozenset((one.subject, *one.targets)))
         astray = astray or (near is not None and least is not None and near < least)
-        if not astray:
-            kept.append(one)
-        elif one.asked and one.subject in off:
+        if one.asked and one.subject in off and astray:
             kept.append(one.model_copy(update={"params": {**one.params, **_farther(one, off[one.subject])}}))
-        elif one.asked:
+        elif least is not None and (one.type in BEYOND or (one.type == "near" and one.asked)):
+            most = max(float(CATALOGUE[one.type].value(one, "max")), least + BEYOND_GAP)
+            kept.append(one.model_copy(update={"params": {**one.params, "max": most}}))
+        elif one.asked or not astray:
             kept.append(one)
     return kept
 

@@ -157,7 +157,12 @@ def _free_floor(plan: Plan, scene: Scene) -> None:
             outline = [(depth / 2 * math.cos(turn), depth / 2 * math.sin(turn)) for turn in turns]
             size = f"{depth:.2f} m"
         else:
-            outline = [(depth / 2, -width / 2), (depth / 2, width / 2), (-depth / 2, width / 2), (-depth / 2, -width / 2)]
+            outline = [
+                (depth / 2, -width / 2),
+                (depth / 2, width / 2),
+                (-depth / 2, width / 2),
+                (-depth / 2, -width / 2),
+            ]
             size = f"{depth:.2f} x {width:.2f} m"
         plan.dashed(plan.points(to_world(area.pose, outline)), (*FREE, 235), 1.8, (7, 4), closed=True)
         at, halo = plan.point(area.pose.position[:2]), plan.font_size(2.6, 2)
