@@ -9,6 +9,7 @@ from sceneweaver.knowledge import RoomType
 from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Room
 
+from .free_floor import kept_free
 from .niches import with_niches
 from .openings import ENTRY, doors_of, windows_of
 from .outline import LARGEST, SMALLEST, Plan, asked_outline, drawn_shape, outline, sides_of, turned
@@ -38,6 +39,7 @@ def floor_area(room_type: RoomType, brief: SceneGraph, seed: int) -> tuple[float
     area = room_type.area[1] * brief.scale * rng.uniform(0.92, 1.14)
     if brief.people is not None and room_type.area_per_person:
         area = max(area, room_type.area_per_person * people)
+    area += kept_free(brief)
     return min(max(area, 0.8 * room_type.area[0]), max(room_type.area[2], 1.0)), people, False, notes
 
 

@@ -173,7 +173,9 @@ class FreeArea(FrozenModel):
     size: tuple[float, float] = Field(description="Sides, or diameter twice, or least width twice [m]")
     most: float | None = Field(default=None, description="Largest width [m], where one was given")
     targets: tuple[str, ...] = Field(default=(), description="Ids of entities, or `PLACES`")
-    side: Literal["front", "back", "left", "right", "around", "any"] = "any"
+    side: Literal["front", "back", "left", "right", "sides", "long", "around", "any"] = Field(
+        default="any", description="Of its first target; 'sides' are left and right, 'long' both that are long"
+    )
     words: str = ""
     span: Span | None = None
 

@@ -452,4 +452,11 @@ def _renamed(scene: AnyScene, edit: Rename) -> AnyScene:
             target = pair[0] if pair and isinstance(r.target, str) else pair
             r = r.model_copy(update={"subject": new(r.subject), "target": target})
         relations.append(r)
-    return scene.model_copy(update={"objects": tuple(objects), "relations": tuple(relations)})
+    areas = tuple(
+        a.model_copy(update={"targets": tuple(map(new, a.targets)), "others": tuple(map(new, a.others))})
+        if edit.id in (*a.targets, *a.others)
+        else a
+        for a in scene.free_areas
+    )
+    changed = {"objects": tuple(objects), "relations": tuple(relations), "free_areas": areas}
+    return scene.model_copy(update=changed)

@@ -25,6 +25,8 @@ Kind = Literal[
     "unsupported",
     "blocked_zone",
     "blocked_opening",
+    "blocked_floor",
+    "narrow_path",
     "relation",
     "soft_relation",
     "unstable",
@@ -48,11 +50,12 @@ class Violation:
     """One thing that is wrong.
 
     Attributes:
-        kind: what kind of thing; ``soft_relation`` leaves the scene valid, every other makes it invalid.
+        kind: what kind of thing; ``soft_relation`` and ``narrow_path`` leave the scene valid, every other makes it
+            invalid.
         objects: ids of all that take part: of a relation its subject, then its targets (an object, wall, door or
             window); of a blocked zone its owner, then who stands in it; of a blocked opening the object, then the
-            opening; of a blocked link its object or door, then what is in its way: an object, door, wall, "floor" or
-            "ceiling".
+            opening; of blocked floor and a narrow path the free area, then what bounds it; of a blocked link its
+            object or door, then what is in its way: an object, door, wall, "floor" or "ceiling".
         detail: one sentence with numbers and units.
         amount: how much, 0 when it has no size. Metres: depth of a collision or in a zone, distance outside the room,
             height or length that is wrong under an object. Of a relation the worst excess over what is allowed, in
@@ -92,7 +95,7 @@ class Violation:
     @property
     def hard(self) -> bool:
         """Whether it makes the scene invalid."""
-        return self.kind != "soft_relation"
+        return self.kind not in ("soft_relation", "narrow_path")
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain JSON data.
