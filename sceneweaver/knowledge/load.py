@@ -78,6 +78,10 @@ class _Rooms(Mapping[str, RoomType]):
         """Other names of a kind of room, without checking the rest of its file."""
         return self._files[name].get("words", ())
 
+    def names_of(self, name: str, language: str) -> Sequence[str]:
+        """What a kind of room is called in another language."""
+        return (self._files[name].get("names") or {}).get(language, ())
+
 
 @cache
 def plain_room() -> RoomType:

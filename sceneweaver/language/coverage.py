@@ -12,13 +12,14 @@ from collections.abc import Iterable
 from functools import cache
 
 from .model import SceneGraph, Span, Unread
+from .translation import unknown_words
 from .vocabulary import words
 
 _WORD = re.compile(r"[^\W\d_]+(?:['’&-][^\W\d_]+)*|\d+(?:[.,]\d+)?", re.UNICODE)
 _JOIN = re.compile(r"[\s'’\"-]*")
 
 
-def silent_words(graph: SceneGraph) -> tuple[Unread, ...]:
+def silent_words(graph: SceneGraph, language: str = "en") -> tuple[Unread, ...]:
     """The words of the text that no item of the graph accounts for, neighbours together, in order.
 
     Time grows with the length of the text.
@@ -26,6 +27,9 @@ def silent_words(graph: SceneGraph) -> tuple[Unread, ...]:
     covered = bytearray(len(graph.text) + 1)
     for span in _spans(graph):
         covered[span.start : span.end] = b"\x01" * (min(span.end, len(graph.text)) - span.start)
+    if language != "en":
+        lost = unknown_words(graph.text.lower()[: len(graph.text)], language)
+        return tuple(Unread(words=graph.text[a:b].lower(), span=Span(a, b)) for a, b in lost if not any(covered[a:b]))
     known = _known_elsewhere(graph)
     found: list[list[int]] = []
     for match in _WORD.finditer(graph.text):

@@ -70,7 +70,12 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         ),
     )
     notes += [f"'{said.words}' cannot be said as a relation" for said in unsaid(graph) if not said.implied]
-    left = sorted((*graph.unread, *silent_words(graph)), key=lambda one: one.span.start if one.span else len(text))
+    silent = silent_words(graph, source.language)
+    placed = {unread.words for unread in silent}
+    left = sorted(
+        (*(unread for unread in graph.unread if unread.span or unread.words not in placed), *silent),
+        key=lambda one: one.span.start if one.span else len(text),
+    )
     return graph.model_copy(update={"notes": tuple(dict.fromkeys(notes)), "unread": tuple(left)})
 
 

@@ -38,10 +38,12 @@ def read_request(text: str) -> SceneGraph:
     _sides(parsed, source)
     for note in source.notes:
         parsed.note(note)
-    foreign = _is_foreign(text, parsed)
-    if foreign:
+    foreign = source.language == "en" and _is_foreign(text, parsed)
+    if foreign or source.language != "en":
         _leave_out_unknown(parsed)
-    if foreign or sum(ord(c) > 0x24F and c.isalpha() for c in text) > 3 or not re.search(r"[a-zA-Z]", text):
+    if source.language != "en":
+        pass  # the note says which language it is
+    elif foreign or sum(ord(c) > 0x24F and c.isalpha() for c in text) > 3 or not re.search(r"[a-zA-Z]", text):
         parsed.note("only English is read; what else the request says was not understood")
     elif parsed.room_type is None and not parsed.mentions and sum(len(u.words.split()) for u in parsed.unread) >= 3:
         parsed.note("nothing of it names a room or furniture; only English is read")

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from sceneweaver.scene import InputError
 
 from .model import Span
+from .translation import NAMES, language_of, translated
 
 MOST = 100_000
 """Characters that a request has at most."""
@@ -81,6 +82,7 @@ class Source:
     sides: dict[int, tuple[float, ...]] = field(default_factory=dict)
     colons: set[int] = field(default_factory=set[int])
     notes: list[str] = field(default_factory=list)
+    language: str = "en"
 
     def span(self, start: int, end: int) -> Span:
         """Where characters [start, end) stand in the request."""
@@ -123,7 +125,12 @@ def read_source(text: str) -> Source:
                 plain = str(unicodedata.digit(plain))
             letters.append(plain if plain.isprintable() or plain in "\n\t" else " ")
             origin.append(index)
-    found = Source("".join(letters).replace("§", " "), origin, notes=notes)
+    spoken = "".join(letters).replace("§", " ")
+    language = language_of(spoken)
+    if language != "en":
+        spoken, origin = translated(spoken, origin, language)
+        notes.append(f"read as {NAMES[language]}, word by word")
+    found = Source(spoken, origin, notes=notes, language=language)
     found.blank(_TAG, lambda m: " ")
     found.blank(_ENDLESS, lambda m: _endless(m, found))
     found.blank(_WRAPPED, lambda m: " ")
