@@ -235,7 +235,7 @@ def test_warp_starts_without_a_word_and_a_gpu_that_is_missing_is_named():
     assert done.returncode == 4 and len(done.stderr.splitlines()) == 1 and 'device: "cuda:999"' in done.stderr
 
 
-@pytest.mark.parametrize("home", ["below a file", "not there"])
+@pytest.mark.parametrize("home", ["below a file", pytest.param("not there", marks=pytest.mark.slow)])
 def test_home_that_cannot_be_written_costs_one_line(home, tmp_path):
     """The kernels that this run has compiled stand in the temporary folder already, to save time."""
     place = tmp_path / f"sceneweaver-{os.getuid()}" / "warp" / wp.config.version
