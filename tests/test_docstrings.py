@@ -11,6 +11,8 @@ from typing import get_args, get_type_hints
 
 import pytest
 
+from tests.sizes import often
+
 MODULES = tuple(f"sceneweaver{floor}" for floor in ("", ".jax", ".torch", ".problems", ".bench", ".envs"))
 NEEDS = {"sceneweaver.torch": ("torch",), "sceneweaver.bench": ("pyarrow", "matplotlib")}
 PLAIN = {"sceneweaver.__version__"}  # a text has no docstring of its own
@@ -48,7 +50,12 @@ def test_every_public_name_has_a_docstring_with_an_example(name):
     assert "+SKIP" not in text
 
 
-@pytest.mark.parametrize("name", PUBLIC)
+LONG = ("sceneweaver.jax.", "sceneweaver.bench.plot")
+QUICK = [name for name in PUBLIC if name == "sceneweaver.jax.ravel" or not name.startswith(LONG)]
+"""All but those that mostly wait for the compiler of JAX or for drawings of matplotlib."""
+
+
+@pytest.mark.parametrize("name", often(PUBLIC, QUICK))
 def test_the_examples_of_a_public_name_run(name, tmp_path, monkeypatch):
     for module in NEEDS.get(name.rpartition(".")[0], ()):
         pytest.importorskip(module)

@@ -17,11 +17,12 @@ import time
 import traceback
 from collections.abc import Sequence
 from enum import StrEnum
+from functools import cache
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
-from typer.core import TyperCommand
+from typer.core import TyperCommand, TyperGroup
 
 from sceneweaver.export.formats import FORMATS, USUAL
 from sceneweaver.runtime.compiling import watched_by
@@ -747,6 +748,12 @@ def problems_verify(
     return run_verify(name, as_json=as_json)
 
 
+@cache
+def _commands() -> TyperGroup:
+    """All commands; once in a process, as their options are read out of annotations, which takes a while."""
+    return typer.main.get_group(app)
+
+
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code; ``argv`` is without the program's name.
 
@@ -763,9 +770,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         faulthandler.enable(os.dup(2))
     try:
         load_extensions()
-        command = typer.main.get_command(app)
         with watched_by(CompilingLine()):
-            code = command.main(args=args or ["--help"], prog_name="sceneweaver", standalone_mode=False, obj=began)
+            code = _commands().main(args=args or ["--help"], prog_name="sceneweaver", standalone_mode=False, obj=began)
         sys.stdout.flush()
         if code == INTERRUPTED:  # so some versions of typer report Ctrl-C
             raise KeyboardInterrupt

@@ -9,7 +9,6 @@ from typing import Any
 import jinja2
 
 from sceneweaver.io import packaged
-from sceneweaver.report.html import clean
 
 ROOT = Path(__file__).parent
 
@@ -44,6 +43,8 @@ def markdown() -> jinja2.Environment:
 @cache
 def html() -> jinja2.Environment:
     """Templates of HTML, without the ends of lines; all that they show is escaped unless it is said to be safe."""
+    from sceneweaver.report.html import clean  # here, as the report brings much that workers do without
+
     loader = jinja2.FunctionLoader(
         lambda name: "".join(
             line.strip() for line in packaged.text("sceneweaver.datasets", *name.split("/")).splitlines()

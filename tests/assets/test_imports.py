@@ -78,7 +78,7 @@ def test_usd_says_its_unit_and_axis(tmp_path: Path, wardrobe, up: str, metres: f
 def test_parts_contain_the_mesh_and_prisms_contain_the_parts(tmp_path: Path) -> None:
     from tests.assets.rules import _holds, _outside, _planes, _samples
 
-    got = prepare(Hints(path=write(body(make("armchair", 2)), tmp_path / "a.obj"), name="a", category="armchair"))
+    got = prepare(Hints(path=write(body(make("step_stool", 2)), tmp_path / "a.obj"), name="a", category="step_stool"))
     planes = [_planes(h)[:2] for h in got.hulls]
     assert all(not _planes(h)[2] for h in got.hulls)
     assert _outside(_samples(got), planes, got.hulls) < 1e-6

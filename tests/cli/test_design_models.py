@@ -12,7 +12,7 @@ from tests.llm.model_server import ModelServer, answering
 
 BEGIN = {"problem": "no room", "calls": [{"tool": "init_prior", "confidence": 0.9, "instruction": "Begin."}]}
 STOP = {"stop": True, "stop_reason": "all is there"}
-SHELF = "a store room with one shelf"
+SHELF = "a store room with only one shelf"
 KEY = "sk-planted-0123456789abcdef"
 QUICK = ("--seed", 1, "--steps", 2, "--candidates", 8, "--device", "cpu", "--no-pictures", "--export", "none")
 PLANS = ("--planner", "llm", "--reader", "rules", "--critic", "symbolic", "--model", "scripted-1")

@@ -79,12 +79,16 @@ def test_a_valid_scene_stays_as_it_is_and_that_is_said(run, bedroom, tmp_path):
 
 
 def test_not_valid_is_3_with_everything_written_and_the_unmet_listed(run, impossible, tmp_path):
-    ended = run("repair", impossible, "-o", tmp_path / "out", "--device", "cpu")
+    ended = run("repair", impossible, "-o", tmp_path / "out", "--candidates", 4, "--device", "cpu")
     assert ended.code == 3 and listing(tmp_path / "out") == WRITTEN
     assert ended.out.startswith("not valid  made") and "out_of_bounds" in ended.out and "whale" in ended.out
-    data = run("repair", impossible, "-o", tmp_path / "out", "--device", "cpu", "--json").json
-    assert data["valid"] is False and data["exit_code"] == 3 and data["explanation"]
     assert len(Scene.load(tmp_path / "out" / "scene.json").objects) == 2
+
+
+def test_not_valid_is_said_as_json_too(run, impossible, tmp_path):
+    few = ("--candidates", 4)
+    data = run("repair", impossible, "-o", tmp_path / "out", *few, "--device", "cpu", "--json").json
+    assert data["valid"] is False and data["exit_code"] == 3 and data["explanation"]
 
 
 def test_relations_are_left_alone_when_they_are_not_asked_for(run, tmp_path):

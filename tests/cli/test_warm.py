@@ -19,7 +19,7 @@ import sys
 from sceneweaver.kernels import variants_of
 from sceneweaver.layout import warming
 from sceneweaver.render.tracing import tracer
-warming.kernel_modules = lambda device: [*variants_of("cells"), *variants_of("chains")]
+warming.kernel_modules = lambda device: [*variants_of("bookkeeping"), *variants_of("chains")]
 tracer.kernel_modules = lambda: []
 from sceneweaver.cli import main
 sys.exit(main(sys.argv[1:]))

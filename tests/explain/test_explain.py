@@ -68,7 +68,7 @@ def room(
     )
 
 
-def failed(scene: Scene, candidates: int = 24, **options: Any):
+def failed(scene: Scene, candidates: int = 8, **options: Any):
     solution = refine(scene, candidates=candidates, steps=1, device="cpu", **options)
     assert not np.any(solution.status == 0)
     return solution
@@ -318,7 +318,7 @@ def test_deadline_is_kept_and_said():
         text = explain(scene, solution, device="cpu", seed=0, deadline=start + seconds)
         assert time.monotonic() - start < max(seconds, 0) + 1.0
         if seconds < 0:
-            assert text.startswith("Of 24 candidates: ")
+            assert text.startswith("Of 8 candidates: ")
         assert 1 <= len(text.splitlines()) <= 7 and "wardrobe" in text
     bedroom = with_relations(*CONFLICTS["near and far"][:1], *CONFLICTS["near and far"][1])
     solution = failed(bedroom)

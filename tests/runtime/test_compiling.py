@@ -18,9 +18,13 @@ import warp as wp
 from sceneweaver.runtime import caches, compiling
 from sceneweaver.runtime.compiling import Compiling, load, watched_by
 from tests import warm_kernels
+from tests.layout.made import BOX, CUP, relation, table, thing
+from tests.layout.made import scene as made
 
 ROOT = Path(__file__).parents[2]
 KERNEL = """
+from tests.layout.made import BOX, CUP, relation, table, thing
+from tests.layout.made import scene as made
 import warp as wp
 
 @wp.kernel
@@ -200,8 +204,9 @@ def test_the_blocks_of_a_gpu_are_those_of_the_launches(monkeypatch):
 
     monkeypatch.setattr(wp, "launch", launch)
     monkeypatch.setattr(search, "Rounds", partial(search.Rounds, in_one=False))  # as on a GPU
+    scene = made([table(), CUP, BOX, thing("other")], [relation("near", "box", "other", max=0.4)])
     for optimizer in OPTIMIZERS:
-        sw.refine(sw.Scene.example("bedroom"), candidates=2, device="cpu", steps=1, optimizer=optimizer, snap=True)
+        sw.refine(scene, candidates=2, device="cpu", steps=1, optimizer=optimizer, snap=True)
     own = f"{kernels.__name__}."
     used = {(name.removeprefix(own), block) for name, block in used if name.startswith(own)}
     used = {("gradients_gpu" if name == "gradients" else name, block) for name, block in used}
@@ -230,7 +235,7 @@ def test_warp_starts_without_a_word_and_a_gpu_that_is_missing_is_named():
     assert done.returncode == 4 and len(done.stderr.splitlines()) == 1 and 'device: "cuda:999"' in done.stderr
 
 
-@pytest.mark.parametrize("home", ["below a file", "not there"])
+@pytest.mark.parametrize("home", ["below a file", pytest.param("not there", marks=pytest.mark.slow)])
 def test_home_that_cannot_be_written_costs_one_line(home, tmp_path):
     """The kernels that this run has compiled stand in the temporary folder already, to save time."""
     place = tmp_path / f"sceneweaver-{os.getuid()}" / "warp" / wp.config.version

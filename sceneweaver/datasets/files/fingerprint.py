@@ -16,15 +16,15 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import shapely
-from scipy.cluster.hierarchy import DisjointSet
-from scipy.optimize import linear_sum_assignment
-from scipy.spatial import KDTree
 
 from sceneweaver.scene import Scene
+
+if TYPE_CHECKING:
+    from scipy.cluster.hierarchy import DisjointSet
 
 FOOTPRINT, HEIGHT = 0.3, 0.1
 """Least footprint [m2] and height [m] of large furniture: neither seats at tables nor rugs."""
@@ -155,6 +155,8 @@ CHUNK = 1024
 
 def near_duplicates(a: Layout, b: Layout) -> bool:
     """Whether the large furniture of two rooms stands alike."""
+    from scipy.optimize import linear_sum_assignment
+
     if a.categories != b.categories:
         return False
     extents, boxes = next(a.views())
@@ -204,6 +206,8 @@ def smallest(sets: DisjointSet) -> np.ndarray:
 
 def _join_neighbours(sets: DisjointSet, layouts: Sequence[tuple[int, Layout]]) -> None:
     """Join near-duplicates among layouts with the same categories; only near embeddings are compared."""
+    from scipy.spatial import KDTree
+
     if len(layouts) < 2:
         return
     points = np.array([layout.embedding for _, layout in layouts], dtype=float).reshape(len(layouts), -1)

@@ -22,7 +22,6 @@ from pathlib import Path
 from typing import IO, Any
 
 import numpy as np
-from scipy.cluster.hierarchy import DisjointSet
 
 from sceneweaver.io import own_folder, sweep, temporary_folder, write_atomic
 from sceneweaver.io.tars import content, ending, members
@@ -61,6 +60,8 @@ def write_plan(folder: Folder, requests: Requests) -> None:
 
 def _placed(spec: Spec, blocks: list[Path]) -> Iterator[dict[str, Any]]:
     """Split, shard and near-duplicate group of each delivered scene, in order."""
+    from scipy.cluster.hierarchy import DisjointSet
+
     index, rooms, sizes, layouts = [], [], [], []
     for row in _delivered(blocks):
         layouts.append((len(rooms), row["layout_signature"], Layout.from_row(row["furniture"])))

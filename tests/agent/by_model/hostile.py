@@ -16,7 +16,8 @@ from tests.llm.model_server import MODEL, ModelServer
 from tests.llm.planted_key import Planted
 from tests.oracle.check_scene import check as oracle
 
-QUICK: dict[str, Any] = {"candidates": 8, "device": "cpu", "pictures": False, "export": "none", "side_by_side": 1}
+QUICK: dict[str, Any] = {"candidates": 8, "finalists": 2, "generations": 0, "side_by_side": 1}
+QUICK |= {"device": "cpu", "pictures": False, "export": "none"}
 LIMIT = 300.0
 """Seconds that a run may take."""
 

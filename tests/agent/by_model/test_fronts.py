@@ -54,7 +54,7 @@ def wardrobe() -> Asset:
     return make("wardrobe", 2)
 
 
-@pytest.mark.parametrize("quarters", [0, 3])
+@pytest.mark.parametrize("quarters", [pytest.param(0, marks=pytest.mark.slow), 3])
 def test_the_letter_is_mapped_to_the_turn(wardrobe: Asset, quarters: int) -> None:
     asset = turned(wardrobe, quarters)
     eyes = Eyes(side_views(asset)[quarters])
