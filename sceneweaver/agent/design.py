@@ -21,6 +21,7 @@ from sceneweaver.knowledge.names import room_of_part
 from sceneweaver.language import SceneGraph, read_request
 from sceneweaver.llm import Limits, Prices
 from sceneweaver.runtime.deadline import Deadline, Stop
+from sceneweaver.runtime.memory import freed_memory_given_back
 from sceneweaver.runtime.options import DesignOptions, defaults_of
 from sceneweaver.tools.registry import Registered
 from sceneweaver.tools.registry import tools as registered
@@ -160,7 +161,7 @@ def design(prompt: str = "", **options: Unpack[AllOptions]) -> Result:
     offline = read_request(prompt)
     folder = RunFolder(Path(out)) if out is not None else None
     limit = Deadline(began + (settings.seconds or math.inf), stop=given["stop"] or Stop())
-    with folder.held() if folder is not None else nullcontext():
+    with freed_memory_given_back(), folder.held() if folder is not None else nullcontext():
         if folder is not None:
             folder.check_roles(roles)  # before a model is asked in vain
         session = Session.opened(

@@ -99,7 +99,7 @@ def _that_show(category: str, seed: int, request: Request, words: Words, tries: 
     return (made for made in drawn if all(shows(made.attributes, words).values()))
 
 
-_DRAWN = Drawings(128 * 2**20)
+_DRAWN = Drawings(64 * 2**20)
 
 
 def keep_drawings(nbytes: int) -> None:
