@@ -133,7 +133,7 @@ def _somewhere(placed: Placed, area: FreeArea) -> FreeFloor:
     grid = Grid(placed)
     free = free_cells(placed, grid)
     if area.kind == "circle":
-        widest = 2 * CELL * float(distance_transform_edt(np.pad(free, 1)).max()) - CELL
+        widest = 2 * CELL * float(np.max(np.asarray(distance_transform_edt(np.pad(free, 1))))) - CELL
         return FreeFloor(area, at_least("diameter of the free circle", max(widest, 0.0), area.size[0], slack=CELL))
     best = max(_largest(free, area.size), _largest(free.T, area.size))
     measured = at_least("length of the free rectangle", best * area.size[0], area.size[0], slack=CELL)
