@@ -50,7 +50,17 @@ class FreeFloor(NamedTuple):
 
 
 def measure(placed: Placed, area: FreeArea, anywhere: bool = False) -> FreeFloor:
-    """How free a free area is; with ``anywhere`` a rectangle or circle may lie where it is largest."""
+    """How free a free area is; with ``anywhere`` a rectangle or circle may lie where it is largest.
+
+    What was measured is kept, as judge and critic ask for the same.
+    """
+    kept = placed.__dict__.setdefault("_free_floor", {})
+    if (area, anywhere) not in kept:
+        kept[area, anywhere] = _measure(placed, area, anywhere)
+    return kept[area, anywhere]
+
+
+def _measure(placed: Placed, area: FreeArea, anywhere: bool) -> FreeFloor:
     if area.kind in ("rectangle", "circle"):
         return _somewhere(placed, area) if anywhere else _at_pose(placed, area)
     if area.kind == "clearance":

@@ -22,6 +22,9 @@ ARRIVED = 0.3
 PIECE = 0.25
 """Plan from which on a thing is one that ways lead to where none is named [m2]; rugs aside."""
 
+MOST_PIECES = 24
+"""How many of these, the largest, are looked at."""
+
 LOW, HIGH = 0.03, 1.9
 """Heights between which a solid part is in the way [m]."""
 
@@ -69,14 +72,15 @@ def _ends(placed: Placed, area: FreeArea) -> tuple[list[str], list[str]]:
         return (named, others) if area.others else (named[:1], named[1:])
     tucked = {relation.subject for relation in placed.scene.relations if relation.type in _SEATS}
     things = [
-        body.id
+        body
         for body in placed.bodies
         if body.item.mount == "floor"
         and body.size[0] * body.size[1] >= PIECE
         and body.id not in tucked
         and body.z[1] > LOW
     ]
-    return doors, [*doors[1:], *things]
+    largest = sorted(things, key=lambda body: -body.size[0] * body.size[1])[:MOST_PIECES]
+    return doors, [*doors[1:], *(body.id for body in largest)]
 
 
 def _distance(grid: Grid, placed: Placed, name: str, free: NDArray[np.bool_]) -> NDArray[np.float64]:
