@@ -249,7 +249,7 @@ def _add_way(found: StandIns, scene: Scene, area: FreeArea, doors: Sequence[Door
     strip = shapely.LineString(middles).buffer(area.size[0] / 2, cap_style="square")
     room = shapely.Polygon(scene.room.outline).buffer(-2e-3, join_style="mitre")
     inside = shapely.convex_hull(strip.intersection(room))
-    if inside.geom_type != "Polygon" or not room.buffer(1e-6).covers(inside):
+    if not isinstance(inside, shapely.Polygon) or not room.buffer(1e-6).covers(inside):
         return
     centre = np.array(inside.centroid.coords[0])
     corners = shapely.get_coordinates(shapely.geometry.polygon.orient(inside))[:-1] - centre

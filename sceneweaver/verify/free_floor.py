@@ -50,7 +50,17 @@ class FreeFloor(NamedTuple):
 
 
 def measure(placed: Placed, area: FreeArea, anywhere: bool = False) -> FreeFloor:
-    """How free a free area is; with ``anywhere`` a rectangle or circle may lie where it is largest."""
+    """How free a free area is; with ``anywhere`` a rectangle or circle may lie where it is largest.
+
+    What was measured is kept, as judge and critic ask for the same.
+    """
+    kept = placed.__dict__.setdefault("_free_floor", {})
+    if (area, anywhere) not in kept:
+        kept[area, anywhere] = _measure(placed, area, anywhere)
+    return kept[area, anywhere]
+
+
+def _measure(placed: Placed, area: FreeArea, anywhere: bool) -> FreeFloor:
     if area.kind in ("rectangle", "circle"):
         return _somewhere(placed, area) if anywhere else _at_pose(placed, area)
     if area.kind == "clearance":
@@ -133,7 +143,7 @@ def _somewhere(placed: Placed, area: FreeArea) -> FreeFloor:
     grid = Grid(placed)
     free = free_cells(placed, grid)
     if area.kind == "circle":
-        widest = 2 * CELL * float(distance_transform_edt(np.pad(free, 1)).max()) - CELL
+        widest = 2 * CELL * float(np.max(np.asarray(distance_transform_edt(np.pad(free, 1))))) - CELL
         return FreeFloor(area, at_least("diameter of the free circle", max(widest, 0.0), area.size[0], slack=CELL))
     best = max(_largest(free, area.size), _largest(free.T, area.size))
     measured = at_least("length of the free rectangle", best * area.size[0], area.size[0], slack=CELL)

@@ -22,6 +22,9 @@ ARRIVED = 0.3
 PIECE = 0.25
 """Plan from which on a thing is one that ways lead to where none is named [m2]; rugs aside."""
 
+MOST_PIECES = 24
+"""How many of these, the largest, are looked at."""
+
 LOW, HIGH = 0.03, 1.9
 """Heights between which a solid part is in the way [m]."""
 
@@ -69,34 +72,46 @@ def _ends(placed: Placed, area: FreeArea) -> tuple[list[str], list[str]]:
         return (named, others) if area.others else (named[:1], named[1:])
     tucked = {relation.subject for relation in placed.scene.relations if relation.type in _SEATS}
     things = [
-        body.id
+        body
         for body in placed.bodies
         if body.item.mount == "floor"
         and body.size[0] * body.size[1] >= PIECE
         and body.id not in tucked
         and body.z[1] > LOW
     ]
-    return doors, [*doors[1:], *things]
+    largest = sorted(things, key=lambda body: -body.size[0] * body.size[1])[:MOST_PIECES]
+    return doors, [*doors[1:], *(body.id for body in largest)]
 
 
 def _distance(grid: Grid, placed: Placed, name: str, free: NDArray[np.bool_]) -> NDArray[np.float64]:
-    """The way [m] of free cells to a door or to the footprint of a thing, in steps to eight and four neighbours by
-    turns; infinite beyond what the widest disc reaches."""
+    """The way [m] of free cells to a door or to the footprint of a thing, or of what is tied to it (the chairs of a
+    table, the table before a sofa), in steps to eight and four neighbours by turns; infinite beyond what the widest
+    disc reaches."""
     from scipy.ndimage import binary_dilation, generate_binary_structure
 
-    body: Body | None = placed.by_id.get(name)
-    if body is not None:
-        shapes = placed.parts.xy[placed.part_rows(body)]
+    if name in placed.by_id:
+        shapes = np.concatenate([placed.parts.xy[placed.part_rows(body)] for body in _tied(placed, name)])
     else:
         opening = next(door for door in placed.doors if door.item.id == name)
         shapes = np.array([opening.polygon[:2]])  # the sill: the side of its clear space that is in the wall
     held = grid.covered(grid.spans(grid.to_grid(np.asarray(shapes, dtype=float)), CELL))
     steps = np.where(held, 0.0, np.inf)
     for step in range(1, round((WIDEST / 2 + ARRIVED) / CELL) + 1):
-        grown = binary_dilation(held, generate_binary_structure(2, 1 + step % 2)) & (free | held)
+        grown = np.asarray(binary_dilation(held, generate_binary_structure(2, 1 + step % 2)), dtype=bool)
+        grown &= free | held
         steps[grown & ~held] = step * CELL
         held = grown
     return steps
+
+
+def _tied(placed: Placed, name: str) -> list[Body]:
+    """A thing with what relations tie to it."""
+    names = {name}
+    for relation in placed.scene.relations:
+        if isinstance(relation.target, str) and CATALOGUE[relation.type].ties_zones:
+            pair = {relation.subject, relation.target}
+            names |= pair if name in pair else set()
+    return [placed.by_id[one] for one in sorted(names) if one in placed.by_id]
 
 
 def _missed(

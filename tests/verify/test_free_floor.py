@@ -162,3 +162,11 @@ def test_what_is_not_there_is_not_measured():
         made = scene(area, box("bed", (2.0, 1.6, 0.5), 3.5, 2.0))
         assert measure(Placed.of(made), area).measurement is None
         assert verdict(made)[0]
+
+
+def test_who_gets_to_the_table_of_a_sofa_gets_to_the_sofa():
+    area = FreeArea(id="p", kind="path", size=(0.8, 0.8), targets=("door",), others=("sofa",))
+    sofa, low = box("sofa", (0.8, 1.6, 0.8), 4.6, 2.0, yaw=math.pi), box("table", (0.6, 3.8, 0.4), 3.5, 2.0)
+    tie = Relation(type="front_to_front", subject="table", target="sofa")
+    assert width(scene(area, sofa, low)) < 0.8
+    assert width(scene(area, sofa, low, relations=(tie,))) > 0.8
