@@ -265,6 +265,8 @@ def _scene(setup: Setup, space: Room, made: _Attempt, palette: Palette, people: 
     tall = {w.id: w.asset.size[2] for w in program.wanted}
     over = {r.subject: tall[r.target] for r in relations if r.type == "above" and r.target in tall}
     before = {r.subject for r in relations if r.type == "at_window"}
+    lintels = _over_doors(brief, program.wanted, space)
+    over, before = over | lintels, before | set(lintels)
     scene = Scene(
         id=room.name,
         prompt=brief.text,
@@ -315,6 +317,13 @@ def _object(one: Wanted, space: Room, over: float, clear: bool, places: Places) 
     zones = free_zones(one.item, obj)
     top = (places.tops[one.id],) if one.id in places.tops and not obj.surfaces else obj.surfaces
     return obj.model_copy(update={"intent": intent, "surfaces": top, "zones": zones})
+
+
+def _over_doors(brief: SceneGraph, wanted: Sequence[Wanted], space: Room) -> dict[str, float]:
+    """By id the height [m] of the doors over which things on walls are said to hang."""
+    named = {said.subject for said in brief.relations if said.type == "above" and said.targets[:1] == ("door",)}
+    top = max((door.height for door in space.doors), default=0.0)
+    return {one.id: top for one in wanted if one.asked in named and one.mount == "wall" and top}
 
 
 def stacked(wanted: Sequence[Wanted], relations: Sequence[Relation]) -> dict[str, int]:
