@@ -13,7 +13,7 @@ from sceneweaver.assets.roles import has_role, with_role
 from sceneweaver.assets.taxonomy import category_named, members, narrower
 from sceneweaver.assets.zones import cleared, hung_at
 from sceneweaver.knowledge import Item, Place, RoomType
-from sceneweaver.knowledge.kin import excluded_kinds, kin
+from sceneweaver.knowledge.kin import excluded_kinds, kin, other_meanings, serves
 from sceneweaver.knowledge.usual_places import usual_places_of
 from sceneweaver.language import Entity, SceneGraph, Thing
 from sceneweaver.scene import PRIORITIES, InputError, Palette, SceneObject, Zone
@@ -48,6 +48,9 @@ PLENTY = 5
 
 SMALL, SPARE = 0.3, 0.05
 """What takes at most this floor [m2] may take this share of the floor beyond what furniture fills."""
+
+CRAMPED = 0.75
+"""Share of the usual floor of a kind of room below which nothing is added for which something asked for serves."""
 
 RUN = 0.6
 """Share of the floor under the units of a run that counts as taken: no ways lead around and between them."""
@@ -188,6 +191,7 @@ def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, wi
     shares = _shares(room_type, brief, area, people, roles)
     holders = {i.with_ for i in room_type.items if any(i.id in items for items in roles.values())}
     skipped, spare = set[str](), set[str]()
+    cramped = not room_type.for_request and (brief.scale < 1.0 or area < CRAMPED * room_type.area[1])
     found: list[Demand] = []
     for item in room_type.items:
         draw, pick, keep = rng.random(), rng.random(), rng.random()
@@ -210,6 +214,8 @@ def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, wi
                         del asked[one.id]
             continue
         names = tuple(c for c in item.what if c not in banned)
+        if names and cramped and any(serves(a.category, names) for a in brief.entities):
+            continue  # in a small bathroom a shower that is asked for takes the place of the tub
         if not names and item.with_:
             skipped.add(item.with_)
         if _hangs_at_windows(item) and _something_at_windows(room_type, brief):
@@ -267,6 +273,7 @@ def roles_of(room_type: RoomType, brief: SceneGraph) -> dict[str, tuple[str, ...
             taken.add(needed[0])
         if found[one.id]:
             continue
+        own = frozenset(name for name in own if may_mean(one, name, brief))
         free = [item.id for item in room_type.items if item.id not in taken and own & set(item.what)]
         if free:
             found[one.id] = (free[0],)
@@ -314,9 +321,21 @@ def meant_by(asked: Entity, item: Item, brief: SceneGraph) -> bool:
     """Whether something asked for is what an item of the room stands for; a "table" is a conference table, too."""
     if matches(asked.category, item):
         return True
-    if not loose(asked, brief) or not any(name.endswith("_" + singular(asked.noun)) for name in item.what):
+    names = [name for name in item.what if may_mean(asked, name, brief)]
+    if not loose(asked, brief) or not any(name.endswith("_" + singular(asked.noun)) for name in names):
         return False
-    return bool(kin(asked.category) & set(item.what)) or not _sat_at(asked, brief)
+    return bool(kin(asked.category) & set(names)) or not _sat_at(asked, brief)
+
+
+def may_mean(asked: Entity, category: str, brief: SceneGraph) -> bool:
+    """Whether a general word may mean a category: no table is a pool table, and a chair at a desk is no armchair."""
+    if category in other_meanings(asked.noun):
+        return False
+    if category == asked.category or "chair_group" not in groups_of(asked.category):
+        return True
+    related = {name for r in brief.relations if asked.id in (r.subject, *r.targets) for name in (r.subject, *r.targets)}
+    at_table = any(e.id in related and has_role(e.category, "seated_at") for e in brief.entities)
+    return not at_table or has_role(category, "upright_seat")
 
 
 def _sat_at(asked: Entity, brief: SceneGraph) -> bool:
@@ -385,7 +404,8 @@ def _asked_demand(asked: Entity, item: Item | None, area: float, people: int, dr
     names = (asked.category,)
     if item is not None and asked.category not in item.what and loose(asked, brief):
         words = " ".join(a.words for a in asked.attributes)
-        names = tuple(narrower(name, words) for name in item.what)
+        meant = [name for name in item.what if may_mean(asked, name, brief)] or [asked.category]
+        names = tuple(narrower(name, words) for name in meant)
     small = small_kind(asked.category)
     if count >= PLENTY and small is not None and least_of(asked, brief):  # many plants are not all tubs on the floor
         return Demand(item, (asked.category, small), count, 0, asked, count, mixed=True)

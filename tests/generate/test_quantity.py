@@ -60,3 +60,16 @@ def test_a_huge_lamp_hangs_no_lower_than_others() -> None:
     lamp, table = (next(o for o in scene.objects if o.intent.program_item == name) for name in ("pendant", "table"))
     assert scene.room.height - lamp.size[2] > table.size[2] + 0.5
     assert lamp.size[1] > 0.6
+
+
+def test_a_general_word_takes_no_other_thing_of_that_name() -> None:
+    scene = drafted("a game room with a small table", room_type("game_room"))
+    assert {o.category for o in scene.objects if o.intent.request == "dining_table"} & {"pool_table"} == set()
+    chairs = drafted("a bedroom with a desk and two chairs at the desk", room_type("bedroom")).objects
+    assert {o.category for o in chairs if o.intent.request == "chair"} <= {"chair", "office_chair", "dining_chair"}
+
+
+def test_in_a_small_bathroom_the_shower_that_is_asked_for_is_the_only_bath() -> None:
+    tubs = {"bathtub", "freestanding_bathtub"}
+    small = drafted("a small bathroom with a shower", room_type("bathroom"))
+    assert "shower" in {o.category for o in small.objects} and not tubs & {o.category for o in small.objects}
