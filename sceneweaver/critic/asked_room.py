@@ -7,13 +7,14 @@ from collections.abc import Iterable, Iterator
 
 from sceneweaver.assets.materials import color_named
 from sceneweaver.geometry.angles import cross
-from sceneweaver.rules.faults import fault_kind
+from sceneweaver.rules.faults import fault_kind, number
 from sceneweaver.scene import InputError
 from sceneweaver.verify.measure import Measurement
 
-from . import kinds
+from . import asked_openings, kinds
+from .model import USE
 from .survey import Survey
-from .verdict import Asked, counted, met, not_understood, unmet
+from .verdict import Asked, counted, met, not_understood, partly, unmet
 
 BEGIN = "start again with a room as asked"
 
@@ -53,7 +54,9 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
             number = counted(f"{name}s", len(have), asked, asked)
             reason = f"{len(have)} {name}s, {asked} were asked for"
             yield _fact(f"{name}s", number.ok(), reason, number, f"wrong_{name}s")
+    yield from asked_openings.outcomes(survey)
     yield from _style(survey)
+    yield from _use(survey)
     for k, unread in enumerate(brief.unread):
         yield not_understood("unread", f"unread-{k}", (), f"'{unread.words}' was not understood")
 
@@ -73,6 +76,19 @@ def _fact(
     if holds:
         return met("room", f"room.{name}", ids, f"{name.replace('_', ' ')} as asked", m)
     return unmet("room", f"room.{name}", ids, reason, m, fault=fault, points=points, suggestion=suggestion, share=share)
+
+
+def _use(survey: Survey) -> Iterator[Asked]:
+    """That one can get at what stands in the room, which every request means."""
+    share = survey.report.reachable_share
+    if share is None or not any(b.item.mount == "floor" for b in survey.bodies):
+        return
+    m = Measurement("share within reach", share, number("within_reach"), 1.0)
+    if m.ok(1e-9):
+        yield met("room", USE, (), "all that stands on the floor can be reached from the door", m)
+    else:
+        reason = f"{1.0 - share:.0%} of what stands on the floor cannot be reached from the door"
+        yield partly("room", USE, (), reason, m)
 
 
 def _asked_area(survey: Survey) -> float | None:

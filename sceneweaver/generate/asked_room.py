@@ -17,7 +17,7 @@ from sceneweaver.knowledge.model import PLACES
 from sceneweaver.knowledge.room_files import LONGEST
 from sceneweaver.language import SceneGraph
 
-from .free_floor import kept_free, people_of
+from .free_floor import people_of
 from .program import roles_of
 
 NAMELESS = "room"
@@ -92,7 +92,7 @@ def floor_needed(brief: SceneGraph) -> float:
             area += AROUND
             continue
         area += count * max(depth * width / SHARE, depth * width + AROUND)
-    return round(min(max(area + kept_free(brief) + EACH * (people_of(brief) or 0), SMALLEST), LARGEST), 1)
+    return round(min(max(area + EACH * (people_of(brief) or 0), SMALLEST), LARGEST), 1)
 
 
 def _name(words: str) -> str:

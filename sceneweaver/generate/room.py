@@ -18,7 +18,7 @@ from sceneweaver.scene.palette import MOST_COLORS
 from .draft import walls_of
 from .finish import finished
 from .fit import POOR, fitted
-from .free_floor import kept_free, people_of
+from .free_floor import agreeing, free_areas_of, kept_free, people_of
 from .hanging import hung_between, lamp_count
 from .program import BY_RANK, Limits, Program, Wanted, build, demands, free_zones
 from .relations import of_brief, of_items, rows_of
@@ -123,7 +123,9 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
     for attempt in range(1, GROWTHS + 1):
         _furnished(setup, made, palette)
         # Where a grid or a line fits no shell of this size, or all is crowded, only more floor helps.
-        crowded = made.program.footprint > FILL["full"] * room.fill * max(0.0, floor.area - kept_free(brief))
+        crowded = made.program.footprint > FILL["full"] * room.fill * max(
+            floor.area - kept_free(brief), 0.5 * floor.area
+        )
         crowded = crowded or made.program.wall > WALLED * walls_of(made.space)
         astray = not made.variants and in_rows(_free_of_rows(made.program.wanted, made.rows))
         if given or not (crowded or astray) or attempt == GROWTHS or floor.area >= most or hurried():
@@ -141,7 +143,7 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
         notes += [_left_out(reason, standing) for reason in reasons[:8]]
     return Proposal(
         scene=scene,
-        variants=tuple(made.variants),
+        variants=tuple(agreeing(variant, scene.free_areas) for variant in made.variants),
         rooms=tuple(finished(r, room, look, seed, brief.text, brief.colors) for r in rooms[:ROOMS]),
         larger=tuple(finished(r, room, look, seed, brief.text, brief.colors) for r in larger),
         fresh=True,
@@ -261,6 +263,11 @@ def _scene(setup: Setup, space: Room, made: _Attempt, palette: Palette, people: 
         for one in line[1:]:  # its place is in the line; the first of it says where the line is
             placed[one.id] = placed.get(one.id, frozenset()) | LED
     relations = _consistent(asked, [*of_items(program.wanted, space, placed), *_at_walls(program.wanted, rows)])
+    made_of: dict[str, list[str]] = {}
+    for one in program.wanted:
+        made_of.setdefault(one.asked or "", []).append(one.id)
+    areas = free_areas_of(brief, made_of, space)
+    relations = agreeing(relations, areas)
     relations = _widened(relations, levels := stacked(program.wanted, relations))
     tall = {w.id: w.asset.size[2] for w in program.wanted}
     over = {r.subject: tall[r.target] for r in relations if r.type == "above" and r.target in tall}
@@ -276,6 +283,7 @@ def _scene(setup: Setup, space: Room, made: _Attempt, palette: Palette, people: 
             for w in program.wanted
         ),
         relations=tuple(relations),
+        free_areas=areas,
         palette=palette,
         provenance={
             "tool": "init_prior",
@@ -298,7 +306,7 @@ def _program(setup: Setup, space: Room, area: float, people: int, palette: Palet
     pane = (first.width, first.height, first.sill + first.height) if first is not None else None
     fill = FILL[brief.density] * room.fill
     walls = walls_of(space)
-    limits = Limits(area, fill, walls, WALLED * walls)
+    limits = Limits(max(area - kept_free(brief), 0.5 * area), fill, walls, WALLED * walls)
     return build(wishes, room, setup.library, limits, setup.seed, palette, pane, space.height)
 
 

@@ -8,6 +8,7 @@ from typing import Any
 
 from sceneweaver.assets.taxonomy import category_named, narrower
 
+from .coverage import silent_words
 from .meaning import unsaid
 from .model import Amount, Attribute, Entity, Exclusion, SceneGraph, StatedRelation, Unread
 from .mutual import split_mutual
@@ -75,7 +76,8 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         ),
     )
     notes += [f"'{said.words}' cannot be said as a relation" for said in unsaid(graph) if not said.implied]
-    return graph.model_copy(update={"notes": tuple(dict.fromkeys(notes))})
+    left = sorted((*graph.unread, *silent_words(graph)), key=lambda one: one.span.start if one.span else len(text))
+    return graph.model_copy(update={"notes": tuple(dict.fromkeys(notes)), "unread": tuple(left)})
 
 
 def _without_contradictions(parsed: Parsed) -> list[Mention]:
@@ -195,7 +197,7 @@ def _entity(mention: Mention, notes: list[str]) -> Entity:
         seen.setdefault((attribute.kind, attribute.words), attribute)
     given: dict[str, Any] = {name: getattr(mention, name) for name in Entity.model_fields}
     given["attributes"] = [a.model_copy(update={"id": f"{mention.id}/{k}"}) for k, a in enumerate(seen.values())]
-    given |= {"count": count, "words": tuple(dict.fromkeys(mention.words))}
+    given |= {"count": count, "words": tuple(dict.fromkeys(mention.words)), "unnamed": tuple(mention.unnamed)}
     return Entity(**given)
 
 

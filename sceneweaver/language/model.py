@@ -95,6 +95,9 @@ class Entity(FrozenModel):
     )
     scale: float = Field(default=1.0, description="1.2 for large, 0.8 for small, relative to the usual size")
     words: tuple[str, ...] = Field(default=(), description="Other words about it, for choosing an asset")
+    unnamed: tuple[str, ...] = Field(
+        default=(), description="Words of its name that its category does not tell: 'jury' of a 'jury box'"
+    )
     attributes: tuple[Attribute, ...] = Field(default=(), description="All that was said of what it is like, in order")
     implied: bool = Field(default=False, description="Whether only a part of the room ('dining area') called for it")
     span: Span | None = None
@@ -145,7 +148,10 @@ class StatedOpening(FrozenModel):
     at: Literal["middle", "left", "right", "corner", "along", "any"] = Field(
         default="any", description="'along' runs over the length of the wall; left and right as seen from the room"
     )
-    opposite: str = Field(default="", description="Another opening, by id, in whose opposite wall it is")
+    wall_length: float | None = Field(default=None, description="Length [m] by which its wall was told")
+    opposite: str = Field(
+        default="", description="Another opening, by id, in whose opposite wall it is; 'door' is the first door"
+    )
     width: float | None = Field(default=None, description="[m]")
     height: float | None = Field(default=None, description="[m]")
     sill: float | None = Field(default=None, description="[m]")
@@ -167,7 +173,9 @@ class FreeArea(FrozenModel):
     size: tuple[float, float] = Field(description="Sides, or diameter twice, or least width twice [m]")
     most: float | None = Field(default=None, description="Largest width [m], where one was given")
     targets: tuple[str, ...] = Field(default=(), description="Ids of entities, or `PLACES`")
-    side: Literal["front", "back", "left", "right", "around", "any"] = "any"
+    side: Literal["front", "back", "left", "right", "sides", "long", "around", "any"] = Field(
+        default="any", description="Of its first target; 'sides' are left and right, 'long' both that are long"
+    )
     words: str = ""
     span: Span | None = None
 

@@ -26,6 +26,7 @@ class Mention:
     size: list[float | None] = field(default_factory=lambda: [None, None, None])
     scale: float = 1.0
     words: list[str] = field(default_factory=list)
+    unnamed: list[str] = field(default_factory=list)
     attributes: list[Attribute] = field(default_factory=list)
     plural: bool = False
     implied: bool = False
@@ -60,6 +61,7 @@ class Mention:
     def copied(self, **changed: Any) -> Self:
         """Another mention of which the same is said, but for what is ``changed``."""
         own = {"attributes": list(self.attributes), "words": list(self.words), "size": list(self.size)}
+        own["unnamed"] = list(self.unnamed)
         return replace(self, **own | changed)
 
 
