@@ -143,7 +143,7 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
         notes += [_left_out(reason, standing) for reason in reasons[:8]]
     return Proposal(
         scene=scene,
-        variants=tuple(agreeing(variant, scene.free_areas) for variant in made.variants),
+        variants=tuple(tuple(agreeing(variant, scene.free_areas)) for variant in made.variants),
         rooms=tuple(finished(r, room, look, seed, brief.text, brief.colors) for r in rooms[:ROOMS]),
         larger=tuple(finished(r, room, look, seed, brief.text, brief.colors) for r in larger),
         fresh=True,
