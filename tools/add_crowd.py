@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from sceneweaver.assets import categories, resolve
-from sceneweaver.generate.program import decided_kinds
+from sceneweaver.generate.meant import decided_kinds
 from sceneweaver.generate.surface_bodies import Shelf
 from sceneweaver.generate.surface_choice import is_filled, leaves_top, theme_of, theme_on_top, theme_without
 from sceneweaver.generate.surface_rows import filled

@@ -9,7 +9,7 @@ from typing import Any
 
 from sceneweaver.assets import resolve
 from sceneweaver.assets.taxonomy import category_named
-from sceneweaver.generate.program import decided_kinds
+from sceneweaver.generate.meant import decided_kinds
 from sceneweaver.generate.surface_bodies import Shelf
 from sceneweaver.generate.surface_choice import arrangement_without, is_bare, is_dressed, plan_of
 from sceneweaver.generate.surface_scene import Surroundings

@@ -9,7 +9,7 @@ from typing import Any, Protocol, runtime_checkable
 
 from sceneweaver.assets import Library, resolve
 from sceneweaver.critic import Fault, Review
-from sceneweaver.generate.program import decided_kinds
+from sceneweaver.generate.meant import decided_kinds
 from sceneweaver.generate.quantity import is_plain
 from sceneweaver.knowledge import RoomType
 from sceneweaver.language import SceneGraph

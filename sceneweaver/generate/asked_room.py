@@ -18,7 +18,7 @@ from sceneweaver.knowledge.room_files import LONGEST
 from sceneweaver.language import SceneGraph
 
 from .free_floor import people_of
-from .program import roles_of
+from .meant import roles_of
 
 NAMELESS = "room"
 """Name of a room of which the request gives no kind."""

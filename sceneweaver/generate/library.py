@@ -16,8 +16,8 @@ from sceneweaver.scene.edits import Remove, Rename, apply, apply_all
 from .carry import move
 from .draft import Draft, groups_of
 from .exchange import exchanged
+from .meant import matches
 from .objects import added
-from .program import matches
 from .relations import in_room
 from .setup import Setup
 

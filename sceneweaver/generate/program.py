@@ -8,37 +8,19 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from sceneweaver.assets import Asset, Library, Look, Wish, categories, drawable
-from sceneweaver.assets.plurals import singular
 from sceneweaver.assets.roles import has_role, with_role
-from sceneweaver.assets.taxonomy import category_named, members, narrower
+from sceneweaver.assets.taxonomy import category_named, narrower
 from sceneweaver.assets.zones import cleared, hung_at
 from sceneweaver.knowledge import Item, Place, RoomType
-from sceneweaver.knowledge.kin import excluded_kinds, kin
+from sceneweaver.knowledge.kin import excluded_kinds, serves
 from sceneweaver.knowledge.usual_places import usual_places_of
 from sceneweaver.language import Entity, SceneGraph, Thing
 from sceneweaver.scene import PRIORITIES, InputError, Palette, SceneObject, Zone
 
 from .draft import CRAMMED, groups_of
 from .hanging import OVER, before_window, hanging_height, is_lit_table
+from .meant import decided_kinds, is_plural, loose, matches, may_mean, roles_of, sat_elsewhere
 from .quantity import is_plain, is_plain_item, least_of, small_kind
-from .written import roles_written
-
-GENERAL = (
-    "table",
-    "chair",
-    "bed",
-    "desk",
-    "lamp",
-    "shelf",
-    "cabinet",
-    "sink",
-    "light",
-    "seat",
-    "plant",
-    "rack",
-    "sofa",
-)
-"""Words of a request that leave the kind to the room."""
 
 MANY = (5, 10)
 """Things that a request names from which on nothing optional, and nothing usual, is added."""
@@ -48,6 +30,9 @@ PLENTY = 5
 
 SMALL, SPARE = 0.3, 0.05
 """What takes at most this floor [m2] may take this share of the floor beyond what furniture fills."""
+
+CRAMPED = 0.75
+"""Share of the usual floor of a kind of room below which nothing is added for which something asked for serves."""
 
 RUN = 0.6
 """Share of the floor under the units of a run that counts as taken: no ways lead around and between them."""
@@ -188,12 +173,13 @@ def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, wi
     shares = _shares(room_type, brief, area, people, roles)
     holders = {i.with_ for i in room_type.items if any(i.id in items for items in roles.values())}
     skipped, spare = set[str](), set[str]()
+    cramped = not room_type.for_request and (brief.scale < 1.0 or area < CRAMPED * room_type.area[1])
     found: list[Demand] = []
     for item in room_type.items:
         draw, pick, keep = rng.random(), rng.random(), rng.random()
         meant = [a for a in asked.values() if item.id in roles[a.id]]
         own: Item | None = item
-        if meant and _sat_elsewhere(item, room_type, brief):
+        if meant and sat_elsewhere(item, room_type, brief):
             spare.add(item.with_ or "")
             own = None
         if meant:
@@ -210,6 +196,8 @@ def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, wi
                         del asked[one.id]
             continue
         names = tuple(c for c in item.what if c not in banned)
+        if names and cramped and any(serves(a.category, names) for a in brief.entities):
+            continue  # in a small bathroom a shower that is asked for takes the place of the tub
         if not names and item.with_:
             skipped.add(item.with_)
         if _hangs_at_windows(item) and _something_at_windows(room_type, brief):
@@ -231,17 +219,6 @@ def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, wi
     return found
 
 
-def named_kinds(brief: SceneGraph) -> frozenset[str]:
-    """The categories of all kinds that a request names: of these there is what it asks for, and no more."""
-    return frozenset(c for one in brief.entities for c in kin(one.category, one.noun))
-
-
-def decided_kinds(brief: SceneGraph, room_type: RoomType) -> frozenset[str]:
-    """The categories of which nothing is added of our own: those that a request names, those that it excludes, and
-    those that do not belong in such a room."""
-    return named_kinds(brief) | excluded_kinds((*brief.without, *room_type.never))
-
-
 def _usual_enough(item: Item, brief: SceneGraph, keep: float) -> bool:
     """Whether something that nobody asked for is added; the more a request says, the less."""
     if is_plain(brief):
@@ -250,36 +227,6 @@ def _usual_enough(item: Item, brief: SceneGraph, keep: float) -> bool:
         return True
     said = len(brief.entities)
     return said < MANY[0] and keep >= 0.3 if item.need == "optional" else said < MANY[1]
-
-
-def roles_of(room_type: RoomType, brief: SceneGraph) -> dict[str, tuple[str, ...]]:
-    """For each thing asked for the items of the room that it stands for: of its category, of a general word, or, where
-    there is none of these and nothing else has it, of its kind: a daybed takes the place of the bed."""
-    if room_type.for_request:
-        return roles_written(room_type, {one.id: _alike(one, room_type, brief) for one in brief.entities}, brief)
-    found = {one.id: tuple(item.id for item in room_type.items if meant_by(one, item, brief)) for one in brief.entities}
-    taken = {name for items in found.values() for name in items}
-    for one in brief.entities:
-        own = kin(one.category)
-        needed = [i.id for i in room_type.items if i.need == "needed" and i.id not in taken and set(i.what) <= own]
-        if needed:
-            found[one.id] = (needed[0],)
-            taken.add(needed[0])
-        if found[one.id]:
-            continue
-        free = [item.id for item in room_type.items if item.id not in taken and own & set(item.what)]
-        if free:
-            found[one.id] = (free[0],)
-            taken.add(free[0])
-    return found
-
-
-def _alike(one: Entity, room_type: RoomType, brief: SceneGraph) -> list[Item]:
-    """The items that a thing asked for may stand for: those of its category or of a general word, then those of its
-    kind."""
-    own = kin(one.category)
-    alike = [item for item in room_type.items if meant_by(one, item, brief)]
-    return [*alike, *(item for item in room_type.items if item not in alike and own & set(item.what))]
 
 
 def _shares(
@@ -303,57 +250,6 @@ def _shares(
             share[item.id] = left if item is items[-1] else min(left, usual)
             left -= share[item.id]
     return found
-
-
-def matches(category: str, item: Item) -> bool:
-    """Whether a category is what an item of the room stands for."""
-    return category in item.what or any(category in members(name) for name in item.what)
-
-
-def meant_by(asked: Entity, item: Item, brief: SceneGraph) -> bool:
-    """Whether something asked for is what an item of the room stands for; a "table" is a conference table, too."""
-    if matches(asked.category, item):
-        return True
-    if not loose(asked, brief) or not any(name.endswith("_" + singular(asked.noun)) for name in item.what):
-        return False
-    return bool(kin(asked.category) & set(item.what)) or not _sat_at(asked, brief)
-
-
-def _sat_at(asked: Entity, brief: SceneGraph) -> bool:
-    """Whether chairs are said to be at something: then "table" means one to sit at."""
-    seats = {e.id for e in brief.entities if "chair_group" in groups_of(e.category) or e.category in ("stool", "bench")}
-    return any(r.subject in seats and asked.id in r.targets for r in brief.relations)
-
-
-def _sat_elsewhere(seat: Item, room_type: RoomType, brief: SceneGraph) -> bool:
-    """Whether the seats of a table or desk of the room stand at another one that the request names."""
-    if seat.with_ is None or not any("seating" in groups_of(name) for name in seat.what):
-        return False
-    host = room_type.item(seat.with_)
-    named = {e.id: e for e in brief.entities if matches(e.category, seat) or kin(e.category) & set(seat.what)}
-    at = {t for r in brief.relations if r.subject in named for t in r.targets}
-    tables = [e for e in brief.entities if e.id in at and has_role(e.category, "seated_at")]
-    return bool(tables) and not any(matches(e.category, host) for e in tables)
-
-
-def loose(asked: Entity, brief: SceneGraph) -> bool:
-    """Whether a request used a general word ("chair"), which each kind of room has its own kind of.
-
-    What it puts on something is small: a lamp on a sideboard is no floor lamp. Shelves on the wall do not
-    stand before it.
-    """
-    carried = any(r.subject == asked.id and r.type in ("on", "inside") and r.targets for r in brief.relations)
-    if carried and "surface" in category_named(asked.category).mount:
-        return False
-    if "wall" in category_named(asked.category).mount and _hangs(asked, brief):
-        return False
-    return singular(asked.noun) in GENERAL and not asked.style and not any(asked.size)
-
-
-def _hangs(asked: Entity, brief: SceneGraph) -> bool:
-    """Whether a request says of something that it hangs: on a wall, or over another thing."""
-    said = [r for r in brief.relations if r.subject == asked.id and r.targets]
-    return any(r.type == "above" or (r.type in ("on", "hanging_from") and "wall" in r.targets[0]) for r in said)
 
 
 def _hangs_at_windows(item: Item) -> bool:
@@ -380,22 +276,17 @@ def _asked_demand(asked: Entity, item: Item | None, area: float, people: int, dr
         usual = item.count.of(area, people, draw) if item else low
         count = max(low, min(high, usual))
     else:
-        count = item.count.of(area, people, draw) if item and _is_plural(asked) else 1
+        count = item.count.of(area, people, draw) if item and is_plural(asked) else 1
     count = max(count, least_of(asked, brief))
     names = (asked.category,)
     if item is not None and asked.category not in item.what and loose(asked, brief):
         words = " ".join(a.words for a in asked.attributes)
-        names = tuple(narrower(name, words) for name in item.what)
+        meant = [name for name in item.what if may_mean(asked, name, brief)] or [asked.category]
+        names = tuple(narrower(name, words) for name in meant)
     small = small_kind(asked.category)
     if count >= PLENTY and small is not None and least_of(asked, brief):  # many plants are not all tubs on the floor
         return Demand(item, (asked.category, small), count, 0, asked, count, mixed=True)
     return Demand(item, names, count, 0, asked, count)
-
-
-def _is_plural(asked: Entity) -> bool:
-    """Whether something is named in the plural: a "shoes rack" is one."""
-    last = asked.noun.lower().split()[-1:]
-    return any(singular(word) != word for word in last)
 
 
 @dataclass(frozen=True)
@@ -448,7 +339,7 @@ def build(
         # A count that the request gives is that of all together, one of the room's file is for each parent; one thing
         # that is named is not there for each of what the room has by itself.
         ours = item is not None and all(parent is not None and parent.asked is None for parent in parents)
-        total = demand.asked is not None and (demand.asked.count is not None or (ours and not _is_plural(demand.asked)))
+        total = demand.asked is not None and (demand.asked.count is not None or (ours and not is_plural(demand.asked)))
         pieces = demand.count if total else demand.count * len(parents)
         if not pieces:
             continue

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 import random
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from sceneweaver.assets.materials import finish
@@ -17,7 +18,7 @@ from sceneweaver.scene.palette import MOST_COLORS
 from .draft import walls_of
 from .finish import finished
 from .fit import POOR, fitted
-from .free_floor import agreeing, free_areas_of, kept_free
+from .free_floor import agreeing, free_areas_of, kept_free, people_of
 from .hanging import hung_between, lamp_count
 from .program import BY_RANK, Limits, Program, Wanted, build, demands, free_zones
 from .relations import of_brief, of_items, rows_of
@@ -61,6 +62,9 @@ LED = CATALOGUE.with_role("placing") | {"at_window", "near_door"}
 LEAN, LEAST = 0.62, 0.75
 """Share of what a kind of room usually has under furniture below which a floor that nobody fixed shrinks to what it
 holds, and the least share of the floor that is left."""
+
+LEVEL, MIDDLED = 0.2, 0.25
+"""Height [m] between things that hang one over another, and how far off the middle, in widths of what they are over."""
 
 GROWTH, GROWTHS = 1.12, 10
 """Factor by which a floor that nobody fixed grows when what is needed does not fit, and how often."""
@@ -106,7 +110,7 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
     room, brief, seed = setup.room_type, setup.brief, setup.seed
     area, people, given, notes = floor_area(room, brief, seed)
     most = LARGEST * room.area[2]
-    shrinks = not given and brief.people is None and brief.scale == 1.0
+    shrinks = not given and people_of(brief) is None and brief.scale == 1.0
     floor = _Floor(area if given else min(area * roomier, most), people, given, shrinks)
     style = brief.style or style or random.Random(seed ^ 0x57).choice(room.styles)
     look = palette_for(room.name, style, brief.colors, seed)
@@ -162,7 +166,7 @@ def _shelled(setup: Setup, floor: _Floor, palette: Palette, roomier: float, hurr
         space, remarks = shell(room, brief, floor.area, setup.seed, drawn)
         program = _program(setup, space, floor.area, floor.people, palette)
         # Nobody asked for this size: a floor that would stay empty shrinks, once, to what it holds.
-        needed = roomier * program.footprint / (LEAN * room.fill)
+        needed = roomier * program.footprint / (LEAN * room.fill) + kept_free(brief)
         if floor.shrinks and needed < floor.area:
             floor.area, floor.shrinks = max(needed, LEAST * floor.area, 0.8 * room.area[0]), False
             continue
@@ -264,14 +268,20 @@ def _scene(setup: Setup, space: Room, made: _Attempt, palette: Palette, people: 
         made_of.setdefault(one.asked or "", []).append(one.id)
     areas = free_areas_of(brief, made_of, space)
     relations = agreeing(relations, areas)
+    relations = _widened(relations, levels := stacked(program.wanted, relations))
     tall = {w.id: w.asset.size[2] for w in program.wanted}
     over = {r.subject: tall[r.target] for r in relations if r.type == "above" and r.target in tall}
     before = {r.subject for r in relations if r.type == "at_window"}
+    lintels = _over_doors(brief, program.wanted, space)
+    over, before = over | lintels, before | set(lintels)
     scene = Scene(
         id=room.name,
         prompt=brief.text,
         room=space,
-        objects=tuple(_object(w, space, over.get(w.id, 0.0), w.id not in before, places) for w in program.wanted),
+        objects=tuple(
+            _raised(_object(w, space, over.get(w.id, 0.0), w.id not in before, places), levels.get(w.id, 0), space)
+            for w in program.wanted
+        ),
         relations=tuple(relations),
         free_areas=areas,
         palette=palette,
@@ -315,6 +325,51 @@ def _object(one: Wanted, space: Room, over: float, clear: bool, places: Places) 
     zones = free_zones(one.item, obj)
     top = (places.tops[one.id],) if one.id in places.tops and not obj.surfaces else obj.surfaces
     return obj.model_copy(update={"intent": intent, "surfaces": top, "zones": zones})
+
+
+def _over_doors(brief: SceneGraph, wanted: Sequence[Wanted], space: Room) -> dict[str, float]:
+    """By id the height [m] of the doors over which things on walls are said to hang."""
+    named = {said.subject for said in brief.relations if said.type == "above" and said.targets[:1] == ("door",)}
+    top = max((door.height for door in space.doors), default=0.0)
+    return {one.id: top for one in wanted if one.asked in named and one.mount == "wall" and top}
+
+
+def stacked(wanted: Sequence[Wanted], relations: Sequence[Relation]) -> dict[str, int]:
+    """By id the level, from 0, of things that were asked for over one thing which is too narrow for them side by side:
+    shelves on the wall over a counter."""
+    width = {one.id: one.asset.size[1] for one in wanted}
+    hung = {one.id for one in wanted if one.mount == "wall"}
+    over: dict[str, list[str]] = {}
+    for r in relations:
+        if r.type == "above" and r.asked and r.hard and r.subject in hung and isinstance(r.target, str):
+            over.setdefault(r.target, []).append(r.subject)
+    narrow = {t: ids for t, ids in over.items() if sum(width[i] for i in ids) > width.get(t, math.inf)}
+    return {name: k for ids in narrow.values() if len(ids) > 1 for k, name in enumerate(ids)}
+
+
+def _widened(relations: Sequence[Relation], levels: Mapping[str, int]) -> list[Relation]:
+    """Relations of things that hang one over another, each over the middle of what they are over."""
+    return [
+        r.model_copy(update={"params": {**r.params, "lateral": max(MIDDLED, float(r.params.get("lateral") or 0.0))}})
+        if r.type == "above" and r.subject in levels
+        else r
+        for r in relations
+    ]
+
+
+def _raised(obj: SceneObject, level: int, space: Room) -> SceneObject:
+    """A thing on a wall so many levels above where it usually hangs, as far as the ceiling allows it."""
+    heights = obj.intent.mounting_height
+    if not level or heights is None:
+        return obj
+    up = level * (obj.size[2] + LEVEL)
+    top = space.height - obj.size[2] - 0.02
+    low, high = (min(height + up, top) for height in heights)
+    x, y, _ = obj.pose.position
+    pose = obj.pose.model_copy(update={"position": (x, y, (low + high) / 2)})
+    return obj.model_copy(
+        update={"pose": pose, "intent": obj.intent.model_copy(update={"mounting_height": (low, high)})}
+    )
 
 
 def _hang(one: Wanted, space: Room, over: float) -> tuple[float, float]:

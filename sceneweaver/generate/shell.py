@@ -9,7 +9,7 @@ from sceneweaver.knowledge import RoomType
 from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Room
 
-from .free_floor import kept_free
+from .free_floor import kept_free, people_of
 from .niches import with_niches
 from .openings import ENTRY, doors_of, windows_of
 from .outline import LARGEST, SMALLEST, Plan, asked_outline, drawn_shape, outline, sides_of, turned
@@ -31,16 +31,18 @@ FEW = 3
 def floor_area(room_type: RoomType, brief: SceneGraph, seed: int) -> tuple[float, int, bool, list[str]]:
     """Floor [m2], people, whether the request fixes the floor, and what was assumed."""
     rng, notes = random.Random(f"floor area {room_type.name} {seed}"), []
-    people = brief.people if brief.people is not None else room_type.people
+    told = people_of(brief)
+    people = told if told is not None else room_type.people
     if brief.size is not None:
         return brief.size[0] * brief.size[1], people, True, notes
     if brief.area is not None:
         return brief.area, people, True, notes
     area = room_type.area[1] * brief.scale * rng.uniform(0.92, 1.14)
-    if brief.people is not None and room_type.area_per_person:
+    if told is not None and room_type.area_per_person:
         area = max(area, room_type.area_per_person * people)
-    area += kept_free(brief)
-    return min(max(area, 0.8 * room_type.area[0]), max(room_type.area[2], 1.0)), people, False, notes
+    free = kept_free(brief)
+    area += free
+    return min(max(area, 0.8 * room_type.area[0]), max(room_type.area[2], 1.0) + free), people, False, notes
 
 
 def shell(

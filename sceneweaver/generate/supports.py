@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from sceneweaver.assets import Asset, Library
+from sceneweaver.assets import Asset, Library, categories
 from sceneweaver.assets.category import REACH
 from sceneweaver.assets.roles import has_role
 from sceneweaver.assets.taxonomy import category_named, likeliness
@@ -164,6 +164,8 @@ def _held(brief: SceneGraph, by_asked: dict[str, list[Wanted]]) -> None:
             place = said.targets[0].partition(":")[0] if said.targets else ""
             if "wall" in may and (place == "wall" or said.type == "above") and one.asset.mount != "ceiling":
                 one.held = "wall" if one.mount != "floor" or said.type in ("on", "hanging_from", "above") else one.held
+            elif place == "wall" and said.type in ("on", "hanging_from") and one.category not in categories():
+                one.held = "wall"  # of what is not known it is known that it hangs
             elif "ceiling" in may and place == "ceiling":
                 one.held = "ceiling"
             elif one.mount == "surface" and (place == "floor" or said.type == "around" and _on_floor(said, by_asked)):
@@ -233,6 +235,8 @@ def _may_carry(target: Wanted, one: Wanted) -> bool:
     """Whether a thing may stand on another: what needs the floor does where it fits."""
     if "surface" in category_named(one.category).mount:
         return True
+    if "chair_group" in groups_of(one.category) and "chair_group" in groups_of(target.category):
+        return False  # "one on the other side" puts no chair on a chair
     (short, long), (depth, width) = (sorted(w.asset.size[:2]) for w in (one, target))
     small = long <= width and short <= REACH[1] * depth and one.asset.size[2] < 1.0
     at_table = one.thing.is_seat and target.thing.is_table

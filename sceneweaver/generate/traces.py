@@ -19,7 +19,7 @@ from sceneweaver.scene.edits import SetPose
 
 from .carry import move, world
 from .draft import groups_of
-from .program import decided_kinds
+from .meant import decided_kinds
 from .setup import Setup
 from .surface_bodies import Shelf
 from .surface_field import Field, Piece, Prism

@@ -8,7 +8,7 @@ from sceneweaver.knowledge.usual_places import usual_places_of
 from sceneweaver.scene import CATALOGUE, SceneObject
 
 from .draft import Draft, groups_of
-from .program import matches
+from .meant import matches
 
 SEAT_WIDTH = 0.62
 """Length [m] of table edge that one seat takes."""

@@ -18,7 +18,7 @@ from sceneweaver.scene import InputError, Intent, Pose, Relation, SceneObject, W
 from sceneweaver.scene.edits import Add, AnyEdit, Relate
 
 from .draft import Draft
-from .program import decided_kinds
+from .meant import decided_kinds
 from .setup import Setup
 from .wall_plan import CLOSE, TALL, Outlines, Rectangle, Span, extent, free_runs, obstacles
 

@@ -29,7 +29,12 @@ def families() -> tuple[Mapping[str, frozenset[str]], Mapping[str, tuple[str, ..
 def _file() -> Mapping[str, Any]:
     data = data_of("kin.yaml")
     lists = [*data["families"].values(), *data["only_for"].values(), *data["places"].values()]
-    lists += [*data["stand_ins"], *data["interchangeable"], *data["anywhere"].values()]
+    lists += [
+        *data["stand_ins"],
+        *data["interchangeable"],
+        *data["anywhere"].values(),
+        *data["other_meanings"].values(),
+    ]
     check_known("kin.yaml", (c for names in lists for c in names), categories())
     check_known("kin.yaml", data["only_for"], data["families"], "family")
     return data
@@ -71,6 +76,11 @@ def may_stand_in(category: str) -> frozenset[str]:
 def interchangeable(category: str) -> frozenset[str]:
     """The categories that are one more of what a person names by this one, itself included."""
     return frozenset((category,)).union(*(names for names in _file()["interchangeable"] if category in names))
+
+
+def other_meanings(noun: str) -> frozenset[str]:
+    """The categories that a general word is part of the name of, and that nobody means by the word alone."""
+    return frozenset(_file()["other_meanings"].get(singular(noun.lower()), ()))
 
 
 @lru_cache(maxsize=4096)

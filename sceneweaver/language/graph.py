@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -9,7 +10,7 @@ from sceneweaver.assets.taxonomy import category_named, narrower
 
 from .coverage import silent_words
 from .meaning import unsaid
-from .model import Attribute, Entity, Exclusion, SceneGraph, StatedRelation, Unread
+from .model import Amount, Attribute, Entity, Exclusion, SceneGraph, StatedRelation, Unread
 from .mutual import split_mutual
 from .parsed import Left, Mention, Parsed, Said
 from .source import Source
@@ -18,6 +19,9 @@ from .vocabulary import words
 
 MOST = 400
 """Most things of a request that are taken seriously, of one kind and together."""
+
+SEVERAL, PLURAL = 6, 6
+"""Things that there are at least of what is all over a room, and most of a bare plural."""
 
 _SAME = ("room_type", "room_words", "other_rooms", "shape", "people", "style", "only")
 """What a graph says of the room as it was parsed."""
@@ -41,6 +45,8 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     unread = {left.words: left for left in reversed(parsed.unread) if left.words.strip()}
     entities = tuple(_entity(m, notes) for m in mentions)
     named = {entity.id for entity in entities}
+    amounts = tuple(a for a in resolved(parsed.amounts, entities, "amount") if a.entity in named)
+    entities = tuple(_many(entity, amounts) for entity in entities)
     graph = SceneGraph(
         text=text,
         **{name: getattr(parsed, name) for name in _SAME},
@@ -58,7 +64,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         free_areas=resolved(parsed.free_areas, entities, "free_area"),
         capacities=resolved(parsed.capacities, entities, "capacity"),
         arrangements=resolved(parsed.arrangements, entities, "arrangement"),
-        amounts=tuple(a for a in resolved(parsed.amounts, entities, "amount") if a.entity in named),
+        amounts=amounts,
         relations=tuple(r.model_copy(update={"id": f"relation-{k}"}) for k, r in enumerate(relations)),
         exclusions=tuple(
             Exclusion(id=f"exclusion-{k}", words=words, categories=names, span=span)
@@ -198,6 +204,14 @@ def _entity(mention: Mention, notes: list[str]) -> Entity:
     given["attributes"] = [a.model_copy(update={"id": f"{mention.id}/{k}"}) for k, a in enumerate(seen.values())]
     given |= {"count": count, "words": tuple(dict.fromkeys(mention.words)), "unnamed": tuple(mention.unnamed)}
     return Entity(**given)
+
+
+def _many(entity: Entity, amounts: Sequence[Amount]) -> Entity:
+    """An entity of which there are many, with so many; a number that the request gives stays."""
+    told = [amount.least or SEVERAL for amount in amounts if amount.entity == entity.id]
+    low, high = entity.count or (1, 1)
+    given = entity.count is not None and (low == high or high > PLURAL)
+    return entity if not told or given else entity.model_copy(update={"count": (max(low, *told), MOST)})
 
 
 def _relations(said: Said, mentions: list[Mention], notes: list[str]) -> list[StatedRelation]:

@@ -177,7 +177,7 @@ COUNTS: list[tuple[str, dict[str, tuple[int, int] | None]]] = [
     ("a restaurant with 10 tables, 4 chairs at each table", {"dining_table": (10, 10), "chair": (40, 40)}),
     ("two sofas facing each other", {"sofa": (1, 1), "sofa-2": (1, 1)}),
     ("classroom with 24 desks in 4 rows, a teacher's desk", {"desk": (24, 24), "teacher_desk": (1, 1)}),
-    ("bookshelf full of books", {"bookcase": None, "book": (2, 6)}),
+    ("bookshelf full of books", {"bookcase": None, "book": (12, 400)}),
     ("a table and six chairs, two of them at the window", {"dining_table": (1, 1), "chair": (2, 2), "chair-2": (4, 4)}),
     ("no rug, put a plant in the corner", {"potted_plant": (1, 1)}),
 ]

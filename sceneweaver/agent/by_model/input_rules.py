@@ -9,7 +9,7 @@ from typing import Any
 
 from sceneweaver.assets import categories, resolve
 from sceneweaver.generate.draft import groups_of
-from sceneweaver.generate.program import named_kinds
+from sceneweaver.generate.meant import named_kinds
 from sceneweaver.io.messages import shorten, show, suggest
 from sceneweaver.language import SceneGraph
 from sceneweaver.scene import CATALOGUE, InputError, Relation, Scene

@@ -1,0 +1,141 @@
+"""What a request means by its words in a kind of room: which items things stand for, which kinds it has decided."""
+
+from __future__ import annotations
+
+from sceneweaver.assets.plurals import singular
+from sceneweaver.assets.roles import has_role
+from sceneweaver.assets.taxonomy import category_named, members
+from sceneweaver.knowledge import Item, RoomType
+from sceneweaver.knowledge.kin import excluded_kinds, kin, other_meanings
+from sceneweaver.language import Entity, SceneGraph
+
+from .draft import groups_of
+from .written import roles_written
+
+GENERAL = (
+    "table",
+    "chair",
+    "bed",
+    "desk",
+    "lamp",
+    "shelf",
+    "cabinet",
+    "sink",
+    "light",
+    "seat",
+    "plant",
+    "rack",
+    "sofa",
+)
+"""Words of a request that leave the kind to the room."""
+
+
+def named_kinds(brief: SceneGraph) -> frozenset[str]:
+    """The categories of all kinds that a request names: of these there is what it asks for, and no more."""
+    return frozenset(c for one in brief.entities for c in kin(one.category, one.noun))
+
+
+def decided_kinds(brief: SceneGraph, room_type: RoomType) -> frozenset[str]:
+    """The categories of which nothing is added of our own: those that a request names, those that it excludes, and
+    those that do not belong in such a room."""
+    return named_kinds(brief) | excluded_kinds((*brief.without, *room_type.never))
+
+
+def roles_of(room_type: RoomType, brief: SceneGraph) -> dict[str, tuple[str, ...]]:
+    """For each thing asked for the items of the room that it stands for: of its category, of a general word, or, where
+    there is none of these and nothing else has it, of its kind: a daybed takes the place of the bed."""
+    if room_type.for_request:
+        return roles_written(room_type, {one.id: _alike(one, room_type, brief) for one in brief.entities}, brief)
+    found = {one.id: tuple(item.id for item in room_type.items if meant_by(one, item, brief)) for one in brief.entities}
+    taken = {name for items in found.values() for name in items}
+    for one in brief.entities:
+        own = kin(one.category)
+        needed = [i.id for i in room_type.items if i.need == "needed" and i.id not in taken and set(i.what) <= own]
+        if needed:
+            found[one.id] = (needed[0],)
+            taken.add(needed[0])
+        if found[one.id]:
+            continue
+        own = frozenset(name for name in own if may_mean(one, name, brief))
+        free = [item.id for item in room_type.items if item.id not in taken and own & set(item.what)]
+        if free:
+            found[one.id] = (free[0],)
+            taken.add(free[0])
+    return found
+
+
+def _alike(one: Entity, room_type: RoomType, brief: SceneGraph) -> list[Item]:
+    """The items that a thing asked for may stand for: those of its category or of a general word, then those of its
+    kind."""
+    own = kin(one.category)
+    alike = [item for item in room_type.items if meant_by(one, item, brief)]
+    return [*alike, *(item for item in room_type.items if item not in alike and own & set(item.what))]
+
+
+def matches(category: str, item: Item) -> bool:
+    """Whether a category is what an item of the room stands for."""
+    return category in item.what or any(category in members(name) for name in item.what)
+
+
+def meant_by(asked: Entity, item: Item, brief: SceneGraph) -> bool:
+    """Whether something asked for is what an item of the room stands for; a "table" is a conference table, too."""
+    if matches(asked.category, item):
+        return True
+    names = [name for name in item.what if may_mean(asked, name, brief)]
+    if not loose(asked, brief) or not any(name.endswith("_" + singular(asked.noun)) for name in names):
+        return False
+    return bool(kin(asked.category) & set(names)) or not _sat_at(asked, brief)
+
+
+def may_mean(asked: Entity, category: str, brief: SceneGraph) -> bool:
+    """Whether a general word may mean a category: no table is a pool table, and a chair at a desk is no armchair."""
+    if category in other_meanings(asked.noun):
+        return False
+    if category == asked.category or "chair_group" not in groups_of(asked.category):
+        return True
+    related = {name for r in brief.relations if asked.id in (r.subject, *r.targets) for name in (r.subject, *r.targets)}
+    at_table = any(e.id in related and has_role(e.category, "seated_at") for e in brief.entities)
+    return not at_table or has_role(category, "upright_seat")
+
+
+def _sat_at(asked: Entity, brief: SceneGraph) -> bool:
+    """Whether chairs are said to be at something: then "table" means one to sit at."""
+    seats = {e.id for e in brief.entities if "chair_group" in groups_of(e.category) or e.category in ("stool", "bench")}
+    return any(r.subject in seats and asked.id in r.targets for r in brief.relations)
+
+
+def sat_elsewhere(seat: Item, room_type: RoomType, brief: SceneGraph) -> bool:
+    """Whether the seats of a table or desk of the room stand at another one that the request names."""
+    if seat.with_ is None or not any("seating" in groups_of(name) for name in seat.what):
+        return False
+    host = room_type.item(seat.with_)
+    named = {e.id: e for e in brief.entities if matches(e.category, seat) or kin(e.category) & set(seat.what)}
+    at = {t for r in brief.relations if r.subject in named for t in r.targets}
+    tables = [e for e in brief.entities if e.id in at and has_role(e.category, "seated_at")]
+    return bool(tables) and not any(matches(e.category, host) for e in tables)
+
+
+def loose(asked: Entity, brief: SceneGraph) -> bool:
+    """Whether a request used a general word ("chair"), which each kind of room has its own kind of.
+
+    What it puts on something is small: a lamp on a sideboard is no floor lamp. Shelves on the wall do not
+    stand before it.
+    """
+    carried = any(r.subject == asked.id and r.type in ("on", "inside") and r.targets for r in brief.relations)
+    if carried and "surface" in category_named(asked.category).mount:
+        return False
+    if "wall" in category_named(asked.category).mount and _hangs(asked, brief):
+        return False
+    return singular(asked.noun) in GENERAL and not asked.style and not any(asked.size)
+
+
+def _hangs(asked: Entity, brief: SceneGraph) -> bool:
+    """Whether a request says of something that it hangs: on a wall, or over another thing."""
+    said = [r for r in brief.relations if r.subject == asked.id and r.targets]
+    return any(r.type == "above" or (r.type in ("on", "hanging_from") and "wall" in r.targets[0]) for r in said)
+
+
+def is_plural(asked: Entity) -> bool:
+    """Whether something is named in the plural: a "shoes rack" is one."""
+    last = asked.noun.lower().split()[-1:]
+    return any(singular(word) != word for word in last)
