@@ -66,7 +66,8 @@ class Wanted:
 
     ``parent`` is the instance that it goes with, ``support`` the one that it stands on (``inside``: on a board in it;
     ``share``: where, as depth and side),
-    ``held`` what holds it where the request has it otherwise than usual, ``wish`` what its body was chosen by.
+    ``held`` what holds it where the request has it otherwise than usual, ``hung`` between which heights [m] its bottom
+    is then, ``wish`` what its body was chosen by.
     """
 
     item: Item | None
@@ -81,6 +82,7 @@ class Wanted:
     inside: bool = False
     share: tuple[float, float] | None = None
     held: str | None = None
+    hung: tuple[float, float] | None = None
     wish: Wish | None = None
 
     @property

@@ -12,13 +12,14 @@ from .model import Attribute, Entity, Exclusion, SceneGraph, StatedRelation, Unr
 from .mutual import split_mutual
 from .parsed import Left, Mention, Parsed, Said
 from .source import Source
+from .statements.counts import bounded_counts, peopled
 from .statements.resolve import resolved
 from .vocabulary import words
 
 MOST = 400
 """Most things of a request that are taken seriously, of one kind and together."""
 
-_SAME = ("room_type", "room_words", "other_rooms", "shape", "people", "style", "only")
+_SAME = ("room_type", "room_words", "other_rooms", "shape", "style", "only")
 """What a graph says of the room as it was parsed."""
 
 _SIDES = ("left_of", "right_of", "next_to", "in_front_of", "behind", "near", "flanking", "around")
@@ -39,6 +40,15 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     exclusions = {(words, names): span for words, names, span in reversed(parsed.without)}
     unread = {left.words: left for left in reversed(parsed.unread) if left.words.strip()}
     entities = tuple(_entity(m, notes) for m in mentions)
+    arrangements = resolved(parsed.arrangements, entities, "arrangement")
+    people = peopled(
+        bounded_counts(entities, parsed.bounds),
+        relations,
+        resolved(parsed.capacities, entities, "capacity"),
+        arrangements,
+        parsed.people,
+        parsed.room_type,
+    )
     graph = SceneGraph(
         text=text,
         **{name: getattr(parsed, name) for name in _SAME},
@@ -51,12 +61,13 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         windows=parsed.openings.get("window"),
         doors=parsed.openings.get("door"),
         density=parsed.density or "normal",  # type: ignore[arg-type]
-        entities=entities,
+        people=people.people,
+        entities=people.entities,
         openings=resolved(parsed.stated_openings, entities, "opening"),
         free_areas=resolved(parsed.free_areas, entities, "free_area"),
-        capacities=resolved(parsed.capacities, entities, "capacity"),
-        arrangements=resolved(parsed.arrangements, entities, "arrangement"),
-        relations=tuple(r.model_copy(update={"id": f"relation-{k}"}) for k, r in enumerate(relations)),
+        capacities=people.capacities,
+        arrangements=arrangements,
+        relations=tuple(r.model_copy(update={"id": f"relation-{k}"}) for k, r in enumerate(people.relations)),
         exclusions=tuple(
             Exclusion(id=f"exclusion-{k}", words=words, categories=names, span=span)
             for k, ((words, names), span) in enumerate(reversed(exclusions.items()))

@@ -109,6 +109,7 @@ class Parsed:
     free_areas: list[FreeArea] = field(default_factory=list)
     capacities: list[Capacity] = field(default_factory=list)
     arrangements: list[Arrangement] = field(default_factory=list)
+    bounds: list[tuple[tuple[str, ...], int, int]] = field(default_factory=list)
     room_type: str | None = None
     room_words: str = ""
     other_rooms: list[str] = field(default_factory=list)

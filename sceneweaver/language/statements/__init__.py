@@ -11,8 +11,15 @@ from collections.abc import Callable
 
 from ..parsed import Parsed
 from ..source import Source
+from .arrangements import arrangements
+from .bounds import bounds
+from .capacities import capacities
 
-STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = ()
+STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
+    bounds,
+    arrangements,
+    capacities,
+)
 """The readers, in order; each gets what the ones before it left."""
 
 __all__ = ["STATEMENTS"]
