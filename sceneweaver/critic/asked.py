@@ -4,17 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from . import asked_entities, asked_relations, asked_room
+from . import asked_arrangements, asked_capacity, asked_entities, asked_relations, asked_room
 from .grade import Finding, finding
 from .model import Alignment
 from .survey import Survey
 from .verdict import Asked
 
-PARTS = (asked_entities.outcomes, asked_relations.outcomes, asked_room.outcomes)
+PARTS = (
+    asked_entities.outcomes,
+    asked_relations.outcomes,
+    asked_capacity.outcomes,
+    asked_arrangements.outcomes,
+    asked_room.outcomes,
+)
 
 
 def measured(survey: Survey) -> tuple[Asked, ...]:
-    """Every item of the request: things and what they are like, exclusions, relations, the room, unknown words."""
+    """Every item of the request: things and what they are like, exclusions, relations, people, arrangements, the room,
+    unknown words."""
     return tuple(item for part in PARTS for item in part(survey))
 
 

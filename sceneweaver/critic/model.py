@@ -11,7 +11,7 @@ from sceneweaver.scene.base import FrozenModel
 
 CRITERIA = ("realism", "functionality", "layout", "completion", "alignment")
 
-ItemKind = Literal["entity", "attribute", "relation", "exclusion", "room", "unread"]
+ItemKind = Literal["entity", "attribute", "relation", "exclusion", "capacity", "arrangement", "room", "unread"]
 
 Status = Literal["met", "assumed", "not_understood", "unmet"]
 """What became of an item: measured and so; so, by an assumption that the request does not state; not measured, as the

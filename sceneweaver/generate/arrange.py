@@ -15,7 +15,7 @@ from sceneweaver.language.vocabulary import family
 from sceneweaver.scene import CATALOGUE, Room
 
 from .grid import group_of
-from .patterns import Pitch, Spot, back_to_back, block, circle, extent, u_shape, upright
+from .patterns import Pitch, Spot, back_to_back, block, circle, extent, ring, u_shape, upright
 from .program import Wanted
 
 OFFSET = 0.03
@@ -29,6 +29,9 @@ WAY, LEGS, AISLE = 1.1, 0.45, 1.2
 
 LOW_THING = 0.7
 """Height [m] from which on what is not entered from its sides stands in rows without gaps."""
+
+LOUNGE, PULLED = 0.32, -0.1
+"""Gaps [m] between the fronts of armchairs, and of chairs, and the table that a group of them is around."""
 
 MATS = 0.3
 """Gap [m] between what lies on the floor."""
@@ -78,12 +81,18 @@ def _pattern(said: Arrangement, things: Sequence[Wanted], spots: Sequence[Spot])
 
 
 def _clusters(said: Arrangement, things: Sequence[Wanted], wanted: Sequence[Wanted]) -> Iterator[Laid]:
-    """Each group of so many: around its thing by the relation that says so, else in a block or a ring of its own."""
-    if said.around and any(w.asked == said.around for w in wanted):
-        return
+    """Each group of so many: around its thing, else in a block or a ring of its own."""
+    hosts = [w for w in wanted if said.around and w.asked == said.around and w.mount == "floor"]
     size = said.columns or max(2, len(things) // max(1, said.groups or 1))
     for at in range(0, len(things), size):
         group = things[at : at + size]
+        if hosts:
+            host = hosts[(at // size) % len(hosts)]
+            gap = LOUNGE if has_role(group[0].category, "lounge_seat") else PULLED
+            spots = ring(len(group), (host.asset.size[0], host.asset.size[1]), group[0].asset.size[0], gap)
+            d, w, _ = group[0].asset.size
+            yield Laid(said, host, tuple(zip(group, spots, strict=True)), extent([Spot(0.0, 0.0), *spots], d, w))
+            continue
         if len(group) < 2:
             continue
         if family(group[0].category) == "seat":
@@ -190,6 +199,8 @@ def patterned(rows: Iterable[Grounded], brief: SceneGraph, wanted: Sequence[Want
 
 def _led_astray(row: Grounded, one: Laid) -> bool:
     """Whether what is said of a leader, or of others by it, is said of the pattern now."""
+    if one.leader.asked == one.said.around:
+        return False  # a table keeps its place; what is around it has its own
     if row.subject != one.leader.id:
         return False
     if row.type == "facing" or row.target in one.followers:
@@ -242,7 +253,7 @@ def led(brief: SceneGraph, wanted: Sequence[Wanted]) -> dict[str, frozenset[str]
     """By the ids of the leaders of patterns, the types of relations of a room's own that hold for them no more."""
     found = {}
     for one in laid_out(brief, wanted):
-        alone = one.said.pattern == "row"
+        alone = one.said.pattern == "row" or one.leader.asked == one.said.around
         found[one.leader.id] = frozenset() if alone else DROPPED
     return found
 
@@ -279,4 +290,3 @@ def hung(brief: SceneGraph, wanted: Sequence[Wanted]) -> None:
         for k, one in enumerate(things):
             at = round(low + (k // columns) * step, 3)
             one.support, one.held, one.hung = None, "wall", (at, at + 0.002)
-

@@ -33,7 +33,9 @@ class Pitch(NamedTuple):
     between: float
 
 
-def block(rows: int, columns: int, count: int, pitch: Pitch, *, opposed: bool = False, aisle: float = 0.0) -> list[Spot]:
+def block(
+    rows: int, columns: int, count: int, pitch: Pitch, *, opposed: bool = False, aisle: float = 0.0
+) -> list[Spot]:
     """Rows one behind the other, all looking ahead, the middle one of the front row first.
 
     Args:
@@ -82,6 +84,24 @@ def circle(count: int, pitch: Pitch, *, arc: float = 2 * math.pi, radius: float 
     return _turned_about(found, 0 if closed else count // 2)
 
 
+def ring(count: int, table: tuple[float, float], depth: float, gap: float) -> list[Spot]:
+    """Seats about a table of two sides [m], in its frame, that look at it: opposite each other first, then the ends.
+
+    ``gap`` [m] is between their fronts and the table; below 0 they are pulled up under it.
+    """
+    ahead, aside = table[0] / 2 + gap + depth / 2, table[1] / 2 + gap + depth / 2
+    sides = [Spot(ahead, 0.0, 180.0), Spot(-ahead, 0.0, 0.0), Spot(0.0, aside, -90.0), Spot(0.0, -aside, 90.0)]
+    if count <= len(sides):
+        return sides[:count]
+    around = max(math.hypot(*table) / 2 + gap + depth / 2, count * 0.7 / (2 * math.pi))
+    found = []
+    for k in range(count):
+        angle = 2 * math.pi * k / count
+        turn = math.degrees(math.remainder(angle + math.pi, 2 * math.pi))
+        found.append(Spot(around * math.cos(angle), around * math.sin(angle), turn))
+    return found
+
+
 def u_shape(count: int, pitch: Pitch) -> list[Spot]:
     """Three sides about a floor open ahead, all looking inward."""
     side = count // 3
@@ -119,7 +139,13 @@ def _turned_about(spots: Sequence[Spot], first: int) -> list[Spot]:
     found = []
     for spot in spots:
         dx, dy = spot.ahead - base.ahead, spot.left - base.left
-        found.append(Spot(c * dx + s * dy, c * dy - s * dx, math.degrees(math.remainder(math.radians(spot.turn - base.turn), 2 * math.pi))))
+        found.append(
+            Spot(
+                c * dx + s * dy,
+                c * dy - s * dx,
+                math.degrees(math.remainder(math.radians(spot.turn - base.turn), 2 * math.pi)),
+            )
+        )
     return [found[first], *found[:first], *found[first + 1 :]]
 
 

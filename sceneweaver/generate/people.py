@@ -23,6 +23,9 @@ from .program import matches
 USUAL_SEATS = {"desk": "office_chair", "bar": "bar_stool", "work": "stool"}
 """Seats at tables that a kind of room has none for, by a part of the table's name; chairs else."""
 
+LOW = {"dining_table": "coffee_table", "round_dining_table": "round_coffee_table"}
+"""What a plain table is that has armchairs around it."""
+
 CHILDREN = frozenset(("child", "children", "kid", "kids", "boys", "girls", "boy", "girl", "toddlers", "twins"))
 
 
@@ -55,9 +58,12 @@ class _Draft:
 def with_people(brief: SceneGraph, room_type: RoomType) -> SceneGraph:
     """A request with the places that its people need."""
     draft = _Draft(brief, room_type, list(brief.entities), list(brief.relations))
+    _lounge_tables(draft)
     named = {one.target for one in brief.capacities if one.target}
     for one in brief.capacities:
         target = next((e for e in draft.entities if e.id == one.target), None)
+        if one.own:
+            _set_out(draft, one)
         if one.own or not one.people:
             continue
         if one.activity == "sleep":
@@ -69,6 +75,30 @@ def with_people(brief: SceneGraph, room_type: RoomType) -> SceneGraph:
         elif not named and one.activity != "use":
             _seats(draft, one)
     return brief.model_copy(update={"entities": tuple(draft.entities), "relations": tuple(draft.relations)})
+
+
+def _lounge_tables(draft: _Draft) -> None:
+    """A plain table that armchairs are around is a low one."""
+    lounge = {e.id for e in draft.entities if has_role(e.category, "lounge_seat")}
+    low = {r.targets[0] for r in draft.relations if r.type == "around" and r.subject in lounge and r.targets}
+    for entity in [e for e in draft.entities if e.id in low and e.category in LOW and "dining" not in e.noun]:
+        draft.change(entity, category=LOW[entity.category])
+
+
+def _set_out(draft: _Draft, said: Capacity) -> None:
+    """Small things of each person's own are on the table that people are at, unless the request says where they are."""
+    tables = [e.target for e in draft.brief.capacities if e.target and not e.own]
+    names = {e.id for e in draft.entities if has_role(e.category, "pulled_up_to")}
+    table = next((name for name in tables if name in names), None)
+    if table is None:
+        return
+    carried = {r.subject for r in draft.relations if r.type in ("on", "inside") and r.targets[:1] != ("wall",)}
+    for name, _ in said.own:
+        entity = next(e for e in draft.entities if e.id == name)
+        if name not in carried and category_named(entity.category).mount[0] == "surface":
+            draft.relations = [r for r in draft.relations if r.subject != name]
+            kind = f"relation-{len(draft.brief.relations) + len(draft.relations)}"
+            draft.relations.append(StatedRelation(id=kind, type="on", subject=name, targets=(table,), implied=True))
 
 
 def _vague(entity: Entity) -> bool:
@@ -121,9 +151,12 @@ def _seats_at(draft: _Draft, said: Capacity, table: Entity) -> None:
         if _vague(named):
             count = people
             if named.category == "bench":
-                sides = 2 if people > 2 else 1
-                count = sides * tables
-                width = min(long_enough(math.ceil(people / count)), category_named("bench").size.reach[1][1])  # type: ignore[union-attr]
+                known = category_named("bench").size
+                assert known is not None
+                side = long_enough(math.ceil(said.people / (2 if said.people > 2 else 1)))
+                parts = math.ceil(side / known.reach[1][1])  # long sides have several benches
+                count = tables * parts * (2 if said.people > 2 else 1)
+                width = max(round(side / parts, 3), known.width[0])
                 draft.change(named, size=(named.size[0], width, named.size[2]), count=(count, count))
                 _told(draft, named, table, "along", math.ceil(count / tables), tables > 1)
                 return
@@ -167,11 +200,19 @@ def _seat_for(room: RoomType, table: Entity) -> str:
 
 def _seats(draft: _Draft, said: Capacity) -> None:
     """Seats for the people of a room, with the tables that such a room has for them."""
-    if said.activity == "eat":
-        tables = [e for e in draft.entities if has_role(e.category, "pulled_up_to")]
-        if len(tables) == 1:
-            _seats_at(draft, said, tables[0])
-            return
+    tables = [e for e in draft.entities if has_role(e.category, "pulled_up_to")]
+    elsewhere = [e for e in draft.entities if e.id in {a.entity for a in draft.brief.arrangements} and e not in tables]
+    if len(tables) == 1 and (said.activity == "eat" or elsewhere):
+        rest = said.people - sum(e.count[0] for e in elsewhere if e.count and family(e.category) != "seat")
+        if rest == said.people or _seats_named(draft, tables[0]) is None:
+            _seats_at(draft, said.model_copy(update={"people": max(1, rest)}), tables[0])
+        else:
+            named = _seats_named(draft, tables[0])
+            if named is not None and _vague(named):
+                draft.change(named, count=(said.people, said.people))
+        return
+    if elsewhere:
+        return
     seats = [e for e in draft.entities if family(e.category) == "seat"]
     pairs = [(i, draft.room.item(i.with_) if i.with_ else None) for i in draft.room.items]
     pairs = [(i, host) for i, host in pairs if family(i.what[0]) == "seat" and i.need != "optional"]

@@ -36,6 +36,8 @@ GENERAL = (
     "plant",
     "rack",
     "sofa",
+    "mat",
+    "bench",
 )
 """Words of a request that leave the kind to the room."""
 
@@ -184,6 +186,7 @@ def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, wi
     roles = roles_of(room_type, brief)
     shares = _shares(room_type, brief, area, people, roles)
     holders = {i.with_ for i in room_type.items if any(i.id in items for items in roles.values())}
+    sat_at = _sat_at_items(brief, roles)
     skipped: set[str] = set()
     found: list[Demand] = []
     for item in room_type.items:
@@ -203,6 +206,8 @@ def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, wi
                         del asked[one.id]
             continue
         names = tuple(c for c in item.what if c not in banned)
+        if item.with_ in sat_at and "seating" in groups_of(item.what[0]):
+            continue  # the request says what is sat on there
         if not names and item.with_:
             skipped.add(item.with_)
         if _hangs_at_windows(item) and _something_at_windows(room_type, brief):
@@ -309,6 +314,18 @@ def meant_by(asked: Entity, item: Item, brief: SceneGraph) -> bool:
     if not loose(asked, brief) or not any(name.endswith("_" + singular(asked.noun)) for name in item.what):
         return False
     return bool(kin(asked.category) & set(item.what)) or not _sat_at(asked, brief)
+
+
+def _sat_at_items(brief: SceneGraph, roles: Mapping[str, Sequence[str]]) -> frozenset[str]:
+    """The items of the room at whose things the request has seats of its own."""
+    seats = {e.id for e in brief.entities if "seating" in groups_of(e.category)}
+    at = {
+        name
+        for r in brief.relations
+        if r.subject in seats and r.type in ("around", "along", "at")
+        for name in r.targets
+    }
+    return frozenset(item for name in at for item in roles.get(name, ()))
 
 
 def _sat_at(asked: Entity, brief: SceneGraph) -> bool:

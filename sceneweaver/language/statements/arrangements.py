@@ -1,4 +1,4 @@
-"""Arrangements in words: rows, grids, circles, groups of so many, backs together, stacks, screens so many wide and high.
+"""Arrangements in words: rows, grids, circles, groups, backs together, stacks, screens so many wide and high.
 
 A pattern is said of a noun before or behind it. Where it says how many there are, that number takes its place in the
 source, so that the clause grammar counts the things; what it says of where they are is blanked.
@@ -37,7 +37,8 @@ _FACING = re.compile(
 )
 _LOOKING = re.compile(r"\s*,?\s*(?:and |all |both )*(?:facing|looking at|turned to|oriented to) (?:the |a |an )?")
 _EACH_AROUND = re.compile(
-    rf"\s*,?\s*(?:with )?(?:each|every)(?: {_GROUP}| one)?(?: arranged| set)?(?: around| round| about| at) (?P<a>an? |its own )"
+    rf"\s*,?\s*(?:with )?(?:each|every)(?: {_GROUP}| one)?(?: arranged| set)?(?: around| round| about| at) "
+    r"(?P<a>an? |its own )"
 )
 
 
@@ -87,9 +88,7 @@ def _add(
     short = re.compile(r"\s*w/ ").match(text, m.end())  # there is room now to write it out
     last, instead = (short.end(), f"{instead} with") if short and blank else (m.end(), instead)
     span: Span = edits.take(m.start(), last, instead) if blank else edits.source.span(m.start(), m.end())
-    said = Arrangement(
-        entity=noun, pattern=pattern, spacing=spacing, facing=facing, words=words, span=span, **given
-    )
+    said = Arrangement(entity=noun, pattern=pattern, spacing=spacing, facing=facing, words=words, span=span, **given)
     parsed.arrangements.append(said)
     return True
 
@@ -214,7 +213,7 @@ def _parallel(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
 
 def _islands(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     noun, end = noun_after(edits.source.text, m.end())
-    _add(edits, parsed, m, "islands", noun, end=end, blank=False)
+    _add(edits, parsed, m, "islands", noun, end=end, instead=m["n"])
 
 
 def _each_side(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -242,25 +241,38 @@ _STRAIGHT = r"(?:straight |parallel |long |equal |neat |staggered )?"
 
 _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed], None]], ...] = (
     (
-        re.compile(rf"\b{_N} {_NOUN} on one side(?: of (?:the )?(?P<at>it|[a-z]+))?,? ?(?:and )?{_M} on the other(?: side)?\b"),
+        re.compile(
+            rf"\b{_N} {_NOUN} on one side(?: of (?:the )?(?P<at>it|[a-z]+))?,? ?(?:and )?"
+            rf"{_M} on the other(?: side)?\b"
+        ),
         _two_sides,
     ),
     (
         re.compile(
-            rf"\b{_N} {_NOUN} (?:on|at|to) (?:each|either) side(?: of (?:the |an? )?(?:central |middle |centre |center )?"
+            rf"\b{_N} {_NOUN} (?:on|at|to) (?:each|either) side"
+            r"(?: of (?:the |an? )?(?:central |middle |centre |center )?"
             r"(?:aisle|gangway|walkway))?(?! of\b)(?=[^a-z]*(?:$|[.,)]|with\b|and\b|facing\b))"
         ),
         _each_side,
     ),
-    (re.compile(rf"\b{_N} {_STRAIGHT}(?P<kind>rows|lines|ranks|columns|row) of {_M} (?=[a-z])(?!in\b|with\b|and\b|w/)"), _rows_of),
+    (
+        re.compile(
+            rf"\b{_N} {_STRAIGHT}(?P<kind>rows|lines|ranks|columns|row) of {_M} (?=[a-z])(?!in\b|with\b|and\b|w/)"
+        ),
+        _rows_of,
+    ),
     (re.compile(rf"{_PLACED}\b(?:in|into|as) {_N} {_STRAIGHT}{_LINES}(?: of {_M}(?: each)?)?\b"), _in_rows),
     (re.compile(rf"{_PLACED}\bin {_STRAIGHT}{_LINES}(?: of {_M}(?: each)?)?\b(?P<n>(?!))?"), _in_rows),
     (re.compile(rf"\b(?:an? )?{_N} ?(?:x|by|×) ?{_M} {_AREA} (?P<of>of) "), _grid),
     (re.compile(rf"{_PLACED}\b(?:in|on|as|into) an? (?:regular |tight )?{_N} ?(?:x|by|×) ?{_M} {_AREA}\b"), _grid),
-    (re.compile(rf"{_PLACED}\b(?:in|on|as|into) an? (?:regular |tight )?{_AREA}(?: of {_N} ?(?:x|by|×) ?{_M})?\b"), _grid),
+    (
+        re.compile(rf"{_PLACED}\b(?:in|on|as|into) an? (?:regular |tight )?{_AREA}(?: of {_N} ?(?:x|by|×) ?{_M})?\b"),
+        _grid,
+    ),
     (
         re.compile(
-            rf"\b(?:an? (?:wall|bank|array) of )?(?:{NUMBER} )?(?P<noun>[a-z][a-z'-]*)(?: wall)?,? {_N} wide(?:,| and| by| x)? {_M} (?:high|tall)\b"
+            rf"\b(?:an? (?:wall|bank|array) of )?(?:{NUMBER} )?(?P<noun>[a-z][a-z'-]*)(?: wall)?,? "
+            rf"{_N} wide(?:,| and| by| x)? {_M} (?:high|tall)\b"
         ),
         _wide_and_high,
     ),
@@ -269,7 +281,8 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
     (re.compile(rf"{_PLACED}\b(?:in|as) (?:an?|one|a single) {_STRAIGHT}(?:row|line)\b(?! of)"), _in_row),
     (
         re.compile(
-            rf"{_PLACED}\b(?:in|as) an? (?:loose |wide |open |large |small )?(?P<shape>semi-?circle|half[ -]circle|arc|circle|ring|"
+            rf"{_PLACED}\b(?:in|as) an? (?:loose |wide |open |large |small )?"
+            r"(?P<shape>semi-?circle|half[ -]circle|arc|circle|ring|"
             r"u(?:[ -]shape)?|horseshoe(?: shape)?)\b"
         ),
         _curve,
@@ -278,7 +291,8 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
     (
         re.compile(
             rf",? ?\b(?:(?:{NUMBER} and {NUMBER}|in pairs|in twos|in two pairs|pairwise),? )?"
-            r"(?:with (?:the|their) backs? (?:together|touching|to each other|to one another|against each other)|back[ -]to[ -]back)\b"
+            r"(?:with (?:the|their) backs? (?:together|touching|to each other|to one another|against each other)"
+            r"|back[ -]to[ -]back)\b"
         ),
         _backs,
     ),

@@ -13,14 +13,15 @@ _LEAST = r"(?P<least>min(?:imum)?(?: of)?\.?|at least|no fewer than|not less tha
 _MOST = r"(?P<most>max(?:imum)?(?: of)?\.?|at most|up to|no more than)"
 _BOUND = re.compile(
     rf"(?:(?P<open>\() ?(?:{_LEAST}|{_MOST}|about|around|roughly) (?P<n>{NUMBER})(?P<close> ?\))?"
-    rf"|,? (?:{_LEAST.replace('least>', 'low>')}|{_MOST.replace('most>', 'high>')}|about|around) (?P<m>{NUMBER}) of them\b)"
+    rf"|,? (?:{_LEAST.replace('least>', 'low>')}|{_MOST.replace('most>', 'high>')}|about|around) "
+    rf"(?P<m>{NUMBER}) of them\b)"
 )
 _AHEAD = re.compile(rf"\b(?P<word>min|max)(?:imum)?\.? (?={NUMBER} [a-z])")
 _TIED = re.compile(rf"\b{one_of(listed('prepositions'))}\b")
 
 
 def bounds(source: Source, parsed: Parsed) -> None:
-    """Reads the least and most of what is named before them; "min. 15 chairs" becomes "at least" where there is room."""
+    """Reads the least and most of what is named before or right behind them."""
     edits = Edits(source)
     for m in _AHEAD.finditer(source.text):
         edits.take(m.start(), m.end(), "over" if m["word"] == "min" and len(m[0]) < 9 else "up to")

@@ -25,7 +25,9 @@ Activity = Literal["sit", "sleep", "work", "eat", "stand", "wait", "use"]
 _N = rf"(?P<n>{NUMBER})"
 _ABOUT = r"(?:about |around |roughly |some |up to |at least |max(?:imum)? |approx(?:imately)? )?"
 _PEOPLE = rf"(?:(?:[a-z-]+ ){{0,2}}{one_of(listed('people'))}\b)"
-_ENDS = r"(?=\s*(?:$|[.,()]|(?:with|and|in|at|but|by|under|near|on|along|that|which|in|from|next|to|or|against|plus)\b))"
+_ENDS = (
+    r"(?=\s*(?:$|[.,()]|(?:with|and|in|at|but|by|under|near|on|along|that|which|in|from|next|to|or|against|plus)\b))"
+)
 
 
 def activity_at(noun: str) -> Activity | None:
@@ -150,12 +152,21 @@ def _per_person(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
         _add(edits, parsed, m.end("noun"), m.end(), said)
 
 
-_EACH_ONE = rf"(?:each one|each of (?:them|us|the [a-z]+)|every one|everyone|everybody|each(?: of the)? {_PEOPLE}|every {_PEOPLE})"
+_EACH_ONE = (
+    r"(?:each one|each of (?:them|us|the [a-z]+)|every one|everyone|everybody"
+    rf"|each(?: of the)? {_PEOPLE}|every {_PEOPLE})"
+)
 _HAS = r"(?:must |should |needs to |need to |has to |shall |will )?(?:have|has|gets|get|needs|need|with)"
 
 _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed], None]], ...] = (
     (re.compile(rf"\b{_EACH_ONE} {_HAS} (?:(?:his|her|their|its|an|a) )?own "), _own),
-    (re.compile(rf",? ?\b{_N} {_PEOPLE} (?:each|at each(?: one| of them)?|per [a-z]+)\b(?: (?P<on>on|with|sitting on|seated on))?"), _each_at),
+    (
+        re.compile(
+            rf",? ?\b{_N} {_PEOPLE} (?:each|at each(?: one| of them)?|per [a-z]+)\b"
+            r"(?: (?P<on>on|with|sitting on|seated on))?"
+        ),
+        _each_at,
+    ),
     (
         re.compile(
             rf"\b{_N} {_PEOPLE}(?P<at>(?: (?:sit|sitting|seated|work|working|sleep|sleeping))?"
@@ -173,20 +184,30 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
     (
         re.compile(
             rf"\b(?P<noun>[a-z]+)(?: (?:that is |that's )?(?:big|wide|large|long|roomy))?(?: enough)? for {_ABOUT}"
-            rf"(?:{_N}(?: {_PEOPLE})?|both(?: of them)?|all(?: of (?:us|them))?|everyone|everybody|the whole family){_ENDS}"
+            rf"(?:{_N}(?: {_PEOPLE})?|both(?: of them)?|all(?: of (?:us|them))?"
+            rf"|everyone|everybody|the whole family){_ENDS}"
         ),
         _thing_for,
     ),
     (
-        re.compile(r"\b(?P<noun>[a-z]+) where (?:all of us|we all|everyone|everybody|they all|all of them) (?:can )?(?:fits?|sits?)\b(?P<n>(?!))?"),
+        re.compile(
+            r"\b(?P<noun>[a-z]+) where (?:all of us|we all|everyone|everybody|they all|all of them) "
+            r"(?:can )?(?:fits?|sits?)\b(?P<n>(?!))?"
+        ),
         _thing_for,
     ),
     (re.compile(rf"\b(?:my|our|his|her|their|the) {_N} {_PEOPLE}"), _room_people),
     (re.compile(rf"\b{one_of(listed('of_people'))} of {_N}\b(?! [a-z]+s\b)"), _room_people),
-    (re.compile(rf" for (?:each(?: (?:one|of them|{_PEOPLE}))?|every {_PEOPLE}|everyone|everybody)(?=\s*(?:$|[.,)]))"), _for_each),
     (
         re.compile(
-            rf"\b(?:(?P<n>{NUMBER}) |an? )?(?P<noun>(?:[a-z-]+ )?[a-z-]+) (?:per (?:person|head|{_PEOPLE})|for each person)\b"
+            rf" for (?:each(?: (?:one|of them|{_PEOPLE}))?|every {_PEOPLE}|everyone|everybody)(?=\s*(?:$|[.,)]))"
+        ),
+        _for_each,
+    ),
+    (
+        re.compile(
+            rf"\b(?:(?P<n>{NUMBER}) |an? )?(?P<noun>(?:[a-z-]+ )?[a-z-]+) "
+            rf"(?:per (?:person|head|{_PEOPLE})|for each person)\b"
         ),
         _per_person,
     ),
