@@ -14,7 +14,7 @@ from sceneweaver.language.model import Arrangement
 from sceneweaver.language.vocabulary import family
 from sceneweaver.scene import CATALOGUE, Room
 
-from .grid import group_of
+from .grid import PULL, group_of
 from .patterns import Pitch, Spot, back_to_back, block, circle, extent, ring, u_shape, upright
 from .program import Wanted
 
@@ -41,6 +41,9 @@ OFF_WALLS = 0.85
 
 LOW, STACK_GAP, HIGH = 0.9, 0.02, 2.4
 """Height [m] of the lowest row of what hangs in rows, the gap between neighbours there, and where the top row ends."""
+
+SEATED = ("around", "along", "at")
+"""Stated relations of seats to what they are at."""
 
 DROPPED = CATALOGUE.with_role("placing", "turning", "edge", "wall", "seat") | {"distance", "near_window", "near_door"}
 """Types of relations that a thing with a place in a pattern has no more."""
@@ -71,7 +74,9 @@ def laid_out(brief: SceneGraph, wanted: Sequence[Wanted]) -> list[Laid]:
         if said.pattern == "cluster":
             found += _clusters(said, things, wanted)
         elif not (said.pattern == "circle" and _is_table(said.around, wanted)):
-            found.append(_pattern(said, things, _spots(said, things, wanted, _spacing(said, brief))))
+            seats = {r.subject for r in brief.relations if said.entity in r.targets and r.type in SEATED}
+            pitch = _pitch(things[0], wanted, said, _spacing(said, brief), seats)
+            found.append(_pattern(said, things, _spots(said, things, wanted, pitch)))
     return found
 
 
@@ -111,10 +116,9 @@ def _spacing(said: Arrangement, brief: SceneGraph) -> float | None:
     return gaps[0].size[0] if gaps else None
 
 
-def _spots(said: Arrangement, things: Sequence[Wanted], wanted: Sequence[Wanted], spacing: float | None) -> list[Spot]:
+def _spots(said: Arrangement, things: Sequence[Wanted], wanted: Sequence[Wanted], pitch: Pitch) -> list[Spot]:
     count, one = len(things), things[0]
     rows, columns = shape_of(said, count)
-    pitch = _pitch(one, wanted, said, spacing)
     if said.upright:
         return upright(rows, columns, one.asset.size[1], STACK_GAP)
     if said.pattern == "circle":
@@ -125,7 +129,7 @@ def _spots(said: Arrangement, things: Sequence[Wanted], wanted: Sequence[Wanted]
         return u_shape(count, pitch)
     if said.pattern == "back_to_back":
         return back_to_back(count, pitch)
-    aisle = (spacing or AISLE) if said.pattern == "sides" else 0.0
+    aisle = max(AISLE, said.spacing or 0.0) if said.pattern == "sides" else 0.0
     return block(rows, columns, count, pitch, opposed=said.facing == "each other" and rows > 1, aisle=aisle)
 
 
@@ -146,7 +150,9 @@ def shape_of(said: Arrangement, count: int) -> tuple[int, int]:
     return max(rows, math.ceil(count / columns)), columns
 
 
-def _pitch(one: Wanted, wanted: Sequence[Wanted], said: Arrangement, spacing: float | None) -> Pitch:
+def _pitch(
+    one: Wanted, wanted: Sequence[Wanted], said: Arrangement, spacing: float | None, seats: Collection[str] = ()
+) -> Pitch:
     """The extents of a thing with the seats at it, and the gaps that such things have in rows."""
     depth, width, height = one.asset.size
     seat = family(one.category) == "seat"
@@ -157,6 +163,9 @@ def _pitch(one: Wanted, wanted: Sequence[Wanted], said: Arrangement, spacing: fl
     seated = any(w.parent is one for w in wanted)
     if seated:
         depth, width = group.depth, group.width
+    around = max((w.asset.size[0] + PULL for w in wanted if w.asked in seats and w.parent is not one), default=0.0)
+    if around:
+        seated, depth, width = True, max(depth, one.asset.size[0] + 2 * around), width + 0.5 * around
     beside, between = (APART, LEGS) if seat else (LOOSE, WAY)
     if seat and has_role(one.category, "armchair"):
         between = 2 * LEGS

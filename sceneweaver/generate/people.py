@@ -15,16 +15,20 @@ from sceneweaver.knowledge import Item, RoomType
 from sceneweaver.knowledge.capacity import long_enough, seat_places, sleeping_places
 from sceneweaver.knowledge.kin import excluded_kinds, kin
 from sceneweaver.language import Entity, SceneGraph, StatedRelation
-from sceneweaver.language.model import Capacity
+from sceneweaver.language.model import Arrangement, Capacity, RelationType
 from sceneweaver.language.vocabulary import family
 
 from .program import matches
+from .stacks import rows_for
 
 USUAL_SEATS = {"desk": "office_chair", "bar": "bar_stool", "work": "stool"}
 """Seats at tables that a kind of room has none for, by a part of the table's name; chairs else."""
 
 LOW = {"dining_table": "coffee_table", "round_dining_table": "round_coffee_table"}
 """What a plain table is that has armchairs around it."""
+
+STACKS = 3
+"""Stacks that there are where the request says how high they are and not how many."""
 
 CHILDREN = frozenset(("child", "children", "kid", "kids", "boys", "girls", "boy", "girl", "toddlers", "twins"))
 
@@ -59,6 +63,7 @@ def with_people(brief: SceneGraph, room_type: RoomType) -> SceneGraph:
     """A request with the places that its people need."""
     draft = _Draft(brief, room_type, list(brief.entities), list(brief.relations))
     _lounge_tables(draft)
+    _work_benches(draft)
     named = {one.target for one in brief.capacities if one.target}
     for one in brief.capacities:
         target = next((e for e in draft.entities if e.id == one.target), None)
@@ -74,6 +79,8 @@ def with_people(brief: SceneGraph, room_type: RoomType) -> SceneGraph:
             _seats_at(draft, one, target)
         elif not named and one.activity != "use":
             _seats(draft, one)
+    for said in brief.arrangements:
+        _stacks(draft, said)
     return brief.model_copy(update={"entities": tuple(draft.entities), "relations": tuple(draft.relations)})
 
 
@@ -83,6 +90,26 @@ def _lounge_tables(draft: _Draft) -> None:
     low = {r.targets[0] for r in draft.relations if r.type == "around" and r.subject in lounge and r.targets}
     for entity in [e for e in draft.entities if e.id in low and e.category in LOW and "dining" not in e.noun]:
         draft.change(entity, category=LOW[entity.category])
+
+
+def _work_benches(draft: _Draft) -> None:
+    """A bench that people sit at, on seats of their own, is one to work at."""
+    for said in draft.brief.capacities:
+        bench = next((e for e in draft.entities if e.id == said.target and e.category == "bench"), None)
+        if bench is None or _seats_named(draft, bench) is None:
+            continue
+        known = (c for item in draft.room.items for c in item.what if c.endswith("bench") and family(c) != "seat")
+        draft.change(bench, category=next(known, "workbench"))
+
+
+def _stacks(draft: _Draft, said: Arrangement) -> None:
+    """As many things as stacks of that height take, where the request does not say how many."""
+    entity = next((e for e in draft.entities if e.id == said.entity), None)
+    if said.pattern != "stack" or entity is None or not (said.height or said.groups) or not _vague(entity):
+        return
+    rows = rows_for(said, entity.category, entity.count[1] if entity.count else 2)
+    count = rows * (said.groups or STACKS)
+    draft.change(entity, count=(count, count))
 
 
 def _set_out(draft: _Draft, said: Capacity) -> None:
@@ -161,15 +188,28 @@ def _seats_at(draft: _Draft, said: Capacity, table: Entity) -> None:
                 _told(draft, named, table, "along", math.ceil(count / tables), tables > 1)
                 return
             draft.change(named, count=(count, count))
-            _told(draft, named, table, "around", math.ceil(count / tables), tables > 1)
+            _told(draft, named, table, _place_at(table, said), math.ceil(count / tables), tables > 1)
         return
     seat = draft.add(_seat_for(draft.room, table), people)
     if seat is not None:
-        place = "around" if said.activity != "work" else "at"
-        _told(draft, seat, table, place, said.people if said.each else math.ceil(people / tables), tables > 1)
+        _told(
+            draft,
+            seat,
+            table,
+            _place_at(table, said),
+            said.people if said.each else math.ceil(people / tables),
+            tables > 1,
+        )
 
 
-def _told(draft: _Draft, seat: Entity, table: Entity, kind: str, count: int, each: bool) -> None:
+def _place_at(table: Entity, said: Capacity) -> RelationType:
+    """Where seats are at a table: around one to eat at, along the long sides of a bench, at a desk."""
+    if table.category.endswith("bench"):
+        return "along"
+    return "at" if said.activity == "work" else "around"
+
+
+def _told(draft: _Draft, seat: Entity, table: Entity, kind: RelationType, count: int, each: bool) -> None:
     """Says that seats are at a table, unless the request says where they are."""
     if any(r.subject == seat.id and table.id in r.targets for r in draft.relations):
         return

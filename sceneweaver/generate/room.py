@@ -26,6 +26,7 @@ from .run import Variant, has_place
 from .seats import lengthened
 from .setup import Proposal, Setup
 from .shell import floor_area, shell
+from .stacks import stacked
 from .supports import Places, laid, supported
 
 FILL = {"sparse": 0.73, "normal": 1.0, "full": 1.21}
@@ -172,6 +173,7 @@ def _furnished(setup: Setup, made: _Attempt, palette: Palette) -> None:
     """Decide what stands on what, how long tables are and how rows may go; changes the program of an attempt."""
     program, brief = made.program, setup.brief
     supported(program, brief)
+    stacked(program.wanted, brief)
     hung(brief, program.wanted)
     program.wanted = _not_before_windows(program.wanted, rows_of(brief, program.wanted))
     rows = rows_of(brief, program.wanted)

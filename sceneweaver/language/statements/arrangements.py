@@ -26,6 +26,9 @@ _GROUP = r"(?:groups?|clusters?|pods?|sets?|bunches)"
 _HEIGHTS = {"knee": 0.5, "waist": 1.0, "hip": 0.95, "chest": 1.25, "shoulder": 1.4, "head": 1.7}
 """Heights [m] that are named after a part of the body."""
 
+ALL_WALLS = 8
+"""Stacks that stand along all walls: two at each."""
+
 _SPACED = re.compile(
     rf"\s*,?\s*(?:and |with |at )?(?:about |around |roughly |at least |a gap of |gaps of )*{LENGTH}"
     r"(?: of)?(?: clear| free| empty)?(?: space| gap| room| floor| gaps)? ?"
@@ -192,7 +195,8 @@ def _stack(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
         height = metres(m["long"], m["unit"])
     rows = number_of(m["n"]) if m["n"] else None
     noun = noun_before(edits.source.text, m.start())
-    _add(edits, parsed, m, "stack", noun, rows=rows, height=height)
+    walls = re.compile(r" ?(?:along|around|against) (?:all )?(?:of )?the walls\b").match(edits.source.text, m.end())
+    _add(edits, parsed, m, "stack", noun, rows=rows, height=height, groups=ALL_WALLS if walls else None)
 
 
 def _stacks_of(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
