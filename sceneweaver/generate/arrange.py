@@ -14,6 +14,7 @@ from sceneweaver.language.model import Arrangement
 from sceneweaver.language.vocabulary import family
 from sceneweaver.scene import CATALOGUE, Room
 
+from .draft import area_of
 from .grid import PULL, group_of
 from .patterns import Pitch, Spot, back_to_back, block, circle, extent, ring, u_shape, upright
 from .program import Wanted
@@ -41,6 +42,12 @@ OFF_WALLS = 0.85
 
 LOW, STACK_GAP, HIGH = 0.9, 0.02, 2.4
 """Height [m] of the lowest row of what hangs in rows, the gap between neighbours there, and where the top row ends."""
+
+FILLED = 0.9
+"""Share of the floor that patterns with the ways about them take at most."""
+
+LED_ASTRAY = CATALOGUE.with_role("edge", "wall", "formation", "seat") | {"side_by_side", "aligned", "parallel"}
+"""Types of relations of a room's own that the first thing of a pattern has no more."""
 
 SEATED = ("around", "along", "at")
 """Stated relations of seats to what they are at."""
@@ -92,7 +99,9 @@ def _clusters(said: Arrangement, things: Sequence[Wanted], wanted: Sequence[Want
     for at in range(0, len(things), size):
         group = things[at : at + size]
         if hosts:
-            host = hosts[(at // size) % len(hosts)]
+            if at // size >= len(hosts):
+                return
+            host = hosts[at // size]
             gap = LOUNGE if has_role(group[0].category, "lounge_seat") else PULLED
             spots = ring(len(group), (host.asset.size[0], host.asset.size[1]), group[0].asset.size[0], gap)
             d, w, _ = group[0].asset.size
@@ -199,7 +208,9 @@ def patterned(rows: Iterable[Grounded], brief: SceneGraph, wanted: Sequence[Want
     """
     patterns = laid_out(brief, wanted)
     followers = frozenset[str]().union(*(p.followers for p in patterns))
+    seated = {(seat.subject, seat.target) for seat in _at_sides(brief, wanted)}
     kept = [r for r in rows if not (r.subject in followers and r.type in DROPPED)]
+    kept = [r for r in kept if (r.subject, r.target) not in seated]
     for one in patterns:
         kept = [r for r in kept if not _led_astray(r, one)]
         kept += _of_pattern(one, wanted)
@@ -228,7 +239,7 @@ def _of_pattern(one: Laid, wanted: Sequence[Wanted]) -> Iterator[Grounded]:
         ahead = _middle_of(one)
         at = {"ahead": round(ahead, 4), "left": 0.0, "turn": 180.0, "offset": 0.1, "degrees": 180.0}
         yield Grounded(one.said.id, "arranged", focus[0].id, one.leader.id, at)
-    elif focus and one.said.pattern in ("semicircle", "u", "row", "rows", "grid", "sides", "cluster"):
+    elif focus and one.said.pattern in ("semicircle", "u", "row", "rows", "grid", "sides"):
         gap = {"side": "front", "gap": [0.6, 8.0], "offset": max(0.3, 0.3 * max(one.box)), "degrees": 8.0}
         yield Grounded(one.said.id, "across_from", one.leader.id, focus[0].id, gap, hard=False)
         yield Grounded(one.said.id, "facing", one.leader.id, focus[0].id, {"degrees": 35.0})
@@ -263,7 +274,7 @@ def led(brief: SceneGraph, wanted: Sequence[Wanted]) -> dict[str, frozenset[str]
     found = {}
     for one in laid_out(brief, wanted):
         alone = one.said.pattern == "row" or one.leader.asked == one.said.around
-        found[one.leader.id] = frozenset() if alone else DROPPED
+        found[one.leader.id] = frozenset() if alone else LED_ASTRAY
     return found
 
 
@@ -276,7 +287,12 @@ def fits(brief: SceneGraph, wanted: Sequence[Wanted], room: Room) -> bool:
     """Whether the floor of a room has a place for the box about each pattern."""
     xs, ys = [p[0] for p in room.outline], [p[1] for p in room.outline]
     short, long = sorted((max(xs) - min(xs), max(ys) - min(ys)))
-    for one in laid_out(brief, wanted):
+    patterns = laid_out(brief, wanted)
+    if sum((one.box[0] + WAY) * (one.box[1] + WAY) for one in patterns if not one.said.upright) > FILLED * area_of(
+        room
+    ):
+        return False
+    for one in patterns:
         margin = 0.1 if one.said.upright else 2 * OFF_WALLS if one.said.pattern == "islands" else WAY
         a, b = sorted(one.box)
         if one.said.upright:

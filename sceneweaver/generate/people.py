@@ -89,7 +89,8 @@ def _lounge_tables(draft: _Draft) -> None:
     lounge = {e.id for e in draft.entities if has_role(e.category, "lounge_seat")}
     low = {r.targets[0] for r in draft.relations if r.type == "around" and r.subject in lounge and r.targets}
     for entity in [e for e in draft.entities if e.id in low and e.category in LOW and "dining" not in e.noun]:
-        draft.change(entity, category=LOW[entity.category])
+        category = LOW[entity.category]
+        draft.change(entity, category=category, noun=category.replace("_", " "))
 
 
 def _work_benches(draft: _Draft) -> None:

@@ -7,7 +7,7 @@ import re
 from ..chunks import bounded
 from ..parsed import Parsed
 from ..source import Source
-from .phrases import NUMBER, Edits, listed, noun_before, number_of, one_of
+from .phrases import NUMBER, Edits, noun_before, number_of
 
 _LEAST = r"(?P<least>min(?:imum)?(?: of)?\.?|at least|no fewer than|not less than)"
 _MOST = r"(?P<most>max(?:imum)?(?: of)?\.?|at most|up to|no more than)"
@@ -17,7 +17,6 @@ _BOUND = re.compile(
     rf"(?P<m>{NUMBER}) of them\b)"
 )
 _AHEAD = re.compile(rf"\b(?P<word>min|max)(?:imum)?\.? (?={NUMBER} [a-z])")
-_TIED = re.compile(rf"\b{one_of(listed('prepositions'))}\b")
 
 
 def bounds(source: Source, parsed: Parsed) -> None:
@@ -49,10 +48,9 @@ def bounds(source: Source, parsed: Parsed) -> None:
 def _nouns(text: str, at: int) -> tuple[str, ...]:
     """The nouns that a number behind them counts: all that "and" joins right before it."""
     clause = text[max(text.rfind(c, 0, at) for c in ".,(") + 1 : at]
-    clause = _TIED.split(clause)[0] if _TIED.search(clause) else clause
+    clause = re.sub(r"\b(?:absolutely|almost|simply|everywhere|all over(?: the place)?)\b", "", clause)
     parts = [part for part in re.split(r"\band\b", clause) if part.strip()]
-    nouns = tuple(noun_before(part, len(part)) for part in parts)
-    return tuple(re.sub(r" (?:absolutely|everywhere|all over|almost)\b.*", "", noun) for noun in nouns if noun)
+    return tuple(noun for part in parts if (noun := noun_before(part, len(part))))
 
 
 __all__ = ["bounds"]

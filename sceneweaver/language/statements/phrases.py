@@ -22,6 +22,10 @@ LENGTH = r"(?P<long>\d{1,4}(?:[.,]\d{1,3})?) ?(?P<unit>m|cm|met(?:er|re)s?|centi
 
 _WORD = re.compile(r"[a-z][a-z'/-]*")
 
+_DETERMINERS = frozenset(
+    ("the", "a", "an", "every", "each", "all", "both", "my", "our", "his", "her", "its", "their", "this", "these")
+)
+
 MOST_WORDS = 4
 """Words that a noun with what stands before it has at most."""
 
@@ -70,6 +74,9 @@ def noun_before(text: str, at: int) -> str:
     start = max(text.rfind(".", 0, at), text.rfind("(", 0, at)) + 1
     chunks: list[tuple[str, list[str]]] = [("", [])]
     for m in re.finditer(r"[a-z][a-z'/-]*|\d+|[,)]", text[start:at]):
+        tied = not chunks[-1][1] and chunks[-1][0] in listed("prepositions")
+        if tied and m[0] in _DETERMINERS:
+            continue  # "on every surface": the preposition ties the noun behind the article
         if m[0] in _closed() or not _WORD.fullmatch(m[0]):
             chunks.append((m[0], []))
         else:
