@@ -227,7 +227,9 @@ def _open_curve(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Ch
     yield Measurement(
         "depth of the curve", max(math.dist((x, y), (b.centre[0], b.centre[1])) for b in bodies), 0.3, ends
     )
-    yield from _faced(survey, said.model_copy(update={"facing": said.facing or said.around}), bodies[:1])
+    for target in survey.standing_for(said.facing or said.around)[:1]:
+        off = min(math.degrees(turn_to(b, (target.centre[0], target.centre[1]))) for b in bodies)
+        yield Measurement("off what is looked at", off, -math.inf, _limit("faced"), "deg")
 
 
 # ---- pairs, groups, stacks -------------------------------------------------------------------------------------------

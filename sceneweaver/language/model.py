@@ -56,6 +56,9 @@ across the room or the table from it, ``facing`` turned to it. With the place ``
 ``at``.
 """
 
+Activity = Literal["sit", "sleep", "work", "eat", "stand", "wait", "use"]
+"""What people do in a room; ``use`` where nothing is said."""
+
 PLACES = ("wall", "window", "door", "corner", "middle", "ceiling", "floor", "room")
 """Targets that are parts of the room. ``wall:left`` (right, far, near, north ...) is as seen from the door, or by
 compass with y north."""
@@ -177,7 +180,7 @@ class Capacity(FrozenModel):
 
     id: str = ""
     people: int = Field(description="0: all that the request speaks of")
-    activity: Literal["sit", "sleep", "work", "eat", "stand", "wait", "use"]
+    activity: Activity
     target: str = Field(default="", description="The entity at which they do it, by id; empty: the room")
     each: bool = Field(default=False, description="Whether so many are at each of the targets, not at all together")
     own: tuple[tuple[str, int], ...] = Field(

@@ -31,7 +31,7 @@ def bounds(source: Source, parsed: Parsed) -> None:
             first = re.match(r"\s*((?:[a-z'-]+ ){0,2}?[a-z'-]+s)\b", noun)
             if first is not None:
                 edits.take(m.start(), m.start() + len(m[0]))
-                parsed.bounds.append(((first[1],), *bounded((number_of(number[0]),) * 2, "least")))
+                parsed.bounds.append(((first[1],), *_bounds(number_of(number[0]), "least")))
     for m in _BOUND.finditer(source.text):
         if not edits.free(m.start(), m.end()):
             continue
@@ -40,9 +40,14 @@ def bounds(source: Source, parsed: Parsed) -> None:
         nouns = _nouns(source.text, m.start())
         if not nouns:
             continue
-        low, high = bounded((value, value), bound)
+        low, high = _bounds(value, bound)
         parsed.bounds.append((nouns, low, high))
         edits.take(m.start(), m.end(), "(" if m["open"] and not m["close"] else "")
+
+
+def _bounds(value: int, bound: str | None) -> tuple[int, int]:
+    """Least and most of a number with a bound."""
+    return bounded((value, value), bound)
 
 
 def _nouns(text: str, at: int) -> tuple[str, ...]:

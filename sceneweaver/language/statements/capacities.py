@@ -9,18 +9,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from typing import Literal
-
 from sceneweaver.assets.plurals import singular
 
-from ..model import Capacity
+from ..model import Activity, Capacity
 from ..parsed import Parsed
 from ..source import Source
 from ..things import match_of
 from ..vocabulary import words
 from .phrases import NUMBER, Edits, listed, noun_after, noun_before, number_of, one_of
-
-Activity = Literal["sit", "sleep", "work", "eat", "stand", "wait", "use"]
 
 _N = rf"(?P<n>{NUMBER})"
 _ABOUT = r"(?:about |around |roughly |some |up to |at least |max(?:imum)? |approx(?:imately)? )?"

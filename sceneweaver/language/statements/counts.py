@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from ..model import Arrangement, Capacity, Entity, StatedRelation
+from ..model import Activity, Arrangement, Capacity, Entity, StatedRelation
 from ..vocabulary import family, words
 from .resolve import entity_named
 
@@ -47,7 +47,8 @@ def peopled(
         people = sum(_total(c, by_id) for c in capacities) or None
     known = [_known(c, people, by_id) for c in capacities]
     if people is not None and not any(c.people == people and not c.own for c in known):
-        does = next((name for name, rooms in words("people")["in_rooms"].items() if room_type in rooms), "use")
+        rooms = words("people")["in_rooms"]
+        does: Activity = next((name for name in rooms if room_type in rooms[name]), "use")
         known.append(Capacity(id=f"capacity-{len(known)}", people=people, activity=does, words=f"{people} people"))
     for one in known:
         for name, count in one.own:
@@ -57,9 +58,12 @@ def peopled(
     for one in arrangements:
         if one.entity in by_id:
             by_id[one.entity] = _hung(_counted(by_id[one.entity], _things(one)), one)
+        # What all look at is said of the arrangement; none of a row looks straight at it but the middle one.
+        found = [r for r in found if not (r.type == "facing" and r.subject == one.entity and one.facing in r.targets)]
         if one.pattern == "cluster" and one.around in by_id and one.groups and one.entity in by_id:
             by_id[one.around] = _counted(by_id[one.around], one.groups)
-            found = [_grouped(r, one) for r in found if not _other_place(r, one)]
+            # What a group is around stands on the floor, whatever its words were tied to.
+            found = [_grouped(r, one) for r in found if not (r.subject == one.around and _holds_off(r, one))]
             if not any(r.subject == one.entity and r.targets == (one.around,) for r in found):
                 said = StatedRelation(type="around", subject=one.entity, targets=(one.around,), span=one.span)
                 found.append(_grouped(said, one))
@@ -118,9 +122,9 @@ def _grouped(said: StatedRelation, one: Arrangement) -> StatedRelation:
     return said.model_copy(update={"type": "around", "count": (one.columns, one.columns), "each": True})
 
 
-def _other_place(said: StatedRelation, one: Arrangement) -> bool:
-    """Whether a relation of what a group is around has its things for a target: it is said the other way."""
-    return said.subject == one.around and said.targets == (one.entity,)
+def _holds_off(said: StatedRelation, one: Arrangement) -> bool:
+    """Whether a relation would have what a group is around elsewhere than amid its things, or says it the other way."""
+    return said.type in ("on", "inside", "hanging_from") or said.targets == (one.entity,)
 
 
 __all__ = ["Peopled", "bounded_counts", "peopled"]
