@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+
 from sceneweaver.assets.plurals import singular
 
 from ..model import Activity, Capacity
