@@ -582,7 +582,7 @@ class ObjectHandle:
         offset: float = ...,
     ) -> ObjectHandle:
         """The subject has its place in a pattern about the target: its centre lies `ahead` of the target's centre and
-        to the left of it, and it is turned by `turn`: one of a grid, a circle, two rows that face each other.
+        `left` of it, and it is turned by `turn`: one of a grid, a circle, two rows that face each other.
         """
         ...
     def run_on(

@@ -137,7 +137,7 @@ def _spots(said: Arrangement, things: Sequence[Wanted], wanted: Sequence[Wanted]
     if said.pattern == "u":
         return u_shape(count, pitch)
     if said.pattern == "back_to_back":
-        return back_to_back(count, pitch)
+        return back_to_back(count, pitch._replace(depth=one.asset.size[0]))
     aisle = max(AISLE, said.spacing or 0.0) if said.pattern == "sides" else 0.0
     return block(rows, columns, count, pitch, opposed=said.facing == "each other" and rows > 1, aisle=aisle)
 
@@ -169,7 +169,7 @@ def _pitch(
         gap = MATS if spacing is None else spacing
         return Pitch(depth, width, gap, gap)
     group = group_of(one, [w for w in wanted if w is one or w.parent is one])
-    seated = any(w.parent is one for w in wanted)
+    seated = any(w.parent is one and family(w.category) == "seat" for w in wanted)
     if seated:
         depth, width = group.depth, group.width
     around = max((w.asset.size[0] + PULL for w in wanted if w.asked in seats and w.parent is not one), default=0.0)
