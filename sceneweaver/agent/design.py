@@ -14,6 +14,7 @@ from sceneweaver.assets import Library
 from sceneweaver.export import formats_named
 from sceneweaver.export.formats import USUAL
 from sceneweaver.generate.asked_room import asked_room, headline
+from sceneweaver.generate.people import with_people
 from sceneweaver.knowledge import RoomType, match_room
 from sceneweaver.knowledge.learned import all_rooms
 from sceneweaver.knowledge.likely import likeliest_room, told_by
@@ -170,6 +171,7 @@ def design(prompt: str = "", **options: Unpack[AllOptions]) -> Result:
         with session.known_rooms(prompt):
             brief = session.read(offline, folder)
             room_type, remarks = chosen_room(brief)
+            brief = with_people(brief, room_type)
             tools = {n: tool for n, tool in registered().items() if usable(n, tool, settings, room_type, session.plans)}
             library = given["library"] or Library()
             run = Run(brief, room_type, settings, tools, session.planner, library, folder=folder, said=given["said"])

@@ -110,6 +110,7 @@ class SceneBuilder:
         same_height: Things | None = None,
         seated_at: Things | None = None,
         next_to: Things | None = None,
+        arranged: Things | None = None,
         run_on: Things | None = None,
         in_middle: bool | None = None,
         over: Things | None = None,
@@ -169,6 +170,7 @@ class SceneBuilder:
         same_height: Things | None = None,
         seated_at: Things | None = None,
         next_to: Things | None = None,
+        arranged: Things | None = None,
         run_on: Things | None = None,
         in_middle: bool | None = None,
         over: Things | None = None,
@@ -565,6 +567,22 @@ class ObjectHandle:
     ) -> ObjectHandle:
         """The subject is the next in a row: it looks the same way as the target and stands beyond one side of it, with
         the backs in line where that is left or right, with the middles in line where it is front or back.
+        """
+        ...
+    def arranged(
+        self,
+        target: Thing,
+        /,
+        *,
+        hard: bool = True,
+        ahead: float = ...,
+        left: float = ...,
+        turn: float = ...,
+        degrees: float = ...,
+        offset: float = ...,
+    ) -> ObjectHandle:
+        """The subject has its place in a pattern about the target: its centre lies `ahead` of the target's centre and
+        `left` of it, and it is turned by `turn`: one of a grid, a circle, two rows that face each other.
         """
         ...
     def run_on(

@@ -4,19 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from . import asked_entities, asked_free, asked_relations, asked_room
+from . import asked_arrangements, asked_capacity, asked_entities, asked_free, asked_relations, asked_room
 from .asked_clauses import doubted
 from .grade import Finding, finding
 from .model import USE, Alignment
 from .survey import Survey
 from .verdict import Asked
 
-PARTS = (asked_entities.outcomes, asked_relations.outcomes, asked_free.outcomes, asked_room.outcomes)
+PARTS = (
+    asked_entities.outcomes,
+    asked_relations.outcomes,
+    asked_capacity.outcomes,
+    asked_arrangements.outcomes,
+    asked_free.outcomes,
+    asked_room.outcomes,
+)
 
 
 def measured(survey: Survey) -> tuple[Asked, ...]:
-    """Every item of the request: things and what they are like, exclusions, relations, free floor, the room, and words
-    that are not known."""
+    """Every item of the request: things and what they are like, exclusions, relations, people, arrangements, free
+    floor, the room, and words that are not known."""
     return doubted([item for part in PARTS for item in part(survey)], survey.brief)
 
 

@@ -48,7 +48,8 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
     if brief.people is not None and survey.room_type.area_per_person is not None and not _asked_area(survey):
         least = fault_kind("too_small").limits["per_person"] * survey.room_type.area_per_person
         each = Measurement("floor a person", area / max(1, brief.people), least, math.inf, "m2")
-        yield _fact("people", each.ok(), f"{each.value:.1f} m2 a person for {brief.people} people", each, "too_small")
+        if not each.ok():  # that there is floor for them does not mean that they have places, which are counted apart
+            yield _fact("people", False, f"{each.value:.1f} m2 a person for {brief.people} people", each, "too_small")
     for name, asked, have in (("door", brief.doors, room.doors), ("window", brief.windows, room.windows)):
         if asked is not None:
             number = counted(f"{name}s", len(have), asked, asked)

@@ -11,7 +11,9 @@ from sceneweaver.scene.base import FrozenModel
 
 CRITERIA = ("realism", "functionality", "layout", "completion", "alignment")
 
-ItemKind = Literal["entity", "attribute", "relation", "exclusion", "room", "free_area", "unread"]
+ItemKind = Literal[
+    "entity", "attribute", "relation", "exclusion", "capacity", "arrangement", "free_area", "room", "unread"
+]
 
 Status = Literal["met", "partly", "substituted", "assumed", "not_understood", "unmet"]
 """What became of an item: measured and so; so, but words beside it were not understood; another thing stands for it;

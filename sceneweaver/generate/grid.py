@@ -69,7 +69,7 @@ def grid_variants(program: Sequence[Wanted], room: Room, strip: float) -> list[t
 
     What stands in clusters is one group a cluster; other clusters are tried where the first do not fit.
     """
-    groups = [_group(w, program) for w in program if _stands(w)]
+    groups = [group_of(w, program) for w in program if _stands(w)]
     clustered = [w for w in program if _stands(w, "cluster")]
     if len(clustered) < 2:
         return _grids(groups, room, strip)
@@ -111,7 +111,7 @@ def _back_to_back(cluster: Sequence[Wanted]) -> list[Relation]:
 
 def _cluster_group(cluster: Sequence[Wanted], program: Sequence[Wanted]) -> Group:
     """The cluster as a group about its first piece."""
-    x0, y0, x1, y1 = _group(cluster[0], program).box
+    x0, y0, x1, y1 = group_of(cluster[0], program).box
     d, w, _ = cluster[0].asset.size
     if len(cluster) > 1:
         x0 = -d - x1
@@ -135,7 +135,8 @@ def _grids(groups: Sequence[Group], room: Room, strip: float) -> list[tuple[Rela
     return found
 
 
-def _group(anchor: Wanted, program: Sequence[Wanted]) -> Group:
+def group_of(anchor: Wanted, program: Sequence[Wanted]) -> Group:
+    """A thing with the seats at it and the floor that it needs."""
     d, w, _ = anchor.asset.size
     x0, y0, x1, y1 = -d / 2, -w / 2, d / 2, w / 2
     for zone in anchor.asset.zones:

@@ -55,7 +55,8 @@ class Wanted:
 
     ``parent`` is the instance that it goes with, ``support`` the one that it stands on (``inside``: on a board in it;
     ``share``: where, as depth and side),
-    ``held`` what holds it where the request has it otherwise than usual, ``wish`` what its body was chosen by.
+    ``held`` what holds it where the request has it otherwise than usual, ``hung`` between which heights [m] its bottom
+    is then, ``wish`` what its body was chosen by.
     """
 
     item: Item | None
@@ -70,6 +71,7 @@ class Wanted:
     inside: bool = False
     share: tuple[float, float] | None = None
     held: str | None = None
+    hung: tuple[float, float] | None = None
     wish: Wish | None = None
 
     @property
@@ -172,6 +174,7 @@ def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, wi
     roles = roles_of(room_type, brief)
     shares = _shares(room_type, brief, area, people, roles)
     holders = {i.with_ for i in room_type.items if any(i.id in items for items in roles.values())}
+    sat_at = _sat_at_items(brief, roles)
     skipped, spare = set[str](), set[str]()
     cramped = not room_type.for_request and (brief.scale < 1.0 or area < CRAMPED * room_type.area[1])
     found: list[Demand] = []
@@ -198,6 +201,8 @@ def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, wi
         names = tuple(c for c in item.what if c not in banned)
         if names and cramped and any(serves(a.category, names) for a in brief.entities):
             continue  # in a small bathroom a shower that is asked for takes the place of the tub
+        if item.with_ in sat_at and "seating" in groups_of(item.what[0]):
+            continue  # the request says what is sat on there
         if not names and item.with_:
             skipped.add(item.with_)
         if _hangs_at_windows(item) and _something_at_windows(room_type, brief):
@@ -250,6 +255,18 @@ def _shares(
             share[item.id] = left if item is items[-1] else min(left, usual)
             left -= share[item.id]
     return found
+
+
+def _sat_at_items(brief: SceneGraph, roles: Mapping[str, Sequence[str]]) -> frozenset[str]:
+    """The items of the room at whose things the request has seats of its own."""
+    seats = {e.id for e in brief.entities if "seating" in groups_of(e.category)}
+    at = {
+        name
+        for r in brief.relations
+        if r.subject in seats and r.type in ("around", "along", "at")
+        for name in r.targets
+    }
+    return frozenset(item for name in at for item in roles.get(name, ()))
 
 
 def _hangs_at_windows(item: Item) -> bool:

@@ -14,6 +14,7 @@ from sceneweaver.language.model import PLACES
 from sceneweaver.language.wall_names import direction_of
 from sceneweaver.scene import CATALOGUE, InputError, Relation, Room, Window
 
+from .arrange import DROPPED, led, patterned
 from .conflicts import reconciled
 from .hanging import place_along
 from .program import Wanted
@@ -32,6 +33,7 @@ CONFLICTS: dict[str, frozenset[str]] = {
     "near_window": frozenset(("in_corner", "at_window", "away_from_door", "on_grid")),
     "near_door": frozenset(("in_corner", "at_window", "away_from_door", "on_grid")),
     "facing": frozenset(("facing",)),
+    "arranged": DROPPED | {"off_walls", "on_grid"},
 }
 """What a room's own relations of a thing give way to: the type that was asked for, and the types that it replaces."""
 
@@ -299,7 +301,7 @@ def _instance(one: Wanted, name: str | None, by_item: dict[str, list[Wanted]]) -
 
 def rows_of(brief: SceneGraph, wanted: Sequence[Wanted]) -> list[Grounded]:
     """What the request states of the objects to be."""
-    return reconciled(grounded(brief, _made(wanted))[0], wanted)
+    return patterned(reconciled(grounded(brief, _made(wanted))[0], wanted), brief, wanted)
 
 
 def _made(wanted: Sequence[Wanted]) -> dict[str, list[Thing]]:
@@ -328,9 +330,10 @@ def of_brief(
     """
     made = _made(wanted)
     rows, unsaid = grounded(brief, made)
-    rows = [replace(row, hard=False) if row in failed else row for row in reconciled(rows, wanted)]
+    rows = patterned(reconciled(rows, wanted), brief, wanted)
+    rows = [replace(row, hard=False) if row in failed else row for row in rows]
     found: list[Relation] = []
-    placed: dict[str, frozenset[str]] = {}
+    placed: dict[str, frozenset[str]] = led(brief, wanted)
     unmet = [f"{_said(said)}: {_lack(said, made)}" for said in unsaid if not said.implied]
     for row, relation in in_room(rows, room, unmet):
         found.append(relation)

@@ -15,6 +15,7 @@ from sceneweaver.language import Grounded, SceneGraph
 from sceneweaver.scene import CATALOGUE, Intent, Palette, Pose, Relation, Room, Scene, SceneObject
 from sceneweaver.scene.palette import MOST_COLORS
 
+from .arrange import fits, hung
 from .draft import walls_of
 from .finish import finished
 from .fit import POOR, fitted
@@ -28,6 +29,7 @@ from .run import Variant, has_place
 from .seats import lengthened
 from .setup import Proposal, Setup
 from .shell import floor_area, shell
+from .stacks import stacked
 from .stated_finish import stated_finish
 from .supports import Places, laid, supported
 
@@ -128,6 +130,7 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
         )
         crowded = crowded or made.program.wall > WALLED * walls_of(made.space)
         astray = not made.variants and in_rows(_free_of_rows(made.program.wanted, made.rows))
+        astray = astray or not fits(brief, made.program.wanted, made.space)
         if given or not (crowded or astray) or attempt == GROWTHS or floor.area >= most or hurried():
             break
         floor.area *= GROWTH
@@ -182,6 +185,8 @@ def _furnished(setup: Setup, made: _Attempt, palette: Palette) -> None:
     """Decide what stands on what, how long tables are and how rows may go; changes the program of an attempt."""
     program, brief = made.program, setup.brief
     supported(program, brief)
+    stacked(program.wanted, brief)
+    hung(brief, program.wanted)
     program.wanted = _not_before_windows(program.wanted, rows_of(brief, program.wanted))
     rows = rows_of(brief, program.wanted)
     if lengthened(program, rows, setup.library, brief):
@@ -228,7 +233,12 @@ def kept(look: RoomPalette, style: str, seed: int) -> Palette:
 def _free_of_rows(wanted: Sequence[Wanted], rows: Sequence[Grounded]) -> list[Wanted]:
     """What may stand in a run, a line or a grid: what the request gives no other place."""
     placed = {(row.subject, row.type) for row in rows if row.hard and row.type in PLACING}
-    return [one for one in wanted if not any(i == one.id and not has_place(one, type) for i, type in placed)]
+    set_out = {id for row in rows if row.type == "arranged" for id in (row.subject, row.target)}
+    return [
+        one
+        for one in wanted
+        if one.id not in set_out and not any(i == one.id and not has_place(one, type) for i, type in placed)
+    ]
 
 
 def _not_before_windows(wanted: list[Wanted], rows: Sequence[Grounded]) -> list[Wanted]:
@@ -268,7 +278,7 @@ def _scene(setup: Setup, space: Room, made: _Attempt, palette: Palette, people: 
         made_of.setdefault(one.asked or "", []).append(one.id)
     areas = free_areas_of(brief, made_of, space)
     relations = agreeing(relations, areas)
-    relations = _widened(relations, levels := stacked(program.wanted, relations))
+    relations = _widened(relations, levels := _levels(program.wanted, relations))
     tall = {w.id: w.asset.size[2] for w in program.wanted}
     over = {r.subject: tall[r.target] for r in relations if r.type == "above" and r.target in tall}
     before = {r.subject for r in relations if r.type == "at_window"}
@@ -312,7 +322,7 @@ def _program(setup: Setup, space: Room, area: float, people: int, palette: Palet
 
 def _object(one: Wanted, space: Room, over: float, clear: bool, places: Places) -> SceneObject:
     """The scene object; ``over`` is the height [m] of what it hangs above, ``clear`` keeps it off windows and doors."""
-    heights = _hang(one, space, over) if one.mount == "wall" else None
+    heights = one.hung or (_hang(one, space, over) if one.mount == "wall" else None)
     pose = Pose(position=(0.0, 0.0, sum(heights) / 2)) if heights is not None else Pose()
     intent = Intent(
         priority=BY_RANK[one.rank],
@@ -334,7 +344,7 @@ def _over_doors(brief: SceneGraph, wanted: Sequence[Wanted], space: Room) -> dic
     return {one.id: top for one in wanted if one.asked in named and one.mount == "wall" and top}
 
 
-def stacked(wanted: Sequence[Wanted], relations: Sequence[Relation]) -> dict[str, int]:
+def _levels(wanted: Sequence[Wanted], relations: Sequence[Relation]) -> dict[str, int]:
     """By id the level, from 0, of things that were asked for over one thing which is too narrow for them side by side:
     shelves on the wall over a counter."""
     width = {one.id: one.asset.size[1] for one in wanted}

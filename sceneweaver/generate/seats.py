@@ -16,6 +16,9 @@ from .program import Program, Wanted
 ELBOW = 0.08
 """Length [m] of table edge that a seat takes beside its own width."""
 
+EDGE = 0.6
+"""Least length [m] of table edge for each of those who sit beside each other."""
+
 SQUARE = 1.12
 """Tables whose length is less than so many times their depth, and which are round by name, are sat around."""
 
@@ -133,7 +136,7 @@ def _needed(table: Wanted, program: Program, rows: Sequence[Grounded]) -> float:
         return math.ceil(ring / edges) * wide / math.tan(math.pi / edges) + TUCKED
     if ring > 2:
         along = max(along, math.ceil((ring - 2) / 2))
-    return along * (wide + ELBOW)
+    return along * max(EDGE, wide + ELBOW) if along else 0.0
 
 
 def _is_round(table: Wanted) -> bool:

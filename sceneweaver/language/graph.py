@@ -14,6 +14,7 @@ from .model import Amount, Attribute, Entity, Exclusion, SceneGraph, StatedRelat
 from .mutual import split_mutual
 from .parsed import Left, Mention, Parsed, Said
 from .source import Source
+from .statements.counts import bounded_counts, peopled
 from .statements.resolve import resolved
 from .vocabulary import words
 
@@ -23,7 +24,7 @@ MOST = 400
 SEVERAL, PLURAL = 6, 6
 """Things that there are at least of what is all over a room, and most of a bare plural."""
 
-_SAME = ("room_type", "room_words", "other_rooms", "shape", "people", "style", "only")
+_SAME = ("room_type", "room_words", "other_rooms", "shape", "style", "only")
 """What a graph says of the room as it was parsed."""
 
 _SIDES = ("left_of", "right_of", "next_to", "in_front_of", "behind", "near", "flanking", "around")
@@ -47,6 +48,15 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     named = {entity.id for entity in entities}
     amounts = tuple(a for a in resolved(parsed.amounts, entities, "amount") if a.entity in named)
     entities = tuple(_many(entity, amounts) for entity in entities)
+    arrangements = resolved(parsed.arrangements, entities, "arrangement")
+    people = peopled(
+        bounded_counts(entities, parsed.bounds),
+        relations,
+        resolved(parsed.capacities, entities, "capacity"),
+        arrangements,
+        parsed.people,
+        parsed.room_type,
+    )
     graph = SceneGraph(
         text=text,
         **{name: getattr(parsed, name) for name in _SAME},
@@ -59,13 +69,14 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         windows=parsed.openings.get("window"),
         doors=parsed.openings.get("door"),
         density=parsed.density or "normal",  # type: ignore[arg-type]
-        entities=entities,
+        people=people.people,
+        entities=people.entities,
         openings=resolved(parsed.stated_openings, entities, "opening"),
         free_areas=resolved(parsed.free_areas, entities, "free_area"),
-        capacities=resolved(parsed.capacities, entities, "capacity"),
-        arrangements=resolved(parsed.arrangements, entities, "arrangement"),
+        capacities=people.capacities,
+        arrangements=arrangements,
         amounts=amounts,
-        relations=tuple(r.model_copy(update={"id": f"relation-{k}"}) for k, r in enumerate(relations)),
+        relations=tuple(r.model_copy(update={"id": f"relation-{k}"}) for k, r in enumerate(people.relations)),
         exclusions=tuple(
             Exclusion(id=f"exclusion-{k}", words=words, categories=names, span=span)
             for k, ((words, names), span) in enumerate(reversed(exclusions.items()))

@@ -56,6 +56,9 @@ across the room or the table from it, ``facing`` turned to it. With the place ``
 ``at``.
 """
 
+Activity = Literal["sit", "sleep", "work", "eat", "stand", "wait", "use"]
+"""What people do in a room; ``use`` where nothing is said."""
+
 PLACES = ("wall", "window", "door", "corner", "middle", "ceiling", "floor", "room")
 """Targets that are parts of the room. ``wall:left`` (right, far, near, north ...) is as seen from the door, or by
 compass with y north."""
@@ -181,25 +184,40 @@ class FreeArea(FrozenModel):
 
 
 class Capacity(FrozenModel):
-    """How many people do something in the room."""
+    """How many people do something in the room, and what each of them has for their own."""
 
     id: str = ""
-    people: int
-    activity: Literal["sit", "sleep", "work", "eat", "stand", "wait", "use"]
-    target: str = Field(default="", description="The entity at which they do it, by id")
+    people: int = Field(description="0: all that the request speaks of")
+    activity: Activity
+    target: str = Field(default="", description="The entity at which they do it, by id; empty: the room")
+    each: bool = Field(default=False, description="Whether so many are at each of the targets, not at all together")
+    own: tuple[tuple[str, int], ...] = Field(
+        default=(), description="Entities, by id, with how many of them each person has"
+    )
     words: str = ""
     span: Span | None = None
 
 
 class Arrangement(FrozenModel):
-    """How things of one kind stand to each other."""
+    """How things of one kind stand to each other.
+
+    A ``cluster`` is one of ``groups`` of ``columns`` things, ``around`` something where that is said. ``sides`` are
+    numbers at opposite sides of what they are ``around``, or of an aisle where nothing is said.
+    """
 
     id: str = ""
     entity: str
-    pattern: Literal["row", "rows", "grid", "circle", "semicircle", "u", "back_to_back", "stack", "cluster", "islands"]
-    rows: int | None = None
-    columns: int | None = Field(default=None, description="In each row")
-    spacing: float | None = Field(default=None, description="Clear between neighbours [m]")
+    pattern: Literal[
+        "row", "rows", "grid", "circle", "semicircle", "u", "back_to_back", "stack", "cluster", "islands", "sides"
+    ]
+    rows: int | None = Field(default=None, description="One behind the other; of a stack: one on the other")
+    columns: int | None = Field(default=None, description="In each row or group")
+    groups: int | None = Field(default=None, description="Groups, or stacks")
+    sides: tuple[int, ...] = Field(default=(), description="How many are on one side, and on the other")
+    spacing: float | None = Field(default=None, description="Clear between neighbours, or rows of one column [m]")
+    upright: bool = Field(default=False, description="Whether rows are one above the other, at a wall")
+    height: float | None = Field(default=None, description="Up to which a stack reaches [m]")
+    around: str = Field(default="", description="What each group, or the circle, is around: an entity, by id")
     facing: str = Field(default="", description="What they look at: an entity, one of `PLACES`, or 'each other'")
     words: str = ""
     span: Span | None = None

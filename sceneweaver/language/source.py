@@ -58,7 +58,9 @@ _SPELT = re.compile(
     r"\b(" + "|".join(_DIGITS) + rf")\b(?={_GAP}-?{_GAP}(?:by|x|square|sq|m|met(?:er|re)s?|feet|foot|ft|cm)\b)"
 )
 _FAR = re.compile(rf"{_NUMBER}{_GAP}(?:km|kilomet(?:er|re)s?|miles?)\b")
-_BARE = re.compile(rf"(?<![\w.]){_NUMBER}{_BY}{_NUMBER}(?![\w.]|{_GAP}(?:cm|mm|in)\b)")
+_BARE = re.compile(
+    rf"(?<![\w.]){_NUMBER}{_BY}{_NUMBER}(?![\w.]|{_GAP}(?:cm|mm|in|grid|array|matrix|pattern|formation)\b)"
+)
 _ENDLESS = re.compile(r"\d{10,}")
 _WRAPPED = re.compile(r"(?<=[^\n]{60})(?<!\s)\s*\n(?=[a-z])")
 """The end of a long line that was wrapped. It begins with the first white space, so that its time is linear."""

@@ -429,7 +429,8 @@ def _left(case: Case, asked: Asked) -> list[Row]:
 
 def _turn(case: Case, asked: Asked) -> list[Row]:
     options = asked.rule.options
-    return [yaw(math.radians(options.get("by", 0.0)), asked.degrees, math.radians(options.get("modulo", 360.0)))]
+    by = math.radians(options.get("by", 0.0) + asked.start)
+    return [yaw(by, asked.degrees, math.radians(options.get("modulo", 360.0)))]
 
 
 def _bearing_of(case: Case, asked: Asked) -> list[Row]:

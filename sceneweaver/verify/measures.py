@@ -364,6 +364,9 @@ def measurement(row: Row, reading: Reading, scope: Mapping[str, Any], site: str 
         return None
     start = float(row.start.value(scope))
     value = reading.value - start
+    if row.measure == "turn":  # beyond half a turn from where it is measured it is nearer the other way
+        period = float(row.options.get("modulo", 360.0))
+        value = (value + period / 2) % period - period / 2
     low, high = interval[0] * reading.scale + reading.base, interval[1] * reading.scale + reading.base
     if row.about and not reading.base:
         value, low = abs(value), -math.inf

@@ -117,6 +117,7 @@ PARAMS: dict[str, Json] = {
     "same_height": {"tolerance": 0.2},
     "seated_at": {"side": "left", "k": 2, "n": 3, "offset": 0.2},
     "next_to": {"side": "back", "gap": [0.2, 0.9]},
+    "arranged": {"ahead": -0.8, "left": 1.1, "turn": 150.0, "offset": 0.4, "degrees": 40.0},
     "run_on": {"side": "left", "gap": [0.0, 0.4], "offset": 0.3},
     "in_middle": {"offset": 1.5},
     "over": {"inset": 0.1},

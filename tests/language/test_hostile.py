@@ -228,7 +228,6 @@ def test_no_phrases_of_the_vocabulary_in_any_order_raise_anything() -> None:
     [
         ("a throne room", "throne"),
         ("the zorbulator is near the bed", "zorbulator"),
-        ("24 desks in 4 rows", "rows"),
         ("a desk, qwertz uiop", "qwertz"),
     ],
 )

@@ -131,6 +131,7 @@ ONE_OF_EACH: dict[str, Scene] = {
         room=room(6, 5),
     ),
     "next_to": scene([OTHER, BOX], [relation("next_to", "box", "other", side="back", gap=[0.3, 0.4])]),
+    "arranged": scene([OTHER, BOX], [relation("arranged", "box", "other", ahead=0.2, left=1.0, turn=180.0)]),
     "run_on": scene([OTHER, BOX], [relation("run_on", "box", "other"), relation("against_wall", "box")]),
     "in_middle": scene([OTHER, BOX], [relation("in_middle", "box", offset=0.1)]),
     "over": scene([table(), LAMP], [relation("over", "lamp", "table", inset=0.2)]),

@@ -88,6 +88,7 @@ TABLE = {
         {"side": "left", "offset": 0.05, "frame": "own"},
         False,
     ),
+    "arranged": ("object", (), (), 3, None, None, {"ahead": 0, "left": 0, "turn": 0, "offset": 0.05}, False),
     "run_on": ("object", (), LR, 3, (0, 0.03), None, {"side": "right", "offset": 0.05, "frame": "own"}, False),
     "in_middle": ("none", (), (), None, None, None, {"offset": 0.5}, False),
     "over": ("object", (), (), None, None, None, {"inset": 0, "forward": 0, "left": 0, "offset": None}, False),

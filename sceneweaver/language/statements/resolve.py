@@ -46,12 +46,14 @@ def resolved(statements: Sequence[S], entities: Sequence[Entity], prefix: str) -
     found: list[S] = []
     for k, statement in enumerate(statements):
         changed: dict[str, Any] = {"id": f"{prefix}-{k}"}
-        for name in ("entity", "target", "facing"):
+        for name in ("entity", "target", "facing", "around"):
             words = getattr(statement, name, "")
             if words:
                 changed[name] = entity_named(words, entities) or words
         if targets := getattr(statement, "targets", ()):
             changed["targets"] = tuple(entity_named(words, entities) or words for words in targets)
+        if own := getattr(statement, "own", ()):
+            changed["own"] = tuple((entity_named(words, entities) or words, count) for words, count in own)
         found.append(statement.model_copy(update=changed))
     return tuple(found)
 

@@ -1,0 +1,177 @@
+"""Whether as many people as a request says have their places: seats at tables, beds, desks; counted in the scene.
+
+A seat at a table counts when it is within reach of it and turned to it, and where the table's edge has room for it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+from sceneweaver.assets.roles import has_role
+from sceneweaver.knowledge.capacity import edge_places, number, seat_places, sleeping_places
+from sceneweaver.language.model import Capacity
+from sceneweaver.rules.faults import fault_kind
+from sceneweaver.verify.solids import Body
+
+from . import kinds
+from .survey import Survey, turn_to
+from .verdict import Asked, counted, met, not_understood, unmet
+
+DOES = {
+    "sit": "sit",
+    "eat": "eat",
+    "sleep": "sleep",
+    "work": "work",
+    "wait": "wait",
+    "stand": "stand",
+    "use": "are there",
+}
+
+LONG = frozenset(("bench", "storage_bench", "waiting_bench", "booth_seat"))
+"""Seats for several beside sofas."""
+
+
+def outcomes(survey: Survey) -> Iterator[Asked]:
+    """Each number of people, and what each of them has for their own."""
+    for k, said in enumerate(survey.brief.capacities):
+        item = said.id or f"capacity-{k}"
+        if said.own:
+            yield _own(survey, said, item)
+        elif said.people:
+            yield _places(survey, said, item)
+
+
+def _own(survey: Survey, said: Capacity, item: str) -> Asked:
+    """Whether each of the people has so many of each thing; the scarcest tells."""
+    worst: tuple[float, int, int, str] = (math.inf, 0, 0, "")
+    ids: list[str] = []
+    for name, each in said.own:
+        bodies, least = survey.standing_for(name), each * said.people
+        ids += [b.id for b in bodies]
+        entity = survey.brief.entity(name)
+        worst = min(worst, (len(bodies) / max(1, least), len(bodies), least, entity.noun if entity else name))
+    share, have, least, noun = worst
+    number_ = counted("number", have, least)
+    if share >= 1.0:
+        return met("capacity", item, ids, f"each of {said.people} has their own {noun}", number_)
+    reason = f"{have} '{noun}' for {said.people} people, {least} were asked for"
+    return unmet("capacity", item, ids, reason, number_, fault="too_few_places", share=1.0 - share)
+
+
+def _places(survey: Survey, said: Capacity, item: str) -> Asked:
+    """The places of so many people at what they were asked for, or in the room."""
+    targets = survey.standing_for(said.target) if said.target else []
+    if said.target and not targets:
+        reason = f"there is nothing for {said.people} people to be at"
+        return unmet("capacity", item, (), reason, counted("places", 0, said.people), fault="too_few_places")
+    found = _found(survey, said, targets)
+    if found is None:
+        return not_understood("capacity", item, (), f"places for {said.people} people here cannot be counted")
+    ids, have = found
+    measure = counted("places", have, said.people)
+    where = "at each" if said.each else "in all"
+    reason = f"{have} people {DOES[said.activity]} {where}, {said.people} were asked for"
+    if have >= said.people:
+        return met("capacity", item, ids, f"places for {have} people", measure)
+    share = (said.people - have) / said.people
+    return unmet(
+        "capacity",
+        item,
+        ids,
+        reason,
+        measure,
+        fault="too_few_places",
+        share=share,
+        suggestion=f"add {said.people - have} places",
+        grave=share > 0.5,
+    )
+
+
+def _found(survey: Survey, said: Capacity, targets: list[Body]) -> tuple[list[str], int] | None:
+    """The ids of what has places, and how many those are; at the poorest target where each is meant."""
+    if said.activity == "sleep":
+        beds = [b for b in (targets or survey.bodies) if sleeping_places(b.item.category)]
+        return [b.id for b in beds], sum(sleeping_places(b.item.category) for b in beds)
+    if targets:
+        each = [_at(survey, said, target) for target in targets]
+        ids = [i for found, _ in each for i in found]
+        return ids, min(n for _, n in each) if said.each else sum(n for _, n in each)
+    seats = [b for b in survey.bodies if _is_seat(b)]
+    if said.activity in ("eat", "work"):
+        tables = [b for b in survey.bodies if _is_table(b)]
+        at = {seat.id: seat for table in tables for seat in _seats_at(survey, table)}
+        return list(at), _on_all(list(at.values()))
+    beds = sum(sleeping_places(b.item.category) for b in survey.bodies)
+    if said.activity == "use" and not seats and not beds:
+        return None
+    return [b.id for b in seats], max(_on_all(seats), beds if said.activity == "use" else 0)
+
+
+def _at(survey: Survey, said: Capacity, target: Body) -> tuple[list[str], int]:
+    """The people at one thing: on a seat, or on the seats at a table, as far as its edge goes."""
+    if _is_seat(target) and not _seats_at(survey, target):
+        return [target.id], _on(target)
+    seats = _seats_at(survey, target)
+    edge = edge_places(target.size[0], target.size[1])
+    if said.activity == "work" and has_role(target.item.category, "desk"):
+        edge = max(1, int(target.size[1] / number("edge") + 1e-6))
+    named = [
+        e
+        for e in survey.brief.entities
+        if e.count and {b.id for b in survey.standing_for(e.id)} & {s.id for s in seats}
+    ]
+    fewer = named and not named[0].implied and named[0].count and named[0].count[1] < said.people and not said.each
+    have = edge if fewer else min(edge, _on_all(seats))  # "a table for three but only two chairs"
+    return [target.id, *(s.id for s in seats)], have
+
+
+def _seats_at(survey: Survey, table: Body) -> list[Body]:
+    """The seats within reach of a table that look at it; what has no front counts however it is turned."""
+    limits = fault_kind("too_few_places").limits
+    found = []
+    for other, gap in survey.near(table, limits["reach"]):
+        if not _is_seat(other) or other.item.mount != "floor":
+            continue
+        ahead, aside = table.local(other.centre)
+        near = (
+            max(-table.size[0] / 2, min(table.size[0] / 2, ahead)),
+            max(-table.size[1] / 2, min(table.size[1] / 2, aside)),
+        )
+        c, s = math.cos(table.yaw), math.sin(table.yaw)
+        point = (table.centre[0] + c * near[0] - s * near[1], table.centre[1] + s * near[0] + c * near[1])
+        inside = gap <= 1e-6 and point == other.centre
+        backless = has_role(other.item.category, "backless_seat")
+        if (
+            backless
+            or inside
+            or math.degrees(min(turn_to(other, point), turn_to(other, table.centre))) <= limits["turned"]
+        ):
+            found.append(other)
+    return found
+
+
+def _is_seat(body: Body) -> bool:
+    return body.item.mount == "floor" and has_role(body.item.category, "sits_at_table", "lounge_seat", "backless_seat")
+
+
+def _is_table(body: Body) -> bool:
+    return body.item.category in kinds.SEATED_AT or has_role(body.item.category, "pulled_up_to")
+
+
+def _on_all(seats: Sequence[Body]) -> int:
+    """The people that sit on some seats; benches beside each other are as one that is so long."""
+    benches = [s for s in seats if s.item.category in LONG]
+    return sum(_on(s) for s in seats if s not in benches) + (
+        seat_places(sum(max(s.size[:2]) for s in benches)) if benches else 0
+    )
+
+
+def _on(seat: Body) -> int:
+    """The people that sit on a seat."""
+    depth, width = seat.size[0], seat.size[1]
+    if not has_role(seat.item.category, "sofa") and seat.item.category not in LONG:
+        return 1
+    if seat.item.category == "sectional_sofa":
+        return seat_places(width - 0.3) + max(0, int((depth - 0.95) / number("seat_width")))
+    return seat_places(max(depth, width) - (0.3 if has_role(seat.item.category, "sofa") else 0.0))

@@ -1,0 +1,317 @@
+"""Arrangements that a request states as relations: each thing has its place about the first one of its pattern."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+from sceneweaver.assets.roles import has_role
+from sceneweaver.assets.taxonomy import category_named
+from sceneweaver.knowledge.capacity import number
+from sceneweaver.language import Grounded, SceneGraph
+from sceneweaver.language.model import Arrangement
+from sceneweaver.language.vocabulary import family
+from sceneweaver.scene import CATALOGUE, Room
+
+from .draft import area_of
+from .grid import PULL, group_of
+from .patterns import Pitch, Spot, back_to_back, block, circle, extent, ring, u_shape, upright
+from .program import Wanted
+
+OFFSET = 0.03
+"""Most distance [m] of a thing from its place."""
+
+TOUCHING, APART, LOOSE = 0.005, 0.12, 0.6
+"""Gaps [m] in a row: of what stands side by side, of seats, of what is worked at."""
+
+WAY, LEGS, AISLE = 1.1, 0.45, 1.2
+"""Ways [m] between rows of furniture, between rows of seats, and through the middle of a block of rows."""
+
+LOW_THING = 0.7
+"""Height [m] from which on what is not entered from its sides stands in rows without gaps."""
+
+LOUNGE, PULLED = 0.32, -0.1
+"""Gaps [m] between the fronts of armchairs, and of chairs, and the table that a group of them is around."""
+
+MATS = 0.3
+"""Gap [m] between what lies on the floor."""
+
+OFF_WALLS = 0.85
+"""Least distance [m] of islands from walls."""
+
+LOW, STACK_GAP, HIGH = 0.9, 0.02, 2.4
+"""Height [m] of the lowest row of what hangs in rows, the gap between neighbours there, and where the top row ends."""
+
+FILLED = 0.9
+"""Share of the floor that patterns with the ways about them take at most."""
+
+LED_ASTRAY = CATALOGUE.with_role("edge", "wall", "formation", "seat") | {"side_by_side", "aligned", "parallel"}
+"""Types of relations of a room's own that the first thing of a pattern has no more."""
+
+SEATED = ("around", "along", "at")
+"""Stated relations of seats to what they are at."""
+
+DROPPED = CATALOGUE.with_role("placing", "turning", "edge", "wall", "seat") | {"distance", "near_window", "near_door"}
+"""Types of relations that a thing with a place in a pattern has no more."""
+
+
+@dataclass(frozen=True)
+class Laid:
+    """An arrangement of things: the leader, their spots in its frame, and the box [m] about all of them."""
+
+    said: Arrangement
+    leader: Wanted
+    spots: tuple[tuple[Wanted, Spot], ...]
+    box: tuple[float, float]
+
+    @property
+    def followers(self) -> frozenset[str]:
+        """The ids of all but the leader."""
+        return frozenset(one.id for one, _ in self.spots) - {self.leader.id}
+
+
+def laid_out(brief: SceneGraph, wanted: Sequence[Wanted]) -> list[Laid]:
+    """The arrangements of a request of which there are two things at least that stand or hang."""
+    found = []
+    for said in brief.arrangements:
+        things = [w for w in wanted if w.asked == said.entity and w.support is None and w.mount in ("floor", "wall")]
+        if len(things) < 2 or said.pattern == "stack" or (said.pattern == "sides" and said.around):
+            continue
+        if said.pattern == "cluster":
+            found += _clusters(said, things, wanted)
+        elif not (said.pattern == "circle" and _is_table(said.around, wanted)):
+            seats = {r.subject for r in brief.relations if said.entity in r.targets and r.type in SEATED}
+            pitch = _pitch(things[0], wanted, said, _spacing(said, brief), seats)
+            found.append(_pattern(said, things, _spots(said, things, wanted, pitch)))
+    return found
+
+
+def _pattern(said: Arrangement, things: Sequence[Wanted], spots: Sequence[Spot]) -> Laid:
+    depth, width, _ = things[0].asset.size
+    return Laid(said, things[0], tuple(zip(things, spots, strict=True)), extent(spots, depth, width))
+
+
+def _clusters(said: Arrangement, things: Sequence[Wanted], wanted: Sequence[Wanted]) -> Iterator[Laid]:
+    """Each group of so many: around its thing, else in a block or a ring of its own."""
+    hosts = [w for w in wanted if said.around and w.asked == said.around and w.mount == "floor"]
+    size = said.columns or max(2, len(things) // max(1, said.groups or 1))
+    for at in range(0, len(things), size):
+        group = things[at : at + size]
+        if hosts:
+            if at // size >= len(hosts):
+                return
+            host = hosts[at // size]
+            gap = LOUNGE if has_role(group[0].category, "lounge_seat") else PULLED
+            spots = ring(len(group), (host.asset.size[0], host.asset.size[1]), group[0].asset.size[0], gap)
+            d, w, _ = group[0].asset.size
+            yield Laid(said, host, tuple(zip(group, spots, strict=True)), extent([Spot(0.0, 0.0), *spots], d, w))
+            continue
+        if len(group) < 2:
+            continue
+        if family(group[0].category) == "seat":
+            yield _pattern(said, group, circle(len(group), _pitch(group[0], wanted, said, None)))
+            continue
+        d, w, _ = group[0].asset.size
+        pairs = [Spot((d + TOUCHING) * (k % 2), (w + TOUCHING) * (k // 2), 180.0 * (k % 2)) for k in range(len(group))]
+        yield _pattern(said, group, pairs)
+
+
+def _spacing(said: Arrangement, brief: SceneGraph) -> float | None:
+    """The gap [m] that is stated of an arrangement: with it, or as floor that stays free between its things."""
+    if said.spacing is not None:
+        return said.spacing
+    gaps = [area for area in brief.free_areas if area.kind == "gap" and set(area.targets) == {said.entity}]
+    return gaps[0].size[0] if gaps else None
+
+
+def _spots(said: Arrangement, things: Sequence[Wanted], wanted: Sequence[Wanted], pitch: Pitch) -> list[Spot]:
+    count, one = len(things), things[0]
+    rows, columns = shape_of(said, count)
+    if said.upright:
+        return upright(rows, columns, one.asset.size[1], STACK_GAP)
+    if said.pattern == "circle":
+        return circle(count, pitch, radius=_radius(said, wanted))
+    if said.pattern == "semicircle":
+        return circle(count, pitch, arc=min(math.radians(180), math.pi / 6 * count) if count < 5 else math.radians(150))
+    if said.pattern == "u":
+        return u_shape(count, pitch)
+    if said.pattern == "back_to_back":
+        return back_to_back(count, pitch._replace(depth=one.asset.size[0]))
+    aisle = max(AISLE, said.spacing or 0.0) if said.pattern == "sides" else 0.0
+    return block(rows, columns, count, pitch, opposed=said.facing == "each other" and rows > 1, aisle=aisle)
+
+
+def shape_of(said: Arrangement, count: int) -> tuple[int, int]:
+    """Rows and columns of so many things, as far as an arrangement says them; else nearly as many of one as of the
+    other."""
+    if said.pattern == "row":
+        return 1, count
+    if said.sides:
+        return max(said.sides), 2
+    rows, columns = said.rows, said.columns
+    if rows is None and columns is None:
+        rows = 1 if said.pattern == "islands" and count <= 2 else max(1, int(math.sqrt(count)))
+    if rows is None:
+        assert columns is not None
+        return math.ceil(count / columns), columns
+    columns = columns or math.ceil(count / rows)
+    return max(rows, math.ceil(count / columns)), columns
+
+
+def _pitch(
+    one: Wanted, wanted: Sequence[Wanted], said: Arrangement, spacing: float | None, seats: Collection[str] = ()
+) -> Pitch:
+    """The extents of a thing with the seats at it, and the gaps that such things have in rows."""
+    depth, width, height = one.asset.size
+    seat = family(one.category) == "seat"
+    if one.thing.is_flat or height < 0.05:
+        gap = MATS if spacing is None else spacing
+        return Pitch(depth, width, gap, gap)
+    group = group_of(one, [w for w in wanted if w is one or w.parent is one])
+    seated = any(w.parent is one and family(w.category) == "seat" for w in wanted)
+    if seated:
+        depth, width = group.depth, group.width
+    around = max((w.asset.size[0] + PULL for w in wanted if w.asked in seats and w.parent is not one), default=0.0)
+    if around:
+        seated, depth, width = True, max(depth, one.asset.size[0] + 2 * around), width + 0.5 * around
+    beside, between = (APART, LEGS) if seat else (LOOSE, WAY)
+    if seat and has_role(one.category, "armchair"):
+        between = 2 * LEGS
+    sides = {zone.name for zone in one.asset.zones if zone.hard} & {"left", "right"}
+    generic = category_named(one.category).size is None
+    if not seat and not sides and not generic:
+        beside = TOUCHING if said.pattern in ("row", "rows") and height > LOW_THING else APART
+    if seated or one.thing.is_table:
+        beside = LOOSE if said.pattern != "u" else TOUCHING
+    if spacing is not None:
+        column = said.pattern == "rows" and (said.columns == 1 or said.facing == "each other")
+        beside = beside if column or said.pattern == "sides" else spacing
+        between = spacing if said.pattern != "row" and said.pattern != "sides" else between
+    return Pitch(depth, width, beside, between)
+
+
+def _radius(said: Arrangement, wanted: Sequence[Wanted]) -> float:
+    """How far [m] from the middle of a circle the fronts are, for what stands in it."""
+    inner = [w for w in wanted if said.around and w.asked == said.around]
+    return max((math.hypot(*w.asset.size[:2]) / 2 + number("reach") for w in inner), default=0.0)
+
+
+def _is_table(name: str, wanted: Sequence[Wanted]) -> bool:
+    return any(w.asked == name and w.thing.is_table for w in wanted)
+
+
+def patterned(rows: Iterable[Grounded], brief: SceneGraph, wanted: Sequence[Wanted]) -> list[Grounded]:
+    """What a request states of things, with the places of those in patterns instead of what else says where they are.
+
+    The first of a pattern keeps what is said of it: at which wall, before which window. What all look at, it looks at.
+    """
+    patterns = laid_out(brief, wanted)
+    followers = frozenset[str]().union(*(p.followers for p in patterns))
+    seated = {(seat.subject, seat.target) for seat in _at_sides(brief, wanted)}
+    kept = [r for r in rows if not (r.subject in followers and r.type in DROPPED)]
+    kept = [r for r in kept if (r.subject, r.target) not in seated]
+    for one in patterns:
+        kept = [r for r in kept if not _led_astray(r, one)]
+        kept += _of_pattern(one, wanted)
+    return kept + list(_at_sides(brief, wanted))
+
+
+def _led_astray(row: Grounded, one: Laid) -> bool:
+    """Whether what is said of a leader, or of others by it, is said of the pattern now."""
+    if one.leader.asked == one.said.around:
+        return False  # a table keeps its place; what is around it has its own
+    if row.subject != one.leader.id:
+        return False
+    if row.type == "facing" or row.target in one.followers:
+        return True
+    return one.said.pattern == "circle" and row.type == "around"
+
+
+def _of_pattern(one: Laid, wanted: Sequence[Wanted]) -> Iterator[Grounded]:
+    for thing, spot in one.spots:
+        if thing is one.leader:
+            continue
+        params = {"ahead": round(spot.ahead, 4), "left": round(spot.left, 4), "turn": round(spot.turn, 3)}
+        yield Grounded(one.said.id, "arranged", thing.id, one.leader.id, {**params, "offset": OFFSET, "degrees": 2.0})
+    focus = [w for w in wanted if w.asked in (one.said.facing, one.said.around) and w.asked]
+    if focus and one.said.pattern == "circle":
+        ahead = _middle_of(one)
+        at = {"ahead": round(ahead, 4), "left": 0.0, "turn": 180.0, "offset": 0.1, "degrees": 180.0}
+        yield Grounded(one.said.id, "arranged", focus[0].id, one.leader.id, at)
+    elif focus and one.said.pattern in ("semicircle", "u", "row", "rows", "grid", "sides"):
+        gap = {"side": "front", "gap": [0.6, 8.0], "offset": max(0.3, 0.3 * max(one.box)), "degrees": 8.0}
+        yield Grounded(one.said.id, "across_from", one.leader.id, focus[0].id, gap, hard=False)
+        yield Grounded(one.said.id, "facing", one.leader.id, focus[0].id, {"degrees": 35.0})
+    if one.said.pattern == "islands":
+        for thing, _ in one.spots:
+            yield Grounded(one.said.id, "off_walls", thing.id, None, {"min": OFF_WALLS})
+
+
+def _middle_of(one: Laid) -> float:
+    """How far [m] the middle of a circle is ahead of its leader."""
+    return sum(spot.ahead for _, spot in one.spots) / len(one.spots)
+
+
+def _at_sides(brief: SceneGraph, wanted: Sequence[Wanted]) -> Iterator[Grounded]:
+    """Seats on one side of a table and on the other: in the middles of equal parts of its long sides."""
+    for said in brief.arrangements:
+        tables = [w for w in wanted if said.around and w.asked == said.around]
+        if said.pattern != "sides" or not tables:
+            continue
+        d, w, _ = tables[0].asset.size
+        seats = iter([one for one in wanted if one.asked == said.entity])
+        for side, count in zip(("front", "back") if w >= d else ("left", "right"), said.sides, strict=False):
+            for k in range(count):
+                seat = next(seats, None)
+                if seat is not None:
+                    params = {"side": side, "k": k, "n": count}
+                    yield Grounded(said.id, "seated_at", seat.id, tables[0].id, params)
+
+
+def led(brief: SceneGraph, wanted: Sequence[Wanted]) -> dict[str, frozenset[str]]:
+    """By the ids of the leaders of patterns, the types of relations of a room's own that hold for them no more."""
+    found = {}
+    for one in laid_out(brief, wanted):
+        alone = one.said.pattern == "row" or one.leader.asked == one.said.around
+        found[one.leader.id] = frozenset() if alone else LED_ASTRAY
+    return found
+
+
+def arranged_ids(brief: SceneGraph, wanted: Sequence[Wanted]) -> Collection[str]:
+    """The ids of all things that stand in patterns."""
+    return {one.id for laid in laid_out(brief, wanted) for one, _ in laid.spots}
+
+
+def fits(brief: SceneGraph, wanted: Sequence[Wanted], room: Room) -> bool:
+    """Whether the floor of a room has a place for the box about each pattern."""
+    xs, ys = [p[0] for p in room.outline], [p[1] for p in room.outline]
+    short, long = sorted((max(xs) - min(xs), max(ys) - min(ys)))
+    patterns = laid_out(brief, wanted)
+    if sum((one.box[0] + WAY) * (one.box[1] + WAY) for one in patterns if not one.said.upright) > FILLED * area_of(
+        room
+    ):
+        return False
+    for one in patterns:
+        margin = 0.1 if one.said.upright else 2 * OFF_WALLS if one.said.pattern == "islands" else WAY
+        a, b = sorted(one.box)
+        if one.said.upright:
+            if b + margin > long:
+                return False
+        elif a + (margin if one.said.pattern != "row" else 0.0) > short or b + margin > long:
+            return False
+    return True
+
+
+def hung(brief: SceneGraph, wanted: Sequence[Wanted]) -> None:
+    """Gives what hangs in rows one above the other its wall and its height."""
+    for said in brief.arrangements:
+        things = [w for w in wanted if w.asked == said.entity]
+        if not said.upright or len(things) < 2:
+            continue
+        rows, columns = shape_of(said, len(things))
+        step = things[0].asset.size[2] + STACK_GAP
+        low = max(LOW, min(1.2, HIGH - rows * step))
+        for k, one in enumerate(things):
+            at = round(low + (k // columns) * step, 3)
+            one.support, one.held, one.hung = None, "wall", (at, at + 0.002)

@@ -1,0 +1,158 @@
+"""Where the things of an arrangement stand to its first one: rows, grids, circles, backs together.
+
+Each place is (ahead, left, turn) in the frame of the leader, [m, m, deg]; the leader is at (0, 0, 0).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+ARC = math.radians(150)
+"""Angle that a semicircle of seats goes over, seen from its middle."""
+
+LEAST_RADIUS = 0.9
+"""Least radius [m] of a circle of things."""
+
+
+class Spot(NamedTuple):
+    """A place in the leader's frame."""
+
+    ahead: float
+    left: float
+    turn: float = 0.0
+
+
+class Pitch(NamedTuple):
+    """Extents [m] of one thing with what belongs to it, and the gaps between neighbours in a row and between rows."""
+
+    depth: float
+    width: float
+    beside: float
+    between: float
+
+
+def block(
+    rows: int, columns: int, count: int, pitch: Pitch, *, opposed: bool = False, aisle: float = 0.0
+) -> list[Spot]:
+    """Rows one behind the other, all looking ahead, the middle one of the front row first.
+
+    Args:
+        rows, columns: of the block.
+        count: things; the last row may have fewer.
+        pitch: of one thing.
+        opposed: whether rows look at each other by pairs across the gap between them.
+        aisle: width [m] of a way through the middle, from front to back; 0: none.
+    """
+    across, back = pitch.width + pitch.beside, pitch.depth + pitch.between
+    found: list[Spot] = []
+    for row in range(rows):
+        for column in range(columns):
+            if len(found) == count:
+                break
+            left = across * column + (aisle - pitch.beside if aisle and column >= columns / 2 else 0.0)
+            if opposed:
+                found.append(Spot(back * row, left, 180.0 * (row % 2)))
+            else:
+                found.append(Spot(-back * row, left, 0.0))
+    first = min(columns // 2, len(found) - 1)
+    return _about(found, first)
+
+
+def upright(rows: int, columns: int, width: float, gap: float) -> list[Spot]:
+    """Columns beside each other at a wall, row upon row from below."""
+    return [Spot(0.0, (width + gap) * column) for _ in range(rows) for column in range(columns)]
+
+
+def circle(count: int, pitch: Pitch, *, arc: float = 2 * math.pi, radius: float = 0.0) -> list[Spot]:
+    """Things around a middle that they look at; over an arc the leader is in its middle.
+
+    ``radius`` [m] is the least distance of their fronts from that middle.
+    """
+    closed = arc >= 2 * math.pi - 1e-9
+    parts = count if closed else max(1, count - 1)
+    step = arc / parts
+    front = max(radius, LEAST_RADIUS, (pitch.width + pitch.beside) / (2 * math.tan(min(step, math.pi / 2) / 2)))
+    around = front + pitch.depth / 2
+    found: list[Spot] = []
+    for k in range(count):
+        angle = step * k if closed else step * k - arc / 2
+        found.append(
+            Spot(-around * math.cos(angle), -around * math.sin(angle), math.degrees(math.remainder(angle, 2 * math.pi)))
+        )
+    return _turned_about(found, 0 if closed else count // 2)
+
+
+def ring(count: int, table: tuple[float, float], depth: float, gap: float) -> list[Spot]:
+    """Seats about a table of two sides [m], in its frame, that look at it: opposite each other first, then the ends.
+
+    ``gap`` [m] is between their fronts and the table; below 0 they are pulled up under it.
+    """
+    ahead, aside = table[0] / 2 + gap + depth / 2, table[1] / 2 + gap + depth / 2
+    sides = [Spot(ahead, 0.0, 180.0), Spot(-ahead, 0.0, 0.0), Spot(0.0, aside, -90.0), Spot(0.0, -aside, 90.0)]
+    if count <= len(sides):
+        return sides[:count]
+    around = max(math.hypot(*table) / 2 + gap + depth / 2, count * 0.7 / (2 * math.pi))
+    found = []
+    for k in range(count):
+        angle = 2 * math.pi * k / count
+        turn = math.degrees(math.remainder(angle + math.pi, 2 * math.pi))
+        found.append(Spot(around * math.cos(angle), around * math.sin(angle), turn))
+    return found
+
+
+def u_shape(count: int, pitch: Pitch) -> list[Spot]:
+    """Three sides about a floor open ahead, all looking inward."""
+    side = count // 3
+    base = count - 2 * side
+    across = pitch.width + pitch.beside
+    found = [Spot(0.0, across * (k - (base - 1) / 2)) for k in range(base)]
+    out = (base - 1) / 2 * across + pitch.width / 2 + pitch.depth / 2
+    start = pitch.depth / 2 + pitch.width / 2 + pitch.beside
+    for k in range(side):
+        found.append(Spot(start + across * k, out, -90.0))
+        found.append(Spot(start + across * k, -out, 90.0))
+    return _about(found, base // 2)
+
+
+def back_to_back(count: int, pitch: Pitch) -> list[Spot]:
+    """Pairs with their backs together, pair beside pair."""
+    found: list[Spot] = []
+    for k in range(count):
+        left = (pitch.width + pitch.beside) * (k // 2)
+        found.append(Spot(-pitch.depth - 0.01, left, 180.0) if k % 2 else Spot(0.0, left))
+    return found
+
+
+def _about(spots: Sequence[Spot], first: int) -> list[Spot]:
+    """Spots of which all look ahead or by quarters, about one of them, which comes first."""
+    base = spots[first]
+    moved = [Spot(s.ahead - base.ahead, s.left - base.left, s.turn) for s in spots]
+    return [moved[first], *moved[:first], *moved[first + 1 :]]
+
+
+def _turned_about(spots: Sequence[Spot], first: int) -> list[Spot]:
+    """Spots in the frame of one of them, which comes first."""
+    base = spots[first]
+    c, s = math.cos(math.radians(base.turn)), math.sin(math.radians(base.turn))
+    found = []
+    for spot in spots:
+        dx, dy = spot.ahead - base.ahead, spot.left - base.left
+        found.append(
+            Spot(
+                c * dx + s * dy,
+                c * dy - s * dx,
+                math.degrees(math.remainder(math.radians(spot.turn - base.turn), 2 * math.pi)),
+            )
+        )
+    return [found[first], *found[:first], *found[first + 1 :]]
+
+
+def extent(spots: Sequence[Spot], depth: float, width: float) -> tuple[float, float]:
+    """Sides [m] of the box about things at some spots, along the leader's front and across."""
+    reach = [(abs(math.cos(math.radians(s.turn))), abs(math.sin(math.radians(s.turn)))) for s in spots]
+    xs = [(s.ahead, (c * depth + t * width) / 2) for s, (c, t) in zip(spots, reach, strict=True)]
+    ys = [(s.left, (c * width + t * depth) / 2) for s, (c, t) in zip(spots, reach, strict=True)]
+    sides = [max(at + half for at, half in values) - min(at - half for at, half in values) for values in (xs, ys)]
+    return sides[0], sides[1]

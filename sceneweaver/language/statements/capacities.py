@@ -1,0 +1,214 @@
+"""People in words: how many there are, what they do at what, and what each of them has for their own.
+
+A number of people at something ("a table for ten", "four people at a round table", "five benches, four pupils each") is
+taken out of the source; people of whom nothing else is said are left to the clause grammar, and `counts.peopled` makes
+one statement of both.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+from sceneweaver.assets.plurals import singular
+
+from ..model import Activity, Capacity
+from ..parsed import Parsed
+from ..source import Source
+from ..things import match_of
+from ..vocabulary import words
+from .phrases import NUMBER, Edits, listed, noun_after, noun_before, number_of, one_of
+
+_N = rf"(?P<n>{NUMBER})"
+_ABOUT = r"(?:about |around |roughly |some |up to |at least |max(?:imum)? |approx(?:imately)? )?"
+_PEOPLE = rf"(?:(?:[a-z-]+ ){{0,2}}{one_of(listed('people'))}\b)"
+_ENDS = (
+    r"(?=\s*(?:$|[.,()]|(?:with|and|in|at|but|by|under|near|on|along|that|which|in|from|next|to|or|against|plus)\b))"
+)
+
+
+def activity_at(noun: str) -> Activity | None:
+    """What people do at a thing, by the last word of its noun; None where nobody does anything at such things."""
+    last = noun.split()[-1] if noun else ""
+    return next((name for name, nouns in words("people")["at"].items() if last in nouns), None)
+
+
+def capacities(source: Source, parsed: Parsed) -> None:
+    """Reads numbers of people and what is each one's own; see `Capacity`."""
+    edits = Edits(source)
+    for pattern, read in _PATTERNS:
+        for m in pattern.finditer(source.text):
+            if edits.free(m.start(), m.end()):
+                read(m, edits, parsed)
+
+
+def _add(edits: Edits, parsed: Parsed, start: int, end: int, said: Capacity, instead: str = "") -> None:
+    words_ = edits.source.text[start:end].strip(" ,")
+    span = edits.take(start, end, instead)
+    parsed.capacities.append(said.model_copy(update={"words": words_, "span": span}))
+
+
+def _verb(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "Sleeps 8", "table seats eight", "room for six people"."""
+    text, verb = edits.source.text, m["verb"]
+    does = next(name for name, verbs in words("people")["verbs"].items() if verb in verbs)
+    before = re.search(r"([a-z-]+) (?:that |which )?(?:comfortably )?$", text[: m.start()])
+    at = before[1] if before is not None and activity_at(before[1]) else ""
+    if verb == "beds for":
+        at = "beds"
+    of_room = verb.endswith(" for") and re.search(r"[a-z] $", text[: m.start()]) and not at
+    if (does == "use" and not at and not m["who"]) or (of_room and not re.search(r"\bwith $", text[: m.start()])):
+        return  # "a dormitory room for four"
+    activity: Activity = (activity_at(at) or "use") if does == "use" else does
+    instead = "beds" if verb == "beds for" else ""
+    _add(edits, parsed, m.start(), m.end(), Capacity(people=number_of(m["n"]), activity=activity, target=at), instead)
+
+
+def _thing_for(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "A table for ten", "five tables for two", "a sofa for all of us", "a desk wide enough for both"."""
+    noun = noun_before(edits.source.text, m.end("noun"))
+    noun = noun if noun.split()[-1:] == [m["noun"]] else m["noun"]
+    activity = activity_at(m["noun"])
+    if activity is None:
+        return
+    many = re.search(rf"({NUMBER}) (?:[a-z-]+ ){{0,2}}{re.escape(m['noun'])}$", edits.source.text[: m.end("noun")])
+    each = activity == "sit" and many is not None and number_of(many[1]) > 1
+    people = number_of(m["n"]) if m["n"] else 0
+    said = Capacity(people=people, activity=activity, target=noun, each=each)
+    _add(edits, parsed, m.end("noun"), m.end(), said)
+
+
+def _at_thing(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "Four people at a round table", "three operators side by side at a console"."""
+    noun, _ = noun_after(edits.source.text, m.end())
+    activity = activity_at(noun)
+    if activity is None:
+        return
+    _add(edits, parsed, m.start(), m.end("at"), Capacity(people=number_of(m["n"]), activity=activity, target=noun))
+
+
+def _each_at(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "Five island benches, four pupils each on stools"."""
+    noun = noun_before(edits.source.text, m.start())
+    activity = activity_at(noun)
+    if activity is None:
+        return
+    said = Capacity(people=number_of(m["n"]), activity=activity, target=noun, each=True)
+    _add(edits, parsed, m.start(), m.end(), said, ", " if m["on"] else "")
+
+
+def _room_people(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "My two boys", "staff of five": how many there are, who stay in the source for whom the room is."""
+    if parsed.people is None:
+        parsed.people = number_of(m["n"])
+
+
+def _own(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "Everybody must have an own wardrobe, so four, and own lamp"."""
+    text = edits.source.text
+    noun, end = noun_after(text, m.end())
+    if not noun:
+        return
+    own = [(noun, 1)]
+    rest = re.compile(rf"(?:,? so {NUMBER})?,? and (?:(?:his|her|their|an|a) )?own ")
+    while again := rest.match(text, end):
+        noun, last = noun_after(text, again.end())
+        if not noun:
+            break
+        own.append((noun, 1))
+        edits.take(again.start(), again.end(), ", a ")
+        end = last
+    if so := re.compile(rf",? so {NUMBER}\b").match(text, end):
+        edits.take(so.start(), so.end())
+    _add(edits, parsed, m.start(), m.end(), Capacity(people=0, activity="use", own=tuple(own)), "a ")
+
+
+def _for_each(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "A microphone and headphones for each", "plate, glass and napkin for each guest"."""
+    text = edits.source.text
+    start = max(text.rfind(".", 0, m.start()), -1) + 1
+    parts = text[start : m.start()].split(",")
+    tied = rf"\b{one_of(listed('prepositions'))}\b"
+    nouns: list[str] = []
+    for k, part in enumerate(reversed(parts)):
+        if k and (re.search(tied, part) or len(part.split()) > 4):
+            break
+        for piece in re.split(rf"\band\b|{tied}", part):
+            noun = noun_before(piece, len(piece))
+            nouns += [noun] if noun else []
+    if nouns:
+        said = Capacity(people=0, activity="use", own=tuple((noun, 1) for noun in dict.fromkeys(nouns)))
+        _add(edits, parsed, m.start(), m.end(), said)
+
+
+def _per_person(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "Two lockers per person", "one chair each"."""
+    noun, count = m["noun"], number_of(m["n"]) if m["n"] else 1
+    if match_of(singular(noun)).how != "generic":
+        said = Capacity(people=0, activity="use", own=((noun, count),))
+        _add(edits, parsed, m.end("noun"), m.end(), said)
+
+
+_EACH_ONE = (
+    r"(?:each one|each of (?:them|us|the [a-z]+)|every one|everyone|everybody"
+    rf"|each(?: of the)? {_PEOPLE}|every {_PEOPLE})"
+)
+_HAS = r"(?:must |should |needs to |need to |has to |shall |will )?(?:have|has|gets|get|needs|need|with)"
+
+_PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed], None]], ...] = (
+    (re.compile(rf"\b{_EACH_ONE} {_HAS} (?:(?:his|her|their|its|an|a) )?own "), _own),
+    (
+        re.compile(
+            rf",? ?\b{_N} {_PEOPLE} (?:each|at each(?: one| of them)?|per [a-z]+)\b"
+            r"(?: (?P<on>on|with|sitting on|seated on))?"
+        ),
+        _each_at,
+    ),
+    (
+        re.compile(
+            rf"\b{_N} {_PEOPLE}(?P<at>(?: (?:sit|sitting|seated|work|working|sleep|sleeping))?"
+            r"(?: side by side| together| next to each other)? (?:at|around|round)) (?:an? |the |one )"
+        ),
+        _at_thing,
+    ),
+    (
+        re.compile(
+            rf"\b(?P<verb>{'|'.join(v for listed_ in words('people')['verbs'].values() for v in listed_)})"
+            rf" {_ABOUT}{_N}(?P<who> {_PEOPLE})?{_ENDS}"
+        ),
+        _verb,
+    ),
+    (
+        re.compile(
+            rf"\b(?P<noun>[a-z]+)(?: (?:that is |that's )?(?:big|wide|large|long|roomy))?(?: enough)? for {_ABOUT}"
+            rf"(?:{_N}(?: {_PEOPLE})?|both(?: of them)?|all(?: of (?:us|them))?"
+            rf"|everyone|everybody|the whole family){_ENDS}"
+        ),
+        _thing_for,
+    ),
+    (
+        re.compile(
+            r"\b(?P<noun>[a-z]+) where (?:all of us|we all|everyone|everybody|they all|all of them) "
+            r"(?:can )?(?:fits?|sits?)\b(?P<n>(?!))?"
+        ),
+        _thing_for,
+    ),
+    (re.compile(rf"\b(?:my|our|his|her|their|the) {_N} {_PEOPLE}"), _room_people),
+    (re.compile(rf"\b{one_of(listed('of_people'))} of {_N}\b(?! [a-z]+s\b)"), _room_people),
+    (
+        re.compile(
+            rf" for (?:each(?: (?:one|of them|{_PEOPLE}))?|every {_PEOPLE}|everyone|everybody)(?=\s*(?:$|[.,)]))"
+        ),
+        _for_each,
+    ),
+    (
+        re.compile(
+            rf"\b(?:(?P<n>{NUMBER}) |an? )?(?P<noun>(?:[a-z-]+ )?[a-z-]+) "
+            rf"(?:per (?:person|head|{_PEOPLE})|for each person)\b"
+        ),
+        _per_person,
+    ),
+)
+"""Each pattern with what reads it, in order: what the ones before it took is no more in the text."""
+
+__all__ = ["activity_at", "capacities"]

@@ -1,0 +1,108 @@
+"""What patterns over a request share: numbers, lengths, the noun before or after a place in the text, edits."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from functools import cache
+
+from ..model import Span
+from ..source import Source, metres
+from ..vocabulary import NUMBERS, words
+
+_SCORES = {"a couple of": 2, "a pair of": 2, "half a dozen": 6, "a dozen": 12, "two dozen": 24, "dozen": 12}
+
+_VALUES = {**NUMBERS, **_SCORES}
+
+NUMBER = r"(?:\d{1,3}|" + "|".join(sorted(map(re.escape, _VALUES), key=lambda w: -len(w))) + r")(?!\w|\.\d)"
+"""A whole number in digits or words, with nothing that would make another number or word of it."""
+
+LENGTH = r"(?P<long>\d{1,4}(?:[.,]\d{1,3})?) ?(?P<unit>m|cm|met(?:er|re)s?|centimet(?:er|re)s?|ft|feet|foot)\b"
+"""A length with its unit, in the groups ``long`` and ``unit``."""
+
+_WORD = re.compile(r"[a-z][a-z'/-]*")
+
+_DETERMINERS = frozenset(
+    ("the", "a", "an", "every", "each", "all", "both", "my", "our", "his", "her", "its", "their", "this", "these")
+)
+
+MOST_WORDS = 4
+"""Words that a noun with what stands before it has at most."""
+
+
+def number_of(word: str) -> int:
+    """The value of what `NUMBER` matches."""
+    return int(word) if word.isdigit() else _VALUES[word]
+
+
+def length_of(m: re.Match[str]) -> float | None:
+    """The length [m] that a match of `LENGTH` says; None where it has none."""
+    return metres(m["long"], m["unit"]) if m.groupdict().get("long") else None
+
+
+def listed(name: str) -> tuple[str, ...]:
+    """Words of the lexicon of people and patterns."""
+    return tuple(words("people")[name])
+
+
+def one_of(names: tuple[str, ...] | list[str]) -> str:
+    """A pattern for any of some words, the longest first."""
+    return "(?:" + "|".join(sorted(map(re.escape, names), key=lambda w: -len(w))) + ")"
+
+
+@cache
+def _closed() -> frozenset[str]:
+    return frozenset((*listed("closed"), *listed("prepositions"), *NUMBERS))
+
+
+def noun_after(text: str, at: int) -> tuple[str, int]:
+    """The words of a noun that begin at a place, and where they end; "" where there are none."""
+    found: list[str] = []
+    end = at
+    while len(found) < MOST_WORDS:
+        m = re.compile(r"\s*([a-z][a-z'-]*)").match(text, end)
+        if m is None or m[1] in _closed():
+            break
+        found.append(m[1])
+        end = m.end()
+    return " ".join(found), end
+
+
+def noun_before(text: str, at: int) -> str:
+    """The noun of the sentence that something at a place is said of: the last one before it that no preposition ties
+    to another ("four benches from wood" are benches)."""
+    start = max(text.rfind(".", 0, at), text.rfind("(", 0, at)) + 1
+    chunks: list[tuple[str, list[str]]] = [("", [])]
+    for m in re.finditer(r"[a-z][a-z'/-]*|\d+|[,)]", text[start:at]):
+        tied = not chunks[-1][1] and chunks[-1][0] in listed("prepositions")
+        if tied and m[0] in _DETERMINERS:
+            continue  # "on every surface": the preposition ties the noun behind the article
+        if m[0] in _closed() or not _WORD.fullmatch(m[0]):
+            chunks.append((m[0], []))
+        else:
+            chunks[-1][1].append(m[0])
+    near = chunks[-1][1] and chunks[-1][0] in ("with", "w/")  # "a room with crates stacked three high"
+    said = [(before, found) for before, found in chunks if found]
+    free = [found for before, found in said if before not in listed("prepositions")]
+    free += [chunks[-1][1]] if near else []
+    chosen = (free or [found for _, found in said] or [[]])[-1]
+    return " ".join(chosen[-MOST_WORDS:])
+
+
+@dataclass
+class Edits:
+    """What a reader takes out of the source or puts into it, in place: the length of the text stays the same."""
+
+    source: Source
+    _taken: list[tuple[int, int]] = field(default_factory=list[tuple[int, int]])
+
+    def free(self, start: int, end: int) -> bool:
+        """Whether nothing of these characters was taken yet."""
+        return all(end <= a or start >= b for a, b in self._taken)
+
+    def take(self, start: int, end: int, instead: str = "") -> Span:
+        """Blanks characters [start, end), or puts shorter words in their place; where they stand in the request."""
+        text = self.source.text
+        self.source.text = text[:start] + instead[: end - start].ljust(end - start) + text[end:]
+        self._taken.append((start, end))
+        return self.source.span(start, end)

@@ -1,0 +1,134 @@
+"""Whether places for people, and arrangements, are measured as people mean them."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import pytest
+
+from sceneweaver.language.model import Arrangement, Capacity, Entity
+from sceneweaver.scene import SceneObject
+from tests.critic.measuring import CHAIR, TABLE, aligned, box, carrier, graph, on
+
+BUNK = (2.05, 1.0, 1.7)
+
+
+def chair(x: float, y: float, yaw: float, k: int) -> SceneObject:
+    return box(f"dining_chair-{k}", CHAIR, x, y, yaw)
+
+
+table = box("dining_table-0", TABLE, 3.0, 2.5)
+"""0.9 x 1.8 m, its long sides at x = 2.55 and 3.45."""
+
+AT = [chair(2.4, 2.0, 0, 0), chair(2.4, 3.0, 0, 1), chair(3.6, 2.0, 180, 2), chair(3.6, 3.0, 180, 3)]
+"""Four chairs that look at the table."""
+
+
+def of(objects: list[SceneObject], said: Capacity | Arrangement, *more: str) -> Any:
+    """What became of a statement; ``more`` are categories that the request names and nothing is of."""
+    key = "capacities" if isinstance(said, Capacity) else "arrangements"
+    brief = graph(tuple(objects), **{key: (said.model_dump(),)})
+    missing = tuple(Entity(id=name, noun=name, category=name) for name in more if brief.entity(name) is None)
+    named = tuple(e.model_copy(update={"count": None}) for e in brief.entities)
+    brief = brief.model_copy(update={"entities": (*named, *missing)})
+    return aligned(tuple(objects), brief).of(said.id)
+
+
+def seated(people: int, **more: Any) -> Capacity:
+    return Capacity(id="capacity-0", people=people, activity="sit", target="dining_table", **more)
+
+
+def test_seats_at_a_table_are_counted():
+    assert of([table, *AT], seated(4), "dining_table", "dining_chair").status == "met"
+    short = of([table, *AT], seated(6), "dining_table", "dining_chair")
+    assert short.status == "unmet" and short.measured == 4.0
+
+
+@pytest.mark.parametrize(
+    "spoilt", [chair(2.4, 2.0, 180, 0), chair(1.2, 2.0, 0, 0)], ids=["turned away", "out of reach"]
+)
+def test_a_seat_that_nobody_can_use_at_the_table_does_not_count(spoilt: SceneObject):
+    found = of([table, spoilt, *AT[1:]], seated(4), "dining_table", "dining_chair")
+    assert found.status == "unmet" and found.measured == 3.0
+
+
+def test_a_table_too_short_for_its_seats_has_fewer_places():
+    small = box("dining_table-0", (0.5, 0.7, 0.75), 3.0, 2.5)
+    seats = [chair(2.6, 2.5, 0, 0), chair(3.4, 2.5, 180, 1), chair(3.0, 2.0, 90, 2), chair(3.0, 3.0, -90, 3)]
+    assert of([small, *seats], seated(4), "dining_table", "dining_chair").status == "unmet"
+
+
+def test_beds_count_who_sleeps_in_them():
+    beds = [box(f"bunk_bed-{k}", BUNK, 1.5 + 2.5 * k, 2.5) for k in range(2)]
+    said = Capacity(id="capacity-0", people=4, activity="sleep")
+    assert of(beds, said, "bunk_bed").status == "met"
+    assert of(beds[:1], said, "bunk_bed").measured == 2.0
+
+
+def test_what_is_each_ones_own_is_counted():
+    said = Capacity(id="capacity-0", people=3, activity="use", own=(("locker", 2),))
+    lockers = [box(f"locker-{k}", (0.5, 0.4, 1.8), 0.5 + 0.5 * k, 0.5) for k in range(6)]
+    assert of(lockers, said, "locker").status == "met"
+    assert of(lockers[:5], said, "locker").measured == 5.0
+
+
+def arranged(pattern: Any, name: str = "locker", **more: Any) -> Arrangement:
+    return Arrangement(id="arrangement-0", entity=name, pattern=pattern, words=pattern, **more)
+
+
+def lockers(*places: tuple[float, float, float]) -> list[SceneObject]:
+    return [box(f"locker-{k}", (0.5, 0.4, 1.8), x, y, yaw) for k, (x, y, yaw) in enumerate(places)]
+
+
+ROWS = [(1.0 + 0.5 * k, 1.0 + 2.0 * row, 90.0 + 180.0 * row) for row in range(2) for k in range(3)]
+"""Two rows of three, looking at each other."""
+
+CIRCLE = [
+    (3.0 + 1.2 * math.cos(math.radians(a)), 2.5 + 1.2 * math.sin(math.radians(a)), a + 180.0) for a in range(0, 360, 60)
+]
+
+
+@pytest.mark.parametrize(
+    ("said", "places", "spoilt"),
+    [
+        (arranged("rows", rows=2, columns=3), ROWS, (1.0, 1.6, 90.0)),
+        (arranged("rows", rows=2, columns=3, facing="each other"), ROWS, (2.0, 3.0, 90.0)),
+        (arranged("row", rows=1), ROWS[:3], (2.0, 1.5, 90.0)),
+        (arranged("circle"), CIRCLE, (3.0, 2.0, 90.0)),
+        (arranged("back_to_back"), [(2.0, 2.0, 0.0), (1.45, 2.0, 180.0)], (1.45, 2.0, 90.0)),
+        (arranged("islands"), [(2.0, 2.5, 0.0), (4.0, 2.5, 0.0)], (0.4, 2.5, 0.0)),
+        (arranged("cluster", groups=2, columns=2), [(1, 1, 0), (1, 1.6, 0), (4, 3, 0), (4, 3.6, 0)], (2.5, 3, 0)),
+    ],
+)
+def test_a_pattern_holds_until_one_stands_elsewhere(
+    said: Arrangement, places: list[tuple[float, float, float]], spoilt: tuple[float, float, float]
+):
+    assert of(lockers(*places), said, "locker").status == "met"
+    assert of(lockers(*places[:-1], spoilt), said, "locker").status == "unmet"
+
+
+def test_the_gap_that_was_asked_for_is_measured():
+    said = arranged("row", rows=1, spacing=1.0)
+    assert of(lockers((1, 1, 90), (2.4, 1, 90), (3.8, 1, 90)), said, "locker").status == "met"
+    assert of(lockers((1, 1, 90), (1.9, 1, 90), (2.8, 1, 90)), said, "locker").measured == pytest.approx(0.5)
+
+
+def test_two_chairs_on_one_side_and_one_on_the_other():
+    said = arranged("sides", "dining_chair", sides=(2, 1), around="dining_table")
+    three = [AT[0], AT[1], AT[2]]
+    assert of([table, *three], said, "dining_table", "dining_chair").status == "met"
+    assert of([table, AT[0], AT[1], chair(2.4, 2.5, 0, 2)], said, "dining_table", "dining_chair").status == "unmet"
+
+
+def test_a_stack_is_what_carries_each_other():
+    base = carrier(box("cardboard_box-0", (0.4, 0.4, 0.4), 1.0, 1.0))
+    top = on(base, "cardboard_box-1", (0.4, 0.4, 0.4))
+    beside = box("cardboard_box-1", (0.4, 0.4, 0.4), 2.0, 1.0)
+    said = arranged("stack", "cardboard_box", rows=2)
+    assert of([base, top], said, "cardboard_box").status == "met"
+    assert of([base, beside], said, "cardboard_box").status == "unmet"
+
+
+def test_things_that_are_not_there_are_not_arranged():
+    assert of([], arranged("row", rows=1), "locker").status == "unmet"

@@ -1,0 +1,92 @@
+"""Places for the people of a request, and patterns of its things, in drafts and in layouts."""
+
+from __future__ import annotations
+
+import pytest
+
+from sceneweaver.agent.design import chosen_room
+from sceneweaver.agent.loop import empty_scene
+from sceneweaver.assets import Library
+from sceneweaver.generate.people import with_people
+from sceneweaver.language import SceneGraph, read_request
+from sceneweaver.layout.engine import refine
+from sceneweaver.scene import Scene
+from sceneweaver.tools.base import Context
+from sceneweaver.tools.init_prior import InitPrior
+
+
+def brief_of(text: str) -> SceneGraph:
+    brief = read_request(text)
+    return with_people(brief, chosen_room(brief)[0])
+
+
+def drawn(text: str, library: Library) -> Scene:
+    brief = read_request(text)
+    room = chosen_room(brief)[0]
+    brief = with_people(brief, room)
+    scene = (
+        InitPrior().propose(Context(brief, room, empty_scene(brief, room), library, 0, text, {}, lambda: False)).scene
+    )
+    assert scene is not None
+    return scene
+
+
+@pytest.mark.parametrize(
+    ("text", "category", "count"),
+    [
+        ("a dining room with a table for ten", "dining_chair", 10),
+        ("a restaurant with six tables for four", "dining_chair", 24),
+        ("a hostel dorm that sleeps 12 in bunks", "bunk_bed", 6),
+        ("a classroom for 24 pupils", "school_desk", 24),
+        ("a bedroom for my two boys", "single_bed", 2),
+        ("an office for six people", "desk", 6),
+    ],
+)
+def test_people_become_places(text: str, category: str, count: int) -> None:
+    (entity,) = [e for e in brief_of(text).entities if e.category == category]
+    assert entity.count == (count, count)
+
+
+@pytest.mark.parametrize("text", ["a table for six but only two chairs", "a bedroom for two people, two single beds"])
+def test_what_the_request_counts_stays(text: str) -> None:
+    brief = read_request(text)
+    assert [e.count for e in brief_of(text).entities][: len(brief.entities)] == [e.count for e in brief.entities]
+
+
+def test_a_table_for_ten_is_long_enough(library: Library) -> None:
+    scene = drawn("a dining room with a table for ten", library)
+    seats = [o for o in scene.objects if o.category == "dining_chair"]
+    (table,) = [o for o in scene.objects if o.intent.request == "dining_table"]
+    assert len(seats) == 10
+    assert max(table.size[:2]) >= 4 * max(o.size[1] for o in seats)
+
+
+def test_a_pattern_is_laid_out_about_its_first(library: Library) -> None:
+    scene = drawn("a server room, 8 x 6 m, with 2 rows of 4 racks, fronts facing each other, 1.4 m apart", library)
+    racks = [o for o in scene.objects if o.category == "server_rack"]
+    told = [r for r in scene.relations if r.type == "arranged"]
+    assert len(racks) == 8 and len(told) == 7 and len({r.target for r in told}) == 1
+    across = [r for r in told if r.params["turn"] == 180.0]
+    assert len(across) == 4
+    assert [r.params["ahead"] - racks[0].size[0] for r in across] == pytest.approx([1.4] * 4, abs=1e-3)
+    bare = scene.model_copy(
+        update={"objects": tuple(racks), "relations": tuple(told)},
+    )
+    assert refine(bare, candidates=16, seed=0, device="cpu").best is not None
+
+
+def test_stacks_carry_each_other(library: Library) -> None:
+    scene = drawn("a storage room with two stacks of three cardboard boxes", library)
+    boxes = [o for o in scene.objects if o.intent.request == "cardboard_box"]
+    below = {o.id: o.support.object if o.support else None for o in boxes}
+    assert len(boxes) == 6
+    assert sorted(name is None for name in below.values()) == [False] * 4 + [True] * 2
+    assert all(name is None or name in below for name in below.values())
+
+
+def test_screens_hang_in_rows(library: Library) -> None:
+    scene = drawn("an office with a wall of screens three wide and two high", library)
+    screens = [o for o in scene.objects if o.intent.request == "monitor"]
+    assert len(screens) == 6 and {o.mount for o in screens} == {"wall"}
+    heights = [o.intent.mounting_height for o in screens]
+    assert len(set(heights)) == 2 and all(heights.count(h) == 3 for h in heights)
