@@ -26,8 +26,8 @@ SOFT = 0.1  # of their weight is what soft relations have in chains, so that no 
 
 @dataclass(frozen=True)
 class Drawn:
-    """What a step of the chains of one scene has led to: of its valid layouts poses [K, N, 4] and energy [K] float32,
-    and which of the scene's relations hold [K, R]."""
+    """What a step of the chains of one scene has led to: of its valid layouts poses [K, N, 4] of all bodies and energy
+    [K] float32, and which of the scene's relations hold [K, R]."""
 
     poses: np.ndarray
     energy: np.ndarray
@@ -57,7 +57,7 @@ def first_layouts(
         jobs.append(Job(scene, world, "sample", seed, walk=False, first=candidates.start))
     found = solve(jobs, "search", attempts, device, Monitor(len(candidates) * len(jobs)), time.monotonic())
     return [
-        _inside(scene, Drawn(*(a[s.status == 0] for a in (s.poses, s.energy, s.relations))))
+        _inside(scene, Drawn(*(a[s.status == 0] for a in (s.bodies, s.energy, s.relations))))
         for scene, s in zip(scenes, found, strict=True)
     ]
 

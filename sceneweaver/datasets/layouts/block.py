@@ -58,7 +58,8 @@ class Program:
 def draw(spec: Spec, one: tuple[Request, int]) -> Program:
     """An attempt at the program of a request.
 
-    What stands on furniture is part of its boxes. Scenes of users are taken as they are.
+    What stands on furniture is part of its boxes. Scenes of users are taken as they are, but for free floor: rows have
+    the poses of objects alone.
     """
     request, attempt = one
     try:
@@ -71,7 +72,7 @@ def draw(spec: Spec, one: tuple[Request, int]) -> Program:
     least, most = spec.rooms.objects
     if not least <= len(scene.objects) <= most:
         return Program(request, attempt, None, f"{len(scene.objects)} objects, not {least} to {most}")
-    return Program(request, attempt, scene)
+    return Program(request, attempt, scene.model_copy(update={"free_areas": ()}) if scene.free_areas else scene)
 
 
 Draw = Callable[[Sequence[tuple[Request, int]]], list[Program]]
