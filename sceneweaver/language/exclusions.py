@@ -76,6 +76,21 @@ def _leave_out(state: State, phrase: NounPhrase) -> None:
 
 def only_chunk(state: State, chunk: Chunk) -> None:
     """ "Only a bed", "nothing else": nothing but what is named."""
-    ahead = state.chunks[state.at : state.at + 2]
-    named = any(c.kind == "noun" and c.value.what in ("thing", "group") for c in ahead)
+    ahead = state.chunk(state.at)
+    if ahead is not None and ahead.kind == "verb":  # "it should only have a bed"
+        ahead = state.chunk(state.at + 1)
+    # "Only two chairs" is how many chairs there are, not all that there is.
+    named = (
+        ahead is not None
+        and ahead.kind == "noun"
+        and ahead.value.what in ("thing", "group")
+        and not _is_counted(ahead.value)
+    )
     state.out.only = state.out.only or chunk.value == "all" or named
+
+
+def _is_counted(phrase: NounPhrase) -> bool:
+    """Whether a noun phrase has a number of its own, or is no thing that is known: "they only talk"."""
+    if phrase.determiner in ("a", "an", "the"):
+        return False
+    return phrase.count is not None or phrase.value is None
