@@ -130,6 +130,13 @@ def apothecary_cabinet(d: Drawing) -> None:
     _drawer_case(d, wood, 5, 3, 0.08, "knob")
 
 
+@draws("plan_chest")
+def plan_chest(d: Drawing) -> None:
+    """Wide flat drawers for drawings and maps."""
+    wood = d.material("body", "oak, grey paint, light grey paint, pine, white paint")
+    _drawer_case(d, wood, 7, 1, 0.1, "cup")
+
+
 @draws("type_cabinet")
 def type_cabinet(d: Drawing) -> None:
     """A compositor's cabinet: shallow cases of type in a stand, with a top to set on."""
@@ -178,6 +185,15 @@ def sorting_table(d: Drawing) -> None:
     """A plain steel or wooden table to sort, pack and wrap on, with a shelf below."""
     look = d.material("top", "birch, grey paint, brushed steel, pine")
     _work_table(d, look, d.material("frame", "grey paint, black steel, brushed steel"), 0.03, 0.05, 0.28)
+
+
+@draws("welding_table")
+def welding_table(d: Drawing) -> None:
+    """A thick plate of steel with a grid of holes on posts of steel."""
+    box = d.bounds
+    _work_table(d, "iron", d.material("frame", "black steel, blue paint, grey paint"), 0.05, 0.09, None)
+    with d.part("top"), d.grid(box.top(0.0).inset(x=0.08, y=0.08), x=5, y=8):
+        d.print(Box.sized(0.018, 0.018, 0.0), "black plastic", oval=True)
 
 
 @draws("butcher_block")
