@@ -25,6 +25,9 @@ SQUARE = 1.12
 TUCKED = 0.2
 """How much [m] narrower than the table the ring is on which the fronts of pulled-up seats stand."""
 
+_SIDES = {"front_to_front": "front", "in_front_of": "front", "behind": "back"}
+"""Sides of a table by the relation of a seat to it."""
+
 EDGES = 8
 """Edges of the collision part of a round table. Seats are pulled up to these, to every other one if that is enough."""
 
@@ -73,9 +76,9 @@ def _item_places(one: Wanted):
 
 def _places(table: Wanted, seats: Sequence[Wanted]) -> Iterator[tuple[Wanted, str, int, int]]:
     """Each seat with its side of the table, its place there and the number of places: the long sides in turn, the
-    ends when those are full. What belongs to the front shares the front, and nothing sits between table and wall."""
-    front = [s for s in seats if any(p.type == "front_to_front" for p in _item_places(s))]
-    others = [s for s in seats if s not in front]
+    ends when those are full. What belongs to a side shares that side, and nothing else sits between table and wall."""
+    own = {s.id: side for s in seats if (side := _own_side(s)) is not None}
+    others = [s for s in seats if s.id not in own]
     d, w, _ = table.asset.size
     wide = max(s.asset.size[1] for s in seats) + ELBOW
     at_wall = table.wall > 0.0
@@ -83,12 +86,13 @@ def _places(table: Wanted, seats: Sequence[Wanted]) -> Iterator[tuple[Wanted, st
     if "round" in table.category:
         wide = max(d, w)
     free = {s: max(1, int(max(d, w) / wide)) for s in sides} | {s: max(1, int(min(d, w) / wide)) for s in ends}
-    if front:
-        free["front"] = 0
+    free |= dict.fromkeys(own.values(), 0)
     if at_wall:
         free["back"] = 0
     shared: dict[str, list[Wanted]] = {side: [] for side in (*sides, *ends)}
-    shared["front"] += front
+    for seat in seats:
+        if seat.id in own:
+            shared[own[seat.id]].append(seat)
     for group in (sides, ends):
         while others and any(len(shared[s]) < free[s] for s in group):
             side = min((s for s in group if len(shared[s]) < free[s]), key=lambda s: len(shared[s]))
@@ -96,6 +100,12 @@ def _places(table: Wanted, seats: Sequence[Wanted]) -> Iterator[tuple[Wanted, st
     for side, row in shared.items():
         for k, seat in enumerate(row):
             yield seat, side, k, len(row)
+
+
+def _own_side(seat: Wanted) -> str | None:
+    """The side of its table that a seat's kind of room gives it: a clerk's chair stands behind the counter."""
+    with_ = seat.item.with_ if seat.item else None
+    return next((_SIDES[p.type] for p in _item_places(seat) if p.type in _SIDES and p.to == with_), None)
 
 
 def lengthened(program: Program, rows: Sequence[Grounded], library: Library, brief: SceneGraph) -> bool:

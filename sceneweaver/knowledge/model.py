@@ -211,6 +211,9 @@ class RoomType(FrozenModel):
         default=None, description="Group of palettes.yaml whose palettes it takes; None: the one that lists it"
     )
     never: tuple[str, ...] = Field(default=(), description="Categories, or groups of them, that do not belong in it")
+    things: tuple[str, ...] = Field(
+        default=(), description="Groups of small_things.yaml whose small things belong in it, beside those that list it"
+    )
     names: dict[Literal["de", "es", "fr", "zh"], tuple[str, ...]] = Field(
         default={}, description="What it is called in other languages, the usual name first"
     )

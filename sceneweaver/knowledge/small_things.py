@@ -15,7 +15,7 @@ from pydantic import Field, field_validator
 from sceneweaver.assets import categories
 from sceneweaver.scene.base import FrozenModel
 
-from .load import check_known, data_of
+from .load import check_known, data_of, room_types
 from .model import Range
 from .palettes import groups_of
 
@@ -37,7 +37,9 @@ def most_of(category: str, room: str) -> int | None:
 def rooms_named(names: Iterable[str]) -> frozenset[str]:
     """The kinds of rooms of some groups of ``small_things.yaml`` and kinds of rooms."""
     groups = data_of("small_things.yaml")["groups"]
-    return frozenset(room for name in names for room in groups.get(name, (name,)))
+    wanted = set(names)
+    members = {name for name, room in room_types().items() if wanted & set(room.things)}
+    return frozenset(room for name in wanted for room in groups.get(name, (name,))) | members
 
 
 @cache

@@ -9,6 +9,7 @@ from typing import Any
 from sceneweaver.assets.taxonomy import category_named, narrower
 
 from .coverage import silent_words
+from .in_room import mean_in_room
 from .meaning import unsaid
 from .model import Amount, Attribute, Entity, Exclusion, SceneGraph, StatedRelation, Unread
 from .mutual import split_mutual
@@ -37,6 +38,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     mentions = _first(_without_contradictions(parsed), parsed)
     for mention in mentions:
         _narrowed(mention)
+    mean_in_room(mentions, parsed.room_type)
     _named(mentions)
     _shared_support(parsed)
     _by_attribute(parsed, mentions)

@@ -54,3 +54,10 @@ def test_a_size_that_was_asked_for_stays() -> None:
 def test_two_chairs_flank_a_table_at_its_ends() -> None:
     scene = drawn("a dining room with a dining table flanked by two chairs")
     assert {r.params["side"] for r in scene.relations if r.type == "seated_at" and r.asked} == {"left", "right"}
+
+
+def test_seats_share_the_side_that_their_room_gives_them() -> None:
+    scene = drawn("an interrogation room")
+    chosen = {o.id: o.intent.program_item for o in scene.objects}
+    sides = {(chosen[r.subject], r.params["side"]) for r in scene.relations if r.type == "seated_at"}
+    assert sides == {("officer", "front"), ("suspect", "back")}

@@ -57,8 +57,8 @@ def test_a_room_that_is_not_known_holds_what_is_asked_for() -> None:
 
 
 def test_a_desk_has_its_chair_in_a_room_that_is_not_known() -> None:
-    found, _ = chosen_room(read_request("A Podcast Studio with a desk, a mixing console and a microphone"))
-    assert found.name == "podcast_studio"
+    found, _ = chosen_room(read_request("A Puppeteers Nook with a desk, a mixing console and a microphone"))
+    assert found.name == "puppeteers_nook"
     assert {item.with_ for item in found.items if "office_chair" in item.what} == {"desk"}
 
 
