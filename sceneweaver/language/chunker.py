@@ -34,6 +34,8 @@ def _mark(scan: Scan, token: Token, after: Token | None) -> bool:
     """Punctuation, and words that mean what they are wherever they stand."""
     if token.has("break"):
         scan.add(_BREAKS.get(token.text, "bracket"))
+    elif token.has("aside"):
+        scan.add("aside", value=token.get("aside"))
     elif token.has("only_all"):
         scan.add("only", value="all")
     elif token.has("neg"):

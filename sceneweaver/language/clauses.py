@@ -14,7 +14,15 @@ from .parsed import Mention, Parsed
 from .pronouns import number_phrase, pronoun_phrase
 from .region_phrases import part_phrase, region_phrase, thing_phrase
 from .relating import relate_mutually, relate_to_nearest
-from .room_phrases import abstract_phrase, group_phrase, people_phrase, place_phrase, room_phrase, room_quality
+from .room_phrases import (
+    abstract_phrase,
+    group_phrase,
+    matter_phrase,
+    people_phrase,
+    place_phrase,
+    room_phrase,
+    room_quality,
+)
 from .source import Source
 from .state import Frame, State, Waiting
 from .things import describe, give_length, give_sides, singular
@@ -118,6 +126,21 @@ def _word(state: State, chunk: Chunk) -> None:
         state.at += 1
     elif not token.kinds and token.text.isalpha() and not token.text.endswith("ly"):
         state.leave_unread(token.text, chunk.start, chunk.end)
+
+
+def _aside(state: State, chunk: Chunk) -> None:
+    """What somebody does or may do: nothing is said of it, but of what stands beside it with a word of place."""
+    state.leave_unread(state.source.text[chunk.start : chunk.end], chunk.start, chunk.end)
+    open_ends(state)
+    if chunk.value != "clause":
+        return
+    state.fronted, state.negated = [], ""
+    before = state.chunk(state.at - 2)
+    if before is not None and before.kind == "while" and not state.subject and state.refs.topics:
+        state.subject = state.head = list(state.refs.topics[-1])  # "a chair where we can read next to a lamp"
+        state.glue, state.done, state.subject_open = "", True, False
+    elif state.glue in ("comma", "and", "comma and"):
+        state.glue = "while" if not state.frames else state.glue
 
 
 def _bracket(state: State, chunk: Chunk) -> None:
@@ -268,6 +291,7 @@ def _mannered(state: State, place: Place) -> Place:
 
 
 _CHUNKS: dict[str, Callable[[State, Chunk], None]] = {
+    "aside": _aside,
     "adjective": _adjective,
     "and": _and,
     "bracket": _bracket,
@@ -289,6 +313,7 @@ _PHRASES: dict[str, Callable[[State, NounPhrase, Chunk], None]] = {
     "abstract": abstract_phrase,
     "collective": abstract_phrase,
     "group": group_phrase,
+    "matter": matter_phrase,
     "number": number_phrase,
     "part": part_phrase,
     "people": people_phrase,

@@ -9,7 +9,7 @@ from .scan import Scan, is_verb
 from .tokens import Token
 from .vocabulary import words
 
-_ENDS = ("neg", "with", "while", "pron", "mutual", "only_all", "sides")
+_ENDS = ("neg", "with", "while", "pron", "mutual", "only_all", "sides", "aside")
 """Kinds of words that end a noun phrase, unless they may be its noun."""
 
 DEEPEST = 12
@@ -112,7 +112,7 @@ def _run_ends(scan: Scan, k: int, run: list[Token], phrase: NounPhrase, named: b
         ends = _place_ends(token, after, run, phrase, seen)
         if ends is not None:
             return ends
-    strange = not token.kinds and token.text.endswith("s") and not token.text.endswith("ss")
+    strange = not token.kinds.keys() - {"matter", "plural"} and token.text.endswith("s") and not token.text.endswith("ss")
     follows = after is not None and after.has("det", "number", "preposition", "adverbs")
     if strange and seen and phrase.determiner in _ONE and follows:  # a verb that is not known
         return True
@@ -249,6 +249,8 @@ def _kind(scan: Scan, head: Token, phrase: NounPhrase, start: int) -> tuple[str,
         return "abstract", head.text
     if head.has("collective"):
         return "collective", head.get("collective")
+    if head.has("matter"):
+        return "matter", head.get("matter")
     return "thing", None
 
 

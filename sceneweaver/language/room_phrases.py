@@ -238,6 +238,13 @@ def abstract_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     state.lost = state.lost and not (start and phrase.text in words("groups")["rooms"])
 
 
+def matter_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
+    """What is no object and no mood: a way, a step, an event. Other readers may know it; here it is not understood."""
+    state.leave_unread(state.source.text[phrase.start : phrase.end], phrase.start, phrase.end)
+    phrase.count = None
+    abstract_phrase(state, phrase, chunk)
+
+
 def _strange(phrase: NounPhrase) -> list[str]:
     """The words before a name of a room that make another kind of room of it."""
     return [t.text for t in phrase.qualities if not t.has(*_SAID_OF_ROOMS)]

@@ -7,6 +7,7 @@ from .items import name_nothing, name_things
 from .parsed import Mention, without
 from .room_phrases import abstract_phrase, describe_room, people_phrase, unknown_room
 from .state import State
+from .nothings import may_name
 from .things import describe, match_of, name_of, new_mention, note_on, singular
 from .vocabulary import words
 
@@ -124,7 +125,7 @@ def new_thing(state: State, phrase: NounPhrase) -> Mention | None:
 
 def _is_concrete(state: State, phrase: NounPhrase) -> bool:
     """Whether a noun that is not known stands where a thing is named: in a list, or as what is placed."""
-    if phrase.definite or not any(c.isalpha() for c in phrase.text):
+    if phrase.definite or not any(c.isalpha() for c in phrase.text) or not may_name(phrase.text):
         return False
     if phrase.determiner or phrase.count is not None:
         return True

@@ -11,7 +11,7 @@ from sceneweaver.knowledge.learned import learned_words
 
 from .source import Source, metres
 from .spelling import mended
-from .vocabulary import LONGEST, NUMBERS, Verb, vocabulary
+from .vocabulary import LONGEST, NUMBERS, Verb, vocabulary, words
 
 _WORD = re.compile(r"§|\d+(?:[.,]\d+)?|[a-z][a-z'&/]*|[^\W\d_]+|[.,()&\"{}\[\]<>\\/=]")
 _UNIT = re.compile(r"^(meters?|metres?|m|cm|centimeters?|centimetres?|ft|feet|foot|inch(?:es)?|in)$")
@@ -132,10 +132,13 @@ def _phrase(raw: list[_Raw], at: int, notes: list[str], learned: Mapping[str, st
     if raw[at].glued:
         return _compound(raw, at)
     known = mended(raw[at].text, notes)
-    if known is None and at + 1 < len(raw) and raw[at].text == "":
-        known = None
-    kinds = dict(table[known]) if known else {}
+    kinds = dict(table[known]) if known else {"adverbs": raw[at].text} if _is_adverb(raw[at].text) else {}
     return Token(known or raw[at].text, raw[at].start, raw[at].end, kinds), at + 1
+
+
+def _is_adverb(word: str) -> bool:
+    """Whether a word that is not known has the ending of an adverb: it belongs to no name of a thing."""
+    return len(word) > 5 and word.endswith("ly") and not word.endswith(tuple(words("nothings")["nouns_in_ly"]))
 
 
 def _noun_begins(raw: list[_Raw], at: int) -> bool:
