@@ -13,7 +13,21 @@ _OWN = ("person", "modal", "action", "passive", "unit")
 """Kinds of words that are looked at here alone."""
 
 _OPEN = ("modal", "adverbs")
-_OBJECTS = ("it", "them", "him", "her", "me", "us", "you", "everything", "anything", "something", "this", "that", "each other")
+_OBJECTS = (
+    "it",
+    "them",
+    "him",
+    "her",
+    "me",
+    "us",
+    "you",
+    "everything",
+    "anything",
+    "something",
+    "this",
+    "that",
+    "each other",
+)
 _SELDOM = ("can", "will", "may", "might", "must")
 """Modal verbs that are nouns as well: a can is one after an article, a number or a word of quality."""
 

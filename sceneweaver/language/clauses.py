@@ -253,25 +253,22 @@ def _subjects_of(state: State, place: Place, glue: str) -> list[Mention] | None:
 
 
 def _is_nowhere(state: State, chunk: Chunk) -> bool:
-    """Whether a word of place says where something must not be, which cannot be said as a relation."""
+    """Whether a word of place says where something must not be, and has been read."""
     after = state.chunk(state.at)
     noun = after if after is not None and after.kind == "noun" else None
     of_room = noun is not None and noun.value.what == "room"
-    if state.negated not in ("where", "first"):
-        if not of_room:
-            state.negated = ""
-            return False
-        state.negated = ""
+    where, state.negated = state.negated in ("where", "first"), ""
+    if of_room or not where:
+        return of_room
+    subjects = state.unwanted or state.subject or state.head
+    place: Place = chunk.value
+    if noun is not None and subjects:
+        state.waiting = Waiting(place, list(subjects), chunk, barred=True)
+        state.glue = "object"
         return True
-    state.negated = ""
-    if of_room:
-        return True
-    said, end = chunk.text, chunk.end
-    if noun is not None:
-        said, end = f"{said} {state.source.text[noun.start : noun.end]}", noun.end
-        state.at += 1
-    state.leave_unread(f"not {said}", chunk.start, end)
-    state.out.note(f"'not {said}' cannot be said as a relation and was left out")
+    end = chunk.end if noun is None else noun.end
+    state.at += noun is not None
+    state.leave_unread(f"{state.negation} {state.source.text[chunk.start : end]}", chunk.start, end)
     return True
 
 

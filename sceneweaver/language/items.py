@@ -207,6 +207,12 @@ def bind_target(state: State, waiting: Waiting, targets: tuple[Any, ...], each: 
     subjects, place = waiting.subjects, waiting.place
     if waiting.lost and not subjects:
         return
+    if waiting.barred and subjects:
+        state.barred = True
+        for target in [targets] if place.type == "between" else [(target,) for target in targets]:
+            relate(state, place, subjects, target, state.span_of(waiting.chunk))
+        state.barred, state.unwanted = False, []
+        return
     if subjects is None:
         state.fronted.append((place, targets, waiting.chunk))
         return

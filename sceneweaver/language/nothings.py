@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from functools import cache, lru_cache
 
+from sceneweaver.assets.plurals import singular
 from sceneweaver.assets.taxonomy import is_head
 
-from .things import singular
 from .tokens import looks_adjective
 from .vocabulary import vocabulary, words
 

@@ -112,7 +112,9 @@ def _run_ends(scan: Scan, k: int, run: list[Token], phrase: NounPhrase, named: b
         ends = _place_ends(token, after, run, phrase, seen)
         if ends is not None:
             return ends
-    strange = not token.kinds.keys() - {"matter", "plural"} and token.text.endswith("s") and not token.text.endswith("ss")
+    strange = (
+        not token.kinds.keys() - {"matter", "plural"} and token.text.endswith("s") and not token.text.endswith("ss")
+    )
     follows = after is not None and after.has("det", "number", "preposition", "adverbs")
     if strange and seen and phrase.determiner in _ONE and follows:  # a verb that is not known
         return True

@@ -11,7 +11,7 @@ from sceneweaver.assets.taxonomy import category_named, likeliness
 from .chunks import Chunk, NounPhrase
 from .model import Span
 from .nearness import SIDED, anchor, beside_those, carrier_root, chained, main_things, nearest
-from .parsed import Mention, Said, without
+from .parsed import Barred, Left, Mention, Said, without
 from .state import Frame, State
 from .vocabulary import Place, words
 
@@ -43,6 +43,9 @@ def relate(
         return
     said = Said(place.type, subjects, targets, place.words, count, span=span)
     target, one = targets[0], subjects[0]
+    if state.barred:
+        _bar(state, said)
+        return
     if isinstance(target, str):
         relate_to_place(state, said)
         return
@@ -67,6 +70,25 @@ def relate(
     said.each = place.each and (said.count is not None or kind not in ("flanking", "along"))
     said.side = place.side
     say(state, said)
+
+
+def _bar(state: State, said: Said) -> None:
+    """A relation that must not hold, said of what is wanted elsewhere or, of each other kind, of what is not wanted."""
+    target = said.targets[0]
+    kind = said.type
+    if isinstance(target, str):
+        if target in ("room", "floor") or kind == "through":
+            spoken = f"{state.negation} {said.words} the {target}"
+            where = said.span or state.chunk_span()
+            state.out.unread.append(Left(spoken, span=where))
+            return
+        kind = _kind_at(kind, target, said.subjects)
+    unwanted = {m for m in said.subjects if m in state.unwanted}
+    for subject in said.subjects:
+        names = tuple(subject.words) if subject in unwanted else ()
+        spoken = f"no {subject.noun} {said.words}" if subject in unwanted else f"not {said.words}"
+        spoken = f"{spoken} the {target.partition(':')[0]}" if isinstance(target, str) else f"{spoken} {target.noun}"
+        state.out.barred.append(Barred(kind, [subject], said.targets, spoken, span=said.span, categories=names))
 
 
 def _meant_kind(kind: str, spoken: str, subjects: list[Mention]) -> str:
@@ -94,6 +116,9 @@ def say(state: State, said: Said) -> None:
 
 def relate_to_place(state: State, said: Said) -> None:
     """A relation of things to a part of the room, its only target."""
+    if state.barred:
+        _bar(state, said)
+        return
     kind, subjects, place = said.type, said.subjects, str(said.targets[0])
     if kind == "through":
         return
