@@ -61,6 +61,8 @@ def _with(scan: Scan, token: Token, after: Token | None) -> bool:
 def _place(scan: Scan, token: Token, after: Token | None) -> bool:
     if not token.has("preposition", "place_adverb") or not _is_place(scan, token, after):
         return False
+    if token.get("bound") == "about" and after is not None and after.has("number", "amount"):
+        return False
     takes_target = token.has("preposition")
     place, alone = token.get("preposition"), token.get("place_adverb")
     if alone is not None and not (takes_target and _noun_follows(scan)):
@@ -168,6 +170,9 @@ def _purpose(scan: Scan, token: Token, after: Token | None) -> bool:
     if token.text == "to" and isinstance(verb, Verb) and verb.form == "base" and "active" in (frame(verb) or ()):
         scan.add("word", value=token)
         scan.add("verb", value=Verb(verb.lemma, "ing"))  # "open to reveal two toys"
+        return True
+    if token.text == "for" and after is not None and (after.has("each") or after.text in ("each", "every")):
+        scan.add("word", value=token)  # "a towel for each guest"
         return True
     first = scan.at + 1
     if token.text == "for" or token.has("purposes"):

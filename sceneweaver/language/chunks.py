@@ -69,6 +69,8 @@ class NounPhrase:
     plural: bool = False
     paired: bool = False
     """Whether it is counted in pairs: "a pair of"."""
+    both: bool = False
+    """Whether it is "both" of two."""
     qualities: list[Token] = field(default_factory=list)
     length: float | None = None
     sides: tuple[float, ...] | None = None
@@ -114,5 +116,6 @@ def bounded(value: tuple[int, int], bound: str | None) -> tuple[int, int]:
         "above": (n + 1, n + 5),
         "most": (min(1, n), n),
         "below": (min(1, max(0, n - 1)), max(0, n - 1)),
+        "about": value,
         None: value,
     }[bound]

@@ -119,8 +119,9 @@ def excluded_names(phrase: NounPhrase) -> tuple[str, ...]:
         return ()
     for name in (noun, phrase.text, plural(phrase.text), singular(phrase.text)):
         if name in listed:
-            known = categories()
-            return tuple(one for one in listed[name] if one in known)
+            known, usual = categories(), match_of(noun).category
+            names = tuple(one for one in listed[name] if one in known)
+            return names if plural(phrase.text) == phrase.text or usual in names else (usual, *names)
     match, known = match_of(noun), categories().get(str(phrase.value))
     if match.how == "generic" and phrase.value is None:
         return ()

@@ -186,6 +186,7 @@ def give_target(state: State, waiting: Waiting, mentions: list[Mention], phrase:
         targets = (waiting.first, mentions[0]) if waiting.first is not None else (mentions[0], mentions[-1])
     elif waiting.place.type != "around" and phrase.what != "pronoun":
         targets = targets[:1]
+    _on_both(waiting, mentions, phrase)
     bind_target(state, waiting, targets, phrase.determiner in ("each", "every"))
     if waiting.subjects is not None and new and not waiting.lost:
         state.head = list(mentions)
@@ -200,6 +201,16 @@ def give_target(state: State, waiting: Waiting, mentions: list[Mention], phrase:
             say(state, Said("near", mentions, ("window",), "through the window", span=span, implied=True))
         state.lit = False
     state.last_target = None if between else (waiting, targets)
+
+
+def _on_both(waiting: Waiting, mentions: list[Mention], phrase: NounPhrase) -> None:
+    """ "A lamp on both nightstands" is a lamp on each."""
+    if not phrase.both or len(mentions) != 1 or mentions[0].count is None:
+        return
+    for subject in waiting.subjects or ():
+        if subject.count in (None, (1, 1)) and not subject.plural:
+            subject.count = mentions[0].count
+            waiting.place = replace(waiting.place, each=True)
 
 
 def bind_target(state: State, waiting: Waiting, targets: tuple[Any, ...], each: bool = False) -> None:

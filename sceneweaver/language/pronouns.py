@@ -7,6 +7,7 @@ from .items import begin_clause, continue_with, give_target, name_things
 from .nearness import nearest
 from .parsed import Mention, Said
 from .relating import relate_to_place
+from .shares import ends_here, give_total, on_the_other, share_out
 from .state import State, Waiting
 
 _BESIDE_IT = ("next_to", "left_of", "right_of", "near", "in_front_of", "behind")
@@ -23,6 +24,15 @@ def number_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     near = _at_hand(state)
     group = state.refs.several(near)
     count = phrase.count or (1, 1)
+    total = phrase.bound is not None or phrase.value == "grouped" or state.glue == "bracket"
+    if group is not None and total and give_total(state, phrase, group):
+        state.waiting, state.glue = None, ""
+        return
+    if phrase.value == "grouped":
+        state.waiting, state.glue = None, ""
+        return
+    if group is not None and on_the_other(state, group, count):
+        return
     if group is None:
         if after is None or after.kind != "stop":
             state.leave_unread(chunk.text, chunk.start, chunk.end)
@@ -39,6 +49,8 @@ def pronoun_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         _part_phrase(state, phrase, chunk)
     elif waiting is not None:
         _pronoun_target(state, phrase, waiting)
+    elif kind == "each" and ends_here(state) and share_out(state):
+        state.glue = ""
     elif kind == "each":
         group = state.refs.several(_at_hand(state))
         if group is not None:

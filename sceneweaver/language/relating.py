@@ -265,13 +265,13 @@ def relate_to_owner(state: State, frame: Frame, mentions: list[Mention], phrase:
             if not ranks:
                 continue
             owner = min(ranks)[2]
-        kind = _owned_kind(mention, owner, small)
+        kind = owned_kind(mention, owner, small)
         if kind is not None:
             spoken, span = f"{owner.noun} with {mention.noun}", state.span_of(phrase)
             say(state, Said(kind, [mention], (owner,), spoken, each=frame.each, span=span, implied=True))
 
 
-def _owned_kind(mention: Mention, owner: Mention, small: bool) -> str | None:
+def owned_kind(mention: Mention, owner: Mention, small: bool) -> str | None:
     """How what something comes with usually stands to it; None where "with" says nothing of places."""
     if small and (owner.mount in ("floor", "wall") or category_named(owner.category).holds):
         return support_kind("on", owner)

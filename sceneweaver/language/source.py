@@ -51,10 +51,18 @@ _SPELT = re.compile(
     r"\b(" + "|".join(_DIGITS) + rf")\b(?={_GAP}-?{_GAP}(?:by|x|square|sq|m|met(?:er|re)s?|feet|foot|ft|cm)\b)"
 )
 _FAR = re.compile(rf"{_NUMBER}{_GAP}(?:km|kilomet(?:er|re)s?|miles?)\b")
-_BARE = re.compile(rf"(?<![\w.]){_NUMBER}{_BY}{_NUMBER}(?![\w.]|{_GAP}(?:cm|mm|in)\b)")
+_BARE = re.compile(
+    rf"(?<![\w.]){_NUMBER}{_BY}{_NUMBER}(?![\w.]|{_GAP}(?:cm|mm|in|grid|array|matrix|pattern|raster|rows?|block|layout)\b)"
+)
 _ENDLESS = re.compile(r"\d{10,}")
 _WRAPPED = re.compile(r"(?<=[^\n]{60})(?<!\s)\s*\n(?=[a-z])")
 """The end of a long line that was wrapped. It begins with the first white space, so that its time is linear."""
+
+_SHORTENED = re.compile(r"(?<![a-z])(min|max|approx|ca|incl)\.(?=\s{0,9}\d)")
+"""Shortened words, whose full stop ends no sentence."""
+
+_LISTED = re.compile(r"(?<=[a-z0-9)]) [+/] (?=[a-z0-9])")
+"""Signs between the items of a list."""
 
 _TAG = re.compile(r"<[^<>]{0,200}>")
 _PLAIN = {"‘": "'", "’": "'", "“": '"', "”": '"', "–": "-", "—": ",", "…": ".", "\u00a0": " ", "²": "2"}
@@ -121,6 +129,8 @@ def read_source(text: str) -> Source:
     found.blank(_TAG, lambda m: " ")
     found.blank(_ENDLESS, lambda m: _endless(m, found))
     found.blank(_WRAPPED, lambda m: " ")
+    found.blank(_SHORTENED, lambda m: m[1])
+    found.blank(_LISTED, lambda m: " & ")
     found.colons = {k for k, letter in enumerate(found.text) if letter == ":"}
     found.text = re.sub(r"[\n;:!?•*|]|(?<=\s)-(?=\s)", ".", found.text)
     found.blank(_SPELT, lambda m: str(_DIGITS[m[1]]))
