@@ -50,6 +50,7 @@ test: $(READY) ## Run the tests except the long ones
 
 bench: $(READY) ## Run the long tests and the benchmarks
 	$(PYTEST) -m "slow or bench" $(ARGS) || [ $$? -eq 5 ]  # 5: there are none
+	$(PYTEST) -m "hypothesis and not slow and not bench" --hypothesis-profile=whole $(ARGS) || [ $$? -eq 5 ]
 	@if [ -f benchmarks/__main__.py ]; then $(BIN)/python -m benchmarks; else echo "No benchmarks yet."; fi
 
 lint: $(READY) ## Check style, floors and types

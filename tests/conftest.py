@@ -8,6 +8,11 @@ import sys
 from collections.abc import Generator
 
 import pytest
+from hypothesis import settings
+
+from tests.sizes import WHOLE
+
+settings.register_profile(WHOLE)
 
 
 @pytest.hookimpl(tryfirst=True)  # before xdist starts its workers

@@ -6,9 +6,12 @@ import re
 import shutil
 import subprocess
 import tomllib
+from functools import partial
 from pathlib import Path
 
 import pytest
+
+import sceneweaver
 
 ROOT = Path(__file__).resolve().parents[1]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
@@ -149,6 +152,9 @@ def test_readme_example_runs(number, tmp_path, monkeypatch):
     source = code_blocks((ROOT / "README.md").read_text(), "python")[number]
     shutil.copy(ROOT / "tests" / "zoo" / "bedroom.json", tmp_path / "scene.json")
     monkeypatch.chdir(tmp_path)
+    # As it stands there, but for how long it searches.
+    quick = {"candidates": 8, "finalists": 2, "generations": 0, "side_by_side": 1}
+    monkeypatch.setattr("sceneweaver.design", partial(sceneweaver.design, **quick))
     exec(compile(source, "<example in README.md>", "exec"), {"__name__": "readme"})
     assert (tmp_path / "refined.json").is_file() or ".save(" not in source
 

@@ -42,7 +42,7 @@ class AddCrowd:
         if every:
             chosen = [o for o in chosen if is_filled(around, o, theme)]
         shelf = Shelf(context.library, context.scene.palette, context.seed, context.brief.style)
-        decided = decided_kinds(context.brief)
+        decided = decided_kinds(context.brief, context.room_type)
         edits: list[AnyEdit] = []
         notes: list[str] = []
         unmet: list[str] = []

@@ -53,7 +53,7 @@ class AddTabletop:
         unmet: list[str] = []
         open_asked = asked
         told = _told(said, chosen)
-        decided = decided_kinds(context.brief) - {a.category for a in asked}
+        decided = decided_kinds(context.brief, context.room_type) - {a.category for a in asked}
         plans = [arrangement_without(plan or plan_of(around, support), decided) for support in chosen]
         for k, support in enumerate(chosen):
             dice = random.Random(f"{context.seed}/{support.id}/{zlib.crc32(b'tabletop')}")

@@ -68,7 +68,7 @@ def _growth(true: SceneObject, rough: SceneObject) -> float:
     return 0.0 if true is rough else _grown(_shapes(true), _shapes(rough))
 
 
-@lru_cache(maxsize=4096)
+@lru_cache(maxsize=256)
 def _grown(true: Shapes, rough: Shapes) -> float:
     import shapely
 
@@ -95,7 +95,7 @@ def _prism(x0: float, y0: float, x1: float, y1: float, z: tuple[float, float]) -
     return Part.model_construct(polygon=((x0, y0), (x1, y0), (x1, y1), (x0, y1)), z=z)
 
 
-@lru_cache(maxsize=4096)
+@lru_cache(maxsize=512)
 def _merged(shapes: Shapes, area: float) -> tuple[Part, ...]:
     """One box around all parts where their boxes fill most of it, or most of the object's own (of an ``area`` [m2]);
     else those boxes.

@@ -13,9 +13,11 @@ from typing import Any, Unpack
 from sceneweaver.assets import Library
 from sceneweaver.export import formats_named
 from sceneweaver.export.formats import USUAL
+from sceneweaver.generate.asked_room import asked_room, headline
 from sceneweaver.knowledge import RoomType, match_room, room_types
 from sceneweaver.knowledge.learned import learned_rooms
-from sceneweaver.knowledge.likely import likeliest_room
+from sceneweaver.knowledge.likely import likeliest_room, told_by
+from sceneweaver.knowledge.names import room_of_part
 from sceneweaver.language import SceneGraph, read_request
 from sceneweaver.llm import Limits, Prices
 from sceneweaver.runtime.deadline import Deadline, Stop
@@ -43,6 +45,12 @@ TIME, TIME_BY_MODEL = 120.0, 600.0
 
 LIKELY = "living_room"
 """The kind of room that is made when the request names none and nothing in it tells."""
+
+TOLD = 0.6
+"""Share of the things of a request from which on they tell the kind of room that they belong to."""
+
+BARE = "it holds what was asked for, what that needs, and light"
+"""What is said of a room of a kind that nobody described."""
 
 
 class AllOptions(DesignOptions, total=False):
@@ -204,11 +212,16 @@ def chosen_room(brief: SceneGraph) -> tuple[RoomType, tuple[str, ...]]:
         found = match_room(brief.room_words)
         if found is not None:
             return known[found[0]], ()
-    text = brief.text.lower()
-    if brief.room_words:
-        text = text.replace(brief.room_words.lower(), " ")  # a podcast studio is no studio flat
-    best = (likeliest_room((e.category for e in brief.entities), text) or known[LIKELY]).name
-    said = f"'{brief.room_words}' is no kind of room that is known" if brief.room_words else "no kind of room was named"
+    words = brief.room_words or headline(brief)
+    if (part := room_of_part(words)) is not None:
+        return known[part], ()
+    things = [e.category for e in brief.entities]
+    text = brief.text.lower().replace(words.lower(), " ") if words else brief.text.lower()  # no flat, a podcast studio
+    likely = likeliest_room(things, text)
+    said = f"'{words}' is no kind of room that is known" if words else "no kind of room was named"
+    if things and (words or likely is None or told_by(things, likely) < TOLD):
+        return asked_room(brief, words, likely), (f"{said}; {BARE}",)
+    best = (likely or known[LIKELY]).name
     return known[best], (f"{said}; made as a {best.replace('_', ' ')}",)
 
 

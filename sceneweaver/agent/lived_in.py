@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from sceneweaver.generate.finish import accented
+from sceneweaver.generate.quantity import is_plain
 from sceneweaver.scene.edits import Add, AnyEdit, Relate, SetPose, apply_all
 from sceneweaver.tools.add_clutter import AddClutter
 from sceneweaver.tools.add_crowd import AddCrowd
@@ -34,7 +35,7 @@ def lived_in(outcome: Outcome, executor: Executor, context: Context) -> Outcome:
     """The outcome with things on bare walls and on all that was left bare, chairs askew and things on the floor; the
     accent wall is that behind the main piece."""
     brief = context.brief
-    if not outcome.report.valid or DONE in outcome.scene.provenance or brief.only or brief.density == "sparse":
+    if not outcome.report.valid or DONE in outcome.scene.provenance or is_plain(brief):
         return outcome
     for tools in TOUCHES:
         outcome = _touched(outcome, executor, context, tools)

@@ -12,6 +12,7 @@ from sceneweaver.critic import CRITERIA, Review
 from sceneweaver.generate.shell import floor_area, shell
 from sceneweaver.io.messages import shorten
 from sceneweaver.knowledge import RoomType
+from sceneweaver.knowledge.small_things import CLUTTER
 from sceneweaver.language import SceneGraph
 from sceneweaver.llm import ModelClient, ModelError
 from sceneweaver.runtime.deadline import NEVER, Deadline, TimeUp
@@ -46,6 +47,9 @@ HURRY = 0.5
 
 MOST_LEFT, SAID = 4, 240
 """Sentences that a step keeps of what gave way in an outcome, and characters of each."""
+
+MESSY = 0.9
+"""How lived-in a room is of which the request says that it is messy or full, where nobody sets that."""
 
 NOTHING_YET = "time was up before anything was placed"
 
@@ -323,6 +327,8 @@ class Run:
     def context(self, scene: Scene, seed: int) -> Context:
         """What a tool may look at."""
         clutter = self.settings.clutter
+        if clutter == CLUTTER and self.brief.density == "full":
+            clutter = MESSY
         return Context(self.brief, self.room_type, scene, self.library, seed, clutter=clutter, client=self.client)
 
     def _take(

@@ -9,7 +9,8 @@ from typing import Any, Protocol, runtime_checkable
 
 from sceneweaver.assets import Library, resolve
 from sceneweaver.critic import Fault, Review
-from sceneweaver.generate.program import named_kinds
+from sceneweaver.generate.program import decided_kinds
+from sceneweaver.generate.quantity import is_plain
 from sceneweaver.knowledge import RoomType
 from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Scene
@@ -29,6 +30,9 @@ LISTS = {
     "update_layout": "ids",
 }
 """Tools whose calls for several faults are one call, and the input that holds what each of them asks for."""
+
+ADDING = frozenset(("add_objects", "add_tabletop", "add_crowd", "add_wall_objects", "add_clutter"))
+"""Tools that add things; where a request wants little beside what it names, only for what it asks."""
 
 LAST_BEGINNING, ROOMIER = 4, 0.15
 """Ways to begin at most, and how much more floor each draw after the second has."""
@@ -164,12 +168,16 @@ def _times_anew(memory: Memory) -> int:
 
 
 def _wanted(situation: Situation) -> list[Fault]:
-    """The faults, without those that would add what is of a kind that the request names, beside what it asks for."""
-    named, kept = named_kinds(situation.brief), []
+    """The faults, without those that would add what is of a kind that the request names, beside what it asks for, what
+    does not belong in such a room, or anything where little is wanted."""
+    named, kept = decided_kinds(situation.brief, situation.room_type), []
+    plain = is_plain(situation.brief)
     for fault in situation.review.faults if situation.review is not None else ():
+        if plain and fault.tool in ADDING and fault.criterion != "alignment":
+            continue
         if fault.tool == "add_objects" and fault.criterion != "alignment":
             rows = [row for row in fault.inputs.get("objects", ()) if resolve(row["category"]).category not in named]
-            if not rows or situation.brief.only:
+            if not rows:
                 continue
             fault = fault.model_copy(update={"inputs": {**fault.inputs, "objects": rows}})
         kept.append(fault)

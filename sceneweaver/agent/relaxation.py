@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from sceneweaver.scene import CATALOGUE, PRIORITIES, Dropped, Relation, Scene, SceneObject
+from sceneweaver.scene import CATALOGUE, PRIORITIES, Dropped, FreeArea, Relation, Scene, SceneObject
 from sceneweaver.scene.edits import Remove, apply
 from sceneweaver.verify import Report, Violation, check
 
@@ -45,14 +45,16 @@ def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1) -> Rela
 
     First go objects that are optional, then usual ones, ``at_once`` of them; then relations that do not hold become
     soft, those that nobody asked for, one or with ``at_once`` above 1 all; then goes what a room of the kind needs and
-    no asked relation names; then what was asked for may be elsewhere than is usual, the smallest first or with
-    ``at_once`` above 1 all; then relations that were asked for become soft, with ``at_once`` above 1 one for each group
-    of objects, above `FEW` all. Then go the other objects, by priority; of one that was asked for all relations become
-    soft and so light that it may be anywhere, before it goes. None when the faults are about nothing that could give
-    way.
+    no asked relation or free area names. Where something asked for suffers, all of these give way at once, and of the
+    last `FEW`. Then what was asked for may be elsewhere than is usual, the smallest first or with ``at_once`` above 1
+    all; then floor is no longer kept free; then relations that were asked for become soft, with ``at_once`` above 1 one
+    for each group of objects, above `FEW` all. Then go the other objects, by priority; of one that was asked for all
+    relations become soft and so light that it may be anywhere, before it goes. None when the faults are about nothing
+    that could give way.
     """
+    ours = max(at_once, len(scene.objects)) if _harms_asked(scene, faults) else at_once
     for priority in PRIORITIES[:2]:
-        lighter = lightened(scene, faults, priority, at_once)
+        lighter = lightened(scene, faults, priority, ours)
         if lighter is not None:
             return lighter
     trouble = Counter(name for fault in faults for name in fault.objects)
@@ -61,17 +63,22 @@ def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1) -> Rela
     broken = [r for r in scene.relations if r.hard and (r.type, (r.subject, *r.targets)) in false]
     unasked = [r for r in broken if not r.asked]
     if unasked:
-        return _softened(scene, unasked[:1] if at_once == 1 else unasked)
+        return _softened(scene, unasked[:1] if ours == 1 else unasked)
     named = {name for r in scene.relations if r.asked for name in (r.subject, *r.targets)}
+    named |= {name for area in scene.free_areas for name in (*area.targets, *area.others)}
     needed = [o for o in pool if o.intent.priority == "needed" and o.id not in named]
     if needed and broken:
-        return _without(scene, [max(needed, key=lambda o: (trouble[o.id], o.size[0] * o.size[1], o.id))])
+        needed.sort(key=lambda o: (-trouble[o.id], -o.size[0] * o.size[1], o.id))
+        return _without(scene, needed[: 1 if ours == at_once else FEW])
     usual = {o.id: [r for r in scene.relations if r.subject == o.id and r.hard and not r.asked] for o in pool}
     bound = [o for o in pool if o.intent.priority == "asked" and usual[o.id]]
     if bound:
         bound.sort(key=lambda o: (o.size[0] * o.size[1], o.id))
         freed = [r for o in (bound[:1] if at_once == 1 else bound) for r in usual[o.id]]
         return _softened(scene, freed)._replace(late=True)
+    floors = [a for a in scene.free_areas if a.id in trouble] or ([] if pool else list(scene.free_areas))
+    if floors:
+        return _walked_over(scene, floors[:1] if at_once == 1 else floors)
     if broken:
         return _softened(scene, broken[:1] if at_once == 1 else broken if at_once > FEW else _apart(broken))
     if not pool:
@@ -84,6 +91,16 @@ def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1) -> Rela
     twins.sort(key=lambda o: (-trouble[o.id], o.id))
     alike = sum(o.category == first.category for o in scene.objects)
     return _without(scene, twins[: 1 + alike // ALIKE])
+
+
+def _harms_asked(scene: Scene, faults: Sequence[Violation]) -> bool:
+    """Whether something that was asked for stands in another's way, or is not where it was asked to be."""
+    asked = {o.id for o in scene.objects if o.intent.priority == "asked"}
+    said = {(r.type, (r.subject, *r.targets)) for r in scene.relations if r.asked and r.hard}
+    return any(
+        (fault.relation.type, fault.objects) in said if fault.relation is not None else asked & set(fault.objects)
+        for fault in faults
+    )
 
 
 def lightened(
@@ -106,7 +123,10 @@ def eased(layout: Scene, scene: Scene) -> Scene:
         if {r.subject, *r.targets} <= left
     )
     objects = tuple(o for o in layout.objects if o.id in left)
-    return layout.model_copy(update={"objects": objects, "relations": relations, "dropped": scene.dropped})
+    kept = {area.id for area in scene.free_areas}
+    areas = tuple(area for area in layout.free_areas if area.id in kept)
+    changed = {"objects": objects, "relations": relations, "free_areas": areas, "dropped": scene.dropped}
+    return layout.model_copy(update=changed)
 
 
 def pruned(before: Scene, scene: Scene) -> tuple[Scene, Report, tuple[str, ...]]:
@@ -147,6 +167,13 @@ def cleared(scene: Scene, report: Report) -> tuple[Relaxed, Report]:
     notes, unmet = list[str](), list[str]()
     while faults := [v for v in report.violations if v.hard and v.kind != "dropped"]:
         known = {o.id: o for o in scene.objects}
+        if floors := [
+            a for a in scene.free_areas if a.id in {v.objects[0] for v in faults if v.kind == "blocked_floor"}
+        ]:
+            step = _walked_over(scene, floors)
+            scene, unmet = step.scene, [*unmet, *step.unmet]
+            report = check(scene)
+            continue
         failing = {v.relation.index for v in faults if v.relation is not None}
         steps = [_softened(scene, [relation]) for k, relation in enumerate(scene.relations) if k in failing]
         gone, clashes = [], [known.keys() & set(v.objects) for v in faults if v.relation is None]
@@ -196,6 +223,13 @@ def _without(scene: Scene, gone: Sequence[SceneObject]) -> Relaxed:
         dropped = (*scene.dropped, Dropped(id=obj.id, category=obj.category, reason=REASON))
         scene = scene.model_copy(update={"dropped": dropped})
     return Relaxed(scene, tuple(notes), tuple(unmet))
+
+
+def _walked_over(scene: Scene, floors: Sequence[FreeArea]) -> Relaxed:
+    """The scene without some of its free areas."""
+    left = tuple(area for area in scene.free_areas if area not in floors)
+    unmet = [f"{area.request or area.id}: the room has no such free floor" for area in floors]
+    return Relaxed(scene.model_copy(update={"free_areas": left}), unmet=tuple(unmet))
 
 
 def _there_for(scene: Scene, obj: SceneObject) -> list[SceneObject]:

@@ -65,7 +65,8 @@ def with_riders(scene: Scene, layout: Scene) -> Scene:
         if o.id not in poses:
             root = _root(o, known)
             poses[o.id] = follow(root.pose, poses[root.id], o.pose)
-    return scene.replace_poses(poses)
+    placed = scene.replace_poses(poses)
+    return placed.replace_area_poses({area.id: area.pose for area in layout.free_areas}) if scene.free_areas else placed
 
 
 def _root(rider: SceneObject, known: dict[str, SceneObject]) -> SceneObject:

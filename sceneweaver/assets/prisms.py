@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from hashlib import blake2b
 
 import numpy as np
 
@@ -13,7 +12,6 @@ from sceneweaver.geometry.polygons import signed_area
 from sceneweaver.scene import Part
 
 from .body import Hull
-from .recent import Recent
 
 MAX_PRISMS = 8
 MAX_CORNERS = 8
@@ -54,19 +52,6 @@ def prisms_of(
     there are too many. ``clear`` boxes, such as the space over a shelf board, are entered only if there is no other
     way.
     """
-    key = blake2b(repr((groups, clear, limit, [len(hull.vertices) for hull in hulls])).encode())
-    for hull in hulls:
-        key.update(np.ascontiguousarray(hull.vertices).tobytes())
-    return _MADE.get(key.digest(), lambda: _prisms_of(hulls, groups, clear, limit))
-
-
-_MADE: Recent[bytes, tuple[Part, ...]] = Recent(32 * 2**20, lambda parts: 2048 * (1 + len(parts)))
-"""Prisms by content: the same furniture has the same in every finish."""
-
-
-def _prisms_of(
-    hulls: Sequence[Hull], groups: Sequence[str | None] | None, clear: Sequence[Box], limit: int
-) -> tuple[Part, ...]:
     keyed: dict[object, list[np.ndarray]] = {}
     for i, hull in enumerate(hulls):
         name = groups[i] if groups is not None else None

@@ -206,6 +206,12 @@ def check(
     openable: Annotated[
         bool, typer.Option("--openable", help="Open doors, drawers and lids as well: is anything in their way?")
     ] = False,
+    robot_radius: Annotated[
+        float | None,
+        typer.Option(
+            metavar="M", help="Radius [m] of the robot's base that is to get about; usually 0.2.", show_default=False
+        ),
+    ] = None,
     time_limit: TimeLimit = None,
 ) -> int:
     """Judge a scene: collisions, bounds, support, zones, relations. Changes nothing."""
@@ -219,6 +225,7 @@ def check(
         picture=picture,
         physics=physics,
         openable=openable,
+        robot_radius=robot_radius,
         time_limit=time_limit,
         began=context.obj,
     )

@@ -25,6 +25,7 @@ def run_check(
     picture: Path | None,
     physics: bool,
     openable: bool,
+    robot_radius: float | None,
     time_limit: float | None,
     began: float,
 ) -> int:
@@ -35,10 +36,13 @@ def run_check(
         raise InputError(f"--meshes: {meshes} is no folder; give the one that holds the mesh files")
     scene = Scene.load(source)
     from sceneweaver.verify import check
+    from sceneweaver.verify.walkable import RADIUS
 
     with clock(time_limit, began) as until:
         with no_chatter():
-            report = until.needed("check", lambda: check(scene, meshes=meshes, physics=physics, openable=openable))
+            radius = RADIUS if robot_radius is None else robot_radius
+            options = {"meshes": meshes, "physics": physics, "openable": openable, "robot_radius": radius}
+            report = until.needed("check", lambda: check(scene, **options))
         if metrics is not None:
             write_atomic(metrics, report.to_json() + "\n")
         if picture is not None:
@@ -54,6 +58,7 @@ def run_check(
     list_violations(report)
     if report.walkable_share is not None and report.reachable_share is not None:
         floor = f"  {report.walkable_share:.0%} of the floor walkable, {report.reachable_share:.0%} of it in reach"
+        floor += "" if report.robot_radius is None else f" for a robot of radius {report.robot_radius:g} m"
         share = report.openable_share
         typer.echo(floor + ("" if share is None else f"; {share:.0%} of doors, drawers and lids open"))
     if report.stability is not None:

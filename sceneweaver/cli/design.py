@@ -58,6 +58,7 @@ def run_design(prompt: str, out: Path, options: Mapping[str, Any], *, as_json: b
     report, grades = result.report, result.review.grades
     headline(result.scene.room.type, report.valid, f"{report.placed} objects, {relations_line(report)}")
     typer.echo("  grades  " + ", ".join(f"{name} {value:.1f}" for name, value in grades.items()))
+    typer.echo(f"  request {_became(result)}")
     list_violations(report)
     for text in result.unmet:
         typer.secho(f"  unmet   {text}", fg="yellow")
@@ -73,6 +74,15 @@ def run_design(prompt: str, out: Path, options: Mapping[str, Any], *, as_json: b
     for name in result.left_out:
         typer.secho(f"  left out for time: {out / name}", fg="yellow")
     return code
+
+
+def _became(result: Result) -> str:
+    """One line about the items of the request: how many there are, and of each status."""
+    found = result.review.alignment.summary
+    others = (
+        f"{many} {name.replace('_', ' ')}" for name, many in found.items() if name not in ("total", "met") and many
+    )
+    return ", ".join([f"{found['met']} of {found['total']} as asked", *others])
 
 
 def exit_code(result: Result) -> int:

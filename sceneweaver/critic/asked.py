@@ -4,18 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from . import asked_entities, asked_relations, asked_room
+from . import asked_entities, asked_free, asked_relations, asked_room
+from .asked_clauses import doubted
 from .grade import Finding, finding
-from .model import Alignment
+from .model import USE, Alignment
 from .survey import Survey
 from .verdict import Asked
 
-PARTS = (asked_entities.outcomes, asked_relations.outcomes, asked_room.outcomes)
+PARTS = (asked_entities.outcomes, asked_relations.outcomes, asked_free.outcomes, asked_room.outcomes)
 
 
 def measured(survey: Survey) -> tuple[Asked, ...]:
-    """Every item of the request: things and what they are like, exclusions, relations, the room, unknown words."""
-    return tuple(item for part in PARTS for item in part(survey))
+    """Every item of the request: things and what they are like, exclusions, relations, free floor, the room, and words
+    that are not known."""
+    return doubted([item for part in PARTS for item in part(survey)], survey.brief)
 
 
 def alignment(items: Sequence[Asked]) -> Alignment:
@@ -25,7 +27,8 @@ def alignment(items: Sequence[Asked]) -> Alignment:
 
 def findings(items: Sequence[Asked]) -> list[Finding]:
     """A fault for each item that is unmet, and one where no item was understood, as nothing is met then."""
-    if items and all(item.outcome.status == "not_understood" for item in items):
+    stated = [item.outcome.status for item in items if item.outcome.item != USE]
+    if stated and set(stated) == {"not_understood"}:
         reason = "nothing of the request was understood, so nothing of it is known to be met"
         fix = "ask in plain English, or let a model read the request"
         return [finding("alignment", "not_understood", (), reason, fix, grave=True)]

@@ -14,7 +14,7 @@ from . import asked_attributes, kinds
 from .asked_calls import adding
 from .asked_relations import holding
 from .survey import FLAT, Survey
-from .verdict import Asked, counted, met, not_understood, unmet
+from .verdict import Asked, counted, met, not_understood, substituted, unmet
 
 MANY = 10**6
 
@@ -64,12 +64,12 @@ def _entity(survey: Survey, asked: Entity, bodies: list[Body]) -> Asked:
             suggestion=f"remove {', '.join(spare)}",
             call=("remove_objects", {"ids": spare}),
         )
-    made = (
-        f"a {kinds.words(asked.category)} stands for '{asked.noun}'"
-        if asked.generic
-        else f"'{asked.noun}': {', '.join(ids[:6])}"
-    )
-    return met("entity", asked.id, ids, made, have, assumed=asked.implied or asked.generic)
+    made = f"'{asked.noun}': {', '.join(ids[:6])}"
+    if asked.unnamed or asked.generic:
+        name = kinds.words(asked.category)
+        made = f"a {name} stands for '{asked.noun}'"
+        return substituted("entity", asked.id, ids, made, have)
+    return met("entity", asked.id, ids, made, have, assumed=asked.implied)
 
 
 def _beside(survey: Survey, asked: Entity, bodies: list[Body]) -> list[Body]:

@@ -5,13 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator
 
+from sceneweaver.assets.materials import color_named
 from sceneweaver.geometry.angles import cross
-from sceneweaver.rules.faults import fault_kind
+from sceneweaver.rules.faults import fault_kind, number
+from sceneweaver.scene import InputError
 from sceneweaver.verify.measure import Measurement
 
-from . import kinds
+from . import asked_openings, kinds
+from .model import USE
 from .survey import Survey
-from .verdict import Asked, counted, met, not_understood, unmet
+from .verdict import Asked, counted, met, not_understood, partly, unmet
 
 BEGIN = "start again with a room as asked"
 
@@ -51,7 +54,9 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
             number = counted(f"{name}s", len(have), asked, asked)
             reason = f"{len(have)} {name}s, {asked} were asked for"
             yield _fact(f"{name}s", number.ok(), reason, number, f"wrong_{name}s")
+    yield from asked_openings.outcomes(survey)
     yield from _style(survey)
+    yield from _use(survey)
     for k, unread in enumerate(brief.unread):
         yield not_understood("unread", f"unread-{k}", (), f"'{unread.words}' was not understood")
 
@@ -71,6 +76,19 @@ def _fact(
     if holds:
         return met("room", f"room.{name}", ids, f"{name.replace('_', ' ')} as asked", m)
     return unmet("room", f"room.{name}", ids, reason, m, fault=fault, points=points, suggestion=suggestion, share=share)
+
+
+def _use(survey: Survey) -> Iterator[Asked]:
+    """That one can get at what stands in the room, which every request means."""
+    share = survey.report.reachable_share
+    if share is None or not any(b.item.mount == "floor" for b in survey.bodies):
+        return
+    m = Measurement("share within reach", share, number("within_reach"), 1.0)
+    if m.ok(1e-9):
+        yield met("room", USE, (), "all that stands on the floor can be reached from the door", m)
+    else:
+        reason = f"{1.0 - share:.0%} of what stands on the floor cannot be reached from the door"
+        yield partly("room", USE, (), reason, m)
 
 
 def _asked_area(survey: Survey) -> float | None:
@@ -113,6 +131,21 @@ def shape_of(survey: Survey) -> str:
     return "polygon"
 
 
+def basic_color(name: str) -> str:
+    """The basic colour of a name; the name itself where it is none."""
+    try:
+        return color_named(name)
+    except InputError:
+        return name.lower()
+
+
+def _colors_of_shell(survey: Survey) -> Iterator[str]:
+    """The colours of walls and floor."""
+    finish = survey.scene.room.finish
+    if finish is not None:
+        yield from (finish.walls, *([finish.accent.color] if finish.accent else []), finish.floor.tone or "")
+
+
 def _style(survey: Survey) -> Iterator[Asked]:
     brief = survey.brief
     furniture = [b for b in survey.bodies if b.item.mount == "floor"]
@@ -134,11 +167,12 @@ def _style(survey: Survey) -> Iterator[Asked]:
         )
     if brief.colors:
         told = [b for b in furniture if "color" in b.item.attributes]
-        wanted = {c.lower().replace("gray", "grey") for c in brief.colors}
-        so = [b.id for b in told if str(b.item.attributes["color"]).lower() in wanted]
+        wanted = {basic_color(c) for c in brief.colors}
+        so = [b.id for b in told if basic_color(str(b.item.attributes["color"])) in wanted]
+        painted = any(basic_color(c) in wanted for c in _colors_of_shell(survey))
         yield _fact(
             "colors",
-            bool(so) or not told,
+            bool(so) or painted or not told,
             f"nothing is {' or '.join(brief.colors)}",
             counted("pieces of the colours", len(so), min(1, len(told))),
             "wrong_colors",

@@ -11,14 +11,19 @@ from sceneweaver.scene.base import FrozenModel
 
 CRITERIA = ("realism", "functionality", "layout", "completion", "alignment")
 
-ItemKind = Literal["entity", "attribute", "relation", "exclusion", "room", "unread"]
+ItemKind = Literal["entity", "attribute", "relation", "exclusion", "room", "free_area", "unread"]
 
-Status = Literal["met", "assumed", "not_understood", "unmet"]
-"""What became of an item: measured and so; so, by an assumption that the request does not state; not measured, as the
-words or what they mean for a scene are not known; measured and not so."""
+Status = Literal["met", "partly", "substituted", "assumed", "not_understood", "unmet"]
+"""What became of an item: measured and so; so, but words beside it were not understood; another thing stands for it;
+so, by an assumption that the request does not state; not measured, as the words or what they mean for a scene are not
+known; measured and not so."""
 
-STATUSES: tuple[Status, ...] = ("met", "assumed", "not_understood", "unmet")
+STATUSES: tuple[Status, ...] = ("met", "partly", "substituted", "assumed", "not_understood", "unmet")
 """All of them, the best first."""
+
+
+USE = "room.use"
+"""Item that no request states and every one means: that what stands there can be reached."""
 
 
 class ItemOutcome(FrozenModel):
@@ -54,7 +59,17 @@ class Alignment(FrozenModel):
     def summary(self) -> dict[str, int]:
         """How many items there are, in all and by status."""
         found = Counter(outcome.status for outcome in self.items)
-        return {"total": len(self.items), **{s: found[s] for s in ("met", "unmet", "assumed", "not_understood")}}
+        return {"total": len(self.items), **{status: found[status] for status in STATUSES}}
+
+    @property
+    def share(self) -> float:
+        """Share of the stated items that are so, 0 to 1: what is so in part, or by another thing, counts half."""
+        stated = [outcome for outcome in self.items if outcome.item != USE]
+        if not stated:
+            return 1.0
+        found = Counter(outcome.status for outcome in stated)
+        half = found["partly"] + found["substituted"] + found["assumed"]
+        return (found["met"] + 0.5 * half) / len(stated)
 
 
 class Fault(FrozenModel):

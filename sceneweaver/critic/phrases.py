@@ -33,6 +33,11 @@ def phrases(graph: SceneGraph, found: Alignment) -> tuple[Phrase, ...]:
     return tuple(rows)
 
 
+def spans_of(graph: SceneGraph) -> dict[str, Span]:
+    """Where the items of a graph stand in its text, by id; items without a place are left out."""
+    return {item: span for item, (_, span) in _words(graph).items() if span is not None}
+
+
 def _words(graph: SceneGraph) -> dict[str, tuple[str, Span | None]]:
     """Words and span by id of item; the names of items without an id are those of their outcomes."""
     found: dict[str, tuple[str, Span | None]] = {}
@@ -48,6 +53,8 @@ def _words(graph: SceneGraph) -> dict[str, tuple[str, Span | None]]:
     for k, excluded in enumerate(graph.exclusions):
         words = excluded.words if excluded.relation else f"no {excluded.words}"
         found[excluded.id or f"exclusion-{k}"] = words.replace("_", " "), excluded.span
+    for several in (graph.openings, graph.free_areas, graph.capacities, graph.arrangements):
+        found |= {f"room.{one.id}": (one.words, one.span) for one in several}
     for k, unread in enumerate(graph.unread):
         found[f"unread-{k}"] = unread.words, unread.span
     return found
@@ -63,4 +70,4 @@ def _of_room(graph: SceneGraph, item: str) -> tuple[str, Span | None]:
     return name.replace("_", " "), None
 
 
-__all__ = ["Phrase", "phrases"]
+__all__ = ["Phrase", "phrases", "spans_of"]

@@ -17,6 +17,7 @@ from sceneweaver.geometry.polygons import union
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.knowledge import RoomType
 from sceneweaver.language import Grounded, Meaning, SceneGraph, StatedRelation, Thing, grounded, meanings
+from sceneweaver.language.free_floor import alike
 from sceneweaver.rules.faults import number as fault_number
 from sceneweaver.rules.stated import number
 from sceneweaver.scene import CATALOGUE, Scene
@@ -66,6 +67,10 @@ class Survey:
     def standing_for(self, asked: str) -> list[Body]:
         """The objects that stand for something asked, by its id."""
         return self._standing_for.get(asked, [])
+
+    def ids_of(self, asked: str) -> list[str]:
+        """The ids of what stands for something asked, and for what the request calls the same."""
+        return [body.id for name in alike(self.brief, asked) for body in self.standing_for(name)]
 
     @cached_property
     def _standing_for(self) -> dict[str, list[Body]]:

@@ -63,6 +63,16 @@ def met(
     return Asked(_outcome(kind, item, "assumed" if assumed else "met", objects, reason, m))
 
 
+def substituted(kind: ItemKind, item: str, objects: Iterable[str], reason: str, m: Measurement | None = None) -> Asked:
+    """An item for which something else stands."""
+    return Asked(_outcome(kind, item, "substituted", objects, reason, m))
+
+
+def partly(kind: ItemKind, item: str, objects: Iterable[str], reason: str, m: Measurement | None = None) -> Asked:
+    """An item of which a part is so."""
+    return Asked(_outcome(kind, item, "partly", objects, reason, m))
+
+
 def not_understood(kind: ItemKind, item: str, objects: Iterable[str], reason: str) -> Asked:
     """An item that cannot be measured."""
     return Asked(_outcome(kind, item, "not_understood", objects, reason, None))

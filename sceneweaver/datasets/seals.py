@@ -16,7 +16,15 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path, PurePosixPath
 from typing import IO, Any, NamedTuple
 
-from sceneweaver.io import InputError, SceneWeaverError, open_regular, read_bytes, reason, write_atomic
+from sceneweaver.io import (
+    InputError,
+    SceneWeaverError,
+    open_regular,
+    read_bytes,
+    reason,
+    sha256_of,
+    write_atomic,
+)
 from sceneweaver.io.messages import clean
 
 SEAL = "seal.sha256"
@@ -48,22 +56,19 @@ def open_own(path: Path, max_bytes: int = MOST) -> IO[bytes]:
     Raises:
         InputError: as `open_regular`, and for a link.
     """
-    if path.is_symlink():
-        raise InputError(f"{clean(str(path))}: this is a link; a data set has files of its own")
+    _require_own(path)
     return open_regular(path, max_bytes)
 
 
 def sha256(path: Path) -> str:
-    """SHA-256 of a file of a data set, in hex.
+    """SHA-256 of a file of a data set, in hex; errors as `open_own`, and when it cannot be read."""
+    _require_own(path)
+    return sha256_of(path, max_bytes=MOST)
 
-    Raises:
-        InputError: no regular file, or it cannot be read.
-    """
-    with open_own(path) as file:
-        try:
-            return hashlib.file_digest(file, "sha256").hexdigest()  # pyright: ignore[reportArgumentType]
-        except OSError as error:
-            raise InputError(f"{clean(str(path))}: cannot be read ({reason(error)}); check the disk") from None
+
+def _require_own(path: Path) -> None:
+    if path.is_symlink():
+        raise InputError(f"{clean(str(path))}: this is a link; a data set has files of its own")
 
 
 def fault_of(path: Path, entry: Entry, *, full: bool = True) -> str:

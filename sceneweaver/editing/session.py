@@ -13,6 +13,7 @@ from sceneweaver.building import SceneBuilder
 from sceneweaver.layout.live import LiveLayout
 from sceneweaver.repairs.report import Move, moves_between
 from sceneweaver.scene import AnyEdit, InputError, Named, Scene, SceneObject, id_of
+from sceneweaver.scene.edits import edited_ids
 from sceneweaver.verify import Report, check
 
 from .settling import Freed, settle
@@ -158,7 +159,7 @@ class EditSession:
 
     def edit(self, *edits: AnyEdit) -> EditResult:
         """Apply typed edits (`sceneweaver.scene.edits`) as one."""
-        return self._run(lambda scene: (scene.edit(*edits), _edited(edits)))
+        return self._run(lambda scene: (scene.edit(*edits), edited_ids(edits)))
 
     def update(self, scene: Scene, edited: Collection[str] = ()) -> EditResult:
         """Go on with a scene that was edited elsewhere; ``edited`` are the ids of what was changed in it."""
@@ -198,23 +199,3 @@ def _leeway(before: Scene, after: Scene, name: str) -> float:
     if old.pose != new.pose:
         return max(LEAST, 0.5 * math.dist(old.pose.position[:2], new.pose.position[:2]))
     return math.inf if old.size == new.size else RESIZED
-
-
-def _edited(edits: Collection[AnyEdit]) -> set[str]:
-    """The ids of the objects that typed edits are about, where they are still there."""
-    found: set[str] = set()
-    for edit in edits:
-        match edit.op:
-            case "add" | "replace":
-                found.add(edit.object.id)
-            case "relate":
-                found.add(edit.relation.subject)
-            case "rename":
-                found.add(edit.new_id)
-            case "pose" | "size" | "support":
-                found.add(edit.id)
-            case "remove":
-                found.discard(edit.id)
-            case _:
-                pass
-    return found

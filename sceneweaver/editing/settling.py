@@ -103,13 +103,13 @@ def _projected(
 ) -> Settled | None:
     """The nearest layout with some things free."""
     poses = live.settle(scene, free, surfaces=surfaces, tries=TRIES, seed=seed)
-    return None if poses is None else _judged(scene, poses, freed)
+    return None if poses is None else _judged(live, scene, poses, freed)
 
 
 def _placed(live: LiveLayout, scene: Scene, new: Collection[str], seed: int) -> Settled | None:
     """The nearest layout with what is new anywhere in the room."""
     poses = live.place(scene, new, seed=seed)
-    return None if poses is None else _judged(scene, poses, "anywhere")
+    return None if poses is None else _judged(live, scene, poses, "anywhere")
 
 
 def _refined(live: LiveLayout, scene: Scene, candidates: int, seed: int) -> Settled:
@@ -118,19 +118,21 @@ def _refined(live: LiveLayout, scene: Scene, candidates: int, seed: int) -> Sett
     solution = refine(
         scene, candidates=candidates, seed=seed, init="current", device=live.device, compiled=kept, walk=False
     )
-    return _judged(scene, solution.poses[solution.order[0]].astype(np.float64), "all")
+    return _judged(live, scene, solution.bodies[solution.order[0]].astype(np.float64), "all")
 
 
-def _judged(scene: Scene, poses: np.ndarray, freed: Freed) -> Settled:
-    """The scene at poses [N, 4], judged; what has not moved keeps its pose to the bit."""
+def _judged(live: LiveLayout, scene: Scene, poses: np.ndarray, freed: Freed) -> Settled:
+    """The scene at poses [N, 4] and those of its free areas, judged; what has not moved keeps its pose to the bit."""
     moved = {}
-    for obj, pose in zip(scene.objects, poses, strict=True):
+    for obj, pose in zip(scene.objects, poses[: len(scene.objects)], strict=True):
         d = pose - (*obj.pose.position, obj.pose.yaw)
         d[3] = wrap_angle(d[3])
         if not obj.fixed and np.abs(d).max() > SAME:
             x, y, z, yaw = pose.tolist()
             moved[obj.id] = Pose.from_yaw(x, y, z, yaw)
     placed = scene.replace_poses(moved)
+    if scene.free_areas:
+        placed = placed.replace_area_poses(live.area_poses(scene, poses))
     return Settled(placed, check(placed, walkable=False), freed)
 
 

@@ -16,9 +16,11 @@ from sceneweaver.scene import Scene
 
 from .remarks import remarks
 from .report import explain as find_reason
+from .words import free_floor_words
 
 GRACE = 1.0  # [s] beyond a time limit in which to explain why nothing is valid
 HANGS = 0.2  # [s] after which an explanation that comes to no checkpoint is broken off
+WALKED_OVER = 32  # layouts that are looked at with no floor kept free
 
 
 # Options of a refinement are keyword arguments with defaults of their own, hence more than ten; `refine_many` as well.
@@ -146,6 +148,21 @@ def _explained(solution: Solution, began: float, time_limit: float | None) -> So
     clock = Deadline(math.inf if deadline is None else deadline)
     text = None
     with suppress(TimeUp), clock.enforced(patience=HANGS):
-        text = find_reason(solution.source, solution, device=solution.device, seed=solution.seed, deadline=deadline)
+        bare = _walked_over(solution, deadline)
+        if bare is not solution and np.any(bare.status == 0):
+            text = f"Only without free floor are there valid layouts: {free_floor_words(solution.source.free_areas)}."
+        else:
+            text = find_reason(bare.source, bare, device=solution.device, seed=solution.seed, deadline=deadline)
     said = "\n".join([*lines, *([text] if text else [])])
     return replace(solution, explanation=said or None, elapsed=time.monotonic() - began)
+
+
+def _walked_over(solution: Solution, deadline: float | None) -> Solution:
+    """A few layouts of the scene with no floor kept free; the solution itself where none is."""
+    if not solution.source.free_areas:
+        return solution
+    left = None if deadline is None else max(deadline - time.monotonic(), 0.1)
+    bare = solution.source.model_copy(update={"free_areas": ()})
+    return engine.refine(
+        bare, candidates=WALKED_OVER, seed=solution.seed, device=solution.device, time_limit=left, walk=False
+    )

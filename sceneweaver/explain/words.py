@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 import shapely
 
-from sceneweaver.scene import CATALOGUE, Relation, SceneObject
+from sceneweaver.scene import CATALOGUE, FreeArea, Relation, SceneObject
 
 LINES = 3  # of one kind
 FOUND = "(found by search, which is no proof)"
@@ -24,6 +24,16 @@ def listed(names: Sequence[str], most: int = 12, joint: str = ", ") -> str:
     if len(names) > most:
         return f"{joint.join(names[: most - 1])}{joint}and {len(names) - most + 1} more"
     return joint.join(names)
+
+
+def free_floor_words(areas: Sequence[FreeArea]) -> str:
+    """Free areas with their measures and what they are about: "gap-0 (gap of 1.20 m: bed, wall)"."""
+    said = []
+    for area in areas:
+        about = listed([*area.targets, *area.others], 4)
+        size = " x ".join(f"{side:.2f}" for side in area.size) if area.kind == "rectangle" else f"{area.size[0]:.2f}"
+        said.append(f"{area.id} ({area.kind} of {size} m{': ' + about if about else ''})")
+    return listed(said, LINES + 1)
 
 
 def crowd_words(objects: Sequence[SceneObject]) -> str:

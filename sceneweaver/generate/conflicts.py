@@ -41,6 +41,7 @@ def reconciled(rows: Sequence[Grounded], wanted: Sequence[Wanted]) -> list[Groun
     close = {_pair(row): float(row.params["max"]) for row in rows if row.hard and row.type == "near"}
     depth = {one.id: one.asset.size[0] for one in wanted if one.mount == "floor"}
     between: dict[str, float] = {}
+    under = {row.subject for row in rows if row.hard and row.type == "over"}
     for row in rows:
         if row.hard and row.type == "behind" and isinstance(row.target, str) and row.subject in depth:
             between[row.target] = max(between.get(row.target, 0.0), depth[row.subject])
@@ -51,6 +52,8 @@ def reconciled(rows: Sequence[Grounded], wanted: Sequence[Wanted]) -> list[Groun
         if row.type == "around" and row.target in at_edge:
             high = max(WITHIN, float((row.params.get("gap") or (0.0, 0.0))[1]))
             row = replace(row, type="near", params={"max": high})
+        if row.type == "against_wall" and row.target is None and row.subject in under:
+            row = replace(row, hard=False)  # shoes under a bench at the wall
         if row.type == "against_wall" and row.subject in between:
             row = replace(row, params={**row.params, "gap": [0.0, round(between[row.subject] + BEHIND, 3)]})
         found.append(row)

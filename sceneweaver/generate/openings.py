@@ -9,14 +9,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from sceneweaver.geometry.angles import dot
+from sceneweaver.geometry.seen import are_opposite, is_wall
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.knowledge import RoomType
 from sceneweaver.knowledge.shells import first_group, shells
 from sceneweaver.language import SceneGraph
+from sceneweaver.language.model import StatedOpening
 from sceneweaver.scene import Door, InputError, Room, Window
 
 from .outline import Plan
 from .relations import wall_named
+from .stated_openings import Opened, Told, door_width, doors_stated, leads_on, place, window_shape
 
 FROM_CORNER = (((0.12, 0.3), 6.0), ((0.65, 1.0), 3.0), ((9.0, 9.0), 1.0))
 """Distances [m] of a door from a corner, and how often: close to it, a place beside it, in the middle of its wall."""
@@ -47,12 +50,25 @@ class Pane:
 
 
 def doors_of(
-    room_type: RoomType, brief: SceneGraph, plan: Plan, walls: Sequence[Wall], height: float, rng: random.Random
+    room_type: RoomType,
+    brief: SceneGraph,
+    plan: Plan,
+    walls: Sequence[Wall],
+    height: float,
+    rng: random.Random,
+    told: Told | None = None,
 ) -> tuple[list[Door], list[str]]:
-    """The doors of a room, that which one comes in by first, and what does not fit."""
+    """The doors of a room, that which one comes in by first, and what does not fit.
+
+    ``told`` are the walls of those that the request describes.
+    """
+    stated = doors_stated(brief)
     count = brief.doors if brief.doors is not None else max(1, room_type.doors.count.least)
     fitting = [k for k in plan.entries if walls[k].length >= ENTRY] or [0]
     entry = rng.choices(fitting, [walls[k].length for k in fitting])[0]
+    if stated and told is not None:
+        return _stated_doors(room_type, stated, max(count, len(stated)), walls, height, rng, told)
+    entry = told.entry if told is not None else entry
     doors: list[Door] = []
     notes: list[str] = []
     taken: set[int] = set()
@@ -78,6 +94,53 @@ def doors_of(
                 offset=round(offset if near else play - offset, 3),
                 width=width,
                 height=round(min(rng.uniform(*room_type.doors.height), height - 0.05), 2),
+                swing=swing,
+            )
+        )
+    return doors, notes
+
+
+def _stated_doors(
+    room_type: RoomType,
+    stated: Sequence[StatedOpening],
+    count: int,
+    walls: Sequence[Wall],
+    height: float,
+    rng: random.Random,
+    told: Told,
+) -> tuple[list[Door], list[str]]:
+    """The doors that a request describes, each where it is said to be, and those that it only counts."""
+    doors, taken, notes = list[Door](), list[Opened](), list[str]()
+    plain = [StatedOpening(part="door")] * (count - len(stated))
+    for one in [*plain, *stated] if leads_on(stated[0]) else [*stated, *plain]:
+        free = max(walls, key=lambda wall: (all(row.wall != wall.index for row in taken), wall.length))
+        wall = walls[told.where.get(one.id, free.index if doors else told.entry)]
+        usual = round(rng.uniform(*room_type.doors.width), 2)
+        width = round(min(door_width(one, usual), wall.length - 0.3), 2)
+        if width < 0.6:
+            notes.append(f"wall {wall.index} is too short for a door")
+            continue
+        aside = rng.uniform(*FROM_CORNER[0][0]) if rng.random() < 0.5 else (wall.length - width) / 2
+        offset = place(one, wall, width, taken, aside if rng.random() < 0.5 else wall.length - width - aside, 0, 1)
+        if offset is None and one.wall == "any" and not one.opposite:
+            wall = free
+            offset = place(one, wall, width, taken, (wall.length - width) / 2, 0, 1)
+        if offset is None:
+            notes.append(f"wall {wall.index} has no room for another door")
+            continue
+        taken.append(Opened(wall.index, offset, width))
+        near = offset < (wall.length - width) / 2
+        swing = "slide" if "sliding" in one.features or "pocket" in one.features else room_type.doors.swing
+        if swing == "in-left" and not near:
+            swing = "in-right"
+        tall = one.height if one.height is not None else rng.uniform(*room_type.doors.height)
+        doors.append(
+            Door(
+                id=f"door-{len(doors)}",
+                wall=wall.index,
+                offset=offset,
+                width=width,
+                height=round(min(tall, height - 0.05), 2),
                 swing=swing,
             )
         )
@@ -111,6 +174,7 @@ def windows_of(
     room: Room,
     rng: random.Random,
     like: Room | None,
+    told: Told | None = None,
 ) -> tuple[tuple[Window, ...], list[str]]:
     """The windows of a room that has its doors, and what does not fit.
 
@@ -127,6 +191,12 @@ def windows_of(
         count = len(like.windows)
     order = _wall_order(brief, plan, room, pane.width, rng)
     shared = rng.random() < 0.5
+    windows, unfit = _stated_windows(brief, room, pane, rng, told) if told is not None else ([], [])
+    notes += unfit
+    count -= len(windows)
+    if windows and brief.windows is not None and not unfit:
+        count = max(count, 0)
+    order = [wall for wall in order if all(one.wall != wall for one in windows)] if count > 0 else []
     placed: dict[int, int] = {}
     width = pane.width
     for k in range(count):
@@ -142,7 +212,6 @@ def windows_of(
         fresh = [i for i in fits if i not in placed]
         best = fits[0] if k == 0 or shared or not fresh else fresh[0]
         placed[best] = placed.get(best, 0) + 1
-    windows: list[Window] = []
     for wall, many in placed.items():
         for offset in _offsets(room, wall, many, width, wall == plan.bay, rng):
             made = Window(
@@ -155,6 +224,52 @@ def windows_of(
             )
             windows.append(made)
     return tuple(windows), notes
+
+
+def _stated_windows(
+    brief: SceneGraph, room: Room, pane: Pane, rng: random.Random, told: Told
+) -> tuple[list[Window], list[str]]:
+    """The windows that a request describes, each where it is said to be."""
+    walls, notes, windows = room.walls, list[str](), list[Window]()
+    stated = [one for one in brief.openings if one.part == "window"]
+    taken = [Opened(door.wall, door.offset, door.width) for door in room.doors]
+    if not stated:
+        return windows, notes
+    entry = room.doors[0].wall if room.doors else 0
+    for one in stated:
+        wall = walls[told.where[one.id]]
+        several = one.wall == "any" and one.at == "along" and one.count > 1
+        others = sorted((w for w in walls if w.index != entry), key=lambda w: -w.length)
+        rows = [(w, 0, 1) for w in (others + [walls[entry]])[: one.count]] if several else []
+        for on, number, many in rows or [(wall, k, one.count) for k in range(one.count)]:
+            width, sill, tall = window_shape(one, pane.width, pane.sill, pane.height, room.height)
+            most = (on.length - 2 * BESIDE - (many - 1) * BESIDE) / many
+            width = round(most if one.at == "along" else min(width, most), 2)
+            usual = (
+                (on.length - width) / 2
+                if rng.random() < MIDDLE
+                else rng.uniform(BESIDE, max(BESIDE, on.length - width - BESIDE))
+            )
+            offset = place(one, on, width, taken, usual, number, many) if width >= 0.3 else None
+            if offset is None and one.at == "along":  # beside the door of that wall
+                width, offset = _beside_doors(on, taken)
+            if offset is None:
+                notes.append(f"a window does not fit in wall {on.index}")
+                continue
+            taken.append(Opened(on.index, offset, width))
+            windows.append(
+                Window(id=f"window-{len(windows)}", wall=on.index, offset=offset, width=width, sill=sill, height=tall)
+            )
+    return windows, notes
+
+
+def _beside_doors(wall: Wall, taken: Sequence[Opened]) -> tuple[float, float | None]:
+    """Width and beginning [m] of the longest stretch of a wall that nothing takes; no beginning where it is short."""
+    edges = sorted((row.offset - BESIDE, row.offset + row.width + BESIDE) for row in taken if row.wall == wall.index)
+    starts = [BESIDE, *(high for _, high in edges)]
+    ends = [*(low for low, _ in edges), wall.length - BESIDE]
+    low, high = max(zip(starts, ends, strict=True), key=lambda row: row[1] - row[0])
+    return round(high - low, 2), round(low, 3) if high - low >= 0.5 else None
 
 
 def _wall_order(brief: SceneGraph, plan: Plan, room: Room, width: float, rng: random.Random) -> list[int]:
@@ -184,6 +299,12 @@ def _spoken_for(brief: SceneGraph, room: Room) -> set[int]:
     for name in (target for said in brief.relations for target in said.targets if target.startswith("wall:")):
         with contextlib.suppress(InputError):  # said later, with the relation itself
             found.add(wall_named(name.removeprefix("wall:"), room))
+    entry = room.walls[room.doors[0].wall] if room.doors else None
+    for niche in (one for one in brief.openings if one.part == "niche" and entry is not None):
+        for wall in room.walls:
+            across = niche.opposite == "door" and entry is not None and are_opposite(wall, entry)
+            if across or (niche.wall != "any" and is_wall(niche.wall, wall, room.walls, entry)):
+                found.add(wall.index)
     return found
 
 

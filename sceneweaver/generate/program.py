@@ -20,6 +20,7 @@ from sceneweaver.scene import PRIORITIES, InputError, Palette, SceneObject, Zone
 
 from .draft import CRAMMED, groups_of
 from .hanging import OVER, before_window, hanging_height, is_lit_table
+from .quantity import is_plain, is_plain_item, least_of, small_kind
 from .written import roles_written
 
 GENERAL = (
@@ -41,6 +42,9 @@ GENERAL = (
 
 MANY = (5, 10)
 """Things that a request names from which on nothing optional, and nothing usual, is added."""
+
+PLENTY = 5
+"""How many of a thing that stands on the floor are so many that some of them are small ones, on furniture."""
 
 SMALL, SPARE = 0.3, 0.05
 """What takes at most this floor [m2] may take this share of the floor beyond what furniture fills."""
@@ -133,7 +137,7 @@ class Wanted:
 
 @dataclass(frozen=True)
 class Demand:
-    """One kind of object with its count, before bodies are chosen."""
+    """One kind of object with its count, before bodies are chosen; ``mixed`` ones are of all its categories in turn."""
 
     item: Item | None
     categories: tuple[str, ...]
@@ -141,6 +145,7 @@ class Demand:
     rank: int
     asked: Entity | None = None
     least: int = 0
+    mixed: bool = False
 
 
 @dataclass(frozen=True)
@@ -177,26 +182,30 @@ def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, wi
     What was written for this very request is there besides, where it stands for nothing that the request names.
     """
     rng = random.Random(seed)
-    banned = excluded_kinds(brief.without) if room_type.for_request else decided_kinds(brief)
+    banned = excluded_kinds(brief.without) if room_type.for_request else decided_kinds(brief, room_type)
     asked = {a.id: a for a in brief.entities}
     roles = roles_of(room_type, brief)
     shares = _shares(room_type, brief, area, people, roles)
     holders = {i.with_ for i in room_type.items if any(i.id in items for items in roles.values())}
-    skipped: set[str] = set()
+    skipped, spare = set[str](), set[str]()
     found: list[Demand] = []
     for item in room_type.items:
         draw, pick, keep = rng.random(), rng.random(), rng.random()
         meant = [a for a in asked.values() if item.id in roles[a.id]]
+        own: Item | None = item
+        if meant and _sat_elsewhere(item, room_type, brief):
+            spare.add(item.with_ or "")
+            own = None
         if meant:
             for one in meant:
                 share = shares.get(one.id)
                 if share is None:
                     del asked[one.id]
-                    found.append(_asked_demand(one, item, area, people, draw, brief))
+                    found.append(_asked_demand(one, own, area, people, draw, brief))
                 elif item.id in share:
                     many = share.pop(item.id)
                     if many:
-                        found.append(Demand(item, (one.category,), many, 0, one, many))
+                        found.append(Demand(own, (one.category,), many, 0, one, many))
                     if not share:
                         del asked[one.id]
             continue
@@ -215,8 +224,9 @@ def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, wi
         names = names[start:] + names[:start]
         if count > 0:
             found.append(Demand(item, names, count, RANK[item.need], least=min(count, item.count.least)))
-    # A table whose seats were named for another place is not set out without any.
+    # A table whose seats were named for another place is not set out without any, a desk of ours not at all.
     found = [d for d in found if d.asked or d.item is None or d.item.id not in skipped or d.item.need == "needed"]
+    found = [d for d in found if d.asked or d.item is None or d.item.id not in spare]
     found += [_asked_demand(one, None, area, people, rng.random(), brief) for one in asked.values()]
     return found
 
@@ -226,20 +236,20 @@ def named_kinds(brief: SceneGraph) -> frozenset[str]:
     return frozenset(c for one in brief.entities for c in kin(one.category, one.noun))
 
 
-def decided_kinds(brief: SceneGraph) -> frozenset[str]:
-    """The categories of which nothing is added of our own: those that a request names, and those that it excludes."""
-    return named_kinds(brief) | excluded_kinds(brief.without)
+def decided_kinds(brief: SceneGraph, room_type: RoomType) -> frozenset[str]:
+    """The categories of which nothing is added of our own: those that a request names, those that it excludes, and
+    those that do not belong in such a room."""
+    return named_kinds(brief) | excluded_kinds((*brief.without, *room_type.never))
 
 
 def _usual_enough(item: Item, brief: SceneGraph, keep: float) -> bool:
     """Whether something that nobody asked for is added; the more a request says, the less."""
+    if is_plain(brief):
+        return is_plain_item(item)
     if item.need == "needed":
         return True
     said = len(brief.entities)
-    sparse = brief.density == "sparse"
-    if item.need == "optional":
-        return said < MANY[0] and keep >= (0.75 if sparse else 0.3)
-    return said < MANY[1] and not (sparse and keep < 0.4)
+    return said < MANY[0] and keep >= 0.3 if item.need == "optional" else said < MANY[1]
 
 
 def roles_of(room_type: RoomType, brief: SceneGraph) -> dict[str, tuple[str, ...]]:
@@ -315,15 +325,35 @@ def _sat_at(asked: Entity, brief: SceneGraph) -> bool:
     return any(r.subject in seats and asked.id in r.targets for r in brief.relations)
 
 
+def _sat_elsewhere(seat: Item, room_type: RoomType, brief: SceneGraph) -> bool:
+    """Whether the seats of a table or desk of the room stand at another one that the request names."""
+    if seat.with_ is None or not any("seating" in groups_of(name) for name in seat.what):
+        return False
+    host = room_type.item(seat.with_)
+    named = {e.id: e for e in brief.entities if matches(e.category, seat) or kin(e.category) & set(seat.what)}
+    at = {t for r in brief.relations if r.subject in named for t in r.targets}
+    tables = [e for e in brief.entities if e.id in at and has_role(e.category, "seated_at")]
+    return bool(tables) and not any(matches(e.category, host) for e in tables)
+
+
 def loose(asked: Entity, brief: SceneGraph) -> bool:
     """Whether a request used a general word ("chair"), which each kind of room has its own kind of.
 
-    What it puts on something is small: a lamp on a sideboard is no floor lamp.
+    What it puts on something is small: a lamp on a sideboard is no floor lamp. Shelves on the wall do not
+    stand before it.
     """
     carried = any(r.subject == asked.id and r.type in ("on", "inside") and r.targets for r in brief.relations)
     if carried and "surface" in category_named(asked.category).mount:
         return False
+    if "wall" in category_named(asked.category).mount and _hangs(asked, brief):
+        return False
     return singular(asked.noun) in GENERAL and not asked.style and not any(asked.size)
+
+
+def _hangs(asked: Entity, brief: SceneGraph) -> bool:
+    """Whether a request says of something that it hangs: on a wall, or over another thing."""
+    said = [r for r in brief.relations if r.subject == asked.id and r.targets]
+    return any(r.type == "above" or (r.type in ("on", "hanging_from") and "wall" in r.targets[0]) for r in said)
 
 
 def _hangs_at_windows(item: Item) -> bool:
@@ -350,13 +380,22 @@ def _asked_demand(asked: Entity, item: Item | None, area: float, people: int, dr
         usual = item.count.of(area, people, draw) if item else low
         count = max(low, min(high, usual))
     else:
-        plural = singular(asked.noun.lower()) != asked.noun.lower()
-        count = item.count.of(area, people, draw) if item and plural else 1
+        count = item.count.of(area, people, draw) if item and _is_plural(asked) else 1
+    count = max(count, least_of(asked, brief))
     names = (asked.category,)
     if item is not None and asked.category not in item.what and loose(asked, brief):
         words = " ".join(a.words for a in asked.attributes)
         names = tuple(narrower(name, words) for name in item.what)
+    small = small_kind(asked.category)
+    if count >= PLENTY and small is not None and least_of(asked, brief):  # many plants are not all tubs on the floor
+        return Demand(item, (asked.category, small), count, 0, asked, count, mixed=True)
     return Demand(item, names, count, 0, asked, count)
+
+
+def _is_plural(asked: Entity) -> bool:
+    """Whether something is named in the plural: a "shoes rack" is one."""
+    last = asked.noun.lower().split()[-1:]
+    return any(singular(word) != word for word in last)
 
 
 @dataclass(frozen=True)
@@ -406,8 +445,10 @@ def build(
     for number, demand in enumerate(sorted(wishes, key=_order(room_type))):
         item, own = demand.item, seed + 101 * number
         parents = _parents(demand, by_item)
-        # A count that the request gives is that of all together, one of the room's file is for each parent.
-        total = demand.asked is not None and demand.asked.count is not None
+        # A count that the request gives is that of all together, one of the room's file is for each parent; one thing
+        # that is named is not there for each of what the room has by itself.
+        ours = item is not None and all(parent is not None and parent.asked is None for parent in parents)
+        total = demand.asked is not None and (demand.asked.count is not None or (ours and not _is_plural(demand.asked)))
         pieces = demand.count if total else demand.count * len(parents)
         if not pieces:
             continue
@@ -424,13 +465,14 @@ def build(
         for k, asset in enumerate(assets):
             parent = parents[k % len(parents)] if total else parents[k // demand.count]
             support = supports[k % len(supports)] if supports else None
-            one = Wanted(item, asset.category, asset, demand.rank, k, parent, support, asked, held=held, wish=wish)
+            own_item = None if demand.mixed and asset.category != demand.categories[0] else item
+            one = Wanted(own_item, asset.category, asset, demand.rank, k, parent, support, asked, held=held, wish=wish)
             if not limits.fits(program, one, must=demand.rank <= 1 and k < least):
                 program.left_out.append(LeftOut(asked, f"{one.category}: the floor or the walls are full"))
                 break
             program.wanted.append(one)
-            if item is not None:
-                by_item.setdefault(item.id, []).append(one)
+            if own_item is not None:
+                by_item.setdefault(own_item.id, []).append(one)
     _name(program.wanted)
     return program
 
@@ -538,6 +580,8 @@ def _wish(demand: Demand, palette: Palette, seed: int) -> tuple[Wish, str | None
                 at = min(1.0, max(0.0, 0.5 + 1.5 * (asked.scale - 1.0)))
                 # Rounded within the range: the pile of a rug is half a millimetre high.
                 size = [min(max(round(lo + at * (hi - lo), 3), lo), hi) for lo, hi in ranges.ranges]
+        if "ceiling" in category_named(asked.category).mount:
+            size[2] = asked.size[2]  # a huge lamp is wide; how far it hangs down follows from what is below
     wish = Wish(
         size=(size[0], size[1], size[2]),
         color=(asked and asked.color) or (item and item.color) or None,
@@ -563,7 +607,7 @@ def hung_furniture(category: str, mount: str | None) -> bool:
 def _bodies(demand: Demand, pieces: int, wish: Wish, library: Library) -> list[Asset]:
     name = demand.categories[0]
     same = demand.item.same if demand.item else True
-    if same:
+    if same and not demand.mixed:
         return library.choose(name, pieces, wish)
     out = []
     for k in range(pieces):

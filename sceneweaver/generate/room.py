@@ -6,6 +6,7 @@ import random
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field, replace
 
+from sceneweaver.assets.materials import finish
 from sceneweaver.assets.roles import has_role
 from sceneweaver.knowledge.palettes import Palette as RoomPalette
 from sceneweaver.knowledge.palettes import palette_for
@@ -16,6 +17,7 @@ from sceneweaver.scene.palette import MOST_COLORS
 from .draft import walls_of
 from .finish import finished
 from .fit import POOR, fitted
+from .free_floor import agreeing, free_areas_of, kept_free
 from .hanging import hung_between, lamp_count
 from .program import BY_RANK, Limits, Program, Wanted, build, demands, free_zones
 from .relations import of_brief, of_items, rows_of
@@ -25,6 +27,7 @@ from .run import Variant, has_place
 from .seats import lengthened
 from .setup import Proposal, Setup
 from .shell import floor_area, shell
+from .stated_finish import stated_finish
 from .supports import Places, laid, supported
 
 FILL = {"sparse": 0.73, "normal": 1.0, "full": 1.21}
@@ -107,13 +110,18 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
     floor = _Floor(area if given else min(area * roomier, most), people, given, shrinks)
     style = brief.style or style or random.Random(seed ^ 0x57).choice(room.styles)
     look = palette_for(room.name, style, brief.colors, seed)
+    woods = [name for name in stated_finish(brief.text).woods if finish(name).family == "wood"]
+    if woods:
+        look = look.model_copy(update={"woods": tuple(woods[:2])})
     palette = kept(look, style, seed)
 
     made = _shelled(setup, floor, palette, roomier, hurried)
     for attempt in range(1, GROWTHS + 1):
         _furnished(setup, made, palette)
         # Where a grid or a line fits no shell of this size, or all is crowded, only more floor helps.
-        crowded = made.program.footprint > FILL["full"] * room.fill * floor.area
+        crowded = made.program.footprint > FILL["full"] * room.fill * max(
+            floor.area - kept_free(brief), 0.5 * floor.area
+        )
         crowded = crowded or made.program.wall > WALLED * walls_of(made.space)
         astray = not made.variants and in_rows(_free_of_rows(made.program.wanted, made.rows))
         if given or not (crowded or astray) or attempt == GROWTHS or floor.area >= most or hurried():
@@ -121,7 +129,7 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
         floor.area *= GROWTH
         made = _shelled(setup, floor, palette, roomier, hurried)
 
-    space = finished(made.space, room, look, seed, brief.text)
+    space = finished(made.space, room, look, seed, brief.text, brief.colors)
     scene, unmet = _scene(setup, space, made, palette, people)
     rooms, larger = ([], []) if hurried() else _alternatives(setup, floor, made, space, scene)
     notes += made.remarks + made.program.notes
@@ -131,9 +139,9 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
         notes += [_left_out(reason, standing) for reason in reasons[:8]]
     return Proposal(
         scene=scene,
-        variants=tuple(made.variants),
-        rooms=tuple(finished(r, room, look, seed, brief.text) for r in rooms[:ROOMS]),
-        larger=tuple(finished(r, room, look, seed, brief.text) for r in larger),
+        variants=tuple(agreeing(variant, scene.free_areas) for variant in made.variants),
+        rooms=tuple(finished(r, room, look, seed, brief.text, brief.colors) for r in rooms[:ROOMS]),
+        larger=tuple(finished(r, room, look, seed, brief.text, brief.colors) for r in larger),
         fresh=True,
         notes=tuple(notes),
         unmet=(*unmet, *made.places.unmet, *_missing(brief, made.program)),
@@ -251,6 +259,11 @@ def _scene(setup: Setup, space: Room, made: _Attempt, palette: Palette, people: 
         for one in line[1:]:  # its place is in the line; the first of it says where the line is
             placed[one.id] = placed.get(one.id, frozenset()) | LED
     relations = _consistent(asked, [*of_items(program.wanted, space, placed), *_at_walls(program.wanted, rows)])
+    made_of: dict[str, list[str]] = {}
+    for one in program.wanted:
+        made_of.setdefault(one.asked or "", []).append(one.id)
+    areas = free_areas_of(brief, made_of, space)
+    relations = agreeing(relations, areas)
     tall = {w.id: w.asset.size[2] for w in program.wanted}
     over = {r.subject: tall[r.target] for r in relations if r.type == "above" and r.target in tall}
     before = {r.subject for r in relations if r.type == "at_window"}
@@ -260,6 +273,7 @@ def _scene(setup: Setup, space: Room, made: _Attempt, palette: Palette, people: 
         room=space,
         objects=tuple(_object(w, space, over.get(w.id, 0.0), w.id not in before, places) for w in program.wanted),
         relations=tuple(relations),
+        free_areas=areas,
         palette=palette,
         provenance={
             "tool": "init_prior",
@@ -282,7 +296,7 @@ def _program(setup: Setup, space: Room, area: float, people: int, palette: Palet
     pane = (first.width, first.height, first.sill + first.height) if first is not None else None
     fill = FILL[brief.density] * room.fill
     walls = walls_of(space)
-    limits = Limits(area, fill, walls, WALLED * walls)
+    limits = Limits(max(area - kept_free(brief), 0.5 * area), fill, walls, WALLED * walls)
     return build(wishes, room, setup.library, limits, setup.seed, palette, pane, space.height)
 
 

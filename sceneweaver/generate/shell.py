@@ -9,8 +9,11 @@ from sceneweaver.knowledge import RoomType
 from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Room
 
-from .openings import doors_of, windows_of
+from .free_floor import kept_free
+from .niches import with_niches
+from .openings import ENTRY, doors_of, windows_of
 from .outline import LARGEST, SMALLEST, Plan, asked_outline, drawn_shape, outline, sides_of, turned
+from .stated_openings import walls_stated
 
 NARROW = 0.25
 """How much longer some rooms are than is usual, in widths."""
@@ -36,6 +39,7 @@ def floor_area(room_type: RoomType, brief: SceneGraph, seed: int) -> tuple[float
     area = room_type.area[1] * brief.scale * rng.uniform(0.92, 1.14)
     if brief.people is not None and room_type.area_per_person:
         area = max(area, room_type.area_per_person * people)
+    area += kept_free(brief)
     return min(max(area, 0.8 * room_type.area[0]), max(room_type.area[2], 1.0)), people, False, notes
 
 
@@ -61,15 +65,20 @@ def shell(
         height = min(max(height, 2.0), 8.0)
     plan = _plan(room_type, brief, area, rng, notes)
     corners = tuple((round(x, 3), round(y, 3)) for x, y in plan.corners)
-    doors, lost = doors_of(room_type, brief, plan, walls_of(corners), height, rng)
+    walls = walls_of(corners)
+    entries = [k for k in plan.entries if walls[k].length >= ENTRY] or [0]
+    told = walls_stated(brief, walls, entries, rng) if brief.openings else None
+    doors, lost = doors_of(room_type, brief, plan, walls, height, rng, told)
     bare = Room(type=room_type.name, outline=corners, height=height, doors=tuple(doors))
-    windows, unfit = windows_of(room_type, brief, plan, bare, rng, like)
-    return bare.model_copy(update={"windows": windows}), [*notes, *lost, *unfit]
+    windows, unfit = windows_of(room_type, brief, plan, bare, rng, like, told)
+    made, narrow = with_niches(bare.model_copy(update={"windows": windows}), brief)
+    return made, [*notes, *lost, *unfit, *narrow]
 
 
 def left_to_us(brief: SceneGraph) -> bool:
     """Whether the request leaves the shape of the room open: it says nothing of it, nor of places in it."""
-    return not (brief.shape or brief.size or brief.area or brief.relations or len(brief.entities) > FEW)
+    told = brief.shape or brief.size or brief.area or brief.relations or brief.openings or brief.free_areas
+    return not (told or len(brief.entities) > FEW)
 
 
 def _plan(room_type: RoomType, brief: SceneGraph, area: float, rng: random.Random, notes: list[str]) -> Plan:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from sceneweaver.assets import Asset, Library
@@ -14,7 +15,9 @@ from sceneweaver.knowledge.surfaces import usual_arrangement
 from sceneweaver.language import Grounded, SceneGraph, StatedRelation, carrier_of
 from sceneweaver.scene import InputError, Palette, SceneObject, Surface
 
+from .draft import groups_of
 from .program import LeftOut, Program, Wanted
+from .quantity import lies_on_floor, spread_of
 from .surface_bodies import Shelf
 from .surface_scene import Frame
 from .surface_setting import Standing
@@ -79,7 +82,8 @@ def supported(program: Program, brief: SceneGraph) -> None:
             by_asked.setdefault(one.asked, []).append(one)
     _stated_supports(program, brief, by_asked)
     _held(brief, by_asked)
-    _likely_supports(program.wanted, _pairs(brief, by_asked))
+    spread = {one.id: spread_of(one.asked, brief) for one in program.wanted if one.asked is not None}
+    _likely_supports(program.wanted, _pairs(brief, by_asked), spread)
     for said in brief.relations:
         if said.type in SHARES:
             for one in by_asked.get(said.subject, []):
@@ -112,9 +116,15 @@ def _stated_supports(program: Program, brief: SceneGraph, by_asked: dict[str, li
                 one.held = "floor"
 
 
-def _likely_supports(wanted: Sequence[Wanted], pairs: Sequence[tuple[Wanted, Wanted]]) -> None:
-    """The likeliest supports for small things of which nothing is said, those that are related on the same."""
+def _likely_supports(
+    wanted: Sequence[Wanted], pairs: Sequence[tuple[Wanted, Wanted]], spread: Mapping[str, str | None]
+) -> None:
+    """The likeliest supports for small things of which nothing is said, those that are related on the same.
+
+    What is spread over all surfaces goes onto each in turn, what is all over the room partly onto the floor.
+    """
     _share_supports(pairs)
+    strewn = Counter[tuple[str | None, str]]()
     load: dict[str, float] = {}  # share of the surfaces of a support that is taken
     for one in wanted:
         if one.mount != "surface" or one.support is not None:
@@ -125,8 +135,15 @@ def _likely_supports(wanted: Sequence[Wanted], pairs: Sequence[tuple[Wanted, Wan
             if w is not one and w.support is None and any(fits_on(s, one.asset.size) for s in w.asset.surfaces)
         ]
         holds_others = any(w.support is one for w in wanted)
+        all_over = spread.get(one.id)
         if one.asked is not None and has_role(one.category, "set_down") and holds_others:
             one.held = "floor"  # a bin that holds toys
+        elif lies_on_floor(one.number, all_over) and one.asset.size[2] < TALLEST:
+            one.held = "floor"
+        elif fits and all_over in ("surfaces", "everywhere"):
+            tops = [w for w in fits if not {"seating", "chair_group"} & groups_of(w.category)] or fits
+            one.support = min(tops, key=lambda w: (strewn[one.asked, w.id], _unlikely(one, w, load.get(w.id, 0.0))))
+            strewn[one.asked, one.support.id] += 1
         elif fits:
             one.support = min(fits, key=lambda w: _unlikely(one, w, load.get(w.id, 0.0)))
             taken = one.asset.size[0] * one.asset.size[1] / max(_ground(one.support), 1e-6)

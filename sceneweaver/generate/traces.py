@@ -73,7 +73,7 @@ class FreeFloor:
         scene = setup.scene
         self._setup, self._dice = setup, dice
         self._around = Surroundings(scene, setup.room_type)
-        self._decided = decided_kinds(setup.brief)
+        self._decided = decided_kinds(setup.brief, setup.room_type)
         self._shelf = Shelf(setup.library, scene.palette, setup.seed)
         self._field = Field(counter_clockwise(scene.room.outline), edge=WALL_GAP)
         gap = limit("door_frame", "gap")

@@ -173,7 +173,7 @@ def _hang(
 def _candidates(work: _Work, art: bool) -> list[str]:
     """What may hang here, in the order in which it is tried."""
     brief, there = work.setup.brief, Counter(o.category for o in work.objects)
-    banned = decided_kinds(brief)
+    banned = decided_kinds(brief, work.setup.room_type)
     shares = {
         name: share
         for name, share in wall_things(work.setup.room_type.name).items()

@@ -39,7 +39,7 @@ def hull_faces(points: Array) -> NDArray[np.int32]:
     return np.frombuffer(_faces(array.tobytes()), dtype=np.int32).reshape(-1, 3).copy()
 
 
-@lru_cache(maxsize=16384)
+@lru_cache(maxsize=8192)
 def _faces(content: bytes) -> bytes:
     """Of float64 points [n, 3]; the same furniture has the same points in every finish."""
     from scipy.spatial import ConvexHull, QhullError

@@ -4,7 +4,7 @@ serve for each other, at home in one kind of place."""
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any
 
 from sceneweaver.assets import categories
@@ -73,7 +73,7 @@ def interchangeable(category: str) -> frozenset[str]:
     return frozenset((category,)).union(*(names for names in _file()["interchangeable"] if category in names))
 
 
-@cache
+@lru_cache(maxsize=4096)
 def serves(category: str, wanted: tuple[str, ...]) -> int:
     """How well a category serves where some categories or groups are meant: 2 it is one, 1 it may stand in, 0 not."""
     if category in wanted or any(category in members(name) for name in wanted):

@@ -76,6 +76,12 @@ def likeliest_room(named: Iterable[str], text: str = "") -> RoomType | None:
     return known[max(_possible(told), key=score)]
 
 
+def told_by(named: Iterable[str], room: RoomType) -> float:
+    """The share of things that belong to a kind of room, 0 where there are none."""
+    kinds = set(named)
+    return sum(kind in _chances(room.name) for kind in kinds) / max(1, len(kinds))
+
+
 def _possible(told: Iterable[str]) -> list[str]:
     """The kinds of rooms that may hold what decides: beds are in rooms to sleep in, whatever else is there."""
     found = sorted(room_types())

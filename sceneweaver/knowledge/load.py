@@ -59,6 +59,12 @@ def room_types() -> Mapping[str, RoomType]:
 
 
 @cache
+def plain_room() -> RoomType:
+    """A room with light and nothing else; its other items stand for what a request names, with what these need."""
+    return RoomType(**data_of("plain_room.yaml"))
+
+
+@cache
 def room_words() -> Mapping[str, str]:
     """Every phrase that names a kind of room, lower case, to its name; longer phrases should be tried first."""
     table = {name.replace("_", " "): name for name in room_types()}

@@ -33,6 +33,21 @@ def match_room(words: str) -> tuple[str, float] | None:
     return (table[near[0]], difflib.SequenceMatcher(None, asked, near[0]).ratio()) if near else None
 
 
+PARTS = frozenset(("area", "corner", "zone", "section", "counter", "part", "nook", "end", "side"))
+"""Words for a part of a room: a bakery counter area is one of a bakery."""
+
+
+def room_of_part(words: str) -> str | None:
+    """The kind of room of which words name a part; None where they name none."""
+    spoken = words.lower().replace("-", " ").split()
+    while spoken and spoken[-1] in PARTS:
+        spoken.pop()
+        found = match_room(" ".join(spoken)) if spoken else None
+        if found is not None:
+            return found[0]
+    return None
+
+
 def _word_by_word(asked: str, known: str) -> bool:
     """Whether each word is a misspelling of its counterpart: a "boiler room" is no "toilet room"."""
     mine, theirs = asked.split(), known.split()

@@ -139,13 +139,24 @@ def _namesakes(noun: str, category: str) -> tuple[str, ...]:
 
 
 def only_chunk(state: State, chunk: Chunk) -> None:
-    """ "Only a bed", "nothing else": nothing but what is named; "and only two chairs" after other things says how many."""
-    after = state.chunk(state.at)
-    names = after is not None and after.kind in ("noun", "adjective") and not _is_definite(after)
-    ahead = state.chunks[state.at : state.at + 2]
-    named = names and any(c.kind == "noun" and c.value.what in ("thing", "group") for c in ahead)
-    state.out.only = state.out.only or chunk.value == "all" or (named and not state.out.mentions)
+    """ "Only a bed", "nothing else": nothing but what is named, unless other things were named before."""
+    ahead = state.chunk(state.at)
+    if ahead is not None and ahead.kind == "verb":  # "it should only have a bed"
+        ahead = state.chunk(state.at + 1)
+    # "Only two chairs" is how many chairs there are, not all that there is; "the only chair" is one of a kind.
+    named = (
+        ahead is not None
+        and ahead.kind == "noun"
+        and ahead.value.what in ("thing", "group")
+        and not ahead.value.definite
+        and not _is_counted(ahead.value)
+        and not state.out.mentions
+    )
+    state.out.only = state.out.only or chunk.value == "all" or named
 
 
-def _is_definite(chunk: Chunk) -> bool:
-    return chunk.kind == "noun" and bool(chunk.value.definite)
+def _is_counted(phrase: NounPhrase) -> bool:
+    """Whether a noun phrase has a number of its own, or is no thing that is known: "they only talk"."""
+    if phrase.determiner in ("a", "an", "the"):
+        return False
+    return phrase.count is not None or phrase.value is None

@@ -7,6 +7,7 @@ from typing import Any
 
 from sceneweaver.assets.taxonomy import category_named, narrower
 
+from .coverage import silent_words
 from .meaning import unsaid
 from .model import Attribute, Entity, Exclusion, SceneGraph, StatedRelation, Unread
 from .mutual import split_mutual
@@ -40,6 +41,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     barred = [found for said in parsed.barred if (found := _barred(said, mentions)) is not None]
     unread = {left.words: left for left in reversed(parsed.unread) if left.words.strip()}
     entities = tuple(_entity(m, notes) for m in mentions)
+    named = {entity.id for entity in entities}
     graph = SceneGraph(
         text=text,
         **{name: getattr(parsed, name) for name in _SAME},
@@ -57,6 +59,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         free_areas=resolved(parsed.free_areas, entities, "free_area"),
         capacities=resolved(parsed.capacities, entities, "capacity"),
         arrangements=resolved(parsed.arrangements, entities, "arrangement"),
+        amounts=tuple(a for a in resolved(parsed.amounts, entities, "amount") if a.entity in named),
         relations=tuple(r.model_copy(update={"id": f"relation-{k}"}) for k, r in enumerate(relations)),
         exclusions=_numbered(
             [Exclusion(words=w, categories=c, span=span) for (w, c), span in reversed(exclusions.items())] + barred
@@ -67,7 +70,8 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         ),
     )
     notes += [f"'{said.words}' cannot be said as a relation" for said in unsaid(graph) if not said.implied]
-    return graph.model_copy(update={"notes": tuple(dict.fromkeys(notes))})
+    left = sorted((*graph.unread, *silent_words(graph)), key=lambda one: one.span.start if one.span else len(text))
+    return graph.model_copy(update={"notes": tuple(dict.fromkeys(notes)), "unread": tuple(left)})
 
 
 def _barred(said: Barred, mentions: list[Mention]) -> Exclusion | None:
@@ -207,7 +211,7 @@ def _entity(mention: Mention, notes: list[str]) -> Entity:
         seen.setdefault((attribute.kind, attribute.words), attribute)
     given: dict[str, Any] = {name: getattr(mention, name) for name in Entity.model_fields}
     given["attributes"] = [a.model_copy(update={"id": f"{mention.id}/{k}"}) for k, a in enumerate(seen.values())]
-    given |= {"count": count, "words": tuple(dict.fromkeys(mention.words))}
+    given |= {"count": count, "words": tuple(dict.fromkeys(mention.words)), "unnamed": tuple(mention.unnamed)}
     return Entity(**given)
 
 

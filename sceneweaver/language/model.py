@@ -95,6 +95,9 @@ class Entity(FrozenModel):
     )
     scale: float = Field(default=1.0, description="1.2 for large, 0.8 for small, relative to the usual size")
     words: tuple[str, ...] = Field(default=(), description="Other words about it, for choosing an asset")
+    unnamed: tuple[str, ...] = Field(
+        default=(), description="Words of its name that its category does not tell: 'jury' of a 'jury box'"
+    )
     attributes: tuple[Attribute, ...] = Field(default=(), description="All that was said of what it is like, in order")
     implied: bool = Field(default=False, description="Whether only a part of the room ('dining area') called for it")
     span: Span | None = None
@@ -151,7 +154,10 @@ class StatedOpening(FrozenModel):
     at: Literal["middle", "left", "right", "corner", "along", "any"] = Field(
         default="any", description="'along' runs over the length of the wall; left and right as seen from the room"
     )
-    opposite: str = Field(default="", description="Another opening, by id, in whose opposite wall it is")
+    wall_length: float | None = Field(default=None, description="Length [m] by which its wall was told")
+    opposite: str = Field(
+        default="", description="Another opening, by id, in whose opposite wall it is; 'door' is the first door"
+    )
     width: float | None = Field(default=None, description="[m]")
     height: float | None = Field(default=None, description="[m]")
     sill: float | None = Field(default=None, description="[m]")
@@ -173,7 +179,9 @@ class FreeArea(FrozenModel):
     size: tuple[float, float] = Field(description="Sides, or diameter twice, or least width twice [m]")
     most: float | None = Field(default=None, description="Largest width [m], where one was given")
     targets: tuple[str, ...] = Field(default=(), description="Ids of entities, or `PLACES`")
-    side: Literal["front", "back", "left", "right", "around", "any"] = "any"
+    side: Literal["front", "back", "left", "right", "sides", "long", "around", "any"] = Field(
+        default="any", description="Of its first target; 'sides' are left and right, 'long' both that are long"
+    )
     words: str = ""
     span: Span | None = None
 
@@ -199,6 +207,17 @@ class Arrangement(FrozenModel):
     columns: int | None = Field(default=None, description="In each row")
     spacing: float | None = Field(default=None, description="Clear between neighbours [m]")
     facing: str = Field(default="", description="What they look at: an entity, one of `PLACES`, or 'each other'")
+    words: str = ""
+    span: Span | None = None
+
+
+class Amount(FrozenModel):
+    """Things of which there are many: ``many`` of them, or so that they are all over the room or a part of it."""
+
+    id: str = ""
+    entity: str
+    spread: Literal["many", "everywhere", "surfaces", "floor", "walls"]
+    least: int | None = Field(default=None, description="At least so many, where that is told")
     words: str = ""
     span: Span | None = None
 
@@ -236,6 +255,7 @@ class SceneGraph(FrozenModel):
     free_areas: tuple[FreeArea, ...] = ()
     capacities: tuple[Capacity, ...] = ()
     arrangements: tuple[Arrangement, ...] = ()
+    amounts: tuple[Amount, ...] = ()
     only: bool = Field(default=False, description="Nothing but what is named: 'only', 'just', 'nothing else'")
     unread: tuple[Unread, ...] = ()
     notes: tuple[str, ...] = Field(default=(), description="What was assumed, corrected or contradicts itself")

@@ -8,7 +8,7 @@ from typing import Any, Self
 
 from sceneweaver.assets.roles import has_role
 
-from .model import Arrangement, Attribute, Capacity, FreeArea, Span, StatedOpening
+from .model import Amount, Arrangement, Attribute, Capacity, FreeArea, Span, StatedOpening
 from .vocabulary import family, mounts
 
 
@@ -26,6 +26,7 @@ class Mention:
     size: list[float | None] = field(default_factory=lambda: [None, None, None])
     scale: float = 1.0
     words: list[str] = field(default_factory=list)
+    unnamed: list[str] = field(default_factory=list)
     attributes: list[Attribute] = field(default_factory=list)
     plural: bool = False
     implied: bool = False
@@ -60,6 +61,7 @@ class Mention:
     def copied(self, **changed: Any) -> Self:
         """Another mention of which the same is said, but for what is ``changed``."""
         own = {"attributes": list(self.attributes), "words": list(self.words), "size": list(self.size)}
+        own["unnamed"] = list(self.unnamed)
         return replace(self, **own | changed)
 
 
@@ -119,6 +121,7 @@ class Parsed:
     free_areas: list[FreeArea] = field(default_factory=list)
     capacities: list[Capacity] = field(default_factory=list)
     arrangements: list[Arrangement] = field(default_factory=list)
+    amounts: list[Amount] = field(default_factory=list)
     room_type: str | None = None
     room_words: str = ""
     other_rooms: list[str] = field(default_factory=list)

@@ -6,6 +6,7 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
+from sceneweaver.assets.roles import has_role
 from sceneweaver.assets.taxonomy import category_named, likeliness
 
 from .chunks import Chunk, NounPhrase
@@ -59,6 +60,8 @@ def relate(
         call_by_place(subjects, "surface")
     if kind == "above" and place.words.startswith("hang"):
         call_by_place(subjects, "ceiling")
+    elif kind == "above" and target.mount == "floor":
+        call_by_place(subjects, "over_table" if has_role(target.category, "lit_table") else "over")
     if kind == "on" and target.is_rug:  # what stands on the table on the rug is not on the rug
         roots = (carrier_root(state, s) if s.category != target.category else s for s in subjects)
         said.subjects = list(dict.fromkeys(roots))

@@ -40,13 +40,19 @@ _CEILING = re.compile(
     rf"|ceilings?{_GAP}(?:height)?{_GAP}(?:of|is|at|:)?{_GAP}{_NUMBER}{_GAP}{_LENGTH}(?:{_GAP}high)?"
     rf"|(?:room\s{{1,9}})?height{_GAP}(?:of|is|:)?{_GAP}{_NUMBER}{_GAP}{_LENGTH})(?![a-z])"
 )
-_DIGITS = dict(
-    zip(
-        ["one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"],
-        range(1, 13),
-        strict=True,
-    )
+_LOW_CEILING = re.compile(
+    rf"ceilings?{_GAP},?{_GAP}(?:(?:is|of|only|about|at|most|max|maximum|under|no|more|than){_GAP}){{0,4}}"
+    rf"{_NUMBER}{_GAP}{_LENGTH}(?:{_GAP}(?:at{_GAP}most|at{_GAP}least|max(?:imum)?|high))?(?![a-z])"
 )
+_WALLS_HIGH = re.compile(rf"walls?{_GAP}(?:of{_GAP})?{_NUMBER}{_GAP}{_LENGTH}{_GAP}(?:high|tall)(?![a-z])")
+_AND_HIGH = re.compile(rf"§\s{{0,40}}(?:and|,){_GAP}{_NUMBER}{_GAP}{_LENGTH}{_GAP}(?:high|tall)(?![a-z])")
+_PARTS = re.compile(r"(?<![\w.])(\d{1,2})\s?(?:m|meters?|metres?)\s(\d\d)(?![\w.]|\s?(?:cm|mm|m|inch))")
+"""Metres and centimetres in two numbers: "2 metres 10"."""
+
+_ON = re.compile(rf"{_NUMBER}{_GAP}{_LENGTH}{_GAP}on{_GAP}{_NUMBER}{_GAP}{_LENGTH}(?![a-z])")
+_WORDS = "one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen seventeen"
+_DIGITS = dict(zip([*_WORDS.split(), "eighteen", "nineteen", "twenty"], range(1, 21), strict=True))
+_SPELT_BY = re.compile(r"(?<=\bby )(" + "|".join(_DIGITS) + r")\b")
 _SPELT = re.compile(
     r"\b(" + "|".join(_DIGITS) + rf")\b(?={_GAP}-?{_GAP}(?:by|x|square|sq|m|met(?:er|re)s?|feet|foot|ft|cm)\b)"
 )
@@ -134,11 +140,17 @@ def read_source(text: str) -> Source:
     found.colons = {k for k, letter in enumerate(found.text) if letter == ":"}
     found.text = re.sub(r"[\n;:!?•*|]|(?<=\s)-(?=\s)", ".", found.text)
     found.blank(_SPELT, lambda m: str(_DIGITS[m[1]]))
+    found.blank(_SPELT_BY, lambda m: str(_DIGITS[m[1]]))
+    found.blank(_PARTS, lambda m: f"{m[1]}.{m[2]} m")
     found.blank(_FAR, lambda m: _too_far(m, found))
     found.blank(_CEILING, lambda m: _ceiling(m, found))
+    found.blank(_LOW_CEILING, lambda m: _ceiling(m, found))
     found.blank(_SQUARE, lambda m: _square(m, found))
     found.blank(_LONG_WIDE, lambda m: _sides(m, found))
     found.blank(_SIDES, lambda m: _sides(m, found))
+    found.blank(_ON, lambda m: _on(m, found))
+    found.blank(_AND_HIGH, lambda m: "§" if _ceiling(m, found) else None)
+    found.blank(_WALLS_HIGH, lambda m: _walls(m, found))
     if not found.sides:
         found.blank(_BARE, lambda m: _bare(m, found))
     return found
@@ -160,6 +172,21 @@ def _ceiling(m: re.Match[str], found: Source) -> str:
     groups = [g for g in m.groups() if g]
     found.height = metres(groups[0], groups[1])
     return " ,"
+
+
+def _walls(m: re.Match[str], found: Source) -> str:
+    """Walls of a height need a ceiling as high; the word stays, as something may be said of them."""
+    found.height = max(found.height or 0.0, metres(m[1], m[2]))
+    return "wall"
+
+
+def _on(m: re.Match[str], found: Source) -> str:
+    """ "2.1 m on 4 m" are sides, where a room may have them."""
+    sides = metres(m[1], m[2]), metres(m[3], m[4])
+    if min(sides) < 1.5:
+        return m[0]
+    found.sides[m.start()] = sides
+    return "§"
 
 
 def _square(m: re.Match[str], found: Source) -> str:

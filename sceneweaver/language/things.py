@@ -56,10 +56,10 @@ def match_of(noun: str, of: str = "") -> Match:
         noun = f"{head} jar".strip()
     whole = f"{noun} of {of}" if of else noun
     parts = noun.split()
-    for name in (whole, *(" ".join(parts[k:]) for k in range(len(parts)))):
+    for k, name in ((0, whole), *((k, " ".join(parts[k:])) for k in range(len(parts)))):
         found = table.get(name, {}).get("noun")
         if found is not None:
-            return Match(category_of(found), "exact")
+            return Match(category_of(found), "exact" if k == 0 else "head", modifiers=tuple(parts[:k]))
     return resolve(noun)
 
 
@@ -84,7 +84,15 @@ def new_mention(phrase: NounPhrase, source: Source) -> Mention:
         mention.count = (2, 2)
     describe(mention, phrase, source)
     mention.category = narrower(mention.category, " ".join(a.words for a in mention.attributes), mention.noun)
+    described = {word for a in mention.attributes for word in a.words.split()} | set(mention.words)
+    spoken = set(mention.category.split("_"))
+    mention.unnamed = [word for word in match.modifiers if word not in described | spoken and not _is_quality(word)]
     return mention
+
+
+def _is_quality(word: str) -> bool:
+    """Whether a word says what a thing is like, rather than which kind of thing it is."""
+    return any(kind != "noun" for kind in vocabulary().get(word, {}))
 
 
 def note_on(mention: Mention, parsed: Parsed) -> None:

@@ -48,7 +48,7 @@ def walkable_shares(
     floor.origin = wp.vec2(x0, y0)
     floor.cell = cell
     floor.nx, floor.ny = max(1, math.ceil((x1 - x0) / cell)), max(1, math.ceil((y1 - y0) / cell))
-    floor.radius, floor.low, floor.high = RADIUS, LOW, HIGH
+    floor.radius, floor.low, floor.high = room.walker or RADIUS, LOW, HIGH
     device, count = batch.device, len(candidates)
     grid = wp.zeros((count, floor.nx * floor.ny), dtype=wp.int32, device=device)
     queue = wp.zeros_like(grid)

@@ -20,6 +20,7 @@ from sceneweaver.kernels import tables as k
 from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.scene import CATALOGUE, Relation, Room, Scene, SceneObject
 
+from .free_floor import StandIns, flags_of, stand_ins, walker
 from .region import Region, enclosure, room_region
 from .rows import INF, CompiledRelation, Frame, compile_relation, mounting, spread_before
 from .shapes import Prism, footprint_of, solids_of, zones_of
@@ -41,7 +42,8 @@ class LayoutProblem:
 
     ``home`` holds the scene's poses [object, 4] (x, y, z, yaw) in the problem's frame; ``relations`` the scene's
     relations first (``relation_ids`` names them), then what the engine adds: riders (conditions that belong to a
-    relation before them), the mountings of wall objects, and terms of the user's own. ``packed`` keeps by device
+    relation before them), the mountings of wall objects, and terms of the user's own. ``walker`` is the
+    radius [m] of who has to get about, where the scene says one. ``packed`` keeps by device
     tables with it and its number there, see `make_batch`.
     """
 
@@ -62,6 +64,7 @@ class LayoutProblem:
     relation_ids: list[int]
     riders: dict[int, int]
     faulty: bool = False
+    walker: float | None = None
     surfaces: list[SupportSurface] = field(default_factory=list)
     packed: dict[str, Any] = field(default_factory=dict, init=False, repr=False, compare=False)
 
@@ -86,6 +89,16 @@ class CompiledScene:
     scene: Scene
     room: LayoutProblem
     domains: list[Domain]
+    stand_ins: StandIns = field(default_factory=StandIns)
+
+    def bodies(self, world: np.ndarray) -> np.ndarray:
+        """Poses [B, N + F, 4] of all bodies of the room's problem, objects [B, N, 4] and the stand-ins of free areas.
+
+        Poses that have these already are given back as they are.
+        """
+        if not self.stand_ins.objects or world.shape[1] == self.room.size:
+            return world
+        return np.concatenate([world, self.stand_ins.poses(world)], axis=1)
 
 
 def _ties(relations: Sequence[Relation], index: dict[str, int]) -> set[tuple[int, int]]:
@@ -198,8 +211,10 @@ def _compile(
     region: Region,
     relations: Sequence[tuple[int, Relation]],
     room: Room | None,
+    plates: StandIns | None = None,
 ) -> LayoutProblem:
     in_room = room is not None
+    plates = plates or StandIns()
     index = {o.id: i for i, o in enumerate(objects)}
     solids = [solids_of(o) for o in objects]
     footprints = [footprint_of(s) for s in solids]
@@ -224,23 +239,29 @@ def _compile(
     if in_room:
         compiled += [mounting(frame, i) for i, o in enumerate(objects) if o.mount == "wall"]
         compiled += compiled_terms(frame)
+        compiled += [compile_relation(frame, rel) for rel in plates.relations]
     roots = _roots(objects, index) if in_room else np.arange(len(objects))
     free = np.array([_freedom(o, in_room and roots[i] != i) for i, o in enumerate(objects)], dtype=np.int32)
-    groups, parents = _families([r for _, r in relations], index, roots, free)
+    stated = [r for _, r in relations]
+    groups, parents = _families([*stated, *plates.relations], index, roots, free)
+    ties = _ties(stated, index)
+    flags = flags_of(_flags(zones, roots, ties, [o.fixed for o in objects]), plates, ties, roots)
+    clear = [_keeps_clear(o) for o in objects]
+    clear[len(objects) - len(plates.objects) :] = [not over for over in plates.over_doors]
     return LayoutProblem(
         ids=[o.id for o in objects],
         region=region,
         sizes=np.array([o.size for o in objects], dtype=np.float64).reshape(-1, 3),
         home=home,
         free=free,
-        clear=np.array([_keeps_clear(o) for o in objects], dtype=np.int32),
+        clear=np.array(clear, dtype=np.int32),
         roots=roots,
         groups=groups,
         parents=parents,
         solids=solids,
         footprints=footprints,
         zones=zones,
-        flags=_flags(zones, roots, _ties([r for _, r in relations], index), [o.fixed for o in objects]),
+        flags=flags,
         relations=compiled,
         relation_ids=[i for i, _ in relations],
         riders=riders,
@@ -301,10 +322,13 @@ def compile_scene(scene: Scene) -> CompiledScene:
         objects = [scene.objects[i] for i in members]
         problem = _compile(objects, local, region, relations, None)
         domains.append(Domain(SupportSurface(supporter, z, members), problem))
-    room = _compile(scene.objects, home, room_region(scene.room), list(enumerate(scene.relations)), scene.room)
-    room.faulty = faulty
+    plates = stand_ins(scene, home)
+    objects, stated = [*scene.objects, *plates.objects], list(enumerate(scene.relations))
+    home = np.concatenate([home, np.array(plates.home, dtype=np.float64).reshape(-1, 4)])
+    room = _compile(objects, home, room_region(scene.room), stated, scene.room, plates)
+    room.faulty, room.walker = faulty, walker(scene)
     room.surfaces = [d.surface for d in domains]
-    return CompiledScene(scene, room, domains)
+    return CompiledScene(scene, room, domains, plates)
 
 
 def _targets(rel: Relation) -> set[str]:

@@ -84,7 +84,8 @@ def _joined(parts: Sequence[Solution], poses: np.ndarray) -> Solution:
     walkable[best] = measured
     return replace(
         parts[0],
-        poses=poses,
+        poses=poses[:, : len(parts[0].source.objects)],
+        free_floor=None if parts[0].free_floor is None else poses[:, len(parts[0].source.objects) :],
         status=status,
         relations=relations,
         energy=energy,

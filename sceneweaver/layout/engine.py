@@ -69,11 +69,11 @@ def refine(
     ``compiled`` is the scene, if that has been compiled before; without ``walk`` walkable floor is not measured.
     """
     began = time.monotonic()
-    given = _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps)
+    given = _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps, compiled)
     where = pick_devices(device)
     compiled = compiled or compile_scene(scene)
     check_terms(scene, quality)
-    world = _all_at(compiled.room.home, candidates) if given is None else given
+    world = _all_at(compiled.room.home, candidates) if given is None else compiled.bodies(given)
     start = init if isinstance(init, str) and init != "current" else "given"
     job = Job(compiled, world, start, seed, keep=start == "given" and given is None, walk=walk and not quality)
     monitor = Monitor(len(world), _until(began, time_limit), progress)
@@ -156,7 +156,9 @@ def _until(began: float, time_limit: float | None) -> Moment | None:
     return lambda: min(own, block())
 
 
-def _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps) -> np.ndarray | None:
+def _check_arguments(
+    scene, candidates, seed, init, optimizer, time_limit, steps, compiled: CompiledScene | None = None
+) -> np.ndarray | None:
     """Raise InputError on anything out of range; the poses to start from when ``init`` is an array."""
     for name, value in (("candidates", candidates), ("steps", steps)):
         if value is not None and (not isinstance(value, int | np.integer) or isinstance(value, bool) or value < 1):
@@ -171,7 +173,8 @@ def _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps
             raise InputError(f'init: "{init}" is not one of {", ".join(INITS)} or an array of poses [B, N, 4]')
         return None
     poses = np.asarray(init, dtype=np.float64)
-    if poses.ndim != 3 or poses.shape[1:] != (len(scene.objects), 4) or not len(poses):
+    bodies = len(compiled.room.ids) if compiled is not None else len(scene.objects)
+    if poses.ndim != 3 or poses.shape[1:] not in ((len(scene.objects), 4), (bodies, 4)) or not len(poses):
         raise InputError(f"init: an array of shape {poses.shape}; poses are [B, {len(scene.objects)}, 4]")
     if not np.isfinite(poses).all():
         raise InputError("init: poses must be finite numbers")
@@ -240,14 +243,20 @@ def solve(
             for rider, relation in room.riders.items():
                 holds[:, relation] &= verdict.holds[rows, rider]
             energy = outcome.energy[rows].astype(np.float32)
-            moved = _movement(job.world, final, _in_order(batch, first, job)) if job.keep else None
+            moved = None
+            if job.keep:
+                things = slice(len(scene.objects))
+                in_order = _in_order(batch, first, job)[things]
+                moved = _movement(job.world[:, things], final[:, things], in_order)
             walkable = np.full(n, np.nan, dtype=np.float32)
             if job.walk:
                 order = best_of(WALKED, scene, status, holds, energy, moved)
                 walkable[order] = walkable_shares(batch, room, first + order, monitor)
             solutions[i] = Solution(
                 source=scene,
-                poses=final,
+                poses=final[:, : len(scene.objects)],
+                free_floor=final[:, len(scene.objects) :] if job.compiled.stand_ins.objects else None,
+                floors=tuple(job.compiled.stand_ins.area),
                 status=status,
                 relations=holds,
                 energy=energy,

@@ -97,11 +97,12 @@ def improve(
 def _children(
     solution: Solution, room: LayoutProblem, groups: Sequence[Sequence[int]], count: int, rng: np.random.Generator
 ) -> np.ndarray:
-    """Poses [count, N, 4] to mend."""
+    """Poses [count, N, 4] to mend, of all bodies."""
     parents = best_of_each_signature(solution)
     parents = np.concatenate([parents, solution.ranked[~np.isin(solution.ranked, parents)]])[:PARENTS]
     ranks = np.minimum(rng.exponential(LEAD, count).astype(int), len(parents) - 1)
-    children = solution.poses[parents[ranks]].astype(np.float64)
+    bodies = solution.bodies
+    children = bodies[parents[ranks]].astype(np.float64)
     always = rng.integers(len(groups), size=count)  # of each child one group, now and then more
     for number, members in enumerate(groups):
         group = np.array(members)
@@ -110,7 +111,7 @@ def _children(
         how, step = rng.integers(3, size=count), SLIDE * rng.normal(size=(count, 1, 1))
         for move, donors in ((0, rng.choice(parents, size=count)), (1, rng.integers(solution.candidates, size=count))):
             rows = np.flatnonzero(changed & (how == move))
-            children[rows[:, None], group] = solution.poses[donors[rows][:, None], group]
+            children[rows[:, None], group] = bodies[donors[rows][:, None], group]
         rows = np.flatnonzero(changed & (how == 2))
         yaw = children[rows, group[0], 3]
         aside = np.stack([-np.sin(yaw), np.cos(yaw)], axis=-1)

@@ -15,12 +15,13 @@ from sceneweaver.kernels import load
 from sceneweaver.kernels.bookkeeping import set_turns
 from sceneweaver.optimizers import Batch, Monitor, streams
 from sceneweaver.optimizers.projection import nearest_feasible
-from sceneweaver.scene import Scene
+from sceneweaver.scene import Pose, Scene
 
 from .batch import make_batch
 from .compile import CompiledScene, compile_scene, poses_of
 from .devices import pick_devices
 from .engine import mend_surfaces
+from .free_floor import area_poses, stand_ins
 from .job import Job
 
 MODULES = ("bookkeeping", "linearise", "projection", "verdict")
@@ -49,9 +50,11 @@ class LiveLayout:
             kept = compile_scene(scene)
         else:
             home, faulty = poses_of(scene)
+            extra = stand_ins(scene, home)
+            home = np.concatenate([home, np.array(extra.home, dtype=np.float64).reshape(-1, 4)])
             room = replace(kept.room, home=home, faulty=faulty)
             room.packed = kept.room.packed
-            kept = CompiledScene(scene, room, kept.domains)
+            kept = CompiledScene(scene, room, kept.domains, extra)
         self._compiled = kept
         return kept
 
@@ -68,7 +71,8 @@ class LiveLayout:
             seed: of the later tries.
 
         Returns:
-            Poses [N, 4], or None where no feasible layout was found. The judge has the last word on them.
+            Poses [N, 4], or None where no feasible layout was found. The judge has the last word on them. Those of
+            the free areas that have a pose of their own follow them, see `area_poses`.
         """
         compiled = self.compiled(scene)
         world = compiled.room.home[None]
@@ -113,6 +117,10 @@ class LiveLayout:
         best = int(np.lexsort((far.sum(axis=1), lack))[0])
         return None if lack[best] > 0 else poses[best]
 
+    def area_poses(self, scene: Scene, poses: np.ndarray) -> dict[str, Pose]:
+        """Where the free areas of a scene lie, by id, in poses that `settle` or `place` found for it."""
+        return area_poses(scene, self.compiled(scene).stand_ins.area, poses[len(scene.objects) :])
+
     def _nearest(
         self, compiled: CompiledScene, start: np.ndarray, free: Collection[str], tries: int, seed: int
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -122,7 +130,7 @@ class LiveLayout:
             self._batches[count] = make_batch([room], np.zeros(count, dtype=np.int32), self.device)
         batch = self._batches[count]
         roots = {int(room.roots[compiled.scene.index(name)]) for name in free}
-        mask = np.isin(np.arange(room.size), sorted(roots))
+        mask = np.isin(np.arange(room.size), sorted(roots)) | (np.arange(room.size) >= len(compiled.scene.objects))
         batch.keep.object_free.assign(np.where(mask, room.free, 0).astype(np.int32))  # else the tables are kept
         for array in (batch.state.poses, batch.state.anchors):
             array.assign(start.astype(np.float32))
@@ -138,6 +146,8 @@ def _differ_in_poses_alone(one: Scene, other: Scene) -> bool:
 
     Edits share what they do not change, so parts that are not the very same count as different.
     """
+    if not _same_areas(one, other):
+        return False
     if one.room is not other.room or one.relations is not other.relations or len(one.objects) != len(other.objects):
         return False
     for a, b in zip(one.objects, other.objects, strict=True):
@@ -147,3 +157,13 @@ def _differ_in_poses_alone(one: Scene, other: Scene) -> bool:
         if not shared or not (is_upright(a.pose.quaternion) and is_upright(b.pose.quaternion)):
             return False
     return True
+
+
+def _same_areas(one: Scene, other: Scene) -> bool:
+    """Whether two scenes keep the same floor free, wherever it lies."""
+    if one.free_areas is other.free_areas:
+        return True
+    if len(one.free_areas) != len(other.free_areas):
+        return False
+    pairs = zip(one.free_areas, other.free_areas, strict=True)
+    return all(a.model_copy(update={"pose": b.pose}) == b for a, b in pairs)

@@ -142,7 +142,7 @@ class _PlanRows(NamedTuple):
     real: list[int]
 
 
-@lru_cache(maxsize=4096)
+@lru_cache(maxsize=1024)
 def _plan_rows(polygon: bytes, real: tuple[bool, ...] | None) -> _PlanRows:
     """The rows of a polygon [V, 2] float64; ``real`` as in `Prism`."""
     v = np.frombuffer(polygon).reshape(-1, 2)

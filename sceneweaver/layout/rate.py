@@ -53,9 +53,10 @@ def rate(
     if np.shape(poses) != shape:
         raise ValueError(f"poses: an array of shape {np.shape(poses)} is not [B, {len(scene.objects)}, 4]")
     check_terms(scene, terms)
-    room = compile_scene(scene).room
+    compiled = compile_scene(scene)
+    room = compiled.room
     points = [
-        _points(_loaded(room, part, device), room, scene, terms, on_floor)[0]
+        _points(_loaded(room, compiled.bodies(part), device), room, scene, terms, on_floor)[0]
         for part in np.array_split(poses, range(AT_ONCE, len(poses), AT_ONCE))
     ]
     return -np.concatenate(points)
@@ -66,8 +67,9 @@ def measures(
 ) -> tuple[np.ndarray, list[QualityTerm]]:
     """The measure of every term [B, T] in layouts of a scene, and the terms in that order: those of a rule together."""
     check_terms(scene, terms)
-    room = compile_scene(scene).room
-    batch = _loaded(room, np.asarray(poses), device)
+    compiled = compile_scene(scene)
+    room = compiled.room
+    batch = _loaded(room, compiled.bodies(np.asarray(poses)), device)
     _, values, rows = _points(batch, room, scene, terms, None)
     return values, rows
 
@@ -78,7 +80,7 @@ def rated(solution: Solution, compiled: CompiledScene, terms: Sequence[QualityTe
     quality = np.full(solution.candidates, np.nan, dtype=np.float32)
     lost = missing_points(scene, solution.relations)
     for part in np.array_split(valid, range(AT_ONCE, len(valid), AT_ONCE)) if len(valid) else ():
-        batch = _loaded(compiled.room, solution.poses[part], solution.device)
+        batch = _loaded(compiled.room, solution.bodies[part], solution.device)
         quality[part] = -_points(batch, compiled.room, scene, terms, ON_FLOOR, lost[part])[0]
     return replace(solution, quality=quality)
 
@@ -89,7 +91,7 @@ def walked(solution: Solution, compiled: CompiledScene) -> Solution:
     best = replace(solution, walkable=walkable).ranked[: 2 * WALKED]
     if len(best):
         load(solution.device, "walk")
-        batch = _loaded(compiled.room, solution.poses[best], solution.device)
+        batch = _loaded(compiled.room, solution.bodies[best], solution.device)
         walkable[best] = walkable_shares(batch, compiled.room, np.arange(len(best)))
     return replace(solution, walkable=walkable)
 

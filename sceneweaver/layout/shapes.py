@@ -40,7 +40,7 @@ def solids_of(obj: SceneObject) -> list[Prism]:
     return leaning
 
 
-@lru_cache(maxsize=16384)
+@lru_cache(maxsize=1024)
 def _tidied(polygon: Corners) -> Points:
     """A polygon as a tidy array, to be read only: scenes share polygons, and are compiled again and again."""
     return _read_only(tidy(polygon))
@@ -51,7 +51,7 @@ def footprint_of(solids: list[Prism]) -> list[Points]:
     return [solids[i].polygon for i in _outermost(tuple(p.polygon.tobytes() for p in solids))]
 
 
-@lru_cache(maxsize=4096)
+@lru_cache(maxsize=1024)
 def _outermost(polygons: tuple[bytes, ...]) -> tuple[int, ...]:
     """Which of some polygons [V, 2] float64 lie inside no other, the largest first."""
     import shapely
@@ -74,7 +74,7 @@ def zones_of(obj: SceneObject) -> list[Prism]:
     return [Prism(piece, zone.z) for zone in obj.zones if zone.hard for piece in _zone_pieces(zone.polygon)]
 
 
-@lru_cache(maxsize=4096)
+@lru_cache(maxsize=512)
 def _zone_pieces(polygon: Corners) -> tuple[Points, ...]:
     """The convex pieces of a zone, read only."""
     import shapely

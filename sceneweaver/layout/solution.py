@@ -11,6 +11,8 @@ from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.scene import Pose, Scene
 from sceneweaver.scene.display import Shown
 
+from .free_floor import area_poses
+
 WALKABLE = 0.9  # share of the free floor that a room should let one walk to
 ALL_SOFT = 16.0  # points of quality that all soft relations weigh together
 AT_WALL = 0.15  # [m] from a wall at which something stands there
@@ -104,6 +106,8 @@ class Solution(Shown):
         quality: [B] float32, minus the points that the terms of design quality take off (0 at best), NaN where a
             candidate is not valid; None where there are no such terms.
         timed_out: True when the time limit cut the run off.
+        free_floor: [B, F, 4] float32, poses of the bodies that stand for free areas; None where there are none.
+        floors: for each of these its place among the scene's free areas; None where that has no pose of its own.
         explanation: what stands in the way when nothing is valid, soft relations that hold in no valid layout, and
             relations of your own that engine and judge see otherwise; None where there is nothing to say.
 
@@ -129,6 +133,8 @@ class Solution(Shown):
     timed_out: bool = False
     explanation: str | None = None
     quality: np.ndarray | None = None
+    free_floor: np.ndarray | None = None
+    floors: tuple[int | None, ...] = ()
 
     @property
     def candidates(self) -> int:
@@ -159,7 +165,15 @@ class Solution(Shown):
         for obj, (x, y, z, yaw) in zip(self.source.objects, self.poses[candidate].astype(float), strict=True):
             if not obj.fixed:
                 poses[obj.id] = Pose.from_yaw(float(x), float(y), float(z), float(yaw))
-        return self.source.replace_poses(poses)
+        placed = self.source.replace_poses(poses)
+        if self.free_floor is None:
+            return placed
+        return placed.replace_area_poses(area_poses(self.source, self.floors, self.free_floor[candidate]))
+
+    @property
+    def bodies(self) -> np.ndarray:
+        """Poses [B, N + F, 4] of objects and of what stands for free areas, as the engine takes them to begin with."""
+        return self.poses if self.free_floor is None else np.concatenate([self.poses, self.free_floor], axis=1)
 
     @property
     def best(self) -> Scene:
@@ -193,6 +207,7 @@ def joined(first: Solution, second: Solution) -> Solution:
         return np.concatenate([getattr(first, name), getattr(second, name)])
 
     rated = () if first.quality is None else ("quality",)
+    rated += () if first.free_floor is None else ("free_floor",)
     return replace(
         first,
         **{name: both(name) for name in ("poses", "status", "relations", "energy", "walkable", *rated)},

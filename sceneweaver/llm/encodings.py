@@ -2,7 +2,8 @@
 
 A text is read as it stands and with its escapes taken back (percent, JSON, HTML, wide letters), each time without
 white space, without all that is no letter or digit and in one case, and as what stands between quotes alone. A secret
-is looked for as it is, rotated, as numbers of characters and in the base encodings, forwards and backwards.
+is looked for as it is, rotated, as numbers of characters and in the base encodings, forwards and backwards. What is
+packed (gzip, zlib, deflate) in base64 is unpacked, also once more within that, and looked at likewise.
 """
 
 from __future__ import annotations
@@ -14,6 +15,8 @@ import string
 import unicodedata
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import chain, groupby, pairwise
+
+from .packed import unpacked
 
 HIDDEN = "[secret]"
 """What stands where a secret was."""
@@ -33,6 +36,9 @@ SCATTERED_PIECE = 6
 SCATTERED_SHARE = 0.6
 """Share of the letters and digits of a secret from which on such pieces are hidden."""
 
+LAYERS = 2
+"""Packings within each other that are taken off."""
+
 ROUNDS = 4
 """Times that escapes are taken back: a percent sign may be written in percent itself."""
 
@@ -43,6 +49,7 @@ _ESCAPE = re.compile(
 )
 _LETTERS = re.compile(r"[0-9A-Za-z]+")
 _VISIBLE = re.compile(r"[^\s\x00\u00ad\u200b-\u200d\u2060\ufeff]+")
+_READABLE = re.compile(rf"[\x00\s!-~]{{{SHORTEST}}}")
 _QUOTED = re.compile(r'"((?:[^"\\]|\\.)*)"(\s*:)?', re.DOTALL)
 
 _NUMBERS = (
@@ -101,19 +108,25 @@ class Cleaner:
             at += len(text) + 1
         return cleaned
 
-    def _found(self, text: str) -> Iterator[tuple[int, int]]:
-        """Start and end of all that gives a secret away."""
+    def _found(self, text: str, layers: int = LAYERS) -> Iterator[tuple[int, int]]:
+        """Start and end of all that gives a secret away; ``layers`` of packing are taken off."""
         if not (self._exact or self._loose):
             return
         for read, places in _readings(text):
+            packages = unpacked(read) if layers else ()
+            packed = [(start, end) for start, end, said in packages if self._is_told(said, layers - 1)]
             visible, letters = ([match.span() for match in kind.finditer(read)] for kind in (_VISIBLE, _LETTERS))
             quoted = [match.span(1) for match in _QUOTED.finditer(read) if not match[2]]  # no names of fields
             values = [match.span() for start, end in quoted for match in _LETTERS.finditer(read, start, end)]
             small = read.translate(_SMALL)
             found = [self._loose.places(small, letters), self._loose.places(small, values)]
             found += [secret.places(small, letters) for secret in self._scattered]
-            for start, end in chain(self._exact.places(read, visible), *found):
+            for start, end in chain(self._exact.places(read, visible), *found, packed):
                 yield (start, end) if places is None else (places[start][0], places[end - 1][1])
+
+    def _is_told(self, said: str | None, layers: int) -> bool:
+        """Whether a text that was unpacked gives a secret away; one too large to look at (None) counts as such."""
+        return said is None or (bool(_READABLE.search(said)) and any(True for _ in self._found(said, layers)))
 
 
 class _Pieces:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import asdict
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from sceneweaver.io.messages import suggest
 from sceneweaver.scene import CATALOGUE, InputError, Scene
-from sceneweaver.scene.edits import edits_from_json
+from sceneweaver.scene.edits import edited_ids, edits_from_json
 
 from .job import Job, report_of
 
@@ -19,14 +19,20 @@ MOST_SESSIONS = 4
 """Scenes that are kept compiled for their next edit."""
 
 
+class Change(NamedTuple):
+    """A scene after an edit, the ids of what was edited in it, and notes on words that were not known."""
+
+    scene: Scene
+    edited: Collection[str]
+    notes: Collection[str] = ()
+
+
 def edit(job: Job, *, scene: Scene, op: str, arguments: Mapping[str, Any]) -> dict[str, Any]:
-    """One edit of a live session. An object that is not there is refused before the engine is loaded."""
-    for key in ("name", "subject"):
-        if key in arguments:
-            scene.index(arguments[key])
+    """One edit of a live session. What cannot be done is refused before the engine is loaded, which takes seconds."""
+    change = CHANGES[op](scene, **arguments)
     session = _session(scene, job.device)
     try:
-        result = EDITS[op](session, **arguments)
+        result = session.update(change.scene, change.edited)
     except InputError:
         raise  # which left the session as it was
     except BaseException:
@@ -36,7 +42,7 @@ def edit(job: Job, *, scene: Scene, op: str, arguments: Mapping[str, Any]) -> di
         "scene": result.scene,
         "report": report_of(result.scene),
         "moves": [asdict(m) for m in result.moves],
-        "notes": _notes(op, arguments),
+        "notes": list(change.notes),
     }
 
 
@@ -56,62 +62,60 @@ def _session(scene: Scene, device: str) -> EditSession:
     return kept
 
 
-def _add(session: EditSession, what: str, relations: Mapping[str, Any], **options: Any) -> Any:
+def exact(job: Job, *, scene: Scene, op: str, arguments: Mapping[str, Any]) -> dict[str, Any]:
+    """One edit that is done as it stands: nothing makes way, and the scene may not be valid then."""
+    after = CHANGES[op](scene, **arguments).scene
+    return {"scene": after, "report": report_of(after), "moves": [], "notes": []}
+
+
+def _add(scene: Scene, what: str, relations: Mapping[str, Any], **options: Any) -> Change:
+    from sceneweaver.building import SceneBuilder
     from sceneweaver.building.relating import relation_type
 
-    for name in relations:
+    for name in relations:  # a builder takes other keywords as well
         if name != "frame":
             relation_type(name)
-    return session.add(what, **options, **relations)
+    builder = SceneBuilder.of(scene)
+    added = builder.add(what, **options, **relations)
+    return Change(builder.scene(), {added.id}, builder.notes)
 
 
 def _relate(  # noqa: PLR0913 - as the tool has them
-    session: EditSession,
+    scene: Scene,
     subject: str,
     kind: str,
     target: Any,
     hard: bool,
     params: Mapping[str, Any],
     frame: str | None = None,
-) -> Any:
-    from sceneweaver.building.relating import relation_type, require_frame
+) -> Change:
+    from sceneweaver.building import SceneBuilder
+    from sceneweaver.building.relating import relation_type
 
+    scene.index(subject)
     known = CATALOGUE[relation_type(kind)].params
     params = {**params, "frame": frame} if frame is not None and "frame" in known else params
-    require_frame(relation_type(kind), params)
     for name in params:
         if name not in known:
             raise InputError(f"params: '{name}' is no number of {kind}{suggest(name, known)}")
-    return session.relate(subject, kind, target, hard=hard, **params)
+    builder = SceneBuilder.of(scene)
+    builder.relate(subject, kind, target, hard=hard, **params)
+    return Change(builder.scene(), {subject})
 
 
-EDITS: Mapping[str, Callable[..., Any]] = {
-    "move": lambda session, name, **options: session.move(name, **options),
-    "resize": lambda session, name, **options: session.resize(name, **options),
+def _edit(scene: Scene, edits: Any) -> Change:
+    typed = edits_from_json(edits)
+    after = scene.edit(*typed)
+    return Change(after, edited_ids(typed).intersection(after.ids))
+
+
+CHANGES: Mapping[str, Callable[..., Change]] = {
+    "move": lambda scene, name, **options: Change(scene.move(name, **options), {name}),
+    "resize": lambda scene, name, **options: Change(scene.resize(name, **options), {name}),
     "add": _add,
-    "remove": lambda session, name, cascade: session.remove(name, cascade=cascade),
+    "remove": lambda scene, name, cascade: Change(scene.remove(name, cascade=cascade), ()),
     "relate": _relate,
-    "unrelate": lambda session, subject, kind, target: session.unrelate(subject, kind, target),
-    "edit": lambda session, edits: session.edit(*edits_from_json(edits)),
+    "unrelate": lambda scene, subject, kind, target: Change(scene.unrelate(subject, kind, target), ()),
+    "edit": _edit,
 }
-"""What may be done to a session, by name."""
-
-
-def exact(job: Job, *, scene: Scene, op: str, arguments: Mapping[str, Any]) -> dict[str, Any]:
-    """One edit that is done as it stands: nothing makes way, and the scene may not be valid then."""
-    plain: Mapping[str, Callable[..., Scene]] = {
-        "move": lambda name, **options: scene.move(name, **options),
-        "resize": lambda name, **options: scene.resize(name, **options),
-        "edit": lambda edits: scene.edit(*edits_from_json(edits)),
-    }
-    after = plain[op](**arguments)
-    return {"scene": after, "report": report_of(after), "moves": [], "notes": []}
-
-
-def _notes(op: str, arguments: Mapping[str, Any]) -> list[str]:
-    if op != "add":
-        return []
-    from sceneweaver.assets import resolve
-
-    note = resolve(arguments["what"]).note
-    return [note] if note else []
+"""What may be done to a scene, by name."""

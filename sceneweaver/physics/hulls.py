@@ -38,7 +38,7 @@ _TOUCH = 1e-3  # [m] by which parts of different links may reach into each other
 
 
 _MERGED: Recent[bytes, tuple[Solid, ...]] = Recent(
-    64 * 2**20, lambda solids: sum(2 * solid.points.nbytes + 2**10 for solid in solids)
+    16 * 2**20, lambda solids: sum(solid.points.nbytes + 2**9 for solid in solids)
 )
 """Parts of assets by their content."""
 

@@ -22,6 +22,7 @@ from .topview import printable
 X_AXIS: Rgb = (204, 44, 40)
 Y_AXIS: Rgb = (40, 150, 62)
 Z_AXIS: Rgb = (44, 92, 208)
+FREE: Rgb = (0, 118, 128)
 _GRID = (30, 34, 42)
 _LONGEST = 40  # characters of an id that are written
 
@@ -61,6 +62,7 @@ def annotated(picture: Image.Image, scene: Scene, view: View, text: float = 1.0)
     for thing in small:
         _box(plan, thing, 0.7, dashed=thing.mount != "surface")
     discs, radius = _discs(plan, small)
+    _free_floor(plan, scene)
     _names(plan, scene, large, discs, radius)
     _numbers(plan, small, discs, radius)
     _key(plan, columns, wide, plan.right + 14 * unit, size)
@@ -142,6 +144,29 @@ def _box(plan: Plan, thing: SceneObject, bold: float, dashed: bool) -> None:
     barb = plan.points(to_world(thing.pose, ((tip, 0.0), (tip - head, 0.6 * head), (tip - head, -0.6 * head))))
     plan.line(stem, color, 2.6 * bold)
     plan.polygon(barb, fill=color)
+
+
+def _free_floor(plan: Plan, scene: Scene) -> None:
+    """The dashed outline of each rectangle and circle of free floor, with its size."""
+    for area in scene.free_areas:
+        if area.kind not in ("rectangle", "circle"):
+            continue
+        depth, width = area.size
+        if area.kind == "circle":
+            turns = np.linspace(0.0, 2 * math.pi, 48, endpoint=False)
+            outline = [(depth / 2 * math.cos(turn), depth / 2 * math.sin(turn)) for turn in turns]
+            size = f"{depth:.2f} m"
+        else:
+            outline = [
+                (depth / 2, -width / 2),
+                (depth / 2, width / 2),
+                (-depth / 2, width / 2),
+                (-depth / 2, -width / 2),
+            ]
+            size = f"{depth:.2f} x {width:.2f} m"
+        plan.dashed(plan.points(to_world(area.pose, outline)), (*FREE, 235), 1.8, (7, 4), closed=True)
+        at, halo = plan.point(area.pose.position[:2]), plan.font_size(2.6, 2)
+        plan.text(Text(("free", size), at, plan.font_size(13, 9), FREE, (255, 255, 255), halo))
 
 
 def _names(plan: Plan, scene: Scene, large: Sequence[SceneObject], discs: np.ndarray, radius: float) -> None:

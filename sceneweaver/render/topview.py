@@ -22,7 +22,7 @@ from sceneweaver.render.shapes import Plan, View, bounds_of, content
 from sceneweaver.scene import InputError, Scene
 
 MIN_WIDTH, MAX_WIDTH = 200, 8192
-SOFT = "soft_relation"  # the kind of violation that leaves a scene valid
+SOFT = ("soft_relation", "narrow_path")  # the kinds of violations that leave a scene valid
 _MAX_LISTED = 8  # violations that the sheet spells out
 _PLAIN = str.maketrans(
     {"ß": "ss", "ø": "o", "Ø": "O", "ł": "l", "Ł": "L", "æ": "ae", "œ": "oe", "đ": "d", "–": "-", "—": "-"}
@@ -78,10 +78,10 @@ def draw_top(
     """
     if not MIN_WIDTH <= width <= MAX_WIDTH:
         raise InputError(f"width: {width} is not between {MIN_WIDTH} and {MAX_WIDTH} pixels")
-    hard = sorted((v for v in violations if v.kind != SOFT), key=_order)
+    hard = sorted((v for v in violations if v.kind not in SOFT), key=_order)
     if not annotated:
         return _draw_plain(scene, width, hard)
-    soft = sum(v.kind == SOFT for v in violations)
+    soft = sum(v.kind == SOFT[0] for v in violations)
     return _draw_sheet(scene, width, hard, soft, valid)
 
 

@@ -17,11 +17,17 @@ KINDS = {
     "unsupported": "Unsupported",
     "blocked_zone": "Blocked zone",
     "blocked_opening": "Blocked opening",
+    "blocked_floor": "Floor not free",
+    "narrow_path": "Narrow path",
     "relation": "Relation",
     "soft_relation": "Soft relation",
     "unstable": "Falls or slides",
     "dropped": "Dropped",
 }
+
+
+SOFT = ("soft_relation", "narrow_path")
+"""Kinds of violations that leave a scene valid."""
 
 
 @dataclass(frozen=True)
@@ -83,7 +89,7 @@ def object_facts(scene: Scene, rows: list[RelationRow], faults: list[ViolationRo
     wrong: dict[str, list[str]] = defaultdict(list)
     for fault in faults:
         for object_id in dict.fromkeys(fault.objects):
-            if fault.kind != "soft_relation":
+            if fault.kind not in SOFT:
                 wrong[object_id].append(f"{fault.name}: {fault.detail}")
     return {o.id: _facts(o, carries[o.id], told[o.id], wrong[o.id]) for o in scene.objects}
 

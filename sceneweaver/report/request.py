@@ -10,8 +10,15 @@ from sceneweaver.critic import STATUSES, ItemOutcome, Phrase
 
 from .data import ReportData
 
-SYMBOLS = {"met": "\u2713", "unmet": "\u2717", "assumed": "\u2248", "not_understood": "?"}
-NAMES = {"met": "met", "unmet": "unmet", "assumed": "assumed", "not_understood": "not understood"}
+SYMBOLS = {
+    "met": "\u2713",
+    "partly": "\u00bd",
+    "substituted": "\u2248",
+    "assumed": "\u2248",
+    "not_understood": "?",
+    "unmet": "\u2717",
+}
+NAMES = {status: status.replace("_", " ") for status in SYMBOLS}
 SEVERITIES = {1: ("unknown", "blemish"), 2: ("fair", "flaw"), 3: ("bad", "grave")}
 """Tone and name of a fault by its severity."""
 
@@ -32,7 +39,7 @@ class Piece:
 
 def context(data: ReportData) -> dict[str, Any]:
     """What the page shows of the request and of the faults that a model sees."""
-    apart = ("unmet", "not_understood")
+    apart = ("unmet", "not_understood", "substituted", "partly")
     shown = [(k, p) for k, p in enumerate(data.phrases) if p.span is None or p.outcome.status in apart]
     table = {"symbols": SYMBOLS, "names": NAMES, "severities": SEVERITIES}
     return {**table, "pieces": pieces(data), "listed_phrases": shown}

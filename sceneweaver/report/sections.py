@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from .data import ReportData, StepRow
-from .facts import RelationRow, ViolationRow
+from .facts import SOFT, RelationRow, ViolationRow
 from .html import number
 
 _CAPTIONS = {
@@ -49,8 +49,8 @@ def context(data: ReportData, faults: Sequence[ViolationRow], rows: Sequence[Rel
     """All that the template asks for beside the request and the view."""
     metrics = data.metrics
     valid = metrics.get("valid") if isinstance(metrics.get("valid"), bool) else None
-    hard = [fault for fault in faults if fault.kind != "soft_relation"]
-    soft = [fault for fault in faults if fault.kind == "soft_relation"]
+    hard = [fault for fault in faults if fault.kind not in SOFT]
+    soft = [fault for fault in faults if fault.kind in SOFT]
     grades, critic = _grades(data)
     return {
         "metrics": metrics,
@@ -59,7 +59,7 @@ def context(data: ReportData, faults: Sequence[ViolationRow], rows: Sequence[Rel
         "grades": grades,
         "critic": critic,
         "models": _models(metrics.get("models")),
-        "violations": (("Violations", hard, "bad"), ("Soft relations that do not hold", soft, "fair")),
+        "violations": (("Violations", hard, "bad"), ("Wishes that do not hold", soft, "fair")),
         "has_findings": bool(faults or data.scene.dropped or data.unmet or data.warnings or data.notes),
         "pictures": _pictures(data),
         "steps": _steps(data.steps),

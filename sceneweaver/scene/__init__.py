@@ -43,6 +43,7 @@ from .finish import FloorFinish as FloorFinish
 from .finish import RoomFinish as RoomFinish
 from .finish import WallAccent as WallAccent
 from .finish import WallTiles as WallTiles
+from .free_area import FreeArea as FreeArea
 from .intent import PRIORITIES as PRIORITIES
 from .intent import Intent as Intent
 from .intent import Priority as Priority
@@ -77,6 +78,7 @@ __all__ = [
     "EXAMPLES",
     "Edit",
     "FloorFinish",
+    "FreeArea",
     "Geometry",
     "InputError",
     "Intent",

@@ -19,13 +19,14 @@ from sceneweaver.io import InputError
 from sceneweaver.io.messages import quote, suggest
 
 from .fields import JsonDict, Name, Text
+from .free_area import FreeArea
 from .io import SceneFile
-from .limits import MAX_OBJECTS, MAX_RELATIONS, MAX_SHAPES
+from .limits import MAX_FREE_AREAS, MAX_OBJECTS, MAX_RELATIONS, MAX_SHAPES
 from .messages import FieldError
 from .migrate import SCHEMA
 from .objects import Dropped, Pose, SceneObject
 from .palette import Palette
-from .references import check_references
+from .references import check_free_areas, check_references
 from .relation import Relation
 from .room import Room
 
@@ -43,6 +44,9 @@ class SceneContent(SceneFile):
     relations: Annotated[tuple[Relation, ...], Field(fail_fast=True, max_length=MAX_RELATIONS)] = Field(
         default=(), description="What has to hold between its things"
     )
+    free_areas: Annotated[tuple[FreeArea, ...], Field(fail_fast=True, max_length=MAX_FREE_AREAS)] = Field(
+        default=(), description="Floor that stays free"
+    )
     palette: Palette | None = Field(default=None, description="The look that its things follow; null: each its own")
     provenance: JsonDict = Field(default_factory=dict, description="Free data: where the scene comes from")
     dropped: Annotated[tuple[Dropped, ...], Field(fail_fast=True, max_length=MAX_OBJECTS)] = Field(
@@ -55,6 +59,7 @@ class SceneContent(SceneFile):
         if shapes > MAX_SHAPES:
             raise FieldError(("objects",), f": have {shapes} parts, zones and surfaces; give at most {MAX_SHAPES}")
         check_references(self.room, self.objects, self.relations)
+        check_free_areas(self.free_areas)
         return self
 
     @classmethod
@@ -90,6 +95,11 @@ class SceneContent(SceneFile):
             at = self.index(object_id)
             objects[at] = objects[at].model_copy(update={"pose": pose})
         return self.model_copy(update={"objects": tuple(objects)})
+
+    def replace_area_poses(self, poses: Mapping[str, Pose]) -> Self:
+        """The scene with some of its free areas elsewhere, by their ids."""
+        areas = [a.model_copy(update={"pose": poses[a.id]}) if a.id in poses else a for a in self.free_areas]
+        return self.model_copy(update={"free_areas": tuple(areas)})
 
     def _positions(self) -> dict[str, int]:
         """Position in ``objects`` by id, kept with them, as copies of a model share what it keeps."""

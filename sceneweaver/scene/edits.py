@@ -304,6 +304,26 @@ def _changed(scene: AnyScene, edit: AnyEdit) -> AnyScene:
             return _with_object(scene, scene.object(edit.id).model_copy(update={"intent": edit.intent}))
 
 
+def edited_ids(edits: Iterable[AnyEdit]) -> set[str]:
+    """The ids of the objects that edits are about; what stood on something removed may be gone with it."""
+    found: set[str] = set()
+    for edit in edits:
+        match edit:
+            case Add() | Replace():
+                found.add(edit.object.id)
+            case Relate():
+                found.add(edit.relation.subject)
+            case Rename():
+                found.add(edit.new_id)
+            case SetPose() | SetSize() | SetSupport():
+                found.add(edit.id)
+            case Remove():
+                found.discard(edit.id)
+            case Unrelate() | SetAttributes() | SetIntent():
+                pass
+    return found
+
+
 def _named(edit: AnyEdit) -> str:
     match edit:
         case Add() | Replace():
@@ -432,4 +452,11 @@ def _renamed(scene: AnyScene, edit: Rename) -> AnyScene:
             target = pair[0] if pair and isinstance(r.target, str) else pair
             r = r.model_copy(update={"subject": new(r.subject), "target": target})
         relations.append(r)
-    return scene.model_copy(update={"objects": tuple(objects), "relations": tuple(relations)})
+    areas = tuple(
+        a.model_copy(update={"targets": tuple(map(new, a.targets)), "others": tuple(map(new, a.others))})
+        if edit.id in (*a.targets, *a.others)
+        else a
+        for a in scene.free_areas
+    )
+    changed = {"objects": tuple(objects), "relations": tuple(relations), "free_areas": areas}
+    return scene.model_copy(update=changed)

@@ -70,6 +70,8 @@ class SceneFile(FrozenModel):
         data = self.model_dump(mode="json", by_alias=True)
         if data["room"]["finish"] is None:
             del data["room"]["finish"]
+        if not data["free_areas"]:
+            del data["free_areas"]
         for obj in data["objects"]:
             intent = obj["intent"].items()
             obj["intent"] = {key: value for key, value in intent if value is not None and value is not False}

@@ -13,6 +13,9 @@ MAX_OBJECTS = 2_000
 MAX_RELATIONS = 10_000
 """Relations of a scene."""
 
+MAX_FREE_AREAS = 100
+"""Free areas of a scene."""
+
 MAX_DOORS = 100
 """Doors of a room."""
 

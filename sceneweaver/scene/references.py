@@ -10,6 +10,7 @@ from collections.abc import Collection, Iterable, Sequence
 from sceneweaver.io.messages import quote, show, suggest
 
 from .catalogue import CATALOGUE
+from .free_area import FreeArea
 from .messages import FieldError, Loc
 from .objects import SceneObject
 from .relation import Relation
@@ -39,6 +40,15 @@ def check_references(room: Room, objects: Sequence[SceneObject], relations: Sequ
                 fix = suggest(target, kinds[kind], what=f"{noun}s", mark="'")
                 fix = f"; the walls are wall:0 to wall:{len(room.outline) - 1}" if kind == "wall" else fix
                 raise FieldError(loc, f"is {quote(target)}, which is no {noun} of this scene{fix}")
+
+
+def check_free_areas(areas: Sequence[FreeArea]) -> None:
+    """The ids of free areas are unique."""
+    seen: dict[str, int] = {}
+    for i, area in enumerate(areas):
+        if area.id in seen:
+            raise FieldError(("free_areas", i, "id"), f"is taken by free_areas[{seen[area.id]}]; choose another")
+        seen[area.id] = i
 
 
 def relation_fits(relation: Relation, room: Room, ids: Collection[str]) -> bool:

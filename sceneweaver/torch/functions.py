@@ -42,11 +42,7 @@ def energy(problem: Problem, poses: Tensor, which: Tensor | None = None) -> Tens
         >>> x.grad.shape == x.shape
         True
     """
-
-    def measured(operators: Any, x: Tensor, rows: Tensor) -> Tensor:
-        return operators.energy(x, rows, problem.number)
-
-    return _flat(measured, problem, poses, which)
+    return _flat(lambda ops, x, rows: ops.energy(x, rows, problem.number), problem, poses, which)
 
 
 def residuals(problem: Problem, poses: Tensor, which: Tensor | None = None) -> Tensor:
@@ -60,11 +56,7 @@ def residuals(problem: Problem, poses: Tensor, which: Tensor | None = None) -> T
         >>> torch.allclose((r * r).sum(-1) / 0.1, swt.energy(problem, x), rtol=1e-4)
         True
     """
-
-    def measured(operators: Any, x: Tensor, rows: Tensor) -> Tensor:
-        return operators.residuals(x, rows, problem.number, problem.items)
-
-    return _flat(measured, problem, poses, which)
+    return _flat(lambda ops, x, rows: ops.residuals(x, rows, problem.number, problem.items), problem, poses, which)
 
 
 def feasible(problem: Problem, poses: Tensor, which: Tensor | None = None) -> Tensor:
@@ -77,7 +69,7 @@ def feasible(problem: Problem, poses: Tensor, which: Tensor | None = None) -> Te
         >>> swt.feasible(problem, x).dtype
         torch.bool
     """
-    return _flat(lambda operators, x, rows: operators.feasible(x, rows, problem.number), problem, poses, which)
+    return _flat(lambda ops, x, rows: ops.feasible(x, rows, problem.number), problem, poses, which)
 
 
 def free(problem: Problem, device: torch.device | str | None = None) -> Tensor:

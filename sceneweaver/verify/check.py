@@ -10,10 +10,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from sceneweaver.io import InputError
+from sceneweaver.io.messages import is_number, show
 from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.runtime.package import package_version
 from sceneweaver.scene import Relation, Scene
-from sceneweaver.verify import bounds, collisions, stability, support, zones
+from sceneweaver.verify import bounds, collisions, free_floor, stability, support, zones
 from sceneweaver.verify import walkable as access
 from sceneweaver.verify.measure import Judgement
 from sceneweaver.verify.meshes import MeshSet
@@ -34,6 +35,7 @@ def check(
     physics: bool = False,
     openable: bool = False,
     library: Library | None = None,
+    robot_radius: float = access.RADIUS,
 ) -> Report:
     """Judge a scene in float64, independently of the engine that made it.
 
@@ -48,12 +50,13 @@ def check(
         openable: whether to measure how far doors, drawers and lids open, with the collision parts of their assets; one
             that is needed and blocked makes the scene invalid. Where an asset cannot be loaded, a warning says so.
         library: where the assets come from, for physics and what opens; None: the library of this user.
+        robot_radius: of the base [m] that the shares of the floor are measured for, a disc; 0.01 to 5.
 
     Returns:
         Counts, shares, and every violation with its amount [m, or degrees].
 
     Raises:
-        InputError: meshes that cannot be read.
+        InputError: meshes that cannot be read, or a radius out of its range.
 
     Examples:
         >>> import sceneweaver as sw
@@ -63,6 +66,9 @@ def check(
         (True, 0, True)
     """
     checkpoint()
+    least, most = access.RADII
+    if not is_number(robot_radius) or not least <= robot_radius <= most:
+        raise InputError(f"robot_radius is {show(robot_radius)}; give metres, {least:g} to {most:g}")
     clock, warnings = _Clock(), list[str]()
     placed, shapes = Placed.of(scene), MeshSet.of(meshes)
     load = library.load if library is not None else None
@@ -78,6 +84,9 @@ def check(
     clock.lap("support")
     found += zones.find(placed, warnings)
     clock.lap("zones")
+    if scene.free_areas:
+        found += free_floor.find(placed)
+        clock.lap("free floor")
     judgements = []
     for relation in scene.relations:
         checkpoint()
@@ -86,7 +95,7 @@ def check(
     clock.lap("relations")
     shares = links = steady = None
     if walkable:
-        shares = access.measure(placed)
+        shares = access.measure(placed, robot_radius)
         clock.lap("walkable")
         if shares is None:
             warnings.append("the room is too large for the floor grid; walkable and reachable shares were not measured")
@@ -103,6 +112,7 @@ def check(
         RelationTally(*(_tally(scene.relations, judgements, hard) for hard in (True, False))),
         walkable_share=shares.walkable if shares else None,
         reachable_share=shares.reachable if shares else None,
+        robot_radius=float(robot_radius) if shares and robot_radius != access.RADIUS else None,
         stability=steady,
         seconds=clock.seconds(),
         warnings=tuple(warnings),

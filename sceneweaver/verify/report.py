@@ -25,6 +25,8 @@ Kind = Literal[
     "unsupported",
     "blocked_zone",
     "blocked_opening",
+    "blocked_floor",
+    "narrow_path",
     "relation",
     "soft_relation",
     "unstable",
@@ -48,11 +50,12 @@ class Violation:
     """One thing that is wrong.
 
     Attributes:
-        kind: what kind of thing; ``soft_relation`` leaves the scene valid, every other makes it invalid.
+        kind: what kind of thing; ``soft_relation`` and ``narrow_path`` leave the scene valid, every other makes it
+            invalid.
         objects: ids of all that take part: of a relation its subject, then its targets (an object, wall, door or
             window); of a blocked zone its owner, then who stands in it; of a blocked opening the object, then the
-            opening; of a blocked link its object or door, then what is in its way: an object, door, wall, "floor" or
-            "ceiling".
+            opening; of blocked floor and a narrow path the free area, then what bounds it; of a blocked link its
+            object or door, then what is in its way: an object, door, wall, "floor" or "ceiling".
         detail: one sentence with numbers and units.
         amount: how much, 0 when it has no size. Metres: depth of a collision or in a zone, distance outside the room,
             height or length that is wrong under an object. Of a relation the worst excess over what is allowed, in
@@ -92,7 +95,7 @@ class Violation:
     @property
     def hard(self) -> bool:
         """Whether it makes the scene invalid."""
-        return self.kind != "soft_relation"
+        return self.kind not in ("soft_relation", "narrow_path")
 
     def to_dict(self) -> dict[str, Any]:
         """Return plain JSON data.
@@ -184,14 +187,15 @@ class Report(Displayed):
 
     Counts: ``collisions`` pairs of objects; ``out_of_bounds`` and ``unsupported`` objects; ``blocked_zones`` (object,
     zone, other object) triples; ``blocked_openings`` (opening, object) pairs. The shares are explained in
-    `walkable.Access`; None when they were not measured. ``openable_share`` is that of the doors, drawers and lids that
-    open to 90 % (None: not measured, or there are none), ``blocked_links`` are the others. ``stability`` and ``scores``
-    belong to the physics and the critics, as does ``alignment``: how many items a request has (total), and how many are
-    met, unmet, assumed and not_understood; ``seed``, ``device`` and ``candidates`` to the run that made the scene: fill
-    them in with ``dataclasses.replace``. So does ``cut_off``, what ended that run before it was done (None: nothing
-    did), and ``left_out``, the files that it had no time for. ``seconds`` is wall time, in all and by step.
-    ``warnings`` say where meshes or measures had to be done without. ``models`` says what a language or vision model
-    did in the run that made the scene, as docs/agent.md has it (None: no model was asked).
+    `walkable.Access`; None when they were not measured. They are those of a disc of ``robot_radius`` [m] (None: 0.2).
+    ``openable_share`` is that of the doors, drawers and lids that open to 90 % (None: not measured, or there are none),
+    ``blocked_links`` are the others. ``stability`` and ``scores`` belong to the physics and the critics, as does
+    ``alignment``: how many items a request has (total), and how many are met, unmet, assumed and not_understood;
+    ``seed``, ``device`` and ``candidates`` to the run that made the scene: fill them in with ``dataclasses.replace``.
+    So does ``cut_off``, what ended that run before it was done (None: nothing did), and ``left_out``, the files that it
+    had no time for. ``seconds`` is wall time, in all and by step. ``warnings`` say where meshes or measures had to be
+    done without. ``models`` says what a language or vision model did in the run that made the scene, as docs/agent.md
+    has it (None: no model was asked).
 
     Examples:
         >>> import sceneweaver as sw
@@ -218,6 +222,7 @@ class Report(Displayed):
     relations: RelationTally = RelationTally()
     walkable_share: float | None = None
     reachable_share: float | None = None
+    robot_radius: float | None = None
     openable_share: float | None = None
     blocked_links: tuple[LinkTravel, ...] | None = None
     stability: Mapping[str, Any] | None = None
@@ -240,7 +245,7 @@ class Report(Displayed):
         return tuple(v for kind in ("relation", "soft_relation") for v in self.violations if v.kind == kind)
 
     def to_dict(self) -> dict[str, Any]:
-        """Return plain JSON data; ``left_out``, ``warnings`` and ``models`` are there only when there are any."""
+        """Return plain JSON data; ``left_out``, ``warnings``, ``models``, ``robot_radius`` are there only where set."""
         data: dict[str, Any] = {"schema": SCHEMA, **asdict(self)}
         data["violations"] = [v.to_dict() for v in self.violations]
         if self.blocked_links is not None:
@@ -249,8 +254,9 @@ class Report(Displayed):
             data[name] = list(data[name])
             if not data[name]:
                 del data[name]
-        if self.models is None:
-            del data["models"]
+        for name in ("models", "robot_radius"):
+            if data[name] is None:
+                del data[name]
         return data
 
     def to_json(self, indent: int | None = 1) -> str:

@@ -1,10 +1,11 @@
 """Can a robot get about? Flood fill of the floor from the doors.
 
-The robot is a disc of radius 0.2 m. A cell of the 5 cm grid is *free* when its centre lies in the room and is at least
-0.2 m from every wall and from every obstacle. Obstacles are the solid parts of all objects, whatever holds them, that
-begin below 1.8 m and end more than 2 cm above the floor: rugs are walked on, high shelves passed under. Each door is
-entered at the free cell nearest to the centre of its zone; a door without one within half the diagonal of its zone is
-blocked. Steps go to the four neighbouring cells. A room without doors is entered in its largest free region.
+The robot is a disc, of radius 0.2 m unless another is given. A cell of the 5 cm grid is *free* when its centre lies in
+the room and is at least the radius from every wall and from every obstacle. Obstacles are the solid parts of all
+objects, whatever holds them, that begin below 1.8 m and end more than 2 cm above the floor: rugs are walked on, high
+shelves passed under. Each door is entered at the free cell nearest to the centre of its zone; a door without one within
+half the diagonal of its zone is blocked. Steps go to the four neighbouring cells. A room without doors is entered in
+its largest free region.
 """
 
 from __future__ import annotations
@@ -19,7 +20,10 @@ from sceneweaver.verify.grid import Grid, padded
 from sceneweaver.verify.solids import Array, Body, Placed
 
 RADIUS = 0.2
-"""Radius of the robot in metres."""
+"""Radius of the robot in metres, unless another is given."""
+
+RADII = (0.01, 5.0)
+"""Least and largest radius of a robot in metres."""
 
 ARM = 0.35
 """How far the robot reaches beyond its radius, in metres."""
@@ -41,10 +45,11 @@ class Access(NamedTuple):
     """Shares from 0 to 1.
 
     ``walkable``: of the free cells, the largest share that can be reached from one door; 0 when no cell is free.
-    ``reachable``: of the objects that stand on the floor, the share with a functional side within 0.55 m of a cell that
-    can be reached from some door; 1 when there are none; ``unreached`` has the ids of the others. The functional sides
-    of an object are its front face and its hard zones (their convex hulls); for the two objects of a `TUCKED` relation
-    and for what is walked on, its whole footprint. The distance is that in the plane, whatever stands in between.
+    ``reachable``: of the objects that stand on the floor, the share with a functional side within radius + 0.35 m of a
+    cell that can be reached from some door; 1 when there are none; ``unreached`` has the ids of the others. The
+    functional sides of an object are its front face and its hard zones (their convex hulls); for the two objects of a
+    `TUCKED` relation and for what is walked on, its whole footprint. The distance is that in the plane, whatever stands
+    in between.
     """
 
     walkable: float
@@ -52,36 +57,40 @@ class Access(NamedTuple):
     unreached: tuple[str, ...] = ()
 
 
-def measure(placed: Placed) -> Access | None:
-    """Return how much of the floor and which objects a robot can reach; None for a room of more than `MOST_CELLS`."""
-    kept = placed.__dict__
-    if "_access" not in kept:
-        kept["_access"] = _measure(placed)
-    return kept["_access"]
+def measure(placed: Placed, radius: float = RADIUS) -> Access | None:
+    """Return how much of the floor and which objects a robot of some radius [m] can reach; each is measured once.
+
+    None for a room of more than `MOST_CELLS`.
+    """
+    kept: dict[float, Access | None] = placed.__dict__.setdefault("_access", {})
+    if radius not in kept:
+        kept[radius] = _measure(placed, radius)
+    return kept[radius]
 
 
-def _measure(placed: Placed) -> Access | None:
+def _measure(placed: Placed, radius: float) -> Access | None:
     from scipy.ndimage import label
 
     grid = Grid(placed)
     if grid.cells > MOST_CELLS:
         return None
-    free = _free(placed, grid)
+    free = _free(placed, grid, radius)
     regions, count = label(free)
     sizes = np.bincount(regions.ravel(), minlength=count + 1)
     sizes[0] = 0
     entered = _entered(placed, grid, free, regions) if placed.doors else {int(sizes.argmax())} - {0}
     walkable = max((int(sizes[k]) for k in entered), default=0) / max(1, int(sizes.sum()))
     reached = np.isin(regions, list(entered))
-    standing, missed = _unreached(placed, grid, reached)
+    standing, missed = _unreached(placed, grid, reached, radius)
     return Access(walkable, 1.0 - len(missed) / standing if standing else 1.0, missed)
 
 
-def _free(placed: Placed, grid: Grid) -> np.ndarray:
+def _free(placed: Placed, grid: Grid, radius: float) -> np.ndarray:
     parts = placed.parts
     solid = (parts.z[:, 0] < CLEARANCE) & (parts.z[:, 1] > STEP)
     walls = np.stack([grid.outline, np.roll(grid.outline, -1, axis=0)], axis=1)
-    hindered = grid.covered(grid.spans(walls, RADIUS)) | grid.covered(grid.spans(grid.to_grid(parts.xy[solid]), RADIUS))
+    obstacles = grid.to_grid(parts.xy[solid])
+    hindered = grid.covered(grid.spans(walls, radius)) | grid.covered(grid.spans(obstacles, radius))
     return grid.inside() & ~hindered
 
 
@@ -96,14 +105,14 @@ def _entered(placed: Placed, grid: Grid, free: np.ndarray, regions: np.ndarray) 
     return entered
 
 
-def _unreached(placed: Placed, grid: Grid, reached: np.ndarray) -> tuple[int, tuple[str, ...]]:
+def _unreached(placed: Placed, grid: Grid, reached: np.ndarray, radius: float) -> tuple[int, tuple[str, ...]]:
     """How many objects stand on the floor, and the ids of those that cannot be reached."""
     tied = {name for r in placed.scene.relations if r.type in TUCKED for name in _ends(r)}
     standing = [body for body in placed.bodies if body.item.mount == "floor"]
     if not standing:
         return 0, ()
     fronts = grid.to_grid(np.array([_front(body) for body in standing]))
-    near = grid.touches(reached, grid.spans(fronts, RADIUS + ARM), len(standing))
+    near = grid.touches(reached, grid.spans(fronts, radius + ARM), len(standing))
     left = [body for body, touched in zip(standing, near.tolist(), strict=True) if not touched]
     shapes: list[Array] = []  # the others of what has not been reached by its front
     owner: list[str] = []
@@ -115,7 +124,7 @@ def _unreached(placed: Placed, grid: Grid, reached: np.ndarray) -> tuple[int, tu
         owner += [body.id] * len(found)
     held: set[str] = set()
     if shapes:
-        spans = grid.spans(grid.to_grid(padded(shapes)), RADIUS + ARM)
+        spans = grid.spans(grid.to_grid(padded(shapes)), radius + ARM)
         held = {owner[k] for k in np.flatnonzero(grid.touches(reached, spans, len(shapes)))}
     return len(standing), tuple(body.id for body in left if body.id not in held)
 

@@ -104,7 +104,15 @@ def test_scene_and_metrics_alone(result, tmp_path):
     assert done.seconds >= 2.0 and done.scene is result.scene
     kept = RequestFile.load(tmp_path / "request.json")
     assert kept.graph == result.brief and kept.outcomes == result.review.alignment.items
-    assert kept.summary == {"total": 1, "met": 0, "unmet": 1, "assumed": 0, "not_understood": 0}
+    assert kept.summary == {
+        "total": 1,
+        "met": 0,
+        "partly": 0,
+        "substituted": 0,
+        "assumed": 0,
+        "not_understood": 0,
+        "unmet": 1,
+    }
 
 
 def test_a_damaged_request_file_is_one_line(tmp_path):

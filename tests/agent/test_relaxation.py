@@ -114,7 +114,7 @@ def test_before_what_was_asked_for_goes_all_its_relations_become_soft():
 
 def test_a_layout_of_a_scene_that_asked_for_more_is_one_of_what_is_left():
     ties = tuple(Relation(type="near", subject="a", target=t, params={"max": 0.5}) for t in ("b", "c"))
-    before = room(cube("a", "asked"), cube("b", "usual", 2.5), cube("c", "usual", 7.0), relations=ties)
+    before = room(cube("a", "needed"), cube("b", "usual", 2.5), cube("c", "usual", 7.0), relations=ties)
     after = relax(before)
     assert after is not None and after.scene.ids == ("a", "c")
     soft = after.scene.model_copy(update={"relations": (ties[1].model_copy(update={"hard": False}),)})
@@ -199,3 +199,8 @@ def test_what_came_back_is_not_said_to_be_left_out():
     back = left_out("kitchenette-0"), "kitchen_counter was left out of the floor asked for: the floor is full"
     another = "another kitchen_counter was left out of the floor asked for: the floor is full"
     assert still_true((*gone, *back, another, "desk-0: 2 mugs"), scene) == (*gone, another, "desk-0: 2 mugs")
+
+
+def test_all_that_nobody_asked_for_goes_at_once_where_it_is_in_the_way_of_what_was():
+    found = relax(room(cube("a", "asked", 2.5), cube("b", "usual", 2.0), cube("c", "usual", 3.0)))
+    assert found is not None and found.scene.ids == ("a",) and not found.unmet

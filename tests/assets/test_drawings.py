@@ -69,7 +69,7 @@ def test_finishes_share_their_arrays_which_are_counted_once() -> None:
     both = drawings.nbytes
     drawings.get("mug", 0, Request(palette=PALETTES[3]))
     assert drawings.nbytes - both < 0.2 * both
-    drawings.most = 0
+    drawings.keep(0)
     drawings.get("fork", 0, Request())
     assert len(drawings) == 1 and 0 < drawings.nbytes < both
 

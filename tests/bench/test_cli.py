@@ -34,7 +34,9 @@ def test_results_are_compared(results, capsys):
 
 def test_results_are_plotted(results, tmp_path):
     assert main(["bench", "plot", str(results), "-o", str(tmp_path), "--format", "svg"]) == 0
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["curves.svg", "profiles.svg"]
+    paths = sorted(tmp_path.iterdir())
+    assert [path.name for path in paths] == ["curves.svg", "profiles.svg"]
+    assert all(path.read_bytes().startswith(b"<?xml") and path.stat().st_size > 10_000 for path in paths)
 
 
 def test_a_process_of_its_own(tmp_path, capsys):

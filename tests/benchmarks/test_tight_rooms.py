@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 from benchmarks.families.tight import SEEDS, fill
@@ -11,13 +12,15 @@ from benchmarks.starts import blind
 from benchmarks.tight_rooms import tight_room
 from sceneweaver.layout import refine
 from sceneweaver.verify import check
+from tests.sizes import sizes
 
 CHECKER = Path(__file__).parents[1] / "oracle" / "check_scene.py"
 
 
-def test_witnesses_are_valid_and_the_rooms_are_tight(tmp_path: Path) -> None:
+@sizes("seeds", SEEDS[:2], SEEDS)
+def test_witnesses_are_valid_and_the_rooms_are_tight(tmp_path: Path, seeds: Sequence[int]) -> None:
     files = []
-    for seed in SEEDS:
+    for seed in seeds:
         scene = tight_room(seed)
         report = check(scene, walkable=False)
         assert not report.violations

@@ -44,6 +44,14 @@ def test_json_is_the_report(run, bedroom):
     assert data["schema"] == "sceneweaver.metrics/1" and data["valid"] is True and data["placed"] == 16
 
 
+def test_the_floor_is_judged_for_a_robot_of_some_radius(run, bedroom):
+    usual, wide = run("check", bedroom, "--json").json, run("check", bedroom, "--json", "--robot-radius", "0.4").json
+    assert wide["walkable_share"] < usual["walkable_share"] and wide["robot_radius"] == 0.4
+    assert "for a robot of radius 0.4 m" in run("check", bedroom, "--robot-radius", "0.4").out
+    ended = run("check", bedroom, "--robot-radius", "0")
+    assert ended.code == 2 and "robot_radius is 0.0; give metres, 0.01 to 5" in ended.err
+
+
 def test_a_scene_that_is_not_valid_is_3_and_says_why(run, bedroom, tmp_path):
     moved(Scene.load(bedroom)).save(bedroom)
     before = bedroom.read_bytes()

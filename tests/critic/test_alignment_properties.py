@@ -21,6 +21,7 @@ from sceneweaver.rules.stated import number
 from sceneweaver.scene import CATALOGUE, InputError, Relation, Scene
 from sceneweaver.verify.relations import judge_relation
 from tests.reports import empty_report
+from tests.sizes import often
 from tests.verify.agreement import disturb, zoo
 from tests.verify.test_properties import moved
 
@@ -163,10 +164,7 @@ def designed(name: str) -> dict[str, Any]:
     return json.loads((LIBRARY / f"{name}.json").read_text())
 
 
-CROWDED = [pytest.param(name, marks=pytest.mark.slow) for name in DESIGNED[2:]]
-
-
-@pytest.mark.parametrize("name", [*ROOMS, *DESIGNED[:2], *CROWDED])
+@pytest.mark.parametrize("name", often((*ROOMS, *DESIGNED), (*ROOMS, DESIGNED[0])))
 def test_what_the_judge_accepts_people_accept(name: str) -> None:
     data = designed(name) if name in DESIGNED else zoo(name)
     ids = [o["id"] for o in data["objects"]]

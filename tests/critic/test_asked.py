@@ -39,7 +39,7 @@ def test_what_nobody_understood_is_not_taken_for_met() -> None:
     found = review(rooms.living(), unread=unread)
     assert found.grades["alignment"] == 1.0 and only(found, "not_understood", "alignment")[0].tool is None
     known = review(rooms.living(), unread=unread, entities=[entity("sofa")])
-    assert known.grades["alignment"] == 10.0
+    assert known.alignment.share == pytest.approx(1 / 3) and known.grades["alignment"] <= 8.0
 
 
 def test_missing_and_too_many() -> None:
@@ -51,7 +51,7 @@ def test_missing_and_too_many() -> None:
     one = review(case, entities=[entity("desk", count=(1, 1))])
     fault = only(one, "too_many", "alignment")[0]
     assert fault.tool == "remove_objects" and fault.inputs["ids"] in (["desk-0"], ["desk-1"])
-    assert 7.0 < one.grades["alignment"] < 10.0
+    assert few.grades["alignment"] < one.grades["alignment"] <= 8.0
 
 
 def test_another_that_takes_the_same_role_is_one_too_many() -> None:

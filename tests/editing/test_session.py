@@ -9,7 +9,8 @@ import sceneweaver as sw
 from benchmarks import rooms
 from benchmarks.changes import CHANGES, involved
 from sceneweaver.editing.session import LEAST
-from sceneweaver.scene import Relate, Relation, Rename, SetSize
+from sceneweaver.scene import Pose, Relate, Relation, Rename, SetSize
+from tests.layout.made import scene, thing
 from tests.verify.agreement import oracle
 
 
@@ -116,7 +117,8 @@ def test_typed_edits_are_one_step(session):
     assert session.undo().scene is given
 
 
-def test_what_cannot_be_made_valid_is_told(session):
+def test_what_cannot_be_made_valid_is_told():
+    session = sw.EditSession(scene([thing("bed", pose=Pose.from_yaw(2.5, 2.0, 0.0, 0.0))], []), device="cpu")
     result = session.resize("bed", width=12.0)
     assert not result.valid and result.report.violations and result.scene.object("bed").size[1] == 12.0
     assert session.undo().valid

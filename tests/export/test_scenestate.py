@@ -120,7 +120,7 @@ def _points_of(loaded: Any, object_id: str) -> np.ndarray:
 
 
 def test_a_real_room(tmp_path) -> None:
-    scene = load_scene("living_room-1")
+    scene = load_scene("bathroom-1")
     path = write_scenestate(scene, tmp_path / "scene.json", models=True)
     state = json.loads(path.read_text(encoding="utf-8"))["scene"]
     data = io.BytesIO(glb_bytes(scene, textures=False))

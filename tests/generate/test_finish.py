@@ -64,7 +64,7 @@ def test_the_accent_is_behind_the_bed():
         ("a bedroom with navy walls", "navy", None),
         ("a bedroom with sage green walls and a black wall clock", "sage green", None),
         ("a bedroom with white-painted walls and a red accent wall", "white", "red"),
-        ("a bedroom with brick walls", "", None),
+        ("a bedroom with brick walls", "brick red", None),
     ],
 )
 def test_colours_that_the_request_says_of_walls(text, walls, accent):

@@ -25,6 +25,8 @@ from sceneweaver.scene import Scene
 
 ZOO = Path(__file__).parents[1] / "zoo"
 ROOMS = tuple(sorted(p.stem for p in ZOO.glob("*.json")))
+USUAL = ("bedroom-small", "dining-round", "living-dining-L", "lockers-wall-full", "restaurant-dense", "studio-U")
+"""Rooms of the usual run: every shape, what is round, what is full, and a crowd."""
 LARGE = ("hall-300", "library-100", "restaurant-60", "restaurant-dense")
 
 

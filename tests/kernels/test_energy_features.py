@@ -13,11 +13,11 @@ from sceneweaver.layout.rows import INF, CompiledRelation, Row
 from tests.kernels import compare, twin
 from tests.kernels.harness import as_float32
 from tests.kernels.made import chair, sofa, table
+from tests.sizes import sizes
 from tests.verify.build import scene
 
 ALONE = {"collision": 0.0, "bounds": 0.0, "zone": 0.0, "opening": 0.0, "relation": 1.4}
 EXCESS = {"inside": -0.1, "near side of the knee": 0.03, "far side of the knee": 0.5}
-COUNT = 30
 
 # Features and the objects that they are about: subject, first target, second target; -1 is the room.
 CASES = {
@@ -81,14 +81,15 @@ def asked(
 
 @pytest.mark.parametrize("above", [False, True], ids=["below", "above"])
 @pytest.mark.parametrize("excess", EXCESS.values(), ids=EXCESS.keys())
+@sizes("count", 8, 30)
 @pytest.mark.parametrize("name", CASES)
-def test_feature(device, name, excess, above):
+def test_feature(device, name, excess, above, count):
     rng = np.random.default_rng(3)
     problem, ids = base(), CASES[name][1]
-    layouts = as_float32(rng.normal(size=(COUNT, 3, 4)) * (0.9, 0.9, 0.4, 2.5) + (2.5, 2.5, 0.5, 0.0))
+    layouts = as_float32(rng.normal(size=(count, 3, 4)) * (0.9, 0.9, 0.4, 2.5) + (2.5, 2.5, 0.5, 0.0))
     rows = [blank(name, rng) for _ in layouts]
     problems = [asked(problem, row, ids, layout, excess, above) for row, layout in zip(rows, layouts, strict=True)]
-    options = [np.zeros(1, dtype=int)] * COUNT
-    tally = compare.check(problems, range(COUNT), layouts, options, device, weights=ALONE, name=name)
+    options = [np.zeros(1, dtype=int)] * count
+    tally = compare.check(problems, range(count), layouts, options, device, weights=ALONE, name=name)
     parts = len([i for i in ids if i >= 0])
-    assert tally.active == (0 if excess < 0 else COUNT if name == "constant" else COUNT * parts)
+    assert tally.active == (0 if excess < 0 else count if name == "constant" else count * parts)

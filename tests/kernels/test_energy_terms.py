@@ -13,6 +13,7 @@ from sceneweaver.layout.pack import MARGINS
 from tests.kernels import compare
 from tests.kernels.harness import any_options, as_float32, energies
 from tests.kernels.made import centred
+from tests.sizes import sizes
 from tests.verify.build import box, relation, scene
 
 KNEE, AIM = 0.05, MARGINS["collision_aim"]
@@ -197,8 +198,9 @@ def test_what_is_carried_along_is_left_to_the_verdict(device):
 BLOB = [[-0.5, -0.4], [0.4, -0.5], [0.6, 0.1], [0.1, 0.5], [-0.4, 0.3]]
 
 
+@sizes("count", 60, 250)
 @pytest.mark.parametrize("term", ["collision", "zone", "bounds", "opening"])
-def test_turned_polygons_agree_with_the_reference(device, term):
+def test_turned_polygons_agree_with_the_reference(device, term, count):
     """Random poses and yaws of odd shapes, one term at a time; depths of all sizes, some less than the knee."""
     rng = np.random.default_rng(7)
     parts = [{"polygon": BLOB, "z": [0.0, 0.5]}, {"polygon": centred(0.3, 0.9, 0.1), "z": [0.4, 1.0]}]
@@ -208,9 +210,9 @@ def test_turned_polygons_agree_with_the_reference(device, term):
     both = {"parts": parts, "zones": [zone]}
     p = pair(both, {**both, "mount": "wall"}, outline=L_ROOM, doors=[door])
     spots = {"collision": (2, 2), "zone": (2, 2), "bounds": (4.5, 4.5), "opening": (3.5, 0.5)}
-    layouts = rng.normal(size=(250, 2, 4)) * (0.6, 0.6, 0.3, 3.0) + (*spots[term], 0.2, 0.0)
+    layouts = rng.normal(size=(count, 2, 4)) * (0.6, 0.6, 0.3, 3.0) + (*spots[term], 0.2, 0.0)
     options = [any_options(p, rng) for _ in layouts]
     tally = compare.check(
         [p], [0] * len(layouts), as_float32(layouts), options, device, weights={**ALONE, term: 1.3}, name=term
     )
-    assert tally.active > 120
+    assert tally.active > 0.48 * count

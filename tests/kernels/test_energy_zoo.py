@@ -7,11 +7,23 @@ import pytest
 
 from sceneweaver.layout.compile import compile_scene
 from tests.kernels import compare
-from tests.kernels.harness import LARGE, ROOMS, any_options, batch_of, energies, noisy, run_energy, scattered, zoo
+from tests.kernels.harness import (
+    LARGE,
+    ROOMS,
+    USUAL,
+    any_options,
+    batch_of,
+    energies,
+    noisy,
+    run_energy,
+    scattered,
+    zoo,
+)
 from tests.kernels.made import gallery
+from tests.sizes import often
 
 
-@pytest.mark.parametrize("name", ROOMS)
+@pytest.mark.parametrize("name", often(ROOMS, USUAL))
 def test_room(device, name):
     rng = np.random.default_rng(11)
     problem = zoo(name).room

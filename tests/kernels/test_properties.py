@@ -13,14 +13,15 @@ from tests.kernels.harness import Energies, batch_of, best_options, noisy, run_e
 from tests.kernels.made import gallery
 from tests.kernels.predicates import object_margins, relation_margins
 from tests.kernels.transform import mirror, mirror_layout, move, move_layout, permute
+from tests.sizes import examples
 
 pytest.importorskip("hypothesis")
-from hypothesis import given, settings  # noqa: E402
+from hypothesis import given  # noqa: E402
 from hypothesis import strategies as st  # noqa: E402
 
 NAMES = ("bedroom-small", "living-dining-L", "studio-U", "gallery")
 EACH = pytest.mark.parametrize("name", NAMES)
-CHECKED = settings(max_examples=12, deadline=None)
+CHECKED = examples(3, 12)
 SEEDS = st.integers(0, 2**32 - 1)
 NEAR = 5e-5  # [m, rad] of a threshold, the verdict may change when the room moves in float32
 

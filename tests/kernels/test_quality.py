@@ -17,6 +17,7 @@ from sceneweaver.layout.quality import KINDS, QualityTerm
 from sceneweaver.layout.rate import CELL, HIGH, LOW, STEP, measures
 from sceneweaver.scene import Scene
 from tests.kernels.harness import ZOO
+from tests.sizes import sizes
 
 ROOMS = ("bedroom-small", "living-dining-L", "office-20")
 FAR = 1e5
@@ -321,16 +322,16 @@ def _close(kind: str, got: np.ndarray, expected: np.ndarray) -> None:
     assert np.ptp(expected) > 0.05, "all alike: the layouts show nothing"
 
 
+@sizes("count", 6, 24)
 @pytest.mark.parametrize("room", ROOMS)
 @pytest.mark.parametrize("kind", KINDS)
-def test_measures_are_those_of_the_twin(kind, room):
+def test_measures_are_those_of_the_twin(kind, room, count):
     scene = Scene.load(ZOO / f"{room}.json")
     on_floor = kind in ("way", "empty", "remote")
     if on_floor and room == "office-20":
         pytest.skip("the twin takes long")
-    count = 6 if on_floor else 24
-    poses = layouts(scene, count, seed=3)
-    terms = some_terms(scene, kind, np.random.default_rng(5), {"empty": 1, "overlap": 30}.get(kind, 6))
+    poses = layouts(scene, count // 4 + 1 if on_floor else count, seed=3)
+    terms = some_terms(scene, kind, np.random.default_rng(5), {"empty": 1, "overlap": 60}.get(kind, 6))
     got, rows = measures(scene, poses, terms)
     assert rows == terms
     twins = [Twin(scene, layout) for layout in poses]

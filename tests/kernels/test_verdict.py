@@ -7,9 +7,10 @@ import pytest
 
 from sceneweaver.layout.compile import LayoutProblem, compile_scene
 from sceneweaver.scene.catalogue import BUILT_IN
-from tests.kernels.harness import LARGE, ROOMS, noisy, scattered, verdict, zoo
+from tests.kernels.harness import LARGE, ROOMS, USUAL, noisy, scattered, verdict, zoo
 from tests.kernels.made import gallery, related
 from tests.kernels.predicates import BROKEN, VALID, object_margins, relation_margins, status
+from tests.sizes import often, sizes
 
 NEAR = 2e-5  # [m, rad] so near to a threshold, float32 may decide either way
 LEFT_OUT = 0.03
@@ -33,7 +34,7 @@ def agree(problem: LayoutProblem, layouts: list[np.ndarray], device: str) -> np.
     return np.bincount(found.status, minlength=4)
 
 
-@pytest.mark.parametrize("name", ROOMS)
+@pytest.mark.parametrize("name", often(ROOMS, USUAL))
 def test_room(device, name):
     rng = np.random.default_rng(21)
     problem = zoo(name).room
@@ -46,11 +47,13 @@ def test_room(device, name):
     assert counts[1] >= 1 or name == "hall-300"
 
 
+@sizes("count", 3, 10)
 @pytest.mark.parametrize("kind", sorted(BUILT_IN))
-def test_relation(device, kind):
+def test_relation(device, kind, count):
     rng = np.random.default_rng(22)
     problem = compile_scene(related(kind)).room
-    layouts = [scattered(problem, rng) for _ in range(30)] + [noisy(problem, rng, 0.2) for _ in range(10)]
+    layouts = [scattered(problem, rng) for _ in range(3 * count)]
+    layouts += [noisy(problem, rng, 0.2) for _ in range(count)]
     agree(problem, layouts, device)
 
 

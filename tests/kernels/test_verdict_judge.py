@@ -11,13 +11,15 @@ from sceneweaver.geometry.se2 import absolute, relative
 from sceneweaver.layout import refine
 from sceneweaver.layout.compile import CompiledScene, compile_scene
 from sceneweaver.scene.catalogue import BUILT_IN
-from tests.kernels.harness import LARGE, ROOMS, as_float32, noisy, scattered, zoo
+from tests.kernels.harness import LARGE, ROOMS, USUAL, as_float32, noisy, scattered, zoo
 from tests.kernels.judged import compare, engine
 from tests.kernels.made import PARAMS, gallery, mixed_around, related
 from tests.kernels.transform import layout_of, move
+from tests.sizes import often, sizes
 from tests.verify.build import box, relation, scene
 
 FAR = (83.0, -61.0)  # [m] a room of 100 m has corners like this
+EDGE_ROOMS = ("bedroom-small", "living-dining-L", "studio-U")
 EDGE = 24  # bisections: 1 m to a float32 step
 
 
@@ -57,7 +59,7 @@ def last_that_hold(
 # ---- rooms
 
 
-@pytest.mark.parametrize("name", ROOMS)
+@pytest.mark.parametrize("name", often(ROOMS, USUAL))
 def test_room(device, name):
     rng = np.random.default_rng(31)
     compiled = zoo(name)
@@ -71,7 +73,9 @@ def test_room(device, name):
 
 
 @pytest.mark.parametrize("far", [False, True], ids=["here", "far away"])
-@pytest.mark.parametrize("name", ["bedroom-small", "living-dining-L", "studio-U", "gallery"])
+@pytest.mark.parametrize(
+    "name", often(["bedroom-small", "living-dining-L", "studio-U", "gallery"], ["bedroom-small", "gallery"])
+)
 def test_objects_at_the_edge(device, name, far):
     """One stack after the other is pushed until the engine finds fault; just before that, the judge finds none.
 
@@ -98,10 +102,11 @@ def solutions(compiled: CompiledScene, count: int, device: str) -> np.ndarray:
     return as_float32(solution.poses)
 
 
+@sizes("count", 5, 16)
 @pytest.mark.parametrize("kind", sorted(BUILT_IN))
-def test_relation_at_solutions_and_around_them(device, kind):
+def test_relation_at_solutions_and_around_them(device, kind, count):
     compiled = compile_scene(related(kind))
-    solved = solutions(compiled, 16, device)
+    solved = solutions(compiled, count, device)
     rng = np.random.default_rng(33)
     near = [push(compiled, solved, rng.normal(size=solved.shape) * s) for s in (3e-4, 1e-3, 1e-2)]
     counts = compare(compiled, np.concatenate([solved, *near]), device)
@@ -111,14 +116,15 @@ def test_relation_at_solutions_and_around_them(device, kind):
         assert counts.holding - counts.passed <= most, "the engine is much stricter than the judge"
 
 
+@sizes("count", 4, 16)
 @pytest.mark.parametrize("kind", sorted(BUILT_IN - {"on_top", "inside", "on_floor"}))
-def test_relation_at_the_edge(device, kind):
+def test_relation_at_the_edge(device, kind, count):
     """The subject is pushed until the engine finds the relation false; just before that, the judge finds it true."""
     rng = np.random.default_rng(34)
     found = 0
     for params in ({}, PARAMS.get(kind, {})) if kind != "distance" else ({},):
         compiled = compile_scene(related(kind, **params))
-        solved = np.repeat(solutions(compiled, 16, device), 4, axis=0)
+        solved = np.repeat(solutions(compiled, count, device), 4, axis=0)
         subject = compiled.room.relations[0].objects[0]
         moves = np.zeros(solved.shape)
         moves[:, subject] = rng.normal(size=(len(solved), 4)) * (0.8, 0.8, 0.8, 0.8)
@@ -126,7 +132,7 @@ def test_relation_at_the_edge(device, kind):
         edges = last_that_hold(compiled, solved, moves, lambda x, c=compiled: engine(c, x, device)[2][:, 0])
         found += len(edges)
         compare(compiled, edges, device)
-    assert found >= 8
+    assert found >= count / 2
 
 
 def test_height_above_the_floor_at_the_edge(device):

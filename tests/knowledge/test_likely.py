@@ -7,6 +7,7 @@ import pytest
 from sceneweaver.agent.design import chosen_room
 from sceneweaver.knowledge import room_types
 from sceneweaver.knowledge.likely import likeliest_room
+from sceneweaver.knowledge.names import room_of_part
 from sceneweaver.language import read_request
 
 MEANT = [
@@ -44,13 +45,32 @@ def test_nothing_told() -> None:
     assert chosen_room(read_request("something nice"))[0].name == "living_room"
 
 
-def test_a_room_that_is_not_known_is_made_as_one_with_such_things() -> None:
+def test_a_room_that_is_not_known_holds_what_is_asked_for() -> None:
     hut = "A mountain hut for four hikers: two bunk beds, a stove, a table, baskets and a shelf"
     found, said = chosen_room(read_request(hut))
-    assert found.name == "dormitory"
-    assert said == ("'mountain hut' is no kind of room that is known; made as a dormitory",)
+    assert found.name == "mountain_hut"
+    assert said == (
+        "'mountain hut' is no kind of room that is known; it holds what was asked for, what that needs, and light",
+    )
+    assert {"bunk_bed", "ceiling_light"} <= {name for item in found.items for name in item.what}
+    assert not any("wardrobe" in item.what for item in found.items)
+
+
+def test_a_desk_has_its_chair_in_a_room_that_is_not_known() -> None:
     found, _ = chosen_room(read_request("A Podcast Studio with a desk, a mixing console and a microphone"))
-    assert found.name != "studio_apartment"
+    assert found.name == "podcast_studio"
+    assert {item.with_ for item in found.items if "office_chair" in item.what} == {"desk"}
+
+
+def test_a_part_of_a_room_is_one_of_that_kind() -> None:
+    assert room_of_part("bakery counter area") == "bakery"
+    assert room_of_part("reading corner") is None
+    assert room_of_part("bakery") is None
+
+
+def test_things_of_many_rooms_tell_none() -> None:
+    found, said = chosen_room(read_request("a treadmill, a bathtub, a photocopier and a piano"))
+    assert found.name == "room" and said[0].startswith("no kind of room was named; it holds")
 
 
 def test_beds_stand_in_rooms_with_beds() -> None:

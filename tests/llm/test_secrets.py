@@ -2,10 +2,14 @@
 
 import base64
 import codecs
+import gzip
 import html
 import json
 import logging
+import random
 import time
+import tracemalloc
+import zlib
 from urllib.parse import quote
 
 import pytest
@@ -82,6 +86,18 @@ FORMS = {
     "ordinals in hexadecimal": lambda key: " ".join(f"0x{ord(letter):x}" for letter in key),
     "ordinals in octal": lambda key: "".join(f"\\{ord(letter):03o}" for letter in key),
     "ordinals in binary": lambda key: " ".join(f"{ord(letter):08b}" for letter in key),
+    "gzip": lambda key: base64.b64encode(gzip.compress(key.encode())).decode(),
+    "gzip for URLs": lambda key: base64.urlsafe_b64encode(gzip.compress(b"Bearer " + key.encode())).decode(),
+    "gzip on lines": lambda key: base64.encodebytes(gzip.compress(f"{'x' * 99}{key}".encode())).decode(),
+    "gzip in JSON": lambda key: json.dumps(base64.encodebytes(gzip.compress(key.encode())).decode()),
+    "gzip without its end": lambda key: base64.b64encode(gzip.compress(key.encode())[:-8]).decode(),
+    "gzip of gzip": lambda key: base64.b64encode(gzip.compress(base64.b64encode(gzip.compress(key.encode())))).decode(),
+    "gzip of base64": lambda key: base64.b64encode(gzip.compress(base64.b64encode(key.encode()))).decode(),
+    "gzip after other letters": lambda key: f"data{base64.b64encode(gzip.compress(key.encode())).decode()}",
+    "zlib": lambda key: base64.b64encode(zlib.compress(key.encode())).decode(),
+    "zlib, not compressed": lambda key: base64.b64encode(zlib.compress(key.encode(), 0)).decode(),
+    "deflate": lambda key: base64.b64encode(zlib.compress(key.encode(), wbits=-15)).decode(),
+    "deflate of a small window": lambda key: base64.b64encode(zlib.compress(key.encode(), wbits=-9)).decode(),
     "HTML numbers": lambda key: "".join(f"&#{ord(letter)};" for letter in key),
 }
 
@@ -156,6 +172,31 @@ def test_long_texts_take_no_time(key):
     began = time.monotonic()
     redact(text)
     assert time.monotonic() - began < 20  # seconds; the square of the length would take hours
+
+
+def packed(data):
+    return base64.b64encode(gzip.compress(data)).decode()
+
+
+def test_packed_texts_are_unpacked_no_further_than_is_allowed(key, monkeypatch):
+    """What is larger than is looked at is taken for a secret; little memory is used for it."""
+    bomb, plain = packed(b"a lamp " * 2**23), packed(b"a lamp " * 2**10)
+    tracemalloc.start()
+    try:
+        assert redact(f"so: {bomb}") == f"so: {HIDDEN}" and redact(f"so: {plain}") == f"so: {plain}"
+        assert tracemalloc.get_traced_memory()[1] < 2**25
+    finally:
+        tracemalloc.stop()
+    assert redact(f"so: {packed(b'a lamp ' * 2**16 + key.encode())}") == f"so: {HIDDEN}"
+    monkeypatch.setattr("sceneweaver.llm.packed.MOST_IN_ALL", 2**14)
+    clean = redact(" and ".join([plain] * 5))
+    assert clean.startswith(plain) and clean.endswith(HIDDEN)
+
+
+def test_what_was_packed_without_a_secret_stays(key):
+    text = " ".join(base64.b64encode(zlib.compress(b"a lamp and %d chairs" % k)).decode() for k in range(40))
+    picture = base64.b64encode(b"\x89PNG\r\n\x1a\n" + random.Random(0).randbytes(2**16)).decode()
+    assert redact(text) == text and redact(picture) == picture
 
 
 def test_logs(key, caplog):

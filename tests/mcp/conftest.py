@@ -12,7 +12,7 @@ import pytest
 from sceneweaver.mcp import build_server
 from tests.mcp.driving import Driver, Progress, connected, http_server, over_stdio
 
-REQUEST = {"prompt": "a small store room with a desk and one shelf", "steps": 1, "candidates": 8, "clutter": 0}
+REQUEST = {"prompt": "a store room with only a desk and one shelf", "steps": 1, "candidates": 8, "clutter": 0}
 
 
 @dataclass

@@ -14,7 +14,7 @@ from tests.llm.model_server import ModelServer, answering
 from tests.mcp.driving import ROOT, connected
 
 KEY = "sk-planted-0123456789abcdef"
-ROOM = {"prompt": "a store room with one shelf", "steps": 1, "candidates": 8, "clutter": 0}
+ROOM = {"prompt": "a store room with only one shelf", "steps": 1, "candidates": 8, "clutter": 0}
 BEGIN = {"problem": "no room", "calls": [{"tool": "init_prior", "confidence": 0.9, "instruction": "Begin."}]}
 
 

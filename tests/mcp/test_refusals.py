@@ -5,15 +5,15 @@ from __future__ import annotations
 import json
 import os
 import signal
+import subprocess
+import sys
 
 import pytest
 
 from sceneweaver.editing import EditSession
 from sceneweaver.layout.live import LiveLayout
-from sceneweaver.mcp import build_server, jobs_edits
-from sceneweaver.mcp.job import Job
+from sceneweaver.mcp import build_server
 from sceneweaver.mcp.limits import MOST_PROMPT, MOST_SCENE, Limits
-from sceneweaver.runtime.deadline import Stop
 from sceneweaver.scene import InputError, Scene
 from tests.mcp.driving import children, command, connected, wait_for
 
@@ -230,14 +230,46 @@ def test_work_that_is_late_or_loses_its_process_is_an_error_and_the_server_goes_
     server.service.workers.close()
 
 
-@pytest.mark.parametrize(
-    ("op", "arguments"),
-    [("move", {"name": "throne", "by": [1, 1]}), ("remove", {"name": "throne"}), ("relate", {"subject": "throne"})],
-)
-def test_an_object_that_is_not_there_is_refused_before_the_engine_is_loaded(monkeypatch, op, arguments):
-    monkeypatch.setattr(jobs_edits, "_session", lambda *_: pytest.fail("the engine was loaded"))
-    with pytest.raises(InputError, match="'throne' is no object of scene"):
-        jobs_edits.edit(Job("cpu", lambda *_: None, Stop(), 60.0), scene=Scene.example(), op=op, arguments=arguments)
+HOPELESS = {
+    "no such object to move": ("move", {"name": "throne", "by": [1, 1]}),
+    "no such object to remove": ("remove", {"name": "throne", "cascade": False}),
+    "no such size": ("resize", {"name": "bed", "width": -1.0}),
+    "no such object to relate": (
+        "relate",
+        {"subject": "throne", "kind": "near", "target": "bed", "hard": True, "params": {}},
+    ),
+    "no such relation": ("add", {"what": "chair", "relations": {"hovering_over": "bed"}}),
+    "no such target": ("add", {"what": "chair", "relations": {"facing": "throne"}}),
+    "no such carrier": ("add", {"what": "vase", "on": "throne", "relations": {}}),
+    "no such words": ("add", {"what": " ", "relations": {}}),
+    "no such edit": ("edit", {"edits": [{"op": "explode"}]}),
+    "relation of no type": ("unrelate", {"subject": "bed", "kind": "loves", "target": None}),
+}
+
+REFUSED_ALONE = """
+import json, sys
+from sceneweaver.mcp import jobs_edits
+from sceneweaver.mcp.job import Job
+from sceneweaver.runtime.deadline import Stop
+from sceneweaver.scene import InputError, Scene
+
+said = {}
+for name, (op, arguments) in json.load(sys.stdin).items():
+    try:
+        jobs_edits.edit(Job("cpu", print, Stop(), 60.0), scene=Scene.example(), op=op, arguments=arguments)
+    except InputError as error:
+        said[name] = str(error)
+print(json.dumps([said, sorted({"warp", "sceneweaver.layout", "sceneweaver.editing"} & sys.modules.keys())]))
+"""
+
+
+def test_what_cannot_be_done_is_refused_before_the_engine_is_loaded():
+    ran = subprocess.run(
+        [sys.executable, "-c", REFUSED_ALONE], input=json.dumps(HOPELESS), capture_output=True, text=True, check=True
+    )
+    said, loaded = json.loads(ran.stdout)
+    assert said.keys() == HOPELESS.keys() and not loaded
+    assert "hovering_over" in said["no such relation"] and "throne" in said["no such target"]
 
 
 def test_an_edit_that_cannot_be_done_compiles_nothing(monkeypatch):

@@ -15,6 +15,7 @@ from sceneweaver.render.tracing import Triangles
 from sceneweaver.render.viewpoints import EYE_HEIGHT, EYE_VIEWS, corner_directions, eye_cameras
 from sceneweaver.scene import Door, InputError, Pose, Room, Scene, Window
 from tests.render.scenes import box, everything, rectangle, room_of, zoo
+from tests.sizes import often
 
 L_ROOM = ((0.0, 0.0), (5.0, 0.0), (5.0, 2.0), (2.0, 2.0), (2.0, 4.0), (0.0, 4.0))
 
@@ -40,7 +41,7 @@ def rooms() -> dict[str, Scene]:
     return found | {name: zoo(name) for name in ("living-dining-L", "studio-U", "office-20")}
 
 
-@pytest.mark.parametrize("name", rooms())
+@pytest.mark.parametrize("name", often(rooms(), ("toilet", "hall", "bare", "low", "studio-U")))
 def test_cameras_stand_in_the_room_level_and_free(name: str) -> None:
     scene = rooms()[name]
     cameras = eye_cameras(scene)

@@ -21,7 +21,7 @@ from sceneweaver.language import SceneGraph, Thing
 from sceneweaver.language.pairs import of_pair
 from sceneweaver.layout.compile import compile_scene
 from sceneweaver.layout.rows import MEASURED as ENGINE
-from sceneweaver.mcp.jobs_edits import EDITS
+from sceneweaver.mcp.jobs_edits import CHANGES
 from sceneweaver.rules import MEASURES, Expression
 from sceneweaver.rules.relation import load, row_of, ways_of
 from sceneweaver.rules.stated import word_of_things
@@ -292,19 +292,14 @@ def test_whoever_relates_by_hand_says_whose_left(kind):
         room.relate(lamp, kind, desk)
     with pytest.raises(InputError, match="whose left and right"):
         getattr(lamp, kind)(desk)
-    sent: list[Any] = []
-
-    class Session:
-        def relate(self, *args, **options):
-            sent.append((args, options))
-
+    scene = room.scene()
     with pytest.raises(InputError, match="whose left and right"):
-        EDITS["relate"](Session(), lamp.id, kind, desk.id, True, {})
+        CHANGES["relate"](scene, lamp.id, kind, desk.id, True, {})
     for frame in ("own", "viewer"):
         room.relate(lamp, kind, desk, frame=frame)
         assert room.scene().relations[-1].params == {"frame": frame}
-        EDITS["relate"](Session(), lamp.id, kind, desk.id, True, {}, frame=frame)
-        assert sent[-1][1] == {"hard": True, "frame": frame}
+        related = CHANGES["relate"](scene, lamp.id, kind, desk.id, True, {}, frame=frame).scene.relations[-1]
+        assert related.hard and related.params == {"frame": frame}
     require_frame("next_to", {"side": "front"})  # has no left
 
 

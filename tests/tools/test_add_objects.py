@@ -9,6 +9,7 @@ from sceneweaver.assets import make
 from sceneweaver.language import Entity, SceneGraph, StatedRelation, Unread
 from sceneweaver.scene import InputError, Pose, Room, Scene
 from sceneweaver.scene.edits import Add, Relate, apply_all
+from tests.sizes import sizes
 
 
 def added(proposal):
@@ -174,12 +175,13 @@ def test_impossible_params_are_unmet(lounge, call):
     assert len(proposal.unmet) == 2 and "colour" in proposal.unmet[0] and "wall 9" in proposal.unmet[1]
 
 
-def test_an_empty_room_of_every_kind_takes_its_own_items(call):
+@sizes("count", 2, 8)
+def test_an_empty_room_of_every_kind_takes_its_own_items(call, count):
     from sceneweaver.knowledge import room_types
 
     for name, room in room_types().items():
         scene = Scene(id="e", room=Room(type=name, outline=((0, 0), (8, 0), (8, 6), (0, 6))))
-        rows = [{"category": item.what[0]} for item in room.items][:8]
+        rows = [{"category": item.what[0]} for item in room.items][:count]
         proposal = call("add_objects", scene, {"objects": rows}, room=name)
         assert Scene.loads(after(scene, proposal).dumps())
 

@@ -5,12 +5,13 @@ from itertools import product
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from sceneweaver.scene import Scene
 from sceneweaver.scene.catalogue import CATALOGUE
 from sceneweaver.verify import check
+from tests.sizes import examples
 from tests.verify.agreement import at_threshold, by_check, disturb, zoo
 from tests.verify.build import times, turned
 
@@ -19,7 +20,7 @@ MIRRORED = {"left_of": "right_of", "right_of": "left_of"}
 OTHER_SIDE = {"left": "right", "right": "left"}
 LOOSE = {"gap": [0.0, 3.0], "degrees": 60.0, "offset": 3.0}  # what stands about by chance is seldom a neighbour
 PARAMS = {"distance": {"min": 0.5, "max": 2.0}, "next_to": LOOSE, "run_on": LOOSE}
-EXAMPLES = settings(max_examples=40, deadline=None, derandomize=True)
+EXAMPLES = examples(12, 40, derandomize=True)
 SEEDS = st.tuples(st.sampled_from(ROOMS), st.integers(0, 2**32 - 1))
 
 

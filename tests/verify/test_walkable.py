@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import shapely
 
-from sceneweaver.scene import Scene
+from sceneweaver.scene import InputError, Scene
 from sceneweaver.verify import check, walkable
 from sceneweaver.verify.grid import CELL, Grid
 from sceneweaver.verify.solids import Placed
@@ -44,7 +44,7 @@ def test_free_cells_are_exact(name):
         free = shapely.contains(room, centres) & (away >= 0.2)
         sure = np.abs(away - 0.2) > 1e-7
         assert sure.mean() > 0.95
-        np.testing.assert_array_equal(walkable._free(placed, grid)[sure], free[sure])
+        np.testing.assert_array_equal(walkable._free(placed, grid, walkable.RADIUS)[sure], free[sure])
 
 
 def test_the_grid_turns_with_the_room():
@@ -54,7 +54,7 @@ def test_the_grid_turns_with_the_room():
         outline = np.array([[0, 0], [5, 0], [5, 3], [0, 3]]) @ [[c, s], [-s, c]] + (2.0, -7.0)
         made = Placed.of(scene([], outline=outline.tolist()))
         grid = Grid(made)
-        counts.add((grid.shape, int(walkable._free(made, grid).sum()), int(grid.inside().sum())))
+        counts.add((grid.shape, int(walkable._free(made, grid, walkable.RADIUS).sum()), int(grid.inside().sum())))
     assert counts == {((60, 100), 52 * 92, 60 * 100)}
 
 
@@ -126,6 +126,29 @@ def test_reach_is_55_cm(away, expected):
     last = 2.0 - 0.2 - 0.025  # centre of the last free cells before the fence
     thing = box("t", (0.3, 0.3, 0.3), 2.0, last + away + 0.15, -90.0)
     assert reachable([fence, thing]) == (1.0 + expected) / 2  # the fence itself is reached
+
+
+def room_behind_a_gap_of_45_cm():
+    cabinets = {**wall_of_cabinets(0.45), "pose": box("x", (1, 1, 1), 1.775, 2.0, -90.0)["pose"]}
+    return scene([cabinets, box("desk", (0.6, 1.2, 0.75), 2.0, 3.7, -90.0)], size=4.0, doors=[DOOR])
+
+
+@pytest.mark.parametrize(("radius", "share"), [(0.2, 1.0), (0.25, 0.5)])
+def test_a_desk_is_out_of_reach_for_a_base_that_is_too_wide(radius, share):
+    report = check(room_behind_a_gap_of_45_cm(), robot_radius=radius)
+    assert report.reachable_share == share and (report.walkable_share == 1.0) == (share == 1.0)
+    assert report.to_dict().get("robot_radius") == (None if radius == walkable.RADIUS else radius)
+
+
+def test_what_was_measured_for_one_radius_is_not_that_of_another():
+    placed = Placed.of(room_behind_a_gap_of_45_cm())
+    assert [walkable.measure(placed, radius).unreached for radius in (0.2, 0.25, 0.2)] == [(), ("desk",), ()]
+
+
+@pytest.mark.parametrize("radius", [0.0, -0.2, float("nan"), float("inf"), 5.1, True, "0.2", None])
+def test_a_radius_that_is_none_is_refused(radius):
+    with pytest.raises(InputError, match="robot_radius is .*; give metres, 0.01 to 5"):
+        check(scene([]), robot_radius=radius)
 
 
 def test_tied_objects_are_reached_anywhere():

@@ -37,8 +37,9 @@ from .catalogue import check, draw, makers
 _FINISH = 4096
 """Memory [bytes] of an asset without what it shares with other finishes of its drawing."""
 
-_STEPS = 32 * 2**20
-"""Memory [bytes] for decisions and questions."""
+_STEPS = 48
+"""Decisions and questions have one part in so many of the memory of drawings: some two or three times what leads to
+those that are kept."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +52,7 @@ class Step:
     @property
     def nbytes(self) -> int:
         """About the memory that it takes."""
-        return 512 + 128 * len(self.decisions)
+        return 384 + 80 * len(self.decisions)
 
 
 class Drawings:
@@ -65,15 +66,19 @@ class Drawings:
     """
 
     def __init__(self, most: int):
-        self.most = most
         self.nbytes = self.drawn = self.told = 0
         self._assets: OrderedDict[tuple[str, int, Request], tuple[Asset, Bare]] = OrderedDict()
         self._uses: Counter[Bare] = Counter()
-        self._steps: Recent[bytes, Step] = Recent(_STEPS, lambda step: step.nbytes)
+        self._steps: Recent[bytes, Step] = Recent(0, lambda step: step.nbytes)
         self._bares: WeakValueDictionary[bytes, Bare] = WeakValueDictionary()
         self._by_shape: WeakValueDictionary[str, Bare] = WeakValueDictionary()
         self._journal: Journal | None = None
         self._lock = Lock()
+        self.keep(most)
+
+    def keep(self, most: int) -> None:
+        """Keep so many bytes at most from now on, and as many more for what leads to drawings as belong to them."""
+        self.most, self._steps.most = most, most // _STEPS
 
     def __len__(self) -> int:
         return len(self._assets)

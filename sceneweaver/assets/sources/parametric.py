@@ -88,7 +88,7 @@ def _shown(category: str, seed: int, request: Request) -> Asset:
     return next(_that_show(category, seed, request, words, range(1, tries)), first)
 
 
-@lru_cache(maxsize=4096)
+@lru_cache(maxsize=1024)
 def _can_show(category: str, request: Request, words: Words) -> bool:
     """Whether any variant of a category shows a look: so as not to try in vain for each seed and size."""
     return next(_that_show(category, 0, request, words, range(TRIES_FOR_COUNTS)), None) is not None
@@ -104,7 +104,7 @@ _DRAWN = Drawings(128 * 2**20)
 
 def keep_drawings(nbytes: int) -> None:
     """Keep at least so many bytes of the drawings that were used last."""
-    _DRAWN.most = max(_DRAWN.most, nbytes)
+    _DRAWN.keep(max(_DRAWN.most, nbytes))
 
 
 def share_drawings(journal: Journal | None) -> None:
@@ -116,7 +116,7 @@ def _draw(category: str, seed: int, request: Request) -> Asset:
     return _DRAWN.get(category, seed, request)
 
 
-@lru_cache(maxsize=4096)
+@lru_cache(maxsize=1024)
 def _read(asset_id: str) -> tuple[str, int, Request]:
     """What an id says: category, seed and request; the things of a scene are loaded many times."""
     category, _, query = asset_id.removeprefix(PREFIX).partition("?")

@@ -11,8 +11,11 @@ from collections.abc import Callable
 
 from ..parsed import Parsed
 from ..source import Source
+from .free_areas import read_free_areas
+from .fullness import fullness
+from .openings import read_openings
 
-STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = ()
+STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (read_openings, read_free_areas, fullness)
 """The readers, in order; each gets what the ones before it left."""
 
 __all__ = ["STATEMENTS"]

@@ -28,7 +28,11 @@ def entity_named(words: str, entities: Sequence[Entity]) -> str | None:
     if any(entity.id == spoken for entity in entities):
         return spoken
     noun = singular(spoken)
-    for alike in (lambda e: singular(e.noun) == noun, lambda e: singular(e.noun).split()[-1] == noun.split()[-1]):
+    for alike in (
+        lambda e: singular(e.noun) == noun,
+        lambda e: singular(e.noun).split()[-1] == noun.split()[-1],
+        lambda e: noun != spoken and noun in e.noun.split(),  # the islands of island benches
+    ):
         found = next((entity.id for entity in entities if entity.noun and alike(entity)), None)
         if found is not None:
             return found

@@ -25,7 +25,8 @@ PIXEL = base64.b64decode(
     "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="
 )
 SHELF = "a store room with one shelf"
-QUICK = {"candidates": 8, "device": "cpu", "pictures": False, "export": "none", "side_by_side": 1}
+QUICK = {"candidates": 8, "finalists": 2, "generations": 0, "side_by_side": 1}
+QUICK |= {"device": "cpu", "pictures": False, "export": "none"}
 BEGIN = {"problem": "no room", "calls": [{"tool": "init_prior", "confidence": 0.9, "instruction": "Begin."}]}
 STOP = {"stop": True, "stop_reason": "all is there"}
 FILL = {
@@ -105,7 +106,7 @@ def test_ablations(switches, plans, expected):
 def test_a_beginning_of_the_model_that_fails_is_not_the_end(switches, steps):
     nowhere = {"tool": "init_library", "confidence": 1, "instruction": "Begin.", "inputs": {"name": "nowhere"}}
     plan = {"problem": "no room", "calls": [nowhere, *([FILL["calls"][0]] if switches == {"reflect": False} else [])]}
-    result = run(says(plan)[0], "a bedroom", steps=steps, **switches)
+    result = run(says(plan)[0], steps=steps, **switches)
     assert result.report.valid and result.scene.objects and "init_prior" in tools_of(result)
     assert any("the rules began the room" in note or "the rules planned" in note for note in result.notes)
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 import unicodedata
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from sceneweaver.language import Span
 from sceneweaver.language.by_model.quotes import MOST, Quotes
+from tests.sizes import examples
 
 
 def place(text: str, quote: str) -> str | None:
@@ -70,14 +71,14 @@ def test_many_places_of_a_word_take_no_time() -> None:
     assert all(len(quotes.all("a")) == MOST for _ in range(400))
 
 
-@settings(max_examples=150, deadline=None)
+@examples(50, 150)
 @given(st.text(max_size=40), st.integers(0, 40), st.integers(0, 40))
 def test_what_is_found_is_within_the_text_and_never_empty(text: str, start: int, length: int) -> None:
     for span in Quotes(text).all(text[start : start + length]):
         assert 0 <= span.start < span.end <= len(text)
 
 
-@settings(max_examples=100, deadline=None)
+@examples(30, 100)
 @given(st.text(st.characters(categories=("Lu", "Ll", "Lo", "Zs")), min_size=1, max_size=30), st.data())
 def test_letters_are_found_where_they_were_taken_from(text: str, data: st.DataObject) -> None:
     start = data.draw(st.integers(0, len(text) - 1))

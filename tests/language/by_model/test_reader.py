@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from pydantic_ai.models.function import FunctionModel
 from pydantic_ai.models.test import TestModel
@@ -31,6 +31,7 @@ from sceneweaver.tools.init_prior import InitPrior
 from sceneweaver.verify import check
 from tests.agent.by_model.answering import Answering
 from tests.agent.by_model.requests_in_languages import REQUESTS
+from tests.sizes import examples
 
 
 def read(text: str, *answers: Any) -> tuple[Reading, Answering]:
@@ -411,7 +412,7 @@ _answers = st.fixed_dictionaries(
 )
 
 
-@settings(max_examples=40, deadline=None)
+@examples(12, 40)
 @given(_answers)
 def test_any_answer_gives_a_graph_or_an_error_of_models(answer: dict[str, Any]) -> None:
     try:

@@ -1,0 +1,176 @@
+"""Doors and windows that a request describes: the walls that suit all that is said of them, and their places there."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import product
+
+from sceneweaver.geometry.seen import are_opposite, is_wall
+from sceneweaver.geometry.walls import Wall
+from sceneweaver.language import SceneGraph
+from sceneweaver.language.model import StatedOpening
+
+SAME_LENGTH = 0.15
+"""Length [m] by which a wall may differ from what was said of it."""
+
+EDGE = 0.15
+"""Wall [m] that is left at its ends and between two openings."""
+
+CORNER = 0.15
+"""Distance [m] from the corner of what is said to be in it."""
+
+ENTRANCES = ("corridor", "hall", "hallway", "landing", "street", "yard", "courtyard", "outside", "stairs", "shop")
+"""What a door leads to by which one comes in."""
+
+DOUBLE, WIDE, LARGE, SMALL = 1.5, 1.2, 1.8, 0.6
+"""Widths [m]: of a double door, of a wide one, of a large window and of a small one."""
+
+
+@dataclass(frozen=True)
+class Opened:
+    """An opening in a wall: its number, where it begins, and its width [m]."""
+
+    wall: int
+    offset: float
+    width: float
+
+
+@dataclass(frozen=True)
+class Told:
+    """The wall of the first door, and that of each opening that is described, by its id."""
+
+    entry: int
+    where: Mapping[str, int]
+
+
+def doors_stated(brief: SceneGraph) -> list[StatedOpening]:
+    """The doors that are described, one by one, that which one comes in by first."""
+    doors = [one for one in brief.openings if one.part == "door" for _ in range(one.count)]
+    return sorted(doors, key=leads_on)
+
+
+def leads_on(one: StatedOpening) -> bool:
+    """Whether a door leads from the room to another one, so that one does not come in by it."""
+    targets = [feature.removeprefix("to the ") for feature in one.features if feature.startswith("to the ")]
+    return any(target not in ENTRANCES for target in targets)
+
+
+def walls_stated(brief: SceneGraph, walls: Sequence[Wall], entries: Sequence[int], rng: random.Random) -> Told:
+    """The wall of the first door, and that of each opening that is described.
+
+    Of all assignments that suit what is said the one is drawn in which openings have most wall. Where none suits, what
+    was said last is left out, one by one.
+    """
+    stated = [one for one in brief.openings if one.part in ("door", "window")]
+    first = [one for one in doors_stated(brief)[:1] if not leads_on(one)]
+    names = [one.id for one in stated]
+    for many in range(len(stated), -1, -1):
+        kept = stated[:many]
+        found: list[tuple[float, int, dict[str, int]]] = []
+        choices = [range(len(walls)) for _ in stated]
+        for chosen in product(*choices) if len(walls) ** len(stated) <= 50_000 else ():
+            where = dict(zip(names, chosen, strict=True))
+            for entry in [where[first[0].id]] if first else entries:
+                if all(_suits(one, where, walls, entry, bool(first) and one.id == first[0].id) for one in kept):
+                    found.append((_score(stated, where, walls, entry, rng), entry, where))
+        if found:
+            _, entry, where = max(found, key=lambda row: row[0])
+            return Told(entry, where)
+    entry = rng.choice(list(entries))
+    return Told(entry, dict.fromkeys(names, entry))
+
+
+def place(
+    one: StatedOpening, wall: Wall, width: float, taken: Sequence[Opened], usual: float, number: int, many: int
+) -> float | None:
+    """Where an opening begins [m] in its wall, off those that are there; None where it has no room.
+
+    Args:
+        one: what is said of it.
+        wall: in which it is.
+        width: of it [m].
+        taken: the openings of the room so far.
+        usual: where it would begin [m] if nothing was said.
+        number, many: which of how many of one statement in this wall it is.
+    """
+    play = wall.length - width
+    # A wall runs counter-clockwise: who looks at it from the room has its end at the left.
+    wanted = {"middle": play / 2, "left": play - CORNER, "right": CORNER, "corner": CORNER, "along": play / 2}
+    if many > 1:
+        gap = (wall.length - many * width) / (many + 1)
+        first = gap + number * (width + gap)
+    else:
+        first = wanted.get(one.at, usual)
+    others = [(row.offset - EDGE, row.offset + row.width + EDGE) for row in taken if row.wall == wall.index]
+    steps = [first + sign * 0.05 * k for k in range(int(wall.length / 0.05) + 1) for sign in (1, -1)]
+    for start in steps if one.at == "any" or many > 1 else steps[:9]:
+        inside = start - min(EDGE, play / 2) >= -1e-9 and start + width <= wall.length - min(EDGE, play / 2) + 1e-9
+        if inside and all(start + width <= low or start >= high for low, high in others):
+            return round(start, 3)
+    return None
+
+
+def door_width(one: StatedOpening, usual: float) -> float:
+    """The width [m] of a door that is described."""
+    if one.width is not None:
+        return one.width
+    if {"double", "french", "patio"} & set(one.features) or {"sliding", "glass"} <= set(one.features):
+        return DOUBLE
+    return WIDE if "wide" in one.features else 2.4 if "garage" in one.features else usual
+
+
+def window_shape(
+    one: StatedOpening, width: float, sill: float, tall: float, height: float
+) -> tuple[float, float, float]:
+    """Width, sill and height [m] of a window that is described, from those of usual ones under a ceiling."""
+    kinds = set(one.features)
+    if kinds & {"slot", "slit", "ribbon", "strip", "horizontal"}:
+        width, sill, tall = max(2.4, width), min(1.45, height - 1.0), 0.4
+    if kinds & {"floor to ceiling", "full height", "french", "patio", "glass"}:
+        sill, tall = 0.0 if "glass" not in kinds else 0.3, height
+    if kinds & {"tall", "high", "sash", "arched", "pointed"}:
+        sill, tall = 0.4, height
+    if kinds & {"clerestory"}:
+        sill, tall = height - 0.75, 0.5
+    if kinds & {"shop", "picture", "panoramic", "display", "bay", "bow"}:
+        width, sill, tall = max(width, 2.0), min(sill, 0.5), max(tall, 1.6)
+    if kinds & {"large", "big", "huge", "wide"}:
+        width = max(1.25 * width, LARGE)
+    if kinds & {"small", "little", "tiny", "narrow", "slim"}:
+        width = min(width, SMALL)
+    width = one.width if one.width is not None else width
+    sill = one.sill if one.sill is not None else sill
+    sill = round(max(0.0, min(sill, height - 0.6)), 2)
+    tall = one.height if one.height is not None else tall
+    return round(width, 2), sill, round(max(0.3, min(tall, height - 0.15 - sill)), 2)
+
+
+def _suits(one: StatedOpening, where: Mapping[str, int], walls: Sequence[Wall], entry: int, first: bool) -> bool:
+    wall = walls[where[one.id]]
+    seen = one.wall if not (first and one.wall in ("far", "near", "left", "right")) else "any"
+    if not is_wall(seen, wall, walls, walls[entry]):
+        return False
+    if one.wall_length is not None and abs(wall.length - one.wall_length) > SAME_LENGTH:
+        return False
+    if one.opposite == "door":
+        return first or are_opposite(wall, walls[entry])
+    other = where.get(one.opposite)
+    return other is None or are_opposite(wall, walls[other])
+
+
+def _score(
+    stated: Sequence[StatedOpening], where: Mapping[str, int], walls: Sequence[Wall], entry: int, rng: random.Random
+) -> float:
+    """How well openings share the walls: apart, in long ones, windows not beside the door one comes in by."""
+    used = [where[one.id] for one in stated]
+    apart = len(set(used))
+    lengths = sum(walls[where[one.id]].length for one in stated if one.wall != "short")
+    beside = sum(one.part == "window" and where[one.id] == entry for one in stated)
+    longest = max(wall.length for wall in walls)
+    narrow = sum(walls[k].length < 1.0 for k in used)
+    return 3.0 * apart + lengths / longest - 4.0 * beside - 5.0 * narrow + rng.random()
+
+
+__all__ = ["Opened", "Told", "door_width", "doors_stated", "leads_on", "place", "walls_stated", "window_shape"]

@@ -1,0 +1,56 @@
+"""Walls of a room by what people call them: long or short, left or far as seen from the door, by compass."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from .angles import dot
+from .walls import Wall
+
+SAME_WAY = 0.7
+"""Least dot product of two directions that count as the same."""
+
+LONG = 0.9
+"""Share of the longest wall from which on a wall is a long one."""
+
+_COMPASS = {"south": (0.0, -1.0), "east": (1.0, 0.0), "north": (0.0, 1.0), "west": (-1.0, 0.0)}
+
+
+def is_wall(name: str, wall: Wall, walls: Sequence[Wall], entry: Wall | None) -> bool:
+    """Whether a wall is what a name says: left, right, far or near, a compass point, long, short, or "any".
+
+    Args:
+        name: of the wall.
+        wall: which one is looked at.
+        walls: all of the room.
+        entry: the wall of the first door, from which left, right, far and near are seen; None: they name none.
+    """
+    if name == "any":
+        return True
+    longest = max(one.length for one in walls)
+    main = [one for one in walls if one.length > 0.4 * longest]
+    if name == "long":
+        return wall.length >= LONG * longest
+    if name == "short":
+        shortest = min(one.length for one in main)
+        return wall in main and wall.length <= shortest / LONG
+    if name in _COMPASS:
+        return dot(wall.outward, _COMPASS[name]) > SAME_WAY
+    if entry is None:
+        return False
+    ahead = entry.inward
+    way = {
+        "far": ahead,
+        "near": (-ahead[0], -ahead[1]),
+        "left": (-ahead[1], ahead[0]),
+        "right": (ahead[1], -ahead[0]),
+    }[name]
+    return dot(wall.outward, way) > SAME_WAY
+
+
+def are_opposite(one: Wall, other: Wall) -> bool:
+    """Whether two walls look at each other."""
+    return dot(one.outward, other.outward) < -SAME_WAY
+
+
+__all__ = ["are_opposite", "is_wall"]

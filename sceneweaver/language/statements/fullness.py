@@ -1,0 +1,94 @@
+"""How much is in a room beside what a request names: nothing else, little else, or things that lie all over it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from functools import cache
+
+from ..model import Amount
+from ..parsed import Parsed
+from ..source import Source
+from ..vocabulary import words
+
+_CLAUSE = re.compile(r"[.;:!?\n(]|,\s*(?=\w+\s+\w+\s+(?:is|are)\b)")
+_AND = re.compile(r"\s*(?:,|/|&|\band\b|\bor\b|\bplus\b)\s*")
+_WORD = re.compile(r"[a-z][a-z'-]*")
+
+LONGEST = 3
+"""Words of a noun before its spread that are looked at."""
+
+
+def fullness(source: Source, parsed: Parsed) -> None:
+    """Read what a request says of how full its room is; what is understood goes out of the source."""
+
+    def nothing(_: re.Match[str]) -> str:
+        parsed.only = True
+        return ""
+
+    def little(_: re.Match[str]) -> str:
+        parsed.density = "sparse"
+        return ""
+
+    source.blank(_any_of("nothing"), nothing)
+    source.blank(_any_of("little"), little)
+    for pattern, least in _many():
+        for match in pattern.finditer(source.text):
+            parsed.amounts += _amounts([match["noun"]], "many", least, match[0], source.span(*match.span()))
+    for spread, pattern in _spread():
+
+        def spread_out(match: re.Match[str], spread: str = spread) -> str | None:
+            found = list(_before(source.text[: match.start()]))
+            if not found:
+                return None
+            parsed.amounts += _amounts(found, spread, None, match[0], source.span(*match.span()))
+            return ""
+
+        source.blank(pattern, spread_out)
+
+
+def _before(text: str) -> Iterator[str]:
+    """The nouns at the end of a text: of its last clause, as far as they are listed."""
+    no_noun = words("fullness")["no_noun"]
+    clause = _CLAUSE.split(text)[-1]
+    for part in reversed(_AND.split(clause.rstrip(" ,"))):
+        spoken = _WORD.findall(part)
+        noun: list[str] = []
+        for word in reversed(spoken):
+            if word in no_noun and noun:
+                break
+            if word not in no_noun:
+                noun.insert(0, word)
+        if not noun:
+            return
+        yield " ".join(noun[-LONGEST:])
+        if len(noun) < len(spoken):  # what comes before is no list any more
+            return
+
+
+def _amounts(nouns: Sequence[str], spread: str, least: int | None, said: str, span) -> list[Amount]:
+    return [Amount(entity=noun, spread=spread, least=least, words=said, span=span) for noun in nouns]  # type: ignore[arg-type]
+
+
+@cache
+def _any_of(kind: str) -> re.Pattern[str]:
+    return _pattern(words("fullness")[kind])
+
+
+@cache
+def _spread() -> tuple[tuple[str, re.Pattern[str]], ...]:
+    return tuple((name, _pattern(phrases)) for name, phrases in words("fullness")["spread"].items())
+
+
+@cache
+def _many() -> tuple[tuple[re.Pattern[str], int], ...]:
+    found = []
+    for least, phrases in words("fullness")["before"].items():
+        either = "|".join(map(re.escape, sorted(phrases, key=len, reverse=True)))
+        found.append((re.compile(rf"\b(?:{either})\s+(?P<noun>[a-z'-]+(?: [a-z'-]+)?)"), int(least)))
+    return tuple(found)
+
+
+def _pattern(phrases: Sequence[str]) -> re.Pattern[str]:
+    either = "|".join(map(re.escape, sorted(phrases, key=len, reverse=True)))
+    return re.compile(rf"\b(?:{either})\b")

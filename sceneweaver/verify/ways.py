@@ -1,0 +1,116 @@
+"""How wide a way over the floor is: the widest disc that gets from where it begins to where it ends."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from sceneweaver.scene import CATALOGUE, FreeArea
+from sceneweaver.verify.grid import CELL, Grid
+from sceneweaver.verify.solids import Body, Placed
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+WIDEST = 3.0
+"""Width from which on no more is measured [m]."""
+
+ARRIVED = 0.3
+"""How far from a thing or a door the edge of the disc is there [m]."""
+
+PIECE = 0.25
+"""Plan from which on a thing is one that ways lead to where none is named [m2]; rugs aside."""
+
+LOW, HIGH = 0.03, 1.9
+"""Heights between which a solid part is in the way [m]."""
+
+MOST_CELLS = 2_000_000
+"""Cells up to which ways are measured."""
+
+_STEPS = 8
+_SEATS = CATALOGUE.with_role("seat")
+
+
+def widest_way(placed: Placed, area: FreeArea) -> tuple[float | None, tuple[str, ...]]:
+    """The width [m] of the widest disc that gets along a path, and the ids of where a disc of its width does not get.
+
+    The disc is moved over the centres of cells, so that its width is right to a cell. None where the path names nothing
+    that is there, or the room is too large.
+    """
+    from scipy.ndimage import distance_transform_edt
+
+    grid = Grid(placed)
+    if grid.cells > MOST_CELLS:
+        return None, ()
+    starts, ends = _ends(placed, area)
+    if not starts or not ends:
+        return None, ()
+    parts = placed.parts
+    rows = (parts.z[:, 0] < HIGH) & (parts.z[:, 1] > LOW)
+    free = grid.inside() & ~grid.covered(grid.spans(grid.to_grid(parts.xy[rows]), 1e-3))
+    room = np.asarray(distance_transform_edt(np.pad(free, 1)))[1:-1, 1:-1] * CELL - CELL / 4  # to what is in the way
+    away = {name: _distance(grid, placed, name, free) for name in {*starts, *ends}}
+    low, high = 0.0, WIDEST
+    for _ in range(_STEPS):
+        width = (low + high) / 2
+        low, high = (low, width) if _missed(room, away, starts, ends, width) else (width, high)
+    missed = _missed(room, away, starts, ends, area.size[0]) if low < area.size[0] - CELL else ()
+    return low, missed
+
+
+def _ends(placed: Placed, area: FreeArea) -> tuple[list[str], list[str]]:
+    """Names of the doors and things that a path begins at, and of those that it leads to."""
+    doors = [door.item.id for door in placed.doors]
+    known = {*doors, *placed.by_id}
+    named = [name for name in area.targets if name in known]
+    others = [name for name in area.others if name in known]
+    if area.targets or area.others:
+        return (named, others) if area.others else (named[:1], named[1:])
+    tucked = {relation.subject for relation in placed.scene.relations if relation.type in _SEATS}
+    things = [
+        body.id
+        for body in placed.bodies
+        if body.item.mount == "floor"
+        and body.size[0] * body.size[1] >= PIECE
+        and body.id not in tucked
+        and body.z[1] > LOW
+    ]
+    return doors, [*doors[1:], *things]
+
+
+def _distance(grid: Grid, placed: Placed, name: str, free: NDArray[np.bool_]) -> NDArray[np.float64]:
+    """The way [m] of free cells to a door or to the footprint of a thing, in steps to eight and four neighbours by
+    turns; infinite beyond what the widest disc reaches."""
+    from scipy.ndimage import binary_dilation, generate_binary_structure
+
+    body: Body | None = placed.by_id.get(name)
+    if body is not None:
+        shapes = placed.parts.xy[placed.part_rows(body)]
+    else:
+        opening = next(door for door in placed.doors if door.item.id == name)
+        shapes = np.array([opening.polygon[:2]])  # the sill: the side of its clear space that is in the wall
+    held = grid.covered(grid.spans(grid.to_grid(np.asarray(shapes, dtype=float)), CELL))
+    steps = np.where(held, 0.0, np.inf)
+    for step in range(1, round((WIDEST / 2 + ARRIVED) / CELL) + 1):
+        grown = binary_dilation(held, generate_binary_structure(2, 1 + step % 2)) & (free | held)
+        steps[grown & ~held] = step * CELL
+        held = grown
+    return steps
+
+
+def _missed(
+    room: NDArray[np.float64],
+    away: dict[str, NDArray[np.float64]],
+    starts: list[str],
+    ends: list[str],
+    width: float,
+) -> tuple[str, ...]:
+    """Where a disc of some width does not get."""
+    from scipy.ndimage import label
+
+    regions, _ = label(room >= width / 2 - 1e-6)
+    near = width / 2 + ARRIVED
+    entered = {int(k) for name in starts for k in np.unique(regions[away[name] <= near])} - {0}
+    reached = np.isin(regions, list(entered))
+    return tuple(name for name in ends if not (reached & (away[name] <= near)).any())

@@ -1,0 +1,52 @@
+"""No word of a request is lost without a word: it is read, it is one of grammar, or it is told."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from sceneweaver.language import read_request
+from sceneweaver.language.coverage import function_words
+
+NONSENSE = ("glorp", "wuffled", "zindering", "quaxly", "brenthic")
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.sampled_from(NONSENSE), st.integers(0, 9))
+def test_a_word_of_no_meaning_is_told_wherever_it_stands(word: str, at: int) -> None:
+    spoken = ["a", "quiet", "study", "with", "an", "oak", "desk", "by", "the", "window", "and", "two", "lamps"]
+    text = " ".join([*spoken[:at], word, *spoken[at:]])
+    graph = read_request(text)
+    told = " ".join(unread.words for unread in graph.unread) + " ".join(entity.noun for entity in graph.entities)
+    said = " ".join(a.words for entity in graph.entities for a in entity.attributes)
+    assert word in told or word in said or word in graph.room_words, graph
+
+
+@pytest.mark.parametrize(
+    ("text", "word"),
+    [
+        ("a study with a desk. Reclaimed bricks everywhere.", "everywhere"),
+        ("a bedroom for our grandfather with 37 owls", "37"),
+        ("a hall, zinc panelled", "zinc"),
+    ],
+)
+def test_what_nothing_accounts_for_is_unread(text: str, word: str) -> None:
+    graph = read_request(text)
+    spans = [unread.span for unread in graph.unread if unread.span is not None]
+    read = " ".join(a.words + e.noun for e in graph.entities for a in e.attributes) + " ".join(map(str, graph.entities))
+    assert any(word in text[span.start : span.end].lower() for span in spans) or word in read
+
+
+def test_what_was_understood_is_not_unread() -> None:
+    graph = read_request("a bedroom of 4 x 3.5 m with a bed, two oak nightstands beside it and a lamp on each")
+    assert graph.unread == ()
+
+
+def test_grammar_needs_no_account() -> None:
+    assert {"the", "with", "please", "would"} <= function_words() and "desk" not in function_words()
+
+
+def test_a_noun_of_which_only_the_head_is_known_says_which_words_are_lost() -> None:
+    graph = read_request("a room with a zeppelin table and a round table")
+    assert [entity.unnamed for entity in graph.entities] == [("zeppelin",), ()]

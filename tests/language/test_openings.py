@@ -1,0 +1,77 @@
+"""Doors, windows and niches that a request describes, and sizes of rooms as people write them."""
+
+from __future__ import annotations
+
+import pytest
+
+from sceneweaver.language import read_request
+
+
+@pytest.mark.parametrize(
+    ("text", "part", "told"),
+    [
+        ("a study with a window 1.5 m wide in the long wall", "window", {"wall": "long", "width": 1.5}),
+        ("study. Door in the middle of a short side.", "door", {"wall": "short", "at": "middle"}),
+        ("a workshop with wide doors in the left wall", "door", {"wall": "left", "features": ("wide",)}),
+        ("a kitchen, door 85 cm wide close to the right corner", "door", {"width": 0.85, "at": "right"}),
+        ("lounge with floor-to-ceiling windows across the far wall", "window", {"wall": "far", "at": "along"}),
+        ("a bedroom with a sliding door to the terrace", "door", {"features": ("sliding", "to the terrace")}),
+        ("an office, two tall windows on the 12 ft wall", "window", {"count": 2, "wall_length": 3.658}),
+        ("the door should be wide, 1.1 m", "door", {"width": 1.1}),
+        ("sunroom, glass on two sides", "window", {"count": 2, "at": "along"}),
+        ("a study with a niche in the wall opposite the door", "niche", {"opposite": "door"}),
+    ],
+)
+def test_what_is_said_of_an_opening(text: str, part: str, told: dict[str, object]) -> None:
+    found = [one for one in read_request(text).openings if one.part == part]
+    assert found, read_request(text)
+    assert {name: getattr(found[0], name) for name in told} == told
+    span = found[0].span
+    assert span is not None and text[span.start : span.end].lower()[:4] in text.lower()
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a desk by the window and a chair near the door",
+        "a wide table and a door mat",
+        "a window seat with two cushions",
+        "a room with two windows and a door",
+        "a bench under the long window",
+    ],
+)
+def test_what_stands_at_an_opening_says_nothing_of_it(text: str) -> None:
+    assert read_request(text).openings == ()
+
+
+def test_an_opening_refers_to_the_one_before() -> None:
+    graph = read_request("a hall with a door in a short wall, a window opposite")
+    assert [one.opposite for one in graph.openings] == ["", "opening-0"]
+
+
+def test_who_names_a_door_to_another_room_comes_in_by_one_more() -> None:
+    assert read_request("a bedroom with a door to the bathroom").doors == 2
+    assert read_request("a bedroom, the front door on the left, a door to the bathroom").doors == 2
+
+
+@pytest.mark.parametrize(
+    ("text", "size", "height"),
+    [
+        ("pantry, 1 meter 80 on 3 meters", (3.0, 1.8), None),
+        ("a kitchen of 1 meter 90 on 3 meters", (3.0, 1.9), None),
+        ("a sunroom twelve feet by fourteen", (4.267, 3.658), None),
+        ("a cellar with a ceiling of at most 2.1 m", None, 2.1),
+        ("a den, low ceiling, two metres at most", None, 2.0),
+        ("the room is 5 m by 4 m and 3 m high", (5.0, 4.0), 3.0),
+        ("a hall with walls 4 m high", None, 4.0),
+    ],
+)
+def test_sizes_as_people_write_them(text: str, size: tuple[float, float] | None, height: float | None) -> None:
+    graph = read_request(text)
+    if size is not None:
+        assert graph.size == pytest.approx(size, abs=1e-3)
+    assert graph.height == height
+
+
+def test_a_length_on_a_length_is_no_room_where_it_is_short() -> None:
+    assert read_request("a 1.2 m table on a 2 m rug").size is None
