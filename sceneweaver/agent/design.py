@@ -14,8 +14,8 @@ from sceneweaver.assets import Library
 from sceneweaver.export import formats_named
 from sceneweaver.export.formats import USUAL
 from sceneweaver.generate.asked_room import asked_room, headline
-from sceneweaver.knowledge import RoomType, match_room, room_types
-from sceneweaver.knowledge.learned import learned_rooms
+from sceneweaver.knowledge import RoomType, match_room
+from sceneweaver.knowledge.learned import all_rooms
 from sceneweaver.knowledge.likely import likeliest_room, told_by
 from sceneweaver.knowledge.names import room_of_part
 from sceneweaver.language import SceneGraph, read_request
@@ -205,7 +205,7 @@ def usable(name: str, tool: Registered, settings: Settings, room_type: RoomType,
 
 def chosen_room(brief: SceneGraph) -> tuple[RoomType, tuple[str, ...]]:
     """The kind of room that a request means, and what was assumed where it does not say."""
-    known = {**learned_rooms(), **room_types()}
+    known = all_rooms()
     if brief.room_type is not None and brief.room_type in known:
         return known[brief.room_type], ()
     if brief.room_words:

@@ -8,12 +8,14 @@ from __future__ import annotations
 
 import logging
 import os
+from collections import ChainMap
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import lru_cache
 from pathlib import Path
 from types import MappingProxyType
+from typing import Any, cast
 
 from sceneweaver.io import read_bytes, write_atomic
 from sceneweaver.io.messages import shorten, suggest
@@ -65,6 +67,11 @@ def know(room: RoomType) -> None:
     others = _beside.get()
     if others is not None:
         _beside.set((*others, room))
+
+
+def all_rooms() -> Mapping[str, RoomType]:
+    """The kinds of rooms that ship with the library, then those that were learned; checked when they are asked for."""
+    return ChainMap(cast(Any, room_types()), dict(learned_rooms()))
 
 
 def learned_rooms() -> Mapping[str, RoomType]:

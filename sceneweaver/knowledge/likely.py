@@ -95,7 +95,7 @@ def _words_of_rooms(text: str) -> Mapping[str, float]:
     """By kind of room how much likelier its name in the text makes it; a name within a longer one does not count."""
     low, found = text.lower(), dict[str, float]()
     taken: list[tuple[int, int]] = []
-    for phrase in sorted(room_words(), key=len, reverse=True):
+    for phrase in sorted((words for words in room_words() if words in low), key=len, reverse=True):
         for match in re.finditer(rf"\b{re.escape(phrase)}\b(?P<noun>\s+[a-z-]+)?", low):
             start, end = match.start(), match.start() + len(phrase)
             if any(start < b and a < end for a, b in taken):

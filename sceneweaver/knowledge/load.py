@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable, Mapping
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from types import MappingProxyType
 from typing import Any
@@ -51,11 +51,32 @@ def group_templates() -> Mapping[str, GroupTemplate]:
 
 
 @cache
-def room_types() -> Mapping[str, RoomType]:
+def room_types() -> _Rooms:
     """All kinds of rooms by name, their groups expanded into plain items."""
-    templates = group_templates()
-    found = (RoomType(**expanded(data, templates)) for data in files_of("rooms").values())
-    return MappingProxyType({room.name: room for room in found})
+    return _Rooms({data["name"]: data for data in files_of("rooms").values()})
+
+
+class _Rooms(Mapping[str, RoomType]):
+    """Kinds of rooms by name, each checked when it is asked for: a design needs one of hundreds."""
+
+    def __init__(self, files: Mapping[str, Mapping[str, Any]]):
+        self._files = files
+        self._made: dict[str, RoomType] = {}
+
+    def __getitem__(self, name: str) -> RoomType:
+        if name not in self._made:
+            self._made[name] = RoomType(**expanded(self._files[name], group_templates()))
+        return self._made[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._files)
+
+    def __len__(self) -> int:
+        return len(self._files)
+
+    def words_of(self, name: str) -> Sequence[str]:
+        """Other names of a kind of room, without checking the rest of its file."""
+        return self._files[name].get("words", ())
 
 
 @cache
@@ -68,7 +89,7 @@ def plain_room() -> RoomType:
 def room_words() -> Mapping[str, str]:
     """Every phrase that names a kind of room, lower case, to its name; longer phrases should be tried first."""
     table = {name.replace("_", " "): name for name in room_types()}
-    for name, room in room_types().items():
-        for word in room.words:
+    for name in room_types():
+        for word in room_types().words_of(name):
             table.setdefault(word.lower(), name)
     return MappingProxyType(table)

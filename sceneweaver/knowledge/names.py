@@ -7,14 +7,14 @@ import difflib
 from sceneweaver.io.messages import suggest
 from sceneweaver.scene import InputError
 
-from .learned import learned_rooms, learned_words
-from .load import room_types, room_words
+from .learned import all_rooms, learned_words
+from .load import room_words
 from .model import RoomType
 
 
 def room_type(name: str) -> RoomType:
     """The kind of room of that name, one that was learned included; InputError when there is none."""
-    known = {**learned_rooms(), **room_types()}
+    known = all_rooms()
     if name not in known:
         raise InputError(f"room: '{name}' is unknown{suggest(name, known)}")
     return known[name]
