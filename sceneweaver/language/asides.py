@@ -96,6 +96,8 @@ def _end(tokens: list[Token], k: int, has_subject: bool) -> int:
             k += 1
         elif token.text in _POSSESSIVE and after is not None and not after.has("break", "preposition"):
             k += 2
+        elif token.has("and") and after is not None and after.get("action") == "base":
+            k += 2  # "where you can sit and read"
         elif has_subject and token.has("preposition") and (after is None or after.has("break", "with", "and")):
             k += 1  # "I must go around with ease"
         elif not token.kinds and token.text.isalpha():
@@ -116,7 +118,7 @@ def _is_noun(tokens: list[Token], at: int) -> bool:
     if token.text not in _SELDOM:
         return True
     canned = before is not None and before.text.rpartition(" ")[2] in words("people")["canned"]
-    return before is not None and (canned or before.has(*_BEFORE_NOUNS))
+    return before is not None and not before.has("while") and (canned or before.has(*_BEFORE_NOUNS))
 
 
 def _is_simile(tokens: list[Token], at: int) -> bool:

@@ -121,7 +121,7 @@ def excluded_names(phrase: NounPhrase) -> tuple[str, ...]:
         if name in listed:
             known, usual = categories(), match_of(noun).category
             names = tuple(one for one in listed[name] if one in known)
-            return names if plural(phrase.text) == phrase.text or usual in names else (usual, *names)
+            return names if singular(phrase.text) != phrase.text or usual in names else (usual, *names)
     match, known = match_of(noun), categories().get(str(phrase.value))
     if match.how == "generic" and phrase.value is None:
         return ()

@@ -48,7 +48,9 @@ class References:
         fitting = [m for m in apart(self._recent(), without) if _may_be(m, phrase, qualities)]
         head, whole = singular(phrase.text), singular(noun)
         if not phrase.definite:  # "a lamp on a nightstand" after "two nightstands"
-            return next((m for m in fitting if m.category == category and singular(m.noun).endswith(head)), None)
+            every = phrase.determiner in ("each", "every")  # "every bench" after "five island benches"
+            alike = (m for m in fitting if m.category == category or (every and m.many))
+            return next((m for m in alike if singular(m.noun).endswith(head)), None)
         last = head.split()[-1]
         kinds = words("nouns")["kinds"].get(head, ())
         tests: tuple[Callable[[Mention, str], bool], ...] = (  # the first that any passes tells

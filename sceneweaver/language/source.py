@@ -88,6 +88,8 @@ class Source:
     height: float | None = None
     sides: dict[int, tuple[float, ...]] = field(default_factory=dict)
     colons: set[int] = field(default_factory=set[int])
+    spoken: str = ""
+    """All of the text in lower case, before anything is taken out; characters stand where they do in ``text``."""
     notes: list[str] = field(default_factory=list)
 
     def span(self, start: int, end: int) -> Span:
@@ -137,6 +139,7 @@ def read_source(text: str) -> Source:
     found.blank(_WRAPPED, lambda m: " ")
     found.blank(_SHORTENED, lambda m: m[1])
     found.blank(_LISTED, lambda m: " & ")
+    found.spoken = found.text
     found.colons = {k for k, letter in enumerate(found.text) if letter == ":"}
     found.text = re.sub(r"[\n;:!?•*|]|(?<=\s)-(?=\s)", ".", found.text)
     found.blank(_SPELT, lambda m: str(_DIGITS[m[1]]))

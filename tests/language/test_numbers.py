@@ -8,7 +8,7 @@ from sceneweaver.language import read_request
 
 COUNTS = [
     ("A cinema with two rows of five recliners.", "recliner", (10, 10)),
-    ("A dayroom with high-backed armchairs in three groups of four.", "armchair", (12, 12)),
+    ("A lounge with leather armchairs in three groups of four.", "armchair", (12, 12)),
     ("A workshop with six workbenches in two rows of three.", "workbench", (6, 6)),
     ("A loft with plants everywhere (min. 15) and a bench.", "potted_plant", (15, 19)),
     ("A loft with bottles and cups on the table, at least 20 of them.", "bottle", (10, 12)),
@@ -17,7 +17,7 @@ COUNTS = [
     ("A studio with a round table for four people, a stool and headphones for each.", "headphones", (4, 4)),
     ("A bedroom with two nightstands, a lamp on both nightstands.", "table_lamp", (2, 2)),
     ("A dormitory for three boys. Everybody has an own locker.", "locker", (3, 3)),
-    ("A ward with four beds, one locker per bed.", "locker", (4, 4)),
+    ("A bunk house with four beds, one locker per bed.", "locker", (4, 4)),
     ("Bedroom: 2x nightstands, a bed", "nightstand", (2, 2)),
     ("A hall: max. 3 stools, about 10 books, a lamp or two", "stool", (1, 3)),
     ("A hall: max. 3 stools, about 10 books, a lamp or two", "book", (10, 10)),
