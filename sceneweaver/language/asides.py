@@ -90,9 +90,8 @@ def _end(tokens: list[Token], k: int, has_subject: bool) -> int:
     """The end of what belongs to the verb before ``k``: particles, pronouns, "their coffee"."""
     while k < len(tokens):
         token, after = tokens[k], tokens[k + 1] if k + 1 < len(tokens) else None
-        if token.text in _OBJECTS or (token.has("adverbs") and not token.has("noun", "preposition")):
-            k += 1
-        elif token.has("unit") and not token.has("preposition", "noun"):
+        plain = token.has("adverbs") and not token.has("noun", "preposition")
+        if token.text in _OBJECTS or plain or (token.has("unit") and not token.has("noun", "preposition")):
             k += 1
         elif token.text in _POSSESSIVE and after is not None and not after.has("break", "preposition"):
             k += 2

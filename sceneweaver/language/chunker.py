@@ -148,7 +148,7 @@ def _pronoun(scan: Scan, token: Token, after: Token | None) -> bool:
         return False
     opens = (
         after is not None
-        and (after.has(*OPEN) or not after.kinds)
+        and (after.has(*OPEN) or (not after.kinds and not after.text.endswith("ed")))
         and not after.has(*CLOSED)
         and not (after.has("verb") and is_verb(scan, scan.at + 1, seen_noun=True))
     )

@@ -23,6 +23,7 @@ from .room_phrases import (
     room_phrase,
     room_quality,
 )
+from .shares import share_total
 from .source import Source
 from .state import Frame, State, Waiting
 from .things import describe, give_length, give_sides, singular
@@ -46,7 +47,10 @@ def read_clauses(chunks: list[Chunk], source: Source, parsed: Parsed) -> None:
         if chunk.kind not in ("while", "verb", "word"):
             state.relative = False
         _CHUNKS[chunk.kind](state, chunk)
+    total, begun = state.total, state.begun
     _end_sentence(state)
+    if total is not None:
+        share_total(state, total, begun)
     _seat_diners(parsed)
 
 
@@ -79,7 +83,10 @@ def _end_sentence(state: State) -> None:
 
 
 def _stop(state: State, chunk: Chunk) -> None:
+    total, begun = state.total, state.begun
     _end_sentence(state)
+    if total is not None and not share_total(state, total, begun) and chunk.start in state.source.colons:
+        state.total = total
 
 
 def _purpose(state: State, chunk: Chunk) -> None:

@@ -11,6 +11,8 @@ from .relating import relate, relate_to_owner, say, support_kind
 from .state import Frame, Fronted, State, Waiting
 from .vocabulary import Place
 
+_FULL = ("full of", "filled with")
+
 
 def name_things(state: State, mentions: list[Mention], phrase: NounPhrase, new: bool) -> None:
     """Things that were named take their place: target, item of a list, or subject."""
@@ -107,6 +109,8 @@ def _inner_list_goes_on(state: State, mentions: list[Mention], phrase: NounPhras
     if state.placed_next(state.at) or not all(m.mount == "surface" for m in mentions):
         return False
     held = inner.kind == "verb" and inner.type in ("on", "inside")
+    if inner.words in _FULL and inner.items and (phrase.determiner or phrase.count) and not inner.numbered:
+        return False  # "a sink full of dishes, a bin"
     if held and outer == "list":
         return bool(inner.items)
     if not inner.items:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from .chunks import Chunk, NounPhrase
 from .items import begin_clause, continue_with, give_target, name_things
-from .nearness import nearest
+from .nearness import carrier_root, nearest
 from .parsed import Mention, Said
 from .relating import relate_to_place
 from .shares import ends_here, give_total, on_the_other, share_out
@@ -83,6 +83,9 @@ def _part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     """ "One of them", "another", "the other"."""
     waiting, partial = state.waiting, phrase.value == "partial"
     near = nearest(state, waiting.subjects or []) if waiting is not None else _at_hand(state)
+    several = state.refs.several(near) if partial and waiting is None else None
+    if several is not None and on_the_other(state, several, (1, 1)):
+        return
     if partial and _on_each(state.chunk(state.at)):
         group = state.refs.several(near)
         if group is not None:
@@ -113,6 +116,9 @@ def _pronoun_target(state: State, phrase: NounPhrase, waiting: Waiting) -> None:
     if not found and it and len(subjects) > 1:
         found = subjects[:1]  # "a fireplace and bookshelves on either side of it"
     if found:
+        beside = waiting.place.type in _BESIDE_IT and bool(subjects) and all(m.mount == "floor" for m in subjects)
+        if it and beside and found[-1].mount == "surface":  # a fridge next to "it" is next to the counter
+            found = [carrier_root(state, found[-1])]
         give_target(state, waiting, found, phrase, False)
         return
     state.waiting = None

@@ -38,7 +38,7 @@ class References:
     def known(self, phrase: NounPhrase, target: bool, without: list[Mention]) -> Mention | None:
         """What was named before and is meant again; None when it is another one."""
         if not phrase.definite and not (target and (phrase.count in (None, (1, 1)))):
-            return None
+            return self._said_again(phrase, without)
         if phrase.determiner == "another":
             kin = [m for m in self._recent() if m.many and singular(m.noun).endswith(singular(phrase.text))]
             return kin[0] if kin and target else None
@@ -67,6 +67,17 @@ class References:
         meant.sort(key=lambda m: next((k for k, names in enumerate(ranks) if m.category in names), len(ranks)))
         clear = [m for m in meant if qualities and qualities <= _described(m)]
         return next(iter(clear or meant), None)
+
+    def _said_again(self, phrase: NounPhrase, without: list[Mention]) -> Mention | None:
+        """A noun without article that was named as where something is: "a map over the desk, desk wide enough"."""
+        if phrase.determiner or phrase.count is not None or phrase.plural or phrase.qualities:
+            return None
+        noun = singular(phrase.text)
+        targets = {t for said in self.parsed.said[-8:] for t in said.targets if isinstance(t, Mention)}
+        for mention in apart(self._recent()[:12], without):
+            if mention in targets and mention.count is None and singular(mention.noun) == noun:
+                return mention
+        return None
 
     def pronoun(self, phrase: NounPhrase, near: list[Mention], without: list[Mention]) -> list[Mention]:
         """Who "it", "them", "both" are; ``near`` is what stands closest in the sentence."""

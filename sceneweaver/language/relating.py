@@ -58,8 +58,13 @@ def relate(
     kind = said.type = _meant_kind(place.type, place.words, subjects)
     if kind in ("on", "inside") and not target.is_rug:
         call_by_place(subjects, "surface")
+    lamps = [
+        s for s in subjects if kind == "above" and s.category == "table_lamp" and target.family in ("table", "seat")
+    ]
     if kind == "above" and place.words.startswith("hang"):
         call_by_place(subjects, "ceiling")
+    elif lamps:  # "a lamp low over the table"
+        call_by_place(lamps, "ceiling")
     elif kind == "above" and target.mount == "floor":
         call_by_place(subjects, "over_table" if has_role(target.category, "lit_table") else "over")
     if kind == "on" and target.is_rug:  # what stands on the table on the rug is not on the rug

@@ -23,7 +23,7 @@ def sense_of(noun: str, source: Source, start: int, end: int, scale: float) -> s
     A compound that is known by itself has no other sense.
     """
     rows = words("senses").get(singular(noun.partition(" of ")[0].split()[-1]))
-    if rows is None or (" " in noun and "noun" in vocabulary().get(noun, {})):
+    if rows is None or _is_compound(noun):
         return None
     around = source.spoken[max(0, start - BESIDE) : end + BESIDE]
     for row in rows:
@@ -31,6 +31,12 @@ def sense_of(noun: str, source: Source, start: int, end: int, scale: float) -> s
             known = categories()
             return next((name for name in row["means"] if name in known), None)
     return None
+
+
+def _is_compound(noun: str) -> bool:
+    """Whether a noun, or the end of it, is a compound that is known by itself: "crystal wine glasses"."""
+    parts = noun.partition(" of ")[0].split()
+    return any("noun" in vocabulary().get(" ".join(parts[k:]), {}) for k in range(len(parts) - 1))
 
 
 def _fits(row: Mapping[str, Any], text: str, around: str, scale: float) -> bool:

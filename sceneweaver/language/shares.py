@@ -66,7 +66,7 @@ def share_out(state: State, owner: Mention | None = None, people: bool = False) 
 
 
 def give_total(state: State, phrase: NounPhrase, group: Mention) -> bool:
-    """ "At least 20 of them", "(min. 15)", "in two rows of four": how many there are of what was named without number."""
+    """ "At least 20 of them", "(min. 15)", "in two rows of four": how many there are of what had no number."""
     count = phrase.count or (1, 1)
     related = state.last_subjects if group in state.last_subjects else state.subject or state.head
     listed = [m for m in related if m.plural and m.count in (None, MANY)]
@@ -77,6 +77,14 @@ def give_total(state: State, phrase: NounPhrase, group: Mention) -> bool:
     for mention in listed:
         mention.count = (least, most)
     return True
+
+
+def share_total(state: State, total: tuple[int, int], begun: int) -> bool:
+    """ "Ten objects, mugs and bottles": so many in all of the kinds that were named since; whether there are any."""
+    listed = [m for m in state.out.mentions[begun:] if m.plural and m.count in (None, MANY)]
+    for k, mention in enumerate(listed):
+        mention.count = tuple((n + len(listed) - 1 - k) // len(listed) for n in total)  # type: ignore[assignment]
+    return bool(listed)
 
 
 def on_the_other(state: State, group: Mention, count: tuple[int, int]) -> bool:

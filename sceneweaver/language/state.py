@@ -87,6 +87,7 @@ class State:
         self.negated = ""  # whether what follows must not be there: first, list, article, where
         self.negation = ""  # the word that says so
         self.unwanted: list[Mention] = []  # what must not be where the next words of place say
+        self.total: tuple[int, int] | None = None  # how many things there are of the kinds that are listed next
         self.per_person = False  # whether what is named is there for every one of the people
         self.barred = False  # whether the relation in hand must not hold
         self.subset: tuple[int, int] | None = None  # of how many of the subjects the next relation is said

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from .chunks import Chunk, NounPhrase
 from .items import name_nothing, name_things
+from .nothings import may_name
 from .parsed import Mention, without
 from .room_phrases import abstract_phrase, describe_room, people_phrase, unknown_room
 from .shares import ends_here, multiply, share_out
 from .state import State
-from .nothings import may_name
 from .things import describe, match_of, name_of, new_mention, note_on, singular
 from .vocabulary import words
 
@@ -16,8 +16,17 @@ MOST_NEW = 400
 """Mentions that are made at most."""
 
 
+_ANYTHING = ("object", "item", "thing", "piece", "article")
+"""Nouns that name nothing, but may be counted."""
+
+
 def named_thing(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     """A noun: of something new, or of what was named before."""
+    if singular(phrase.text) in _ANYTHING and phrase.count is not None and state.waiting is None:
+        state.total = phrase.count  # "ten objects, mugs and bottles"
+        name_nothing(state)
+        state.lost = False
+        return
     if phrase.text in ("furniture", "object"):
         describe_room(state, phrase)
         state.glue = ""

@@ -153,6 +153,9 @@ def _put_nothings(table: dict[str, dict[str, Any]], put: Put) -> None:
     for phrase in nothings["adverbs"]:
         if phrase not in known:
             put(phrase, "adverbs", phrase)
+    for phrase in nothings["adjectives"]:
+        if phrase not in known:
+            put(phrase, "adjective", phrase)
     for section in ("ways", "parts", "matters"):
         for phrase in nothings[section]:
             for form in dict.fromkeys((phrase, plural(phrase))):

@@ -24,6 +24,8 @@ COUNTS = [
     ("A hall: max. 3 stools, about 10 books, a lamp or two", "table_lamp", (1, 2)),
     ("a bedroom with one or two stools", "stool", (1, 2)),
     ("a dining room with a rack + 2 benches", "bench", (2, 2)),
+    ("Twelve items: cups, plates and forks.", "fork", (4, 4)),
+    ("A hall with a bench, five hooks above it.", "coat_hooks", (5, 5)),
 ]
 
 
@@ -40,6 +42,12 @@ def test_so_many_each_belong_to_their_owners():
         ("chair", "desk"),
         ("chair-2", "desk-2"),
     }
+
+
+def test_one_on_the_other_side_is_one_more():
+    graph = read_request("A steel table, two chairs on one side, one on the other.")
+    assert [e.count for e in graph.entities if e.category == "chair"] == [(2, 2), (1, 1)]
+    assert {r.targets for r in graph.relations} == {("dining_table",)}
 
 
 def test_the_other_side_has_more_of_the_same():
