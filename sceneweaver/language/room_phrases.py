@@ -208,7 +208,7 @@ def people_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     out, text = state.out, phrase.text
     state.waiting = None
     if phrase.determiner in ("each", "every") or text in ("everybody", "everyone"):
-        if not (ends_here(state) and share_out(state, people=True)):
+        if not (ends_here(state) and share_out(state, of_people=True)):
             state.per_person = True
         state.glue = "" if state.glue != "start" else "start"
         return

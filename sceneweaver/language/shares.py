@@ -46,23 +46,30 @@ def owners_of(state: State, items: list[Mention]) -> Mention | None:
     return None
 
 
-def share_out(state: State, owner: Mention | None = None, people: bool = False) -> bool:
+def share_out(state: State, owner: Mention | None = None, of_people: bool = False) -> bool:
     """ "Three chairs each", "a towel for each guest", "one locker per bed": multiplies what was named last."""
     items = last_items(state)
-    owner = None if people else owner or owners_of(state, items)
+    owner = None if of_people else owner or owners_of(state, items)
     if owner in items:
         items = [m for m in items if m is not owner]
-    by = owner.count if owner is not None else (state.out.people,) * 2 if state.out.people else None
+    people = state.out.people
+    by = owner.count if owner is not None else (people, people) if people else None
     if not items or by is None:
         return False
     multiply(items, by)
+    if owner is not None:
+        _belong(state, items, owner)
+    return True
+
+
+def _belong(state: State, items: list[Mention], owner: Mention) -> None:
+    """What each of some things has is where it usually stands to them, unless that was said."""
     related = {m for said in state.out.said for m in said.subjects if owner in said.targets}
-    for item in items if owner is not None else ():
+    for item in items:
         kind = owned_kind(item, owner, item.mount == "surface") if item not in related else None
         if kind is not None:
             spoken = f"{item.noun} for each {owner.noun}"
             say(state, Said(kind, [item], (owner,), spoken, each=True, implied=True, span=state.chunk_span()))
-    return True
 
 
 def give_total(state: State, phrase: NounPhrase, group: Mention) -> bool:
