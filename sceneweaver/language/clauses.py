@@ -212,7 +212,7 @@ def _place(state: State, chunk: Chunk) -> None:
     if chunk.mutual:
         relate_mutually(state, place, chunk)
         return
-    if chunk.text == "in" and after is not None and after.kind == "adjective" and state.head:
+    if chunk.text in ("in", "from") and after is not None and after.kind == "adjective" and state.head:
         return  # "a pair of chairs in green and violet"
     glue, state.glue = state.glue, ""
     subjects = _subjects_of(state, place, glue)
