@@ -348,6 +348,11 @@ def _heads() -> dict[str, str]:
     return table
 
 
+def is_head(noun: str) -> bool:
+    """Whether a noun, singular or plural, says of itself what kind of body a thing has: "stand", "panel"."""
+    return noun.lower() in _heads() or singular(noun.lower()) in _heads()
+
+
 def _of_group(noun: str, group: str) -> Match:
     """A group's word ("seat") means its most usual member: the one that a group names first, by its own name."""
     names = members(group)

@@ -6,14 +6,15 @@ from collections.abc import Iterator
 
 from sceneweaver.assets.taxonomy import members
 from sceneweaver.knowledge.kin import interchangeable
-from sceneweaver.language import Entity
+from sceneweaver.language import Entity, Exclusion
 from sceneweaver.rules.faults import fault_kind
 from sceneweaver.verify.solids import Body
 
 from . import asked_attributes, kinds
 from .asked_calls import adding
+from .asked_relations import holding
 from .survey import FLAT, Survey
-from .verdict import Asked, counted, met, substituted, unmet
+from .verdict import Asked, counted, met, not_understood, substituted, unmet
 
 MANY = 10**6
 
@@ -82,6 +83,9 @@ def _beside(survey: Survey, asked: Entity, bodies: list[Body]) -> list[Body]:
 def _exclusions(survey: Survey) -> Iterator[Asked]:
     for k, excluded in enumerate(survey.brief.exclusions):
         item = excluded.id or f"exclusion-{k}"
+        if excluded.relation is not None:
+            yield _elsewhere(survey, excluded, item)
+            continue
         banned = {name for word in excluded.categories for name in (word, *members(word))}
         there = [b.id for b in survey.bodies if b.item.category in banned]
         if not there:
@@ -98,6 +102,30 @@ def _exclusions(survey: Survey) -> Iterator[Asked]:
             grave=True,
             call=("remove_objects", {"ids": there}),
         )
+
+
+def _elsewhere(survey: Survey, excluded: Exclusion, item: str) -> Asked:
+    """What must not be in one place, wherever else it is."""
+    there = holding(survey, excluded)
+    if there is None:
+        return not_understood("exclusion", item, (), f"'{excluded.words}' is nothing that can be measured here")
+    ids = [b.id for b in there]
+    if not there:
+        return met("exclusion", item, (), f"{excluded.words}: as asked", counted("number", 0, 0, 0))
+    wanted = bool(excluded.subject)
+    remedy = "put {} elsewhere" if wanted else "remove {}"
+    return unmet(
+        "exclusion",
+        item,
+        ids,
+        f"'{excluded.words}' was asked for: {', '.join(ids[:4])}",
+        counted("number", len(ids), 0, 0),
+        fault="asked_relation" if wanted else "unwanted",
+        wrong=ids,
+        suggestion=remedy.format(", ".join(ids)),
+        grave=not wanted,
+        call=None if wanted else ("remove_objects", {"ids": ids}),
+    )
 
 
 def _only(survey: Survey) -> Asked:

@@ -7,8 +7,9 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from sceneweaver.assets.taxonomy import members
 from sceneweaver.geometry.walls import Wall
-from sceneweaver.language import StatedRelation, Thing
+from sceneweaver.language import Exclusion, StatedRelation, Thing
 from sceneweaver.rules.stated import Word, word_of_place, word_of_things
 from sceneweaver.verify.measure import Measurement, Measurements
 from sceneweaver.verify.solids import Body
@@ -40,6 +41,28 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
     """Each stated relation, measured."""
     for k, said in enumerate(survey.brief.relations):
         yield _outcome(survey, said, said.id or f"relation-{k}")
+
+
+def holding(survey: Survey, barred: Exclusion) -> list[Body] | None:
+    """The bodies that are where an exclusion says that they must not be; None when that cannot be measured."""
+    if barred.relation is None:
+        return None
+    said = StatedRelation(type=barred.relation, subject=barred.subject, targets=barred.targets, words=barred.words)
+    if barred.subject:
+        bodies = list(survey.standing_for(barred.subject))
+    else:
+        names = {name for word in barred.categories for name in (word, *members(word))}
+        bodies = [b for b in survey.bodies if b.item.category in names]
+    if not bodies:
+        return []
+    if "middle" in barred.targets:
+        return [b for b in bodies if group_measures.of_middle(survey, [b]).ok()]
+    if said.type in GROUPS:
+        said = said.model_copy(update={"type": "next_to"})
+    table = _table(survey, said, bodies)
+    if table is None:
+        return None
+    return [b for b, rows in zip(bodies, table, strict=True) if any(v.holds for r in rows.values() for v in r.values())]
 
 
 def words_of(said: StatedRelation) -> str:

@@ -51,7 +51,8 @@ def _words(graph: SceneGraph) -> dict[str, tuple[str, Span | None]]:
         words = f"{said.subject} {said.words or said.type} {' and '.join(said.targets)}".replace("_", " ")
         found[said.id or f"relation-{k}"] = words, said.span
     for k, excluded in enumerate(graph.exclusions):
-        found[excluded.id or f"exclusion-{k}"] = f"no {excluded.words}".replace("_", " "), excluded.span
+        words = excluded.words if excluded.relation else f"no {excluded.words}"
+        found[excluded.id or f"exclusion-{k}"] = words.replace("_", " "), excluded.span
     for several in (graph.openings, graph.free_areas, graph.capacities, graph.arrangements):
         found |= {f"room.{one.id}": (one.words, one.span) for one in several}
     for k, unread in enumerate(graph.unread):

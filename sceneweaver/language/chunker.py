@@ -34,6 +34,8 @@ def _mark(scan: Scan, token: Token, after: Token | None) -> bool:
     """Punctuation, and words that mean what they are wherever they stand."""
     if token.has("break"):
         scan.add(_BREAKS.get(token.text, "bracket"))
+    elif token.has("aside"):
+        scan.add("aside", value=token.get("aside"))
     elif token.has("only_all"):
         scan.add("only", value="all")
     elif token.has("neg"):
@@ -58,6 +60,8 @@ def _with(scan: Scan, token: Token, after: Token | None) -> bool:
 
 def _place(scan: Scan, token: Token, after: Token | None) -> bool:
     if not token.has("preposition", "place_adverb") or not _is_place(scan, token, after):
+        return False
+    if token.get("bound") == "about" and after is not None and after.has("number", "amount"):
         return False
     takes_target = token.has("preposition")
     place, alone = token.get("preposition"), token.get("place_adverb")
@@ -144,7 +148,7 @@ def _pronoun(scan: Scan, token: Token, after: Token | None) -> bool:
         return False
     opens = (
         after is not None
-        and (after.has(*OPEN) or not after.kinds)
+        and (after.has(*OPEN) or (not after.kinds and not after.text.endswith("ed")))
         and not after.has(*CLOSED)
         and not (after.has("verb") and is_verb(scan, scan.at + 1, seen_noun=True))
     )
@@ -166,6 +170,9 @@ def _purpose(scan: Scan, token: Token, after: Token | None) -> bool:
     if token.text == "to" and isinstance(verb, Verb) and verb.form == "base" and "active" in (frame(verb) or ()):
         scan.add("word", value=token)
         scan.add("verb", value=Verb(verb.lemma, "ing"))  # "open to reveal two toys"
+        return True
+    if token.text == "for" and after is not None and (after.has("each") or after.text in ("each", "every")):
+        scan.add("word", value=token)  # "a towel for each guest"
         return True
     first = scan.at + 1
     if token.text == "for" or token.has("purposes"):

@@ -22,7 +22,7 @@ Kind = Literal[
     "purpose",
     "word",
     "only",
-    "not",
+    "aside",
 ]
 
 QUALITIES = (
@@ -34,19 +34,19 @@ QUALITIES = (
 OPEN = (
     *QUALITIES,
     *("noun", "room", "group", "abstract", "parts", "region", "containers", "collective", "whom", "people_words"),
-    "place",
+    *("place", "matter"),
 )
 """Kinds of words that a noun phrase is made of."""
 
 CLOSED = (
     *("break", "preposition", "and", "with", "while", "neg", "pron", "det", "place_adverb", "mutual", "each", "both"),
-    *("partial", "rest"),
+    *("partial", "rest", "aside"),
 )
 """Kinds of words that end a noun phrase, or begin the next."""
 
 _HEADS = (
     *("noun", "room", "group", "place", "region", "parts", "abstract", "people_words", "whom", "collective"),
-    "containers",
+    *("containers", "matter"),
 )
 
 
@@ -55,7 +55,7 @@ class NounPhrase:
     """What a noun phrase says.
 
     ``what`` is thing, pronoun, place (of the room), room, group (a part of a room that stands for things), region
-    (of a thing), part, abstract, people, number (nothing but a number).
+    (of a thing), part, abstract, matter (no object), people, number (nothing but a number).
     """
 
     what: str
@@ -69,6 +69,8 @@ class NounPhrase:
     plural: bool = False
     paired: bool = False
     """Whether it is counted in pairs: "a pair of"."""
+    both: bool = False
+    """Whether it is "both" of two."""
     qualities: list[Token] = field(default_factory=list)
     length: float | None = None
     sides: tuple[float, ...] | None = None
@@ -114,5 +116,6 @@ def bounded(value: tuple[int, int], bound: str | None) -> tuple[int, int]:
         "above": (n + 1, n + 5),
         "most": (min(1, n), n),
         "below": (min(1, max(0, n - 1)), max(0, n - 1)),
+        "about": value,
         None: value,
     }[bound]

@@ -14,7 +14,16 @@ from .parsed import Mention, Parsed
 from .pronouns import number_phrase, pronoun_phrase
 from .region_phrases import part_phrase, region_phrase, thing_phrase
 from .relating import relate_mutually, relate_to_nearest
-from .room_phrases import abstract_phrase, group_phrase, people_phrase, place_phrase, room_phrase, room_quality
+from .room_phrases import (
+    abstract_phrase,
+    group_phrase,
+    matter_phrase,
+    people_phrase,
+    place_phrase,
+    room_phrase,
+    room_quality,
+)
+from .shares import share_total
 from .source import Source
 from .state import Frame, State, Waiting
 from .things import describe, give_length, give_sides, singular
@@ -38,7 +47,10 @@ def read_clauses(chunks: list[Chunk], source: Source, parsed: Parsed) -> None:
         if chunk.kind not in ("while", "verb", "word"):
             state.relative = False
         _CHUNKS[chunk.kind](state, chunk)
+    total, begun = state.total, state.begun
     _end_sentence(state)
+    if total is not None:
+        share_total(state, total, begun)
     _seat_diners(parsed)
 
 
@@ -71,7 +83,10 @@ def _end_sentence(state: State) -> None:
 
 
 def _stop(state: State, chunk: Chunk) -> None:
+    total, begun = state.total, state.begun
     _end_sentence(state)
+    if total is not None and not share_total(state, total, begun) and chunk.start in state.source.colons:
+        state.total = total
 
 
 def _purpose(state: State, chunk: Chunk) -> None:
@@ -118,6 +133,21 @@ def _word(state: State, chunk: Chunk) -> None:
         state.at += 1
     elif not token.kinds and token.text.isalpha() and not token.text.endswith("ly"):
         state.leave_unread(token.text, chunk.start, chunk.end)
+
+
+def _aside(state: State, chunk: Chunk) -> None:
+    """What somebody does or may do: nothing is said of it, but of what stands beside it with a word of place."""
+    state.leave_unread(state.source.text[chunk.start : chunk.end], chunk.start, chunk.end)
+    open_ends(state)
+    if chunk.value != "clause":
+        return
+    state.fronted, state.negated = [], ""
+    before = state.chunk(state.at - 2)
+    if before is not None and before.kind == "while" and not state.subject and state.refs.topics:
+        state.subject = state.head = list(state.refs.topics[-1])  # "a chair where we can read next to a lamp"
+        state.glue, state.done, state.subject_open = "", True, False
+    elif state.glue in ("comma", "and", "comma and"):
+        state.glue = "while" if not state.frames else state.glue
 
 
 def _bracket(state: State, chunk: Chunk) -> None:
@@ -182,7 +212,7 @@ def _place(state: State, chunk: Chunk) -> None:
     if chunk.mutual:
         relate_mutually(state, place, chunk)
         return
-    if chunk.text == "in" and after is not None and after.kind == "adjective" and state.head:
+    if chunk.text in ("in", "from") and after is not None and after.kind == "adjective" and state.head:
         return  # "a pair of chairs in green and violet"
     glue, state.glue = state.glue, ""
     subjects = _subjects_of(state, place, glue)
@@ -230,25 +260,22 @@ def _subjects_of(state: State, place: Place, glue: str) -> list[Mention] | None:
 
 
 def _is_nowhere(state: State, chunk: Chunk) -> bool:
-    """Whether a word of place says where something must not be, which cannot be said as a relation."""
+    """Whether a word of place says where something must not be, and has been read."""
     after = state.chunk(state.at)
     noun = after if after is not None and after.kind == "noun" else None
     of_room = noun is not None and noun.value.what == "room"
-    if state.negated not in ("where", "first"):
-        if not of_room:
-            state.negated = ""
-            return False
-        state.negated = ""
+    where, state.negated = state.negated in ("where", "first"), ""
+    if of_room or not where:
+        return of_room
+    subjects = state.unwanted or state.subject or state.head
+    place: Place = chunk.value
+    if noun is not None and subjects:
+        state.waiting = Waiting(place, list(subjects), chunk, barred=True)
+        state.glue = "object"
         return True
-    state.negated = ""
-    if of_room:
-        return True
-    said, end = chunk.text, chunk.end
-    if noun is not None:
-        said, end = f"{said} {state.source.text[noun.start : noun.end]}", noun.end
-        state.at += 1
-    state.leave_unread(f"not {said}", chunk.start, end)
-    state.out.note(f"'not {said}' cannot be said as a relation and was left out")
+    end = chunk.end if noun is None else noun.end
+    state.at += noun is not None
+    state.leave_unread(f"{state.negation} {state.source.text[chunk.start : end]}", chunk.start, end)
     return True
 
 
@@ -268,6 +295,7 @@ def _mannered(state: State, place: Place) -> Place:
 
 
 _CHUNKS: dict[str, Callable[[State, Chunk], None]] = {
+    "aside": _aside,
     "adjective": _adjective,
     "and": _and,
     "bracket": _bracket,
@@ -289,6 +317,7 @@ _PHRASES: dict[str, Callable[[State, NounPhrase, Chunk], None]] = {
     "abstract": abstract_phrase,
     "collective": abstract_phrase,
     "group": group_phrase,
+    "matter": matter_phrase,
     "number": number_phrase,
     "part": part_phrase,
     "people": people_phrase,

@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from sceneweaver.assets import categories
+from sceneweaver.assets.plurals import singular
 
 from .chunks import Chunk, NounPhrase
+from .nothings import may_name
+from .parsed import Mention
 from .region_phrases import thing_phrase
 from .state import State
 from .things import match_of, name_of
-from .vocabulary import category_of, words
+from .vocabulary import category_of, plural, words
 
 
 def without_chunk(state: State, chunk: Chunk) -> None:
     """ "No", "without", "nothing": what follows must not be there."""
     state.waiting = None
     if chunk.value != "nothing":
-        state.negated, state.glue = "first", "neg"
+        state.negated, state.negation, state.glue = "first", str(chunk.value), "neg"
         return
     rules = words("groups")["nothing_on"]  # "nothing on the walls"
     for k, ahead in enumerate(state.chunks[state.at : state.at + 4]):
@@ -38,15 +43,37 @@ def excluded(state: State, phrase: NounPhrase, chunk: Chunk) -> bool:
         state.negated = ""
         return False
     after = state.chunk(state.at)
-    if phrase.definite and after is not None and after.kind == "place" and phrase.what == "thing":
+    placed = after is not None and after.kind == "place" and phrase.what == "thing"
+    if phrase.definite and placed:
         state.negated = "where"  # "don't put the bed near the door" wants a bed
         state.glue = "start"
         thing_phrase(state, phrase, chunk)
+        return True
+    if placed and _is_elsewhere(state, phrase):
         return True
     _leave_out(state, phrase)
     if state.negated == "first":
         state.negated = "article" if phrase.determiner in ("a", "an") else "list"
     state.glue = ""
+    return True
+
+
+def _is_elsewhere(state: State, phrase: NounPhrase) -> bool:
+    """Whether something is unwanted in one place alone: "no shelf above the bed"."""
+    place, target = state.chunk(state.at), state.chunk(state.at + 1)
+    assert place is not None
+    if target is None or target.kind != "noun":
+        if not place.value.each and "one" in place.text.split():  # "no chair on one side"
+            state.leave_unread(state.source.text[phrase.start : place.end], phrase.start, place.end)
+            state.at, state.negated, state.glue = state.at + 1, "", ""
+            return True
+        return False
+    whole = target.value.what in ("room", "abstract") or target.value.value in ("room", "floor", "wall", "ceiling")
+    names = () if whole else excluded_names(phrase)
+    if not names:
+        return False
+    unwanted = Mention(name_of(phrase), category_of(names[0]), words=list(names))
+    state.unwanted, state.negated, state.glue = [*state.unwanted, unwanted], "where", ""
     return True
 
 
@@ -58,33 +85,72 @@ def _leave_out(state: State, phrase: NounPhrase) -> None:
     elif phrase.what == "group":
         things = groups["groups"][phrase.value]["things"]
         state.out.without += [(phrase.text, (category_of(name),), span) for name in things]
-    elif phrase.what == "thing":
-        noun = name_of(phrase)
-        match, known = match_of(noun), categories().get(str(phrase.value))
-        listed = groups["without"].get(phrase.text)
-        if listed:
-            names = tuple(listed)
-        elif match.how == "generic" and phrase.value is None:
-            state.leave_unread(f"no {noun}", phrase.start, phrase.end)
-            category = match.category if match.category != "object" else noun.replace(" ", "_")
-            state.out.without.append((noun, (category,), span))
-            return
-        else:
-            names = (phrase.value,) if known is not None and known.size is None else (match.category,)
+    elif phrase.what in ("thing", "part") and (names := excluded_names(phrase)):
         state.out.without.append((phrase.text, names, span))
+        return
+    if phrase.what in ("thing", "part", "matter", "people", "collective"):
+        spoken = state.source.text[phrase.start : phrase.end]
+        state.leave_unread(f"{state.negation} {spoken}", phrase.start, phrase.end)
+        if phrase.what == "thing" and _may_be_ruled_out(state, phrase):
+            noun = name_of(phrase)
+            category = match_of(noun).category
+            name = noun.replace(" ", "_") if category == "object" else category
+            state.out.without.append((noun, (name,), span))
+
+
+def _may_be_ruled_out(state: State, phrase: NounPhrase) -> bool:
+    """Whether an unknown noun is ruled out by its own name; "not sad" rules out nothing."""
+    plain = state.negation in ("not", "but not", "isn't", "aren't", "never") and not phrase.determiner
+    return phrase.value is None and not plain and not _qualified(phrase) and may_name(phrase.text)
+
+
+def _qualified(phrase: NounPhrase) -> bool:
+    """Whether only some of a kind are meant: "no red chairs"."""
+    return any(t.has("color", "material", "scale", "styles", "finish") and not t.has("noun") for t in phrase.qualities)
+
+
+def excluded_names(phrase: NounPhrase) -> tuple[str, ...]:
+    """The categories, or groups of them, that "no" with such a noun phrase rules out; none where it is not known.
+
+    A plain noun rules out all that bears its name: "no cabinets" the kitchen's and those on the wall as well.
+    """
+    noun, listed = name_of(phrase), words("groups")["without"]
+    if _qualified(phrase):
+        return ()
+    for name in (noun, phrase.text, plural(phrase.text), singular(phrase.text)):
+        if name in listed:
+            known, usual = categories(), match_of(noun).category
+            names = tuple(one for one in listed[name] if one in known)
+            return names if singular(phrase.text) != phrase.text or usual in names else (usual, *names)
+    match, known = match_of(noun), categories().get(str(phrase.value))
+    if match.how == "generic" and phrase.value is None:
+        return ()
+    if known is not None and known.size is None:
+        return (str(phrase.value),)
+    return (match.category, *_namesakes(singular(noun), match.category))
+
+
+@cache
+def _namesakes(noun: str, category: str) -> tuple[str, ...]:
+    """Other categories that are called by a noun of one word, or by the name of its category, with words before it."""
+    heads = {name for name in (noun, category) if " " not in name and "_" not in name}
+    found = (name for name, row in categories().items() if row.size is not None and name.rpartition("_")[2] in heads)
+    return tuple(name for name in found if name != category and not name.startswith("generic_") and "_" in name)
 
 
 def only_chunk(state: State, chunk: Chunk) -> None:
-    """ "Only a bed", "nothing else": nothing but what is named."""
+    """ "Only a bed", "nothing else": nothing but what is named, unless other things were named before."""
     ahead = state.chunk(state.at)
     if ahead is not None and ahead.kind == "verb":  # "it should only have a bed"
         ahead = state.chunk(state.at + 1)
-    # "Only two chairs" is how many chairs there are, not all that there is.
+    # "Only two chairs" is how many chairs there are, not all that there is; "the only chair" is one of a kind.
     named = (
         ahead is not None
         and ahead.kind == "noun"
         and ahead.value.what in ("thing", "group")
+        and not ahead.value.definite
         and not _is_counted(ahead.value)
+        and not state.out.mentions
     )
     state.out.only = state.out.only or chunk.value == "all" or named
 

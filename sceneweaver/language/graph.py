@@ -13,7 +13,7 @@ from .in_room import mean_in_room
 from .meaning import unsaid
 from .model import Amount, Attribute, Entity, Exclusion, SceneGraph, StatedRelation, Unread
 from .mutual import split_mutual
-from .parsed import Left, Mention, Parsed, Said
+from .parsed import Barred, Left, Mention, Parsed, Said
 from .source import Source
 from .statements.counts import bounded_counts, peopled
 from .statements.resolve import resolved
@@ -45,6 +45,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     _pairs_of_flanks(parsed)
     relations = _once([r for said in parsed.said for r in _relations(said, mentions, notes)])
     exclusions = {(words, names): span for words, names, span in reversed(parsed.without)}
+    barred = [found for said in parsed.barred if (found := _barred(said, mentions)) is not None]
     unread = {left.words: left for left in reversed(parsed.unread) if left.words.strip()}
     entities = tuple(_entity(m, notes) for m in mentions)
     named = {entity.id for entity in entities}
@@ -79,12 +80,11 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         arrangements=arrangements,
         amounts=amounts,
         relations=tuple(r.model_copy(update={"id": f"relation-{k}"}) for k, r in enumerate(people.relations)),
-        exclusions=tuple(
-            Exclusion(id=f"exclusion-{k}", words=words, categories=names, span=span)
-            for k, ((words, names), span) in enumerate(reversed(exclusions.items()))
+        exclusions=_numbered(
+            [Exclusion(words=w, categories=c, span=span) for (w, c), span in reversed(exclusions.items())] + barred
         ),
         unread=tuple(
-            Unread(words=left.words, span=source.span(left.start, left.end) if left.end > left.start else None)
+            Unread(words=left.words, span=source.span(left.start, left.end) if left.end > left.start else left.span)
             for left in reversed(unread.values())
         ),
     )
@@ -96,6 +96,26 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         key=lambda one: one.span.start if one.span else len(text),
     )
     return graph.model_copy(update={"notes": tuple(dict.fromkeys(notes)), "unread": tuple(left)})
+
+
+def _barred(said: Barred, mentions: list[Mention]) -> Exclusion | None:
+    """What must not be somewhere; None where the request names nothing there."""
+    (subject,) = said.subjects
+    names = tuple(t if isinstance(t, str) else t.id if t in mentions else "" for t in said.targets)
+    if not all(names) or not (said.categories or subject in mentions):
+        return None
+    return Exclusion(
+        words=said.words,
+        categories=said.categories or (subject.category,),
+        relation=said.type,  # type: ignore[arg-type]
+        targets=names,
+        subject="" if said.categories else subject.id,
+        span=said.span,
+    )
+
+
+def _numbered(exclusions: list[Exclusion]) -> tuple[Exclusion, ...]:
+    return tuple(one.model_copy(update={"id": f"exclusion-{k}"}) for k, one in enumerate(exclusions))
 
 
 def _without_contradictions(parsed: Parsed) -> list[Mention]:

@@ -11,6 +11,8 @@ from .relating import relate, relate_to_owner, say, support_kind
 from .state import Frame, Fronted, State, Waiting
 from .vocabulary import Place
 
+_FULL = ("full of", "filled with")
+
 
 def name_things(state: State, mentions: list[Mention], phrase: NounPhrase, new: bool) -> None:
     """Things that were named take their place: target, item of a list, or subject."""
@@ -107,6 +109,8 @@ def _inner_list_goes_on(state: State, mentions: list[Mention], phrase: NounPhras
     if state.placed_next(state.at) or not all(m.mount == "surface" for m in mentions):
         return False
     held = inner.kind == "verb" and inner.type in ("on", "inside")
+    if inner.words in _FULL and inner.items and (phrase.determiner or phrase.count) and not inner.numbered:
+        return False  # "a sink full of dishes, a bin"
     if held and outer == "list":
         return bool(inner.items)
     if not inner.items:
@@ -186,6 +190,7 @@ def give_target(state: State, waiting: Waiting, mentions: list[Mention], phrase:
         targets = (waiting.first, mentions[0]) if waiting.first is not None else (mentions[0], mentions[-1])
     elif waiting.place.type != "around" and phrase.what != "pronoun":
         targets = targets[:1]
+    _on_both(waiting, mentions, phrase)
     bind_target(state, waiting, targets, phrase.determiner in ("each", "every"))
     if waiting.subjects is not None and new and not waiting.lost:
         state.head = list(mentions)
@@ -202,10 +207,26 @@ def give_target(state: State, waiting: Waiting, mentions: list[Mention], phrase:
     state.last_target = None if between else (waiting, targets)
 
 
+def _on_both(waiting: Waiting, mentions: list[Mention], phrase: NounPhrase) -> None:
+    """ "A lamp on both nightstands" is a lamp on each."""
+    if not phrase.both or len(mentions) != 1 or mentions[0].count is None:
+        return
+    for subject in waiting.subjects or ():
+        if subject.count in (None, (1, 1)) and not subject.plural:
+            subject.count = mentions[0].count
+            waiting.place = replace(waiting.place, each=True)
+
+
 def bind_target(state: State, waiting: Waiting, targets: tuple[Any, ...], each: bool = False) -> None:
     """Relates who a word of place is about to its targets, or keeps these for who comes after them."""
     subjects, place = waiting.subjects, waiting.place
     if waiting.lost and not subjects:
+        return
+    if waiting.barred and subjects:
+        state.barred = True
+        for target in [targets] if place.type == "between" else [(target,) for target in targets]:
+            relate(state, place, subjects, target, state.span_of(waiting.chunk))
+        state.barred, state.unwanted = False, []
         return
     if subjects is None:
         state.fronted.append((place, targets, waiting.chunk))

@@ -129,11 +129,17 @@ class StatedRelation(FrozenModel):
 
 
 class Exclusion(FrozenModel):
-    """What must not be there."""
+    """What must not be there: nowhere in the room or, with a ``relation``, not there ("no shelf above the bed").
+
+    An entity that must not stand somewhere ("the wardrobe may not be in front of the window") is named by ``subject``.
+    """
 
     id: str = ""
     words: str
     categories: tuple[str, ...] = Field(description="Categories, or groups of them")
+    relation: RelationType | None = Field(default=None, description="How they must not stand to the targets")
+    targets: tuple[str, ...] = Field(default=(), description="Ids of entities or `PLACES`, of the relation")
+    subject: str = Field(default="", description="The entity that it is said of, by id; else all of the categories")
     span: Span | None = None
 
 
@@ -274,8 +280,8 @@ class SceneGraph(FrozenModel):
 
     @property
     def without(self) -> tuple[str, ...]:
-        """Categories or groups that must not be there."""
-        return tuple(dict.fromkeys(c for e in self.exclusions for c in e.categories))
+        """Categories or groups that must be nowhere in the room."""
+        return tuple(dict.fromkeys(c for e in self.exclusions if e.relation is None for c in e.categories))
 
     def entity(self, name: str) -> Entity | None:
         """The entity of that id; None for a place."""

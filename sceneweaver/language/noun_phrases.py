@@ -9,7 +9,7 @@ from .scan import Scan, is_verb
 from .tokens import Token
 from .vocabulary import words
 
-_ENDS = ("neg", "with", "while", "pron", "mutual", "only_all", "sides")
+_ENDS = ("neg", "with", "while", "pron", "mutual", "only_all", "sides", "aside")
 """Kinds of words that end a noun phrase, unless they may be its noun."""
 
 DEEPEST = 12
@@ -70,7 +70,7 @@ def _determine(phrase: NounPhrase, token: Token) -> None:
     if token.has("both", "rest"):
         phrase.value = token.text
     if token.has("both"):
-        phrase.count = (2, 2)
+        phrase.count, phrase.both = (2, 2), True
     if token.text in ("one of which", "one of them", "another", "one more", "a second"):
         phrase.count = (1, 1)
     if token.has("number"):
@@ -106,13 +106,17 @@ def _run_ends(scan: Scan, k: int, run: list[Token], phrase: NounPhrase, named: b
             phrase.length = token.get("length")
             return False
         return seen or not _nominal_ahead(scan, k + 1)
+    if token.text == "seats" and seen and after is not None and after.has("number", "amount"):
+        return True  # "a table seats eight"
     if token.has("number", "amount"):
         return seen or not token.has("adjective", "scale", "noun")
     if token.has("preposition", "place_adverb"):
         ends = _place_ends(token, after, run, phrase, seen)
         if ends is not None:
             return ends
-    strange = not token.kinds and token.text.endswith("s") and not token.text.endswith("ss")
+    strange = (
+        not token.kinds.keys() - {"matter", "plural"} and token.text.endswith("s") and not token.text.endswith("ss")
+    )
     follows = after is not None and after.has("det", "number", "preposition", "adverbs")
     if strange and seen and phrase.determiner in _ONE and follows:  # a verb that is not known
         return True
@@ -214,9 +218,25 @@ def _close(scan: Scan, start: int, end: int, phrase: NounPhrase, run: list[Token
         scan.depth, scan.named = scan.depth - 1, named
         del scan.out[length:]
     phrase.text = head.text
+    end = _or_more(scan, end, phrase)
     if phrase.paired and phrase.count is not None and head.text.split()[-1] in words("nouns")["paired"]:
         phrase.count = (phrase.count[0] // 2, phrase.count[1] // 2)  # "a pair of scissors"
     _add_phrase(scan, start, end, _collected(phrase, head))
+
+
+def _or_more(scan: Scan, end: int, phrase: NounPhrase) -> int:
+    """ "A lamp or two", "four chairs or more": the end of the phrase with what follows its noun."""
+    link, more, after = scan.token(end), scan.token(end + 1), scan.token(end + 2)
+    if link is None or more is None or link.text != "or" or phrase.of is not None:
+        return end
+    low = (phrase.count or (1, 1))[0]
+    if more.has("number") and not (after is not None and (after.has(*OPEN) or not after.kinds)):
+        phrase.count = (low, max(low, more.get("number")))
+    elif more.text in ("more", "so") and phrase.count is not None:
+        phrase.count = bounded(phrase.count, "least" if more.text == "more" else None)
+    else:
+        return end
+    return end + 2
 
 
 def _add_phrase(scan: Scan, start: int, end: int, phrase: NounPhrase) -> None:
@@ -249,6 +269,8 @@ def _kind(scan: Scan, head: Token, phrase: NounPhrase, start: int) -> tuple[str,
         return "abstract", head.text
     if head.has("collective"):
         return "collective", head.get("collective")
+    if head.has("matter"):
+        return "matter", head.get("matter")
     return "thing", None
 
 
@@ -266,5 +288,8 @@ def _collected(phrase: NounPhrase, head: Token) -> NounPhrase:
         inner.count = phrase.count or (1, 1)
     elif inner.count is None:
         inner.count = tuple(counted) if counted else (2, 5) if inner.plural else None
+    elif counted is None and phrase.count is not None and head.has("collective"):  # "two rows of four chairs"
+        inner.count = (phrase.count[0] * inner.count[0], phrase.count[1] * inner.count[1])
+        inner.value = "grouped" if inner.what == "number" else inner.value
     inner.determiner = phrase.determiner or inner.determiner
     return inner

@@ -85,6 +85,13 @@ class Said:
     params: dict[str, float] = field(default_factory=dict)
 
 
+@dataclass(eq=False)
+class Barred(Said):
+    """A relation that must not hold. Subjects that are not wanted at all are ruled out by their ``categories``."""
+
+    categories: tuple[str, ...] = ()
+
+
 def without(mentions: Iterable[Mention], others: Iterable[object]) -> list[Mention]:
     """The mentions that are none of the others."""
     gone = list(others)
@@ -98,6 +105,8 @@ class Left:
     words: str
     start: int = 0
     end: int = 0
+    span: Span | None = None
+    """In the request, where it is known already."""
 
 
 @dataclass
@@ -107,6 +116,7 @@ class Parsed:
     mentions: list[Mention] = field(default_factory=list)
     said: list[Said] = field(default_factory=list)
     without: list[tuple[str, tuple[str, ...], Span | None]] = field(default_factory=list)
+    barred: list[Barred] = field(default_factory=list)
     stated_openings: list[StatedOpening] = field(default_factory=list)
     free_areas: list[FreeArea] = field(default_factory=list)
     capacities: list[Capacity] = field(default_factory=list)

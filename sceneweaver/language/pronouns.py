@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from .chunks import Chunk, NounPhrase
 from .items import begin_clause, continue_with, give_target, name_things
-from .nearness import nearest
+from .nearness import carrier_root, nearest
 from .parsed import Mention, Said
 from .relating import relate_to_place
+from .shares import ends_here, give_total, on_the_other, share_out
 from .state import State, Waiting
 
 _BESIDE_IT = ("next_to", "left_of", "right_of", "near", "in_front_of", "behind")
@@ -23,6 +24,15 @@ def number_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     near = _at_hand(state)
     group = state.refs.several(near)
     count = phrase.count or (1, 1)
+    total = phrase.bound is not None or phrase.value == "grouped" or state.glue == "bracket"
+    if group is not None and total and give_total(state, phrase, group):
+        state.waiting, state.glue = None, ""
+        return
+    if phrase.value == "grouped":
+        state.waiting, state.glue = None, ""
+        return
+    if group is not None and on_the_other(state, group, count):
+        return
     if group is None:
         if after is None or after.kind != "stop":
             state.leave_unread(chunk.text, chunk.start, chunk.end)
@@ -39,6 +49,8 @@ def pronoun_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         _part_phrase(state, phrase, chunk)
     elif waiting is not None:
         _pronoun_target(state, phrase, waiting)
+    elif kind == "each" and ends_here(state) and share_out(state):
+        state.glue = ""
     elif kind == "each":
         group = state.refs.several(_at_hand(state))
         if group is not None:
@@ -71,6 +83,9 @@ def _part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     """ "One of them", "another", "the other"."""
     waiting, partial = state.waiting, phrase.value == "partial"
     near = nearest(state, waiting.subjects or []) if waiting is not None else _at_hand(state)
+    several = state.refs.several(near) if partial and waiting is None else None
+    if several is not None and on_the_other(state, several, (1, 1)):
+        return
     if partial and _on_each(state.chunk(state.at)):
         group = state.refs.several(near)
         if group is not None:
@@ -101,6 +116,9 @@ def _pronoun_target(state: State, phrase: NounPhrase, waiting: Waiting) -> None:
     if not found and it and len(subjects) > 1:
         found = subjects[:1]  # "a fireplace and bookshelves on either side of it"
     if found:
+        beside = waiting.place.type in _BESIDE_IT and bool(subjects) and all(m.mount == "floor" for m in subjects)
+        if it and beside and found[-1].mount == "surface":  # a fridge next to "it" is next to the counter
+            found = [carrier_root(state, found[-1])]
         give_target(state, waiting, found, phrase, False)
         return
     state.waiting = None

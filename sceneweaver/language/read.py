@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from .asides import without_asides
 from .chunker import chunked
 from .clauses import read_clauses
 from .graph import build
@@ -34,7 +35,7 @@ def read_request(text: str) -> SceneGraph:
     parsed = Parsed(notes=list(source.notes))
     for read in STATEMENTS:
         read(source, parsed)
-    read_clauses(chunked(tokens(source, parsed.notes)), source, parsed)
+    read_clauses(chunked(without_asides(tokens(source, parsed.notes))), source, parsed)
     _sides(parsed, source)
     for note in source.notes:
         parsed.note(note)

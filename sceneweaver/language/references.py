@@ -38,7 +38,7 @@ class References:
     def known(self, phrase: NounPhrase, target: bool, without: list[Mention]) -> Mention | None:
         """What was named before and is meant again; None when it is another one."""
         if not phrase.definite and not (target and (phrase.count in (None, (1, 1)))):
-            return None
+            return self._said_again(phrase, without)
         if phrase.determiner == "another":
             kin = [m for m in self._recent() if m.many and singular(m.noun).endswith(singular(phrase.text))]
             return kin[0] if kin and target else None
@@ -48,7 +48,9 @@ class References:
         fitting = [m for m in apart(self._recent(), without) if _may_be(m, phrase, qualities)]
         head, whole = singular(phrase.text), singular(noun)
         if not phrase.definite:  # "a lamp on a nightstand" after "two nightstands"
-            return next((m for m in fitting if m.category == category and singular(m.noun).endswith(head)), None)
+            every = phrase.determiner in ("each", "every")  # "every bench" after "five island benches"
+            alike = (m for m in fitting if m.category == category or (every and m.many))
+            return next((m for m in alike if singular(m.noun).endswith(head)), None)
         last = head.split()[-1]
         kinds = words("nouns")["kinds"].get(head, ())
         tests: tuple[Callable[[Mention, str], bool], ...] = (  # the first that any passes tells
@@ -65,6 +67,17 @@ class References:
         meant.sort(key=lambda m: next((k for k, names in enumerate(ranks) if m.category in names), len(ranks)))
         clear = [m for m in meant if qualities and qualities <= _described(m)]
         return next(iter(clear or meant), None)
+
+    def _said_again(self, phrase: NounPhrase, without: list[Mention]) -> Mention | None:
+        """A noun without article that was named as where something is: "a map over the desk, desk wide enough"."""
+        if phrase.determiner or phrase.count is not None or phrase.plural or phrase.qualities:
+            return None
+        noun = singular(phrase.text)
+        targets = {t for said in self.parsed.said[-8:] for t in said.targets if isinstance(t, Mention)}
+        for mention in apart(self._recent()[:12], without):
+            if mention in targets and mention.count is None and singular(mention.noun) == noun:
+                return mention
+        return None
 
     def pronoun(self, phrase: NounPhrase, near: list[Mention], without: list[Mention]) -> list[Mention]:
         """Who "it", "them", "both" are; ``near`` is what stands closest in the sentence."""

@@ -13,6 +13,7 @@ from .relating import say
 from .room_phrases import place_phrase, room_phrase
 from .state import State, Waiting
 from .thing_phrases import is_part, named_thing, new_thing
+from .things import match_of
 from .vocabulary import Place, words
 
 _TWO = ("two", "double", "dual")
@@ -166,6 +167,9 @@ def part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         phrase.what, phrase.value = "place", opening
         place_phrase(state, phrase, chunk)
         return
+    if phrase.count is not None and state.waiting is None and _stands_apart(state, phrase):
+        named_thing(state, phrase, chunk)  # "five hooks above it"
+        return
     waiting, state.waiting = state.waiting, None
     if waiting is not None and waiting.subjects and phrase.definite:  # "a pillow against the headboard"
         near = [m for m in reversed(state.out.mentions[-20:]) if any(a.value == phrase.text for a in m.attributes)]
@@ -188,6 +192,13 @@ def part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
             return
     state.glue = ""
     state.head = list(owners[-1:]) if owners else state.head
+
+
+def _stands_apart(state: State, phrase: NounPhrase) -> bool:
+    """Whether what may be a part of a thing is told of as a thing: it is known as one, and words say where it is."""
+    after = state.chunk(state.at)
+    placed = after is not None and after.kind == "place" and after.value.type in ("above", "below", "next_to", "beside")
+    return placed and match_of(phrase.text).how in ("exact", "synonym", "plural")
 
 
 def _said_of_part(state: State, phrase: NounPhrase) -> list[Attribute]:

@@ -12,7 +12,7 @@ from sceneweaver.assets.taxonomy import category_named, likeliness
 from .chunks import Chunk, NounPhrase
 from .model import Span
 from .nearness import SIDED, anchor, beside_those, carrier_root, chained, main_things, nearest
-from .parsed import Mention, Said, without
+from .parsed import Barred, Left, Mention, Said, without
 from .state import Frame, State
 from .vocabulary import Place, words
 
@@ -44,6 +44,9 @@ def relate(
         return
     said = Said(place.type, subjects, targets, place.words, count, span=span)
     target, one = targets[0], subjects[0]
+    if state.barred:
+        _bar(state, said)
+        return
     if isinstance(target, str):
         relate_to_place(state, said)
         return
@@ -55,8 +58,13 @@ def relate(
     kind = said.type = _meant_kind(place.type, place.words, subjects)
     if kind in ("on", "inside") and not target.is_rug:
         call_by_place(subjects, "surface")
+    lamps = [
+        s for s in subjects if kind == "above" and s.category == "table_lamp" and target.family in ("table", "seat")
+    ]
     if kind == "above" and place.words.startswith("hang"):
         call_by_place(subjects, "ceiling")
+    elif lamps:  # "a lamp low over the table"
+        call_by_place(lamps, "ceiling")
     elif kind == "above" and target.mount == "floor":
         call_by_place(subjects, "over_table" if has_role(target.category, "lit_table") else "over")
     if kind == "on" and target.is_rug:  # what stands on the table on the rug is not on the rug
@@ -70,6 +78,25 @@ def relate(
     said.each = place.each and (said.count is not None or kind not in ("flanking", "along"))
     said.side = place.side
     say(state, said)
+
+
+def _bar(state: State, said: Said) -> None:
+    """A relation that must not hold, said of what is wanted elsewhere or, of each other kind, of what is not wanted."""
+    target = said.targets[0]
+    kind = said.type
+    if isinstance(target, str):
+        if target in ("room", "floor") or kind == "through":
+            spoken = f"{state.negation} {said.words} the {target}"
+            where = said.span or state.chunk_span()
+            state.out.unread.append(Left(spoken, span=where))
+            return
+        kind = _kind_at(kind, target, said.subjects)
+    unwanted = {m for m in said.subjects if m in state.unwanted}
+    for subject in said.subjects:
+        names = tuple(subject.words) if subject in unwanted else ()
+        spoken = f"no {subject.noun} {said.words}" if subject in unwanted else f"not {said.words}"
+        spoken = f"{spoken} the {target.partition(':')[0]}" if isinstance(target, str) else f"{spoken} {target.noun}"
+        state.out.barred.append(Barred(kind, [subject], said.targets, spoken, span=said.span, categories=names))
 
 
 def _meant_kind(kind: str, spoken: str, subjects: list[Mention]) -> str:
@@ -97,6 +124,9 @@ def say(state: State, said: Said) -> None:
 
 def relate_to_place(state: State, said: Said) -> None:
     """A relation of things to a part of the room, its only target."""
+    if state.barred:
+        _bar(state, said)
+        return
     kind, subjects, place = said.type, said.subjects, str(said.targets[0])
     if kind == "through":
         return
@@ -243,13 +273,13 @@ def relate_to_owner(state: State, frame: Frame, mentions: list[Mention], phrase:
             if not ranks:
                 continue
             owner = min(ranks)[2]
-        kind = _owned_kind(mention, owner, small)
+        kind = owned_kind(mention, owner, small)
         if kind is not None:
             spoken, span = f"{owner.noun} with {mention.noun}", state.span_of(phrase)
             say(state, Said(kind, [mention], (owner,), spoken, each=frame.each, span=span, implied=True))
 
 
-def _owned_kind(mention: Mention, owner: Mention, small: bool) -> str | None:
+def owned_kind(mention: Mention, owner: Mention, small: bool) -> str | None:
     """How what something comes with usually stands to it; None where "with" says nothing of places."""
     if small and (owner.mount in ("floor", "wall") or category_named(owner.category).holds):
         return support_kind("on", owner)

@@ -10,6 +10,7 @@ from .chunks import Chunk, NounPhrase
 from .items import bind_target, name_nothing, name_things
 from .parsed import Mention, Said
 from .relating import relate, relate_to_place, say
+from .shares import ends_here, share_out
 from .state import State, Waiting
 from .tokens import Token
 from .vocabulary import Place, category_of, family, words
@@ -206,9 +207,14 @@ def people_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     """Who the room is for, and how many they are."""
     out, text = state.out, phrase.text
     state.waiting = None
+    if phrase.determiner in ("each", "every") or text in ("everybody", "everyone"):
+        if not (ends_here(state) and share_out(state, of_people=True)):
+            state.per_person = True
+        state.glue = "" if state.glue != "start" else "start"
+        return
     inner = phrase.of.count if phrase.of is not None else None
     if phrase.count is not None:
-        out.people = phrase.count[1]
+        out.people = max(phrase.count[1], out.people or 0)  # four pupils at each bench are some of the twenty
     elif out.people is None and text in ("couple", "young couple", "parents", "elderly couple"):
         out.people = 2
     elif out.people is None and text == "family":
@@ -236,6 +242,13 @@ def abstract_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     start = state.glue == "start" and not state.out.mentions
     name_nothing(state)
     state.lost = state.lost and not (start and phrase.text in words("groups")["rooms"])
+
+
+def matter_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
+    """What is no object and no mood: a way, a step, an event. Other readers may know it; here it is not understood."""
+    state.leave_unread(state.source.text[phrase.start : phrase.end], phrase.start, phrase.end)
+    phrase.count = None
+    abstract_phrase(state, phrase, chunk)
 
 
 def _strange(phrase: NounPhrase) -> list[str]:

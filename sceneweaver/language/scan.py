@@ -13,6 +13,9 @@ _BASES = ("stand", "rest", "face", "display", "frame", "support", "house", "line
 """Verbs in the plural that look like nouns."""
 
 
+_MODALS = ("can", "could", "should", "shall", "will", "would", "must", "may", "might")
+
+
 class Scan:
     """Tokens and where the reader of them is."""
 
@@ -94,6 +97,8 @@ def is_verb(scan: Scan, k: int, seen_noun: bool) -> bool:
     other = token.has("noun", "abstract", "collective", "region", "parts", *QUALITIES)
     if verb.form == "s":
         return not other or (seen_noun and (closed or not token.has("noun")))
+    if verb.form == "base" and k > 0 and scan.tokens[k - 1].text in _MODALS:  # "everybody must have"
+        return True
     if verb.form == "base":
         several = k > 0 and scan.tokens[k - 1].has("plural") and after is not None and after.has("det", "preposition")
         return seen_noun and (

@@ -59,11 +59,18 @@ _SPELT = re.compile(
 )
 _FAR = re.compile(rf"{_NUMBER}{_GAP}(?:km|kilomet(?:er|re)s?|miles?)\b")
 _BARE = re.compile(
-    rf"(?<![\w.]){_NUMBER}{_BY}{_NUMBER}(?![\w.]|{_GAP}(?:cm|mm|in|grid|array|matrix|pattern|formation)\b)"
+    rf"(?<![\w.]){_NUMBER}{_BY}{_NUMBER}"
+    rf"(?![\w.]|{_GAP}(?:cm|mm|in|grid|array|matrix|pattern|formation|raster|rows?|block|layout)\b)"
 )
 _ENDLESS = re.compile(r"\d{10,}")
 _WRAPPED = re.compile(r"(?<=[^\n]{60})(?<!\s)\s*\n(?=[a-z])")
 """The end of a long line that was wrapped. It begins with the first white space, so that its time is linear."""
+
+_SHORTENED = re.compile(r"(?<![a-z])(min|max|approx|ca|incl)\.(?=\s{0,9}\d)")
+"""Shortened words, whose full stop ends no sentence."""
+
+_LISTED = re.compile(r"(?<=[a-z0-9)]) [+/] (?=[a-z0-9])")
+"""Signs between the items of a list."""
 
 _TAG = re.compile(r"<[^<>]{0,200}>")
 _PLAIN = {"‘": "'", "’": "'", "“": '"', "”": '"', "–": "-", "—": ",", "…": ".", "\u00a0": " ", "²": "2"}
@@ -83,6 +90,8 @@ class Source:
     height: float | None = None
     sides: dict[int, tuple[float, ...]] = field(default_factory=dict)
     colons: set[int] = field(default_factory=set[int])
+    spoken: str = ""
+    """All of the text in lower case, before anything is taken out; characters stand where they do in ``text``."""
     notes: list[str] = field(default_factory=list)
     language: str = "en"
 
@@ -136,6 +145,9 @@ def read_source(text: str) -> Source:
     found.blank(_TAG, lambda m: " ")
     found.blank(_ENDLESS, lambda m: _endless(m, found))
     found.blank(_WRAPPED, lambda m: " ")
+    found.blank(_SHORTENED, lambda m: m[1])
+    found.blank(_LISTED, lambda m: " & ")
+    found.spoken = found.text
     found.colons = {k for k, letter in enumerate(found.text) if letter == ":"}
     found.text = re.sub(r"[\n;:!?•*|]|(?<=\s)-(?=\s)", ".", found.text)
     found.blank(_SPELT, lambda m: str(_DIGITS[m[1]]))

@@ -54,6 +54,8 @@ class Waiting:
     count: tuple[int, int] | None = None
     first: Mention | None = None
     lost: bool = False
+    barred: bool = False
+    """Whether it says where something must not be."""
 
 
 class State:
@@ -83,6 +85,11 @@ class State:
         self.joined = ""  # what bound the last item to the one before
         self.manner = ""  # what the verb adds to a word of place: hang, lean, center, mount
         self.negated = ""  # whether what follows must not be there: first, list, article, where
+        self.negation = ""  # the word that says so
+        self.unwanted: list[Mention] = []  # what must not be where the next words of place say
+        self.total: tuple[int, int] | None = None  # how many things there are of the kinds that are listed next
+        self.per_person = False  # whether what is named is there for every one of the people
+        self.barred = False  # whether the relation in hand must not hold
         self.subset: tuple[int, int] | None = None  # of how many of the subjects the next relation is said
         self.last_target: tuple[Waiting, tuple[Any, ...]] | None = None
         self.predicate: list[Mention] = []  # what "is red" is about

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from .chunks import Chunk, NounPhrase
 from .items import name_nothing, name_things
+from .nothings import may_name
 from .parsed import Mention, without
 from .room_phrases import abstract_phrase, describe_room, people_phrase, unknown_room
+from .shares import ends_here, multiply, share_out
 from .state import State
 from .things import describe, match_of, name_of, new_mention, note_on, singular
 from .vocabulary import words
@@ -14,8 +16,17 @@ MOST_NEW = 400
 """Mentions that are made at most."""
 
 
+_ANYTHING = ("object", "item", "thing", "piece", "article")
+"""Nouns that name nothing, but may be counted."""
+
+
 def named_thing(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     """A noun: of something new, or of what was named before."""
+    if singular(phrase.text) in _ANYTHING and phrase.count is not None and state.waiting is None:
+        state.total = phrase.count  # "ten objects, mugs and bottles"
+        name_nothing(state)
+        state.lost = False
+        return
     if phrase.text in ("furniture", "object"):
         describe_room(state, phrase)
         state.glue = ""
@@ -23,6 +34,11 @@ def named_thing(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     waiting = state.waiting
     if waiting is None and phrase.determiner in ("each", "every"):  # "each bowl next to a spoon"
         group = state.refs.known(phrase, True, [])
+        before = state.chunk(state.at - 2)
+        follows = before is not None and (before.text == "for" or before.kind == "noun")
+        if group is not None and follows and ends_here(state) and share_out(state, group):
+            state.glue = ""  # "one locker per bed"
+            return
         if group is not None and group.many:
             name_things(state, [group], phrase, False)
             state.each = True
@@ -62,11 +78,24 @@ def _named_before(state: State, phrase: NounPhrase) -> Mention | None:
     if other and rest is not None and rest.noun.rstrip("s").endswith(phrase.text.rstrip("s")):
         return rest
     found = state.refs.known(phrase, target, apart)
+    if found is None and phrase.bound is not None and not target and (some := _some_of(state, phrase)) is not None:
+        return some
     if found is None and phrase.count == (1, 1) and phrase.determiner == "one" and not target:
         several = state.refs.known(phrase, True, apart)
         if several is not None and several.many:
             return state.refs.part([several])
     return found
+
+
+def _some_of(state: State, phrase: NounPhrase) -> Mention | None:
+    """ "Six tables. At least two tables stand by the window": some of those that were named, of which it is said."""
+    noun, count = singular(name_of(phrase)), phrase.count or (1, 1)
+    for mention in reversed(state.out.mentions[-12:]):
+        if mention.count is not None and singular(mention.noun) == noun and count[0] < mention.count[0]:
+            state.subset = (count[0], max(count[1], mention.count[1]))
+            phrase.count = None
+            return mention
+    return None
 
 
 def _is_of_the_room(state: State, phrase: NounPhrase) -> bool:
@@ -80,7 +109,8 @@ def _is_of_the_room(state: State, phrase: NounPhrase) -> bool:
     room = state.out.room_type is not None or bool(state.out.room_words) or state.names_a_room
     if room or phrase.definite or phrase.plural or phrase.count not in (None, (1, 1)) or after is None:
         return False
-    if not (after.start in state.source.colons or (after.kind == "purpose" and after.value == "people")):
+    first = state.at == 1 and after.kind == "with"
+    if not (first or after.start in state.source.colons or (after.kind == "purpose" and after.value == "people")):
         return False
     unknown_room(state, phrase)
     describe_room(state, phrase)
@@ -119,12 +149,14 @@ def new_thing(state: State, phrase: NounPhrase) -> Mention | None:
         mention.attributes += [a for a in other.attributes if a.kind in alike]
     note_on(mention, state.out)
     state.out.mentions.append(mention)
+    if state.per_person and state.out.people and mention.count in (None, (1, 1)):
+        multiply([mention], (state.out.people, state.out.people))
     return mention
 
 
 def _is_concrete(state: State, phrase: NounPhrase) -> bool:
     """Whether a noun that is not known stands where a thing is named: in a list, or as what is placed."""
-    if phrase.definite or not any(c.isalpha() for c in phrase.text):
+    if phrase.definite or not any(c.isalpha() for c in phrase.text) or not may_name(phrase.text):
         return False
     if phrase.determiner or phrase.count is not None:
         return True

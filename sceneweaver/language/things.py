@@ -11,6 +11,7 @@ from sceneweaver.assets.taxonomy import category_named, narrower
 from .chunks import NounPhrase
 from .model import Attribute, AttributeKind
 from .parsed import Mention, Parsed
+from .senses import sense_of
 from .source import Source
 from .tokens import Token
 from .vocabulary import category_of, plural, vocabulary, words
@@ -84,6 +85,10 @@ def new_mention(phrase: NounPhrase, source: Source) -> Mention:
         mention.count = (2, 2)
     describe(mention, phrase, source)
     mention.category = narrower(mention.category, " ".join(a.words for a in mention.attributes), mention.noun)
+    meant = sense_of(mention.noun, source, phrase.start, phrase.end, mention.scale)
+    if meant is not None:
+        mention.category, mention.generic = meant, False
+        return mention
     described = {word for a in mention.attributes for word in a.words.split()} | set(mention.words)
     spoken = set(mention.category.split("_"))
     mention.unnamed = [word for word in match.modifiers if word not in described | spoken and not _is_quality(word)]
@@ -98,7 +103,7 @@ def _is_quality(word: str) -> bool:
 def note_on(mention: Mention, parsed: Parsed) -> None:
     """Says what a noun was taken for, unless its name was known."""
     match = match_of(mention.noun)
-    if match.note and match.how in ("generic", "group", "head", "spelling"):
+    if match.note and mention.generic == match.generic and match.how in ("generic", "group", "head", "spelling"):
         parsed.note(match.note)
 
 

@@ -11,7 +11,7 @@ from sceneweaver.knowledge.learned import learned_words
 
 from .source import Source, metres
 from .spelling import mended
-from .vocabulary import LONGEST, NUMBERS, Verb, vocabulary
+from .vocabulary import LONGEST, NUMBERS, Verb, vocabulary, words
 
 _WORD = re.compile(r"§|\d+(?:[.,]\d+)?|[a-z][a-z'&/]*|[^\W\d_]+|[.,()&\"{}\[\]<>\\/=]")
 _UNIT = re.compile(r"^(meters?|metres?|m|cm|centimeters?|centimetres?|ft|feet|foot|inch(?:es)?|in)$")
@@ -71,7 +71,7 @@ def tokens(source: Source, notes: list[str]) -> list[Token]:
         else:
             token, at = _number(raw, at) if word.text[0].isdigit() else _phrase(raw, at, notes, learned)
             found.append(token)
-    return list(_tens(_cut(found)))
+    return list(_either(list(_tens(_cut(found)))))
 
 
 def _raw(text: str) -> list[_Raw]:
@@ -100,6 +100,16 @@ def _number(raw: list[_Raw], at: int) -> tuple[Token, int]:
         low, high = sorted((int(word.text), int(raw[low_high].text[:5])))
         kinds: dict[str, Any] = {"amount": (low, high)}
         return Token(f"{word.text} to {raw[low_high].text}", word.start, raw[low_high].end, kinds), low_high + 1
+    if (
+        after
+        and after[0] in ("x", "×")
+        and len(after) == 2
+        and after[1].isalpha()
+        and "number" not in vocabulary().get(after[1], {})
+    ):
+        return Token(
+            f"{word.text} x", word.start, raw[at + 1].end, {"number": int(float(word.text.replace(",", ".")))}
+        ), at + 2
     place = after[:1] == ["in"] and after[1:] and after[1] in ("the", "a", "an", "each", "every", "total")
     if after and _UNIT.match(after[0]) and not place:
         length = metres(word.text, after[0])
@@ -126,16 +136,25 @@ def _phrase(raw: list[_Raw], at: int, notes: list[str], learned: Mapping[str, st
             return Token(phrase, raw[at].start, raw[end - 1].end, {"room": learned[phrase]}), end
         if phrase not in table or (length > 1 and "place_adverb" in table[phrase] and _noun_begins(raw, end - 1)):
             continue
+        if length > 1 and raw[end - 1].text == "seats" and end < len(raw) and _is_number(raw[end].text):
+            continue  # "a table seats eight"
         if raw[end - 1].glued and not (length == 1 and phrase in NUMBERS and _tens_follow(raw, end)):
             continue
         return Token(phrase, raw[at].start, raw[end - 1].end, dict(table[phrase])), end
     if raw[at].glued:
         return _compound(raw, at)
     known = mended(raw[at].text, notes)
-    if known is None and at + 1 < len(raw) and raw[at].text == "":
-        known = None
-    kinds = dict(table[known]) if known else {}
+    kinds = dict(table[known]) if known else {"adverbs": raw[at].text} if _is_adverb(raw[at].text) else {}
     return Token(known or raw[at].text, raw[at].start, raw[at].end, kinds), at + 1
+
+
+def _is_number(word: str) -> bool:
+    return word.isdigit() or word in NUMBERS
+
+
+def _is_adverb(word: str) -> bool:
+    """Whether a word that is not known has the ending of an adverb: it belongs to no name of a thing."""
+    return len(word) > 5 and word.endswith("ly") and not word.endswith(tuple(words("nothings")["nouns_in_ly"]))
 
 
 def _noun_begins(raw: list[_Raw], at: int) -> bool:
@@ -199,6 +218,22 @@ def _cut(found: list[Token]) -> Iterator[Token]:
                 yield Token(last, token.end - len(last), token.end, dict(table[last]))
                 continue
         yield token
+
+
+def _either(found: list[Token]) -> Iterator[Token]:
+    """ "One or two" and "three to five" are a number between them."""
+    at = 0
+    while at < len(found):
+        token, end = found[at], at + 3
+        if token.has("number") and end <= len(found) and found[at + 1].text in ("or", "to", "-"):
+            low, high = token.get("number"), found[at + 2].get("number")
+            if isinstance(low, int) and isinstance(high, int) and 0 < low < high <= max(12, 2 * low):
+                text = f"{token.text} {found[at + 1].text} {found[at + 2].text}"
+                yield Token(text, token.start, found[at + 2].end, {"amount": (low, high)})
+                at = end
+                continue
+        yield token
+        at += 1
 
 
 def _tens(found: Iterator[Token]) -> Iterator[Token]:

@@ -25,7 +25,7 @@ def open_ends(state: State) -> None:
 
 def with_chunk(state: State, chunk: Chunk) -> None:
     """ "With" opens the list of what its owner has, or of what is there."""
-    state.negated = ""
+    state.negated, state.unwanted = "", []
     open_ends(state)
     owner = state.head if state.glue in ("", "and") else (state.subject or state.first_items)[-1:]
     if state.each and state.subject:
@@ -53,6 +53,10 @@ def verb_chunk(state: State, chunk: Chunk) -> None:
         verb = Verb(verb.lemma, "ed" if chunk.passive else "ing")
     finite = verb.form in ("s", "base") or (verb.form == "ed" and chunk.passive and state.after_be)
     after_be, state.after_be = state.after_be, False
+    if state.negated == "first" and _places(state, verb):
+        state.negated, state.done = "where", True  # "may not stand in front of the window"
+        state.subject = list(state.subject or state.head)
+        return
     if state.negated and verb.form in ("base", "s") and state.glue != "":
         state.negated = ""
     if verb.lemma == "be" and (verb.form in ("s", "base") or chunk.passive):
@@ -74,6 +78,13 @@ def verb_chunk(state: State, chunk: Chunk) -> None:
     if verb.form in ("s", "base") and not chunk.passive:
         _finite(state, chunk)
     _place_by_verb(state, chunk, verb, _owner(state, finite or after_be), finite, after_be)
+
+
+def _places(state: State, verb: Verb) -> bool:
+    """Whether a verb after "not" only leads to the words that say where."""
+    after = state.chunk(state.at)
+    posture = verb.lemma == "be" or verb.lemma in words("relations")["verbs"]["posture"]
+    return posture and after is not None and after.kind == "place" and bool(state.subject or state.head)
 
 
 def _centers_room(state: State, chunk: Chunk, verb: Verb) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 from itertools import product
@@ -110,7 +111,57 @@ def vocabulary() -> dict[str, dict[str, Any]]:
             continue
         put(plural(phrase), "noun", name)
         put(plural(phrase), "plural", True)
+    _put_people(table, put)
+    _put_nothings(table, put)
     return table
+
+
+Put = Callable[[Any, str, Any], None]
+"""Adds a phrase with one of its kinds and its value."""
+
+
+def _put_people(table: dict[str, dict[str, Any]], put: Put) -> None:
+    """Who people are, and what they do."""
+    people = words("asides")
+    for role in people["roles"]:
+        put(role, "people_words", role)
+        put(plural(role), "people_words", role)
+        put(plural(role), "plural", True)
+    for phrase in people["persons"]:
+        put(phrase, "person", phrase)
+        if not table[phrase].keys() & {"stop", "while", "partial"}:
+            put(phrase, "people_words", phrase)
+    for phrase in people["modals"]:
+        put(phrase, "modal", phrase)
+    for phrase in people["passives"]:
+        put(phrase, "passive", phrase)
+    for lemma in people["actions"]:
+        verb, _, rest = lemma.partition(" ")
+        s, ed, ing = people["irregular"].get(verb) or _regular(verb)
+        for form, word in (("base", verb), ("s", s), ("ed", ed), ("ing", ing)):
+            put(f"{word} {rest}".strip(), "action", form)
+
+
+def _put_nothings(table: dict[str, dict[str, Any]], put: Put) -> None:
+    """Words that name no object, where they are nothing else."""
+    nothings = words("nothings")
+    for phrase in nothings["idioms"]:
+        put(phrase, "aside", phrase)
+    for phrase in nothings["units"]:
+        put(phrase, "unit", phrase)
+    known = {phrase for phrase, kinds in table.items() if kinds.keys() - {"action", "passive", "modal", "unit"}}
+    for phrase in nothings["adverbs"]:
+        if phrase not in known:
+            put(phrase, "adverbs", phrase)
+    for phrase in nothings["adjectives"]:
+        if phrase not in known:
+            put(phrase, "adjective", phrase)
+    for section in ("ways", "parts", "matters"):
+        for phrase in nothings[section]:
+            for form in dict.fromkeys((phrase, plural(phrase))):
+                if form not in known:
+                    put(form, "matter", phrase)
+                    put(form, "plural", True) if form != phrase else None
 
 
 def _place(name: str, phrase: str) -> Place:

@@ -191,6 +191,30 @@ def test_without_and_only() -> None:
     assert not only(just, "missing_usual", "completion") and not only(just, "empty_support", "completion")
 
 
+def outcome_of(found: Review) -> str:
+    assert found.alignment is not None
+    return next(o.status for o in found.alignment.items if o.item.startswith("exclusion"))
+
+
+@pytest.mark.parametrize(
+    ("relation", "place", "status"), [("against", "wall", "unmet"), ("at", "middle", "met"), ("at", "corner", "met")]
+)
+def test_what_must_not_be_in_one_place_is_measured_there(relation: str, place: str, status: str) -> None:
+    barred = {"words": "not there", "categories": ["bed"], "relation": relation, "targets": [place]}
+    wanted = review(rooms.bedroom(), entities=[entity("bed")], exclusions=[{**barred, "subject": "bed"}])
+    assert outcome_of(wanted) == status
+    assert outcome_of(review(rooms.bedroom(), exclusions=[barred])) == status
+
+
+def test_what_may_not_stand_somewhere_is_moved_and_what_is_banned_there_goes() -> None:
+    barred = {"words": "not at the wall", "categories": ["bed"], "relation": "against", "targets": ["wall"]}
+    wanted = review(rooms.bedroom(), entities=[entity("bed")], exclusions=[{**barred, "subject": "bed"}])
+    assert not only(wanted, "unwanted", "alignment")
+    assert only(wanted, "asked_relation", "alignment")
+    (fault,) = only(review(rooms.bedroom(), exclusions=[barred]), "unwanted", "alignment")
+    assert (fault.tool, fault.inputs["ids"]) == ("remove_objects", ["bed-0"])
+
+
 @pytest.mark.parametrize(
     ("data", "kind"),
     [

@@ -1,0 +1,160 @@
+"""What people do or may do, said by the way: "where we can read", "she can't reach them". It names nothing.
+
+Works on tokens: the words of such a clause become one token of the kind ``aside``, whose value is "clause" when it says
+who does it, else "verb". What follows with a word of place is read on: "where I can read next to a lamp" has a lamp.
+"""
+
+from __future__ import annotations
+
+from .tokens import Token
+from .vocabulary import words
+
+_OWN = ("person", "modal", "action", "passive", "unit")
+"""Kinds of words that are looked at here alone."""
+
+_OPEN = ("modal", "adverbs")
+_OBJECTS = (
+    "it",
+    "them",
+    "him",
+    "her",
+    "me",
+    "us",
+    "you",
+    "everything",
+    "anything",
+    "something",
+    "this",
+    "that",
+    "each other",
+)
+_SELDOM = ("can", "will", "may", "might", "must")
+"""Modal verbs that are nouns as well: a can is one after an article, a number or a word of quality."""
+
+_BEFORE_NOUNS = ("det", "number", "amount", "color", "material", "adjective", "scale", "shape", "each", "bound")
+_POSSESSIVE = ("my", "our", "your", "their", "his", "her", "its")
+_SIMILES = ("like", "as in", "as if", "as though")
+_WISHES = ("person", "modal")
+
+
+def without_asides(tokens: list[Token]) -> list[Token]:
+    """The tokens with each clause about people, each modal verb and each simile as one token."""
+    found: list[Token] = []
+    at = 0
+    while at < len(tokens):
+        end, value = _aside(tokens, at)
+        if end > at:
+            found.append(_joined(tokens[at:end], value))
+            at = end
+            continue
+        found.append(_plain(tokens, at))
+        at += 1
+    return found
+
+
+def _aside(tokens: list[Token], at: int) -> tuple[int, str]:
+    """The end of the aside that begins at a token, and what it is; ``at`` itself where none does."""
+    if tokens[at].has("aside"):
+        return at + 1, "verb"
+    if _is_simile(tokens, at):
+        return _end_of_simile(tokens, at), "verb"
+    first = at + 1 if tokens[at].has("person") and not _is_noun(tokens, at) else at
+    of_people = first == at and tokens[at].has("people_words", "whom") and not _is_noun(tokens, at)
+    if of_people:  # "walkers need", "both groups can see"
+        first = at + 1
+    k = first
+    while k < len(tokens) and tokens[k].has(*_OPEN) and not _is_noun(tokens, k):
+        k += 1
+    modal = any(t.has("modal") for t in tokens[first:k])
+    if k >= len(tokens) or not _acts(tokens, k, first > at, modal, of_people):
+        return at, ""
+    return _end(tokens, k + 1, first > at), "clause" if first > at else "verb"
+
+
+def _acts(tokens: list[Token], k: int, has_subject: bool, modal: bool, of_people: bool) -> bool:
+    """Whether a token is what somebody does there."""
+    token = tokens[k]
+    if token.has("passive") and modal and not has_subject:
+        return True
+    form = token.get("action")
+    if form is None or (token.has("preposition") and form == "ing"):
+        return False
+    if of_people and not modal:
+        return form == "base" and not token.has("noun", "abstract")
+    if not (has_subject or modal):
+        return False
+    return form in ("base", "s", "ed") or modal
+
+
+def _end(tokens: list[Token], k: int, has_subject: bool) -> int:
+    """The end of what belongs to the verb before ``k``: particles, pronouns, "their coffee"."""
+    while k < len(tokens):
+        token, after = tokens[k], tokens[k + 1] if k + 1 < len(tokens) else None
+        plain = token.has("adverbs") and not token.has("noun", "preposition")
+        if token.text in _OBJECTS or plain or (token.has("unit") and not token.has("noun", "preposition")):
+            k += 1
+        elif token.text in _POSSESSIVE and after is not None and not after.has("break", "preposition"):
+            k += 2
+        elif token.has("and") and after is not None and after.get("action") == "base":
+            k += 2  # "where you can sit and read"
+        elif has_subject and token.has("preposition") and (after is None or after.has("break", "with", "and")):
+            k += 1  # "I must go around with ease"
+        elif not token.kinds and token.text.isalpha():
+            k += 1
+        else:
+            break
+    return k
+
+
+def _is_noun(tokens: list[Token], at: int) -> bool:
+    """Whether a word that may be a modal verb or a person stands where a noun does."""
+    token, before = tokens[at], tokens[at - 1] if at else None
+    if not token.has("noun"):
+        return False
+    after = tokens[at + 1] if at + 1 < len(tokens) else None
+    if after is not None and after.text == "of":
+        return True
+    if token.text not in _SELDOM:
+        return True
+    canned = before is not None and before.text.rpartition(" ")[2] in words("asides")["canned"]
+    return before is not None and not before.has("while") and (canned or before.has(*_BEFORE_NOUNS))
+
+
+def _is_simile(tokens: list[Token], at: int) -> bool:
+    """Whether "like a ship" begins there; "I'd like a ship" and "things like cups" are no similes."""
+    if tokens[at].text not in _SIMILES or at == 0:
+        return False
+    before = tokens[at - 1]
+    if before.has("break", *_WISHES) or before.text in ("something", "things", "stuff", "i'd", "we'd", "d", "would"):
+        return False
+    return at + 1 < len(tokens) and not tokens[at + 1].has("break")
+
+
+def _end_of_simile(tokens: list[Token], at: int) -> int:
+    k = at + 1
+    if k < len(tokens) and tokens[k].has("preposition"):
+        k += 1
+    while k < len(tokens) and not tokens[k].has("break", "and", "with", "while", "preposition", "place_adverb"):
+        k += 1
+    return k
+
+
+def _plain(tokens: list[Token], at: int) -> Token:
+    """A token without the kinds that were looked at here; a modal verb that is no noun is none further on."""
+    token = tokens[at]
+    gone = set(_OWN)
+    if token.text in _SELDOM and not _is_noun(tokens, at):
+        gone |= {"noun", "containers", "plural"}
+    if not token.kinds.keys() & gone:
+        return token
+    kinds = {kind: value for kind, value in token.kinds.items() if kind not in gone}
+    if token.has("unit") and not kinds:
+        kinds = {"matter": token.text}
+    elif not kinds and " " in token.text:
+        kinds = {"adverbs": token.text}
+    return Token(token.text, token.start, token.end, kinds)
+
+
+def _joined(tokens: list[Token], value: str) -> Token:
+    text = " ".join(t.text for t in tokens)
+    return Token(text, tokens[0].start, tokens[-1].end, {"aside": value})

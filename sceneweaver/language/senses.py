@@ -1,0 +1,53 @@
+"""What a noun of several meanings means in a request: by the kind of the room and the words around it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from functools import cache
+from typing import Any
+
+from sceneweaver.assets import categories
+from sceneweaver.assets.plurals import singular
+
+from .source import Source
+from .vocabulary import vocabulary, words
+
+BESIDE = 32
+"""Characters before and after a noun within which words stand beside it."""
+
+
+def sense_of(noun: str, source: Source, start: int, end: int, scale: float) -> str | None:
+    """The category that a noun at characters [start, end) means; None where it has its usual sense.
+
+    A compound that is known by itself has no other sense.
+    """
+    rows = words("senses").get(singular(noun.partition(" of ")[0].split()[-1]))
+    if rows is None or _is_compound(noun):
+        return None
+    around = source.spoken[max(0, start - BESIDE) : end + BESIDE]
+    for row in rows:
+        if _fits(row, source.spoken, around, scale):
+            known = categories()
+            return next((name for name in row["means"] if name in known), None)
+    return None
+
+
+def _is_compound(noun: str) -> bool:
+    """Whether a noun, or the end of it, is a compound that is known by itself: "crystal wine glasses"."""
+    parts = noun.partition(" of ")[0].split()
+    return any("noun" in vocabulary().get(" ".join(parts[k:]), {}) for k in range(len(parts) - 1))
+
+
+def _fits(row: Mapping[str, Any], text: str, around: str, scale: float) -> bool:
+    if scale < row.get("scale", 0.0):
+        return False
+    if "unless" in row and _any_of(tuple(row["unless"])).search(text):
+        return False
+    near = "near" not in row or _any_of(tuple(row["near"])).search(text)
+    return bool(near and ("beside" not in row or _any_of(tuple(row["beside"])).search(around)))
+
+
+@cache
+def _any_of(phrases: Sequence[str]) -> re.Pattern[str]:
+    return re.compile(rf"\b(?:{'|'.join(map(re.escape, phrases))})\b")

@@ -1,0 +1,115 @@
+"""How many there are of things of which a request says how many each has, or how many there are in all."""
+
+from __future__ import annotations
+
+from .chunks import Chunk, NounPhrase
+from .items import continue_with
+from .parsed import Mention, Said
+from .relating import owned_kind, say
+from .state import State
+from .things import MANY
+
+_ENDS = ("stop", "comma", "bracket", "and")
+
+
+def ends_here(state: State) -> bool:
+    """Whether a list or the sentence ends with the chunk in hand."""
+    after = state.chunk(state.at)
+    return after is None or after.kind in _ENDS
+
+
+def multiply(mentions: list[Mention], by: tuple[int, int]) -> None:
+    """So many of each for every one of so many."""
+    for mention in mentions:
+        low, high = mention.count or ((1, 1) if not mention.plural else MANY)
+        if mention.count == MANY and mention.plural:
+            low, high = 1, 1
+        mention.count = (low * by[0], high * by[1])
+
+
+def last_items(state: State) -> list[Mention]:
+    """What the words just before are about: the last thing, and the small ones that are listed with it."""
+    found: list[Mention] = []
+    for mention in reversed(state.out.mentions[state.begun :]):
+        large = mention.family in ("table", "storage", "bed_group", "seat")
+        if found and (large or not found[0].is_small or mention.count not in (None, (1, 1))):
+            break
+        found.append(mention)
+    return found
+
+
+def owners_of(state: State, items: list[Mention]) -> Mention | None:
+    """The things of which each has the items: the last of which there are several."""
+    for mention in reversed(state.out.mentions[-12:]):
+        if mention not in items and mention.count is not None and mention.count[0] == mention.count[1] > 1:
+            return mention
+    return None
+
+
+def share_out(state: State, owner: Mention | None = None, of_people: bool = False) -> bool:
+    """ "Three chairs each", "a towel for each guest", "one locker per bed": multiplies what was named last."""
+    items = last_items(state)
+    owner = None if of_people else owner or owners_of(state, items)
+    if owner in items:
+        items = [m for m in items if m is not owner]
+    people = state.out.people
+    by = owner.count if owner is not None else (people, people) if people else None
+    if not items or by is None:
+        return False
+    multiply(items, by)
+    if owner is not None:
+        _belong(state, items, owner)
+    return True
+
+
+def _belong(state: State, items: list[Mention], owner: Mention) -> None:
+    """What each of some things has is where it usually stands to them, unless that was said."""
+    related = {m for said in state.out.said for m in said.subjects if owner in said.targets}
+    for item in items:
+        kind = owned_kind(item, owner, item.mount == "surface") if item not in related else None
+        if kind is not None:
+            spoken = f"{item.noun} for each {owner.noun}"
+            say(state, Said(kind, [item], (owner,), spoken, each=True, implied=True, span=state.chunk_span()))
+
+
+def give_total(state: State, phrase: NounPhrase, group: Mention) -> bool:
+    """ "At least 20 of them", "(min. 15)", "in two rows of four": how many there are of what had no number."""
+    count = phrase.count or (1, 1)
+    related = state.last_subjects if group in state.last_subjects else state.subject or state.head
+    listed = [m for m in related if m.plural and m.count in (None, MANY)]
+    listed = listed if group in listed else [group] if group.count in (None, MANY) else []
+    if not listed:
+        return False
+    least, most = (-(-n // len(listed)) for n in count)
+    for mention in listed:
+        mention.count = (least, most)
+    return True
+
+
+def share_total(state: State, total: tuple[int, int], begun: int) -> bool:
+    """ "Ten objects, mugs and bottles": so many in all of the kinds that were named since; whether there are any."""
+    listed = [m for m in state.out.mentions[begun:] if m.plural and m.count in (None, MANY)]
+    for k, mention in enumerate(listed):
+        mention.count = tuple((n + len(listed) - 1 - k) // len(listed) for n in total)  # type: ignore[assignment]
+    return bool(listed)
+
+
+def on_the_other(state: State, group: Mention, count: tuple[int, int]) -> bool:
+    """ "Three chairs on one side, two on the other": more of the same on the side that is left."""
+    place, other = state.chunk(state.at), state.chunk(state.at + 1)
+    if place is None or other is None or place.kind != "place" or not _is_other(other):
+        return False
+    first = next((s for s in reversed(state.out.said) if group in s.subjects), None)
+    if first is None or "one" not in first.words.split() or group.count is None:
+        return False
+    more = group.copied(count=count, plural=count[1] > 1, span=state.chunk_span())
+    state.out.mentions.append(more)
+    state.at += 2
+    words = f"{place.text} {other.text}"
+    say(state, Said(first.type, [more], first.targets, words, side=first.side, span=state.span_of(place)))
+    continue_with(state, [more])
+    return True
+
+
+def _is_other(chunk: Chunk) -> bool:
+    return chunk.kind == "noun" and chunk.value.what == "pronoun" and chunk.value.text in ("the other", "the other one")

@@ -1,0 +1,68 @@
+"""How many of what: bounds, rows of so many, so many each, of which only some are told of."""
+
+from __future__ import annotations
+
+import pytest
+
+from sceneweaver.language import read_request
+
+COUNTS = [
+    ("A cinema with two rows of five recliners.", "recliner", (10, 10)),
+    ("A lounge with leather armchairs in three groups of four.", "armchair", (12, 12)),
+    ("A workshop with six workbenches in two rows of three.", "workbench", (6, 6)),
+    ("A loft with plants everywhere (min. 15) and a bench.", "potted_plant", (15, 19)),
+    ("A loft with bottles and cups on the table, at least 20 of them.", "bottle", (10, 12)),
+    ("A cafe with six tables. At least two tables stand by the window.", "dining_table", (6, 6)),
+    ("A bedroom for three guests, a towel for each guest.", "folded_towel", (3, 3)),
+    ("A studio with a round table for four people, a stool and headphones for each.", "headphones", (4, 4)),
+    ("A bedroom with two nightstands, a lamp on both nightstands.", "table_lamp", (2, 2)),
+    ("A dormitory for three boys. Everybody has an own locker.", "locker", (3, 3)),
+    ("A bunk house with four beds, one locker per bed.", "locker", (4, 4)),
+    ("Bedroom: 2x nightstands, a bed", "nightstand", (2, 2)),
+    ("A hall: max. 3 stools, about 10 books, a lamp or two", "stool", (1, 3)),
+    ("A hall: max. 3 stools, about 10 books, a lamp or two", "book", (10, 10)),
+    ("A hall: max. 3 stools, about 10 books, a lamp or two", "table_lamp", (1, 2)),
+    ("a bedroom with one or two stools", "stool", (1, 2)),
+    ("a dining room with a rack + 2 benches", "bench", (2, 2)),
+    ("Twelve items: cups, plates and forks.", "fork", (4, 4)),
+    ("A hall with a bench, five hooks above it.", "coat_hooks", (5, 5)),
+]
+
+
+@pytest.mark.parametrize(("text", "category", "count"), COUNTS)
+def test_counts(text, category, count):
+    assert read_request(text).entity(category).count == count
+
+
+def test_so_many_each_belong_to_their_owners():
+    graph = read_request("An office with two desks side by side, three chairs each.")
+    chairs = [e for e in graph.entities if e.category == "chair"]
+    assert sum(e.count[0] for e in chairs) == 6
+    assert {(r.subject, r.targets[0]) for r in graph.relations if r.type == "at"} == {
+        ("chair", "desk"),
+        ("chair-2", "desk-2"),
+    }
+
+
+def test_one_on_the_other_side_is_one_more():
+    graph = read_request("A steel table, two chairs on one side, one on the other.")
+    assert [e.count for e in graph.entities if e.category == "chair"] == [(2, 2), (1, 1)]
+    assert {r.targets for r in graph.relations} == {("dining_table",)}
+
+
+def test_the_other_side_has_more_of_the_same():
+    graph = read_request("A meeting room with a table, three chairs on one side, two on the other.")
+    assert [e.count for e in graph.entities if e.category == "chair"] == [(3, 3), (2, 2)]
+    assert {r.targets for r in graph.relations} == {("dining_table",)}
+
+
+def test_some_of_those_that_were_named_are_no_others():
+    graph = read_request("A cafe with six tables. At least two tables stand by the window.")
+    (relation,) = graph.relations
+    assert (relation.subject, relation.count[0]) == ("dining_table", 2)
+
+
+def test_a_table_that_seats_so_many_says_for_how_many_people():
+    graph = read_request("A dining room. Table seats eight, plate and fork for each guest.")
+    assert graph.people == 8
+    assert graph.entity("plate").count == (8, 8)

@@ -1,0 +1,60 @@
+"""Nouns of several meanings, and words that name nothing."""
+
+from __future__ import annotations
+
+import pytest
+
+from sceneweaver.language import read_request
+
+SENSES = [
+    ("A shop for vinyl with six bins and a till.", "record_bin"),
+    ("An office with a desk and a bin.", "trash_can"),
+    ("A control room with a console.", "control_console"),
+    ("A hallway with a narrow console.", "console_table"),
+    ("A den with a console and two controllers for games.", "game_console"),
+    ("A cinema with a screen and six seats.", "projector_screen"),
+    ("A study with a desk and a screen on it.", "monitor"),
+    ("A bedroom with a commode.", "dresser"),
+    ("A hut with an iron stove.", "wood_stove"),
+    ("A kitchen with a stove and a sink.", "stove"),
+    ("A cloakroom with a rack for shoes.", "shoe_rack"),
+    ("A pilates studio with eight mats.", "yoga_mat"),
+    ("A porch with two glasses on a table.", "drinking_glass"),
+    ("A terrace with a string of bulbs.", "string_lights"),
+]
+
+NOTHING = [
+    "A chair that can roll, and a desk.",
+    "A desk where you can sit and watch the birds.",
+    "A desk for a bench test of 40 to 50 cm.",
+    "A desk with a chair, she can't reach anything else.",
+    "A desk that looks like a ship, a chair.",
+    "A chair at a desk on a step of 20 cm, with a path to the door.",
+    "A desk and a chair, all handwritten marks are welcome, for a party.",
+    "They only speak about sailing. A desk and a chair.",
+]
+
+
+@pytest.mark.parametrize(("text", "category"), SENSES)
+def test_the_room_and_the_words_around_tell_what_a_noun_means(text, category):
+    assert category in {e.category for e in read_request(text).entities}
+
+
+@pytest.mark.parametrize("text", NOTHING)
+def test_words_that_name_nothing_make_no_bodies(text):
+    graph = read_request(text)
+    assert {e.category for e in graph.entities} - {"desk", "chair", "bench"} == set()
+    assert graph.unread
+
+
+@pytest.mark.parametrize(
+    "text", ["I want a can on the shelf", "a blue can on the shelf", "a green paint can on the shelf"]
+)
+def test_a_can_is_a_thing_where_it_stands_as_one(text):
+    assert any("can" in e.noun.split() for e in read_request(text).entities)
+
+
+def test_what_stands_where_people_do_something_is_read():
+    graph = read_request("An armchair where I can read next to a floor lamp.")
+    assert {e.id for e in graph.entities} == {"armchair", "floor_lamp"}
+    assert [(r.subject, r.type, r.targets) for r in graph.relations] == [("armchair", "next_to", ("floor_lamp",))]
