@@ -68,8 +68,7 @@ def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1) -> Rela
     named |= {name for area in scene.free_areas for name in (*area.targets, *area.others)}
     needed = [o for o in pool if o.intent.priority == "needed" and o.id not in named]
     if needed and broken:
-        needed.sort(key=lambda o: (-trouble[o.id], -o.size[0] * o.size[1], o.id))
-        return _without(scene, needed[: 1 if ours == at_once else FEW])
+        return _without(scene, [max(needed, key=lambda o: (trouble[o.id], o.size[0] * o.size[1], o.id))])
     usual = {o.id: [r for r in scene.relations if r.subject == o.id and r.hard and not r.asked] for o in pool}
     bound = [o for o in pool if o.intent.priority == "asked" and usual[o.id]]
     if bound:
