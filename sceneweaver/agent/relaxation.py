@@ -45,8 +45,8 @@ def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1) -> Rela
 
     First go objects that are optional, then usual ones, ``at_once`` of them; then relations that do not hold become
     soft, those that nobody asked for, one or with ``at_once`` above 1 all; then goes what a room of the kind needs and
-    no asked relation or free area names. Where something asked for suffers, all of these give way at once, and of the
-    last `FEW`. Then what was asked for may be elsewhere than is usual, the smallest first or with ``at_once`` above 1
+    no asked relation or free area names. Where something asked for suffers, all of these give way at once but for
+    the last. Then what was asked for may be elsewhere than is usual, the smallest first or with ``at_once`` above 1
     all; then floor is no longer kept free; then relations that were asked for become soft, with ``at_once`` above 1 one
     for each group of objects, above `FEW` all. Then go the other objects, by priority; of one that was asked for all
     relations become soft and so light that it may be anywhere, before it goes. None when the faults are about nothing
@@ -68,8 +68,7 @@ def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1) -> Rela
     named |= {name for area in scene.free_areas for name in (*area.targets, *area.others)}
     needed = [o for o in pool if o.intent.priority == "needed" and o.id not in named]
     if needed and broken:
-        needed.sort(key=lambda o: (-trouble[o.id], -o.size[0] * o.size[1], o.id))
-        return _without(scene, needed[: 1 if ours == at_once else FEW])
+        return _without(scene, [max(needed, key=lambda o: (trouble[o.id], o.size[0] * o.size[1], o.id))])
     usual = {o.id: [r for r in scene.relations if r.subject == o.id and r.hard and not r.asked] for o in pool}
     bound = [o for o in pool if o.intent.priority == "asked" and usual[o.id]]
     if bound:

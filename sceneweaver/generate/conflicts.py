@@ -65,6 +65,8 @@ def reconciled(rows: Sequence[Grounded], wanted: Sequence[Wanted]) -> list[Groun
     bodies = {one.id: one for one in wanted if one.mount == "floor"}
     found = []
     for row in rows:
+        if row.type == "above" and row.subject in bodies:
+            row = replace(row, hard=False)  # what stands on the floor is over nothing that does
         if row.type == "over" and _is_closed(bodies.get(row.subject), bodies.get(str(row.target))):
             row = replace(row, type="near", params={"max": AGAINST})  # shoes under a bench that reaches to the floor
         if row.type == "distance" and float(row.params.get("min") or 0.0) > close.get(_pair(row), math.inf):
