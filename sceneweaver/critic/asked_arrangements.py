@@ -83,7 +83,7 @@ def _rows(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Checks:
 
 def _tolerance(bodies: Sequence[Body]) -> float:
     """How far [m] the centres of one row may be apart across it before they are two rows."""
-    return max(_limit("line"), 0.3 * min(min(b.size[:2]) for b in bodies))
+    return max(_limit("line"), _limit("row_share") * min(min(b.size[:2]) for b in bodies))
 
 
 def _shape(said: Arrangement, count: int) -> tuple[int | None, int | None]:
@@ -190,7 +190,7 @@ def _faced(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Checks:
     """Each looks at what all look at, where that is in the scene."""
     for target in survey.standing_for(said.facing)[:1]:
         off = max(math.degrees(turn_to(b, (target.centre[0], target.centre[1]))) for b in bodies)
-        yield Measurement("off what is looked at", off, -math.inf, _limit("faced") + 15.0, "deg")
+        yield Measurement("off what is looked at", off, -math.inf, _limit("seen"), "deg")
 
 
 # ---- around a middle -------------------------------------------------------------------------------------------------
@@ -222,10 +222,10 @@ def _open_curve(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Ch
     x = sum(b.centre[0] for b in bodies) / len(bodies)
     y = sum(b.centre[1] for b in bodies) / len(bodies)
     spread = max(abs(wrap_angle(b.yaw - o.yaw)) for b in bodies for o in bodies)
-    yield Measurement("turned to each other", math.degrees(spread), 60.0, math.inf, "deg")
+    yield Measurement("turned to each other", math.degrees(spread), _limit("curved"), math.inf, "deg")
     ends = max(math.dist((a.centre[0], a.centre[1]), (b.centre[0], b.centre[1])) for a in bodies for b in bodies)
     yield Measurement(
-        "depth of the curve", max(math.dist((x, y), (b.centre[0], b.centre[1])) for b in bodies), 0.3, ends
+        "depth of the curve", max(math.dist((x, y), (b.centre[0], b.centre[1])) for b in bodies), _limit("deep"), ends
     )
     for target in survey.standing_for(said.facing or said.around)[:1]:
         off = min(math.degrees(turn_to(b, (target.centre[0], target.centre[1]))) for b in bodies)
@@ -245,7 +245,7 @@ def _backs(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Checks:
             ahead, aside = b.local((o.centre[0], o.centre[1]))
             if ahead < 0 and abs(aside) < b.size[1] / 2:
                 gaps.append(-ahead - b.size[0] / 2 - o.size[0] / 2)
-        yield Measurement("between backs", min(gaps, default=math.inf), -0.05, _limit("backs"))
+        yield Measurement("between backs", min(gaps, default=math.inf), -_limit("into"), _limit("backs"))
 
 
 def _clusters(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Checks:
@@ -281,7 +281,7 @@ def _islands(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Check
     for b in bodies:
         yield Measurement("from the walls", float(survey.wall_gaps[b.index]), _limit("wall"), math.inf)
         others = [_gap(b, o) for o in bodies if o is not b]
-        least = (said.spacing or 0.3) - _limit("spacing")
+        least = (said.spacing or _limit("free")) - _limit("spacing")
         yield Measurement("between islands", min(others, default=math.inf), least, math.inf)
 
 

@@ -169,9 +169,9 @@ def _on_all(seats: Sequence[Body]) -> int:
 
 def _on(seat: Body) -> int:
     """The people that sit on a seat."""
-    depth, width = seat.size[0], seat.size[1]
+    limits, (depth, width, _) = fault_kind("too_few_places").limits, seat.size
     if not has_role(seat.item.category, "sofa") and seat.item.category not in LONG:
         return 1
     if seat.item.category == "sectional_sofa":
-        return seat_places(width - 0.3) + max(0, int((depth - 0.95) / number("seat_width")))
-    return seat_places(max(depth, width) - (0.3 if has_role(seat.item.category, "sofa") else 0.0))
+        return seat_places(width - limits["arms"]) + max(0, int((depth - limits["corner"]) / number("seat_width")))
+    return seat_places(max(depth, width) - (limits["arms"] if has_role(seat.item.category, "sofa") else 0.0))

@@ -226,7 +226,7 @@ def _seats_named(draft: _Draft, table: Entity) -> Entity | None:
     seats = [e for e in draft.entities if family(e.category) == "seat" and e.id != table.id]
     at = {r.subject for r in draft.relations if table.id in r.targets}
     placed = {r.subject for r in draft.relations if r.targets and table.id not in r.targets and not r.implied}
-    upright = [e for e in seats if has_role(e.category, "sits_at_table")]
+    upright = [e for e in seats if has_role(e.category, "sits_at_table") and e.category != "wheelchair"]
     return next((e for e in upright if e.id in at), None) or next((e for e in upright if e.id not in placed), None)
 
 

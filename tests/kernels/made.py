@@ -134,7 +134,7 @@ PARAMS: dict[str, Json] = {
 def related(kind: str, **params) -> Scene:
     """A scene with relations of one type, in the L-shaped room: one hard as given, one soft with other numbers."""
     other = {"distance": {"min": 0.3, "max": 1.8}}.get(kind, PARAMS.get(kind, {}))
-    params = params or {"distance": {"min": 0.5, "max": 2.5}}.get(kind, {})
+    params = params or {"distance": {"min": 0.5, "max": 2.5}, "arranged": {"ahead": 1.6, "left": 0.3}}.get(kind, {})
     objects = [chair("a", 1.0, 2.5), table("b", 1.6, 4.0), sofa("c", 3.0, 3.2, yaw=40.0)]
     target: Any = "b"
     second: tuple[str, Any] = ("c", "b")

@@ -52,6 +52,11 @@ def test_what_is_each_ones_own_is_as_many_as_people(text: str, category: str, co
     assert entity(read_request(text), category).count == (count, count)
 
 
+def test_the_table_that_all_are_at_is_nobodys_own() -> None:
+    graph = read_request("a podcast room, four people at a round table, a microphone and headphones for each")
+    assert entity(graph, "round_dining_table").count == (1, 1)
+
+
 ARRANGED: list[tuple[str, dict[str, Any], int]] = [
     ("a server room, 3 rows of 4 racks", {"pattern": "rows", "rows": 3, "columns": 4}, 12),
     ("two rows of six lockers, fronts facing each other, 1.2 m apart", {"facing": "each other", "spacing": 1.2}, 12),

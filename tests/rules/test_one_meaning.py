@@ -154,7 +154,7 @@ def test_a_row_that_is_none_is_refused():
 def variants(kind: str) -> list[dict[str, Any]]:
     """The params of a type's relations: each side in each frame."""
     params = CATALOGUE[kind].params
-    fixed = {"distance": {"min": 0.5, "max": 2.5}}.get(kind, {})
+    fixed = {"distance": {"min": 0.5, "max": 2.5}, "arranged": {"ahead": 1.6, "left": 0.3}}.get(kind, {})
     axes = {name: params[name].choices for name in ("side", "frame", "axis") if name in params}
     return [fixed | dict(zip(axes, values, strict=True)) for values in itertools.product(*axes.values())]
 

@@ -130,8 +130,11 @@ def _for_each(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     parts = text[start : m.start()].split(",")
     tied = rf"\b{one_of(listed('prepositions'))}\b"
     nouns: list[str] = []
+    end = m.start()
     for k, part in enumerate(reversed(parts)):
-        if k and (re.search(tied, part) or len(part.split()) > 4):
+        told = not edits.free(end - len(part), end)  # "four people at a table, a cup for each": the table is not each's
+        end -= len(part) + 1
+        if k and (told or re.search(tied, part) or len(part.split()) > 4):
             break
         for piece in re.split(rf"\band\b|{tied}", part):
             noun = noun_before(piece, len(piece))
