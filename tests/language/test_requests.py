@@ -19,7 +19,7 @@ ROOMS = {
     "a livingroom": "living_room",
     "kids room": "childrens_room",
     "a room for yoga, a yoga studio": "yoga_studio",
-    "master bedroom": "bedroom",
+    "master bedroom": "master_bedroom",
     "please create a small kitchen for me": "kitchen",
     "I want a cafe with a counter": "cafe",
     "could you make me a meeting room?": "meeting_room",
