@@ -7,34 +7,19 @@ from collections.abc import Iterator, Sequence
 from sceneweaver.geometry.seen import are_opposite, is_wall
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.language.model import StatedOpening
+from sceneweaver.rules.faults import fault_kind
 from sceneweaver.scene import Door, Window
 
 from .survey import Survey
 from .verdict import Asked, counted, met, unmet
 
-SLACK = 0.05
-"""Length [m] by which a width may differ from what was asked."""
-
-MIDDLE = 0.1
-"""Distance [m] of an opening's middle from that of its wall up to which it is in the middle."""
-
-CORNER = 0.6
-"""Distance [m] from a corner up to which an opening is close to it."""
-
-LEAST = {
-    "double": 1.2,
-    "wide": 1.0,
-    "french": 1.2,
-    "large": 1.5,
-    "big": 1.5,
-    "huge": 1.5,
-    "shop": 1.2,
-    "panoramic": 1.8,
-}
-"""Least widths [m] of what is called so."""
-
 UNDRAWN = ("coloured glass", "stained glass", "frosted", "leaded", "garage", "barred", "arched", "round", "pointed")
 """Kinds that are drawn like any other."""
+
+
+def _limit(name: str) -> float:
+    """A number of `wrong_doors`, which goes for all openings."""
+    return fault_kind("wrong_doors").limits[name]
 
 
 def outcomes(survey: Survey) -> Iterator[Asked]:
@@ -86,43 +71,45 @@ def _fault(
     seen = "any" if own and one.wall in ("left", "right", "far", "near") else one.wall
     if not is_wall(seen, wall, walls, entry):
         return f"{opening.id} is not in the {one.wall} wall"
-    if one.wall_length is not None and abs(wall.length - one.wall_length) > 0.15:
+    if one.wall_length is not None and abs(wall.length - one.wall_length) > _limit("wall"):
         return f"{opening.id} is in a wall of {wall.length:.2f} m"
     across = [walls[o.wall] for o in used.get(one.opposite, [])]
     if one.opposite == "door" and entry is not None and not own:
         across = [entry]
     if across and not any(are_opposite(wall, other) for other in across):
         return f"{opening.id} is not in the opposite wall"
-    if one.width is not None and abs(opening.width - one.width) > SLACK:
+    if one.width is not None and abs(opening.width - one.width) > _limit("slack"):
         return f"{opening.id} is {opening.width:.2f} m wide"
-    if one.height is not None and abs(opening.height - one.height) > SLACK:
+    if one.height is not None and abs(opening.height - one.height) > _limit("slack"):
         return f"{opening.id} is {opening.height:.2f} m high"
     for feature in one.features:
-        if opening.width < LEAST.get(feature, 0.0):
+        if opening.width < fault_kind("wrong_doors").limits.get(feature, 0):
             return f"{opening.id} is {opening.width:.2f} m wide, not {feature}"
     if isinstance(opening, Door) and "sliding" in one.features and opening.swing != "slide":
         return f"{opening.id} does not slide"
     if isinstance(opening, Window):
-        if {"slot", "horizontal", "ribbon", "strip", "slit"} & set(one.features) and opening.width < 3 * opening.height:
+        if {"slot", "horizontal", "ribbon", "strip", "slit"} & set(one.features) and opening.width < _limit(
+            "slot"
+        ) * opening.height:
             return f"{opening.id} is {opening.width:.2f} x {opening.height:.2f} m"
-        if "floor to ceiling" in one.features and opening.sill > 0.15:
+        if "floor to ceiling" in one.features and opening.sill > _limit("floor"):
             return f"{opening.id} begins {opening.sill:.2f} m above the floor"
-        if "tall" in one.features and opening.height < 1.5:
+        if "tall" in one.features and opening.height < _limit("tall"):
             return f"{opening.id} is {opening.height:.2f} m high"
     return _place_fault(one, opening, wall)
 
 
 def _place_fault(one: StatedOpening, opening: Door | Window, wall: Wall) -> str:
     before, after = opening.offset, wall.length - opening.offset - opening.width
-    if one.at == "middle" and one.count == 1 and abs(before - after) / 2 > MIDDLE:
+    if one.at == "middle" and one.count == 1 and abs(before - after) / 2 > _limit("middle"):
         return f"{opening.id} is {abs(before - after) / 2:.2f} m off the middle of its wall"
-    if one.at == "left" and after > CORNER:
+    if one.at == "left" and after > _limit("corner"):
         return f"{opening.id} is {after:.2f} m from the left corner"
-    if one.at == "right" and before > CORNER:
+    if one.at == "right" and before > _limit("corner"):
         return f"{opening.id} is {before:.2f} m from the right corner"
-    if one.at == "corner" and min(before, after) > CORNER:
+    if one.at == "corner" and min(before, after) > _limit("corner"):
         return f"{opening.id} is {min(before, after):.2f} m from a corner"
-    if one.at == "along" and one.count == 1 and opening.width < 0.6 * wall.length:
+    if one.at == "along" and one.count == 1 and opening.width < _limit("along") * wall.length:
         return f"{opening.id} takes {opening.width / wall.length:.0%} of its wall"
     return ""
 
@@ -133,8 +120,8 @@ def _niche(one: StatedOpening, walls: Sequence[Wall]) -> Asked:
     found = 0
     for k in range(many):
         one_side, back, other = walls[k - 1], walls[k], walls[(k + 1) % many]
-        sides = one_side.length < 1.0 and other.length < 1.0 and are_opposite(one_side, other)
-        found += bool(many > 4 and sides and back.length < 4.0)
+        sides = max(one_side.length, other.length) < _limit("deep") and are_opposite(one_side, other)
+        found += bool(many > 4 and sides and back.length < _limit("long"))
     number = counted("niches", found, one.count)
     if found >= one.count:
         return met("room", f"room.{one.id}", (), f"{one.words}: as asked", number)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from sceneweaver.rules.design import design_points, design_rules
-from sceneweaver.rules.faults import fault_kind
+from sceneweaver.rules.faults import fault_kind, number
 
 from .model import CRITERIA, Alignment, Fault
 
@@ -18,9 +18,6 @@ FULL = 10.0
 LINEAR = 5.0
 """Points up to which every point of what was asked for counts in full; what comes after counts less and less, so that
 grades never stop telling a bad scene from a worse one."""
-
-FAITHFUL = 8.0
-"""Most that the grade of what was asked for can be where anything is unmet, substituted, assumed or not understood."""
 
 SLOPE = 0.2
 """How much a point beside the capping faults lowers a capped grade."""
@@ -91,7 +88,7 @@ def grades(found: Sequence[Finding], asked: Alignment | None = None) -> dict[str
     """The grade 0 to 10 of every criterion.
 
     ``asked`` is what became of the items of the request: where anything of it is not so, the grade for alignment is not
-    above `FAITHFUL`, nor above the mean of what its faults leave and of ten times the share of items that is so.
+    above 8, nor above the mean of what its faults leave and of ten times the share of items that is so.
 
     Strict eyes that see one thing wrong mark down the rest as well, and see what no rule tells: a breach of a design
     rule takes points off the other criteria too, and every grade begins a little below the full one
@@ -106,7 +103,7 @@ def grades(found: Sequence[Finding], asked: Alignment | None = None) -> dict[str
         if criterion == "alignment":
             left = _lidded(squash(_whole(rows)), rows)
             if asked is not None and asked.share < 1.0:
-                left = min(FAITHFUL, left, max(1.0, 0.5 * (left + FULL * asked.share)))
+                left = min(number("faithful"), left, max(1.0, 0.5 * (left + FULL * asked.share)))
             graded[criterion] = round(left, 3)
             continue
         others = sum(lost for c, lost in breaches.items() if c != criterion)

@@ -226,7 +226,7 @@ def test_no_phrases_of_the_vocabulary_in_any_order_raise_anything() -> None:
 @pytest.mark.parametrize(
     ("text", "word"),
     [
-        ("a throne room", "throne"),
+        ("a zorb room", "zorb"),
         ("the zorbulator is near the bed", "zorbulator"),
         ("a desk, qwertz uiop", "qwertz"),
     ],
@@ -260,7 +260,7 @@ def test_an_unknown_thing_is_a_labelled_body(text: str, noun: str) -> None:
         ("a 4x5 bedroom", "metres"),
         ("请设计一个卧室", "Chinese"),
         ("Ein Schlafzimmer mit Bett und Schrank", "German"),
-        ("a throne room", "throne room"),
+        ("a zorb room", "zorb room"),
         ("a reading corner", "reading corner"),
         ("a living room and a kitchen", "kitchen"),
     ],
@@ -291,7 +291,6 @@ def test_adverbs_are_no_things(text: str) -> None:
     [
         ("A mountain hut for four hikers: two bunk beds", "mountain hut", 4),
         ("Yurt: a bed", "yurt", None),
-        ("A podcast studio for a host and three guests with a bed", "podcast studio", 3),
     ],
 )
 def test_a_room_that_is_not_known_is_no_thing(text: str, words: str, people: int | None) -> None:

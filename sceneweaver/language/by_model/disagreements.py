@@ -45,6 +45,8 @@ def is_foreign(offline: SceneGraph, language: str) -> bool:
     nothing = offline.room_type is None and all(entity.generic for entity in offline.entities)
     if nothing and any("only English" in note for note in offline.notes):
         return True
+    if any("word by word" in note for note in offline.notes):
+        return True  # names of things at best, no sentences
     if language.strip().lower()[:2] in ("", "en"):
         return False
     if nothing:

@@ -20,9 +20,9 @@ from .openings import read_openings
 
 STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     read_openings,
-    read_free_areas,
     bounds,
     arrangements,
+    read_free_areas,
     capacities,
     fullness,
 )

@@ -95,6 +95,8 @@ def read_openings(source: Source, parsed: Parsed) -> None:
     text = source.text
     blanks: list[tuple[int, int]] = []
     for match in _PHRASE.finditer(text):
+        if match["count"] == "the " and match["lead"].strip() in ("and", "with"):
+            continue  # "between the bed and the door, 90 cm wide" is about what lies between
         told = _told(text, match, len(parsed.stated_openings))
         kinds = _kinds(match["kinds"])
         if not told.fields and not kinds:
