@@ -30,6 +30,8 @@ def run_export(
 
     The time limit [s] counts from ``began``, by ``time.monotonic()``; formats that there is no time for are left out.
     """
+    if out.suffix and out.is_symlink() and out.is_dir():
+        raise InputError(f"--out: {out} is a link to a folder; give a file's name, or the folder itself")
     scene = Scene.load(source)
     start = time.monotonic()
     files: dict[str, Path] = {}

@@ -26,6 +26,8 @@ GENERAL = (
     "plant",
     "rack",
     "sofa",
+    "mat",
+    "bench",
 )
 """Words of a request that leave the kind to the room."""
 
@@ -49,6 +51,8 @@ def roles_of(room_type: RoomType, brief: SceneGraph) -> dict[str, tuple[str, ...
     found = {one.id: tuple(item.id for item in room_type.items if meant_by(one, item, brief)) for one in brief.entities}
     taken = {name for items in found.values() for name in items}
     for one in brief.entities:
+        if any(room_type.item(name).need == "needed" for name in found[one.id]):
+            continue
         own = kin(one.category)
         needed = [i.id for i in room_type.items if i.need == "needed" and i.id not in taken and set(i.what) <= own]
         if needed:

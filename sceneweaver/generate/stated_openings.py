@@ -11,6 +11,7 @@ from sceneweaver.geometry.seen import are_opposite, is_wall
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.language import SceneGraph
 from sceneweaver.language.model import StatedOpening
+from sceneweaver.language.vocabulary import words
 
 SAME_LENGTH = 0.15
 """Length [m] by which a wall may differ from what was said of it."""
@@ -18,11 +19,11 @@ SAME_LENGTH = 0.15
 EDGE = 0.15
 """Wall [m] that is left at its ends and between two openings."""
 
+ASSIGNMENTS = 2000
+"""Assignments of walls that are tried for one entry, about."""
+
 CORNER = 0.15
 """Distance [m] from the corner of what is said to be in it."""
-
-ENTRANCES = ("corridor", "hall", "hallway", "landing", "street", "yard", "courtyard", "outside", "stairs", "shop")
-"""What a door leads to by which one comes in."""
 
 DOUBLE, WIDE, LARGE, SMALL = 1.5, 1.2, 1.8, 0.6
 """Widths [m]: of a double door, of a wide one, of a large window and of a small one."""
@@ -54,7 +55,7 @@ def doors_stated(brief: SceneGraph) -> list[StatedOpening]:
 def leads_on(one: StatedOpening) -> bool:
     """Whether a door leads from the room to another one, so that one does not come in by it."""
     targets = [feature.removeprefix("to the ") for feature in one.features if feature.startswith("to the ")]
-    return any(target not in ENTRANCES for target in targets)
+    return any(target not in words("openings")["outside"] for target in targets)
 
 
 def walls_stated(brief: SceneGraph, walls: Sequence[Wall], entries: Sequence[int], rng: random.Random) -> Told:
@@ -64,22 +65,21 @@ def walls_stated(brief: SceneGraph, walls: Sequence[Wall], entries: Sequence[int
     was said last is left out, one by one.
     """
     stated = [one for one in brief.openings if one.part in ("door", "window")]
-    first = [one for one in doors_stated(brief)[:1] if not leads_on(one)]
+    first = next((one for one in doors_stated(brief) if not leads_on(one)), None)
     names = [one.id for one in stated]
     for many in range(len(stated), -1, -1):
         kept = stated[:many]
         found: list[tuple[float, int, dict[str, int]]] = []
-        choices = [range(len(walls)) for _ in stated]
-        for chosen in product(*choices) if len(walls) ** len(stated) <= 50_000 else ():
-            where = dict(zip(names, chosen, strict=True))
-            for entry in [where[first[0].id]] if first else entries:
-                if all(_suits(one, where, walls, entry, bool(first) and one.id == first[0].id) for one in kept):
+        for entry in range(len(walls)) if first in kept else entries:
+            alone = [_walls_for(one, walls, entry, kept, one is first) for one in stated]
+            for chosen in product(*(_longest(several, walls, len(stated)) for several in alone)):
+                where = dict(zip(names, chosen, strict=True))
+                if all(_faces(one, where, walls, entry) for one in kept):
                     found.append((_score(stated, where, walls, entry, rng), entry, where))
         if found:
             _, entry, where = max(found, key=lambda row: row[0])
             return Told(entry, where)
-    entry = rng.choice(list(entries))
-    return Told(entry, dict.fromkeys(names, entry))
+    raise AssertionError("without any statement every wall suits")
 
 
 def place(
@@ -147,17 +147,34 @@ def window_shape(
     return round(width, 2), sill, round(max(0.3, min(tall, height - 0.15 - sill)), 2)
 
 
-def _suits(one: StatedOpening, where: Mapping[str, int], walls: Sequence[Wall], entry: int, first: bool) -> bool:
-    wall = walls[where[one.id]]
-    seen = one.wall if not (first and one.wall in ("far", "near", "left", "right")) else "any"
-    if not is_wall(seen, wall, walls, walls[entry]):
-        return False
-    if one.wall_length is not None and abs(wall.length - one.wall_length) > SAME_LENGTH:
-        return False
-    if one.opposite == "door":
-        return first or are_opposite(wall, walls[entry])
-    other = where.get(one.opposite)
-    return other is None or are_opposite(wall, walls[other])
+def _walls_for(
+    one: StatedOpening, walls: Sequence[Wall], entry: int, kept: Sequence[StatedOpening], first: bool
+) -> list[int]:
+    """The walls that suit what is said of an opening by itself; all where nothing of it is kept."""
+    if first:
+        # Left, right, far and near are seen from this very door.
+        seen = "any" if one.wall in ("left", "right", "far", "near") else one.wall
+        return [entry] if one not in kept or _is_told(one, seen, walls[entry], walls, entry) else []
+    return [w.index for w in walls if one not in kept or _is_told(one, one.wall, w, walls, entry)]
+
+
+def _is_told(one: StatedOpening, seen: str, wall: Wall, walls: Sequence[Wall], entry: int) -> bool:
+    length = one.wall_length
+    return is_wall(seen, wall, walls, walls[entry]) and (length is None or abs(wall.length - length) <= SAME_LENGTH)
+
+
+def _longest(several: Sequence[int], walls: Sequence[Wall], many: int) -> list[int]:
+    """The longest of some walls, as many as leave a bounded number of assignments to so many openings."""
+    most = max(1, int(ASSIGNMENTS ** (1.0 / max(1, many))))
+    return sorted(several, key=lambda k: -walls[k].length)[:most]
+
+
+def _faces(one: StatedOpening, where: Mapping[str, int], walls: Sequence[Wall], entry: int) -> bool:
+    """Whether an opening is across from the one that it is said to be opposite of."""
+    if not one.opposite:
+        return True
+    other = entry if one.opposite == "door" else where.get(one.opposite)
+    return other is None or are_opposite(walls[where[one.id]], walls[other])
 
 
 def _score(

@@ -13,7 +13,7 @@ from functools import cache
 
 from .model import SceneGraph, Span, Unread
 from .translation import unknown_words
-from .vocabulary import words
+from .vocabulary import vocabulary, words
 
 _WORD = re.compile(r"[^\W\d_]+(?:['’&-][^\W\d_]+)*|\d+(?:[.,]\d+)?", re.UNICODE)
 _JOIN = re.compile(r"[\s'’\"-]*")
@@ -24,18 +24,19 @@ def silent_words(graph: SceneGraph, language: str = "en") -> tuple[Unread, ...]:
 
     Time grows with the length of the text.
     """
-    covered = bytearray(len(graph.text) + 1)
-    for span in _spans(graph):
-        covered[span.start : span.end] = b"\x01" * (min(span.end, len(graph.text)) - span.start)
+    covered = _marked(graph, _spans(graph))
     if language != "en":
+        covered = _marked(graph, (*_spans(graph), *(entity.span for entity in graph.entities)))
         lost = unknown_words(graph.text.lower()[: len(graph.text)], language)
         return tuple(Unread(words=graph.text[a:b].lower(), span=Span(a, b)) for a, b in lost if not any(covered[a:b]))
-    known = _known_elsewhere(graph)
+    known, named = _known_elsewhere(graph), _marked(graph, (entity.span for entity in graph.entities))
     found: list[list[int]] = []
     for match in _WORD.finditer(graph.text):
         word = match[0].lower().replace("’", "'")
         if any(covered[match.start() : match.end()]) or word in function_words() or word in known:
             continue
+        if any(named[match.start() : match.end()]) and (word[0].isdecimal() or word in vocabulary()):
+            continue  # of what stands before a noun, only words that nobody knows are lost
         if word[0].isdecimal() and _is_measure(graph, match):
             continue
         if found and _JOIN.fullmatch(graph.text, found[-1][1], match.start()):
@@ -51,9 +52,18 @@ def function_words() -> frozenset[str]:
     return frozenset(word for group in words("function_words").values() for word in group.split())
 
 
+def _marked(graph: SceneGraph, spans: Iterable[Span | None]) -> bytearray:
+    """One for each character of the text that is in some of the spans, else zero."""
+    found = bytearray(len(graph.text) + 1)
+    for span in spans:
+        if span is not None:
+            found[span.start : span.end] = b"\x01" * (min(span.end, len(graph.text)) - span.start)
+    return found
+
+
 def _spans(graph: SceneGraph) -> Iterable[Span]:
-    """Where everything that was read stands."""
-    rows = (graph.entities, graph.relations, graph.exclusions, graph.openings, graph.free_areas, graph.capacities)
+    """Where everything that was read stands, but for the noun phrases of things."""
+    rows = (graph.relations, graph.exclusions, graph.openings, graph.free_areas, graph.capacities, graph.amounts)
     for row in (item for several in (*rows, graph.arrangements, graph.unread) for item in several):
         if row.span is not None:
             yield row.span
@@ -65,8 +75,7 @@ def _known_elsewhere(graph: SceneGraph) -> frozenset[str]:
     """Words of facts about the room, which have no place of their own."""
     said = [graph.room_words, graph.style or "", graph.shape or "", *graph.colors, *graph.for_whom]
     said += [name.replace("_", " ") for name in graph.other_rooms]
-    said += [word for relation in graph.relations for word in (relation.words,)]
-    said += [word for excluded in graph.exclusions for word in (excluded.words,)]
+    said += [said.words for said in (*graph.relations, *graph.exclusions)]
     said += [word for entity in graph.entities for word in (entity.noun, *entity.words)]
     said += [a.words for entity in graph.entities for a in entity.attributes]
     spoken = frozenset(word for text in said for word in _WORD.findall(text.lower()))
@@ -76,12 +85,13 @@ def _known_elsewhere(graph: SceneGraph) -> frozenset[str]:
 
 
 def _is_measure(graph: SceneGraph, match: re.Match[str]) -> bool:
-    """Whether a number is one of the room's sides, its area, its height or a count that was read."""
+    """Whether a number is one of the room's sides, its area, its height or a measure that was read."""
     value = float(match[0].replace(",", "."))
     have = [*(graph.size or ()), graph.area or 0.0, graph.height or 0.0, float(graph.people or 0)]
     have += [float(n) for entity in graph.entities for n in entity.count or ()]
     have += [float(s) for entity in graph.entities for s in entity.size if s is not None]
     have += [float(value) for relation in graph.relations for value in relation.params.values() if value is not None]
+    have += [value for one in graph.arrangements for value in (one.spacing, one.height) if value]
     units = (1.0, 0.01, 0.001, 0.3048, 0.0254, 0.092903)
     return any(abs(value * unit - other) <= 0.006 * max(1.0, other) for unit in units for other in have if other)
 

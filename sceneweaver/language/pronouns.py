@@ -7,7 +7,7 @@ from .items import begin_clause, continue_with, give_target, name_things
 from .nearness import carrier_root, nearest
 from .parsed import Mention, Said
 from .relating import relate_to_place
-from .shares import ends_here, give_total, on_the_other, share_out
+from .shares import ends_here, give_total, share_out
 from .state import State, Waiting
 
 _BESIDE_IT = ("next_to", "left_of", "right_of", "near", "in_front_of", "behind")
@@ -30,8 +30,6 @@ def number_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         return
     if phrase.value == "grouped":
         state.waiting, state.glue = None, ""
-        return
-    if group is not None and on_the_other(state, group, count):
         return
     if group is None:
         if after is None or after.kind != "stop":
@@ -83,9 +81,6 @@ def _part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     """ "One of them", "another", "the other"."""
     waiting, partial = state.waiting, phrase.value == "partial"
     near = nearest(state, waiting.subjects or []) if waiting is not None else _at_hand(state)
-    several = state.refs.several(near) if partial and waiting is None else None
-    if several is not None and on_the_other(state, several, (1, 1)):
-        return
     if partial and _on_each(state.chunk(state.at)):
         group = state.refs.several(near)
         if group is not None:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from .chunks import Chunk, NounPhrase
-from .items import continue_with
+from .chunks import NounPhrase
 from .parsed import Mention, Said
 from .relating import owned_kind, say
 from .state import State
@@ -92,24 +91,3 @@ def share_total(state: State, total: tuple[int, int], begun: int) -> bool:
     for k, mention in enumerate(listed):
         mention.count = tuple((n + len(listed) - 1 - k) // len(listed) for n in total)  # type: ignore[assignment]
     return bool(listed)
-
-
-def on_the_other(state: State, group: Mention, count: tuple[int, int]) -> bool:
-    """ "Three chairs on one side, two on the other": more of the same on the side that is left."""
-    place, other = state.chunk(state.at), state.chunk(state.at + 1)
-    if place is None or other is None or place.kind != "place" or not _is_other(other):
-        return False
-    first = next((s for s in reversed(state.out.said) if group in s.subjects), None)
-    if first is None or "one" not in first.words.split() or group.count is None:
-        return False
-    more = group.copied(count=count, plural=count[1] > 1, span=state.chunk_span())
-    state.out.mentions.append(more)
-    state.at += 2
-    words = f"{place.text} {other.text}"
-    say(state, Said(first.type, [more], first.targets, words, side=first.side, span=state.span_of(place)))
-    continue_with(state, [more])
-    return True
-
-
-def _is_other(chunk: Chunk) -> bool:
-    return chunk.kind == "noun" and chunk.value.what == "pronoun" and chunk.value.text in ("the other", "the other one")

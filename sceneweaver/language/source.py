@@ -172,10 +172,14 @@ def metres(number: str, unit: str | None) -> float:
     value = float(number.replace(",", "."))
     if unit and unit.startswith(("cm", "centi")):
         return value / 100
-    if unit and unit.startswith("in"):
+    if unit and unit.startswith(("mm", "milli")):
+        return value / 1000
+    if unit and unit.startswith(("in", '"')):
         return value * INCH
-    if unit and (unit.startswith("f") or unit == "'"):
+    if unit and unit.startswith(("f", "'")):
         return value * FOOT
+    if unit and unit.startswith("y"):
+        return value * 3 * FOOT
     return value
 
 

@@ -177,3 +177,12 @@ def test_a_time_limit_counts_from_the_call_in_a_process_that_has_run_for_long(tm
     arguments = ["design", "a guest toilet", "-o", str(tmp_path), "--no-pictures", "--candidates", "32", "--steps", "1"]
     assert main([*arguments, "--export", "none", "--settle", "--json"]) in (0, 3)
     assert json.loads((tmp_path / "metrics.json").read_text())["stability"]  # what is left out first when time is up
+
+
+def test_a_link_to_a_folder_is_no_name_of_a_file(source, tmp_path, capsys):
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    (tmp_path / "room.glb").symlink_to(elsewhere, target_is_directory=True)
+    assert main(["export", str(source), "-o", str(tmp_path / "room.glb")]) == 2
+    assert "link to a folder" in capsys.readouterr().err
+    assert not list(elsewhere.iterdir())

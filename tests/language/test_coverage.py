@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from sceneweaver.language import read_request
 from sceneweaver.language.coverage import function_words
 
-NONSENSE = ("glorp", "wuffled", "zindering", "quaxer", "brenthic")
+NONSENSE = ("glorp", "wuffled", "zindering", "quaxly", "brenthic")
 
 
 @settings(max_examples=60, deadline=None)

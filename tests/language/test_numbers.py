@@ -44,6 +44,21 @@ def test_so_many_each_belong_to_their_owners():
     }
 
 
+@pytest.mark.parametrize(
+    ("text", "sides"),
+    [
+        ("A steel table, two chairs on one side, one on the other.", (2, 1)),
+        ("A meeting room with a table, three chairs on one side, two on the other.", (3, 2)),
+        ("A hall with a long table and a rug. Four chairs on one side of the table, three on the other side", (4, 3)),
+    ],
+)
+def test_so_many_on_one_side_and_on_the_other_are_one_arrangement(text: str, sides: tuple[int, int]):
+    graph = read_request(text)
+    assert [e.count for e in graph.entities if e.category == "chair"] == [(sum(sides), sum(sides))]
+    (one,) = graph.arrangements
+    assert (one.pattern, one.entity, one.sides, one.around) == ("sides", "chair", sides, "dining_table")
+
+
 def test_some_of_those_that_were_named_are_no_others():
     graph = read_request("A cafe with six tables. At least two tables stand by the window.")
     (relation,) = graph.relations

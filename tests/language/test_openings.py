@@ -16,7 +16,7 @@ from sceneweaver.language import read_request
         ("a kitchen, door 85 cm wide close to the right corner", "door", {"width": 0.85, "at": "right"}),
         ("lounge with floor-to-ceiling windows across the far wall", "window", {"wall": "far", "at": "along"}),
         ("a bedroom with a sliding door to the terrace", "door", {"features": ("sliding", "to the terrace")}),
-        ("an office, two tall windows on the 12 ft wall", "window", {"count": 2, "wall_length": 3.658}),
+        ("an office, two tall windows on the 12 ft wall", "window", {"count": 2, "wall_length": 3.6576}),
         ("the door should be wide, 1.1 m", "door", {"width": 1.1}),
         ("sunroom, glass on two sides", "window", {"count": 2, "at": "along"}),
         ("a study with a niche in the wall opposite the door", "niche", {"opposite": "door"}),

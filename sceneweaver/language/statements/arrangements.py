@@ -12,8 +12,9 @@ from typing import Any, Literal, get_args
 
 from ..model import Arrangement, Span
 from ..parsed import Parsed
-from ..source import Source, metres
-from .phrases import LENGTH, NUMBER, Edits, length_of, noun_after, noun_before, number_of
+from ..source import Source
+from .lengths import LENGTH, length_of
+from .phrases import NUMBER, Edits, noun_after, noun_before, number_of, table_before
 
 Pattern = Literal[
     "row", "rows", "grid", "circle", "semicircle", "u", "back_to_back", "stack", "cluster", "islands", "sides"
@@ -77,7 +78,7 @@ def _add(
     facing, spacing = "", given.pop("spacing", None)
     for _ in range(2):
         if spaced := _SPACED.match(text, at):
-            spacing = length_of(spaced)
+            spacing = length_of(spaced)[0]
             edits.take(spaced.start(), spaced.end())
             at = spaced.end()
         if faced := _FACING.match(text, at):
@@ -191,8 +192,8 @@ def _wide_and_high(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
 def _stack(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "Boxes stacked to shoulder height", "three radios stacked"."""
     height = _HEIGHTS.get(m["body"] or "")
-    if height is None and m["long"]:
-        height = metres(m["long"], m["unit"])
+    if height is None and m["low"]:
+        height = length_of(m)[0]
     rows = number_of(m["n"]) if m["n"] else None
     noun = noun_before(edits.source.text, m.start())
     walls = re.compile(r" ?(?:along|around|against) (?:all )?(?:of )?the walls\b").match(edits.source.text, m.end())
@@ -233,7 +234,7 @@ def _two_sides(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     instead = f"{one + other} {m['noun']}"
     around = (m["at"] or "").strip()
     if around in ("", "it"):
-        around = noun_before(edits.source.text, m.start())
+        around = table_before(edits.source.text, m.start()) or noun_before(edits.source.text, m.start())
     elif len(instead) + len(around) + 8 <= m.end() - m.start():
         instead += f" at a {around}"
     _add(edits, parsed, m, "sides", m["noun"], instead=instead, sides=(one, other), around=around)

@@ -60,7 +60,7 @@ def _take_sides(source: Source) -> None:
 
     def read(found: re.Match[str]) -> str:
         unit = found[4]
-        scale = 0.001 if unit == "mm" else metres("1", unit)
+        scale = metres("1", unit)
         source.sides[found.start()] = tuple(round(float(found[k].replace(",", ".")) * scale, 4) for k in (1, 3))
         return "§"
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from ..source import FOOT, INCH
+from ..source import INCH, metres
 
 _COUNTED = ("one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve")
 _WORDS = {"half a": 0.5, "an": 1.0, "a": 1.0, **{word: float(k) for k, word in enumerate(_COUNTED, 1)}}
@@ -27,20 +27,14 @@ LENGTH = (
 """A pattern of one length, with what softens it; its groups are what `length_of` reads. """
 
 
+PLAIN = rf"{_NUMBER}\s{{0,2}}-?\s{{0,2}}{_UNIT}"
+"""A pattern of one length with nothing around it, without groups; `plain_length` reads it."""
+
+
 def _value(number: str, unit: str) -> float:
     half = number.endswith("1/2")
-    plain = number.removesuffix("1/2").strip().replace(",", ".") if half else number.replace(",", ".")
-    value = _WORDS[plain] if plain in _WORDS else float(plain)
-    value += 0.5 if half else 0.0
-    if unit.startswith(("cm", "centi")):
-        return value / 100
-    if unit.startswith(("mm", "milli")):
-        return value / 1000
-    if unit.startswith("m"):
-        return value
-    if unit.startswith("y"):
-        return value * 3 * FOOT
-    return value * (FOOT if unit.startswith(("f", "'")) else INCH)
+    plain = number.removesuffix("1/2").strip()
+    return metres(str(_WORDS.get(plain, plain)), unit) + (0.5 * metres("1", unit) if half else 0.0)
 
 
 def length_of(found: re.Match[str]) -> tuple[float, float | None]:
@@ -53,4 +47,13 @@ def length_of(found: re.Match[str]) -> tuple[float, float | None]:
     return round(low, 4), round(most, 4) if most is not None else None
 
 
-__all__ = ["LENGTH", "length_of"]
+def plain_length(text: str) -> float:
+    """The length [m] that `PLAIN` matched."""
+    found = _PLAIN.fullmatch(text.strip())
+    assert found is not None
+    return round(_value(found[1], found[2]), 4)
+
+
+_PLAIN = re.compile(rf"({_NUMBER})\s{{0,2}}-?\s{{0,2}}({_UNIT})")
+
+__all__ = ["LENGTH", "PLAIN", "length_of", "plain_length"]

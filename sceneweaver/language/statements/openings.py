@@ -12,29 +12,22 @@ from typing import Any, cast
 
 from ..model import StatedOpening
 from ..parsed import Parsed
-from ..source import Source, metres
+from ..source import Source
+from ..vocabulary import words
+from .lengths import PLAIN, plain_length
+from .phrases import one_of
 
-_LENGTH = (
-    r"\d{1,4}(?:[.,]\d{1,3})?\s?(?:m|cm|mm|ft|feet|foot|'|in|inch|inches|meters?|metres?|centimet(?:er|re)s?)"
-    r"(?![a-z\d])"
-)
 _NUMBERS = {"one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "a pair of": 2, "a row of": 3}
 _COUNT = r"(?:a pair of|a row of|row of|a single|single|one|two|three|four|five|six|\d{1,2}|an?|the|another|its)\s"
-_KINDS = (
-    "front|back|rear|entrance|entry|main|side|interior|exterior|double|sliding|swing|glass|glazed|french|patio|garden|"
-    "balcony|garage|fire|emergency|pocket|barn|wide|narrow|tall|high|low|large|big|huge|small|little|tiny|horizontal|"
-    "vertical|long|slim|slot|slit|ribbon|strip|shop|bay|bow|stern|round|arched|pointed|leaded|stained glass|"
-    "stained-glass|coloured glass|colored glass|frosted|barred|picture|panoramic|corner|floor to ceiling|"
-    "floor-to-ceiling|full-height|full height|clerestory|sash|casement|dormer|old|new|bright|sunny|plain|wooden|metal|"
-    "steel|single"
-)
+_KNOWN = words("openings")
+_KINDS = one_of([*_KNOWN["kinds"], *_KNOWN["plain"]]).replace(r"\ ", r"[\s-]")
 _HEAD = (
     r"(?P<part>doors?|doorways?|windows?|niches?|alcoves?)"
-    r"(?!\s?-?(?:mat|knob|handle|sill|seat|box|display|cleaner|stop|bench|dressing|bell|counter|table|radiator)\b)"
+    rf"(?!\s?-?{one_of(_KNOWN['not_behind'])}\b)"
 )
 _PHRASE = re.compile(
     rf"(?P<lead>^|[.,(]\s*|\b(?:and|with|has|have|plus|there is|there are|is there|want|need|by its)\s)"
-    rf"(?P<count>{_COUNT})?(?P<kinds>(?:(?:{_KINDS}),?[\s-]){{0,4}}){_HEAD}"
+    rf"(?P<count>{_COUNT})?(?P<kinds>(?:{_KINDS},?[\s-]){{0,4}}){_HEAD}"
 )
 _SIDES_WORD = (
     "left|right|far|back|rear|end|near|opposite|facing|other|long|longer|longest|short|shorter|shortest|narrow|north|"
@@ -44,7 +37,7 @@ _PLACE = re.compile(
     rf"\b(?:in|on|at|along|across|near|close to|by|into|to|set in|through)\s"
     rf"(?P<middle>(?:the\s|exact\s)*(?:middle|centre|center)\sof\s)?"
     rf"(?:the|one|a|an|its|each|both|either|that|two|three|all)?\s?(?:of\sthe\s)?"
-    rf"(?P<side>{_SIDES_WORD}|{_LENGTH})(?:[\s-]hand)?(?:\s(?P<what>wall|walls|side|sides|end|ends|corner))?\b"
+    rf"(?P<side>{_SIDES_WORD}|{PLAIN})(?:[\s-]hand)?(?:\s(?P<what>wall|walls|side|sides|end|ends|corner))?\b"
 )
 _MIDDLE = re.compile(
     r"\b(?:in|at|on)\s(?:the\s)?(?:exact\s)?(?:middle|centre|center)(?:\sline)?\b|\bcent(?:red|ered)\b"
@@ -54,17 +47,14 @@ _OPPOSITE = re.compile(
     r"\b(?:(?:in|on)\sthe\swall\s)?(?:directly\s|right\s)?(?:opposite|across from|across)\b(?:\s(?:of|to|from))?"
     r"(?:\s(?:it|each other|(?:the\s)?(?P<what>door|window|entrance)))?(?!\s[a-z])"
 )
-_WIDE = re.compile(
-    rf"(?P<width>{_LENGTH})\s?(?:wide|broad|across|in width)|wide,?\s(?:at least\s)?(?P<after>{_LENGTH})"
-)
-_HIGH = re.compile(rf"(?P<height>{_LENGTH})\s?(?:high|tall|in height)")
+_WIDE = re.compile(rf"(?P<width>{PLAIN})\s?(?:wide|broad|across|in width)|wide,?\s(?:at least\s)?(?P<after>{PLAIN})")
+_HIGH = re.compile(rf"(?P<height>{PLAIN})\s?(?:high|tall|in height)")
 _SILL = re.compile(
-    rf"\bsill\s(?:at|of|height|is)?\s?(?P<sill>{_LENGTH})|(?P<above>{_LENGTH})\s(?:above|off|from) the floor"
+    rf"\bsill\s(?:at|of|height|is)?\s?(?P<sill>{PLAIN})|(?P<above>{PLAIN})\s(?:above|off|from) the floor"
 )
 _TO = re.compile(
-    r"\b(?:to|into|onto|leading to)\s(?:the|a|an|our|his|her)\s(?P<where>bathroom|ensuite|en-suite|kitchen|garden|"
-    r"terrace|balcony|corridor|hall|hallway|landing|flat|apartment|platform|street|yard|courtyard|bedroom|storeroom|"
-    r"store room|office|patio|garage|cellar|outside|shop|ward|stairs)\b"
+    r"\b(?:to|into|onto|leading to)\s(?:the|a|an|our|his|her)\s"
+    rf"(?P<where>{one_of([*_KNOWN['outside'], *_KNOWN['rooms']])})\b"
 )
 _GLASS = re.compile(
     r"\b(?P<kind>coloured|colored|stained|leaded|frosted|painted)[\s-]glass\s(?:in|for|on)\s(?:the\s|all\s|its\s)*"
@@ -107,10 +97,11 @@ def read_openings(source: Source, parsed: Parsed) -> None:
             count = 1
         if match["count"] and match["count"].strip() == "row of":
             count = 3
-        span = source.span(match.start("part"), max([end for _, end in told.taken], default=match.end()))
-        words = text[match.start("kinds") : max([end for _, end in told.taken], default=match.end())].strip()
+        end = max([end for _, end in told.taken], default=match.end())
+        span = source.span(match.start("count") if match["count"] else match.start("kinds"), end)
+        said = text[match.start("kinds") : end].strip()
         parsed.stated_openings.append(
-            StatedOpening(part=cast(Any, part), count=count, features=kinds, words=words, span=span, **told.fields)
+            StatedOpening(part=cast(Any, part), count=count, features=kinds, words=said, span=span, **told.fields)
         )
         parsed.openings.setdefault(part, 0)
         noun = match.span("part") if part == "niche" else match.span("kinds")
@@ -167,10 +158,10 @@ def _fields(clause: str, number: int, fields: dict[str, Any]) -> list[tuple[int,
     for pattern, name in ((_WIDE, "width"), (_HIGH, "height"), (_SILL, "sill")):
         if (m := pattern.search(clause)) and name not in fields:
             value = next(g for g in m.groups() if g)
-            fields[name] = _metres(value)
+            fields[name] = plain_length(value)
             spans.append(m.span())
-    if "width" not in fields and (m := re.search(rf"^\s*(?:of\s|about\s|at least\s|is\s)*({_LENGTH})\s*$", clause)):
-        fields["width"] = _metres(m[1])
+    if "width" not in fields and (m := re.search(rf"^\s*(?:of\s|about\s|at least\s|is\s)*({PLAIN})\s*$", clause)):
+        fields["width"] = plain_length(m[1])
         spans.append(m.span(1))
     if m := _CORNER.search(clause):
         fields.setdefault("at", m["side"] if m["side"] in ("left", "right") else "corner")
@@ -212,8 +203,8 @@ def _placed(m: re.Match[str], number: int, fields: dict[str, Any]) -> bool:
             fields.setdefault("at", "along")
     elif side in _COMPASS:
         fields.setdefault("wall", side)
-    elif re.fullmatch(_LENGTH, side) and what in ("wall", "walls", "side", "sides"):
-        fields.setdefault("wall_length", _metres(side))
+    elif re.fullmatch(PLAIN, side) and what in ("wall", "walls", "side", "sides"):
+        fields.setdefault("wall_length", plain_length(side))
     else:
         return bool(m["middle"]) or (side in ("outer", "outside", "street", "same") and bool(what))
     return True
@@ -234,13 +225,13 @@ def _doors_to(source: Source, parsed: Parsed) -> None:
             parsed.stated_openings[at] = known.model_copy(update={"features": (*known.features, feature)})
 
 
-def _kinds(words: str) -> tuple[str, ...]:
+def _kinds(words_before: str) -> tuple[str, ...]:
     """The kinds that make a difference to what is drawn or checked."""
-    found = re.findall(rf"(?:{_KINDS})(?![a-z])", words)
-    plain = ("old", "new", "bright", "sunny", "plain", "wooden", "metal", "steel", "single", "interior", "exterior")
-    return tuple(
-        dict.fromkeys(word.replace("-", " ").replace("colored", "coloured") for word in found if word not in plain)
+    found = (
+        word.replace("-", " ").replace("colored", "coloured")
+        for word in re.findall(rf"{_KINDS}(?![a-z])", words_before)
     )
+    return tuple(dict.fromkeys(word for word in found if word not in _KNOWN["plain"]))
 
 
 def _part(word: str) -> str:
@@ -253,13 +244,6 @@ def _count(determiner: str | None, noun: str) -> int:
     if said.isdigit():
         return max(1, min(int(said), 20))
     return _NUMBERS.get(said, 2 if noun.endswith("s") and not said.startswith("a ") else 1)
-
-
-def _metres(text: str) -> float:
-    m = re.match(r"(\d+(?:[.,]\d+)?)\s?([a-z']+)", text)
-    assert m is not None
-    value = metres(m[1], m[2])
-    return round(value / 1000 if m[2] == "mm" else value, 3)
 
 
 def _blanked(text: str, spans: list[tuple[int, int]]) -> str:

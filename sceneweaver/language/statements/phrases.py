@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from functools import cache
 
 from ..model import Span
-from ..source import Source, metres
+from ..source import Source
 from ..vocabulary import NUMBERS, words
 
 _SCORES = {"a couple of": 2, "a pair of": 2, "half a dozen": 6, "a dozen": 12, "two dozen": 24, "dozen": 12}
@@ -16,9 +16,6 @@ _VALUES = {**NUMBERS, **_SCORES}
 
 NUMBER = r"(?:\d{1,3}|" + "|".join(sorted(map(re.escape, _VALUES), key=lambda w: -len(w))) + r")(?!\w|\.\d)"
 """A whole number in digits or words, with nothing that would make another number or word of it."""
-
-LENGTH = r"(?P<long>\d{1,4}(?:[.,]\d{1,3})?) ?(?P<unit>m|cm|met(?:er|re)s?|centimet(?:er|re)s?|ft|feet|foot)\b"
-"""A length with its unit, in the groups ``long`` and ``unit``."""
 
 _WORD = re.compile(r"[a-z][a-z'/-]*")
 
@@ -33,11 +30,6 @@ MOST_WORDS = 4
 def number_of(word: str) -> int:
     """The value of what `NUMBER` matches."""
     return int(word) if word.isdigit() else _VALUES[word]
-
-
-def length_of(m: re.Match[str]) -> float | None:
-    """The length [m] that a match of `LENGTH` says; None where it has none."""
-    return metres(m["long"], m["unit"]) if m.groupdict().get("long") else None
 
 
 def listed(name: str) -> tuple[str, ...]:
@@ -87,6 +79,15 @@ def noun_before(text: str, at: int) -> str:
     free += [chunks[-1][1]] if near else []
     chosen = (free or [found for _, found in said] or [[]])[-1]
     return " ".join(chosen[-MOST_WORDS:])
+
+
+def table_before(text: str, at: int) -> str:
+    """The last thing in the sentence before a place at which people sit or work; "" where none is named."""
+    start = max(text.rfind(".", 0, at), text.rfind("(", 0, at)) + 1
+    tables = words("people")["at"]
+    names = one_of([*tables["work"], *(noun for noun in tables["sit"] if "table" in noun)])
+    found = re.findall(rf"\b{names}\b", text[start:at])
+    return found[-1] if found else ""
 
 
 @dataclass
