@@ -42,7 +42,7 @@ def test_learn_list_show_replay_forget(run, tmp_path, folder):
     assert [r["name"] for r in listed if r["learned"]] == ["sky_hut"] and len(listed) > 50
     assert run("knowledge", "list").out.startswith("sky_hut")
     assert run("knowledge", "show", "sky hut").out.strip() == text.strip()
-    shown = run("knowledge", "show", "potting shed", "--json").json
+    shown = run("knowledge", "show", "clipping shed", "--json").json
     assert shown["learned"] and [i["id"] for i in shown["items"]] == ["bench", "shelf", "light"]
     assert run("knowledge", "forget", "sky hut").out == "sky_hut: forgotten\n"
     replayed = run(*learn, "--replay", tmp_path / "records", "--json")

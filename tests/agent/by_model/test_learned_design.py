@@ -18,7 +18,7 @@ from tests.tools.programmes import item
 PIXEL = base64.b64decode(
     "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="
 )
-REQUEST = "a potting shed with a workbench"
+REQUEST = "a clipping shed with a workbench"
 ON_BENCH = [
     {"category": "potted plant", "on": "workbench-0", "at": "back left"},
     {"category": "mug", "by": "potted plant", "side": "right", "count": 2},
@@ -36,8 +36,8 @@ def test_learned_written_down_dressed_and_replayed(tmp_path, monkeypatch):
     by_field: dict[str, Any] = {
         "inputs": {"inputs": {"objects": ON_BENCH, "only": True}},
         "doors": SHED,
-        "kind": {"kind": "potting shed", "area": 10, "items": [*SHED["items"], item("stool", "stool")]},
-        "language": {"room": "potting shed", "things": []},
+        "kind": {"kind": "clipping shed", "area": 10, "items": [*SHED["items"], item("stool", "stool")]},
+        "language": {"room": "clipping shed", "things": []},
     }
 
     def say(messages: list[ModelMessage], info: AgentInfo) -> ModelResponse:
@@ -53,11 +53,11 @@ def test_learned_written_down_dressed_and_replayed(tmp_path, monkeypatch):
     scene = result.scene
     assert result.report.valid and not result.unmet
     assert not any("no kind of room" in note for note in result.notes)
-    assert scene.room.type == "potting_shed" and set(learned_rooms()) == {"potting_shed"}
+    assert scene.room.type == "clipping_shed" and set(learned_rooms()) == {"clipping_shed"}
     assert [step.call.tool for step in result.steps if step.call] == ["init_llm", "add_tabletop"]
     plant, mug = scene.object("potted_plant-0"), scene.object("mug-0")
     assert plant.support == mug.support and mug.support is not None and mug.support.object == "workbench-0"
     assert (tmp_path / "run/llm/room.yaml").is_file()
-    forget_room("potting shed")
+    forget_room("clipping shed")
     again = design(REQUEST, replay=tmp_path / "run", out=tmp_path / "again", **unseen)
     assert again.scene == scene and not learned_rooms()
