@@ -163,14 +163,15 @@ def export_scene(
     wanted = [format_named(name) for name in formats_named(formats)]
     target = Path(folder)
     fresh = not target.exists()
-    try:
-        target.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        reason = error.strerror or type(error).__name__
-        raise _wrong(f"folder: {target} cannot be made ({reason}); choose another place") from None
     load = _assets(load, welded)
     done: dict[str, Path] = {}
-    try:
+    try:  # time may be up anywhere from here on
+        checkpoint()
+        try:
+            target.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            reason = error.strerror or type(error).__name__
+            raise _wrong(f"folder: {target} cannot be made ({reason}); choose another place") from None
         for one in wanted:
             checkpoint()
             one.write(scene, target / one.file, load, textures)
