@@ -146,14 +146,16 @@ def test_a_killed_one_leaves_the_last_scene_and_says_that_it_did_not_end(tmp_pat
     assert "killed" in json.loads((tmp_path / "metrics.json").read_text("utf-8"))["cut_off"]
 
 
-def test_a_second_signal_ends_it_at_once(tmp_path):
+def test_signals_after_the_first_end_it_at_once(tmp_path):
     process = begin(tmp_path, time_limit="300")
-    wait_for(tmp_path / "scene.json", process)
-    process.send_signal(signal.SIGTERM)
-    time.sleep(0.2)
-    process.send_signal(signal.SIGTERM)
-    process.communicate(timeout=10)
-    assert process.returncode == 143
+    wait_for(tmp_path / "metrics.json", process)
+    until = time.monotonic() + LOADED
+    while process.poll() is None and time.monotonic() < until:  # two that come close together may be heard as one
+        process.send_signal(signal.SIGTERM)
+        time.sleep(0.1)
+    process.communicate(timeout=LOADED)
+    # While an interpreter ends it has no handlers any more; a shell calls both 143.
+    assert process.returncode in (128 + signal.SIGTERM, -signal.SIGTERM)
     Scene.load(tmp_path / "scene.json")
 
 
