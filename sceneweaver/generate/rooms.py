@@ -8,6 +8,7 @@ from collections.abc import Iterable, Sequence
 from sceneweaver.geometry.angles import cross
 from sceneweaver.knowledge import RoomType
 from sceneweaver.language import Grounded, SceneGraph
+from sceneweaver.language.wall_names import walls_meant
 from sceneweaver.scene import Relation, Room
 
 from .program import Wanted
@@ -91,7 +92,8 @@ def may_hold(room: Room, wanted: Sequence[Wanted], rows: Sequence[Grounded]) -> 
 def same_walls(room: Room, base: Room, relations: Iterable[Relation]) -> bool:
     """Whether the walls that relations name by number are the same ones in another room, as seen from the door."""
     named = {r.target for r in relations if isinstance(r.target, str) and r.target.startswith("wall:")}
-    return not named or all(wall_named(side, room) == wall_named(side, base) for side in SEEN)
+    alike = all(wall_named(side, room) == wall_named(side, base) for side in SEEN)
+    return not named or (alike and walls_meant("long", room) == walls_meant("long", base))
 
 
 def walls_hold(room: Room, wanted: Sequence[Wanted]) -> bool:

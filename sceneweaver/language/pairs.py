@@ -65,11 +65,6 @@ class Thing:
         return self.mount == "wall" or row is None or "wall" in row.mount
 
 
-def kind_of(said: StatedRelation) -> str:
-    """The type of a stated relation; "by the sofa" is nearer than "near the sofa"."""
-    return "next_to" if said.type == "near" and said.words.lower().startswith(("by ", "at ")) else said.type
-
-
 def of_pair(kind: str, a: Thing, b: Thing, side: str | None, k: int, n: int) -> Iterator[Row]:
     """The relations that make a stated one hold between two things.
 
@@ -102,12 +97,11 @@ def of_pair(kind: str, a: Thing, b: Thing, side: str | None, k: int, n: int) -> 
 
 def of_place(said: StatedRelation, a: Thing, count: int) -> Iterator[tuple[str, str | None, dict[str, Any]]]:
     """Type, target and parameters of the relations to a part of the room; ``count`` things are said to be there."""
-    place, kind = said.targets[0], kind_of(said)
-    if place == "window" and kind != said.type:
-        kind = "at"
-    for row in word_of_place(kind, place).meant({"a": a, "count": count}):
-        target = (place if ":" in place else None) if row.target == "said" else row.target
-        yield row.type, target, row.params
+    place = said.targets[0]
+    names = [f"wall:{name}" for name in place.partition(":")[2].split("+") if name]
+    for row in word_of_place(said.type, place).meant({"a": a, "count": count, "named": len(names)}):
+        said_walls = {"said": names[0] if names else None, "second": names[-1] if names else None}
+        yield row.type, said_walls.get(row.target, row.target) if row.target else None, row.params
 
 
 __all__ = ["Row", "Thing", "groups_of", "of_pair", "of_place"]
