@@ -23,6 +23,10 @@ FLAT: float = number("flat")
 """Height [m] up to which what lies on the floor, like a rug, has others stand on it."""
 
 
+_FRONTS = frozenset(("seating", "chair_group", "bed_group", "screen", "storage", "sanitary", "board", "wide_mirror"))
+"""Roles and groups of what has a front that matters."""
+
+
 @dataclass(frozen=True)
 class Thing:
     """An object as far as its relations need to know it; ``carrier`` is the id of what it stands on, if anything."""
@@ -57,6 +61,11 @@ class Thing:
     def roles(self) -> frozenset[str]:
         """Its roles and the groups of the taxonomy that it belongs to."""
         return roles_of(self.category) | groups_of(self.category)
+
+    @property
+    def looks(self) -> bool:
+        """Whether its front says where it looks, or from where it is used: a seat, a bed, a screen, a cupboard."""
+        return not _FRONTS.isdisjoint(self.roles)
 
     @property
     def may_hang(self) -> bool:

@@ -136,7 +136,11 @@ def test_around_a_long_table_each_side_has_its_seats():
             {"picture": 1, "sofa": 1},
             {("above", "picture-0", "sofa-0"), ("near", "picture-0", "sofa-0")},
         ),
-        (said("opposite", "sofa", "bed"), {"sofa": 1, "bed": 1}, {("distance", "sofa-0", "bed-0")}),
+        (
+            said("opposite", "sofa", "bed"),
+            {"sofa": 1, "bed": 1},
+            {("distance", "sofa-0", "bed-0"), ("facing", "sofa-0", "bed-0"), ("facing", "bed-0", "sofa-0")},
+        ),
         (said("facing", "sofa", "bed"), {"sofa": 1, "bed": 1}, {("facing", "sofa-0", "bed-0")}),
         (said("near", "sofa", "bed"), {"sofa": 1, "bed": 1}, {("distance", "sofa-0", "bed-0")}),
         (said("next_to", "sofa", "bed"), {"sofa": 1, "bed": 1}, {("near", "sofa-0", "bed-0")}),
