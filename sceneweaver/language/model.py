@@ -61,7 +61,8 @@ Activity = Literal["sit", "sleep", "work", "eat", "stand", "wait", "use"]
 
 PLACES = ("wall", "window", "door", "corner", "middle", "ceiling", "floor", "room")
 """Targets that are parts of the room. ``wall:left`` (right, far, near, north ...) is as seen from the door, or by
-compass with y north."""
+compass with y north; ``wall:long``, ``wall:short`` (an end of the room), ``wall:side`` (left or right), ``wall:window``
+and ``wall:door`` are any such wall; ``corner:far+left`` is the corner of these two, ``corner:far`` one of two."""
 
 
 class Span(NamedTuple):

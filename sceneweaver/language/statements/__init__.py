@@ -1,4 +1,4 @@
-"""Statements that are read by pattern before the clauses are: openings, free floor, people, arrangements.
+"""Statements that are read by pattern before the clauses are: sides, openings, free floor, people, arrangements.
 
 Each reader looks for phrases of its subject in the source, adds what they say to `Parsed`, and blanks them out of the
 source (`Source.blank`), so that no word of them is read as a thing. Things that a statement is about are named in the
@@ -14,11 +14,13 @@ from ..source import Source
 from .arrangements import arrangements
 from .bounds import bounds
 from .capacities import capacities
+from .entering import entering
 from .free_areas import read_free_areas
 from .fullness import fullness
 from .openings import read_openings
 
 STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
+    entering,
     read_openings,
     bounds,
     arrangements,
