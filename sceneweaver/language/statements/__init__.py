@@ -17,13 +17,24 @@ from .capacities import capacities
 from .entering import entering
 from .free_areas import read_free_areas
 from .fullness import fullness
+from .groups import aisles, facing_rows, groups, merged
 from .openings import read_openings
+
+
+def _told_of_rows(source: Source, parsed: Parsed) -> None:
+    """What is said of rows beside their number: aisles, backs together."""
+    facing_rows(source, parsed)
+    aisles(source, parsed)
+    merged(parsed)
+
 
 STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     entering,
     read_openings,
     bounds,
+    groups,
     arrangements,
+    _told_of_rows,
     read_free_areas,
     capacities,
     fullness,
