@@ -7,6 +7,7 @@ from collections.abc import Callable
 from sceneweaver.assets.taxonomy import category_named
 
 from .chunks import Chunk, NounPhrase
+from .distribution import each_next, listed_before, stands_for_each, stations
 from .exclusions import excluded, only_chunk, without_chunk
 from .items import close_surface, open_surface
 from .nearness import meant_of_list
@@ -157,7 +158,7 @@ def _bracket(state: State, chunk: Chunk) -> None:
 def _comma(state: State, chunk: Chunk) -> None:
     if state.waiting is not None and state.waiting.first is None:
         open_ends(state)
-    state.manner, state.each = "", False
+    state.manner, state.each = "", None
     state.glue = "comma"
     state.predicate = []
 
@@ -188,6 +189,8 @@ def _while(state: State, chunk: Chunk) -> None:
 def _noun(state: State, chunk: Chunk) -> None:
     phrase: NounPhrase = chunk.value
     state.after_be = False
+    if stands_for_each(state, phrase) and state.refs.known(phrase, True, []) is None and (group := stations(state)):
+        phrase.what, phrase.value, phrase.text, phrase.of = "thing", None, group.noun, None
     if not (state.negated and excluded(state, phrase, chunk)):
         _PHRASES[phrase.what](state, phrase, chunk)
 
@@ -252,6 +255,11 @@ def _subjects_of(state: State, place: Place, glue: str) -> list[Mention] | None:
     holds = frame is not None and frame.kind == "verb" and frame.type in ("on", "inside")
     if frame is not None and holds and place.type in ("opposite", "along"):
         return list(frame.owner)  # "a console supports a TV across from the sofa"
+    if state.joined in ("and", "comma") and each_next(state, state.at):
+        listed = frame.items if frame is not None else state.subject if state.subject_open else []
+        owner = state.refs.known(state.chunks[state.at].value, True, [])
+        if state.joined == "and" and state.head == listed[-1:]:
+            return listed_before(state, listed, owner) or list(state.head)
     if state.joined == "and":
         listed = frame.items if frame is not None else state.subject if state.subject_open else []
         if len(listed) > 1 and state.head == listed[-1:]:

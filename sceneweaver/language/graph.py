@@ -9,6 +9,7 @@ from typing import Any
 from sceneweaver.assets.taxonomy import category_named, narrower
 
 from .coverage import silent_words
+from .distribution import tell_each
 from .in_room import mean_in_room
 from .meaning import unsaid
 from .model import Amount, Attribute, Entity, Exclusion, SceneGraph, StatedRelation, Unread
@@ -34,6 +35,7 @@ _SIDES = ("left_of", "right_of", "next_to", "in_front_of", "behind", "near", "fl
 def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     """The graph of a request; notes say what was left out."""
     notes = parsed.notes
+    tell_each(parsed)
     split_mutual(parsed)
     mentions = _first(_without_contradictions(parsed), parsed)
     for mention in mentions:

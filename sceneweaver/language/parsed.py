@@ -32,6 +32,8 @@ class Mention:
     implied: bool = False
     span: Span | None = None
     id: str = ""
+    per: Mention | None = None
+    """The things over which it was counted out, so that each of them has its own."""
 
     @property
     def many(self) -> bool:

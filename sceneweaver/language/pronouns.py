@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from .chunks import Chunk, NounPhrase
+from .distribution import part_of_each
 from .items import begin_clause, continue_with, give_target, name_things
 from .nearness import carrier_root, nearest
 from .parsed import Mention, Said
@@ -34,7 +35,7 @@ def number_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     if group is None:
         if after is None or after.kind != "stop":
             state.leave_unread(chunk.text, chunk.start, chunk.end)
-    elif _on_each(after):
+    elif part_of_each(state, after):
         _say_of_some(state, group, count)
     elif (part := state.refs.part(near, count[1])) is not None:
         continue_with(state, [part])
@@ -52,7 +53,7 @@ def pronoun_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     elif kind == "each":
         group = state.refs.several(_at_hand(state))
         if group is not None:
-            state.head, state.each, state.glue = [group], True, ""
+            state.head, state.each, state.glue = [group], group, ""
             state.subject, state.subject_open = [group], True
             state.close_frames()
     elif phrase.text not in ("which", "itself", "themselves"):
@@ -66,11 +67,6 @@ def _at_hand(state: State) -> list[Mention]:
     return state.head or state.subject or state.previous
 
 
-def _on_each(after: Chunk | None) -> bool:
-    """Whether "on each side" and the like follow."""
-    return after is not None and after.kind == "place" and after.value.each
-
-
 def _say_of_some(state: State, group: Mention, count: tuple[int, int]) -> None:
     """What follows is said of so many of a group, on each of some sides."""
     state.subset, state.head, state.glue = count, [group], ""
@@ -81,7 +77,7 @@ def _part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     """ "One of them", "another", "the other"."""
     waiting, partial = state.waiting, phrase.value == "partial"
     near = nearest(state, waiting.subjects or []) if waiting is not None else _at_hand(state)
-    if partial and _on_each(state.chunk(state.at)):
+    if partial and part_of_each(state, state.chunk(state.at)):
         group = state.refs.several(near)
         if group is not None:
             _say_of_some(state, group, (1, 1))

@@ -288,5 +288,6 @@ def owned_kind(mention: Mention, owner: Mention, small: bool) -> str | None:
     if mention.family == "seat" and owner.family == "table":
         return "at"
     if mention.category == "nightstand":
-        return "flanking" if mention.count == (2, 2) else "next_to"
+        beds = owner.count[0] if mention.per is owner and owner.count is not None else 1
+        return "flanking" if mention.count == (2 * beds, 2 * beds) else "next_to"
     return "near"

@@ -97,7 +97,8 @@ class State:
         self.done = False  # whether the clause had its verb
         self.lost = False  # whether the subject is no object, so that nothing is said of it
         self.lit = False  # whether light came through a window
-        self.each = self.inverted = self.after_be = self.relative = self.head_related = False
+        self.each: Mention | None = None  # the things of each of which the clause tells
+        self.inverted = self.after_be = self.relative = self.head_related = False
 
     def name_first(self, mentions: list[Mention]) -> None:
         """Things are named first in a clause. Of many, the first one and the last ones are kept: "them and a book" over

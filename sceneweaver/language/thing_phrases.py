@@ -41,7 +41,7 @@ def named_thing(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
             return
         if group is not None and group.many:
             name_things(state, [group], phrase, False)
-            state.each = True
+            state.each = group
             return
     several = waiting is not None and waiting.subjects is not None and len(waiting.subjects) > 1
     if waiting is not None and several and (phrase.definite or phrase.determiner == "each"):
