@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from .chunks import EACH, Chunk, NounPhrase
-from .parsed import Mention, Parsed
+from .parsed import Mention, Parsed, Said
 from .state import State
 from .things import MANY, singular
 from .vocabulary import Place, words
@@ -112,6 +112,40 @@ def stations(state: State) -> Mention | None:
     return next(used, next(iter(several), None))
 
 
+def on_each_side(said: Said, spoken: list[str], one: Mention, target: Mention) -> None:
+    """ "Two chairs on each long side", "three on each side of every table": counted out over the sides of each target.
+
+    Seats are along both long sides of a table; a number "on either side" or "on both sides" is that of all, unless it
+    is odd.
+    """
+    if one.count is None or one.count[0] != one.count[1] or (said.type == "flanking" and one.count == (1, 1)):
+        return
+    least = one.count[0]
+    by = target.count[0] if target.count is not None and target.count[0] == target.count[1] else 1
+    shared = by if one.per is target else 1
+    of_all = said.type == "along" or least // shared % 2 == 0
+    if of_all and "each" not in spoken and "every" not in spoken:
+        return
+    if said.type == "flanking" and one.family == "seat" and target.family == "table":
+        said.type, said.side = "along", "long"
+    if said.type == "along":
+        said.count = (least // shared, least // shared)
+    total = 2 * least * (by // shared)
+    one.count = (total, total)
+    one.per = target if by > 1 else one.per
+
+
+def owner_told_of(state: State, subjects: list[Mention]) -> Mention | None:
+    """ "A box on each bench, a stool at each": the things of which the sentence told so, unless it then named several
+    that each of these has."""
+    for mention in reversed(state.out.mentions[state.begun :]):
+        if mention in subjects or mention.per is None:
+            continue
+        several = mention.count is not None and mention.per.count is not None and mention.count > mention.per.count
+        return None if several or mention.per in subjects else mention.per
+    return None
+
+
 def part_of_each(state: State, chunk: Chunk | None) -> bool:
     """Whether a number before these words is how many each of some things or sides have: "one next to each bed"."""
     if chunk is None or chunk.kind != "place":
@@ -124,7 +158,10 @@ def tell_each(parsed: Parsed) -> None:
     for said in parsed.said:
         if len(said.targets) != 1 or said.each or not isinstance(target := said.targets[0], Mention):
             continue
-        if said.type in ("flanking", "along") or not target.many:
+        if said.type == "along" or not target.many:
+            continue
+        if said.subjects == [target.per]:  # "three chairs, each facing a mirror"
+            said.each = True
             continue
         if all(s.per is not None and s.per in (target, target.per) for s in said.subjects):
             said.each = True

@@ -139,6 +139,8 @@ class Parsed:
     only: bool = False
     sides: list[tuple[float, ...]] = field(default_factory=list)
     unread: list[Left] = field(default_factory=list)
+    referred: list[Span] = field(default_factory=list[Span])
+    """Where what was named before is named again."""
     notes: list[str] = field(default_factory=list)
 
     def note(self, text: str) -> None:
@@ -167,7 +169,7 @@ class Parsed:
                     continue
                 said.subjects = [p for m in said.subjects for p in (parts if m is whole else [m])]
             if whole in said.targets:
-                if len(said.targets) == 2:
+                if len(said.targets) == 2 or said.type == "between":
                     said.targets = (parts[0], parts[-1])
                 else:
                     said.targets = tuple(parts[0] if t is whole else t for t in said.targets)
