@@ -8,7 +8,7 @@ told to the user as not understood. Words of grammar and of politeness need no a
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import cache
 
 from .model import SceneGraph, Span, Unread
@@ -19,12 +19,20 @@ _WORD = re.compile(r"[^\W\d_]+(?:['’&-][^\W\d_]+)*|\d+(?:[.,]\d+)?", re.UNICOD
 _JOIN = re.compile(r"[\s'’\"-]*")
 
 
-def silent_words(graph: SceneGraph, language: str = "en") -> tuple[Unread, ...]:
+def silent_words(
+    graph: SceneGraph, language: str = "en", referred: Iterable[Span] = (), slips: Mapping[str, str] | None = None
+) -> tuple[Unread, ...]:
     """The words of the text that no item of the graph accounts for, neighbours together, in order.
 
     Time grows with the length of the text.
+
+    Args:
+        graph: what was read of it.
+        language: that it was read in.
+        referred: where what was named before is named again.
+        slips: words with a slip of the pen, and what was meant.
     """
-    covered = _marked(graph, _spans(graph))
+    covered = _marked(graph, (*_spans(graph), *referred))
     if language != "en":
         covered = _marked(graph, (*_spans(graph), *(entity.span for entity in graph.entities)))
         lost = unknown_words(graph.text.lower()[: len(graph.text)], language)
@@ -33,7 +41,10 @@ def silent_words(graph: SceneGraph, language: str = "en") -> tuple[Unread, ...]:
     found: list[list[int]] = []
     for match in _WORD.finditer(graph.text):
         word = match[0].lower().replace("’", "'")
-        if any(covered[match.start() : match.end()]) or word in function_words() or word in known:
+        if any(covered[match.start() : match.end()]):
+            continue
+        meant = (slips or {}).get(word, word)
+        if meant in known or all(part in function_words() or part in known for part in meant.split()):
             continue
         if any(named[match.start() : match.end()]) and (word[0].isdecimal() or word in vocabulary()):
             continue  # of what stands before a noun, only words that nobody knows are lost

@@ -9,6 +9,7 @@ from typing import Any
 from sceneweaver.assets.taxonomy import category_named, narrower
 
 from .coverage import silent_words
+from .distribution import tell_each
 from .in_room import mean_in_room
 from .meaning import unsaid
 from .model import Amount, Attribute, Entity, Exclusion, SceneGraph, StatedRelation, Unread
@@ -34,6 +35,7 @@ _SIDES = ("left_of", "right_of", "next_to", "in_front_of", "behind", "near", "fl
 def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     """The graph of a request; notes say what was left out."""
     notes = parsed.notes
+    tell_each(parsed)
     split_mutual(parsed)
     mentions = _first(_without_contradictions(parsed), parsed)
     for mention in mentions:
@@ -89,7 +91,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         ),
     )
     notes += [f"'{said.words}' cannot be said as a relation" for said in unsaid(graph) if not said.implied]
-    silent = silent_words(graph, source.language)
+    silent = silent_words(graph, source.language, parsed.referred, source.slips)
     placed = {unread.words for unread in silent}
     left = sorted(
         (*(unread for unread in graph.unread if unread.span or unread.words not in placed), *silent),

@@ -32,6 +32,8 @@ class Mention:
     implied: bool = False
     span: Span | None = None
     id: str = ""
+    per: Mention | None = None
+    """The things over which it was counted out, so that each of them has its own."""
 
     @property
     def many(self) -> bool:
@@ -142,6 +144,8 @@ class Parsed:
     only: bool = False
     sides: list[tuple[float, ...]] = field(default_factory=list)
     unread: list[Left] = field(default_factory=list)
+    referred: list[Span] = field(default_factory=list[Span])
+    """Where what was named before is named again."""
     notes: list[str] = field(default_factory=list)
 
     def note(self, text: str) -> None:
@@ -170,7 +174,7 @@ class Parsed:
                     continue
                 said.subjects = [p for m in said.subjects for p in (parts if m is whole else [m])]
             if whole in said.targets:
-                if len(said.targets) == 2:
+                if len(said.targets) == 2 or said.type == "between":
                     said.targets = (parts[0], parts[-1])
                 else:
                     said.targets = tuple(parts[0] if t is whole else t for t in said.targets)

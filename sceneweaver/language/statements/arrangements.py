@@ -250,6 +250,9 @@ def _islands(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
 
 def _each_side(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "Six pews on each side of the aisle": a block of rows at either hand."""
+    with_it = re.search(r"[a-z] with (?:the )?$", edits.source.text[: m.start()])
+    if with_it and table_before(edits.source.text, m.start()):
+        return  # "tables with three chairs on each side": the sides are theirs
     many = number_of(m["n"])
     instead = f"{2 * many} {m['noun']}"
     add(edits, parsed, m, "sides", m["noun"], instead=instead, sides=(many, many))
