@@ -392,7 +392,7 @@ def _neighbours(plan: _Plan, things: Sequence[Wanted]) -> Iterator[tuple[Wanted,
     frames: dict[str, list[Wanted]] = {}
     for one in things:
         frames.setdefault(plan.where(one)[0], []).append(one)
-    if len(frames) == len(things):
+    if len(frames) == len(things) or len(things) == 2:
         yield from zip(things, things[1:], strict=False)
         return
     for members in frames.values():
