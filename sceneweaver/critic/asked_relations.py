@@ -221,7 +221,8 @@ def _between(survey: Survey, said: StatedRelation, body: Body) -> dict[str, Verd
         names = [name for name, _ in chosen]
         if len(set(names)) == len(names):
             shapes = [shape for _, shape in chosen]
-            found[" ".join(names)] = decide([group_measures.of_between(survey, body, shapes)])
+            ends = [next((b for b in survey.bodies if b.id == name), None) for name in names]
+            found[" ".join(names)] = decide([group_measures.of_between(survey, body, shapes, ends)])
     return found
 
 

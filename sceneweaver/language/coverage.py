@@ -78,6 +78,8 @@ def _spans(graph: SceneGraph) -> Iterable[Span]:
     for row in (item for several in (*rows, graph.arrangements, graph.unread) for item in several):
         if row.span is not None:
             yield row.span
+    for one in graph.arrangements:
+        yield from one.more
     for entity in graph.entities:
         yield from (attribute.span for attribute in entity.attributes if attribute.span is not None)
 
@@ -102,7 +104,7 @@ def _is_measure(graph: SceneGraph, match: re.Match[str]) -> bool:
     have += [float(n) for entity in graph.entities for n in entity.count or ()]
     have += [float(s) for entity in graph.entities for s in entity.size if s is not None]
     have += [float(value) for relation in graph.relations for value in relation.params.values() if value is not None]
-    have += [value for one in graph.arrangements for value in (one.spacing, one.height) if value]
+    have += [value for one in graph.arrangements for value in (one.spacing, one.height, one.aisle) if value]
     units = (1.0, 0.01, 0.001, 0.3048, 0.0254, 0.092903)
     return any(abs(value * unit - other) <= 0.006 * max(1.0, other) for unit in units for other in have if other)
 

@@ -16,7 +16,7 @@ from .model import Amount, Attribute, Entity, Exclusion, SceneGraph, StatedRelat
 from .mutual import split_mutual
 from .parsed import Barred, Left, Mention, Parsed, Said
 from .source import Source
-from .statements.counts import bounded_counts, peopled
+from .statements.counts import bounded_counts, peopled, told_apart
 from .statements.resolve import resolved
 from .vocabulary import words
 
@@ -53,7 +53,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     named = {entity.id for entity in entities}
     amounts = tuple(a for a in resolved(parsed.amounts, entities, "amount") if a.entity in named)
     entities = tuple(_many(entity, amounts) for entity in entities)
-    arrangements = resolved(parsed.arrangements, entities, "arrangement")
+    relations, arrangements = told_apart(relations, resolved(parsed.arrangements, entities, "arrangement"))
     people = peopled(
         bounded_counts(entities, parsed.bounds),
         relations,

@@ -211,7 +211,8 @@ class Arrangement(FrozenModel):
     A ``cluster`` is one of ``groups`` of ``columns`` things, ``around`` something where that is said. ``sides`` are
     numbers at opposite sides of what they are ``around`` (or all four: front, back, left, right), or of an aisle where
     nothing is said; of ``walls`` at either of the walls named by ``around``. ``between`` has one of them in each gap of
-    what they are ``around``. At a ``right_angle`` stand two of a kind, or one of it and ``others``.
+    what they are ``around``. At a ``right_angle`` stand two of a kind, or one of it and
+    ``others``. Seats are ``outside`` or ``inside`` of a U of tables.
     """
 
     id: str = ""
@@ -233,6 +234,8 @@ class Arrangement(FrozenModel):
         "right_angle",
         "head_to_head",
         "end_to_end",
+        "outside",
+        "inside",
     ]
     others: tuple[str, ...] = Field(default=(), description="What else takes part: entities, by id")
     rows: int | None = Field(default=None, description="One behind the other; of a stack: one on the other")
@@ -247,6 +250,7 @@ class Arrangement(FrozenModel):
     facing: str = Field(default="", description="What they look at: an entity, one of `PLACES`, or 'each other'")
     words: str = ""
     span: Span | None = None
+    more: tuple[Span, ...] = Field(default=(), description="Further words of it, elsewhere in the request")
 
 
 class Amount(FrozenModel):

@@ -17,7 +17,7 @@ from .capacities import capacities
 from .entering import entering
 from .free_areas import read_free_areas
 from .fullness import fullness
-from .groups import aisles, facing_rows, groups, merged
+from .groups import aisles, facing_rows, groups, horseshoes, merged
 from .openings import read_openings
 
 
@@ -25,6 +25,7 @@ def _told_of_rows(source: Source, parsed: Parsed) -> None:
     """What is said of rows beside their number: aisles, backs together."""
     facing_rows(source, parsed)
     aisles(source, parsed)
+    horseshoes(source, parsed)
     merged(parsed)
 
 
