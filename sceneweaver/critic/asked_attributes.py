@@ -41,12 +41,12 @@ class _Test(NamedTuple):
     number: Callable[[Body], Measurement | None] = lambda body: None
 
 
-def outcomes(asked: Entity, bodies: Sequence[Body]) -> Iterator[Asked]:
-    """Each attribute of an entity; of a thing that is missing they are unmet."""
+def outcomes(asked: Entity, bodies: Sequence[Body], lengths: Sequence[float] = ()) -> Iterator[Asked]:
+    """Each attribute of an entity; of a thing that is missing they are unmet; ``lengths`` [m] are others' to tell."""
     for k, attribute in enumerate(_all(asked)):
         item = attribute.id or f"{asked.id}.{attribute.kind}" + (f"-{k}" if attribute.kind in ("other", "part") else "")
         yield _outcome(asked, attribute, item, bodies)
-    if any(size is not None for size in asked.size) and bodies:
+    if any(size is not None and size not in lengths for size in asked.size) and bodies:
         yield _measured_size(asked, bodies)
 
 

@@ -496,7 +496,8 @@ def _wish(demand: Demand, palette: Palette, seed: int) -> tuple[Wish, str | None
         material=look.material or (asked.material if asked else None),
         shape=look.shape,
         parts=look.parts,
-        beyond=any(said is not None for said in look.size) or look.mount is not None,
+        beyond=any(extent is not None for extent in (*look.size, *(asked.size if asked else ())))
+        or look.mount is not None,
         style=(asked and asked.style) or palette.style,
         palette=palette.code,
         words=" ".join(asked.words) if asked else "",

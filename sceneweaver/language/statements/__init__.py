@@ -1,4 +1,4 @@
-"""Statements that are read by pattern before the clauses are: openings, free floor, people, arrangements.
+"""Statements that are read by pattern before the clauses are: openings, free floor, people, arrangements, lengths.
 
 Each reader looks for phrases of its subject in the source, adds what they say to `Parsed`, and blanks them out of the
 source (`Source.blank`), so that no word of them is read as a thing. Things that a statement is about are named in the
@@ -16,6 +16,7 @@ from .bounds import bounds
 from .capacities import capacities
 from .free_areas import read_free_areas
 from .fullness import fullness
+from .measures import measures
 from .openings import read_openings
 
 STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
@@ -23,6 +24,7 @@ STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     bounds,
     arrangements,
     read_free_areas,
+    measures,
     capacities,
     fullness,
 )
