@@ -25,7 +25,7 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
         bodies = survey.standing_for(asked.id)
         yield _entity(survey, asked, bodies)
         lengths = [m.wanted for m in survey.brief.measures if m.entity == asked.id]
-        yield from asked_attributes.outcomes(asked, bodies, lengths)
+        yield from asked_attributes.outcomes(asked, bodies, lengths, survey.scene.room.windows)
     yield from _exclusions(survey)
     if survey.brief.only and survey.brief.entities:
         yield _only(survey)

@@ -11,7 +11,7 @@ from sceneweaver.assets.taxonomy import category_named, narrower
 from .coverage import silent_words
 from .in_room import mean_in_room
 from .meaning import unsaid
-from .measured import measured
+from .measured import give_states, measured
 from .model import Amount, Attribute, Entity, Exclusion, SceneGraph, StatedRelation, Unread
 from .mutual import split_mutual
 from .parsed import Barred, Left, Mention, Parsed, Said
@@ -41,6 +41,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         _narrowed(mention)
     mean_in_room(mentions, parsed.room_type)
     lengths = measured(parsed, mentions, text)
+    give_states(parsed, mentions, text)
     _named(mentions)
     _shared_support(parsed)
     _by_attribute(parsed, mentions)

@@ -1,4 +1,4 @@
-"""Lengths that a request states, as lengths of the things that it names: whose they are, and what size that makes."""
+"""Lengths and states that patterns read, as those of the things that a request names: whose they are, what they do."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from sceneweaver.assets.category import Category
 from sceneweaver.assets.roles import has_role
 from sceneweaver.assets.taxonomy import category_named
 
-from .model import StatedMeasure
+from .model import Attribute, StatedMeasure
 from .parsed import Left, Mention, Parsed, Told
 from .statements.measures import WORKTOPS
 from .things import singular
@@ -24,6 +24,7 @@ def measured(parsed: Parsed, mentions: Sequence[Mention], text: str) -> list[tup
     """
     found: list[tuple[StatedMeasure, Mention | None]] = []
     for told in parsed.measures:
+        assert isinstance(told.what, StatedMeasure)
         mention = None if told.noun == WORKTOPS else named_by(told, mentions, text)
         if mention is None and told.noun != WORKTOPS:
             parsed.unread.append(Left(told.what.words, span=told.what.span))
@@ -33,6 +34,17 @@ def measured(parsed: Parsed, mentions: Sequence[Mention], text: str) -> list[tup
         said = [measure for measure, m in found if m is mention]
         _give(mention, said)
     return found
+
+
+def give_states(parsed: Parsed, mentions: Sequence[Mention], text: str) -> None:
+    """States become attributes of the things that they are said of; those of none are not understood."""
+    for told in parsed.states:
+        assert isinstance(told.what, Attribute)
+        mention = named_by(told, mentions, text)
+        if mention is None:
+            parsed.unread.append(Left(told.what.words, span=told.what.span))
+        else:
+            mention.attributes.append(told.what)
 
 
 def worktop_categories() -> frozenset[str]:
@@ -137,4 +149,4 @@ def _fits(row: Category, size: Sequence[float | None], beyond: bool = True) -> b
     )
 
 
-__all__ = ["measured", "named_by", "worktop_categories"]
+__all__ = ["give_states", "measured", "named_by", "worktop_categories"]

@@ -103,7 +103,7 @@ class Told:
     """Something said of a thing by a pattern: it is named ``after`` the words or before them, by ``noun``, with
     ``named`` in so many words."""
 
-    what: StatedMeasure
+    what: StatedMeasure | Attribute
     noun: str
     after: bool
     named: bool = False
@@ -133,6 +133,7 @@ class Parsed:
     capacities: list[Capacity] = field(default_factory=list)
     arrangements: list[Arrangement] = field(default_factory=list)
     amounts: list[Amount] = field(default_factory=list)
+    states: list[Told] = field(default_factory=list)
     measures: list[Told] = field(default_factory=list)
     bounds: list[tuple[tuple[str, ...], int, int]] = field(default_factory=list)
     room_type: str | None = None

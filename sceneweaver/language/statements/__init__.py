@@ -18,6 +18,7 @@ from .free_areas import read_free_areas
 from .fullness import fullness
 from .measures import measures
 from .openings import read_openings
+from .states import read_states
 
 STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     read_openings,
@@ -25,6 +26,7 @@ STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     arrangements,
     read_free_areas,
     measures,
+    read_states,
     capacities,
     fullness,
 )

@@ -14,9 +14,9 @@ from ..model import StatedMeasure
 from ..parsed import Parsed, Told
 from ..source import Source
 from ..things import singular
-from ..vocabulary import NUMBERS, vocabulary, words
+from ..vocabulary import vocabulary, words
 from .lengths import BOUNDED, bounded_length
-from .phrases import Edits, listed, noun_after, noun_before, one_of
+from .phrases import Edits, noun_at, one_of
 
 REACH = (0.02, 12.0)
 """Lengths [m] that a thing in a room may have."""
@@ -27,7 +27,6 @@ BARE = 20
 WORKTOPS = "worktops"
 """What stands for the worktops of the room, whatever they are on."""
 
-_BEFORE = frozenset(("with", "a", "an", "the", "each", "every", "two", "his", "her", "our", "my", "their", "some"))
 _SPACES = r"[\s-]{0,3}"
 
 
@@ -53,7 +52,7 @@ def _add(source: Source, parsed: Parsed, edits: Edits, found: re.Match[str], sai
     elif named:
         noun = (re.findall(r"[a-z]+", text[max(0, start - 30) : start]) or [""])[-1]
     else:
-        noun, after = _noun(text, start, end)
+        noun, after = noun_at(text, start, end)
         if not after:
             start = _with_leading(text, start)
     last = singular(noun).split()[-1] if noun else ""
@@ -66,22 +65,6 @@ def _add(source: Source, parsed: Parsed, edits: Edits, found: re.Match[str], sai
     words_ = " ".join(text[start:end].split()).strip(" ,")
     span = edits.take(start, end, " ," if text[start : start + 1] == "," and not after else "")
     parsed.measures.append(Told(StatedMeasure(**said, words=words_, span=span), noun, after, named))
-
-
-def _noun(text: str, start: int, end: int) -> tuple[str, bool]:
-    """The noun that something between two places is said of, and whether it comes after."""
-    before = re.search(r"([a-z0-9']+|[,.(])[\s-]*$", text[:start])
-    said = before[1] if before is not None else "."
-    follows = re.match(r"[\s,-]*([a-z]+)", text[end:])
-    plain = follows is not None and follows[1] not in listed("closed") and follows[1] not in listed("prepositions")
-    behind = said in _BEFORE or said in NUMBERS or said.isdigit() or (said in ",.(" and text[end : end + 1] != ",")
-    behind = behind or not vocabulary().get(said, {"noun": 1}).keys() & {"noun", "plural", "verb", "parts", "stop"}
-    if plain and behind:
-        noun, _ = noun_after(text, end + len(re.match(r"[\s,-]*", text[end:])[0]))  # type: ignore[index]
-        if noun:
-            return noun, True
-    bracket = re.search(r"\([^()]{0,40}$", text[:start])
-    return noun_before(text, start) or (noun_before(text, bracket.start()) if bracket is not None else ""), False
 
 
 def _with_leading(text: str, start: int) -> int:
