@@ -12,6 +12,7 @@ from .coverage import silent_words
 from .distribution import tell_each
 from .in_room import mean_in_room
 from .meaning import unsaid
+from .measured import give_states, measured
 from .model import Amount, Attribute, Entity, Exclusion, SceneGraph, StatedRelation, Unread
 from .mutual import split_mutual
 from .parsed import Barred, Left, Mention, Parsed, Said
@@ -41,6 +42,8 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     for mention in mentions:
         _narrowed(mention)
     mean_in_room(mentions, parsed.room_type)
+    lengths = measured(parsed, mentions, text)
+    give_states(parsed, mentions, text)
     _named(mentions)
     _shared_support(parsed)
     _by_attribute(parsed, mentions)
@@ -81,6 +84,11 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         capacities=people.capacities,
         arrangements=arrangements,
         amounts=amounts,
+        measures=tuple(
+            measure.model_copy(update={"id": f"measure-{k}", "entity": mention.id if mention is not None else ""})
+            for k, (measure, mention) in enumerate(lengths)
+            if mention is None or mention in mentions
+        ),
         relations=tuple(r.model_copy(update={"id": f"relation-{k}"}) for k, r in enumerate(people.relations)),
         exclusions=_numbered(
             [Exclusion(words=w, categories=c, span=span) for (w, c), span in reversed(exclusions.items())] + barred
@@ -227,7 +235,7 @@ def _entity(mention: Mention, notes: list[str]) -> Entity:
         notes.append(f"{count[1]} x {mention.noun} was brought to {MOST}")
         count = (min(count[0], MOST), MOST)
     found = category_named(mention.category).size
-    for want, bounds, name in zip(mention.size, found.ranges if found else (), ("deep", "wide", "high"), strict=False):
+    for want, bounds, name in zip(mention.size, found.reach if found else (), ("deep", "wide", "high"), strict=False):
         if want is not None and not bounds[0] - 1e-6 <= want <= bounds[1] + 1e-6:
             notes.append(
                 f"a {mention.noun} {want:g} m {name} cannot be made; it is {bounds[0]:g} to {bounds[1]:g} m {name}"

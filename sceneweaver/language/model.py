@@ -264,6 +264,43 @@ class Amount(FrozenModel):
     span: Span | None = None
 
 
+class StatedMeasure(FrozenModel):
+    """A length that is said of things: an extent, or the height of a part of them or of where they are.
+
+    ``length`` is that of the longer side in plan, ``side`` that of both; ``top``, ``seat``, ``centre``, ``bottom`` and
+    ``upper`` are heights above the floor, ``placed`` is where a thing hangs or stands, ``ceiling`` what is left to it.
+    """
+
+    id: str = ""
+    entity: str = Field(default="", description="The entity, by id; empty: all worktops of the room")
+    quantity: Literal[
+        "depth",
+        "width",
+        "length",
+        "height",
+        "diameter",
+        "side",
+        "top",
+        "seat",
+        "centre",
+        "bottom",
+        "upper",
+        "placed",
+        "ceiling",
+    ]
+    low: float | None = Field(default=None, description="Least [m]; the same as the largest where one was given")
+    high: float | None = Field(default=None, description="Largest [m]")
+    vague: bool = Field(default=False, description="Whether it is about so much")
+    words: str = ""
+    span: Span | None = None
+
+    @property
+    def wanted(self) -> float:
+        """A length [m] that is as asked, by the ends alone."""
+        ends = [end for end in (self.low, self.high) if end is not None]
+        return sum(ends) / len(ends)
+
+
 class Unread(FrozenModel):
     """Words that were not understood."""
 
@@ -298,6 +335,7 @@ class SceneGraph(FrozenModel):
     capacities: tuple[Capacity, ...] = ()
     arrangements: tuple[Arrangement, ...] = ()
     amounts: tuple[Amount, ...] = ()
+    measures: tuple[StatedMeasure, ...] = ()
     only: bool = Field(default=False, description="Nothing but what is named: 'only', 'just', 'nothing else'")
     unread: tuple[Unread, ...] = ()
     notes: tuple[str, ...] = Field(default=(), description="What was assumed, corrected or contradicts itself")

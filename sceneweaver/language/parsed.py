@@ -8,7 +8,7 @@ from typing import Any, Self
 
 from sceneweaver.assets.roles import has_role
 
-from .model import Amount, Arrangement, Attribute, Capacity, FreeArea, Span, StatedOpening
+from .model import Amount, Arrangement, Attribute, Capacity, FreeArea, Span, StatedMeasure, StatedOpening
 from .vocabulary import family, mounts
 
 
@@ -105,6 +105,17 @@ def without(mentions: Iterable[Mention], others: Iterable[object]) -> list[Menti
     return [m for m in mentions if m not in gone]
 
 
+@dataclass(frozen=True)
+class Told:
+    """Something said of a thing by a pattern: it is named ``after`` the words or before them, by ``noun``, with
+    ``named`` in so many words."""
+
+    what: StatedMeasure | Attribute
+    noun: str
+    after: bool
+    named: bool = False
+
+
 @dataclass
 class Left:
     """Words that were not understood."""
@@ -129,6 +140,8 @@ class Parsed:
     capacities: list[Capacity] = field(default_factory=list)
     arrangements: list[Arrangement] = field(default_factory=list)
     amounts: list[Amount] = field(default_factory=list)
+    states: list[Told] = field(default_factory=list)
+    measures: list[Told] = field(default_factory=list)
     bounds: list[tuple[tuple[str, ...], int, int]] = field(default_factory=list)
     room_type: str | None = None
     room_words: str = ""
