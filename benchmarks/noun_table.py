@@ -291,7 +291,7 @@ class Table:
         last word."""
         found: dict[str, list[str]] = {}
         for name, row in categories().items():
-            synset = self.of_category.get(name) or self._head(row.words)
+            synset = self.of_category.get(name) or ("" if name in self.kinds.meant else self._head(row.words))
             if row.size is None or not synset:
                 continue
             above = [s for s in self._above(synset) if s == synset or 1 < self._breadth(s) < BROAD]

@@ -17,6 +17,7 @@ from .capacities import capacities
 from .free_areas import read_free_areas
 from .fullness import fullness
 from .openings import read_openings
+from .unwanted import unwanted
 
 STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     read_openings,
@@ -25,6 +26,7 @@ STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     read_free_areas,
     capacities,
     fullness,
+    unwanted,
 )
 """The readers, in order; each gets what the ones before it left."""
 
