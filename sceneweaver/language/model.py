@@ -132,6 +132,8 @@ class StatedRelation(FrozenModel):
 class Exclusion(FrozenModel):
     """What must not be there: nowhere in the room or, with a ``relation``, not there ("no shelf above the bed").
 
+    Beside the ``categories`` it may be whatever is of some ``materials`` or hangs where a ``mount`` says.
+
     An entity that must not stand somewhere ("the wardrobe may not be in front of the window") is named by ``subject``.
     """
 
@@ -141,6 +143,12 @@ class Exclusion(FrozenModel):
     relation: RelationType | None = Field(default=None, description="How they must not stand to the targets")
     targets: tuple[str, ...] = Field(default=(), description="Ids of entities or `PLACES`, of the relation")
     subject: str = Field(default="", description="The entity that it is said of, by id; else all of the categories")
+    materials: tuple[str, ...] = Field(
+        default=(), description="Names of materials; nothing may be of one that the request does not name"
+    )
+    mount: Literal["", "wall", "ceiling"] = Field(
+        default="", description="Where nothing may hang that the request does not name"
+    )
     span: Span | None = None
 
 

@@ -8,7 +8,7 @@ from typing import Any, Self
 
 from sceneweaver.assets.roles import has_role
 
-from .model import Amount, Arrangement, Attribute, Capacity, FreeArea, Span, StatedMeasure, StatedOpening
+from .model import Amount, Arrangement, Attribute, Capacity, Exclusion, FreeArea, Span, StatedMeasure, StatedOpening
 from .vocabulary import family, mounts
 
 
@@ -135,6 +135,7 @@ class Parsed:
     said: list[Said] = field(default_factory=list)
     without: list[tuple[str, tuple[str, ...], Span | None]] = field(default_factory=list)
     barred: list[Barred] = field(default_factory=list)
+    unwanted: list[Exclusion] = field(default_factory=list)
     stated_openings: list[StatedOpening] = field(default_factory=list)
     free_areas: list[FreeArea] = field(default_factory=list)
     capacities: list[Capacity] = field(default_factory=list)

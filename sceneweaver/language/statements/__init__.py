@@ -21,6 +21,7 @@ from .groups import aisles, facing_rows, groups, horseshoes, merged
 from .measures import measures
 from .openings import read_openings
 from .states import read_states
+from .unwanted import unwanted
 
 
 def _told_of_rows(source: Source, parsed: Parsed) -> None:
@@ -43,6 +44,7 @@ STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     read_states,
     capacities,
     fullness,
+    unwanted,
 )
 """The readers, in order; each gets what the ones before it left."""
 
