@@ -98,6 +98,15 @@ def without(mentions: Iterable[Mention], others: Iterable[object]) -> list[Menti
     return [m for m in mentions if m not in gone]
 
 
+@dataclass(frozen=True)
+class Zone:
+    """A part of the room, or a use of all of it, that is a kind of room by itself."""
+
+    kind: str
+    words: str
+    span: Span
+
+
 @dataclass
 class Left:
     """Words that were not understood."""
@@ -125,6 +134,9 @@ class Parsed:
     bounds: list[tuple[tuple[str, ...], int, int]] = field(default_factory=list)
     room_type: str | None = None
     room_words: str = ""
+    setting: str = ""
+    """Where the room is, or whose: "our office" of a prayer room for our office."""
+    zones: list[Zone] = field(default_factory=list["Zone"])
     other_rooms: list[str] = field(default_factory=list)
     room_scale: float = 1.0
     shape: str | None = None

@@ -11,7 +11,7 @@ from .graph import build
 from .model import SceneGraph
 from .parsed import Left, Parsed, without
 from .source import Source, check_measures, check_text, read_source
-from .statements import STATEMENTS
+from .statements import STATEMENTS, furnish_zones
 from .things import match_of
 from .tokens import tokens
 
@@ -36,6 +36,7 @@ def read_request(text: str) -> SceneGraph:
     for read in STATEMENTS:
         read(source, parsed)
     read_clauses(chunked(without_asides(tokens(source, parsed.notes))), source, parsed)
+    furnish_zones(parsed)
     _sides(parsed, source)
     for note in source.notes:
         parsed.note(note)

@@ -17,6 +17,7 @@ from .capacities import capacities
 from .free_areas import read_free_areas
 from .fullness import fullness
 from .openings import read_openings
+from .room_kind import furnish_zones, read_room_kind
 
 STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     read_openings,
@@ -25,7 +26,8 @@ STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     read_free_areas,
     capacities,
     fullness,
+    read_room_kind,
 )
 """The readers, in order; each gets what the ones before it left."""
 
-__all__ = ["STATEMENTS"]
+__all__ = ["STATEMENTS", "furnish_zones"]
