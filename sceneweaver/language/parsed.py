@@ -136,6 +136,7 @@ class Parsed:
     room_words: str = ""
     setting: str = ""
     """Where the room is, or whose: "our office" of a prayer room for our office."""
+    wing: tuple[float, float] | None = None
     zones: list[Zone] = field(default_factory=list["Zone"])
     other_rooms: list[str] = field(default_factory=list)
     room_scale: float = 1.0

@@ -15,7 +15,7 @@ KINDS = {
     "ten chairs, a low table. it's the waiting room of a garage": "waiting_room",
     "a gym in our basement": "home_gym",
     "a gym": "gym",
-    "hall with two lathes and a milling machine": "machine_shop",
+    "hall with two lathes and a milling machine": "metal_workshop",
     "place where patients wait for their turn, eight chairs": "waiting_room",
     "massage room at a hotel with a table": "massage_room",
     "Küche mit Kochinsel": "kitchen",

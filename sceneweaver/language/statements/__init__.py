@@ -18,8 +18,10 @@ from .free_areas import read_free_areas
 from .fullness import fullness
 from .openings import read_openings
 from .room_kind import furnish_zones, read_room_kind
+from .wings import wings
 
 STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
+    wings,
     read_openings,
     bounds,
     arrangements,

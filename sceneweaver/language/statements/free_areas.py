@@ -73,8 +73,9 @@ def _marked(text: str) -> tuple[str, dict[int, tuple[float, float | None]]]:
     lengths: dict[int, tuple[float, float | None]] = {}
 
     def mark(found: re.Match[str]) -> str:
-        lengths[found.start()] = length_of(found)
-        return "¤".ljust(len(found[0]))
+        comma = len(found[0]) - len(found[0].lstrip(", "))
+        lengths[found.start() + comma] = length_of(found)
+        return found[0][:comma] + "¤".ljust(len(found[0]) - comma)
 
     return _LENGTH.sub(mark, text), lengths
 
