@@ -35,7 +35,7 @@ _SQUARE = re.compile(
 _FREE = r"(?:free|clear|open|empty|unobstructed|uncluttered|unoccupied|spare)"
 _FREE_BEHIND = re.compile(
     rf"{_GAP}(?:of{_GAP})?(?:(?:must|should|has|have|to|is|are|be|stay|stays|remain|kept|left|completely|totally|at all"
-    rf"|floor|space|area){_GAP}){{0,6}}{_FREE}(?![a-z])"
+    rf"|floor|space|area|the){_GAP}){{0,6}}{_FREE}(?![a-z])"
 )
 _FREE_BEFORE = re.compile(
     rf"(?<![a-z]){_FREE}{_GAP}(?:floor|space|area|room|ground|zone|spot|patch)?{_GAP}(?:space|area)?{_GAP}"
@@ -101,6 +101,8 @@ class Source:
     area: float | None = None
     height: float | None = None
     sides: dict[int, tuple[float, ...]] = field(default_factory=dict)
+    free: set[int] = field(default_factory=set[int])
+    """Where sides stood that are of floor to keep free."""
     colons: set[int] = field(default_factory=set[int])
     spoken: str = ""
     """All of the text in lower case, before anything is taken out; characters stand where they do in ``text``."""
@@ -229,6 +231,7 @@ def _free_square(m: re.Match[str], found: Source) -> str | None:
         return None
     side = round(math.sqrt(float(m[1].replace(",", ".")) * (SQUARE_FOOT if "f" in m[2] else 1.0)), 4)
     found.sides[m.start()] = (side, side)
+    found.free.add(m.start())
     return "§"
 
 

@@ -121,6 +121,12 @@ def _seater(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     _add(edits, parsed, m.start(), m.end(), said)
 
 
+def _places(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "Two working places", "14 covers"."""
+    does = next(name for name, spoken in words("people")["places"].items() if m["place"] in spoken)
+    _add(edits, parsed, m.start(), m.end(), Capacity(people=number_of(m["n"]), activity=does))
+
+
 def _couple(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "For me and my wife": two people, who stay in the source for whom the room is."""
     parsed.people = parsed.people or 2
@@ -238,6 +244,12 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
             r"|at the same time))*"
         ),
         _they_do,
+    ),
+    (
+        re.compile(
+            rf"\b{_N} (?P<place>{'|'.join(p for found in words('people')['places'].values() for p in found)})\b"
+        ),
+        _places,
     ),
     (re.compile(rf"\b{_N}[\s-](?:seater|seat|(?P<person>person|people|man|child|pupil|guest))\b(?! each)"), _seater),
     (

@@ -44,8 +44,8 @@ def _of_shape() -> re.Pattern[str]:
 def _pattern() -> re.Pattern[str]:
     parts = one_of(words("openings")["wings"])
     return re.compile(
-        rf"(?P<main>§)[^.§]{{0,{APART}}}?(?P<rest>(?:\b(?:plus|and|with|,)\s+)?(?:an?\s|the\s|one\s)?(?:small\s|other\s)?"
-        rf"(?:(?:{parts}|leg)\s(?:of\s)?)?(?P<wing>§)(?:\s(?:large|big|deep))?(?:\s(?P<part>{parts}))?"
+        rf"(?P<main>§)[^.§]{{0,{APART}}}?(?P<rest>(?:\b(?:plus|and|with|,)\s+)?(?:an?\s+|the\s+|one\s+)?(?:small\s+|short\s+|other\s+)?"
+        rf"(?:(?:{parts}|leg)\s+(?:of\s+)?)?(?P<wing>§)(?:\s+(?:large|big|deep))?(?:\s+(?P<part>{parts}))?"
         r"(?:\s(?:sticking out|at|on|off)\s(?:at\s)?(?:one|the|an?)\s(?:end|side|corner)(?:\sof\s(?:a|the|one)\s"
         r"(?:long|short|longer|shorter)\s(?:side|wall))?)?)"
     )
