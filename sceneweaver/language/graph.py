@@ -28,7 +28,7 @@ MOST = 400
 SEVERAL, PLURAL = 6, 6
 """Things that there are at least of what is all over a room, and most of a bare plural."""
 
-_SAME = ("room_type", "room_words", "other_rooms", "shape", "style", "only")
+_SAME = ("room_type", "room_words", "other_rooms", "shape", "wing", "style", "only")
 """What a graph says of the room as it was parsed."""
 
 _SIDES = ("left_of", "right_of", "next_to", "in_front_of", "behind", "near", "flanking", "around")

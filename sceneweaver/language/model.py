@@ -325,6 +325,9 @@ class SceneGraph(FrozenModel):
     other_rooms: tuple[str, ...] = Field(default=(), description="Kinds of further rooms that the request names")
     shape: Shape | None = None
     size: tuple[float, float] | None = Field(default=None, description="Floor [m], longer side first")
+    wing: tuple[float, float] | None = Field(
+        default=None, description="Sides [m] of what sticks out of a floor of that size, at an end of a long side"
+    )
     area: float | None = Field(default=None, description="Floor [m2]")
     height: float | None = Field(default=None, description="Of the ceiling [m]")
     scale: float = Field(default=1.0, description="1.3 for a large room, 0.75 for a small one")

@@ -116,6 +116,15 @@ class Told:
     named: bool = False
 
 
+@dataclass(frozen=True)
+class Zone:
+    """A part of the room, or a use of all of it, that is a kind of room by itself."""
+
+    kind: str
+    words: str
+    span: Span
+
+
 @dataclass
 class Left:
     """Words that were not understood."""
@@ -146,6 +155,10 @@ class Parsed:
     bounds: list[tuple[tuple[str, ...], int, int]] = field(default_factory=list)
     room_type: str | None = None
     room_words: str = ""
+    setting: str = ""
+    """Where the room is, or whose: "our office" of a prayer room for our office."""
+    wing: tuple[float, float] | None = None
+    zones: list[Zone] = field(default_factory=list["Zone"])
     other_rooms: list[str] = field(default_factory=list)
     room_scale: float = 1.0
     shape: str | None = None

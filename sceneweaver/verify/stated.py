@@ -219,8 +219,8 @@ def _held(q: Asked) -> Reading | None:
 
 
 def _is_within(held: Body, target: Body) -> bool:
-    """Whether what stands on a thing is in it: on a board or the floor within it, in a bowl or on a dish, in bedding; on
-    the top of a chest or beside the bowl of a sink it is not."""
+    """Whether what stands on a thing is in it: on a board or the floor within it, in a bowl or on a dish, in bedding;
+    on the top of a chest or beside the bowl of a sink it is not."""
     support = held.item.support
     inner = {s.name for s in target.item.surfaces if s.headroom is not None or s.name == INSIDE}
     if support is None or support.surface in inner or inner:
