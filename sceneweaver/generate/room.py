@@ -22,7 +22,7 @@ from .fit import POOR, fitted
 from .free_floor import agreeing, free_areas_of, kept_free, people_of
 from .hanging import hung_between, lamp_count
 from .program import BY_RANK, Limits, Program, Wanted, build, demands, free_zones
-from .relations import of_brief, of_items, rows_of
+from .relations import of_brief, of_items, rows_of, stated_rows
 from .rooms import larger_rooms, may_hold, other_rooms, same_walls, walls_hold
 from .rows import in_rows, lines_of, row_variants
 from .run import Variant, has_place
@@ -32,6 +32,7 @@ from .shell import floor_area, shell
 from .stacks import stacked
 from .stated_finish import stated_finish
 from .supports import Places, laid, supported
+from .under import below_windows, with_room_below
 
 FILL = {"sparse": 0.73, "normal": 1.0, "full": 1.21}
 """Share of what a kind of room usually has under furniture up to which more is put in."""
@@ -188,6 +189,8 @@ def _furnished(setup: Setup, made: _Attempt, palette: Palette) -> None:
     stacked(program.wanted, brief)
     hung(brief, program.wanted)
     program.wanted = _not_before_windows(program.wanted, rows_of(brief, program.wanted))
+    below_windows(brief, program.wanted, made.space)
+    with_room_below(stated_rows(brief, program.wanted), program.wanted, setup.library)
     rows = rows_of(brief, program.wanted)
     if lengthened(program, rows, setup.library, brief):
         rows = rows_of(brief, program.wanted)  # more seats may be told of a longer table

@@ -56,6 +56,9 @@ EYES = 1.45
 FREE = 0.3
 """Share of a top that must be free of what rises from it, for a thing to stand there."""
 
+SHALLOW = 0.5
+"""Depth [m] of what usually stands up to which it may hang flat on a wall."""
+
 BESIDE = ("next_to", "near", "left_of", "right_of", "in_front_of", "behind", "against", "leaning_on", "below", "at")
 """Stated relations to a thing or a part of the room that put such a thing on the floor."""
 
@@ -166,6 +169,8 @@ def _held(brief: SceneGraph, by_asked: dict[str, list[Wanted]]) -> None:
                 one.held = "wall" if one.mount != "floor" or said.type in ("on", "hanging_from", "above") else one.held
             elif place == "wall" and said.type in ("on", "hanging_from") and one.category not in categories():
                 one.held = "wall"  # of what is not known it is known that it hangs
+            elif place == "wall" and said.type == "hanging_from" and one.asset.size[0] <= SHALLOW:
+                one.held = "wall"  # a spade, a guitar; a bicycle stands out too far
             elif "ceiling" in may and place == "ceiling":
                 one.held = "ceiling"
             elif one.mount == "surface" and (place == "floor" or said.type == "around" and _on_floor(said, by_asked)):
