@@ -336,8 +336,10 @@ def _object(one: Wanted, space: Room, over: float, clear: bool, places: Places) 
     )
     obj = places.objects.get(one.id) or one.asset.object(one.id, pose=pose, mount=one.mount)  # type: ignore[arg-type]
     zones = free_zones(one.item, obj)
-    top = (places.tops[one.id],) if one.id in places.tops and not obj.surfaces else obj.surfaces
-    return obj.model_copy(update={"intent": intent, "surfaces": top, "zones": zones})
+    top = places.tops.get(one.id)
+    added = top is not None and top.name not in {s.name for s in obj.surfaces}
+    surfaces = (*obj.surfaces, top) if top is not None and added else obj.surfaces
+    return obj.model_copy(update={"intent": intent, "surfaces": surfaces, "zones": zones})
 
 
 def _over_doors(brief: SceneGraph, wanted: Sequence[Wanted], space: Room) -> dict[str, float]:

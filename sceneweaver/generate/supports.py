@@ -382,12 +382,12 @@ def _on_one(
     support: Wanted, riders: Sequence[Wanted], rows: Sequence[Grounded], shelf: Shelf, places: Places
 ) -> tuple[list[Standing], list[Wanted]]:
     obj = places.objects.get(support.id) or support.asset.object(support.id, mount="floor")
-    top = None if obj.surfaces else _top(obj)
+    top = None if obj.surfaces and not _bare_top(obj, riders) else _top(obj)
     if top is not None:
         if all(one.category == support.category for one in riders):
             top = _over_edge(top)
         places.tops[support.id] = top
-        obj = obj.model_copy(update={"surfaces": (top,)})
+        obj = obj.model_copy(update={"surfaces": (*obj.surfaces, top)})
     plan = usual_arrangement(support.item.top if support.item else None, support.category)
     if not obj.surfaces:
         return [], list(riders)
@@ -395,6 +395,12 @@ def _on_one(
     found, lost = layer.run([Rider(w.id, w.asset, w.inside, w.share) for w in riders], rows)
     names = {rider.id for rider in lost}
     return found, [w for w in riders if w.id in names]
+
+
+def _bare_top(obj: SceneObject, riders: Sequence[Wanted]) -> bool:
+    """Whether something goes on top of a thing with doors, whose surfaces are all behind them: a kettle on a fridge."""
+    outside = any(not one.inside for one in riders)
+    return outside and has_role(obj.category, "opened") and all(s.headroom is not None for s in obj.surfaces)
 
 
 def _over_edge(top: Surface) -> Surface:
