@@ -8,7 +8,7 @@ from typing import Any, Self
 
 from sceneweaver.assets.roles import has_role
 
-from .model import Amount, Arrangement, Attribute, Capacity, FreeArea, Span, StatedOpening
+from .model import Amount, Arrangement, Attribute, Capacity, FreeArea, Span, StatedMeasure, StatedOpening
 from .vocabulary import family, mounts
 
 
@@ -32,6 +32,8 @@ class Mention:
     implied: bool = False
     span: Span | None = None
     id: str = ""
+    per: Mention | None = None
+    """The things over which it was counted out, so that each of them has its own."""
 
     @property
     def many(self) -> bool:
@@ -103,6 +105,17 @@ def without(mentions: Iterable[Mention], others: Iterable[object]) -> list[Menti
     return [m for m in mentions if m not in gone]
 
 
+@dataclass(frozen=True)
+class Told:
+    """Something said of a thing by a pattern: it is named ``after`` the words or before them, by ``noun``, with
+    ``named`` in so many words."""
+
+    what: StatedMeasure | Attribute
+    noun: str
+    after: bool
+    named: bool = False
+
+
 @dataclass
 class Left:
     """Words that were not understood."""
@@ -127,6 +140,8 @@ class Parsed:
     capacities: list[Capacity] = field(default_factory=list)
     arrangements: list[Arrangement] = field(default_factory=list)
     amounts: list[Amount] = field(default_factory=list)
+    states: list[Told] = field(default_factory=list)
+    measures: list[Told] = field(default_factory=list)
     bounds: list[tuple[tuple[str, ...], int, int]] = field(default_factory=list)
     room_type: str | None = None
     room_words: str = ""
@@ -142,6 +157,8 @@ class Parsed:
     only: bool = False
     sides: list[tuple[float, ...]] = field(default_factory=list)
     unread: list[Left] = field(default_factory=list)
+    referred: list[Span] = field(default_factory=list[Span])
+    """Where what was named before is named again."""
     notes: list[str] = field(default_factory=list)
 
     def note(self, text: str) -> None:
@@ -170,7 +187,7 @@ class Parsed:
                     continue
                 said.subjects = [p for m in said.subjects for p in (parts if m is whole else [m])]
             if whole in said.targets:
-                if len(said.targets) == 2:
+                if len(said.targets) == 2 or said.type == "between":
                     said.targets = (parts[0], parts[-1])
                 else:
                     said.targets = tuple(parts[0] if t is whole else t for t in said.targets)

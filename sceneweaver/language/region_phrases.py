@@ -69,6 +69,8 @@ def _owner(state: State, phrase: NounPhrase, waiting: Waiting | None) -> Mention
         if of.what != "thing":
             return None
         known = state.refs.known(of, True, [])
+        if known is not None:
+            state.refer(of)
         return known if known is not None else new_thing(state, of)
     if any(t.has("room") and not t.has("noun") for t in phrase.qualities):
         return "room"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from .chunks import NounPhrase
+from .distribution import distributed
 from .parsed import Mention, Said
 from .relating import owned_kind, say
 from .state import State
@@ -55,8 +56,10 @@ def share_out(state: State, owner: Mention | None = None, of_people: bool = Fals
     by = owner.count if owner is not None else (people, people) if people else None
     if not items or by is None:
         return False
-    multiply(items, by)
-    if owner is not None:
+    if owner is None:
+        multiply(items, by)
+    else:
+        items = distributed(state, items, owner)
         _belong(state, items, owner)
     return True
 

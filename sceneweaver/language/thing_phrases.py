@@ -9,7 +9,7 @@ from .parsed import Mention, without
 from .room_phrases import abstract_phrase, describe_room, people_phrase, unknown_room
 from .shares import ends_here, multiply, share_out
 from .state import State
-from .things import describe, match_of, name_of, new_mention, note_on, singular
+from .things import MANY, describe, match_of, name_of, new_mention, note_on, singular
 from .vocabulary import words
 
 MOST_NEW = 400
@@ -37,11 +37,13 @@ def named_thing(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         before = state.chunk(state.at - 2)
         follows = before is not None and (before.text == "for" or before.kind == "noun")
         if group is not None and follows and ends_here(state) and share_out(state, group):
+            state.refer(phrase)
             state.glue = ""  # "one locker per bed"
             return
         if group is not None and group.many:
+            state.refer(phrase)
             name_things(state, [group], phrase, False)
-            state.each = True
+            state.each = group
             return
     several = waiting is not None and waiting.subjects is not None and len(waiting.subjects) > 1
     if waiting is not None and several and (phrase.definite or phrase.determiner == "each"):
@@ -49,6 +51,7 @@ def named_thing(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         waiting.subjects = without(waiting.subjects or [], [one])
     found = _named_before(state, phrase)
     if found is not None:
+        state.refer(phrase)
         _describe_again(found, phrase, state)
         name_things(state, [found], phrase, False)
         return
@@ -71,6 +74,8 @@ def named_thing(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
 
 def _named_before(state: State, phrase: NounPhrase) -> Mention | None:
     """What was named and is meant again."""
+    if (counted := _counted_now(state, phrase)) is not None:
+        return counted
     rest, waiting = state.refs.rest, state.waiting
     apart = (waiting.subjects or []) if waiting is not None else []
     target = waiting is not None and state.glue != "start"
@@ -85,6 +90,20 @@ def _named_before(state: State, phrase: NounPhrase) -> Mention | None:
         if several is not None and several.many:
             return state.refs.part([several])
     return found
+
+
+def _counted_now(state: State, phrase: NounPhrase) -> Mention | None:
+    """ "The chairs are black, four chairs": the number of what was named without one and is nowhere yet."""
+    if phrase.determiner or phrase.count is None or phrase.count == (1, 1) or phrase.qualities or phrase.of is not None:
+        return None
+    noun, placed = singular(name_of(phrase)), {m for said in state.out.said for m in said.subjects}
+    for mention in reversed(state.out.mentions[-6:]):
+        if mention.plural and mention.count in (None, MANY) and singular(mention.noun) == noun:
+            if mention in placed or mention.per is not None:
+                return None
+            mention.count = phrase.count
+            return mention
+    return None
 
 
 def _some_of(state: State, phrase: NounPhrase) -> Mention | None:
