@@ -32,6 +32,10 @@ class Mention:
     implied: bool = False
     span: Span | None = None
     id: str = ""
+    uncounted: bool = False
+    """Whether it was named by "each" alone, before its number is told."""
+    per_place: str = ""
+    """The part of the room, window or door, at each of which it is."""
     per: Mention | None = None
     """The things over which it was counted out, so that each of them has its own."""
 

@@ -65,6 +65,23 @@ COUNTED = [
         {("nightstand", "next_to", "single_bed"), ("table_lamp", "on", "nightstand")},
     ),
     (
+        "A pottery, seven wheels and at every wheel a stool and a small table",
+        {"pottery_wheel": 7, "stool": 7, "bakers_table": 7},
+        {("stool", "near", "pottery_wheel")},
+    ),
+    (
+        "One stool per desk, five desks.",
+        {"stool": 5, "desk": 5},
+        {("stool", "at", "desk")},
+    ),
+    (
+        "Six tables, two chairs apiece, one chess board on each.",
+        {"dining_table": 6, "chair": 12, "board_game": 6},
+        {("chair", "at", "dining_table"), ("board_game", "on", "dining_table")},
+    ),
+    ("Six desks, a bin beside every second desk.", {"desk": 6, "trash_can": 3}, set()),
+    ("An armchair at each window, three windows.", {"armchair": 3}, set()),
+    (
         "Six desks and six chairs, a chair at each desk.",
         {"desk": 6, "chair": 6},
         {("chair", "near", "desk")},
