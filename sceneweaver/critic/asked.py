@@ -24,7 +24,7 @@ PARTS = (
 def measured(survey: Survey) -> tuple[Asked, ...]:
     """Every item of the request: things and what they are like, exclusions, relations, people, arrangements, free
     floor, the room, and words that are not known."""
-    return doubted([item for part in PARTS for item in part(survey)], survey.brief)
+    return doubted([item for part in PARTS for item in part(survey)], survey)
 
 
 def alignment(items: Sequence[Asked]) -> Alignment:

@@ -9,13 +9,14 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
 
+from sceneweaver.assets.roles import has_role
 from sceneweaver.geometry.angles import bearing, wrap_angle
 from sceneweaver.language.model import Arrangement
 from sceneweaver.rules.faults import fault_kind
 from sceneweaver.verify.measure import Measurement
 from sceneweaver.verify.solids import Body
 
-from .survey import Survey, turn_to
+from .survey import FLAT, Survey, turn_to
 from .verdict import Asked, counted, met, not_understood, unmet
 
 Checks = Iterator[Measurement]
@@ -152,8 +153,18 @@ def _in_lines(
     else:
         yield Measurement("difference of gaps", max(gaps) - min(gaps), -math.inf, _limit("even"))
         yield Measurement("gap", max(gaps), -math.inf, _limit("row"))
-    turned = [abs(wrap_angle(b.yaw - bodies[0].yaw, math.pi)) for b in bodies]
-    yield Measurement("turned", math.degrees(max(turned)), -math.inf, _limit("turned"), "deg")
+    for line in lines:  # a row looks one way, the next one may look at it; around a table its two sides do
+        alike = math.pi if said.around or said.facing == "each other" or _even_sided(bodies) else 2 * math.pi
+        turned = [abs(wrap_angle(bodies[k].yaw - bodies[line[0]].yaw, alike)) for k in line]
+        yield Measurement("turned", math.degrees(max(turned)), -math.inf, _limit("turned"), "deg")
+
+
+def _even_sided(bodies: Sequence[Body]) -> bool:
+    """Whether the things look alike from front and back: tables, stools, rugs."""
+    return all(
+        has_role(b.item.category, "backless_seat", "pulled_up_to") or b.size[2] <= FLAT or b.item.mount == "ceiling"
+        for b in bodies
+    )
 
 
 def _gap(one: Body, other: Body) -> float:
@@ -294,10 +305,12 @@ def _sides(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Checks:
     host = hosts[0]
     ahead = [host.local((b.centre[0], b.centre[1])) for b in bodies]
     axis = 0 if host.size[1] >= host.size[0] else 1
-    numbers = sorted((sum(p[axis] > 0 for p in ahead), sum(p[axis] <= 0 for p in ahead)))
+    half = host.size[axis] / 2 - _limit("into")
+    numbers = sorted((sum(p[axis] > half for p in ahead), sum(p[axis] < -half for p in ahead)))
     low, high = sorted(said.sides[:2]) if len(said.sides) > 1 else (0, sum(said.sides))
     yield counted("on the fuller side", numbers[1], high, high)
     yield counted("on the other side", numbers[0], low, low)
+    yield Measurement("from it", max(_gap(b, host) for b in bodies), -math.inf, _limit("within"))
     off = max(math.degrees(turn_to(b, (host.centre[0], host.centre[1]))) for b in bodies)
     yield Measurement("off the middle of it", off, -math.inf, _limit("faced"), "deg")
 

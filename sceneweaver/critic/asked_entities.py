@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from sceneweaver.assets.taxonomy import members
-from sceneweaver.knowledge.kin import interchangeable
+from sceneweaver.knowledge.kin import interchangeable, is_one
 from sceneweaver.language import Entity, Exclusion
 from sceneweaver.rules.faults import fault_kind
 from sceneweaver.verify.solids import Body
@@ -23,11 +24,21 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
     """Each entity with its attributes, then each exclusion."""
     for asked in survey.brief.entities:
         bodies = survey.standing_for(asked.id)
-        yield _entity(survey, asked, bodies)
-        yield from asked_attributes.outcomes(asked, bodies)
+        like = list(asked_attributes.outcomes(asked, bodies))
+        yield _whole(_entity(survey, asked, bodies), like)
+        yield from like
     yield from _exclusions(survey)
     if survey.brief.only and survey.brief.entities:
         yield _only(survey)
+
+
+def _whole(thing: Asked, like: Sequence[Asked]) -> Asked:
+    """A thing that is there, of which one cannot see all that was said of it, is so in part."""
+    unseen = [item.outcome.reason for item in like if item.outcome.status == "not_understood"]
+    if thing.outcome.status != "met" or not unseen:
+        return thing
+    reason = f"{thing.outcome.reason}; {unseen[0]}"
+    return replace(thing, outcome=thing.outcome.model_copy(update={"status": "partly", "reason": reason}))
 
 
 def _entity(survey: Survey, asked: Entity, bodies: list[Body]) -> Asked:
@@ -65,8 +76,9 @@ def _entity(survey: Survey, asked: Entity, bodies: list[Body]) -> Asked:
             call=("remove_objects", {"ids": spare}),
         )
     made = f"'{asked.noun}': {', '.join(ids[:6])}"
-    if asked.unnamed or asked.generic:
-        name = kinds.words(asked.category)
+    other = next((b for b in bodies if not is_one(b.item.category, asked.category, asked.noun)), None)
+    if asked.unnamed or asked.generic or other is not None:
+        name = kinds.words(asked.category if other is None else other.item.category)
         made = f"a {name} stands for '{asked.noun}'"
         return substituted("entity", asked.id, ids, made, have)
     return met("entity", asked.id, ids, made, have, assumed=asked.implied)

@@ -10,6 +10,7 @@ from typing import NamedTuple
 from sceneweaver.assets.taxonomy import members
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.language import Exclusion, StatedRelation, Thing
+from sceneweaver.language.pairs import kind_of
 from sceneweaver.rules.stated import Word, word_of_place, word_of_things
 from sceneweaver.verify.measure import Measurement, Measurements
 from sceneweaver.verify.solids import Body
@@ -122,6 +123,8 @@ def _ruling(survey: Survey, said: StatedRelation, subjects: Sequence[Body]) -> R
     if said.each:
         return _of_each(said, subjects, table)
     verdicts = [_any_of_each(rows) for rows in table]
+    if said.type == "between" and said.count is None and (alone := _left_out(survey, said, table)) is not None:
+        return Ruling(False, tuple(subjects), alone)
     return _counted(survey, said, subjects, verdicts)
 
 
@@ -150,7 +153,7 @@ def _table(
 def _verdicts(survey: Survey, said: StatedRelation, body: Body, name: str) -> dict[str, Verdict] | None:
     """Whether it holds of a subject for every instance of a target; None when it says nothing of such a target."""
     if survey.brief.entity(name) is not None:
-        word = word_of_things(said.type)
+        word = word_of_things(kind_of(said))
         if word is None or not word.holds:
             return None
         found = {}
@@ -165,7 +168,7 @@ def _verdicts(survey: Survey, said: StatedRelation, body: Body, name: str) -> di
         return found
     if name == "room":
         return {name: Verdict(True)}
-    word = word_of_place(said.type, name)
+    word = word_of_place(kind_of(said), name)
     if not word.holds:
         return None
     if name == "corner":
@@ -208,7 +211,8 @@ def _between(survey: Survey, said: StatedRelation, body: Body) -> dict[str, Verd
             )
         else:
             pools.append([(s.id, s.line) for s in segments(survey, name)])
-    if len(pools) == 1:
+    alike = len(pools) == 1
+    if alike:
         pools *= 2
     if len(pools) < 2:
         return None
@@ -217,8 +221,23 @@ def _between(survey: Survey, said: StatedRelation, body: Body) -> dict[str, Verd
         names = [name for name, _ in chosen]
         if len(set(names)) == len(names):
             shapes = [shape for _, shape in chosen]
-            found[" ".join(names)] = decide([group_measures.of_between(survey, body, shapes)])
+            found[" ".join(names)] = decide([group_measures.of_between(survey, body, shapes, alike)])
     return found
+
+
+def _left_out(survey: Survey, said: StatedRelation, table: list[dict[str, dict[str, Verdict]]]) -> Measurement | None:
+    """Of what something is between, how many it is beside, where those are fewer than asked: between a sofa and two
+    chairs it has both chairs beyond it."""
+    used = {name for rows in table for n, v in rows["between"].items() if v.holds for name in n.split()}
+    if not used:
+        return None
+    for target in said.targets:
+        ids = [b.id for b in survey.standing_for(target)]
+        least = min(len(ids), survey.least(target))
+        have = counted(f"of {target.replace('_', ' ')} that it is beside", len(used.intersection(ids)), least)
+        if ids and not have.ok():
+            return have
+    return None
 
 
 def _any_of_each(rows: dict[str, dict[str, Verdict]]) -> Verdict:

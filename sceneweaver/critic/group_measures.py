@@ -34,8 +34,9 @@ def of_middle(survey: Survey, subjects: Sequence[Body]) -> Measurement:
     return at_most(row.text, away, most)
 
 
-def of_between(survey: Survey, body: Body, shapes: Sequence[Any]) -> Measurements:
-    """For the most part within the hull of some things, and of two on the middle of the way from one to the other."""
+def of_between(survey: Survey, body: Body, shapes: Sequence[Any], alike: bool) -> Measurements:
+    """For the most part within the hull of some things, and of two on the middle of the way from one to the other, near
+    one of them at least; of two that are ``alike``, such as beds, near both."""
     import shapely
 
     footprint = survey.footprint(body)
@@ -49,7 +50,10 @@ def of_between(survey: Survey, body: Body, shapes: Sequence[Any]) -> Measurement
     x, y = body.centre
     part = ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / max(1e-9, length)
     low, high = number("between")["along"]
-    return (inside, Measurement("part of the way between them", float(part), low, high, "", 1e-6))
+    gaps = sorted(float(shapely.distance(footprint, s)) for s in shapes if shapely.area(s) > 0.0)
+    limits = number("between")["near"], number("between")["alike" if alike else "far"]
+    apart = [at_most("gap", gap, most) for gap, most in zip(gaps, limits, strict=False)]
+    return (inside, Measurement("part of the way between them", float(part), low, high, "", 1e-6), *apart)
 
 
 def shared_out(survey: Survey, subjects: Sequence[Body], targets: Sequence[Target], kind: str) -> list[list[Body]]:

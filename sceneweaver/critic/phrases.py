@@ -53,8 +53,10 @@ def _words(graph: SceneGraph) -> dict[str, tuple[str, Span | None]]:
     for k, excluded in enumerate(graph.exclusions):
         words = excluded.words if excluded.relation else f"no {excluded.words}"
         found[excluded.id or f"exclusion-{k}"] = words.replace("_", " "), excluded.span
-    for several in (graph.openings, graph.free_areas, graph.capacities, graph.arrangements):
-        found |= {f"room.{one.id}": (one.words, one.span) for one in several}
+    found |= {f"room.{one.id}": (one.words, one.span) for one in graph.openings}
+    for name in ("free_area", "capacity", "arrangement", "amount"):
+        several = getattr(graph, {"capacity": "capacities"}.get(name, f"{name}s"))
+        found |= {one.id or f"{name}-{k}": (one.words, one.span) for k, one in enumerate(several)}
     for k, unread in enumerate(graph.unread):
         found[f"unread-{k}"] = unread.words, unread.span
     return found

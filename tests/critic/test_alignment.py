@@ -38,7 +38,7 @@ def lamp(x: float, y: float, yaw: float = 0.0, k: int = 0) -> SceneObject:
 
 
 def stool(x: float, y: float, yaw: float = 0.0, k: int = 0) -> SceneObject:
-    return box(f"stool-{k}", CHAIR, x, y, yaw)
+    return box(f"stool-{k}", (*CHAIR[:2], 0.45), x, y, yaw)
 
 
 @pytest.mark.parametrize(
