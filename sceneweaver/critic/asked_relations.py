@@ -10,7 +10,6 @@ from typing import NamedTuple
 from sceneweaver.assets.taxonomy import members
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.language import Exclusion, StatedRelation, Thing
-from sceneweaver.language.pairs import kind_of
 from sceneweaver.rules.stated import Word, word_of_place, word_of_things
 from sceneweaver.verify.measure import Measurement, Measurements
 from sceneweaver.verify.solids import Body
@@ -153,7 +152,7 @@ def _table(
 def _verdicts(survey: Survey, said: StatedRelation, body: Body, name: str) -> dict[str, Verdict] | None:
     """Whether it holds of a subject for every instance of a target; None when it says nothing of such a target."""
     if survey.brief.entity(name) is not None:
-        word = word_of_things(kind_of(said))
+        word = word_of_things(said.type)
         if word is None or not word.holds:
             return None
         found = {}
@@ -168,7 +167,7 @@ def _verdicts(survey: Survey, said: StatedRelation, body: Body, name: str) -> di
         return found
     if name == "room":
         return {name: Verdict(True)}
-    word = word_of_place(kind_of(said), name)
+    word = word_of_place(said.type, name)
     if not word.holds:
         return None
     if name == "corner":

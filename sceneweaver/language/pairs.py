@@ -23,14 +23,6 @@ FLAT: float = number("flat")
 """Height [m] up to which what lies on the floor, like a rug, has others stand on it."""
 
 
-MANNERS = {
-    "next_to": (("near",), ("by ", "at ")),
-    "hanging_from": (("on", "at", "against"), ("hang", "hung", "suspend")),
-    "leaning_on": (("on", "at", "against"), ("lean", "prop")),
-}
-"""By the narrower type: the types of relations that it is one of, and how their words begin then."""
-
-
 @dataclass(frozen=True)
 class Thing:
     """An object as far as its relations need to know it; ``carrier`` is the id of what it stands on, if anything."""
@@ -74,13 +66,8 @@ class Thing:
 
 
 def kind_of(said: StatedRelation) -> str:
-    """The type of a stated relation; "by the sofa" is nearer than "near the sofa", and what is "hanging on the wall"
-    does not stand at it."""
-    spoken = said.words.lower()
-    for kind, (types, beginnings) in MANNERS.items():
-        if said.type in types and spoken.startswith(beginnings):
-            return kind
-    return said.type
+    """The type of a stated relation; "by the sofa" is nearer than "near the sofa"."""
+    return "next_to" if said.type == "near" and said.words.lower().startswith(("by ", "at ")) else said.type
 
 
 def of_pair(kind: str, a: Thing, b: Thing, side: str | None, k: int, n: int) -> Iterator[Row]:

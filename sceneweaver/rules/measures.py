@@ -75,11 +75,10 @@ _ALL = (
     _asked("bottom_over_bottom", "m", "bottom of the subject over the bottom of the target"),
     _asked("below_ceiling", "m", "how far the top of the subject is below the ceiling"),
     _asked("looks_away", "deg", "angle of a front from the target's middle; 0 where the ray ahead meets the target"),
+    _asked("end_on", "deg", "angle by which neither the subject's back nor a long side of it looks at a wall"),
     _asked("seat_away", "deg", "angle of a seat's front from the nearest point or the middle of the target"),
     _asked("off_front", "deg", "angle between the subject's front and the way to the target's centre"),
     _asked("long_side_turned", "deg", "angle between the subject's long side and a wall"),
-    _asked("end_on", "deg", "angle by which neither the subject's back nor a long side of it looks at a wall"),
-    _asked("propped", "", "1 where something else carries the subject"),
     _asked("off_way_in", "deg", "angle between a wall's inward normal and the way from the opening to the subject"),
     _asked("off_middle", "m", "how far the middle of a group is from the middle of the floor"),
 )  # fmt: skip

@@ -213,9 +213,7 @@ def _held(q: Asked) -> Reading | None:
         return None
     inner = {surface.name for surface in q.t.item.surfaces if surface.headroom is not None}
     support = found.item.support
-    tall, sunk = (number("in_top")[name] for name in ("tall", "sunk"))
-    on_top = q.t.size[2] > tall and found.z[0] > q.t.z[1] - sunk
-    within = not on_top if not inner else support is not None and support.surface in inner
+    within = not inner or (support is not None and support.surface in inner)
     return Reading(float(within or q.row.of != "inner"), "")
 
 
@@ -244,6 +242,16 @@ def _looks_away(q: Asked) -> Reading | None:
     return Reading(off_front(q.s, middle, way), "deg")
 
 
+def _end_on(q: Asked) -> Reading | None:
+    """Angle [deg] by which neither the back nor a long side of the subject looks at the wall."""
+    if not isinstance(q.t, Segment):
+        return None
+    depth, width = q.s.size[:2]
+    faces = ("back", "left", "right") if depth > width else ("back", "front")
+    turned = [dot(q.s.face(name).normal, q.t.wall.outward) for name in faces]
+    return Reading(math.degrees(math.acos(max(-1.0, min(1.0, max(turned))))), "deg")
+
+
 def _seat_away(q: Asked) -> Reading | None:
     import shapely
 
@@ -269,16 +277,6 @@ def _long_side_turned(q: Asked) -> Reading | None:
     return Reading(abs(math.degrees(float(wrap_angle(long - q.t.wall.yaw, math.pi)))), "deg")
 
 
-def _end_on(q: Asked) -> Reading | None:
-    """Angle [deg] by which neither the back nor a long side of the subject looks at the wall."""
-    if not isinstance(q.t, Segment):
-        return None
-    depth, width = q.s.size[:2]
-    faces = ("back", "left", "right") if depth > width else ("back", "front")
-    turned = [dot(q.s.face(name).normal, q.t.wall.outward) for name in faces]
-    return Reading(math.degrees(math.acos(max(-1.0, min(1.0, max(turned))))), "deg")
-
-
 def _off_way_in(q: Asked) -> Reading | None:
     x, y = q.t.middle
     way, inward = (q.s.centre[0] - x, q.s.centre[1] - y), q.t.wall.inward
@@ -301,13 +299,12 @@ MEASURED: dict[str, Callable[[Asked], Reading | None]] = {
     "bottom_over_bottom": lambda q: Reading(q.s.z[0] - q.t.z[0]),
     "below_ceiling": lambda q: Reading(q.view.placed.scene.room.height - q.s.z[1]),
     "height": lambda q: Reading(q.s.z[0]),
-    "propped": lambda q: Reading(float(q.s.item.support is not None), ""),
     "looks_away": _looks_away,
+    "end_on": _end_on,
     "seat_away": _seat_away,
     "off_front": _off_front,
     "turn": _turn,
     "long_side_turned": _long_side_turned,
-    "end_on": _end_on,
     "off_way_in": _off_way_in,
 }
 """What each measure is; None where there is nothing to measure."""
