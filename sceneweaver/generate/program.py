@@ -20,10 +20,7 @@ from sceneweaver.scene import PRIORITIES, InputError, Palette, SceneObject, Zone
 from .draft import CRAMMED, groups_of
 from .hanging import OVER, before_window, hanging_height, is_lit_table
 from .meant import decided_kinds, is_plural, loose, matches, may_mean, roles_of, sat_elsewhere
-from .quantity import is_plain, is_plain_item, least_of, small_kind
-
-MANY = (5, 10)
-"""Things that a request names from which on nothing optional, and nothing usual, is added."""
+from .quantity import SOME, is_detailed, is_plain, is_plain_item, least_of, small_kind
 
 PLENTY = 5
 """How many of a thing that stands on the floor are so many that some of them are small ones, on furniture."""
@@ -231,7 +228,7 @@ def _usual_enough(item: Item, brief: SceneGraph, keep: float) -> bool:
     if item.need == "needed":
         return True
     said = len(brief.entities)
-    return said < MANY[0] and keep >= 0.3 if item.need == "optional" else said < MANY[1]
+    return said < SOME and keep >= 0.3 if item.need == "optional" else not is_detailed(brief)
 
 
 def _shares(

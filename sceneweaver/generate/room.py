@@ -61,7 +61,7 @@ PLACING = CATALOGUE.with_role("placing") | {
 LED = CATALOGUE.with_role("placing") | {"at_window", "near_door"}
 """Types of relations that of a line only the first piece has."""
 
-LEAN, LEAST = 0.62, 0.75
+LEAN, LEAST = 0.62, 0.55
 """Share of what a kind of room usually has under furniture below which a floor that nobody fixed shrinks to what it
 holds, and the least share of the floor that is left."""
 
@@ -78,12 +78,14 @@ LARGEST = 1.5
 
 @dataclass
 class _Floor:
-    """The floor [m2] of an attempt: whether the request fixes it, and whether it may shrink to what it holds."""
+    """The floor [m2] of an attempt: whether the request fixes it, whether it may shrink to what it holds, and down to
+    how much."""
 
     area: float
     people: int
     given: bool
     shrinks: bool
+    least: float
 
 
 @dataclass
@@ -112,8 +114,11 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
     room, brief, seed = setup.room_type, setup.brief, setup.seed
     area, people, given, notes = floor_area(room, brief, seed)
     most = LARGEST * room.area[2]
-    shrinks = not given and people_of(brief) is None and brief.scale == 1.0
-    floor = _Floor(area if given else min(area * roomier, most), people, given, shrinks)
+    shrinks = not given and brief.scale == 1.0
+    least = max(LEAST * area, 0.8 * room.area[0])
+    if people_of(brief) is not None and room.area_per_person:
+        least = max(least, room.area_per_person * people)
+    floor = _Floor(area if given else min(area * roomier, most), people, given, shrinks, least)
     style = brief.style or style or random.Random(seed ^ 0x57).choice(room.styles)
     look = palette_for(room.name, style, brief.colors, seed)
     woods = [name for name in stated_finish(brief.text).woods if finish(name).family == "wood"]
@@ -122,6 +127,7 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
     palette = kept(look, style, seed)
 
     made = _shelled(setup, floor, palette, roomier, hurried)
+    smallest: tuple[float, _Attempt] | None = None
     for attempt in range(1, GROWTHS + 1):
         _furnished(setup, made, palette)
         # Where a grid or a line fits no shell of this size, or all is crowded, only more floor helps.
@@ -131,7 +137,13 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
         crowded = crowded or made.program.wall > WALLED * walls_of(made.space)
         astray = not made.variants and in_rows(_free_of_rows(made.program.wanted, made.rows))
         astray = astray or not fits(brief, made.program.wanted, made.space)
-        if given or not (crowded or astray) or attempt == GROWTHS or floor.area >= most or hurried():
+        if not crowded and smallest is None:
+            smallest = floor.area, made
+        if given or not (crowded or astray) or hurried():
+            break
+        if attempt == GROWTHS or floor.area >= most:
+            if smallest is not None:  # what is astray in any of them does not need a hall
+                floor.area, made = smallest
             break
         floor.area *= GROWTH
         made = _shelled(setup, floor, palette, roomier, hurried)
@@ -171,7 +183,7 @@ def _shelled(setup: Setup, floor: _Floor, palette: Palette, roomier: float, hurr
         # Nobody asked for this size: a floor that would stay empty shrinks, once, to what it holds.
         needed = roomier * program.footprint / (LEAN * room.fill) + kept_free(brief)
         if floor.shrinks and needed < floor.area:
-            floor.area, floor.shrinks = max(needed, LEAST * floor.area, 0.8 * room.area[0]), False
+            floor.area, floor.shrinks = max(needed, min(floor.least, floor.area)), False
             continue
         rows = rows_of(brief, program.wanted)
         corners, cost = fitted(program, _free_of_rows(program.wanted, rows), space, setup.library)

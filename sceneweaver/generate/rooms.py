@@ -20,8 +20,9 @@ TRIED = 24
 SCALES = (1.0, 1.0, 1.06, 0.9, 1.12, 1.2, 1.06)
 """Factors on the floor of a room whose size is ours, taken in turn."""
 
-LARGER = (1.5, 1.9, 2.4)
-"""Factors on the floor where something that was asked for has no place."""
+LARGER = (1.2, 1.45, 1.75)
+"""Factors on the floor where something that was asked for has no place: what fits in none of them, a hall of mostly
+empty floor would not hold better either."""
 
 BESIDE_DOOR = 0.05
 """Length [m] of wall beside a door that something between it and the corner needs beyond its own width."""
