@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from sceneweaver.rules.faults import number
 
 from . import asked_arrangements, asked_capacity, asked_entities, asked_free, asked_relations, asked_room
 from .asked_clauses import doubted
@@ -10,6 +13,9 @@ from .grade import Finding, finding
 from .model import USE, Alignment
 from .survey import Survey
 from .verdict import Asked
+
+NEEDED = ("entity", "capacity", "arrangement", "free_area")
+"""Kinds of items without which a room is not what it was asked for."""
 
 PARTS = (
     asked_entities.outcomes,
@@ -30,6 +36,21 @@ def measured(survey: Survey) -> tuple[Asked, ...]:
 def alignment(items: Sequence[Asked]) -> Alignment:
     """What became of the items."""
     return Alignment(items=tuple(item.outcome for item in items))
+
+
+def usable(items: Sequence[Asked], grades: Mapping[str, float]) -> tuple[Asked, ...]:
+    """The items; that the room can be used is so in part where what people are there for is not, or works badly."""
+    lacking = next((i for i in items if i.outcome.kind in NEEDED and i.outcome.status == "unmet"), None)
+    low = grades["functionality"] < number("usable")
+    if lacking is None and not low:
+        return tuple(items)
+    reason = lacking.outcome.reason if lacking else f"its functionality is graded {grades['functionality']:.1f} of 10"
+    return tuple(
+        replace(item, outcome=item.outcome.model_copy(update={"status": "partly", "reason": reason}))
+        if item.outcome.item == USE and item.outcome.status == "met"
+        else item
+        for item in items
+    )
 
 
 def findings(items: Sequence[Asked]) -> list[Finding]:

@@ -156,17 +156,20 @@ def _style(survey: Survey) -> Iterator[Asked]:
         other = [b for b in told if b.item.attributes["style"] != brief.style]
         share = counted("pieces of the style", len(told) - len(other), math.ceil(len(told) / 2))
         reason = f"{len(told) - len(other)} of {len(told)} pieces are {brief.style}"
-        yield _fact(
-            "style",
-            share.ok(),
-            reason,
-            share,
-            "wrong_style",
-            [b.id for b in other[: limits["shown"]]],
-            f"choose {brief.style} furniture",
-            len(other) / max(1, len(told)),
-            limits["room"],
-        )
+        if share.ok():  # as they were chosen; how it looks is not measured
+            yield met("room", "room.style", (), reason, share, assumed=True)
+        else:
+            yield _fact(
+                "style",
+                False,
+                reason,
+                share,
+                "wrong_style",
+                [b.id for b in other[: limits["shown"]]],
+                f"choose {brief.style} furniture",
+                len(other) / max(1, len(told)),
+                limits["room"],
+            )
     if brief.colors:
         yield _colors(survey, brief.colors, furniture)
 
