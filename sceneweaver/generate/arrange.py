@@ -16,8 +16,9 @@ from sceneweaver.scene import CATALOGUE, Room
 
 from .draft import area_of
 from .grid import PULL, group_of
-from .patterns import Pitch, Spot, back_to_back, block, circle, extent, ring, u_shape, upright
+from .patterns import Pitch, Spot, back_to_back, block, circle, extent, extent_of, ring, u_shape, upright
 from .program import Wanted
+from .units import Unit, composed
 
 OFFSET = 0.03
 """Most distance [m] of a thing from its place."""
@@ -214,7 +215,38 @@ def patterned(rows: Iterable[Grounded], brief: SceneGraph, wanted: Sequence[Want
     for one in patterns:
         kept = [r for r in kept if not _led_astray(r, one)]
         kept += _of_pattern(one, wanted)
-    return kept + list(_at_sides(brief, wanted))
+    kept += list(_at_sides(brief, wanted))
+    for unit in units_of(brief, wanted, patterns):
+        kept = _as_unit(kept, unit)
+    return kept
+
+
+def units_of(brief: SceneGraph, wanted: Sequence[Wanted], patterns: Sequence[Laid] | None = None) -> list[Unit]:
+    """The groups that a request tells thing by thing, grown about its patterns."""
+    laid = laid_out(brief, wanted) if patterns is None else patterns
+    spots = [one.spots if one.spots[0][0] is one.leader else ((one.leader, Spot(0.0, 0.0)), *one.spots) for one in laid]
+    return composed(brief, wanted, spots)
+
+
+def _as_unit(rows: Sequence[Grounded], unit: Unit) -> list[Grounded]:
+    """Relations with the places of a group's members about its leader instead of what else says where they are."""
+    members = {one.id for one, _, _ in unit.spots}
+    inside = members | {unit.leader.id}
+    kept = [
+        r
+        for r in rows
+        if not (r.subject in members and r.type in DROPPED)
+        and not (r.subject == unit.leader.id and r.type in DROPPED and set(_ids(r.target)) & inside)
+        and not (r.subject in unit.turned and r.type == "facing")
+    ]
+    for one, spot, said in unit.spots:
+        params = {"ahead": round(spot.ahead, 4), "left": round(spot.left, 4), "turn": round(spot.turn, 3)}
+        kept.append(Grounded(said, "arranged", one.id, unit.leader.id, {**params, "offset": OFFSET, "degrees": 2.0}))
+    return kept
+
+
+def _ids(target: str | tuple[str, str] | None) -> tuple[str, ...]:
+    return (target,) if isinstance(target, str) else target or ()
 
 
 def _led_astray(row: Grounded, one: Laid) -> bool:
@@ -275,6 +307,9 @@ def led(brief: SceneGraph, wanted: Sequence[Wanted]) -> dict[str, frozenset[str]
     for one in laid_out(brief, wanted):
         alone = one.said.pattern == "row" or one.leader.asked == one.said.around
         found[one.leader.id] = frozenset() if alone else LED_ASTRAY
+    for unit in units_of(brief, wanted):
+        turned = {"facing", "across_from"} if unit.leader.id in unit.turned else set[str]()
+        found[unit.leader.id] = found.get(unit.leader.id, frozenset()) | turned
     return found
 
 
@@ -288,6 +323,8 @@ def fits(brief: SceneGraph, wanted: Sequence[Wanted], room: Room) -> bool:
     xs, ys = [p[0] for p in room.outline], [p[1] for p in room.outline]
     short, long = sorted((max(xs) - min(xs), max(ys) - min(ys)))
     patterns = laid_out(brief, wanted)
+    if not _units_fit(units_of(brief, wanted, patterns), short, long):
+        return False
     if sum((one.box[0] + WAY) * (one.box[1] + WAY) for one in patterns if not one.said.upright) > FILLED * area_of(
         room
     ):
@@ -299,6 +336,16 @@ def fits(brief: SceneGraph, wanted: Sequence[Wanted], room: Room) -> bool:
             if b + margin > long:
                 return False
         elif a + (margin if one.said.pattern != "row" else 0.0) > short or b + margin > long:
+            return False
+    return True
+
+
+def _units_fit(units: Sequence[Unit], short: float, long: float) -> bool:
+    """Whether the box about each group has a place between walls, with a way beside it."""
+    for unit in units:
+        members = [(unit.leader, Spot(0.0, 0.0)), *((one, spot) for one, spot, _ in unit.spots)]
+        a, b = sorted(extent_of([(spot, one.asset.size[0], one.asset.size[1]) for one, spot in members]))
+        if a + WAY / 2 > short or b + WAY / 2 > long:
             return False
     return True
 

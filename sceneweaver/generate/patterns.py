@@ -132,27 +132,42 @@ def _about(spots: Sequence[Spot], first: int) -> list[Spot]:
     return [moved[first], *moved[:first], *moved[first + 1 :]]
 
 
+def within(frame: Spot, spot: Spot) -> Spot:
+    """A spot that is given in the frame of another, in the frame of that one."""
+    c, s = math.cos(math.radians(frame.turn)), math.sin(math.radians(frame.turn))
+    ahead, left = frame.ahead + c * spot.ahead - s * spot.left, frame.left + s * spot.ahead + c * spot.left
+    return Spot(ahead, left, _half_turn(frame.turn + spot.turn))
+
+
+def seen_from(base: Spot, spot: Spot) -> Spot:
+    """A spot in the frame of another of the same frame."""
+    c, s = math.cos(math.radians(base.turn)), math.sin(math.radians(base.turn))
+    dx, dy = spot.ahead - base.ahead, spot.left - base.left
+    return Spot(c * dx + s * dy, c * dy - s * dx, _half_turn(spot.turn - base.turn))
+
+
+def _half_turn(turn: float) -> float:
+    """An angle [deg] within half a turn."""
+    return math.degrees(math.remainder(math.radians(turn), 2 * math.pi))
+
+
 def _turned_about(spots: Sequence[Spot], first: int) -> list[Spot]:
     """Spots in the frame of one of them, which comes first."""
-    base = spots[first]
-    c, s = math.cos(math.radians(base.turn)), math.sin(math.radians(base.turn))
-    found = []
-    for spot in spots:
-        dx, dy = spot.ahead - base.ahead, spot.left - base.left
-        found.append(
-            Spot(
-                c * dx + s * dy,
-                c * dy - s * dx,
-                math.degrees(math.remainder(math.radians(spot.turn - base.turn), 2 * math.pi)),
-            )
-        )
+    found = [seen_from(spots[first], spot) for spot in spots]
     return [found[first], *found[:first], *found[first + 1 :]]
 
 
 def extent(spots: Sequence[Spot], depth: float, width: float) -> tuple[float, float]:
     """Sides [m] of the box about things at some spots, along the leader's front and across."""
-    reach = [(abs(math.cos(math.radians(s.turn))), abs(math.sin(math.radians(s.turn)))) for s in spots]
-    xs = [(s.ahead, (c * depth + t * width) / 2) for s, (c, t) in zip(spots, reach, strict=True)]
-    ys = [(s.left, (c * width + t * depth) / 2) for s, (c, t) in zip(spots, reach, strict=True)]
+    return extent_of([(spot, depth, width) for spot in spots])
+
+
+def extent_of(things: Sequence[tuple[Spot, float, float]]) -> tuple[float, float]:
+    """The same of things of several depths and widths [m]."""
+    xs, ys = list[tuple[float, float]](), list[tuple[float, float]]()
+    for spot, depth, width in things:
+        c, t = abs(math.cos(math.radians(spot.turn))), abs(math.sin(math.radians(spot.turn)))
+        xs.append((spot.ahead, (c * depth + t * width) / 2))
+        ys.append((spot.left, (c * width + t * depth) / 2))
     sides = [max(at + half for at, half in values) - min(at - half for at, half in values) for values in (xs, ys)]
     return sides[0], sides[1]

@@ -61,7 +61,8 @@ Activity = Literal["sit", "sleep", "work", "eat", "stand", "wait", "use"]
 
 PLACES = ("wall", "window", "door", "corner", "middle", "ceiling", "floor", "room")
 """Targets that are parts of the room. ``wall:left`` (right, far, near, north ...) is as seen from the door, or by
-compass with y north."""
+compass with y north; ``wall:long``, ``wall:short`` (an end of the room), ``wall:side`` (left or right), ``wall:window``
+and ``wall:door`` are any such wall; ``corner:far+left`` is the corner of these two, ``corner:far`` one of two."""
 
 
 class Span(NamedTuple):
@@ -208,19 +209,38 @@ class Arrangement(FrozenModel):
     """How things of one kind stand to each other.
 
     A ``cluster`` is one of ``groups`` of ``columns`` things, ``around`` something where that is said. ``sides`` are
-    numbers at opposite sides of what they are ``around``, or of an aisle where nothing is said.
+    numbers at opposite sides of what they are ``around`` (or all four: front, back, left, right), or of an aisle where
+    nothing is said; of ``walls`` at either of the walls named by ``around``. ``between`` has one of them in each gap of
+    what they are ``around``. At a ``right_angle`` stand two of a kind, or one of it and ``others``.
     """
 
     id: str = ""
     entity: str
     pattern: Literal[
-        "row", "rows", "grid", "circle", "semicircle", "u", "back_to_back", "stack", "cluster", "islands", "sides"
+        "row",
+        "rows",
+        "grid",
+        "circle",
+        "semicircle",
+        "u",
+        "back_to_back",
+        "stack",
+        "cluster",
+        "islands",
+        "sides",
+        "walls",
+        "between",
+        "right_angle",
+        "head_to_head",
+        "end_to_end",
     ]
+    others: tuple[str, ...] = Field(default=(), description="What else takes part: entities, by id")
     rows: int | None = Field(default=None, description="One behind the other; of a stack: one on the other")
     columns: int | None = Field(default=None, description="In each row or group")
     groups: int | None = Field(default=None, description="Groups, or stacks")
     sides: tuple[int, ...] = Field(default=(), description="How many are on one side, and on the other")
     spacing: float | None = Field(default=None, description="Clear between neighbours, or rows of one column [m]")
+    aisle: float | None = Field(default=None, description="Way through the middle, from front to back [m]")
     upright: bool = Field(default=False, description="Whether rows are one above the other, at a wall")
     height: float | None = Field(default=None, description="Up to which a stack reaches [m]")
     around: str = Field(default="", description="What each group, or the circle, is around: an entity, by id")

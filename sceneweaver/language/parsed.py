@@ -84,6 +84,11 @@ class Said:
     span: Span | None = None
     params: dict[str, float] = field(default_factory=dict)
 
+    @property
+    def by_side(self) -> bool:
+        """Whether it was said by a side alone ("on the left"), without the word for a wall."""
+        return not {"left", "right"}.isdisjoint(self.words.split())
+
 
 @dataclass(eq=False)
 class Barred(Said):

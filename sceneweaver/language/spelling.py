@@ -31,6 +31,33 @@ def mended(word: str, notes: list[str]) -> str | None:
     return found
 
 
+def mended_place(word: str, after: str, notes: list[str]) -> str | None:
+    """The word of place that was probably meant by a word that is not known and stands before an article: "undr the".
+    Those are short, and few; None where it is like none of them."""
+    if after not in _ARTICLES or not 4 <= len(word) <= MOST or word in _real_words():
+        return None
+    fitting = [p for p in _places() if p[0] == word[0] and (_slip(word, p) or _one_wrong(word, p))]
+    if not fitting:
+        return None
+    note = f"'{word}' was read as '{fitting[0]}'"
+    if note not in notes:
+        notes.append(note)
+    return fitting[0]
+
+
+_ARTICLES = frozenset(("the", "a", "an", "my", "our", "his", "her", "its", "their", "each", "every", "both"))
+
+
+def _one_wrong(a: str, b: str) -> bool:
+    return len(a) == len(b) and sum(x != y for x, y in zip(a, b, strict=True)) == 1
+
+
+@cache
+def _places() -> tuple[str, ...]:
+    """Single words of place that are long enough to be known with a slip."""
+    return tuple(w for w, kinds in vocabulary().items() if "preposition" in kinds and w.isalpha() and len(w) >= 5)
+
+
 @lru_cache(maxsize=4096)
 def _neighbour(word: str) -> str | None:
     """A known word one letter away (wrong, missing, too many or changed round) that is no other form of it.

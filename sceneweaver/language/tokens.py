@@ -10,7 +10,7 @@ from typing import Any
 from sceneweaver.knowledge.learned import learned_words
 
 from .source import Source, metres
-from .spelling import mended
+from .spelling import mended, mended_place
 from .vocabulary import LONGEST, NUMBERS, Verb, vocabulary, words
 
 _WORD = re.compile(r"§|\d+(?:[.,]\d+)?|[a-z][a-z'&/]*|[^\W\d_]+|[.,()&\"{}\[\]<>\\/=]")
@@ -143,7 +143,8 @@ def _phrase(raw: list[_Raw], at: int, notes: list[str], learned: Mapping[str, st
         return Token(phrase, raw[at].start, raw[end - 1].end, dict(table[phrase])), end
     if raw[at].glued:
         return _compound(raw, at)
-    known = mended(raw[at].text, notes)
+    after = raw[at + 1].text if at + 1 < len(raw) else ""
+    known = mended(raw[at].text, notes) or mended_place(raw[at].text, after, notes)
     kinds = dict(table[known]) if known else {"adverbs": raw[at].text} if _is_adverb(raw[at].text) else {}
     return Token(known or raw[at].text, raw[at].start, raw[at].end, kinds), at + 1
 

@@ -79,6 +79,7 @@ _ALL = (
     _asked("seat_away", "deg", "angle of a seat's front from the nearest point or the middle of the target"),
     _asked("off_front", "deg", "angle between the subject's front and the way to the target's centre"),
     _asked("long_side_turned", "deg", "angle between the subject's long side and a wall"),
+    _asked("to_wall", "m", "least distance of the subject's outline from any wall"),
     _asked("off_way_in", "deg", "angle between a wall's inward normal and the way from the opening to the subject"),
     _asked("off_middle", "m", "how far the middle of a group is from the middle of the floor"),
 )  # fmt: skip

@@ -340,7 +340,7 @@ NOTED: list[tuple[str, str]] = [
     ("a kitchen with three chairs. There are two chairs in the kitchen.", "3 and 2"),
     ("open-plan office with 8 workstations", "workstations"),
     ("a 4 x 5 m bedroom, 6 x 7 m", "other sides"),
-    ("9 desks side by side", "side by side"),
+    ("9 desks near each other", "near each other"),
     ("a 99999999999999 m2 room", "no number"),
 ]
 
