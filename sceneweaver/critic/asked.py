@@ -14,7 +14,7 @@ from .model import USE, Alignment
 from .survey import Survey
 from .verdict import Asked
 
-NEEDED = ("entity", "capacity", "arrangement", "free_area")
+NEEDED = ("entity", "capacity", "arrangement")
 """Kinds of items without which a room is not what it was asked for."""
 
 PARTS = (
@@ -30,7 +30,21 @@ PARTS = (
 def measured(survey: Survey) -> tuple[Asked, ...]:
     """Every item of the request: things and what they are like, exclusions, relations, people, arrangements, free
     floor, the room, and words that are not known."""
-    return doubted([item for part in PARTS for item in part(survey)], survey)
+    return doubted(_of_stand_ins([item for part in PARTS for item in part(survey)], survey), survey)
+
+
+def _of_stand_ins(items: Sequence[Asked], survey: Survey) -> list[Asked]:
+    """The items, of which relations that hold of what only stands for what was asked are so in part."""
+    stood = {i.outcome.item: i.outcome.reason for i in items if i.outcome.status == "substituted"}
+    ends = {said.id or f"relation-{k}": (said.subject, *said.targets) for k, said in enumerate(survey.brief.relations)}
+    found = []
+    for item in items:
+        of = next((stood[name] for name in ends.get(item.outcome.item, ()) if name in stood), None)
+        if of is not None and item.outcome.status == "met":
+            told = {"status": "partly", "reason": f"{item.outcome.reason}; {of}"}
+            item = replace(item, outcome=item.outcome.model_copy(update=told))
+        found.append(item)
+    return found
 
 
 def alignment(items: Sequence[Asked]) -> Alignment:

@@ -168,9 +168,10 @@ def _of_style(body: Body, want: str) -> Answer | None:
 
 
 def _of_shape(body: Body, want: str) -> Answer | None:
-    """Its own word for its shape, else its outline from above."""
-    given = body.item.attributes.get("shape")
-    is_ = str(given) if given is not None else plan_shape(body)
+    """Its own word for its shape as far as its outline from above bears it out, else that outline."""
+    given, seen = body.item.attributes.get("shape"), plan_shape(body)
+    angular = seen in ("rectangular", "square") and body.item.mount != "wall"
+    is_ = seen if given is None or (angular and str(given) not in ("rectangular", "square")) else str(given)
     return is_ == want or (want == "rectangular" and is_ == "square" and given is None), is_
 
 

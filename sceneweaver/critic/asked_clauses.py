@@ -41,8 +41,12 @@ def _one(survey: Survey, item: Asked, span: Span | None, ends: Sequence[int], do
     if outcome.status != "met" or span is None:
         return item
     clause = bisect_right(ends, span.start)
+    # A length may be that of something else, or an area that of a part of the floor.
+    kind = "entity" if outcome.item.endswith((".metres", "room.area", "room.height")) else outcome.kind
     for doubt in doubts:
-        beside = outcome.kind in doubt.kinds and bisect_right(ends, doubt.span.start) == clause
+        beside = kind in doubt.kinds and (
+            bisect_right(ends, doubt.span.start) == clause or doubt.span.start < span.start < doubt.until
+        )
         inside = outcome.kind in _WITHIN and span.start <= doubt.span.start < span.end
         if (beside or inside) and not is_so(survey, doubt, outcome):
             reason = f"{outcome.reason}; '{doubt.words}' beside it was not understood"

@@ -8,6 +8,7 @@ from dataclasses import replace
 from sceneweaver.assets.taxonomy import members
 from sceneweaver.knowledge.kin import interchangeable, is_one
 from sceneweaver.language import Entity, Exclusion
+from sceneweaver.language.coverage import function_words
 from sceneweaver.rules.faults import fault_kind
 from sceneweaver.verify.solids import Body
 
@@ -25,16 +26,22 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
     for asked in survey.brief.entities:
         bodies = survey.standing_for(asked.id)
         like = list(asked_attributes.outcomes(asked, bodies))
-        yield _whole(_entity(survey, asked, bodies), like)
+        yield _whole(asked, _entity(survey, asked, bodies), like)
         yield from like
     yield from _exclusions(survey)
     if survey.brief.only and survey.brief.entities:
         yield _only(survey)
 
 
-def _whole(thing: Asked, like: Sequence[Asked]) -> Asked:
+def _whole(asked: Entity, thing: Asked, like: Sequence[Asked]) -> Asked:
     """A thing that is there, of which one cannot see all that was said of it, is so in part."""
-    unseen = [item.outcome.reason for item in like if item.outcome.status == "not_understood"]
+    words = {a.id: (a.words or a.value).lower().split() for a in asked.attributes}
+    unseen = [
+        item.outcome.reason
+        for item in like
+        if item.outcome.status == "not_understood"
+        and not function_words().issuperset(words.get(item.outcome.item, ["?"]))
+    ]
     if thing.outcome.status != "met" or not unseen:
         return thing
     reason = f"{thing.outcome.reason}; {unseen[0]}"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 
-from sceneweaver.assets.materials import color_named
+from sceneweaver.assets.materials import color_named, color_words
 from sceneweaver.geometry.angles import cross
 from sceneweaver.rules.faults import fault_kind, number
 from sceneweaver.scene import InputError
@@ -184,12 +184,13 @@ def _colors(survey: Survey, asked: Sequence[str], furniture: Sequence[Body]) -> 
     number = counted("of the colours", len(dict.fromkeys(asked)) - len(lost), len(dict.fromkeys(asked)))
     if lost and len(lost) < len(set(asked)):
         return partly("room", "room.colors", so, f"nothing is {' or '.join(lost)}", number)
+    unread = {word for left in survey.brief.unread for word in left.words.lower().split()}.intersection(color_words())
+    if not lost and unread:
+        return partly("room", "room.colors", so, f"'{min(unread)}' was not understood", number)
     finish = survey.scene.room.finish
-    other = finish is not None and finish.accent is not None and basic_color(finish.accent.color)
-    if not lost and other and other not in {basic_color(c) for c in asked}:
-        return partly(
-            "room", "room.colors", so, f"one wall is {finish.accent.color}" if finish and finish.accent else ""
-        )
+    accent = finish.accent.color if finish is not None and finish.accent is not None else None
+    if not lost and accent is not None and basic_color(accent) not in {basic_color(c) for c in asked}:
+        return partly("room", "room.colors", so, f"one wall is {accent}", number)
     return _fact(
         "colors",
         not lost or not told,

@@ -19,11 +19,13 @@ SIDED, OF_EACH = ("relation", "arrangement"), ("entity", "relation", "capacity",
 
 
 class Doubt(NamedTuple):
-    """Words, where they stand, and the kinds of items beside them that may not mean what was asked."""
+    """Words, where they stand, the kinds of items beside them that may not mean what was asked, and the place in the
+    text up to which those come after them: "each" is said of a whole list."""
 
     words: str
     span: Span
     kinds: tuple[str, ...]
+    until: int = 0
 
 
 def swallowed(graph: SceneGraph) -> Iterator[Doubt]:
@@ -35,7 +37,7 @@ def swallowed(graph: SceneGraph) -> Iterator[Doubt]:
     for match in _distributive().finditer(graph.text):
         span = Span(*match.span())
         if not _read(graph, span) and not _of_each(graph, span):
-            yield Doubt(match[0], span, OF_EACH)
+            yield Doubt(match[0], span, OF_EACH, _sentence(graph, span)[1])
 
 
 def is_so(survey: Survey, doubt: Doubt, outcome: ItemOutcome) -> bool:
@@ -89,11 +91,16 @@ def _meant(graph: SceneGraph, word: str) -> bool:
     return bool(names & said)
 
 
-def _of_each(graph: SceneGraph, span: Span) -> bool:
-    """Whether something in its sentence is read as of each, or the noun phrase that it stands in has a number."""
+def _sentence(graph: SceneGraph, span: Span) -> tuple[int, int]:
+    """Where the sentence of some words begins and ends."""
     ends = [m.start() for m in re.finditer(r"[.;!?\n](?!\d)", graph.text)]
     before = max((e for e in ends if e < span.start), default=-1)
-    after = min((e for e in ends if e >= span.end), default=len(graph.text))
+    return before, min((e for e in ends if e >= span.end), default=len(graph.text))
+
+
+def _of_each(graph: SceneGraph, span: Span) -> bool:
+    """Whether something in its sentence is read as of each, or the noun phrase that it stands in has a number."""
+    before, after = _sentence(graph, span)
     for entity in graph.entities:
         at = entity.span
         if at is not None and at.start <= span.start < at.end and entity.count is not None and entity.count[0] > 1:
