@@ -7,7 +7,15 @@ from dataclasses import replace
 
 from sceneweaver.rules.faults import number
 
-from . import asked_arrangements, asked_capacity, asked_entities, asked_free, asked_relations, asked_room
+from . import (
+    asked_arrangements,
+    asked_capacity,
+    asked_entities,
+    asked_free,
+    asked_measures,
+    asked_relations,
+    asked_room,
+)
 from .asked_clauses import doubted
 from .grade import Finding, finding
 from .model import USE, Alignment
@@ -19,6 +27,7 @@ NEEDED = ("entity", "capacity", "arrangement")
 
 PARTS = (
     asked_entities.outcomes,
+    asked_measures.outcomes,
     asked_relations.outcomes,
     asked_capacity.outcomes,
     asked_arrangements.outcomes,

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from sceneweaver.language import SceneGraph, Span
 from sceneweaver.language.coverage import UNITS
+from sceneweaver.rules.faults import number
 
 from .model import Alignment, ItemOutcome
 
@@ -64,6 +65,7 @@ def _words(graph: SceneGraph) -> dict[str, tuple[str, Span | None]]:
     for name in ("free_area", "capacity", "arrangement", "amount"):
         several = getattr(graph, {"capacity": "capacities"}.get(name, f"{name}s"))
         found |= {one.id or f"{name}-{k}": (one.words, one.span) for k, one in enumerate(several)}
+    found |= {one.id: (one.words, one.span) for one in graph.measures}
     for k, unread in enumerate(graph.unread):
         found[f"unread-{k}"] = unread.words, unread.span
     return found
@@ -71,9 +73,10 @@ def _words(graph: SceneGraph) -> dict[str, tuple[str, Span | None]]:
 
 def _of_length(graph: SceneGraph, value: float | None) -> Span | None:
     """Where the first number stands that is a length or an area of the room, in some unit."""
+    slack = number("spoken")
     for match in _NUMBER.finditer(graph.text) if value else ():
         spoken = float(match[0].replace(",", "."))
-        if any(math.isclose(spoken * unit, value, rel_tol=0.01) for unit in UNITS):
+        if any(math.isclose(spoken * unit, value, rel_tol=slack) for unit in UNITS):
             return Span(*match.span())
     return None
 

@@ -97,6 +97,8 @@ def is_one(category: str, wanted: str, noun: str) -> bool:
 
     A folding table is a "table"; it is none where a massage table is meant.
     """
+    if wanted not in categories() or categories()[wanted].parent is None:  # of anything at all
+        return True
     if serves(category, (wanted,)) == 2 or category in interchangeable(wanted):
         return True
     return wanted == resolve(noun).category and category in kin(wanted, noun)
