@@ -18,6 +18,7 @@ from .entering import entering
 from .free_areas import read_free_areas
 from .fullness import fullness
 from .groups import aisles, facing_rows, groups, merged
+from .looks import read_looks
 from .measures import measures
 from .openings import read_openings
 from .states import read_states
@@ -40,6 +41,7 @@ STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     read_free_areas,
     measures,
     read_states,
+    read_looks,
     capacities,
     fullness,
 )
