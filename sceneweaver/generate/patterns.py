@@ -5,6 +5,7 @@ Each place is (ahead, left, turn) in the frame of the leader, [m, m, deg]; the l
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -122,6 +123,65 @@ def back_to_back(count: int, pitch: Pitch) -> list[Spot]:
     for k in range(count):
         left = (pitch.width + pitch.beside) * (k // 2)
         found.append(Spot(-pitch.depth - 0.01, left, 180.0) if k % 2 else Spot(0.0, left))
+    return found
+
+
+def double_rows(rows: int, columns: int, count: int, pitch: Pitch) -> list[Spot]:
+    """Rows with their backs together by twos, with a way between the double rows."""
+    across, found = pitch.width + pitch.beside, list[Spot]()
+    for row in range(rows):
+        ahead = -(row // 2) * (2 * pitch.depth + pitch.between) - (row % 2) * (pitch.depth + 0.01)
+        found += [Spot(ahead, across * k, 180.0 * (row % 2)) for k in range(columns) if row * columns + k < count]
+    return found
+
+
+def end_to_end(sizes: Sequence[tuple[float, float]], gap: float) -> list[Spot]:
+    """Things of some depths and widths [m] in a line along their longer sides, all looking the same way."""
+    found, at = [Spot(0.0, 0.0)], 0.0
+    for (d, w), (e, v) in itertools.pairwise(sizes):
+        if sizes[0][0] >= sizes[0][1]:
+            at -= (d + e) / 2 + gap
+            found.append(Spot(at, 0.0))
+        else:
+            at += (w + v) / 2 + gap
+            found.append(Spot((e - sizes[0][0]) / 2, at))
+    return found
+
+
+def side_by_side(sizes: Sequence[tuple[float, float]], gap: float) -> list[Spot]:
+    """Things of some depths and widths [m] in a row with their backs in line."""
+    found, at = [Spot(0.0, 0.0)], 0.0
+    for (_, w), (e, v) in itertools.pairwise(sizes):
+        at += (w + v) / 2 + gap
+        found.append(Spot((e - sizes[0][0]) / 2, at))
+    return found
+
+
+def right_angle(
+    one: Sequence[tuple[float, float]],
+    other: Sequence[tuple[float, float]],
+    beside: float,
+    corner: float,
+    *,
+    open_: bool,
+) -> list[Spot]:
+    """Two rows of things of some depths and widths [m] at right angles, as along the two walls of a corner.
+
+    The second is at the left end of the first and looks to the right. Open corners leave ``corner`` [m] between the end
+    of the first row and the fronts of the second, which begins level with the backs of the first; else the second
+    begins so far before the fronts of the first.
+    """
+    first = side_by_side(one, beside)
+    end = max(spot.left + width / 2 for spot, (_, width) in zip(first, one, strict=True))
+    if open_:
+        end += corner + max(depth for depth, _ in other)
+        ahead = -one[0][0] / 2
+    else:
+        ahead = max(spot.ahead + depth / 2 for spot, (depth, _) in zip(first, one, strict=True)) + corner
+    found = list(first)
+    for depth, width in other:
+        found.append(Spot(ahead + width / 2, end - depth / 2, -90.0))
+        ahead += width + beside
     return found
 
 

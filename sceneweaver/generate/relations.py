@@ -299,9 +299,14 @@ def _instance(one: Wanted, name: str | None, by_item: dict[str, list[Wanted]]) -
     return pool[one.number % len(pool)] if pool else None
 
 
+def stated_rows(brief: SceneGraph, wanted: Sequence[Wanted]) -> list[Grounded]:
+    """What the request states of the objects to be, to the letter."""
+    return grounded(brief, _made(wanted))[0]
+
+
 def rows_of(brief: SceneGraph, wanted: Sequence[Wanted]) -> list[Grounded]:
     """What the request states of the objects to be."""
-    return patterned(reconciled(grounded(brief, _made(wanted))[0], wanted), brief, wanted)
+    return patterned(reconciled(stated_rows(brief, wanted), wanted), brief, wanted)
 
 
 def _made(wanted: Sequence[Wanted]) -> dict[str, list[Thing]]:

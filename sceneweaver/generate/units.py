@@ -71,7 +71,7 @@ class Unit:
 class _Plan:
     """Frames that grow together: by id of a thing its frame, named by one of its members, and its spot there.
 
-    ``said`` is the statement behind each place, ``turned`` are those whose front it fixes, ``held`` those between others.
+    ``said`` is the statement behind each place, ``turned`` are those whose front it fixes, ``held`` are between others.
     """
 
     brief: SceneGraph
@@ -159,10 +159,12 @@ def composed(
     plan = _Plan(brief, free, made, bound)
     for spots in patterns:
         plan.at |= {one.id: (spots[0][0].id, spot) for one, spot in spots if one.id in free}
-    for step in (_beside, _facing, _about, _between):
+    for step in (_beside, _facing, _about):
         for said in brief.relations:
             if not said.implied:
                 step(plan, said)
+    for said in _parting(brief):
+        _between(plan, said)
     return list(_units(plan, {one.id for spots in patterns for one, _ in spots}))
 
 
@@ -225,6 +227,30 @@ def _level(spot: Spot) -> bool:
     return abs(spot.ahead) < 0.5 and abs(spot.turn) < 1.0
 
 
+def side_way(one: Wanted) -> float:
+    """How far [m] the room that a thing needs reaches beyond its left or right."""
+    return max(_clear(one, "left"), _clear(one, "right"))
+
+
+def front_way(one: Wanted) -> float:
+    """How far [m] the room that a thing needs reaches before its front."""
+    half = one.asset.size[0] / 2
+    return max((p[0] - half for zone in one.asset.zones if zone.hard for p in zone.polygon), default=0.0)
+
+
+def told_between(brief: SceneGraph, name: str) -> set[str]:
+    """The entities that a request has between things of one entity, or between these and others."""
+    return {said.subject for said in _parting(brief) if name in said.targets}
+
+
+def _parting(brief: SceneGraph) -> Iterator[StatedRelation]:
+    """What is said to be between, as relations: one thing, or one in each gap."""
+    yield from (said for said in brief.relations if said.type == "between")
+    for one in brief.arrangements:
+        if one.pattern == "between":
+            yield StatedRelation(id=one.id, type="between", subject=one.entity, targets=(one.around,), each=True)
+
+
 def _gap_beside(one: Wanted, two: Wanted) -> float:
     """The gap [m] between two things side by side: as much as who gets in from a side needs."""
     ways = [_clear(one, "left"), _clear(two, "right")]
@@ -257,6 +283,9 @@ def _facing(plan: _Plan, said: StatedRelation) -> None:
         r.type == said.type and r.subject == said.targets[0] and r.targets == (said.subject,)
         for r in plan.brief.relations
     )
+    both = (r for r in plan.brief.relations if (r.subject, r.targets) == (said.subject, said.targets))
+    if any(r.type in ("next_to", "near", "left_of", "right_of", "behind") for r in both):
+        return  # it is told to be elsewhere as well
     if not ones or not twos or plan.together(ones[0], twos[0]):
         return
     seats = all(family(one.category) == "seat" for one in (*ones, *twos))
@@ -330,32 +359,21 @@ def _about(plan: _Plan, said: StatedRelation) -> None:
 def _told_between(plan: _Plan, one: Wanted) -> list[Wanted]:
     """What the request has between a thing and another."""
     return [
-        thing
-        for said in plan.brief.relations
-        if said.type == "between" and one.asked in said.targets
-        for thing in plan.made.get(said.subject, ())
+        thing for said in _parting(plan.brief) if one.asked in said.targets for thing in plan.made.get(said.subject, ())
     ]
 
 
 def _ends(plan: _Plan, one: Wanted) -> set[str]:
-    return {
-        name
-        for said in plan.brief.relations
-        if said.type == "between" and said.subject == one.asked
-        for name in said.targets
-    }
+    return {name for said in _parting(plan.brief) if said.subject == one.asked for name in said.targets}
 
 
 def _between(plan: _Plan, said: StatedRelation) -> None:
     """What is between two things, one for each two neighbours where there are as many."""
-    if said.type != "between" or not all(name in plan.made for name in said.targets):
+    if not all(plan.made.get(name) for name in said.targets):
         return
     pools = [plan.made[name] for name in dict.fromkeys(said.targets)]
     if len(pools) == 1:
-        row = pools[0]
-        if plan.together(row[0], row[-1]):
-            row = sorted(row, key=lambda m: plan.spot(m, row[0]).left)
-        pairs = list(zip(row, row[1:], strict=False))
+        pairs = list(_neighbours(plan, pools[0]))
     elif len(pools) == 2:
         pairs = list(_pairs(*pools))
     else:
@@ -363,9 +381,30 @@ def _between(plan: _Plan, said: StatedRelation) -> None:
     for thing, (a, b) in zip(plan.made.get(said.subject, ()), pairs, strict=False):
         if not plan.together(a, b):
             _bring(plan, thing, a, b, said.id)
-        if plan.together(a, b) and not plan.together(thing, a):
-            if plan.put(thing, a, _spot_between(plan, thing, a, b), said.id):
-                plan.held.add(thing.id)
+        if not plan.together(a, b) or plan.together(thing, a):
+            continue
+        if plan.put(thing, a, _spot_between(plan, thing, a, b), said.id):
+            plan.held.add(thing.id)
+
+
+def _neighbours(plan: _Plan, things: Sequence[Wanted]) -> Iterator[tuple[Wanted, Wanted]]:
+    """Each two next to each other: in their rows, where they have places already; else in their order."""
+    frames: dict[str, list[Wanted]] = {}
+    for one in things:
+        frames.setdefault(plan.where(one)[0], []).append(one)
+    if len(frames) == len(things) or len(things) == 2:
+        yield from zip(things, things[1:], strict=False)
+        return
+    for members in frames.values():
+        spots = {m.id: plan.spot(m, members[0]) for m in members}
+        lefts, aheads = ({round(s[k], 1) for s in spots.values()} for k in (1, 0))
+        along, across = (1, 0) if len(lefts) >= len(aheads) else (0, 1)
+        rows: dict[float, list[Wanted]] = {}
+        for m in members:
+            rows.setdefault(round(spots[m.id][across], 0), []).append(m)
+        for row in rows.values():
+            row.sort(key=lambda m: spots[m.id][along])
+            yield from zip(row, row[1:], strict=False)
 
 
 def _bring(plan: _Plan, thing: Wanted, a: Wanted, b: Wanted, said: str) -> None:
@@ -404,6 +443,8 @@ def _spot_between(plan: _Plan, thing: Wanted, a: Wanted, b: Wanted) -> Spot:
     if abs(to.ahead) > abs(to.left):  # across from each other
         way = math.copysign(1.0, to.ahead)
         low, high = a.asset.size[0] / 2, abs(to.ahead) - b.asset.size[0] / 2
+        if abs(to.turn) < 1.0:  # end at end: with its back in line with their right sides
+            return Spot(way * (low + high) / 2, (d - a.asset.size[1]) / 2, 90.0)
         return Spot(way * (low + high) / 2, to.left / 2)
     low, high = a.asset.size[1] / 2, abs(to.left) - b.asset.size[1] / 2
     left = math.copysign((low + high) / 2, to.left)

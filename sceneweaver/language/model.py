@@ -132,6 +132,8 @@ class StatedRelation(FrozenModel):
 class Exclusion(FrozenModel):
     """What must not be there: nowhere in the room or, with a ``relation``, not there ("no shelf above the bed").
 
+    Beside the ``categories`` it may be whatever is of some ``materials`` or hangs where a ``mount`` says.
+
     An entity that must not stand somewhere ("the wardrobe may not be in front of the window") is named by ``subject``.
     """
 
@@ -141,6 +143,12 @@ class Exclusion(FrozenModel):
     relation: RelationType | None = Field(default=None, description="How they must not stand to the targets")
     targets: tuple[str, ...] = Field(default=(), description="Ids of entities or `PLACES`, of the relation")
     subject: str = Field(default="", description="The entity that it is said of, by id; else all of the categories")
+    materials: tuple[str, ...] = Field(
+        default=(), description="Names of materials; nothing may be of one that the request does not name"
+    )
+    mount: Literal["", "wall", "ceiling"] = Field(
+        default="", description="Where nothing may hang that the request does not name"
+    )
     span: Span | None = None
 
 
@@ -211,7 +219,8 @@ class Arrangement(FrozenModel):
     A ``cluster`` is one of ``groups`` of ``columns`` things, ``around`` something where that is said. ``sides`` are
     numbers at opposite sides of what they are ``around`` (or all four: front, back, left, right), or of an aisle where
     nothing is said; of ``walls`` at either of the walls named by ``around``. ``between`` has one of them in each gap of
-    what they are ``around``. At a ``right_angle`` stand two of a kind, or one of it and ``others``.
+    what they are ``around``. At a ``right_angle`` stand two of a kind, or one of it and
+    ``others``. Seats are ``outside`` or ``inside`` of a U of tables.
     """
 
     id: str = ""
@@ -233,6 +242,8 @@ class Arrangement(FrozenModel):
         "right_angle",
         "head_to_head",
         "end_to_end",
+        "outside",
+        "inside",
     ]
     others: tuple[str, ...] = Field(default=(), description="What else takes part: entities, by id")
     rows: int | None = Field(default=None, description="One behind the other; of a stack: one on the other")
@@ -247,6 +258,7 @@ class Arrangement(FrozenModel):
     facing: str = Field(default="", description="What they look at: an entity, one of `PLACES`, or 'each other'")
     words: str = ""
     span: Span | None = None
+    more: tuple[Span, ...] = Field(default=(), description="Further words of it, elsewhere in the request")
 
 
 class Amount(FrozenModel):
@@ -313,6 +325,9 @@ class SceneGraph(FrozenModel):
     other_rooms: tuple[str, ...] = Field(default=(), description="Kinds of further rooms that the request names")
     shape: Shape | None = None
     size: tuple[float, float] | None = Field(default=None, description="Floor [m], longer side first")
+    wing: tuple[float, float] | None = Field(
+        default=None, description="Sides [m] of what sticks out of a floor of that size, at an end of a long side"
+    )
     area: float | None = Field(default=None, description="Floor [m2]")
     height: float | None = Field(default=None, description="Of the ceiling [m]")
     scale: float = Field(default=1.0, description="1.3 for a large room, 0.75 for a small one")

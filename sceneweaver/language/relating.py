@@ -10,6 +10,7 @@ from sceneweaver.assets.roles import has_role
 from sceneweaver.assets.taxonomy import category_named, likeliness
 
 from .chunks import Chunk, NounPhrase
+from .distribution import on_each_side
 from .model import Span
 from .nearness import SIDED, anchor, beside_those, carrier_root, chained, main_things, nearest
 from .parsed import Barred, Left, Mention, Said, Target, without
@@ -51,7 +52,8 @@ def relate(
         relate_to_place(state, said)
         return
     flanked = place.type == "flanking" and not place.words.startswith("flank")
-    if flanked and len(subjects) == 1 and one.count == (1, 1) and count is None:
+    alone = flanked and len(subjects) == 1 and one.count == (1, 1) and count is None
+    if alone:
         one.count = (2, 2)  # "a nightstand on either side of the bed"
     if place.type == "through":
         return
@@ -72,11 +74,10 @@ def relate(
         said.subjects = list(dict.fromkeys(roots))
     if kind == "centered_on" and (target.is_rug or all(s.is_small for s in subjects)):
         say(state, replace(said, type="on", targets=(target,)))
-    on_each = kind == "along" and "each" in place.words.split() and count is None and len(subjects) == 1
-    if on_each and one.count is not None:
-        said.count, one.count = one.count, (2 * one.count[0], 2 * one.count[1])  # "two chairs on each long side"
-    said.each = place.each and (said.count is not None or kind not in ("flanking", "along"))
     said.side = place.side
+    if kind in ("along", "flanking") and count is None and len(subjects) == 1 and not alone:
+        on_each_side(said, place.words.split(), one, target)
+    said.each = place.each and (said.count is not None or said.type not in ("flanking", "along"))
     say(state, said)
 
 
@@ -342,5 +343,6 @@ def owned_kind(mention: Mention, owner: Mention, small: bool) -> str | None:
     if mention.family == "seat" and owner.family == "table":
         return "at"
     if mention.category == "nightstand":
-        return "flanking" if mention.count == (2, 2) else "next_to"
+        beds = owner.count[0] if mention.per is owner and owner.count is not None else 1
+        return "flanking" if mention.count == (2 * beds, 2 * beds) else "next_to"
     return "near"

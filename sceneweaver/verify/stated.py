@@ -215,14 +215,24 @@ def _held(q: Asked) -> Reading | None:
         return Reading(1.0, "") if found is not None or carried_by(q.view, q.t, q.s) else None
     if found is None:
         return None
+    if q.row.of == "outer":
+        support = found.item.support
+        return Reading(float(support is not None and support.surface not in _inner(q.t)), "")
     return Reading(float(q.row.of != "inner" or _is_within(found, q.t)), "")
 
 
+def _inner(target: Body) -> set[str]:
+    """The surfaces of a thing that are within it."""
+    return {s.name for s in target.item.surfaces if s.headroom is not None or s.name == INSIDE}
+
+
 def _is_within(held: Body, target: Body) -> bool:
-    """Whether what stands on a thing is in it: on a board or the floor within it, in a bowl or on a dish, in bedding; on
-    the top of a chest or beside the bowl of a sink it is not."""
+    """Whether what stands on a thing is in it: on a board or the floor within it, in a bowl or on a dish, in bedding.
+
+    On the lid of a chest or beside the bowl of a sink it is not.
+    """
     support = held.item.support
-    inner = {s.name for s in target.item.surfaces if s.headroom is not None or s.name == INSIDE}
+    inner = _inner(target)
     if support is None or support.surface in inner or inner:
         return support is not None and support.surface in inner
     return target.item.mount == "surface" or has_role(target.item.category, "soft_top")

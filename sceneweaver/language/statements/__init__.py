@@ -17,22 +17,27 @@ from .capacities import capacities
 from .entering import entering
 from .free_areas import read_free_areas
 from .fullness import fullness
-from .groups import aisles, facing_rows, groups, merged
+from .groups import aisles, facing_rows, groups, horseshoes, merged
 from .looks import read_looks
 from .measures import measures
 from .openings import read_openings
+from .room_kind import furnish_zones, read_room_kind
 from .states import read_states
+from .unwanted import unwanted
+from .wings import wings
 
 
 def _told_of_rows(source: Source, parsed: Parsed) -> None:
     """What is said of rows beside their number: aisles, backs together."""
     facing_rows(source, parsed)
     aisles(source, parsed)
+    horseshoes(source, parsed)
     merged(parsed)
 
 
 STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     entering,
+    wings,
     read_openings,
     bounds,
     groups,
@@ -44,7 +49,9 @@ STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     read_looks,
     capacities,
     fullness,
+    unwanted,
+    read_room_kind,
 )
 """The readers, in order; each gets what the ones before it left."""
 
-__all__ = ["STATEMENTS"]
+__all__ = ["STATEMENTS", "furnish_zones"]

@@ -13,6 +13,7 @@ from typing import Any, Literal, get_args
 from ..model import Arrangement, Span
 from ..parsed import Parsed
 from ..source import Source
+from .aisles import AISLE, ROWS, width_of
 from .lengths import LENGTH, length_of
 from .phrases import NUMBER, Edits, noun_after, noun_before, number_of, table_before
 
@@ -33,6 +34,8 @@ Pattern = Literal[
     "right_angle",
     "head_to_head",
     "end_to_end",
+    "outside",
+    "inside",
 ]
 
 _N, _M = rf"(?P<n>{NUMBER})", rf"(?P<m>{NUMBER})"
@@ -61,6 +64,14 @@ _LOOKING = re.compile(
     r"(?:turned|oriented|pointed|pointing|directed) (?:to|towards?|at)|face|towards) (?:the |an? )?"
 )
 _LOOKING_OUT = re.compile(r"\s*,?\s*(?:and |all |both )*looking out(?:side|wards)?(?=\s*(?:$|[.,;)]|with\b|and\b))")
+_EACH_ROW = re.compile(
+    rf"\s*,?\s*(?:with |of )?(?P<n>{NUMBER})(?: [a-z]+)? (?:in|per|to|on|at) (?:each|a|every|the)?"
+    r"(?: ?(?:row|line|side|one)\b)?"
+)
+_AMID = re.compile(
+    r"\s*,?\s*(?:with |and |around )?(?:an? |the )(?P<what>(?:[a-z-]+ ){0,2}?[a-z-]+)(?P<place> in (?:the|its) "
+    r"(?:middle|centre|center)(?: of (?:it|them|the circle))?)"
+)
 _EACH_AROUND = re.compile(
     rf"\s*,?\s*(?:with )?(?:each|every)(?: {_GROUP}| one)?(?: arranged| set)?(?: around| round| about| at) "
     r"(?P<a>an? |its own )"
@@ -97,7 +108,11 @@ def add(
     at = m.end() if end is None else end
     text = edits.source.text
     facing, spacing = "", given.pop("spacing", None)
-    for _ in range(2):
+    for _ in range(3):
+        if pattern in ROWS and (way := AISLE.match(text, at)):
+            given["aisle"] = width_of(way)
+            edits.take(way.start(), way.end())
+            at = way.end()
         if spaced := _SPACED.match(text, at):
             spacing = length_of(spaced)[0]
             edits.take(spaced.start(), spaced.end())
@@ -139,9 +154,13 @@ def _in_rows(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     noun = noun_before(edits.source.text, m.start())
     rows = number_of(m["n"]) if m["n"] else None
     columns = number_of(m["m"]) if m["m"] else None
+    end = m.end()
+    if columns is None and (each := _EACH_ROW.match(edits.source.text, end)):
+        columns, end = number_of(each["n"]), each.end()
+        edits.take(each.start(), each.end())
     if m["kind"].startswith("column"):
         rows, columns = columns, rows
-    add(edits, parsed, m, "rows", noun, rows=rows, columns=columns)
+    add(edits, parsed, m, "rows", noun, end=end, rows=rows, columns=columns)
 
 
 def _grid(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -178,6 +197,9 @@ def _curve(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     noun, around = noun_before(text, m.start()), ""
     if follows := re.compile(r"\s*(?:around|round|about) (?:the |an? )?").match(text, m.end()):
         around, _ = noun_after(text, follows.end())
+    elif amid := _AMID.match(text, m.end()):
+        around = amid["what"]
+        edits.take(amid.start("place"), amid.end("place"))
     add(edits, parsed, m, pattern, noun, around=around)
 
 
@@ -250,6 +272,9 @@ def _islands(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
 
 def _each_side(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "Six pews on each side of the aisle": a block of rows at either hand."""
+    with_it = re.search(r"[a-z] with (?:the )?$", edits.source.text[: m.start()])
+    if with_it and table_before(edits.source.text, m.start()):
+        return  # "tables with three chairs on each side": the sides are theirs
     many = number_of(m["n"])
     instead = f"{2 * many} {m['noun']}"
     add(edits, parsed, m, "sides", m["noun"], instead=instead, sides=(many, many))
@@ -289,7 +314,8 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
     ),
     (
         re.compile(
-            rf"\b{_N} {_STRAIGHT}(?P<kind>rows|lines|ranks|columns|row) of {_M} (?=[a-z])(?!in\b|with\b|and\b|w/)"
+            rf"\b{_N} {_STRAIGHT}(?P<kind>rows|lines|ranks|columns|row) of {_M} "
+            r"(?=[a-z])(?!(?:in|with|and|back|facing|on|along|each|at|standing|against|by|near|side|next|parallel)\b|w/)"
         ),
         _rows_of,
     ),

@@ -14,12 +14,9 @@ from ..parsed import Parsed
 from ..source import Source
 from ..things import match_of, singular
 from ..vocabulary import family
+from .aisles import AISLE, ROWS, width_of
 from .arrangements import PLACED, add
-from .lengths import PLAIN, plain_length
 from .phrases import NUMBER, Edits, noun_after, noun_before, number_of, table_before
-
-AISLE = 1.2
-"""Width [m] of an aisle of which no width is said."""
 
 PAIRS = {"pairs": 2, "twos": 2, "threes": 3, "fours": 4, "couples": 2}
 
@@ -88,6 +85,21 @@ def _between_each(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
         host = parsed.arrangements[-1].entity if parsed.arrangements else noun_before(text, len(before))
     if host:
         add(edits, parsed, m, "between", noun, around=host, instead=f"{m['with'] or ''}{m['a']}{noun}")
+
+
+def _between_them(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "Two armchairs and a table between them"."""
+    host, others = _members(edits.source.text, m.start())
+    mutual = edits.source.text[: m.start()].rstrip(" ,").endswith(("each other", "one another"))
+    if not host or others or mutual or _closed(m["noun"]):
+        return
+    plain = f" with {m['a']}{m['noun']} between them"
+    if len(plain) > m.end() - m.start():
+        plain = plain.removesuffix(" them")
+    if len(plain) <= m.end() - m.start():
+        edits.take(m.start(), m.end(), plain)  # the clauses read it so
+    else:
+        add(edits, parsed, m, "between", m["noun"], around=host, instead=f"{m['how']}{m['a']}{m['noun']}")
 
 
 def _ends(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -224,7 +236,7 @@ def _patterns() -> tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, 
             _two_walls,
         ),
         (
-            r"(?P<how>,? ?\b(?:facing|face) (?:each other|one another) )(?:across|over|on either side of|with) "
+            r"(?P<how>,? ?\b(?:facing|face) (?:each other|one another) )(?:across|over|on either side of) "
             r"(?P<a>an? |the )"
             r"(?P<what>(?:[a-z-]+ ){0,2}?[a-z-]*(?:table|stove|fire|fireplace|desk|counter|chest|bench))\b"
             r"(?: (?:in )?between(?: them)?)?",
@@ -236,6 +248,11 @@ def _patterns() -> tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, 
             rf"(?: standing| placed| set)? (?:in )?between {each}(?: two\b| pair\b| other\b| couple\b)?"
             rf"(?: of (?:them|the [a-z]+))?(?: (?!(?:and|with|in|on|at|of|facing)\b)(?P<host>[a-z]+))?",
             _between_each,
+        ),
+        (
+            rf"(?P<how>,? ?(?:and|plus|,|;|&) )(?P<a>an? |one |the )(?P<noun>(?:[a-z-]+ ){{0,2}}?[a-z-]+)"
+            rf"(?: standing| placed| set)? (?:in[ -]?)?between(?: them| the two(?! [a-z])| both(?! [a-z])|{_END})",
+            _between_them,
         ),
         (
             rf"\b{_N} {_NOUN} {along} {which}{kind} {sides}(?! of\b)",
@@ -275,32 +292,20 @@ def _patterns() -> tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, 
 
 _STRAIGHT = r"straight |long |single |neat |whole "
 
-_ABOUT = "(?:about |around |at least |roughly )?"
-_AISLE = re.compile(
-    rf"\s*,?\s*(?:and |with |w/ |leaving |separated by |split by )*{_THE}(?:{_ABOUT}(?P<before>{PLAIN})[ -](?:wide )?)?"
-    r"(?:(?:clear|free|central|centre|center|middle|wide|narrow|open) )*"
-    r"\b(?:aisle|gangway|walkway|corridor)s?\b"
-    rf"(?:,? (?:of |is |at least |about )*{_ABOUT}(?P<after>{PLAIN})(?: (?:wide|across))?)?"
-    r"(?: (?:in )?between(?: (?:them|the rows|the two|each|both|the two rows))?"
-    r"| (?:down|in|through|along|up) the (?:middle|centre|center))?"
-)
-
 
 def aisles(source: Source, parsed: Parsed) -> None:
     """Reads aisles of rows: what parts a block of them from front to back."""
     edits = Edits(source)
-    rows = [one for one in parsed.arrangements if one.pattern in ("rows", "grid", "sides", "walls")]
-    for m in _AISLE.finditer(source.text) if rows else ():
+    rows = [one for one in parsed.arrangements if one.pattern in ROWS]
+    for m in AISLE.finditer(source.text) if rows else ():
         if not re.search(r"middle|cent(?:re|er|ral)|between", m[0]) and rows[-1].pattern not in ("sides", "walls"):
             continue
-        width = m["before"] or m["after"]
         ahead = [one for one in rows if one.span is None or one.span.start <= source.span(m.start(), m.end()).start]
         told = (ahead or rows)[-1]
         k = parsed.arrangements.index(told)
-        wide = plain_length(width) if width else AISLE
-        parsed.arrangements[k] = told.model_copy(update={"aisle": wide})
+        more = (*told.more, edits.take(m.start(), m.end()))
+        parsed.arrangements[k] = told.model_copy(update={"aisle": width_of(m), "more": more})
         rows = [parsed.arrangements[k] if one is told else one for one in rows]
-        edits.take(m.start(), m.end())
 
 
 _FACING = re.compile(
@@ -317,6 +322,32 @@ def facing_rows(source: Source, parsed: Parsed) -> None:
             _mutual(m, edits, parsed)
 
 
+_OUTSIDE = re.compile(
+    r"\b(?:all )?(?:on|along|around|round|at|to) the (?P<where>out|in)(?:side|ner side|er side|ner|er edge)s?"
+    r"(?: of (?:the |this )?(?:u|horseshoe|tables|desks|it))?\b"
+)
+_OPEN = re.compile(
+    r",? ?(?:and |with )?\b(?:the |its )?open (?:end|side|part)(?: of (?:the u|it))? ?(?:is )?"
+    r"(?:to|towards?|facing|pointing (?:to|at|towards?)|points (?:to|at|towards?)|faces|looking at) (?:the |an? )?"
+)
+
+
+def horseshoes(source: Source, parsed: Parsed) -> None:
+    """Reads of a U at which side of it people sit, and what it opens to."""
+    curves = [one for one in parsed.arrangements if one.pattern in ("u", "semicircle")]
+    edits = Edits(source)
+    for m in _OPEN.finditer(source.text) if curves else ():
+        noun, end = noun_after(source.text, m.end())
+        told, k = curves[-1], parsed.arrangements.index(curves[-1])
+        more = (*told.more, source.span(m.start(), end))
+        curves[-1] = parsed.arrangements[k] = told.model_copy(update={"facing": noun, "more": more})
+        edits.take(m.start(), m.end(), ", a ")
+    for m in _OUTSIDE.finditer(source.text) if curves else ():
+        noun = noun_before(source.text, m.start())
+        if noun and noun != curves[-1].entity and _sits(noun):
+            add(edits, parsed, m, "outside" if m["where"] == "out" else "inside", noun, around=curves[-1].entity)
+
+
 def merged(parsed: Parsed) -> None:
     """One arrangement of "two rows of six, back to back", and of a U with what is said of its seats."""
     found: list[Arrangement] = []
@@ -331,4 +362,4 @@ def merged(parsed: Parsed) -> None:
     parsed.arrangements[:] = found
 
 
-__all__ = ["aisles", "facing_rows", "groups", "merged"]
+__all__ = ["aisles", "facing_rows", "groups", "horseshoes", "merged"]
