@@ -32,7 +32,7 @@ from .shell import floor_area, shell
 from .stacks import stacked
 from .stated_finish import stated_finish
 from .stated_lengths import with_stated_lengths
-from .stated_states import with_stated_states
+from .stated_states import with_stated_looks, with_stated_states
 from .supports import Places, laid, supported
 from .under import below_windows, with_room_below
 
@@ -336,6 +336,7 @@ def _program(setup: Setup, space: Room, area: float, people: int, palette: Palet
     limits = Limits(max(area - kept_free(brief), 0.5 * area), fill, walls, WALLED * walls)
     program = build(wishes, room, setup.library, limits, setup.seed, palette, pane, space.height)
     with_stated_lengths(program.wanted, brief, space.height, setup.library)
+    with_stated_looks(program.wanted, brief, setup.library)
     with_stated_states(program.wanted, brief, space.windows, setup.library)
     return program
 
