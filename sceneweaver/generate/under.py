@@ -33,8 +33,14 @@ DRAWINGS = 8
 SLIDE = 0.15
 """How far [m] the bottom of a thing below a window may be lower than right under its sill."""
 
-STEP, CLEAR, OFFSET = 0.04, 0.012, 0.02
+STEP, CLEAR, OFFSET = 0.04, 0.012, 0.05
 """Of the places under something: their distance [m], the gap to bodies, and how far a thing may be off its own."""
+
+TURNS = {"front": 0, "left": 90, "right": -90, "back": 180}
+"""The turn [deg] of a thing that looks out at a side of another."""
+
+WALLED = 1.0
+"""What it counts [m] that a thing looks to a side that may be at a wall."""
 
 MOSTLY = 0.75
 """Least share of a thing that is under another."""
@@ -103,10 +109,30 @@ def set_under(rows: Sequence[Grounded], wanted: Sequence[Wanted]) -> list[Ground
     return [*kept, *placed.values()]
 
 
+def without_company(wanted: Sequence[Wanted], stated: Sequence[Grounded]) -> list[Wanted]:
+    """What was wanted, without what nobody asked for that goes with a thing under another and has no room there.
+
+    That is a shelf over the desk, a bin beside it; its seats stay.
+    """
+    bodies = {one.id: one for one in wanted if one.mount == "floor" and one.support is None}
+    lower = {
+        row.subject
+        for row in stated
+        if row.type == "over" and row.hard and row.subject in bodies and str(row.target) in bodies
+        if not bodies[str(row.target)].thing.is_flat
+    }
+
+    def in_the_way(one: Wanted) -> bool:
+        goes_along = one.parent is not None and one.parent.id in lower and one.support is None
+        return goes_along and one.asked is None and not one.thing.is_seat
+
+    return [one for one in wanted if not in_the_way(one)]
+
+
 def _spot(lower: Asset, upper: Asset, taken: list[Any]) -> dict[str, float] | None:
     """Where a thing stands under another, in the frame of that, clear of its body and of what is ``taken``.
 
-    What is used from its front looks out from under it.
+    What is used from its front looks out at a side by which the other is entered, with its back to the side across.
     """
     import shapely
 
@@ -119,13 +145,15 @@ def _spot(lower: Asset, upper: Asset, taken: list[Any]) -> dict[str, float] | No
     used = any(zone.name == "front" for zone in lower.zones) or has_role(lower.category, "pulled_up_to")
     best: tuple[float, dict[str, float], Any] | None = None
     ahead, left = (np.concatenate(a) for a in zip(*((x * np.ones_like(y), y) for x, y in _places(half)), strict=True))
-    for turn in (0, 90, -90, 180):
+    open_sides = {zone.name for zone in upper.zones if zone.hard} & set(TURNS) or {"front", "left", "right"}
+    for side, turn in TURNS.items():
         deep, wide = (depth / 2, width / 2) if turn in (0, 180) else (width / 2, depth / 2)
         boxes = shapely.box(ahead - deep, left - wide, ahead + deep, left + wide)
         share = shapely.area(shapely.intersection(boxes, outline)) / (depth * width)
         front = half[0] if turn in (0, 180) else half[1]
         middle = ahead * math.cos(math.radians(turn)) + left * math.sin(math.radians(turn))
-        off = np.abs(front - middle - depth / 2) if used else np.hypot(ahead, left) + 0.001 * abs(turn)
+        off = np.abs(front + middle - depth / 2) if used else np.hypot(ahead, left)
+        off = off + (side not in open_sides) * WALLED + 0.001 * abs(turn)
         score = np.where((share < MOSTLY) | shapely.intersects(boxes, blocked), np.inf, off + 2 * (1 - share))
         k = int(np.argmin(score))
         if score[k] < (best[0] - 1e-9 if best is not None else np.inf):
@@ -215,4 +243,4 @@ def _shelved(lower: Wanted, upper: Wanted) -> bool:
     return False
 
 
-__all__ = ["below_windows", "is_closed", "set_under", "with_room_below"]
+__all__ = ["below_windows", "is_closed", "set_under", "with_room_below", "without_company"]
