@@ -154,6 +154,8 @@ def _pronoun(scan: Scan, token: Token, after: Token | None) -> bool:
         and not after.has(*CLOSED)
         and not (after.has("verb") and is_verb(scan, scan.at + 1, seen_noun=True))
     )
+    if token.text in EACH and after is not None and _one_of_several(scan, token, after):
+        return False
     of_station = token.text in EACH and after is not None and singular(after.text) in words("nouns")["stations"]
     if of_station or opens and (token.has("each", "both", "det", "number", "rest") or token.text == "another"):
         return False
@@ -166,6 +168,14 @@ def _pronoun(scan: Scan, token: Token, after: Token | None) -> bool:
             return False
     scan.add("noun", value=NounPhrase("pronoun", token.text, token.start, token.end, value=kind))
     return True
+
+
+def _one_of_several(scan: Scan, token: Token, after: Token) -> bool:
+    """Whether "every second chair", "for every two chairs" or "between each two chairs" begins."""
+    if after.text in words("nouns")["every"]:
+        return True
+    between = bool(scan.out) and scan.out[-1].kind == "place" and scan.out[-1].value.type == "between"
+    return after.has("number") and (token.text == "every" or between)
 
 
 def _purpose(scan: Scan, token: Token, after: Token | None) -> bool:

@@ -8,7 +8,7 @@ from dataclasses import replace
 from sceneweaver.assets.taxonomy import category_named
 
 from .chunks import Chunk, NounPhrase
-from .distribution import each_next, listed_before, stands_for_each, stations
+from .distribution import each_next, every_so_many, listed_before, stands_for_each, stations
 from .exclusions import excluded, only_chunk, without_chunk
 from .items import close_surface, name_nothing, open_surface
 from .nearness import meant_of_list
@@ -211,6 +211,9 @@ def _while(state: State, chunk: Chunk) -> None:
 def _noun(state: State, chunk: Chunk) -> None:
     phrase: NounPhrase = chunk.value
     state.after_be = False
+    state.every = every_so_many(phrase)
+    if state.every > 1 and not (state.waiting is not None and state.waiting.place.type == "between"):
+        state.out.referred.append(state.span_of(phrase))
     if stands_for_each(state, phrase) and state.refs.known(phrase, True, []) is None and (group := stations(state)):
         state.refer(phrase)
         phrase.what, phrase.value, phrase.text, phrase.of = "thing", None, group.noun, None

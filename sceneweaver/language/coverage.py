@@ -91,6 +91,8 @@ def _known_elsewhere(graph: SceneGraph) -> frozenset[str]:
     said += [said.words for said in (*graph.relations, *graph.exclusions)]
     said += [word for entity in graph.entities for word in (entity.noun, *entity.words)]
     said += [a.words for entity in graph.entities for a in entity.attributes]
+    if graph.wing is not None:
+        said += [*words("openings")["wings"], "l l-shaped shaped shape form main"]
     spoken = frozenset(word for text in said for word in _WORD.findall(text.lower()))
     if graph.scale != 1.0 or graph.density != "normal" or graph.only:
         spoken |= frozenset(" ".join(words("function_words").get("room_quality", "").split()).split())
@@ -101,6 +103,7 @@ def _is_measure(graph: SceneGraph, match: re.Match[str]) -> bool:
     """Whether a number is one of the room's sides, its area, its height or a measure that was read."""
     value = float(match[0].replace(",", "."))
     have = [*(graph.size or ()), graph.area or 0.0, graph.height or 0.0, float(graph.people or 0)]
+    have += [*(graph.wing or ())]
     have += [float(n) for entity in graph.entities for n in entity.count or ()]
     have += [float(s) for entity in graph.entities for s in entity.size if s is not None]
     have += [float(value) for relation in graph.relations for value in relation.params.values() if value is not None]

@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from sceneweaver.assets.taxonomy import likeliness
+
 from .chunks import EACH, Chunk, NounPhrase
 from .parsed import Mention, Parsed, Said
 from .state import State
@@ -48,14 +50,25 @@ def _counted_out(state: State, mention: Mention, owner: Mention) -> Mention:
     if mention.count == MANY and mention.plural:
         low, high = 1, 1  # "tables, each with chairs"
     by = owner.count or ((1, 1) if not owner.plural else MANY)
+    if state.every > 1:
+        by = (max(1, by[0] // state.every), max(1, by[1] // state.every))
     count = (low * by[0], high * by[1])
     named = _named_before(state, mention, count, owner) if by[0] > 1 else None
     if named is not None:
         state.out.mentions.remove(mention)
         named.per = owner
         return named
-    mention.count, mention.per = count, owner
+    mention.count, mention.per = count, owner if state.every == 1 else None
     return mention
+
+
+def count_out_again(state: State, owner: Mention, count: tuple[int, int]) -> None:
+    """ "One chair per desk, six desks": how many there are of what was named by "each" alone."""
+    owner.count, owner.uncounted = count, False
+    for mention in state.out.mentions:
+        if mention.per is owner:
+            low, high = mention.count or (1, 1)
+            mention.count = (low * count[0], high * count[1])
 
 
 def _named_before(state: State, mention: Mention, count: tuple[int, int], owner: Mention) -> Mention | None:
@@ -135,15 +148,40 @@ def on_each_side(said: Said, spoken: list[str], one: Mention, target: Mention) -
     one.per = target if by > 1 else one.per
 
 
-def owner_told_of(state: State, subjects: list[Mention]) -> Mention | None:
-    """ "A box on each bench, a stool at each": the things of which the sentence told so, unless it then named several
-    that each of these has."""
+def owner_told_of(state: State, subjects: list[Mention], on: bool = False) -> Mention | None:
+    """ "A box on each bench, a stool at each": the things of which the sentence told so, or those of which it then
+    named several that each of these has, but for what is rather ``on`` the former."""
     for mention in reversed(state.out.mentions[state.begun :]):
         if mention in subjects or mention.per is None:
             continue
+        if mention.per in subjects:
+            return None
         several = mention.count is not None and mention.per.count is not None and mention.count > mention.per.count
-        return None if several or mention.per in subjects else mention.per
+        if several and not (on and _rather(subjects, mention.per, mention)):
+            return mention
+        return mention.per
     return None
+
+
+def _rather(subjects: list[Mention], one: Mention, other: Mention) -> bool:
+    """Whether things usually stand on one thing rather than on another."""
+    ranks = [likeliness(subjects[0].category, m.category) for m in (one, other)] if subjects else [None, None]
+    return ranks[0] is not None and (ranks[1] is None or ranks[0] < ranks[1])
+
+
+def every_so_many(phrase: NounPhrase) -> int:
+    """2 for "every second chair" and "every two chairs", which the phrase then says no more; 1 for every single one."""
+    if phrase.determiner not in EACH:
+        return 1
+    if phrase.count is not None and phrase.count[0] == phrase.count[1] > 1:
+        many, phrase.count = phrase.count[0], None
+        return many
+    table = words("nouns")["every"]
+    found = next((token for token in phrase.qualities if token.text in table), None)
+    if found is None:
+        return 1
+    phrase.qualities.remove(found)
+    return int(table[found.text])
 
 
 def part_of_each(state: State, chunk: Chunk | None) -> bool:
@@ -155,6 +193,11 @@ def part_of_each(state: State, chunk: Chunk | None) -> bool:
 
 def tell_each(parsed: Parsed) -> None:
     """Relations of what was counted out over a group hold of each of the group with its own."""
+    for mention in parsed.mentions:
+        many = parsed.openings.get(mention.per_place, 0)
+        if many > 1:  # "a table at each window, three windows"
+            low, high = mention.count or (1, 1)
+            mention.count, mention.per_place = (low * many, high * many), ""
     for said in parsed.said:
         if len(said.targets) != 1 or said.each or not isinstance(target := said.targets[0], Mention):
             continue

@@ -244,7 +244,7 @@ def bind_target(state: State, waiting: Waiting, targets: tuple[Any, ...], each: 
         return
     target = targets[0]
     each = each and len(targets) == 1 and isinstance(target, Mention)
-    place = over_each(place) if each else place
+    place = over_each(place) if each and state.every == 1 else place
     if subjects is None:
         state.fronted.append((place, targets, waiting.chunk))
         return

@@ -132,6 +132,8 @@ class StatedRelation(FrozenModel):
 class Exclusion(FrozenModel):
     """What must not be there: nowhere in the room or, with a ``relation``, not there ("no shelf above the bed").
 
+    Beside the ``categories`` it may be whatever is of some ``materials`` or hangs where a ``mount`` says.
+
     An entity that must not stand somewhere ("the wardrobe may not be in front of the window") is named by ``subject``.
     """
 
@@ -141,6 +143,12 @@ class Exclusion(FrozenModel):
     relation: RelationType | None = Field(default=None, description="How they must not stand to the targets")
     targets: tuple[str, ...] = Field(default=(), description="Ids of entities or `PLACES`, of the relation")
     subject: str = Field(default="", description="The entity that it is said of, by id; else all of the categories")
+    materials: tuple[str, ...] = Field(
+        default=(), description="Names of materials; nothing may be of one that the request does not name"
+    )
+    mount: Literal["", "wall", "ceiling"] = Field(
+        default="", description="Where nothing may hang that the request does not name"
+    )
     span: Span | None = None
 
 
@@ -317,6 +325,9 @@ class SceneGraph(FrozenModel):
     other_rooms: tuple[str, ...] = Field(default=(), description="Kinds of further rooms that the request names")
     shape: Shape | None = None
     size: tuple[float, float] | None = Field(default=None, description="Floor [m], longer side first")
+    wing: tuple[float, float] | None = Field(
+        default=None, description="Sides [m] of what sticks out of a floor of that size, at an end of a long side"
+    )
     area: float | None = Field(default=None, description="Floor [m2]")
     height: float | None = Field(default=None, description="Of the ceiling [m]")
     scale: float = Field(default=1.0, description="1.3 for a large room, 0.75 for a small one")

@@ -8,7 +8,7 @@ from typing import Any, Self
 
 from sceneweaver.assets.roles import has_role
 
-from .model import Amount, Arrangement, Attribute, Capacity, FreeArea, Span, StatedMeasure, StatedOpening
+from .model import Amount, Arrangement, Attribute, Capacity, Exclusion, FreeArea, Span, StatedMeasure, StatedOpening
 from .vocabulary import family, mounts
 
 
@@ -32,6 +32,10 @@ class Mention:
     implied: bool = False
     span: Span | None = None
     id: str = ""
+    uncounted: bool = False
+    """Whether it was named by "each" alone, before its number is told."""
+    per_place: str = ""
+    """The part of the room, window or door, at each of which it is."""
     per: Mention | None = None
     """The things over which it was counted out, so that each of them has its own."""
 
@@ -116,6 +120,15 @@ class Told:
     named: bool = False
 
 
+@dataclass(frozen=True)
+class Zone:
+    """A part of the room, or a use of all of it, that is a kind of room by itself."""
+
+    kind: str
+    words: str
+    span: Span
+
+
 @dataclass
 class Left:
     """Words that were not understood."""
@@ -135,6 +148,7 @@ class Parsed:
     said: list[Said] = field(default_factory=list)
     without: list[tuple[str, tuple[str, ...], Span | None]] = field(default_factory=list)
     barred: list[Barred] = field(default_factory=list)
+    unwanted: list[Exclusion] = field(default_factory=list)
     stated_openings: list[StatedOpening] = field(default_factory=list)
     free_areas: list[FreeArea] = field(default_factory=list)
     capacities: list[Capacity] = field(default_factory=list)
@@ -145,6 +159,10 @@ class Parsed:
     bounds: list[tuple[tuple[str, ...], int, int]] = field(default_factory=list)
     room_type: str | None = None
     room_words: str = ""
+    setting: str = ""
+    """Where the room is, or whose: "our office" of a prayer room for our office."""
+    wing: tuple[float, float] | None = None
+    zones: list[Zone] = field(default_factory=list["Zone"])
     other_rooms: list[str] = field(default_factory=list)
     room_scale: float = 1.0
     shape: str | None = None

@@ -23,7 +23,7 @@ def with_predicates(tokens: list[Token]) -> list[Token]:
     at = 0
     while at < len(tokens):
         taken = 0
-        for rule in (_pieces, _times, _pronoun_with_verb, _made_of, _filler, _seen_from):
+        for rule in (_pieces, _times, _pronoun_with_verb, _should_be, _made_of, _filler, _seen_from):
             taken = rule(tokens, at, found)
             if taken:
                 break
@@ -113,6 +113,18 @@ def _pronoun_with_verb(tokens: list[Token], at: int, found: list[Token]) -> int:
     found.append(Token(pronoun, token.start, token.end, {"pron": pronoun}))
     found.append(Token("is" if pronoun == "it" else "are", token.start, end, {"verb": Verb("be", "s")}))
     return taken
+
+
+def _should_be(tokens: list[Token], at: int, found: list[Token]) -> int:
+    """ "The bookcase should be tall and white": a verb, of which words of quality are the rest."""
+    token, after = tokens[at], _token(tokens, at + 1)
+    if not (token.has("verb_stop") and token.text.endswith(" be")) or after is None or not found:
+        return 0
+    said = after.has(*QUALITIES) or after.text in words("predicates")["made"]
+    if not said or not (found[-1].has("noun", "pron", "parts") or found[-1].text == "also"):
+        return 0
+    found.append(Token(token.text, token.start, token.end, {"verb": Verb("be", "s")}))
+    return 1
 
 
 def _last_sentence(found: list[Token]) -> list[Token]:

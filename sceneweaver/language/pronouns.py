@@ -16,6 +16,10 @@ _BESIDE_IT = ("next_to", "left_of", "right_of", "near", "in_front_of", "behind")
 """Relations of small things to "it": to another small thing, not to what carries both."""
 
 
+_OF_ONE = ("above", "below", "around", "at", "in_front_of", "behind", "opposite", "facing", "flanking", "at_foot")
+"""Relations of which several in a row are of the same thing: "a lamp above it and a rug under it"."""
+
+
 def is_one_of_quality(chunk: Chunk, after: Chunk | None) -> bool:
     """Whether a word of quality and the pronoun after it are "the larger one"."""
     if chunk.kind != "adjective" or chunk.value.determiner != "the" or after is None or after.kind != "noun":
@@ -75,6 +79,8 @@ def pronoun_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
             state.head, state.each, state.glue = [group], group, ""
             state.subject, state.subject_open = [group], True
             state.close_frames()
+        elif state.out.people:
+            state.per_person, state.glue = True, "start"  # "two boys, each has a bed"
     elif phrase.text not in ("which", "itself", "themselves"):
         found = state.refs.pronoun(phrase, state.subject, [])
         if found:
@@ -141,6 +147,8 @@ def _part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
             _say_of_some(state, group, (1, 1))
         return
     found = state.refs.rest
+    if not partial and found is not None and found.many and phrase.text.split()[1] in ("second", "third", "fourth"):
+        found = state.refs.part([found])
     if partial and (found is None or not phrase.text.startswith("another")):
         found = state.refs.part(near) or _one_more(state, near)
     if found is None:
@@ -163,11 +171,20 @@ def _pronoun_target(state: State, phrase: NounPhrase, waiting: Waiting) -> None:
             near = [last]  # a lamp beside "it" is beside the laptop, not beside the desk
     if it and waiting.place.type in ("on", "inside"):
         near = carrying(state, near, subjects)
-    owner = owner_told_of(state, subjects) if phrase.value == "each" else None
+    if it and state.each is not None and state.each not in subjects:
+        near = [state.each]
+    elif it and waiting.place.type in _OF_ONE and state.meant_by_it and near and _beside_it(state, near[-1]):
+        near = state.meant_by_it
+    owner = owner_told_of(state, subjects, waiting.place.type == "on") if phrase.value == "each" else None
     if it and waiting.subjects is None and waiting.place.type in ("above", "below", "on", "inside"):
         state.fronted_it = state.fronted_it or state.refs.pronoun(phrase, near, subjects)  # "over it X, under it Y"
         near = state.fronted_it
-    found = [owner] if owner is not None else state.refs.pronoun(phrase, near, subjects)
+    if it and near and near[-1] is state.each:
+        found = near
+    else:
+        found = [owner] if owner is not None else state.refs.pronoun(phrase, near, subjects)
+    if it:
+        state.meant_by_it = list(found)
     if not found and it and len(subjects) > 1:
         found = subjects[:1]  # "a fireplace and bookshelves on either side of it"
     if found:
@@ -182,6 +199,11 @@ def _pronoun_target(state: State, phrase: NounPhrase, waiting: Waiting) -> None:
         place = waiting.place
         relate_to_place(state, Said(place.type, subjects, ("window",), place.words, span=state.chunk_span()))
         state.glue = ""
+
+
+def _beside_it(state: State, thing: Mention) -> bool:
+    """Whether a thing was just placed by what "it" means: "a lamp above it and a rug under it"."""
+    return any(thing in said.subjects and said.targets[0] in state.meant_by_it for said in state.out.said[-6:])
 
 
 def _window_before(state: State) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from .chunks import Chunk, NounPhrase
+from .chunks import EACH, Chunk, NounPhrase
 from .items import bind_target, name_nothing, name_things
 from .model import Attribute
 from .nearness import carrier_root, main_things, nearest
@@ -177,6 +177,9 @@ def _kind_on(region: str, phrase: NounPhrase, waiting: Waiting, owner: Mention) 
 
 def part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     """What a thing has is said of it: "with three drawers", "a tufted headboard"."""
+    if phrase.determiner in EACH and state.refs.known(phrase, True, []) is not None:
+        named_thing(state, phrase, chunk)  # "seven wheels, at every wheel a stool"
+        return
     owners = state.frames[-1].owner if state.frames and state.frames[-1].kind in ("with", "verb") else []
     owners = owners or (state.head if state.glue in ("open", "", "and") else [])
     opening = phrase.text.split()[-1].rstrip("s")

@@ -159,6 +159,9 @@ def place_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         many = (4, 4)
     if phrase.count is not None and phrase.count[0] >= 2 and place == "corner":
         many = phrase.count
+    if phrase.determiner in ("each", "every") and place in ("window", "door"):
+        for subject in subjects:
+            subject.per_place = place
     for subject in subjects if many is not None else ():
         subject.count = many if subject.count == (1, 1) else subject.count
     if waiting.place.type == "between" and subjects:

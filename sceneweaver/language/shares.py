@@ -46,9 +46,11 @@ def owners_of(state: State, items: list[Mention]) -> Mention | None:
     return None
 
 
-def share_out(state: State, owner: Mention | None = None, of_people: bool = False) -> bool:
+def share_out(
+    state: State, owner: Mention | None = None, of_people: bool = False, items: list[Mention] | None = None
+) -> bool:
     """ "Three chairs each", "a towel for each guest", "one locker per bed": multiplies what was named last."""
-    items = last_items(state)
+    items = items or last_items(state)
     owner = None if of_people else owner or owners_of(state, items)
     if owner in items:
         items = [m for m in items if m is not owner]
@@ -71,7 +73,10 @@ def _belong(state: State, items: list[Mention], owner: Mention) -> None:
         kind = owned_kind(item, owner, item.mount == "surface") if item not in related else None
         if kind is not None:
             spoken = f"{item.noun} for each {owner.noun}"
-            say(state, Said(kind, [item], (owner,), spoken, each=True, implied=True, span=state.chunk_span()))
+            say(
+                state,
+                Said(kind, [item], (owner,), spoken, each=state.every == 1, implied=True, span=state.chunk_span()),
+            )
 
 
 def give_total(state: State, phrase: NounPhrase, group: Mention) -> bool:

@@ -97,6 +97,8 @@ class State:
         self.done = False  # whether the clause had its verb
         self.lost = False  # whether the subject is no object, so that nothing is said of it
         self.lit = False  # whether light came through a window
+        self.every = 1  # of how many things the phrase in hand means one
+        self.meant_by_it: list[Mention] = []  # what "it" meant last in the sentence
         self.fronted_it: list[Mention] = []  # what "over it" meant ahead of what is there
         self.each: Mention | None = None  # the things of each of which the clause tells
         self.inverted = self.after_be = self.relative = self.head_related = False

@@ -47,7 +47,7 @@ COUNTED = [
     (
         "Office with four desks, at each place a monitor and a keyboard",
         {"desk": 4, "monitor": 4, "keyboard": 4},
-        {("monitor", "near", "desk"), ("keyboard", "near", "desk")},
+        {("monitor", "next_to", "desk"), ("keyboard", "next_to", "desk")},
     ),
     (
         "A den with two armchairs. Each armchair has its own floor lamp and its own ottoman.",
@@ -57,7 +57,7 @@ COUNTED = [
     (
         "Two desks and four chairs at each desk, so to say.",
         {"desk": 2, "chair": 8},
-        {("chair", "near", "desk")},
+        {("chair", "at", "desk")},
     ),
     (
         "Two single beds, every bed with a nightstand and a lamp on the nightstand",
@@ -65,9 +65,26 @@ COUNTED = [
         {("nightstand", "next_to", "single_bed"), ("table_lamp", "on", "nightstand")},
     ),
     (
+        "A pottery, seven wheels and at every wheel a stool and a small table",
+        {"pottery_wheel": 7, "stool": 7, "bakers_table": 7},
+        {("stool", "next_to", "pottery_wheel")},
+    ),
+    (
+        "One stool per desk, five desks.",
+        {"stool": 5, "desk": 5},
+        {("stool", "at", "desk")},
+    ),
+    (
+        "Six tables, two chairs apiece, one chess board on each.",
+        {"dining_table": 6, "chair": 12, "board_game": 6},
+        {("chair", "at", "dining_table"), ("board_game", "on", "dining_table")},
+    ),
+    ("Six desks, a bin beside every second desk.", {"desk": 6, "trash_can": 3}, set()),
+    ("An armchair at each window, three windows.", {"armchair": 3}, set()),
+    (
         "Six desks and six chairs, a chair at each desk.",
         {"desk": 6, "chair": 6},
-        {("chair", "near", "desk")},
+        {("chair", "at", "desk")},
     ),
 ]
 

@@ -21,6 +21,9 @@ SAID = [
     ("Two stools and a bench between the two.", ("bench", "between", "stool", "stool")),
     ("A small cabinet and a big cabinet, the bigger one by the door.", ("cabinet-2", "near", "door")),
     ("Two desks, a bin beside each desk, a stool behind each", ("stool", "behind", "desk")),
+    ("A table, a lamp above it and a rug under it.", ("rug", "below", "dining_table")),
+    ("Two desks, each desk has a stool in front of it.", ("stool", "in_front_of", "desk")),
+    ("Three lamps, the first on the desk, the third on the shelf.", ("table_lamp-2", "on", "wall_shelf")),
     ("Two sofas facing each other with a coffee table in between.", ("coffee_table", "between", "sofa", "sofa-2")),
 ]
 
@@ -35,13 +38,14 @@ def test_what_was_named_is_meant(text, relation):
     [
         ("A den with a coffee table by the sofa, the table is round and made of glass.", "glass", "round"),
         ("A hall with a table and a bench. It is made of dark oak.", "oak", None),
+        ("A den with a bench and a plant, bench should be narrow and white.", "white", None),
         ("A rug under the desk, red and round.", "red", "round"),
     ],
 )
 def test_clauses_about_things_are_no_relations_and_no_bodies(text, color, shape):
     graph = read_request(text)
     assert len(graph.entities) == 2
-    assert {r.type for r in graph.relations} <= {"near", "below"}
+    assert {r.type for r in graph.relations} <= {"near", "next_to", "below"}
     values = {a.value for e in graph.entities for a in e.attributes} | {e.color for e in graph.entities}
     values |= {e.material for e in graph.entities}
     assert color in values and (shape is None or shape in values)

@@ -20,7 +20,10 @@ from .fullness import fullness
 from .groups import aisles, facing_rows, groups, horseshoes, merged
 from .measures import measures
 from .openings import read_openings
+from .room_kind import furnish_zones, read_room_kind
 from .states import read_states
+from .unwanted import unwanted
+from .wings import wings
 
 
 def _told_of_rows(source: Source, parsed: Parsed) -> None:
@@ -33,6 +36,7 @@ def _told_of_rows(source: Source, parsed: Parsed) -> None:
 
 STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     entering,
+    wings,
     read_openings,
     bounds,
     groups,
@@ -43,7 +47,9 @@ STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     read_states,
     capacities,
     fullness,
+    unwanted,
+    read_room_kind,
 )
 """The readers, in order; each gets what the ones before it left."""
 
-__all__ = ["STATEMENTS"]
+__all__ = ["STATEMENTS", "furnish_zones"]

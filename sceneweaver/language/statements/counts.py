@@ -49,9 +49,13 @@ def peopled(
     if people is None:
         people = sum(_total(c, by_id) for c in capacities) or None
     known = [_known(c, people, by_id) for c in capacities]
+    rooms = words("people")["in_rooms"]
+    does: Activity = next((name for name in rooms if room_type in rooms[name]), "use")
+    known = [
+        c.model_copy(update={"activity": does}) if c.activity == "use" and not c.target and not c.own else c
+        for c in known
+    ]
     if people is not None and not any(c.people == people and not c.own for c in known):
-        rooms = words("people")["in_rooms"]
-        does: Activity = next((name for name in rooms if room_type in rooms[name]), "use")
         known.append(Capacity(id=f"capacity-{len(known)}", people=people, activity=does, words=f"{people} people"))
     for one in known:
         for name, count in one.own:
