@@ -181,7 +181,8 @@ def _called_for(state: State, phrase: NounPhrase) -> Mention | None:
         return None
     noun = name_of(phrase)
     head, match = singular(noun).split()[-1], match_of(noun)
-    for mention in (m for m in reversed(state.out.mentions[-12:]) if m.implied):
+    placed = state.party if state.waiting is not None else []  # "sweets in jars": other jars
+    for mention in without((m for m in reversed(state.out.mentions[-12:]) if m.implied), placed):
         if mention.category != match.category and singular(mention.noun).split()[-1] != head:
             continue
         if singular(noun) != head:
