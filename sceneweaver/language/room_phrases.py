@@ -80,8 +80,8 @@ def _made_of_group(state: State, phrase: NounPhrase, things: dict[str, tuple[int
 def _shared(things: dict[str, tuple[int, int]], count: tuple[int, int]) -> dict[str, tuple[int, int]]:
     """So many things of several kinds together: "twelve toys" are four of each of three kinds."""
     kinds = list(things)[: max(1, count[0])]
-    each = ((count[0] + k) // len(kinds) for k in reversed(range(len(kinds))))
-    return {name: (n, n) for name, n in zip(kinds, each, strict=True)}
+    n = len(kinds)
+    return {name: ((count[0] + k) // n, (count[1] + k) // n) for name, k in zip(kinds, reversed(range(n)), strict=True)}
 
 
 def room_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:

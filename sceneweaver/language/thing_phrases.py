@@ -162,8 +162,10 @@ def _is_concrete(state: State, phrase: NounPhrase) -> bool:
     noun = name_of(phrase)
     if not any(c.isalpha() for c in phrase.text) or not (may_name(noun) or _is_likeness(phrase)):
         return False
-    if phrase.definite:
+    if phrase.definite or is_certain(noun):
         return is_certain(noun)
+    if _is_likeness(phrase):
+        return True
     if phrase.determiner or phrase.count is not None:
         return True
     return bool(state.frames or state.waiting) and state.glue != "start" and bool(state.out.mentions)
