@@ -25,7 +25,8 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
     for asked in survey.brief.entities:
         bodies = survey.standing_for(asked.id)
         yield _entity(survey, asked, bodies)
-        yield from asked_attributes.outcomes(asked, bodies)
+        lengths = [m.wanted for m in survey.brief.measures if m.entity == asked.id]
+        yield from asked_attributes.outcomes(asked, bodies, lengths, survey.scene.room.windows)
     yield from _exclusions(survey)
     if survey.brief.only and survey.brief.entities:
         yield _only(survey)

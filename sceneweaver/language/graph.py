@@ -10,13 +10,15 @@ from sceneweaver.assets.plurals import singular
 from sceneweaver.assets.taxonomy import category_named, narrower
 
 from .coverage import silent_words
+from .distribution import tell_each
 from .in_room import mean_in_room
 from .meaning import unsaid
+from .measured import give_states, measured
 from .model import Amount, Attribute, Entity, Exclusion, SceneGraph, StatedRelation, Unread
 from .mutual import split_mutual
 from .parsed import Barred, Left, Mention, Parsed, Said
 from .source import Source
-from .statements.counts import bounded_counts, peopled
+from .statements.counts import bounded_counts, peopled, told_apart
 from .statements.resolve import resolved
 from .vocabulary import words
 
@@ -26,7 +28,7 @@ MOST = 400
 SEVERAL, PLURAL = 6, 6
 """Things that there are at least of what is all over a room, and most of a bare plural."""
 
-_SAME = ("room_type", "room_words", "other_rooms", "shape", "style", "only")
+_SAME = ("room_type", "room_words", "other_rooms", "shape", "wing", "style", "only")
 """What a graph says of the room as it was parsed."""
 
 _SIDES = ("left_of", "right_of", "next_to", "in_front_of", "behind", "near", "flanking", "around")
@@ -35,11 +37,14 @@ _SIDES = ("left_of", "right_of", "next_to", "in_front_of", "behind", "near", "fl
 def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     """The graph of a request; notes say what was left out."""
     notes = parsed.notes
+    tell_each(parsed)
     split_mutual(parsed)
     mentions = _first(_without_contradictions(parsed), parsed)
     for mention in mentions:
         _narrowed(mention)
     mean_in_room(mentions, parsed.room_type)
+    lengths = measured(parsed, mentions, text)
+    give_states(parsed, mentions, text)
     _named(mentions)
     _shared_support(parsed)
     _by_attribute(parsed, mentions)
@@ -52,7 +57,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     named = {entity.id for entity in entities}
     amounts = tuple(a for a in resolved(parsed.amounts, entities, "amount") if a.entity in named)
     entities = tuple(_many(entity, amounts) for entity in entities)
-    arrangements = resolved(parsed.arrangements, entities, "arrangement")
+    relations, arrangements = told_apart(relations, resolved(parsed.arrangements, entities, "arrangement"))
     people = peopled(
         bounded_counts(entities, parsed.bounds),
         relations,
@@ -80,6 +85,11 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         capacities=people.capacities,
         arrangements=arrangements,
         amounts=amounts,
+        measures=tuple(
+            measure.model_copy(update={"id": f"measure-{k}", "entity": mention.id if mention is not None else ""})
+            for k, (measure, mention) in enumerate(lengths)
+            if mention is None or mention in mentions
+        ),
         relations=tuple(r.model_copy(update={"id": f"relation-{k}"}) for k, r in enumerate(people.relations)),
         exclusions=_numbered(
             [Exclusion(words=w, categories=c, span=span) for (w, c), span in reversed(exclusions.items())]
@@ -92,7 +102,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         ),
     )
     notes += [f"'{said.words}' cannot be said as a relation" for said in unsaid(graph) if not said.implied]
-    silent = silent_words(graph, source.language)
+    silent = silent_words(graph, source.language, parsed.referred, source.slips)
     placed = {unread.words for unread in silent}
     left = sorted(
         (*(unread for unread in graph.unread if unread.span or unread.words not in placed), *silent),
@@ -242,7 +252,7 @@ def _entity(mention: Mention, notes: list[str]) -> Entity:
         notes.append(f"{count[1]} x {mention.noun} was brought to {MOST}")
         count = (min(count[0], MOST), MOST)
     found = category_named(mention.category).size
-    for want, bounds, name in zip(mention.size, found.ranges if found else (), ("deep", "wide", "high"), strict=False):
+    for want, bounds, name in zip(mention.size, found.reach if found else (), ("deep", "wide", "high"), strict=False):
         if want is not None and not bounds[0] - 1e-6 <= want <= bounds[1] + 1e-6:
             notes.append(
                 f"a {mention.noun} {want:g} m {name} cannot be made; it is {bounds[0]:g} to {bounds[1]:g} m {name}"

@@ -119,7 +119,8 @@ _PLURALS = {"shelves": "shelf", "ies": "y", "xes": "x", "ches": "ch", "shes": "s
 
 def _single(noun: str) -> str:
     for ending, plain in _PLURALS.items():
-        if noun.endswith(ending) and not noun.endswith(f" {ending}") and noun != ending:  # an ending ends a word
+        whole = noun == ending or noun.endswith(f" {ending}")
+        if noun.endswith(ending) and (not whole or len(plain) > 2):  # an ending ends a word
             return noun[: len(noun) - len(ending)] + plain
     return noun
 
