@@ -48,6 +48,8 @@ def relate(
         return
     said = Said(place.type, subjects, targets, place.words, count, span=span)
     target, one = targets[0], subjects[0]
+    if target in state.party and one in state.party and span is not None and place.type in ("on", "inside"):
+        return  # "office supplies in the drawer": in none of themselves
     if state.barred:
         _bar(state, said)
         return
