@@ -15,7 +15,18 @@ from sceneweaver.verify.measure import Measurement
 from sceneweaver.verify.solids import Body
 
 from .group_measures import apart
-from .group_patterns import about_a_u, aisle, along_walls, at_sides, ends, in_gaps, limit, opening, right_angle
+from .group_patterns import (
+    about_a_u,
+    aisle,
+    along_walls,
+    at_sides,
+    ends,
+    full_wall,
+    in_gaps,
+    limit,
+    opening,
+    right_angle,
+)
 from .survey import Survey, turn_to
 from .verdict import Asked, counted, met, not_understood, unmet
 
@@ -332,5 +343,6 @@ _CHECKS: dict[str, Callable[[Survey, Arrangement, Sequence[Body]], Checks]] = {
     "end_to_end": ends,
     "outside": about_a_u,
     "inside": about_a_u,
+    "wall": full_wall,
 }
 """What is measured of each pattern."""

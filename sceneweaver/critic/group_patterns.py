@@ -111,6 +111,16 @@ def along_walls(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Ch
     yield from aisle(survey, said, bodies)
 
 
+def full_wall(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Checks:
+    """Side by side over most of one wall."""
+    at = [_walls_of(survey, b) for b in bodies]
+    best = 0.0
+    for wall in survey.scene.room.walls:
+        own = [b for b, walls in zip(bodies, at, strict=True) if wall.index in walls]
+        best = max(best, sum(high - low for low, high in _spans(own, wall.yaw)) / wall.length if own else 0.0)
+    yield Measurement("share of a wall", best, limit("covered"), math.inf, "")
+
+
 def right_angle(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Checks:
     """Two rows at right angles that meet at a corner, looking into it; along walls also at two of them."""
     others = [b for name in said.others for b in survey.standing_for(name)]

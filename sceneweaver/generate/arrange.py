@@ -117,6 +117,11 @@ def laid_out(brief: SceneGraph, wanted: Sequence[Wanted]) -> list[Laid]:
             found += _clusters(said, things, wanted)
         elif said.pattern == "walls":
             found += _along_walls(said, things, wanted, brief)
+        elif said.pattern == "wall":
+            sizes = [one.asset.size[:2] for one in things]
+            spots = side_by_side(sizes, TOUCHING)
+            box = extent_of([(spot, *size) for spot, size in zip(spots, sizes, strict=True)])
+            found.append(Laid(said, things[0], tuple(zip(things, spots, strict=True)), box, ("against_wall", "")))
         elif said.pattern == "right_angle":
             found.append(_at_right_angles(said, things))
         elif not (said.pattern == "circle" and _is_table(said.around, wanted)):
