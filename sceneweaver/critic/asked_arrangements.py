@@ -48,6 +48,8 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
             )
             continue
         found = list(_CHECKS[said.pattern](survey, said, bodies))
+        if said.facing not in ("", "each other") and said.pattern not in _LOOKING:
+            found += _faced(survey, said, bodies)
         ids = [b.id for b in bodies]
         failing = [m for m in found if not m.ok()]
         if not failing:
@@ -346,3 +348,6 @@ _CHECKS: dict[str, Callable[[Survey, Arrangement, Sequence[Body]], Checks]] = {
     "wall": full_wall,
 }
 """What is measured of each pattern."""
+
+_LOOKING = ("row", "rows", "grid", "sides", "u", "semicircle")
+"""Patterns whose measures have what their things look at."""

@@ -407,6 +407,8 @@ def _of_pattern(one: Laid, wanted: Sequence[Wanted], brief: SceneGraph) -> Itera
             return
         yield Grounded(one.said.id, "across_from", one.leader.id, focus[0].id, gap, hard=False)
         yield Grounded(one.said.id, "facing", one.leader.id, focus[0].id, {"degrees": 35.0})
+    elif focus and one.said.pattern == "right_angle":
+        yield Grounded(one.said.id, "facing", one.leader.id, focus[0].id, {"degrees": 35.0})
     if one.said.pattern == "islands":
         for thing, _ in one.spots:
             yield Grounded(one.said.id, "off_walls", thing.id, None, {"min": OFF_WALLS})

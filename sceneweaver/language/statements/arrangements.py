@@ -300,7 +300,9 @@ def _each_side(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     if family(match_of(singular(m["noun"])).category) == "bed_group" and "aisle" not in m[0]:
         add(edits, parsed, m, "walls", m["noun"], instead=instead, sides=(many, many), around="wall")
         return
-    add(edits, parsed, m, "sides", m["noun"], instead=instead, sides=(many, many))
+    seat = family(match_of(singular(m["noun"])).category) == "seat" and not re.search("aisle|gangway|walkway", m[0])
+    around = table_before(edits.source.text, m.start()) if seat else ""
+    add(edits, parsed, m, "sides", m["noun"], instead=instead, sides=(many, many), around=around)
 
 
 def _two_sides(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:

@@ -16,13 +16,17 @@ from ..parsed import Parsed
 from ..source import Source
 from ..things import match_of, singular
 from ..vocabulary import family, mounts
-from .aisles import AISLE, ROWS, width_of
+from .aisles import AISLE, ROWS, WIDE, width_of
 from .arrangements import EACH_AROUND, GROUP, PLACED, add
+from .lengths import PLAIN, plain_length
 from .phrases import NUMBER, Edits, noun_after, noun_before, number_of, table_before
 
 PAIRS = {"pairs": 2, "twos": 2, "threes": 3, "fours": 4, "couples": 2}
 
 MOST_SIDES = 4
+
+IN_ROW = 4
+"""Things of a row by an aisle of which no number is said."""
 
 FEW = 3
 """Things of a group of which no number is said."""
@@ -138,9 +142,10 @@ def _all_around(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     if not _sits(noun):
         return
     long, short = number_of(m["m"]), number_of(m["ends"])
+    other = 0 if re.search(r"at (?:the|one) (?:head|end|short side)\b|at one", m[0]) else short
     table = table_before(text, m.start()) or "table"
-    instead = f"{2 * (long + short)} {noun}"
-    add(edits, parsed, m, "sides", noun, sides=(long, long, short, short), around=table, instead=instead)
+    instead = f"{2 * long + short + other} {noun}"
+    add(edits, parsed, m, "sides", noun, sides=(long, long, short, other), around=table, instead=instead)
 
 
 def _mutual(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -194,7 +199,7 @@ def _row_of_some(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
         return
     many = m["rows"].endswith("s")
     if many:
-        add(edits, parsed, m, "rows", noun, end=end)
+        add(edits, parsed, m, "rows", noun, end=end, rows=number_of(m["n"]) if m["n"] else None)
     else:
         add(edits, parsed, m, "row", noun, end=end, rows=1)
 
@@ -253,6 +258,38 @@ def _parallels(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
         add(edits, parsed, m, "row", noun, rows=1, columns=count)
 
 
+def _left_and_right(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "Two bunks on the left wall and two on the right": so many at either side wall."""
+    noun = m["noun"] or noun_before(edits.source.text, m.start())
+    if m["one"] == m["two"] or not noun:
+        return
+    numbers = number_of(m["n"]), number_of(m["m"])
+    sides = numbers if m["one"] == "left" else numbers[::-1]
+    instead = f"{sum(numbers)} {m['noun']}" if m["noun"] else ""
+    add(edits, parsed, m, "walls", noun, sides=sides, around="wall:side", instead=instead)
+
+
+def _by_an_aisle(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "Pews on both sides of a central aisle"."""
+    width = re.search(PLAIN, m[0])
+    wide = plain_length(width[0]) if width else WIDE
+    count = _count_of(m["noun"], edits.source.text, m.end())
+    columns = count // 2 if count else IN_ROW
+    add(edits, parsed, m, "rows", m["noun"], instead=m["noun"], rows=2, columns=columns, aisle=wide)
+
+
+def _both_sides(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "A long table and benches on both sides"."""
+    text = edits.source.text
+    table, noun = table_before(text, m.start()), m["noun"]
+    if not table or not _sits(noun):
+        return
+    count = _count_of(noun, text, m.end())
+    long = match_of(singular(noun)).category.endswith("bench")
+    each = count // 2 if count else 1 if long else 2
+    add(edits, parsed, m, "sides", noun, instead=noun, sides=(each, each), around=table)
+
+
 def _full_wall(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "A whole wall of shelves": side by side along one wall, over most of it."""
     noun, end = noun_after(edits.source.text, m.end())
@@ -297,6 +334,23 @@ def _patterns() -> tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, 
             rf"(?!{NUMBER}|the\b|glass\b|windows?\b)",
             _full_wall,
         ),
+        (
+            r",? ?\b(?:which |that )?(?:form|forms|forming|make|makes|making) (?:an? )"
+            r"(?:l(?:[ -]shape)?|right angle|corner)\b(?! (?:room|desk|sofa|couch|table|unit))",
+            _right_angle,
+        ),
+        (
+            rf"\b(?P<n>{NUMBER})(?: {_NOUN})? (?:on|at|along|against|by|to) the (?P<one>left|right)"
+            rf"(?:[- ]hand)?(?: wall| side)?,? (?:and |, ?)?(?P<m>{NUMBER})(?: (?P=noun))? "
+            r"(?:on|at|along|against|by|to) the (?P<two>left|right)(?:[- ]hand)?(?: wall| side)?\b",
+            _left_and_right,
+        ),
+        (
+            r"\b(?P<noun>[a-z-]+) on (?:both|either) sides? of (?:an? |the )(?:central |middle |centre |center |wide )?"
+            rf"(?:{PLAIN} )?(?:aisle|gangway|walkway|corridor)\b",
+            _by_an_aisle,
+        ),
+        (rf"\b(?P<noun>[a-z-]+) on both (?:long )?sides{_END}", _both_sides),
         (rf"{PLACED}\bperpendicular (?:to (?:each other|one another))", _right_angle),
         (
             rf",? ?\b(?P<with>with |and |)(?P<a>an? |one )(?P<noun>(?:[a-z-]+ ){{0,2}}?[a-z-]+)"
@@ -317,7 +371,7 @@ def _patterns() -> tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, 
         (rf"{PLACED}\b(?:along|down) {which} (?:sides?|flanks?)(?! of\b)", _walls),
         (
             rf"\b(?P<m>{NUMBER}) {_NOUN} (?:on|at|along|to) (?:each|either|both|every) (?:of the )?(?:long )?sides?,? "
-            rf"(?:and|plus|with) (?P<ends>{NUMBER}) (?:on|at) (?:each|either|both|the|every) (?:of the )?"
+            rf"(?:and|plus|with) (?P<ends>{NUMBER}) (?:on|at) (?:each|either|both|the|every|one) (?:of the )?"
             r"(?:ends?|heads?|short sides?)(?: of (?:it|the table))?",
             _all_around,
         ),
@@ -338,7 +392,10 @@ def _patterns() -> tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, 
             r"(?P<parted>(?= with (?:an?|one|the) [a-z -]*\bbetween\b))?",
             _many_beside,
         ),
-        (rf"\b(?:an? |the |two |several )?(?:{_STRAIGHT})?(?P<rows>rows?|lines?|banks?) of (?!{NUMBER})", _row_of_some),
+        (
+            rf"\b(?:(?P<n>{NUMBER}) |the |several )?(?:{_STRAIGHT})?(?P<rows>rows?|lines?|banks?) of (?!{NUMBER})",
+            _row_of_some,
+        ),
         (rf"{PLACED}(?P<stacked>,? ?\b(?:stacked|piled)(?: up)? )?\bin (?P<pairs>{'|'.join(PAIRS)})\b", _in_pairs),
         (
             rf"{PLACED}\b(?:pushed|shoved|put|joined) together\b"
