@@ -27,6 +27,9 @@ USUAL_SEATS = {"desk": "office_chair", "bar": "bar_stool", "work": "stool"}
 LOW = {"dining_table": "coffee_table", "round_dining_table": "round_coffee_table"}
 """What a plain table is that has armchairs around it."""
 
+COVERED = 0.85
+"""Share of a wall that things cover which are said to be a whole wall of it."""
+
 STACKS = 3
 """Stacks that there are where the request says how high they are and not how many."""
 
@@ -81,6 +84,7 @@ def with_people(brief: SceneGraph, room_type: RoomType) -> SceneGraph:
             _seats(draft, one)
     for said in brief.arrangements:
         _stacks(draft, said)
+        _full_wall(draft, said)
     return brief.model_copy(update={"entities": tuple(draft.entities), "relations": tuple(draft.relations)})
 
 
@@ -112,6 +116,20 @@ def _stacks(draft: _Draft, said: Arrangement) -> None:
         return
     rows = rows_for(said, entity.category, entity.count[1] if entity.count else 2)
     count = rows * (said.groups or STACKS)
+    draft.change(entity, count=(count, count))
+
+
+def _full_wall(draft: _Draft, said: Arrangement) -> None:
+    """As many things as cover most of a wall of the floor that is asked for, or of a usual one."""
+    entity = next((e for e in draft.entities if e.id == said.entity), None)
+    size = category_named(entity.category).size if entity is not None else None
+    if said.pattern != "wall" or entity is None or size is None or not _vague(entity):
+        return
+    brief = draft.brief
+    area = brief.area or draft.room.area[1]
+    wall = max(brief.size) if brief.size is not None else math.sqrt(1.2 * area)
+    width = entity.size[1] or (size.width[0] + size.width[1]) / 2
+    count = max(2, int(COVERED * wall / width))
     draft.change(entity, count=(count, count))
 
 
