@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from .chunks import NounPhrase
-from .distribution import distributed, is_each, over_each, share_in, speaks_of_both
+from .distribution import at_each_place, distributed, is_each, over_each, share_in, speaks_of_both
 from .parsed import Mention, Said
 from .relating import relate, relate_to_owner, say, support_kind
 from .state import Frame, Fronted, State, Waiting
@@ -71,8 +71,10 @@ def begin_clause(state: State, mentions: list[Mention], glue: str, keep: bool = 
 def _over_fronted(state: State, fronted: list[Fronted], mentions: list[Mention]) -> list[Mention]:
     """Things after "at every desk" counted out over the desks."""
     for place, targets, _ in fronted:
-        if place.over_each:
+        if place.over_each and isinstance(targets[0], Mention):
             mentions = distributed(state, mentions, targets[0])
+        elif place.over_each:
+            at_each_place(mentions, targets[0])
     return mentions
 
 
@@ -244,6 +246,8 @@ def bind_target(state: State, waiting: Waiting, targets: tuple[Any, ...], each: 
     place = over_each(place) if each and state.every == 1 else place
     if subjects is None:
         state.fronted.append((place, targets, waiting.chunk))
+        if isinstance(target, Mention) and place.type in ("above", "below", "on", "inside"):
+            state.fronted_it = [target]  # "on the desk a lamp, under it a bin"
         return
     if isinstance(target, Mention) and len(targets) == 1:
         subjects = _each_with_its_own(state, subjects, target, waiting, each)

@@ -79,6 +79,17 @@ COUNTED = [
         {"dining_table": 6, "chair": 12, "board_game": 6},
         {("chair", "at", "dining_table"), ("board_game", "on", "dining_table")},
     ),
+    (
+        "For each of the five desks one stool and one trash can.",
+        {"desk": 5, "stool": 5, "trash_can": 5},
+        {("stool", "at", "desk")},
+    ),
+    ("Ten tables, four chairs to a table.", {"dining_table": 10, "chair": 40}, {("chair", "at", "dining_table")}),
+    ("Every wall has a picture and there is a bed.", {"picture": 4, "bed": 1}, set()),
+    ("In each corner a plant.", {"potted_plant": 4}, set()),
+    ("A sofa with a floor lamp at each end.", {"sofa": 1, "floor_lamp": 2}, set()),
+    ("A table with a chair at each end and three on each long side.", {"dining_table": 1, "chair": 8}, set()),
+    ("12 desks and as many stools.", {"desk": 12, "stool": 12}, set()),
     ("Six desks, a bin beside every second desk.", {"desk": 6, "trash_can": 3}, set()),
     ("An armchair at each window, three windows.", {"armchair": 3}, set()),
     (
