@@ -169,8 +169,11 @@ def _verdicts(survey: Survey, said: StatedRelation, body: Body, name: str) -> di
     word = word_of_place(said.type, name)
     if not word.holds:
         return None
-    if name == "corner":
-        return {f"corner {b.index}": _in_corner(survey, word, said, body, (a, b)) for a, b in corners(survey)}
+    if name.partition(":")[0] == "corner":
+        return {
+            f"corner {b.index}": _in_corner(survey, word, said, body, (a, b))
+            for a, b in corners(survey, name.partition(":")[2])
+        }
     if name in ("ceiling", "floor"):
         return {name: _judged(survey, word, said, body, None)}
     return {segment.id: _judged(survey, word, said, body, segment) for segment in segments(survey, name)}
@@ -218,7 +221,8 @@ def _between(survey: Survey, said: StatedRelation, body: Body) -> dict[str, Verd
         names = [name for name, _ in chosen]
         if len(set(names)) == len(names):
             shapes = [shape for _, shape in chosen]
-            found[" ".join(names)] = decide([group_measures.of_between(survey, body, shapes)])
+            ends = [next((b for b in survey.bodies if b.id == name), None) for name in names]
+            found[" ".join(names)] = decide([group_measures.of_between(survey, body, shapes, ends)])
     return found
 
 

@@ -22,7 +22,7 @@ from .fit import POOR, fitted
 from .free_floor import agreeing, free_areas_of, kept_free, people_of
 from .hanging import hung_between, lamp_count
 from .program import BY_RANK, Limits, Program, Wanted, build, demands, free_zones
-from .relations import of_brief, of_items, rows_of
+from .relations import of_brief, of_items, rows_of, stated_rows
 from .rooms import larger_rooms, may_hold, other_rooms, same_walls, walls_hold
 from .rows import in_rows, lines_of, row_variants
 from .run import Variant, has_place
@@ -31,7 +31,10 @@ from .setup import Proposal, Setup
 from .shell import floor_area, shell
 from .stacks import stacked
 from .stated_finish import stated_finish
+from .stated_lengths import with_stated_lengths
+from .stated_states import with_stated_states
 from .supports import Places, laid, supported
+from .under import below_windows, with_room_below
 
 FILL = {"sparse": 0.73, "normal": 1.0, "full": 1.21}
 """Share of what a kind of room usually has under furniture up to which more is put in."""
@@ -200,6 +203,8 @@ def _furnished(setup: Setup, made: _Attempt, palette: Palette) -> None:
     stacked(program.wanted, brief)
     hung(brief, program.wanted)
     program.wanted = _not_before_windows(program.wanted, rows_of(brief, program.wanted))
+    below_windows(brief, program.wanted, made.space)
+    with_room_below(stated_rows(brief, program.wanted), program.wanted, setup.library)
     rows = rows_of(brief, program.wanted)
     if lengthened(program, rows, setup.library, brief):
         rows = rows_of(brief, program.wanted)  # more seats may be told of a longer table
@@ -329,7 +334,10 @@ def _program(setup: Setup, space: Room, area: float, people: int, palette: Palet
     fill = FILL[brief.density] * room.fill
     walls = walls_of(space)
     limits = Limits(max(area - kept_free(brief), 0.5 * area), fill, walls, WALLED * walls)
-    return build(wishes, room, setup.library, limits, setup.seed, palette, pane, space.height)
+    program = build(wishes, room, setup.library, limits, setup.seed, palette, pane, space.height)
+    with_stated_lengths(program.wanted, brief, space.height, setup.library)
+    with_stated_states(program.wanted, brief, space.windows, setup.library)
+    return program
 
 
 def _object(one: Wanted, space: Room, over: float, clear: bool, places: Places) -> SceneObject:
@@ -345,8 +353,10 @@ def _object(one: Wanted, space: Room, over: float, clear: bool, places: Places) 
     )
     obj = places.objects.get(one.id) or one.asset.object(one.id, pose=pose, mount=one.mount)  # type: ignore[arg-type]
     zones = free_zones(one.item, obj)
-    top = (places.tops[one.id],) if one.id in places.tops and not obj.surfaces else obj.surfaces
-    return obj.model_copy(update={"intent": intent, "surfaces": top, "zones": zones})
+    top = places.tops.get(one.id)
+    added = top is not None and top.name not in {s.name for s in obj.surfaces}
+    surfaces = (*obj.surfaces, top) if top is not None and added else obj.surfaces
+    return obj.model_copy(update={"intent": intent, "surfaces": surfaces, "zones": zones})
 
 
 def _over_doors(brief: SceneGraph, wanted: Sequence[Wanted], space: Room) -> dict[str, float]:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from sceneweaver.assets.taxonomy import category_named
 
 from .chunks import Chunk, NounPhrase
 from .distribution import each_next, every_so_many, listed_before, stands_for_each, stations
 from .exclusions import excluded, only_chunk, without_chunk
-from .items import close_surface, open_surface
+from .items import close_surface, name_nothing, open_surface
 from .nearness import meant_of_list
 from .parsed import Mention, Parsed
 from .pronouns import is_one_of_quality, number_phrase, pronoun_phrase
@@ -34,6 +35,9 @@ from .vocabulary import Place, words
 
 _TURNED = ("transform", "convert", "turn", "set up")
 """Verbs whose "into a studio" is no place."""
+
+_LOOKING = ("face", "turn", "look", "point")
+"""Verbs whose "away from" is no distance."""
 
 SEATED = 4
 """Chairs from which on those around a table are taken for dining chairs."""
@@ -213,8 +217,15 @@ def _noun(state: State, chunk: Chunk) -> None:
     if stands_for_each(state, phrase) and state.refs.known(phrase, True, []) is None and (group := stations(state)):
         state.refer(phrase)
         phrase.what, phrase.value, phrase.text, phrase.of = "thing", None, group.noun, None
-    if not (state.negated and excluded(state, phrase, chunk)):
-        _PHRASES[phrase.what](state, phrase, chunk)
+    if state.negated and excluded(state, phrase, chunk):
+        return
+    waiting = state.waiting
+    looks = waiting is not None and waiting.place.type == "facing"
+    if waiting is not None and looks and phrase.text in words("relations")["views"]:
+        place = replace(waiting.place, words=f"{waiting.place.words} the {phrase.text} through")
+        state.waiting = replace(waiting, place=place)  # "a bench that looks out over the garden"
+        phrase.what, phrase.value = "place", "window"
+    _PHRASES[phrase.what](state, phrase, chunk)
 
 
 def _place(state: State, chunk: Chunk) -> None:
@@ -226,6 +237,10 @@ def _place(state: State, chunk: Chunk) -> None:
     before, after = state.chunk(state.at - 2), state.chunk(state.at)
     noun_next = state.noun_next()
     turned = before is not None and before.kind == "verb" and before.value.lemma in _TURNED
+    if before is not None and before.kind == "verb" and before.value.lemma in _LOOKING and place.type == "far_from":
+        state.leave_unread(state.source.text[before.start : chunk.end], before.start, chunk.end)
+        name_nothing(state)  # "faces away from the door" says nothing of how far it is
+        return
     if turned and place.type in ("inside", "through", "on") and noun_next:
         state.at += 1  # "transformed into a studio"
         return

@@ -75,9 +75,11 @@ def _marked(graph: SceneGraph, spans: Iterable[Span | None]) -> bytearray:
 def _spans(graph: SceneGraph) -> Iterable[Span]:
     """Where everything that was read stands, but for the noun phrases of things."""
     rows = (graph.relations, graph.exclusions, graph.openings, graph.free_areas, graph.capacities, graph.amounts)
-    for row in (item for several in (*rows, graph.arrangements, graph.unread) for item in several):
+    for row in (item for several in (*rows, graph.arrangements, graph.measures, graph.unread) for item in several):
         if row.span is not None:
             yield row.span
+    for one in graph.arrangements:
+        yield from one.more
     for entity in graph.entities:
         yield from (attribute.span for attribute in entity.attributes if attribute.span is not None)
 
@@ -89,6 +91,8 @@ def _known_elsewhere(graph: SceneGraph) -> frozenset[str]:
     said += [said.words for said in (*graph.relations, *graph.exclusions)]
     said += [word for entity in graph.entities for word in (entity.noun, *entity.words)]
     said += [a.words for entity in graph.entities for a in entity.attributes]
+    if graph.wing is not None:
+        said += [*words("openings")["wings"], "l l-shaped shaped shape form main"]
     spoken = frozenset(word for text in said for word in _WORD.findall(text.lower()))
     if graph.scale != 1.0 or graph.density != "normal" or graph.only:
         spoken |= frozenset(" ".join(words("function_words").get("room_quality", "").split()).split())
@@ -99,10 +103,11 @@ def _is_measure(graph: SceneGraph, match: re.Match[str]) -> bool:
     """Whether a number is one of the room's sides, its area, its height or a measure that was read."""
     value = float(match[0].replace(",", "."))
     have = [*(graph.size or ()), graph.area or 0.0, graph.height or 0.0, float(graph.people or 0)]
+    have += [*(graph.wing or ())]
     have += [float(n) for entity in graph.entities for n in entity.count or ()]
     have += [float(s) for entity in graph.entities for s in entity.size if s is not None]
     have += [float(value) for relation in graph.relations for value in relation.params.values() if value is not None]
-    have += [value for one in graph.arrangements for value in (one.spacing, one.height) if value]
+    have += [value for one in graph.arrangements for value in (one.spacing, one.height, one.aisle) if value]
     units = (1.0, 0.01, 0.001, 0.3048, 0.0254, 0.092903)
     return any(abs(value * unit - other) <= 0.006 * max(1.0, other) for unit in units for other in have if other)
 

@@ -130,6 +130,8 @@ def meant_of_list(state: State, place: Place, listed: list[Mention]) -> list[Men
     if kind in ("on", "inside"):
         small = list(takewhile(lambda m: m.is_small and not m.implied, reversed(listed)))[::-1]
         return [m for m in small if m not in related or m is listed[-1]] or listed[-1:]
+    if state.manner == "hang" and len(listed) == 2 and listed[0] not in related:
+        return listed  # "a spade and a rake hanging on the wall"
     if kind in ("flanking", "along", "around") and len(listed) == 2:
         return listed
     pair = all(m.mount == "surface" for m in listed[-2:])

@@ -8,7 +8,7 @@ from typing import Any, Self
 
 from sceneweaver.assets.roles import has_role
 
-from .model import Amount, Arrangement, Attribute, Capacity, FreeArea, Span, StatedOpening
+from .model import Amount, Arrangement, Attribute, Capacity, Exclusion, FreeArea, Span, StatedMeasure, StatedOpening
 from .vocabulary import family, mounts
 
 
@@ -90,6 +90,11 @@ class Said:
     span: Span | None = None
     params: dict[str, float] = field(default_factory=dict)
 
+    @property
+    def by_side(self) -> bool:
+        """Whether it was said by a side alone ("on the left"), without the word for a wall."""
+        return not {"left", "right"}.isdisjoint(self.words.split())
+
 
 @dataclass(eq=False)
 class Barred(Said):
@@ -102,6 +107,26 @@ def without(mentions: Iterable[Mention], others: Iterable[object]) -> list[Menti
     """The mentions that are none of the others."""
     gone = list(others)
     return [m for m in mentions if m not in gone]
+
+
+@dataclass(frozen=True)
+class Told:
+    """Something said of a thing by a pattern: it is named ``after`` the words or before them, by ``noun``, with
+    ``named`` in so many words."""
+
+    what: StatedMeasure | Attribute
+    noun: str
+    after: bool
+    named: bool = False
+
+
+@dataclass(frozen=True)
+class Zone:
+    """A part of the room, or a use of all of it, that is a kind of room by itself."""
+
+    kind: str
+    words: str
+    span: Span
 
 
 @dataclass
@@ -123,14 +148,21 @@ class Parsed:
     said: list[Said] = field(default_factory=list)
     without: list[tuple[str, tuple[str, ...], Span | None]] = field(default_factory=list)
     barred: list[Barred] = field(default_factory=list)
+    unwanted: list[Exclusion] = field(default_factory=list)
     stated_openings: list[StatedOpening] = field(default_factory=list)
     free_areas: list[FreeArea] = field(default_factory=list)
     capacities: list[Capacity] = field(default_factory=list)
     arrangements: list[Arrangement] = field(default_factory=list)
     amounts: list[Amount] = field(default_factory=list)
+    states: list[Told] = field(default_factory=list)
+    measures: list[Told] = field(default_factory=list)
     bounds: list[tuple[tuple[str, ...], int, int]] = field(default_factory=list)
     room_type: str | None = None
     room_words: str = ""
+    setting: str = ""
+    """Where the room is, or whose: "our office" of a prayer room for our office."""
+    wing: tuple[float, float] | None = None
+    zones: list[Zone] = field(default_factory=list["Zone"])
     other_rooms: list[str] = field(default_factory=list)
     room_scale: float = 1.0
     shape: str | None = None

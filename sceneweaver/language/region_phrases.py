@@ -115,11 +115,26 @@ def _owner_meant(state: State, phrase: NounPhrase, waiting: Waiting) -> Mention 
             return "room"
     if region == "center":
         return _center_meant(state, own, subjects)
+    if region == "end" and not own and _is_end_of_room(state, phrase, subjects):
+        return "room"
+    if region in ("head", "foot"):  # these are of beds, whatever was named last
+        beds = [m for m in state.out.mentions if m.family == "bed_group" and m not in subjects]
+        if beds:
+            return beds[-1]
     near = nearest(state, subjects)
     if phrase.determiner == "its" and near and near[-1].many:
         pronoun = NounPhrase("pronoun", "it", phrase.start, phrase.end, value="pron")
         near = state.refs.pronoun(pronoun, [], [*subjects, *near]) or near
     return state.refs.carrier(near, subjects, region, phrase.text) or next(iter(near[-1:]), None)
+
+
+def _is_end_of_room(state: State, phrase: NounPhrase, subjects: list[Mention]) -> bool:
+    """Whether "one end" and "the other end" are the room's: of furniture that is told to be there, of no table."""
+    spoken = state.source.text[phrase.start : phrase.end].split()
+    of_two = not {phrase.determiner, spoken[0], *spoken[:-1]}.isdisjoint(words("relations")["one_of_two"])
+    framed = any(f.kind in ("with", "verb") and f.owner for f in state.frames[-1:])
+    stands = bool(subjects) and all(s.mount in ("floor", "wall") and s.family != "seat" for s in subjects)
+    return of_two and stands and not framed
 
 
 def _center_meant(state: State, own: bool, subjects: list[Mention]) -> Mention | str:
@@ -145,7 +160,7 @@ def _of_room(state: State, phrase: NounPhrase, waiting: Waiting, owner: str) -> 
     if subjects and any(t.text == "opposite" for t in phrase.qualities):
         for other in main_things(state, subjects)[-1:]:
             say(state, Said("opposite", subjects, (other,), phrase.text, span=state.chunk_span(), implied=True))
-    place = {"corner": "corner", "center": "middle"}.get(str(phrase.value), "room")
+    place = {"corner": "corner", "center": "middle", "end": "wall:short"}.get(str(phrase.value), "room")
     if owner in ("wall", "window", "door", "ceiling") or owner.startswith("wall:"):
         place = owner
     if phrase.determiner in ("each", "every", "all") or phrase.text == "corners":

@@ -10,7 +10,7 @@ from .chunks import EACH, Chunk, NounPhrase
 from .distribution import over_each
 from .items import bind_target, name_nothing, name_things
 from .parsed import Mention, Said
-from .relating import relate, relate_to_place, say
+from .relating import ENDS_OF_ROOM, relate, relate_to_place, say
 from .shares import ends_here, share_out
 from .state import State, Waiting
 from .tokens import Token
@@ -96,6 +96,9 @@ def room_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         out.note(f"'{phrase.text}' is another room; only the {out.room_words} is made")
     if waiting is not None and waiting.subjects and waiting.place.type == "centered_on":
         relate_to_place(state, Said("at", waiting.subjects, ("middle",), waiting.place.words))
+    elif waiting is not None and not waiting.lost and waiting.place.type in ENDS_OF_ROOM:  # "at the back of the shop"
+        place = Place("against", words=waiting.place.words)
+        bind_target(state, replace(waiting, place=place), (ENDS_OF_ROOM[waiting.place.type],))
     elif waiting is not None and waiting.subjects is None and not waiting.lost:
         state.glue = "start"
         return

@@ -7,7 +7,7 @@ from dataclasses import replace
 from .chunks import Chunk, NounPhrase
 from .distribution import count_out_again
 from .items import begin_clause, name_nothing, name_things
-from .nothings import may_name
+from .nothings import is_animal, is_certain, is_large, may_name
 from .parsed import Mention, without
 from .room_phrases import abstract_phrase, describe_room, people_phrase, unknown_room
 from .shares import ends_here, last_items, multiply, share_out
@@ -209,7 +209,10 @@ def new_thing(state: State, phrase: NounPhrase) -> Mention | None:
         return None
     mention = new_mention(phrase, state.source)
     if mention.generic and not _is_concrete(state, phrase):
-        state.leave_unread(state.source.text[phrase.start : phrase.end], phrase.start, phrase.end)
+        spoken = state.source.text[phrase.start : phrase.end].removeprefix(f"{phrase.determiner} ")
+        state.leave_unread(spoken, phrase.start, phrase.end)
+        if is_large(name_of(phrase)):
+            state.out.note(f"'{name_of(phrase)}' is nothing that can be put in a room; it was left out")
         return None
     like = (state.head or state.previous or state.subject)[-1:]
     if like and any(t.text == "matching" for t in phrase.qualities):
@@ -227,11 +230,20 @@ def new_thing(state: State, phrase: NounPhrase) -> Mention | None:
 
 def _is_concrete(state: State, phrase: NounPhrase) -> bool:
     """Whether a noun that is not known stands where a thing is named: in a list, or as what is placed."""
-    if phrase.definite or not any(c.isalpha() for c in phrase.text) or not may_name(phrase.text):
+    noun = name_of(phrase)
+    if not any(c.isalpha() for c in phrase.text) or not (may_name(noun) or _is_likeness(phrase)):
         return False
+    if phrase.definite:
+        return is_certain(noun)
     if phrase.determiner or phrase.count is not None:
         return True
     return bool(state.frames or state.waiting) and state.glue != "start" and bool(state.out.mentions)
+
+
+def _is_likeness(phrase: NounPhrase) -> bool:
+    """Whether an animal is one that somebody made: "a stuffed crocodile", "a bronze heron"."""
+    made = words("nouns")["likenesses"]
+    return is_animal(name_of(phrase)) and any(t.has("material") or t.text in made for t in phrase.qualities)
 
 
 def _called_for(state: State, phrase: NounPhrase) -> Mention | None:

@@ -170,8 +170,10 @@ def test_inside_is_not_on_top() -> None:
     said: dict[str, Any] = {"type": "inside", "subject": "book", "targets": ("bookcase",)}
     assert holds(case, on(case, "book-0", (0.2, 0.2, 0.2), inner=True), **said)
     assert not holds(case, on(case, "book-0", (0.2, 0.2, 0.2)), **said)
-    basket = carrier(box("basket-0", (0.5, 0.5, 0.4), 3.0, 3.0))
-    assert holds(basket, on(basket, "book-0", (0.2, 0.2, 0.2)), **said | {"targets": ("basket",)})
+    bowl = carrier(on(table, "bowl-0", (0.5, 0.5, 0.2)))
+    assert holds(table, bowl, on(bowl, "book-0", (0.2, 0.2, 0.2)), **said | {"targets": ("bowl",)})
+    chest = carrier(box("chest-0", (0.5, 0.5, 0.4), 3.0, 3.0))
+    assert not holds(chest, on(chest, "book-0", (0.2, 0.2, 0.2)), **said | {"targets": ("chest",)}), "on its lid"
 
 
 def test_flanking_needs_both_sides() -> None:

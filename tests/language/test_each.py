@@ -42,12 +42,12 @@ COUNTED = [
     (
         "Five desks. At each of them a chair.",
         {"desk": 5, "chair": 5},
-        {("chair", "near", "desk")},
+        {("chair", "at", "desk")},
     ),
     (
         "Office with four desks, at each place a monitor and a keyboard",
         {"desk": 4, "monitor": 4, "keyboard": 4},
-        {("monitor", "near", "desk"), ("keyboard", "near", "desk")},
+        {("monitor", "next_to", "desk"), ("keyboard", "next_to", "desk")},
     ),
     (
         "A den with two armchairs. Each armchair has its own floor lamp and its own ottoman.",
@@ -57,7 +57,7 @@ COUNTED = [
     (
         "Two desks and four chairs at each desk, so to say.",
         {"desk": 2, "chair": 8},
-        {("chair", "near", "desk")},
+        {("chair", "at", "desk")},
     ),
     (
         "Two single beds, every bed with a nightstand and a lamp on the nightstand",
@@ -67,7 +67,7 @@ COUNTED = [
     (
         "A pottery, seven wheels and at every wheel a stool and a small table",
         {"pottery_wheel": 7, "stool": 7, "bakers_table": 7},
-        {("stool", "near", "pottery_wheel")},
+        {("stool", "next_to", "pottery_wheel")},
     ),
     (
         "One stool per desk, five desks.",
@@ -95,7 +95,7 @@ COUNTED = [
     (
         "Six desks and six chairs, a chair at each desk.",
         {"desk": 6, "chair": 6},
-        {("chair", "near", "desk")},
+        {("chair", "at", "desk")},
     ),
 ]
 

@@ -47,7 +47,7 @@ def test_what_was_named_is_meant(text, relation):
 def test_clauses_about_things_are_no_relations_and_no_bodies(text, color, shape):
     graph = read_request(text)
     assert len(graph.entities) == 2
-    assert {r.type for r in graph.relations} <= {"near", "below"}
+    assert {r.type for r in graph.relations} <= {"near", "next_to", "below"}
     values = {a.value for e in graph.entities for a in e.attributes} | {e.color for e in graph.entities}
     values |= {e.material for e in graph.entities}
     assert color in values and (shape is None or shape in values)
