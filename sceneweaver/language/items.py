@@ -119,6 +119,8 @@ def _coordinate(state: State, mentions: list[Mention], phrase: NounPhrase, glue:
 def _inner_list_goes_on(state: State, mentions: list[Mention], phrase: NounPhrase) -> bool:
     """Whether a comma does not end an inner list: small things after small things that something holds."""
     inner, outer = state.frames[-1], state.frames[0].kind
+    if inner.kind == "with" and inner.each and not inner.closed and _list_ends_with_and(state):
+        return True  # "each with a chair, a trolley and a lamp"
     if state.placed_next(state.at) or not all(m.mount == "surface" for m in mentions):
         return False
     held = inner.kind == "verb" and inner.type in ("on", "inside")
@@ -137,6 +139,16 @@ def _inner_list_goes_on(state: State, mentions: list[Mention], phrase: NounPhras
     return (held and outer == "with") or (inner.kind == "with" and first.count is not None)
 
 
+def _list_ends_with_and(state: State) -> bool:
+    """Whether the list that goes on here has its last item after "and", and nothing says where that is."""
+    for k, chunk in enumerate(state.chunks[state.at : state.at + 14], start=state.at):
+        if chunk.kind == "and":
+            return state.noun_next(k + 1 - state.at) and not state.placed_next(k + 2)
+        if chunk.kind not in ("comma", "noun", "adjective"):
+            return False
+    return False
+
+
 def _add_item(state: State, mentions: list[Mention], phrase: NounPhrase) -> None:
     """What is named in an open list."""
     frame = state.frames[-1]
@@ -149,6 +161,7 @@ def _add_item(state: State, mentions: list[Mention], phrase: NounPhrase) -> None
     if frame.items:
         state.previous = list(frame.items[-1:])
     frame.items += mentions
+    frame.closed = frame.closed or (state.joined == "and" and len(frame.items) > len(mentions))
     if phrase.count is not None:
         frame.numbered += [m.noun for m in mentions]
     state.head, state.glue, state.head_related = list(mentions), "", False

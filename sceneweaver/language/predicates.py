@@ -53,6 +53,9 @@ def _fitting(tokens: list[Token], at: int) -> Token:
         target = after is not None and after.has("det", "pron", "number", "amount", "each", "both")
         if not target:
             return _without(token, "preposition", "place_adverb")
+    counted = before is not None and before.has("number") and _singular(token.text) in words("nouns")["places"]
+    if counted and token.text.endswith("s"):
+        return replace(token, kinds={"plural": True})
     verb = token.get("verb")
     if not isinstance(verb, Verb) or verb.form != "base" or token.has(*OPEN) or before is None:
         return token

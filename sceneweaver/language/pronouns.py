@@ -10,6 +10,7 @@ from .parsed import Mention, Said
 from .relating import relate_to_place
 from .shares import ends_here, give_total, share_out
 from .state import State, Waiting
+from .stations import station_group
 from .vocabulary import shows
 
 _BESIDE_IT = ("next_to", "left_of", "right_of", "near", "in_front_of", "behind")
@@ -86,6 +87,10 @@ def pronoun_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         if group is not None:
             state.head, state.each, state.glue = [group], group, ""
             state.subject, state.subject_open = [group], True
+            state.close_frames()
+        elif state.out.people is None and (places := station_group(state)) is not None:
+            state.head = state.subject = [places]
+            state.each, state.glue, state.subject_open = places, "", True
             state.close_frames()
         elif state.out.people:
             state.per_person, state.glue = True, "start"  # "two boys, each has a bed"

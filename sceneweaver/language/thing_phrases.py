@@ -257,8 +257,10 @@ def _called_for(state: State, phrase: NounPhrase) -> Mention | None:
             continue
         if singular(noun) != head:
             mention.noun, mention.category, mention.generic = noun, match.category, match.how == "generic"
+        several = mention.count if state.each is not None and mention.count is not None else (1, 1)
         if phrase.count is not None or phrase.determiner:
-            mention.count = phrase.count or (1, 1)
+            low, high = phrase.count or (1, 1)
+            mention.count = (low * several[0], high * several[1])
         mention.implied = False
         mention.span = state.span_of(phrase)
         describe(mention, phrase, state.source)
