@@ -176,6 +176,8 @@ class Parsed:
     only: bool = False
     sides: list[tuple[float, ...]] = field(default_factory=list)
     unread: list[Left] = field(default_factory=list)
+    stations: list[Mention] = field(default_factory=list[Mention])
+    """Places that were counted, of each of which it is told what is there; they are no things."""
     referred: list[Span] = field(default_factory=list[Span])
     """Where what was named before is named again."""
     notes: list[str] = field(default_factory=list)
