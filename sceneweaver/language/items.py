@@ -191,7 +191,8 @@ def give_target(state: State, waiting: Waiting, mentions: list[Mention], phrase:
     elif waiting.place.type != "around" and phrase.what != "pronoun":
         targets = targets[:1]
     _on_both(waiting, mentions, phrase)
-    bind_target(state, waiting, targets, phrase.determiner in ("each", "every"))
+    each = phrase.determiner in ("each", "every") or (phrase.what == "pronoun" and phrase.text.startswith("each"))
+    bind_target(state, waiting, targets, each)
     if waiting.subjects is not None and new and not waiting.lost:
         state.head = list(mentions)
     elif waiting.subjects is None:
