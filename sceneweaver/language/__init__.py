@@ -11,6 +11,7 @@ from .model import Entity as Entity
 from .model import Exclusion as Exclusion
 from .model import SceneGraph as SceneGraph
 from .model import Span as Span
+from .model import StatedMeasure as StatedMeasure
 from .model import StatedRelation as StatedRelation
 from .model import Unread as Unread
 from .pairs import Thing as Thing
@@ -24,6 +25,7 @@ __all__ = [
     "Meaning",
     "SceneGraph",
     "Span",
+    "StatedMeasure",
     "StatedRelation",
     "Thing",
     "Unread",

@@ -108,6 +108,8 @@ class Source:
     """All of the text in lower case, before anything is taken out; characters stand where they do in ``text``."""
     notes: list[str] = field(default_factory=list)
     language: str = "en"
+    slips: dict[str, str] = field(default_factory=dict[str, str])
+    """Words that were mended, with what was meant."""
 
     def span(self, start: int, end: int) -> Span:
         """Where characters [start, end) stand in the request."""
