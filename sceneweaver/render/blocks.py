@@ -114,6 +114,10 @@ def finishes_of(scene: Scene, cut: tuple[float, float, float] | None = None) -> 
     """
     looks = room_looks(scene.room)
     more = {} if cut is None else {"cut": Material("wall cut", cut, roughness=0.9)}
+    if looks.ceiling is not None:
+        more["ceiling"] = looks.ceiling
+    if looks.trim is not None:
+        more |= {"trim": looks.trim, "leaf": looks.trim}
     return Finishes(looks, scene.room.finish or RoomFinish(), **more)
 
 

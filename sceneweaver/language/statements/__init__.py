@@ -14,8 +14,10 @@ from ..source import Source
 from .arrangements import arrangements
 from .bounds import bounds
 from .capacities import capacities
+from .finishes import read_finishes
 from .free_areas import read_free_areas
 from .fullness import fullness
+from .looks import read_looks
 from .openings import read_openings
 
 STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
@@ -24,6 +26,8 @@ STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     arrangements,
     read_free_areas,
     capacities,
+    read_finishes,
+    read_looks,
     fullness,
 )
 """The readers, in order; each gets what the ones before it left."""

@@ -64,6 +64,8 @@ class Fittings:
 def plan_fittings(scene: Scene) -> Fittings:
     """Where switches, sockets and radiators go: never on an opening, on a door frame or behind or in furniture."""
     free = _Free(scene)
+    if scene.room.finish is not None and not scene.room.finish.electric:
+        return Fittings((), (), ())
     switches = [spot for door in scene.room.doors for spot in _switch(scene, door, free)][: 4 * len(scene.room.doors)]
     radiators = [found for window in scene.room.windows for found in _radiator(scene, window, free)]
     if scene.room.windows and not radiators:  # furniture or curtains are there: it hangs on the nearest free wall
