@@ -11,7 +11,7 @@ from sceneweaver.rules.faults import fault_kind, number
 from sceneweaver.scene import InputError
 from sceneweaver.verify.measure import Measurement
 
-from . import asked_openings, kinds
+from . import asked_look, asked_openings, kinds
 from .model import USE
 from .survey import Survey
 from .verdict import Asked, counted, met, not_understood, partly, unmet
@@ -57,6 +57,7 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
             yield _fact(f"{name}s", number.ok(), reason, number, f"wrong_{name}s")
     yield from asked_openings.outcomes(survey)
     yield from _style(survey)
+    yield from asked_look.outcomes(survey)
     yield from _use(survey)
     for k, unread in enumerate(brief.unread):
         yield not_understood("unread", f"unread-{k}", (), f"'{unread.words}' was not understood")
@@ -150,7 +151,7 @@ def _colors_of_shell(survey: Survey) -> Iterator[str]:
 def _style(survey: Survey) -> Iterator[Asked]:
     brief = survey.brief
     furniture = [b for b in survey.bodies if b.item.mount == "floor"]
-    if brief.style is not None:
+    if brief.style is not None and not brief.looks:  # else its look is measured as a whole
         told, limits = [b for b in furniture if "style" in b.item.attributes], fault_kind("wrong_style").limits
         other = [b for b in told if b.item.attributes["style"] != brief.style]
         share = counted("pieces of the style", len(told) - len(other), math.ceil(len(told) / 2))

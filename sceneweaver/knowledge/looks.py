@@ -108,6 +108,7 @@ class Look(FrozenModel):
     light: LightLook = LightLook()
     only: Literal["flame"] | None = Field(default=None, description="The only lamps there are")
     worn: bool = False
+    lacks: str = Field(default="", description="What belongs to it and is not drawn")
     things: tuple[str, ...] = Field(default=(), description="Things that carry it, what carries it most first")
     never: tuple[str, ...] = Field(default=(), description="Categories and groups that are no part of it")
 
@@ -142,7 +143,7 @@ def time_of(years: Years) -> Look:
     """The time in which the middle of some years lies: of several the shortest that names no place."""
     middle = (years[0] + years[1]) / 2
     eras = [look for look in looks().values() if look.kind == "era" and look.years is not None]
-    holding = [(y[1] - y[0], look) for look in eras if (y := look.years) and y[0] <= middle <= y[1] and look.walls]
+    holding = [(y[1] - y[0], look) for look in eras if (y := look.years) and y[0] <= middle <= y[1]]
     if not holding:
         last = max(eras, key=lambda look: look.years or (0, 0))
         return last if middle > 2000 else eras[0]
@@ -158,7 +159,7 @@ def joined(rows: Iterable[Look]) -> Look:
     names, things, never, avoid = [], [], [], []
     for look in sorted(rows, key=lambda look: order.index(look.kind)):
         names.append(look.name)
-        said = look.model_dump(exclude_defaults=True, exclude={"name", "kind", "words", "light", *_LISTS})
+        said = look.model_dump(exclude_defaults=True, exclude={"name", "kind", "words", "light", "lacks", *_LISTS})
         found |= {key: getattr(look, key) for key in said if key not in ("walls",)}
         if look.walls is not None:
             found["walls"] = _walls(found.get("walls"), look.walls)
