@@ -19,7 +19,7 @@ from .quantity import is_plain
 ELECTRIC = 1880
 """Year from which on there are electric lamps; `only: flame` leaves out all that came after."""
 
-MOST = 5
+MOST = 6
 """Things that carry a look at most, and one for every so many square metres of the usual floor."""
 
 FLOOR = 4.0

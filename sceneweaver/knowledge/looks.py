@@ -7,7 +7,7 @@ light are said of any of them.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from types import MappingProxyType
 from typing import Annotated, Any, Literal
@@ -156,7 +156,7 @@ def joined(rows: Iterable[Look]) -> Look:
     order = list(FILES.values())
     found: dict[str, Any] = {}
     light: dict[str, Any] = {}
-    names, things, never, avoid = [], [], [], []
+    names, never, avoid, carriers = [], [], [], []
     for look in sorted(rows, key=lambda look: order.index(look.kind)):
         names.append(look.name)
         said = look.model_dump(exclude_defaults=True, exclude={"name", "kind", "words", "light", "lacks", *_LISTS})
@@ -166,16 +166,28 @@ def joined(rows: Iterable[Look]) -> Look:
             if look.walls.color is not None and "panels" not in said:
                 found.pop("panels", None)
         light |= look.light.model_dump(exclude_none=True)
-        things, never, avoid = [*look.things, *things], [*never, *look.never], [*avoid, *look.avoid]
+        never, avoid = [*never, *look.never], [*avoid, *look.avoid]
+        carriers.append((CARRIED.index(look.kind), look.things))
     return Look(
         name=" ".join(names),
         kind="style",
         **found,
         light=LightLook(**light),
-        things=tuple(things),
+        things=_in_turn([things for _, things in sorted(carriers, key=lambda one: one[0])]),
         never=tuple(dict.fromkeys(never)),
         avoid=tuple(dict.fromkeys(a for a in avoid if a not in _used(found))),
     )
+
+
+CARRIED: tuple[LookKind, ...] = ("theme", "style", "era", "mood", "light", "scheme")
+"""Whose things come first where there is no place for all."""
+
+
+def _in_turn(lists: Sequence[Sequence[str]]) -> tuple[str, ...]:
+    """What stands in some lists, two of each in turn, each once."""
+    longest = max(map(len, lists), default=0)
+    found = [name for k in range(0, longest, 2) for one in lists for name in one[k : k + 2]]
+    return tuple(dict.fromkeys(found))
 
 
 _LISTS = ("things", "never", "avoid")
@@ -187,4 +199,6 @@ def _used(found: Mapping[str, Any]) -> frozenset[str]:
 
 
 def _walls(before: WallLook | None, now: WallLook) -> WallLook:
-    return now if now.color is not None or before is None else now.model_copy(update={"color": before.color})
+    if now.color is not None or before is None:
+        return now
+    return before if before.of != "plaster" else now.model_copy(update={"color": before.color})

@@ -209,7 +209,7 @@ def mood_of(light: RoomLight | None) -> Mood:
         sun, sky, day = _times(sun, (0.35,) * 3), _times(sky, (0.4,) * 3), 0.6 * day
     colored = 1.0 - 0.75 * day if light.glow is None else 1.0
     usual = kelvin_color(3200)
-    tint = tuple((a / b) ** (0.55 * colored) for a, b in zip(lamp, usual, strict=True))
+    tint = tuple(min(max(0.6, a / b), 1.2) ** (0.8 * colored) for a, b in zip(lamp, usual, strict=True))
     if light.glow is not None:
         hue = np.asarray(shade(light.glow)) ** 1.6
         hue = 0.30 + 0.9 * hue / max(float(hue.max()), 1e-6)
