@@ -159,9 +159,9 @@ def _in_palette(survey: Survey, look: Look) -> _Check:
     """The share of what is seen, walls, floor and furniture, that has the finishes or colours of a look."""
     good, all_, odd = 0.0, 0.0, list[tuple[float, str]]()
     colors, materials = _colors(survey, look), frozenset((*look.woods, *look.metals, *look.paints))
-    for area, color, material, name in _seen(survey):
+    for area, color, material, name in seen(survey):
         all_ += area
-        if material in materials or _basic(color) in colors:
+        if material in materials or basic(color) in colors:
             good += area
         elif name:
             odd.append((area, name))
@@ -171,7 +171,7 @@ def _in_palette(survey: Survey, look: Look) -> _Check:
     return _Check(share >= LIMITS["share"], reason, ("share in its colours", share, LIMITS["share"]), worst)
 
 
-def _seen(survey: Survey) -> Iterator[tuple[float, str, str, str]]:
+def seen(survey: Survey) -> Iterator[tuple[float, str, str, str]]:
     """Areas [m2] with their colour and material: walls, floor, and the sides and tops of things; "" for no object."""
     room, finish = survey.scene.room, survey.scene.room.finish
     if finish is not None:
@@ -200,10 +200,10 @@ def _colors(survey: Survey, look: Look) -> frozenset[str]:
     names += [*look.woods, *look.metals, *look.paints, *survey.brief.colors]
     names += [said.color for said in survey.brief.finishes]
     names += [entity.color for entity in survey.brief.entities]
-    return frozenset(basic for name in names if name and (basic := _basic(name)))
+    return frozenset(basic for name in names if name and (basic := basic(name)))
 
 
-def _basic(name: str) -> str:
+def basic(name: str) -> str:
     """The basic colour of a colour or a finish; "" for what has none."""
     if name in finishes() or name.endswith(" paint"):
         try:
@@ -283,4 +283,4 @@ def _of_wood(bodies: Sequence[Body], wood: str) -> tuple[bool, str]:
 
 
 def _alike(is_: str, want: str) -> bool:
-    return is_ == want or _basic(is_) == _basic(want) != ""
+    return is_ == want or basic(is_) == basic(want) != ""

@@ -141,13 +141,6 @@ def basic_color(name: str) -> str:
         return name.lower()
 
 
-def _colors_of_shell(survey: Survey) -> Iterator[str]:
-    """The colours of walls and floor."""
-    finish = survey.scene.room.finish
-    if finish is not None:
-        yield from (finish.walls, *([finish.accent.color] if finish.accent else []), finish.floor.tone or "")
-
-
 def _style(survey: Survey) -> Iterator[Asked]:
     brief = survey.brief
     furniture = [b for b in survey.bodies if b.item.mount == "floor"]
@@ -168,16 +161,26 @@ def _style(survey: Survey) -> Iterator[Asked]:
             limits["room"],
         )
     if brief.colors:
-        told = [b for b in furniture if "color" in b.item.attributes]
-        wanted = {basic_color(c) for c in brief.colors}
-        so = [b.id for b in told if basic_color(str(b.item.attributes["color"])) in wanted]
-        painted = any(basic_color(c) in wanted for c in _colors_of_shell(survey))
-        yield _fact(
-            "colors",
-            bool(so) or painted or not told,
-            f"nothing is {' or '.join(brief.colors)}",
-            counted("pieces of the colours", len(so), min(1, len(told))),
-            "wrong_colors",
-            so,
-            f"choose furniture in {' and '.join(brief.colors)}",
+        yield _colors(survey)
+
+
+def _colors(survey: Survey) -> Asked:
+    """The colours that are named for the room: each is there, and together they are a good part of what is seen."""
+    wanted = {basic_color(c): c for c in survey.brief.colors}
+    shown, whole = dict.fromkeys(wanted, 0.0), 0.0
+    for area, color, material, _ in asked_look.seen(survey):
+        whole += area
+        for name in {asked_look.basic(color), asked_look.basic(material)} & set(shown):
+            shown[name] += area
+    share = sum(shown.values()) / whole if whole else 1.0
+    missing = [wanted[name] for name, area in shown.items() if area == 0.0]
+    m = counted("share in the colours", share, fault_kind("wrong_colors").limits["share"])
+    item, names = "room.colors", " and ".join(survey.brief.colors)
+    if len(missing) == len(wanted) and whole:
+        return unmet(
+            "room", item, (), f"nothing is {names}", m, fault="wrong_colors", suggestion=f"choose furniture in {names}"
         )
+    if missing or not m.ok():
+        lack = f"nothing is {' or '.join(missing)}" if missing else f"{share:.0%} of what is seen is {names}"
+        return partly("room", item, (), lack, m)
+    return met("room", item, (), "colors as asked", m)

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 
 from sceneweaver.assets.roles import has_role
 from sceneweaver.knowledge.palettes import Palette as RoomPalette
-from sceneweaver.knowledge.palettes import palette_for
+from sceneweaver.knowledge.palettes import palette_for, unnamed
 from sceneweaver.language import Grounded, SceneGraph
 from sceneweaver.scene import CATALOGUE, Intent, Palette, Pose, Relation, Room, Scene, SceneObject
 from sceneweaver.scene.palette import MOST_COLORS
@@ -120,7 +120,8 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
     woods = [said.color for said in brief.finishes if said.part == "furniture" and said.color]
     if woods:
         look = look.model_copy(update={"woods": tuple(woods[:2])})
-    palette = kept(look, style, seed, wanted.avoid if wanted is not None else ())
+    avoid = (*(wanted.avoid if wanted is not None else ()), *unnamed(brief.colors))
+    palette = kept(look, style, seed, tuple(dict.fromkeys(avoid)))
 
     made = _shelled(setup, floor, palette, roomier, hurried)
     for attempt in range(1, GROWTHS + 1):

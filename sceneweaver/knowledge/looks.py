@@ -99,12 +99,11 @@ class Look(FrozenModel):
     floor: FloorLook | None = None
     ceiling: CeilingLook | None = None
     trim: str | None = Field(default=None, description="Colour or wood of skirting, frames and doors")
-    woods: Annotated[tuple[str, ...], Field(max_length=2)] = ()
+    woods: Annotated[tuple[str, ...], Field(max_length=2, description="Of furniture; a stone may take its place")] = ()
     paints: tuple[str, ...] = ()
     metals: tuple[str, ...] = ()
     textiles: Annotated[tuple[str, ...], Field(max_length=3)] = ()
     avoid: tuple[str, ...] = Field(default=(), description="Finishes and families of which nothing is")
-    furniture_of: str | None = Field(default=None, description="What tables and benches are of, before their usual")
     light: LightLook = LightLook()
     only: Literal["flame"] | None = Field(default=None, description="The only lamps there are")
     worn: bool = False

@@ -104,6 +104,15 @@ def dressed(palette: Palette, look: Look) -> Palette:
     return palette.model_copy(update=update)
 
 
+def unnamed(colors: Sequence[str]) -> tuple[str, ...]:
+    """The finishes that would fight with a scheme of several colours which a request names; none for one colour."""
+    if len(colors) < 2:
+        return ()
+    named = {color_named(c) for c in colors if _is_color(c)}
+    rows: Mapping[str, Sequence[str]] = _data()["fighting"]
+    return tuple(name for color, names in rows.items() if color not in named for name in names)
+
+
 def accent_for(room: str, seed: int) -> AccentKind:
     """How the accent wall of a room is done; "plain" where there is none."""
     shares = _data()["accents"].get(groups_of(room)[0]) or {"plain": 1}
@@ -124,6 +133,9 @@ def _with(palette: Palette, colors: Sequence[str], metals: Sequence[str]) -> Pal
         update["walls"] = pale[0]
     if strong:
         update["accent"] = strong[0]
+    if len(colors) + len(metals) > 1:  # a scheme: walls and painted furniture are of it as well
+        update["walls"] = (pale or strong or [palette.walls])[0]
+        update["paints"] = tuple(f"{color} paint" for color in (*pale, *strong)[:2]) or palette.paints
     if colors:
         own = [t for t in palette.textiles if color_named(t) not in {color_named(c) for c in colors}]
         own = [t for t in own if hue(color_named(t)) is None]  # a hue that nobody named would fight with those

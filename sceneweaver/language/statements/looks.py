@@ -26,6 +26,9 @@ FIRST, LAST = 1000, 2999
 _BEFORE = re.compile(
     r"(?:\b(?:not|no|never|without|nothing|isn't|aren't|don't|non|avoid|less|too)\b(?:[ -]\w+)?[ -]*)$"
 )
+_INSIDE = re.compile(r"\b(?:on|of|in|aboard|inside|for) (?:a|an|the|our|my)(?: \w+){0,2} $")
+"""Before a place that the room is a part of, and is not itself: "the mess of a whaling ship"."""
+
 _NEXT = re.compile(r"[ -]*([a-z][a-z'-]*)")
 
 
@@ -41,9 +44,11 @@ def read_looks(source: Source, parsed: Parsed) -> None:
             if _is_denied(source.text, match.start("look")) or _is_of_thing(source.text, match, named):
                 return None
             add(parsed, source, name, match)
-            return None if _names_more(match["look"]) else " "
+            inside = _INSIDE.search(source.text[: match.start("look")])
+            return None if _names_more(match["look"]) and not (inside and _is_place(match["look"])) else " "
 
         source.blank(pattern, take)
+    _bare(source, parsed)
     if latest is not None and not any(one.years for one in parsed.looks):
         parsed.looks.append(StatedLook(name="", years=(latest[0] - 9, latest[0]), words=latest[1], span=latest[2]))
 
@@ -88,6 +93,24 @@ def _glow(source: Source, parsed: Parsed) -> None:
             return " "
 
         source.blank(re.compile(form), take)
+
+
+def _bare(source: Source, parsed: Parsed) -> None:
+    """Words that are a look where they are all of a clause: "dark, only the fire burns"."""
+    rows: dict[str, str] = words("looks")["bare"]
+    before = r"(?:(?:very|quite|all|rather|it is|it's|must be|should be|should feel|feels) )*"
+    pattern = re.compile(
+        rf"(?:(?<=^)|(?<=[,.;:!?] )|(?<=[,.;:!?])|(?<= and )|(?<= but ))"
+        rf"{before}(?P<look>{one_of(list(rows))})(?=\s*(?:[,.;!?]|$)| and )"
+    )
+
+    def take(match: re.Match[str]) -> str | None:
+        if _is_denied(source.text, match.start("look")):
+            return None
+        add(parsed, source, rows[match["look"]], match)
+        return " "
+
+    source.blank(pattern, take)
 
 
 # ---- times -----------------------------------------------------------------------------------------------------------
@@ -232,8 +255,7 @@ def _is_of_thing(text: str, match: re.Match[str], named: bool) -> bool:
     kinds = [kind for kind in _noun_kinds(spoken)]
     if not kinds:
         return False
-    first = kinds[-1]
-    return first == "noun" and (not named or before is None) and not _all_of_it(text, match)
+    return "room" not in kinds and (not named or before is None) and not _all_of_it(text, match)
 
 
 def _all_of_it(text: str, match: re.Match[str]) -> bool:
@@ -268,11 +290,18 @@ def _noun_kinds(spoken: list[str]) -> Iterator[str]:
         at += length
 
 
+def _is_place(word: str) -> bool:
+    """Whether a look is that of a place, which the words name: a hut, a ship."""
+    return word.split()[-1] in words("looks")["places"]
+
+
 def _names_more(word: str) -> bool:
     """Whether a look's word names a place or a thing as well: a saloon, a bunker, candles."""
     entry = vocabulary().get(word.replace("-", " "), {})
-    if word.split()[-1] in words("looks")["places"]:
+    if _is_place(word):
         return True
+    if looks()[look_words()[_plain(word)]].kind in ("scheme", "mood") and "density" not in entry:
+        return False
     if "noun" in entry or "room" in entry or "styles" in entry or "density" in entry:
         return True
     last = vocabulary().get(word.split()[-1], {})
