@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sceneweaver.generate.program import MANY
+from sceneweaver.generate.quantity import COMPLETE
 from sceneweaver.generate.wall_objects import BARE, covered
 from sceneweaver.scene import InputError
 
@@ -18,7 +18,7 @@ class AddWallObjects:
     def propose(self, context: Context) -> Proposal:
         """Things for the walls of ``inputs["walls"]``; without any for all walls."""
         inputs = checked(self.name, context.inputs or {})
-        if len(context.brief.entities) >= MANY[1]:
+        if len(context.brief.entities) >= COMPLETE:
             return Proposal(unmet=("the request names enough",))
         walls, last = list(inputs.get("walls") or ()), len(context.scene.room.walls) - 1
         for k in walls:

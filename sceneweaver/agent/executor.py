@@ -32,6 +32,9 @@ ENOUGH = 4
 ROUNDS = 8
 """Times that something gives way before a layout that cannot be valid is taken as it is."""
 
+WRONG = 2
+"""Parts of the key of an outcome that count what is wrong and what was given up."""
+
 CLOSE = 4
 """Faults up to which a layout is so near to a valid one that it pays to begin more often anew."""
 
@@ -174,7 +177,7 @@ class Executor:
             if (lighter.unmet or lighter.late) and not patient:  # before anything that was asked for goes
                 patient = True
                 if proposal.larger:
-                    draft, best = self._roomed(draft, proposal.larger, best, seed, variants[:VARIED])
+                    draft, best = self._roomed(draft, proposal.larger, best, seed, variants[:VARIED], larger=True)
                 if 0 < len(best.faults) <= CLOSE:
                     best = refined(1, best)
                 if best.faults and variants:
@@ -184,7 +187,7 @@ class Executor:
                 continue
             if len(lighter.scene.dropped) > len(draft.dropped) and proposal.larger and not larger:
                 larger = True
-                draft, best = self._roomed(draft, proposal.larger, best, seed, variants[:VARIED])
+                draft, best = self._roomed(draft, proposal.larger, best, seed, variants[:VARIED], larger=True)
                 continue
             if _worse(lighter.scene, rival):
                 spare = True
@@ -206,9 +209,20 @@ class Executor:
         return min([best, *found], key=lambda o: o.key)
 
     def _roomed(
-        self, draft: Scene, rooms: Sequence[Room], best: Outcome, seed: int, variants: Sequence[Variant] = ()
+        self,
+        draft: Scene,
+        rooms: Sequence[Room],
+        best: Outcome,
+        seed: int,
+        variants: Sequence[Variant] = (),
+        *,
+        larger: bool = False,
     ) -> tuple[Scene, Outcome]:
-        """A draft in that of some rooms where its layout is best, with that layout; unchanged where none is better."""
+        """A draft in that of some rooms where its layout is best, with that layout; unchanged where none is better.
+
+        Of ``larger`` rooms, which are given from the smallest on, only one where less is wrong: better grades alone are
+        no reason for floor that nobody asked for.
+        """
         s, attempts = self.settings, self.settings.attempts[0]
         self.attempts += attempts
         cases = [(draft.model_copy(update={"room": room}), variant) for room in rooms for variant in variants or ((),)]
@@ -217,7 +231,7 @@ class Executor:
         for (moved, _), varied, solution in zip(cases, drafts, solutions, strict=True):
             layouts = solution.distinct(2) or [solution.best]
             found = self._steadiest(self._ranked([_posed(varied, layout) for layout in layouts]))
-            if found.key < best.key:
+            if found.key[:WRONG] < best.key[:WRONG] if larger else found.key < best.key:
                 draft, best = moved, found
             if self.deadline.passed:
                 break

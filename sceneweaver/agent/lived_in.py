@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from sceneweaver.generate.finish import accented
-from sceneweaver.generate.quantity import is_plain
+from sceneweaver.generate.quantity import is_detailed, is_plain
 from sceneweaver.scene.edits import Add, AnyEdit, Relate, SetPose, apply_all
 from sceneweaver.tools.add_clutter import AddClutter
 from sceneweaver.tools.add_crowd import AddCrowd
@@ -37,7 +37,7 @@ def lived_in(outcome: Outcome, executor: Executor, context: Context) -> Outcome:
     brief = context.brief
     if not outcome.report.valid or DONE in outcome.scene.provenance or is_plain(brief):
         return outcome
-    for tools in TOUCHES:
+    for tools in TOUCHES[:1] if is_detailed(brief) else TOUCHES:
         outcome = _touched(outcome, executor, context, tools)
     provenance = {**outcome.scene.provenance, DONE: context.clutter}
     scene = accented(outcome.scene)

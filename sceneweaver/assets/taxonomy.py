@@ -18,6 +18,7 @@ from .category import Category, categories, read_yaml
 from .looks import is_look
 from .materials import finishes_named
 from .plurals import singular, slips
+from .wordnet import NOTHING, noun_named, of_head
 
 _NO_KIND = frozenset(("high", "open", "plush", "little", "old"))
 """Words that say how a thing is and, before a noun, name another: a chair that is high is no high chair."""
@@ -148,7 +149,8 @@ def resolve(noun: str, mount: Mount | None = None) -> Match:
 
     Tried in turn: the name, a synonym, a plural; what is in "a pair of"; a spelling near to a known name; the longest
     known end of a compound, with those of the words before it that make it a narrower thing ("round wooden mirror" is
-    a round mirror); and at last a labelled body, whose kind and size the last word decides.
+    a round mirror); the body of what a dictionary says it is a kind of; and at last a labelled body, whose kind and
+    size the last word decides.
 
     Args:
         noun: lower or upper case, with blanks, hyphens or underscores, singular or plural, without article or number.
@@ -161,6 +163,7 @@ def resolve(noun: str, mount: Mount | None = None) -> Match:
         or _misspelt(noun, asked)
         or _compound(noun, asked)
         or _closed(noun, asked)
+        or _akin(noun, asked, mount)
         or _labelled(noun, asked, mount)
     )
 
@@ -205,6 +208,8 @@ def _known(noun: str, asked: str) -> Match | None:
 def _compound(noun: str, asked: str) -> Match | None:
     """The longest end that is known, narrowed by words before it."""
     words = asked.split()
+    if is_no_thing(asked):
+        return None
     for start in range(1, len(words)):
         before, end = words[:start], singular(" ".join(words[start:]))
         narrow = next((c for c in _choices(before) if f"{' '.join(c)} {end}" in _words()), ())
@@ -273,7 +278,7 @@ def _misspelt(noun: str, asked: str) -> Match | None:
     if len(strange) != 1 or len(strange[0]) < 5:
         return None
     (word,) = strange
-    if word in near_words():
+    if word in near_words() or noun_named(word) is not None:
         return None
     alike = [known for known in _single_words() if known[0] == word[0] and abs(len(known) - len(word)) <= 2]
     for near in difflib.get_close_matches(word, alike, n=3, cutoff=0.8):
@@ -283,6 +288,16 @@ def _misspelt(noun: str, asked: str) -> Match | None:
             if found is not None and found.how != "group":
                 return replace(found, how="spelling", note=f"'{noun}' was taken for '{meant}'")
     return None
+
+
+def is_no_thing(noun: str) -> bool:
+    """Whether a dictionary has a noun's last two words, and they are no thing whatever the last is: a fire drill."""
+    words = noun.split()
+    tail = " ".join(words[-2:])
+    if len(words) < 2 or tail in _words() or singular(tail) in _words():
+        return False
+    meant = noun_named(tail)
+    return meant is not None and meant.sure <= UNLIKELY and meant.kind in NOTHING
 
 
 @cache
@@ -309,12 +324,37 @@ def _closed(noun: str, asked: str) -> Match | None:
     return None
 
 
-def _labelled(noun: str, asked: str, mount: Mount | None) -> Match:
-    """A body of typical size with the noun as its category."""
+UNLIKELY = 1
+"""Tenths of its use up to which a noun is hardly ever a thing."""
+
+CERTAIN = 7
+"""Tenths of its use from which a noun is a thing of one kind, so that the body of another of that kind may be it."""
+
+
+def _akin(noun: str, asked: str, mount: Mount | None) -> Match | None:
+    """A noun that is a kind of what is known ("tankard"), under its own name with the body of that."""
     name, modifiers = _label(asked)
-    heads, words = _heads(), _label(asked.partition(" of ")[0])[0].split("_")
+    meant = of_head(asked.partition(" of ")[0])
+    if meant is None or not meant.is_thing or meant.sure < CERTAIN or not name or name in categories():
+        return None
+    known = categories().get(meant.category)
+    if known is None or known.size is None or (mount is not None and mount not in known.mount):
+        return None
+    note = f"there is no {name.replace('_', ' ')}; the body of a {known.words} stands for it"
+    return Match(name, "generic", note, known.name, modifiers=modifiers)
+
+
+def _labelled(noun: str, asked: str, mount: Mount | None) -> Match:
+    """A body of typical size with the noun as its category.
+
+    A dictionary says which kind of body where its last word does not.
+    """
+    name, modifiers = _label(asked)
+    spoken = asked.partition(" of ")[0]
+    heads, words, meant = _heads(), _label(spoken)[0].split("_"), of_head(spoken)
     tails = [" ".join(words[k:]) for k in range(len(words))]
-    body = next((heads[tail] for tail in tails if tail in heads), _lexicon()["default"])
+    usual = _lexicon()["kinds"].get(meant.kind) if meant is not None else None
+    body = next((heads[tail] for tail in tails if tail in heads), usual or _lexicon()["default"])
     if mount is not None and body not in _OF_MOUNT[mount] and body != GENERIC:
         body = _OF_MOUNT[mount][0]
     if not name or name in categories():  # a group's or a generic body's own name

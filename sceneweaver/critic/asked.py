@@ -4,7 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from . import asked_arrangements, asked_capacity, asked_entities, asked_free, asked_relations, asked_room
+from . import (
+    asked_arrangements,
+    asked_capacity,
+    asked_entities,
+    asked_free,
+    asked_measures,
+    asked_relations,
+    asked_room,
+)
 from .asked_clauses import doubted
 from .grade import Finding, finding
 from .model import USE, Alignment
@@ -13,6 +21,7 @@ from .verdict import Asked
 
 PARTS = (
     asked_entities.outcomes,
+    asked_measures.outcomes,
     asked_relations.outcomes,
     asked_capacity.outcomes,
     asked_arrangements.outcomes,

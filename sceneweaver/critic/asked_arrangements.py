@@ -11,10 +11,11 @@ from itertools import pairwise
 
 from sceneweaver.geometry.angles import bearing, wrap_angle
 from sceneweaver.language.model import Arrangement
-from sceneweaver.rules.faults import fault_kind
 from sceneweaver.verify.measure import Measurement
 from sceneweaver.verify.solids import Body
 
+from .group_measures import apart
+from .group_patterns import about_a_u, aisle, along_walls, at_sides, ends, in_gaps, limit, opening, right_angle
 from .survey import Survey, turn_to
 from .verdict import Asked, counted, met, not_understood, unmet
 
@@ -54,10 +55,6 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
         )
 
 
-def _limit(name: str) -> float:
-    return float(fault_kind("not_arranged").limits[name])
-
-
 # ---- rows ------------------------------------------------------------------------------------------------------------
 
 
@@ -70,11 +67,12 @@ def _rows(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Checks:
     rows, columns = _shape(said, len(bodies))
     best: list[Measurement] | None = None
     for axis in (bodies[0].yaw, bodies[0].yaw + math.pi / 2):
-        lines = _lines(points, axis, _limit("line") if len(bodies) < 3 else _tolerance(bodies))
+        lines = _lines(points, axis, limit("line") if len(bodies) < 3 else _tolerance(bodies))
         found = list(_in_lines(said, bodies, lines, axis, rows, columns))
         if best is None or sum(not m.ok() for m in found) < sum(not m.ok() for m in best):
             best = found
     yield from best or ()
+    yield from aisle(survey, said, bodies)
     if said.facing == "each other" and rows and rows > 1:
         yield from _opposed(bodies)
     elif said.facing:
@@ -83,7 +81,7 @@ def _rows(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Checks:
 
 def _tolerance(bodies: Sequence[Body]) -> float:
     """How far [m] the centres of one row may be apart across it before they are two rows."""
-    return max(_limit("line"), _limit("row_share") * min(min(b.size[:2]) for b in bodies))
+    return max(limit("line"), limit("row_share") * min(min(b.size[:2]) for b in bodies))
 
 
 def _shape(said: Arrangement, count: int) -> tuple[int | None, int | None]:
@@ -136,30 +134,32 @@ def _in_lines(
             yield counted("in the shortest row", min(map(len, lines)), rest, full)
     for line in lines:
         values = [c * bodies[k].centre[1] - s * bodies[k].centre[0] for k in line]
-        yield Measurement("out of line", max(values) - min(values), -math.inf, 2 * _limit("line"))
-    gaps = [_gap(bodies[a], bodies[b]) for line in lines for a, b in pairwise(line)]
-    between = [min(_gap(bodies[a], bodies[b]) for a in one for b in other) for one, other in pairwise(lines)]
+        yield Measurement("out of line", max(values) - min(values), -math.inf, 2 * limit("line"))
+    gaps = [gap for line in lines for gap in _in_line(said, bodies, line)]
+    between = [min(apart(bodies[a], bodies[b]) for a in one for b in other) for one, other in pairwise(lines)]
     by_rows = said.spacing is not None and (columns == 1 or said.facing == "each other")
     if said.sides or not (between if by_rows else gaps):
         pass
     elif by_rows and said.spacing is not None:
-        slack = _limit("spacing")
+        slack = limit("spacing")
         yield Measurement("between rows", min(between), said.spacing - slack, said.spacing + slack)
     elif said.spacing is not None:
-        slack = _limit("spacing")
+        slack = limit("spacing")
         yield Measurement("gap", min(gaps), said.spacing - slack, said.spacing + slack)
         yield Measurement("gap", max(gaps), said.spacing - slack, said.spacing + slack)
     else:
-        yield Measurement("difference of gaps", max(gaps) - min(gaps), -math.inf, _limit("even"))
-        yield Measurement("gap", max(gaps), -math.inf, _limit("row"))
+        yield Measurement("difference of gaps", max(gaps) - min(gaps), -math.inf, limit("even"))
+        yield Measurement("gap", max(gaps), -math.inf, limit("row"))
     turned = [abs(wrap_angle(b.yaw - bodies[0].yaw, math.pi)) for b in bodies]
-    yield Measurement("turned", math.degrees(max(turned)), -math.inf, _limit("turned"), "deg")
+    yield Measurement("turned", math.degrees(max(turned)), -math.inf, limit("turned"), "deg")
 
 
-def _gap(one: Body, other: Body) -> float:
-    import shapely
-
-    return float(shapely.distance(shapely.Polygon(one.corners), shapely.Polygon(other.corners)))
+def _in_line(said: Arrangement, bodies: Sequence[Body], line: Sequence[int]) -> list[float]:
+    """The gaps [m] between neighbours of a row, less what parts them: an aisle, or what stands between each two."""
+    gaps = [apart(bodies[a], bodies[b]) for a, b in pairwise(line)]
+    if said.aisle is not None and gaps and max(gaps) >= said.aisle - limit("spacing"):
+        gaps.remove(max(gaps))
+    return gaps
 
 
 def _hung(said: Arrangement, bodies: Sequence[Body]) -> Checks:
@@ -168,29 +168,29 @@ def _hung(said: Arrangement, bodies: Sequence[Body]) -> Checks:
     yield counted("walls", len(walls), 1, 1)
     axis = bodies[0].yaw + math.pi / 2
     points = [(math.cos(axis) * b.centre[0] + math.sin(axis) * b.centre[1], b.z[0]) for b in bodies]
-    rows = _lines(points, 0.0, _limit("line"))
+    rows = _lines(points, 0.0, limit("line"))
     if said.rows is not None:
         yield counted("rows", len(rows), said.rows, said.rows)
     if said.columns is not None:
         yield counted("in the shortest row", min(map(len, rows)), said.columns, said.columns)
         yield counted(
-            "columns", len(_lines([(z, x) for x, z in points], 0.0, _limit("line"))), said.columns, said.columns
+            "columns", len(_lines([(z, x) for x, z in points], 0.0, limit("line"))), said.columns, said.columns
         )
 
 
 def _opposed(bodies: Sequence[Body]) -> Checks:
     """Half of the things look one way, half the other, and each has one of these before it."""
     for b in bodies:
-        across = [o for o in bodies if abs(wrap_angle(o.yaw - b.yaw - math.pi)) < math.radians(_limit("turned"))]
+        across = [o for o in bodies if abs(wrap_angle(o.yaw - b.yaw - math.pi)) < math.radians(limit("turned"))]
         off = min((math.degrees(turn_to(b, (o.centre[0], o.centre[1]))) for o in across), default=180.0)
-        yield Measurement("off the one across", off, -math.inf, _limit("faced"), "deg")
+        yield Measurement("off the one across", off, -math.inf, limit("faced"), "deg")
 
 
 def _faced(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Checks:
     """Each looks at what all look at, where that is in the scene."""
     for target in survey.standing_for(said.facing)[:1]:
         off = max(math.degrees(turn_to(b, (target.centre[0], target.centre[1]))) for b in bodies)
-        yield Measurement("off what is looked at", off, -math.inf, _limit("seen"), "deg")
+        yield Measurement("off what is looked at", off, -math.inf, limit("seen"), "deg")
 
 
 # ---- around a middle -------------------------------------------------------------------------------------------------
@@ -201,16 +201,16 @@ def _circle(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Checks
     x = sum(b.centre[0] for b in bodies) / len(bodies)
     y = sum(b.centre[1] for b in bodies) / len(bodies)
     radii = [math.dist((x, y), (b.centre[0], b.centre[1])) for b in bodies]
-    yield Measurement("difference of distances from the middle", max(radii) - min(radii), -math.inf, 2 * _limit("even"))
+    yield Measurement("difference of distances from the middle", max(radii) - min(radii), -math.inf, 2 * limit("even"))
     angles = sorted(bearing((x, y), (b.centre[0], b.centre[1])) for b in bodies)
     steps = [math.degrees((b - a) % (2 * math.pi)) for a, b in zip(angles, [*angles[1:], angles[0]], strict=True)]
     even = 360.0 / len(bodies)
-    yield Measurement("off even angles", max(abs(s - even) for s in steps), -math.inf, _limit("spread"), "deg")
+    yield Measurement("off even angles", max(abs(s - even) for s in steps), -math.inf, limit("spread"), "deg")
     off = max(math.degrees(turn_to(b, (x, y))) for b in bodies)
-    yield Measurement("off the middle", off, -math.inf, _limit("faced"), "deg")
+    yield Measurement("off the middle", off, -math.inf, limit("faced"), "deg")
     for target in survey.standing_for(said.around)[:1]:
         away = math.dist((x, y), (target.centre[0], target.centre[1]))
-        yield Measurement("middle off what it is around", away, -math.inf, _limit("near"))
+        yield Measurement("middle off what it is around", away, -math.inf, limit("near"))
 
 
 def _open_curve(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Checks:
@@ -222,14 +222,14 @@ def _open_curve(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Ch
     x = sum(b.centre[0] for b in bodies) / len(bodies)
     y = sum(b.centre[1] for b in bodies) / len(bodies)
     spread = max(abs(wrap_angle(b.yaw - o.yaw)) for b in bodies for o in bodies)
-    yield Measurement("turned to each other", math.degrees(spread), _limit("curved"), math.inf, "deg")
+    yield Measurement("turned to each other", math.degrees(spread), limit("curved"), math.inf, "deg")
     ends = max(math.dist((a.centre[0], a.centre[1]), (b.centre[0], b.centre[1])) for a in bodies for b in bodies)
     yield Measurement(
-        "depth of the curve", max(math.dist((x, y), (b.centre[0], b.centre[1])) for b in bodies), _limit("deep"), ends
+        "depth of the curve", max(math.dist((x, y), (b.centre[0], b.centre[1])) for b in bodies), limit("deep"), ends
     )
     for target in survey.standing_for(said.facing or said.around)[:1]:
         off = min(math.degrees(turn_to(b, (target.centre[0], target.centre[1]))) for b in bodies)
-        yield Measurement("off what is looked at", off, -math.inf, _limit("faced"), "deg")
+        yield Measurement("off what is looked at", off, -math.inf, limit("faced"), "deg")
 
 
 # ---- pairs, groups, stacks -------------------------------------------------------------------------------------------
@@ -240,12 +240,12 @@ def _backs(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Checks:
     for b in bodies:
         gaps = []
         for o in bodies:
-            if o is b or abs(wrap_angle(o.yaw - b.yaw - math.pi)) > math.radians(_limit("turned")):
+            if o is b or abs(wrap_angle(o.yaw - b.yaw - math.pi)) > math.radians(limit("turned")):
                 continue
             ahead, aside = b.local((o.centre[0], o.centre[1]))
             if ahead < 0 and abs(aside) < b.size[1] / 2:
                 gaps.append(-ahead - b.size[0] / 2 - o.size[0] / 2)
-        yield Measurement("between backs", min(gaps, default=math.inf), -_limit("into"), _limit("backs"))
+        yield Measurement("between backs", min(gaps, default=math.inf), -limit("into"), limit("backs"))
 
 
 def _clusters(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Checks:
@@ -254,18 +254,18 @@ def _clusters(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Chec
     if hosts:
         sizes = []
         for host in hosts:
-            near = {o.id for o, _ in survey.near(host, _limit("near"))}
+            near = {o.id for o, _ in survey.near(host, limit("near"))}
             own = [b for b in bodies if b.id in near]
             sizes.append(len(own))
             for b in own:
                 off = math.degrees(turn_to(b, (host.centre[0], host.centre[1])))
-                yield Measurement("off the middle of its group", off, -math.inf, _limit("faced"), "deg")
+                yield Measurement("off the middle of its group", off, -math.inf, limit("faced"), "deg")
     else:
         left, sizes = list(bodies), []
         while left:
             group = [left.pop()]
             for member in group:
-                close = [o for o in left if _gap(member, o) <= _limit("within")]
+                close = [o for o in left if apart(member, o) <= limit("within")]
                 group += close
                 left = [o for o in left if o not in close]
             sizes.append(len(group))
@@ -279,9 +279,9 @@ def _clusters(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Chec
 def _islands(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Checks:
     """Each stands free of the walls and of the others."""
     for b in bodies:
-        yield Measurement("from the walls", float(survey.wall_gaps[b.index]), _limit("wall"), math.inf)
-        others = [_gap(b, o) for o in bodies if o is not b]
-        least = (said.spacing or _limit("free")) - _limit("spacing")
+        yield Measurement("from the walls", float(survey.wall_gaps[b.index]), limit("wall"), math.inf)
+        others = [apart(b, o) for o in bodies if o is not b]
+        least = (said.spacing or limit("free")) - limit("spacing")
         yield Measurement("between islands", min(others, default=math.inf), least, math.inf)
 
 
@@ -291,15 +291,7 @@ def _sides(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Checks:
     if not hosts:
         yield from _rows(survey, said, bodies)
         return
-    host = hosts[0]
-    ahead = [host.local((b.centre[0], b.centre[1])) for b in bodies]
-    axis = 0 if host.size[1] >= host.size[0] else 1
-    numbers = sorted((sum(p[axis] > 0 for p in ahead), sum(p[axis] <= 0 for p in ahead)))
-    low, high = sorted(said.sides[:2]) if len(said.sides) > 1 else (0, sum(said.sides))
-    yield counted("on the fuller side", numbers[1], high, high)
-    yield counted("on the other side", numbers[0], low, low)
-    off = max(math.degrees(turn_to(b, (host.centre[0], host.centre[1]))) for b in bodies)
-    yield Measurement("off the middle of it", off, -math.inf, _limit("faced"), "deg")
+    yield from at_sides(survey, said, bodies)
 
 
 def _stacks(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Checks:
@@ -318,7 +310,7 @@ def _stacks(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Checks
         yield counted("stacks of the asked height", len(whole), said.groups or 1)
     if said.height is not None:
         tall = max((max(b.z[1] for b in s) - min(b.z[0] for b in s) for s in stacks), default=0.0)
-        yield Measurement("height of the highest stack", tall, said.height - _limit("stacked"), math.inf)
+        yield Measurement("height of the highest stack", tall, said.height - limit("stacked"), math.inf)
 
 
 _CHECKS: dict[str, Callable[[Survey, Arrangement, Sequence[Body]], Checks]] = {
@@ -327,11 +319,18 @@ _CHECKS: dict[str, Callable[[Survey, Arrangement, Sequence[Body]], Checks]] = {
     "grid": _rows,
     "circle": _circle,
     "semicircle": _open_curve,
-    "u": _open_curve,
+    "u": opening,
     "back_to_back": _backs,
     "stack": _stacks,
     "cluster": _clusters,
     "islands": _islands,
     "sides": _sides,
+    "walls": along_walls,
+    "between": in_gaps,
+    "right_angle": right_angle,
+    "head_to_head": _backs,
+    "end_to_end": ends,
+    "outside": about_a_u,
+    "inside": about_a_u,
 }
 """What is measured of each pattern."""

@@ -10,13 +10,16 @@ from sceneweaver.assets import categories
 from sceneweaver.assets.category import Category
 from sceneweaver.assets.looks import Words, read_words
 from sceneweaver.assets.materials import STYLES, color_named, finishes_named
+from sceneweaver.assets.roles import has_role
 from sceneweaver.language import Attribute, Entity
+from sceneweaver.language.told_states import posture_as_told, state_as_told
 from sceneweaver.rules.faults import fault_kind
-from sceneweaver.scene import InputError
+from sceneweaver.scene import InputError, Window
 from sceneweaver.verify.measure import Measurement
 from sceneweaver.verify.solids import Body
 
 from . import kinds
+from .asked_states import measured_state
 from .grade import Call
 from .shape_measures import plan_shape
 from .verdict import Asked, counted, met, not_understood, unmet
@@ -41,12 +44,14 @@ class _Test(NamedTuple):
     number: Callable[[Body], Measurement | None] = lambda body: None
 
 
-def outcomes(asked: Entity, bodies: Sequence[Body]) -> Iterator[Asked]:
-    """Each attribute of an entity; of a thing that is missing they are unmet."""
+def outcomes(
+    asked: Entity, bodies: Sequence[Body], lengths: Sequence[float] = (), windows: Sequence[Window] = ()
+) -> Iterator[Asked]:
+    """Each attribute of an entity; of a thing that is missing they are unmet; ``lengths`` [m] are others' to tell."""
     for k, attribute in enumerate(_all(asked)):
         item = attribute.id or f"{asked.id}.{attribute.kind}" + (f"-{k}" if attribute.kind in ("other", "part") else "")
-        yield _outcome(asked, attribute, item, bodies)
-    if any(size is not None for size in asked.size) and bodies:
+        yield _outcome(asked, attribute, item, bodies, windows)
+    if any(size is not None and size not in lengths for size in asked.size) and bodies:
         yield _measured_size(asked, bodies)
 
 
@@ -63,16 +68,22 @@ def _all(asked: Entity) -> list[Attribute]:
     return found
 
 
-def _outcome(asked: Entity, attribute: Attribute, item: str, bodies: Sequence[Body]) -> Asked:
+def _outcome(
+    asked: Entity, attribute: Attribute, item: str, bodies: Sequence[Body], windows: Sequence[Window]
+) -> Asked:
     words = attribute.words or attribute.value
     if not bodies:
         reason = f"no '{asked.noun}' is there to be {words}"
         return unmet("attribute", item, (), reason, fault="missing_attribute")
-    test = _test(attribute, asked)
+    test = _test(attribute, asked, windows)
     answers = [(b, answer) for b in bodies if test is not None and (answer := test.of(b)) is not None]
     ids = [b.id for b in bodies]
     if not answers or test is None:
         return not_understood("attribute", item, ids, f"'{words}': what is drawn here does not show it")
+    bare = len(windows) - len(bodies) if asked.count is None and _dresses_windows(asked, attribute) else 0
+    if bare > 0:
+        reason = f"{bare} of {len(windows)} windows have no '{asked.noun}' to be {words}"
+        return unmet("attribute", item, ids, reason, fault="wrong_state", share=bare / len(windows))
     good = [b for b, (holds, _) in answers if holds]
     wrong = [(b, is_) for b, (holds, is_) in answers if not holds]
     least, most = attribute.count or (len(answers), len(answers))
@@ -96,8 +107,10 @@ def _outcome(asked: Entity, attribute: Attribute, item: str, bodies: Sequence[Bo
     )
 
 
-def _test(attribute: Attribute, asked: Entity) -> _Test | None:
+def _test(attribute: Attribute, asked: Entity, windows: Sequence[Window]) -> _Test | None:
     """How to tell; None where nothing can."""
+    if attribute.kind == "state" and state_as_told(asked.category, attribute) is not None:
+        return _Test(lambda b: _of_state(b, attribute, windows), lambda b: _in_state(b, attribute, windows))
     words = read_words(attribute.value)
     match attribute.kind:
         case "color":
@@ -115,6 +128,21 @@ def _test(attribute: Attribute, asked: Entity) -> _Test | None:
         case "part" | "size" | "other" | "state" | "shape":
             return _Test(lambda b: _of_name(b, attribute.value))
     return None
+
+
+def _dresses_windows(asked: Entity, attribute: Attribute) -> bool:
+    """Whether a state is said of what is before the windows: of all of it, then."""
+    return attribute.kind == "state" and has_role(asked.category, "curtain", "blind")
+
+
+def _in_state(body: Body, attribute: Attribute, windows: Sequence[Window]) -> Measurement | None:
+    state = state_as_told(body.item.category, attribute)
+    return measured_state(body, state, posture_as_told(state, attribute), windows) if state is not None else None
+
+
+def _of_state(body: Body, attribute: Attribute, windows: Sequence[Window]) -> Answer | None:
+    m = _in_state(body, attribute, windows)
+    return None if m is None else (m.ok(), f"as usual ({m.quantity} {m.value:.2f})")
 
 
 def _of_color(body: Body, want: str) -> Answer | None:

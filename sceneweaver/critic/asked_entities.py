@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from sceneweaver.assets.taxonomy import members
 from sceneweaver.knowledge.kin import interchangeable
 from sceneweaver.language import Entity, Exclusion
+from sceneweaver.language.unwanted import belongs_there
 from sceneweaver.rules.faults import fault_kind
 from sceneweaver.verify.solids import Body
 
@@ -24,7 +25,8 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
     for asked in survey.brief.entities:
         bodies = survey.standing_for(asked.id)
         yield _entity(survey, asked, bodies)
-        yield from asked_attributes.outcomes(asked, bodies)
+        lengths = [m.wanted for m in survey.brief.measures if m.entity == asked.id]
+        yield from asked_attributes.outcomes(asked, bodies, lengths, survey.scene.room.windows)
     yield from _exclusions(survey)
     if survey.brief.only and survey.brief.entities:
         yield _only(survey)
@@ -86,10 +88,11 @@ def _exclusions(survey: Survey) -> Iterator[Asked]:
         if excluded.relation is not None:
             yield _elsewhere(survey, excluded, item)
             continue
-        banned = {name for word in excluded.categories for name in (word, *members(word))}
-        there = [b.id for b in survey.bodies if b.item.category in banned]
+        there = [b.id for b in survey.bodies if _is_unwanted(survey, excluded, b)]
         if not there:
-            yield met("exclusion", item, (), f"no {kinds.words(excluded.words)}", counted("number", 0, 0, 0))
+            nothing = kinds.words(excluded.words)
+            said = nothing if nothing.startswith("nothing") else f"no {nothing}"
+            yield met("exclusion", item, (), said, counted("number", 0, 0, 0))
             continue
         yield unmet(
             "exclusion",
@@ -102,6 +105,18 @@ def _exclusions(survey: Survey) -> Iterator[Asked]:
             grave=True,
             call=("remove_objects", {"ids": there}),
         )
+
+
+def _is_unwanted(survey: Survey, excluded: Exclusion, body: Body) -> bool:
+    """Whether a body is what an exclusion rules out: of its categories, or by material and place unless asked for."""
+    if any(body.item.category in (word, *members(word)) for word in excluded.categories):
+        return True
+    if body.id in survey.program.asked_of:
+        return False
+    if excluded.mount and body.item.mount == excluded.mount:
+        return body.item.category not in belongs_there(excluded.mount)
+    material = str(body.item.attributes.get("material", "")).split()
+    return any(name in material for name in excluded.materials)
 
 
 def _elsewhere(survey: Survey, excluded: Exclusion, item: str) -> Asked:

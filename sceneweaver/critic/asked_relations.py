@@ -17,6 +17,7 @@ from sceneweaver.verify.stated import Target, sides_named, stated
 
 from . import group_measures
 from .asked_calls import adding, relating
+from .partners import own_partners, share_of
 from .places import corners, segments, whole
 from .survey import Survey
 from .verdict import Asked, Verdict, counted, decide, met, not_understood, text_of, unmet, weight_of
@@ -120,7 +121,7 @@ def _ruling(survey: Survey, said: StatedRelation, subjects: Sequence[Body]) -> R
     if table is None:
         return None
     if said.each:
-        return _of_each(said, subjects, table)
+        return _of_each(survey, said, subjects, table)
     verdicts = [_any_of_each(rows) for rows in table]
     return _counted(survey, said, subjects, verdicts)
 
@@ -168,8 +169,11 @@ def _verdicts(survey: Survey, said: StatedRelation, body: Body, name: str) -> di
     word = word_of_place(said.type, name)
     if not word.holds:
         return None
-    if name == "corner":
-        return {f"corner {b.index}": _in_corner(survey, word, said, body, (a, b)) for a, b in corners(survey)}
+    if name.partition(":")[0] == "corner":
+        return {
+            f"corner {b.index}": _in_corner(survey, word, said, body, (a, b))
+            for a, b in corners(survey, name.partition(":")[2])
+        }
     if name in ("ceiling", "floor"):
         return {name: _judged(survey, word, said, body, None)}
     return {segment.id: _judged(survey, word, said, body, segment) for segment in segments(survey, name)}
@@ -217,7 +221,8 @@ def _between(survey: Survey, said: StatedRelation, body: Body) -> dict[str, Verd
         names = [name for name, _ in chosen]
         if len(set(names)) == len(names):
             shapes = [shape for _, shape in chosen]
-            found[" ".join(names)] = decide([group_measures.of_between(survey, body, shapes)])
+            ends = [next((b for b in survey.bodies if b.id == name), None) for name in names]
+            found[" ".join(names)] = decide([group_measures.of_between(survey, body, shapes, ends)])
     return found
 
 
@@ -257,9 +262,11 @@ def _first(verdicts: Sequence[Verdict], holds: bool) -> Measurement | None:
     return next((v.worst for v in verdicts if v.holds is holds and v.worst is not None), None)
 
 
-def _of_each(said: StatedRelation, subjects: Sequence[Body], table: list[dict[str, dict[str, Verdict]]]) -> Ruling:
-    """Whether every instance of the target (or side of it) has as many subjects as it should."""
-    least, most = said.count or (1, 10**6)
+def _of_each(
+    survey: Survey, said: StatedRelation, subjects: Sequence[Body], table: list[dict[str, dict[str, Verdict]]]
+) -> Ruling:
+    """Whether every instance of the target (or side of it) has as many subjects of its own as it should."""
+    least, most = share_of(survey, said), (said.count or (1, 10**6))[1]
     names = dict.fromkeys(name for rows in table for verdicts in rows.values() for name in verdicts)
     have = {
         n: [b for b, rows in zip(subjects, table, strict=True) if any(n in v and v[n].holds for v in rows.values())]
@@ -268,6 +275,9 @@ def _of_each(said: StatedRelation, subjects: Sequence[Body], table: list[dict[st
     short = {name: found for name, found in have.items() if not least <= len(found) <= most}
     if not have:
         return Ruling(False, tuple(subjects))
+    own = own_partners({name: [b.id for b in found] for name, found in have.items()}, least)
+    shared = {name: [b for b in have[name] if b.id in ids] for name, ids in own.items() if len(ids) < least}
+    short |= {name: found for name, found in shared.items() if name not in short}
     if not short:
         return Ruling(True, (), counted("objects at each", min(map(len, have.values())), least, _end(most)))
     name, found = min(short.items(), key=lambda row: len(row[1]))
@@ -300,8 +310,10 @@ def _of_group(survey: Survey, said: StatedRelation, subjects: Sequence[Body]) ->
             return None
     if said.type == "flanking" and not said.each:
         subjects = _together(survey, said)
-    least, most = said.count or (1, 10**6)
-    if said.count is None and not said.each:
+    least, most = (share_of(survey, said) if said.each else 1), 10**6
+    if said.count is not None:
+        least, most = said.count
+    elif not said.each:
         least = max(1, min(len(subjects), survey.least(said.subject)))
     rule = group_measures.of_flanking if said.type == "flanking" else group_measures.of_around
     parts = group_measures.shared_out(survey, subjects, targets, said.type)

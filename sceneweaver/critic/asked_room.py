@@ -40,6 +40,8 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
             "wrong_shape",
             points=fault_kind("wrong_shape").limits["room"],
         )
+    if brief.wing is not None and brief.size is not None:
+        yield _wing(survey, max(brief.size), brief.wing)
     if brief.height is not None:
         slack = fault_kind("wrong_height").limits["slack"]
         high = Measurement("height", room.height, brief.height - slack, brief.height + slack)
@@ -95,7 +97,21 @@ def _use(survey: Survey) -> Iterator[Asked]:
 
 def _asked_area(survey: Survey) -> float | None:
     brief = survey.brief
-    return brief.size[0] * brief.size[1] if brief.size is not None else brief.area
+    if brief.size is None:
+        return brief.area
+    return brief.size[0] * brief.size[1] + (brief.wing[0] * brief.wing[1] if brief.wing is not None else 0.0)
+
+
+def _wing(survey: Survey, main: float, wing: tuple[float, float]) -> Asked:
+    """Whether the walls of the floor have the lengths of its main part and of both sides of what sticks out."""
+    lengths = [wall.length for wall in survey.placed.walls]
+    slack = number("wall_length")
+    off = max(min(abs(length - side) for length in lengths) for side in (main, *wing))
+    m = Measurement("difference of a wall", off, 0.0, slack)
+    sides = f"{wing[0]:g} x {wing[1]:g} m"
+    return _fact(
+        "wing", m.ok(1e-9), f"no part of the floor of {sides} sticks out of one {main:g} m long", m, "wrong_shape"
+    )
 
 
 def _areas(survey: Survey) -> Iterator[Asked]:

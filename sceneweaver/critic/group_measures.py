@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
 
+from sceneweaver.language.vocabulary import family
 from sceneweaver.rules.stated import number, word_of_place
 from sceneweaver.verify.measure import TOLERANCE, Measurement, Measurements, at_least, at_most
 from sceneweaver.verify.solids import Body
@@ -34,9 +35,26 @@ def of_middle(survey: Survey, subjects: Sequence[Body]) -> Measurement:
     return at_most(row.text, away, most)
 
 
-def of_between(survey: Survey, body: Body, shapes: Sequence[Any]) -> Measurements:
-    """For the most part within the hull of some things, and of two on the middle of the way from one to the other."""
+def apart(one: Body, other: Body) -> float:
+    """The gap [m] between the boxes of two bodies, seen from above."""
     import shapely
+
+    return float(shapely.distance(shapely.Polygon(one.corners), shapely.Polygon(other.corners)))
+
+
+def of_between(survey: Survey, body: Body, shapes: Sequence[Any], bodies: Sequence[Body | None] = ()) -> Measurements:
+    """For the most part within the hull of some things, and of two on the middle of the way from one to the other.
+
+    Between two ``bodies`` of a kind, such as two beds, a standing thing is within reach of both; between others of one
+    at least. Of two at right angles it is before both.
+    """
+    import shapely
+
+    pair = [b for b in bodies if b is not None]
+    close = tuple(_reach(body, pair)) if len(pair) == 2 and len(shapes) == 2 else ()
+    if close and abs(math.sin(pair[0].yaw - pair[1].yaw)) > number("corner") and all(m.ok() for m in close):
+        ahead = min(b.local((body.centre[0], body.centre[1]))[0] for b in pair)
+        return (*close, at_least("before both", ahead, 0.0))
 
     footprint = survey.footprint(body)
     hull = shapely.buffer(shapely.convex_hull(shapely.geometrycollections(list(shapes))), number("hull"))
@@ -44,12 +62,24 @@ def of_between(survey: Survey, body: Body, shapes: Sequence[Any]) -> Measurement
     inside = at_least("share of it between them", share, number("between")["share"], "")
     if len(shapes) != 2:
         return (inside,)
+    inside_all = (inside, *close)
     (ax, ay), (bx, by) = (shapely.get_coordinates(shapely.centroid(s))[0] for s in shapes)
     length = (bx - ax) ** 2 + (by - ay) ** 2
     x, y = body.centre
     part = ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / max(1e-9, length)
     low, high = number("between")["along"]
-    return (inside, Measurement("part of the way between them", float(part), low, high, "", 1e-6))
+    return (*inside_all, Measurement("part of the way between them", float(part), low, high, "", 1e-6))
+
+
+def _reach(body: Body, pair: Sequence[Body]) -> Iterator[Measurement]:
+    """How far what stands between two things is from them."""
+    if body.item.mount != "floor" or body.size[2] <= number("flat") or any(b.item.mount != "floor" for b in pair):
+        return
+    gaps = sorted(apart(body, b) for b in pair)
+    if family(pair[0].item.category) == family(pair[1].item.category):
+        yield at_most("gap to the farther of them", gaps[1], number("between_alike"))
+    else:
+        yield at_most("gap to the nearer of them", gaps[0], number("between_others"))
 
 
 def shared_out(survey: Survey, subjects: Sequence[Body], targets: Sequence[Target], kind: str) -> list[list[Body]]:

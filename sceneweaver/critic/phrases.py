@@ -55,6 +55,7 @@ def _words(graph: SceneGraph) -> dict[str, tuple[str, Span | None]]:
         found[excluded.id or f"exclusion-{k}"] = words.replace("_", " "), excluded.span
     for several in (graph.openings, graph.free_areas, graph.capacities, graph.arrangements):
         found |= {f"room.{one.id}": (one.words, one.span) for one in several}
+    found |= {one.id: (one.words, one.span) for one in graph.measures}
     for k, unread in enumerate(graph.unread):
         found[f"unread-{k}"] = unread.words, unread.span
     return found

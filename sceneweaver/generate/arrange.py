@@ -16,8 +16,25 @@ from sceneweaver.scene import CATALOGUE, Room
 
 from .draft import area_of
 from .grid import PULL, group_of
-from .patterns import Pitch, Spot, back_to_back, block, circle, extent, ring, u_shape, upright
+from .patterns import (
+    Pitch,
+    Spot,
+    back_to_back,
+    block,
+    circle,
+    double_rows,
+    end_to_end,
+    extent,
+    extent_of,
+    right_angle,
+    ring,
+    seen_from,
+    side_by_side,
+    u_shape,
+    upright,
+)
 from .program import Wanted
+from .units import Unit, composed, front_way, side_way, told_between
 
 OFFSET = 0.03
 """Most distance [m] of a thing from its place."""
@@ -34,6 +51,9 @@ LOW_THING = 0.7
 LOUNGE, PULLED = 0.32, -0.1
 """Gaps [m] between the fronts of armchairs, and of chairs, and the table that a group of them is around."""
 
+SEEN = 1.2
+"""Way [m] between the front row and what all look at."""
+
 MATS = 0.3
 """Gap [m] between what lies on the floor."""
 
@@ -42,6 +62,14 @@ OFF_WALLS = 0.85
 
 LOW, STACK_GAP, HIGH = 0.9, 0.02, 2.4
 """Height [m] of the lowest row of what hangs in rows, the gap between neighbours there, and where the top row ends."""
+
+WALLS = {
+    "": ("long-0", "long-1"),
+    "long": ("long-0", "long-1"),
+    "short": ("short-0", "short-1"),
+    "side": ("left", "right"),
+}
+"""The two opposite walls that are meant by what kind of them is said; see `wall_names.direction_of`."""
 
 FILLED = 0.9
 """Share of the floor that patterns with the ways about them take at most."""
@@ -64,6 +92,8 @@ class Laid:
     leader: Wanted
     spots: tuple[tuple[Wanted, Spot], ...]
     box: tuple[float, float]
+    at: tuple[str, str] | None = None
+    """The relation of the leader to a wall, and the wall, where the pattern says it."""
 
     @property
     def followers(self) -> frozenset[str]:
@@ -76,20 +106,76 @@ def laid_out(brief: SceneGraph, wanted: Sequence[Wanted]) -> list[Laid]:
     found = []
     for said in brief.arrangements:
         things = [w for w in wanted if w.asked == said.entity and w.support is None and w.mount in ("floor", "wall")]
-        if len(things) < 2 or said.pattern == "stack" or (said.pattern == "sides" and said.around):
+        things += [w for w in wanted if w.asked in said.others and w.support is None and w.mount == "floor"]
+        if (
+            len(things) < 2
+            or said.pattern in ("stack", "between", "outside", "inside")
+            or (said.pattern == "sides" and said.around)
+        ):
             continue
         if said.pattern == "cluster":
             found += _clusters(said, things, wanted)
+        elif said.pattern == "walls":
+            found += _along_walls(said, things, wanted, brief)
+        elif said.pattern == "right_angle":
+            found.append(_at_right_angles(said, things))
         elif not (said.pattern == "circle" and _is_table(said.around, wanted)):
             seats = {r.subject for r in brief.relations if said.entity in r.targets and r.type in SEATED}
-            pitch = _pitch(things[0], wanted, said, _spacing(said, brief), seats)
-            found.append(_pattern(said, things, _spots(said, things, wanted, pitch)))
+            pitch = _parted(_pitch(things[0], wanted, said, _spacing(said, brief), seats), said, things, wanted, brief)
+            found.append(_pattern(said, things, _spots(said, things, wanted, pitch, brief)))
     return found
 
 
 def _pattern(said: Arrangement, things: Sequence[Wanted], spots: Sequence[Spot]) -> Laid:
     depth, width, _ = things[0].asset.size
     return Laid(said, things[0], tuple(zip(things, spots, strict=True)), extent(spots, depth, width))
+
+
+def _parted(
+    pitch: Pitch, said: Arrangement, things: Sequence[Wanted], wanted: Sequence[Wanted], brief: SceneGraph
+) -> Pitch:
+    """Gaps that hold what the request has between neighbours."""
+    names = told_between(brief, said.entity)
+    parts = [w for w in wanted if w.asked in names and w.mount == "floor" and w.support is None]
+    if not parts:
+        return pitch
+    deep, wide = max(w.asset.size[0] for w in parts), max(w.asset.size[1] for w in parts)
+    if said.facing == "each other":
+        room = LEGS if has_role(things[0].category, "lounge_seat") else APART / 2
+        return pitch._replace(between=deep + 2 * room)
+    return pitch._replace(beside=max(pitch.beside if pitch.beside < LOOSE else 0.0, wide + APART))
+
+
+def _along_walls(
+    said: Arrangement, things: Sequence[Wanted], wanted: Sequence[Wanted], brief: SceneGraph
+) -> Iterator[Laid]:
+    """A row at each of two opposite walls, with their backs to it; few beds with their long sides."""
+    names = WALLS[said.around.partition(":")[2]]
+    half = said.sides[0] if len(said.sides) == 2 else math.ceil(len(things) / 2)
+    pitch = _parted(_pitch(things[0], wanted, said, _spacing(said, brief)), said, things, wanted, brief)
+    for name, row in zip(names, (things[:half], things[half:]), strict=True):
+        if not row:
+            continue
+        sizes = [one.asset.size[:2] for one in row]
+        lengthwise = half <= 2 and family(row[0].category) == "bed_group"
+        ways = max((side_way(one) for one in row), default=0.0)
+        spots = end_to_end(sizes, pitch.beside) if lengthwise else side_by_side(sizes, max(pitch.beside, ways))
+        box = extent_of([(spot, *size) for spot, size in zip(spots, sizes, strict=True)])
+        kind = "side_against_wall" if lengthwise else "against_wall"
+        yield Laid(said, row[0], tuple(zip(row, spots, strict=True)), box, (kind, f"wall:{name}"))
+
+
+def _at_right_angles(said: Arrangement, things: Sequence[Wanted]) -> Laid:
+    """Things in two rows that meet at a corner, the seats with room for legs there."""
+    half = sum(one.asked == said.entity for one in things) if said.others else math.ceil(len(things) / 2)
+    one, other = ([w.asset.size[:2] for w in part] for part in (things[:half], things[half:]))
+    seat = family(things[0].category) == "seat"
+    corner = LEGS if seat else max(TOUCHING, front_way(things[half - 1]))
+    spots = right_angle(one, other, APART if seat else TOUCHING, corner, open_=seat)
+    sizes = [w.asset.size[:2] for w in things]
+    box = extent_of([(spot, *size) for spot, size in zip(spots, sizes, strict=True)])
+    at = ("in_corner", "") if said.around.startswith("wall") else None
+    return Laid(said, things[0], tuple(zip(things, spots, strict=True)), box, at)
 
 
 def _clusters(said: Arrangement, things: Sequence[Wanted], wanted: Sequence[Wanted]) -> Iterator[Laid]:
@@ -113,8 +199,10 @@ def _clusters(said: Arrangement, things: Sequence[Wanted], wanted: Sequence[Want
             yield _pattern(said, group, circle(len(group), _pitch(group[0], wanted, said, None)))
             continue
         d, w, _ = group[0].asset.size
-        pairs = [Spot((d + TOUCHING) * (k % 2), (w + TOUCHING) * (k // 2), 180.0 * (k % 2)) for k in range(len(group))]
-        yield _pattern(said, group, pairs)
+        if len(group) == 2:  # a pair is side by side
+            yield _pattern(said, group, [Spot(0.0, 0.0), Spot(0.0, w + TOUCHING)])
+            continue
+        yield _pattern(said, group, back_to_back(len(group), Pitch(d, w, TOUCHING, 0.0)))
 
 
 def _spacing(said: Arrangement, brief: SceneGraph) -> float | None:
@@ -125,7 +213,9 @@ def _spacing(said: Arrangement, brief: SceneGraph) -> float | None:
     return gaps[0].size[0] if gaps else None
 
 
-def _spots(said: Arrangement, things: Sequence[Wanted], wanted: Sequence[Wanted], pitch: Pitch) -> list[Spot]:
+def _spots(
+    said: Arrangement, things: Sequence[Wanted], wanted: Sequence[Wanted], pitch: Pitch, brief: SceneGraph
+) -> list[Spot]:
     count, one = len(things), things[0]
     rows, columns = shape_of(said, count)
     if said.upright:
@@ -135,10 +225,23 @@ def _spots(said: Arrangement, things: Sequence[Wanted], wanted: Sequence[Wanted]
     if said.pattern == "semicircle":
         return circle(count, pitch, arc=min(math.radians(180), math.pi / 6 * count) if count < 5 else math.radians(150))
     if said.pattern == "u":
-        return u_shape(count, pitch)
-    if said.pattern == "back_to_back":
-        return back_to_back(count, pitch._replace(depth=one.asset.size[0]))
+        inside = any(a.pattern == "inside" and a.around == said.entity for a in brief.arrangements)
+        turn = (
+            180.0 if has_role(one.category, "desk") and not inside else 0.0
+        )  # who sits at a desk is before its front, outside
+        spots = u_shape(count, pitch._replace(depth=one.asset.size[0]) if turn else pitch)
+        return [seen_from(Spot(0.0, 0.0, turn), Spot(s.ahead, s.left, s.turn + turn)) for s in spots]
+    if said.pattern in ("back_to_back", "head_to_head"):
+        near = pitch._replace(depth=one.asset.size[0], beside=max(pitch.beside, side_way(one)))
+        if said.rows or said.columns:
+            return double_rows(rows, columns, count, near)
+        return back_to_back(count, near)
+    if said.pattern == "end_to_end":
+        return end_to_end([thing.asset.size[:2] for thing in things], TOUCHING)
     aisle = max(AISLE, said.spacing or 0.0) if said.pattern == "sides" else 0.0
+    aisle = said.aisle or aisle
+    if aisle and said.facing == "each other" and rows == 2:
+        pitch, aisle = pitch._replace(between=max(pitch.between, aisle)), 0.0
     return block(rows, columns, count, pitch, opposed=said.facing == "each other" and rows > 1, aisle=aisle)
 
 
@@ -150,6 +253,8 @@ def shape_of(said: Arrangement, count: int) -> tuple[int, int]:
     if said.sides:
         return max(said.sides), 2
     rows, columns = said.rows, said.columns
+    if said.aisle and rows == 2 and said.facing != "each other":
+        return max(columns or 0, math.ceil(count / 2)), 2  # a row at either hand of the aisle
     if rows is None and columns is None:
         rows = 1 if said.pattern == "islands" and count <= 2 else max(1, int(math.sqrt(count)))
     if rows is None:
@@ -213,8 +318,42 @@ def patterned(rows: Iterable[Grounded], brief: SceneGraph, wanted: Sequence[Want
     kept = [r for r in kept if (r.subject, r.target) not in seated]
     for one in patterns:
         kept = [r for r in kept if not _led_astray(r, one)]
-        kept += _of_pattern(one, wanted)
-    return kept + list(_at_sides(brief, wanted))
+        kept += _of_pattern(one, wanted, brief)
+    kept += list(_at_sides(brief, wanted))
+    for row in _about_a_u(brief, wanted):
+        kept = [r for r in kept if not (r.subject == row.subject and r.type in DROPPED)]
+        kept.append(row)
+    for unit in units_of(brief, wanted, patterns):
+        kept = _as_unit(kept, unit)
+    return kept
+
+
+def units_of(brief: SceneGraph, wanted: Sequence[Wanted], patterns: Sequence[Laid] | None = None) -> list[Unit]:
+    """The groups that a request tells thing by thing, grown about its patterns."""
+    laid = laid_out(brief, wanted) if patterns is None else patterns
+    spots = [one.spots if one.spots[0][0] is one.leader else ((one.leader, Spot(0.0, 0.0)), *one.spots) for one in laid]
+    return composed(brief, wanted, spots)
+
+
+def _as_unit(rows: Sequence[Grounded], unit: Unit) -> list[Grounded]:
+    """Relations with the places of a group's members about its leader instead of what else says where they are."""
+    members = {one.id for one, _, _ in unit.spots}
+    inside = members | {unit.leader.id}
+    kept = [
+        r
+        for r in rows
+        if not (r.subject in members and r.type in DROPPED)
+        and not (r.subject == unit.leader.id and r.type in DROPPED and set(_ids(r.target)) & inside)
+        and not (r.subject in unit.turned and r.type == "facing")
+    ]
+    for one, spot, said in unit.spots:
+        params = {"ahead": round(spot.ahead, 4), "left": round(spot.left, 4), "turn": round(spot.turn, 3)}
+        kept.append(Grounded(said, "arranged", one.id, unit.leader.id, {**params, "offset": OFFSET, "degrees": 2.0}))
+    return kept
+
+
+def _ids(target: str | tuple[str, str] | None) -> tuple[str, ...]:
+    return (target,) if isinstance(target, str) else target or ()
 
 
 def _led_astray(row: Grounded, one: Laid) -> bool:
@@ -228,24 +367,56 @@ def _led_astray(row: Grounded, one: Laid) -> bool:
     return one.said.pattern == "circle" and row.type == "around"
 
 
-def _of_pattern(one: Laid, wanted: Sequence[Wanted]) -> Iterator[Grounded]:
+def _of_pattern(one: Laid, wanted: Sequence[Wanted], brief: SceneGraph) -> Iterator[Grounded]:
     for thing, spot in one.spots:
         if thing is one.leader:
             continue
         params = {"ahead": round(spot.ahead, 4), "left": round(spot.left, 4), "turn": round(spot.turn, 3)}
         yield Grounded(one.said.id, "arranged", thing.id, one.leader.id, {**params, "offset": OFFSET, "degrees": 2.0})
+    if one.at is not None:
+        kind, wall = one.at
+        params = {"side": "right"} if kind == "side_against_wall" else {}
+        yield Grounded(one.said.id, kind, one.leader.id, wall or None, params)
     focus = [w for w in wanted if w.asked in (one.said.facing, one.said.around) and w.asked]
     if focus and one.said.pattern == "circle":
         ahead = _middle_of(one)
         at = {"ahead": round(ahead, 4), "left": 0.0, "turn": 180.0, "offset": 0.1, "degrees": 180.0}
         yield Grounded(one.said.id, "arranged", focus[0].id, one.leader.id, at)
+    elif focus and _before(one, focus[0], brief):
+        xs = [spot.ahead for _, spot in one.spots]
+        ys = [spot.left for _, spot in one.spots]
+        gap = max(0.0, max(xs)) + (one.leader.asset.size[0] + focus[0].asset.size[0]) / 2 + SEEN
+        left = (max(ys) + min(ys)) / 2
+        at = {"ahead": round(gap, 4), "left": round(left, 4), "turn": 180.0, "offset": 0.3, "degrees": 10.0}
+        yield Grounded(one.said.id, "arranged", focus[0].id, one.leader.id, at)
     elif focus and one.said.pattern in ("semicircle", "u", "row", "rows", "grid", "sides"):
-        gap = {"side": "front", "gap": [0.6, 8.0], "offset": max(0.3, 0.3 * max(one.box)), "degrees": 8.0}
+        offset = max(0.3, 0.3 * max(one.box))
+        gap = {"side": "front", "gap": [0.6, 8.0], "offset": offset, "degrees": 8.0}
+        outward = one.said.pattern == "u" and has_role(one.leader.category, "desk") and max(xs := _aheads(one)) <= 0.0
+        if outward and min(xs) < 0.0:  # the open side is behind the desks
+            ahead = min(xs) - one.leader.asset.size[1] / 2 - SEEN
+            lefts = [spot.left for _, spot in one.spots]
+            left = round((max(lefts) + min(lefts)) / 2, 4)
+            at = {"ahead": round(ahead, 4), "left": left, "turn": 0.0, "offset": SEEN, "degrees": 20.0}
+            yield Grounded(one.said.id, "arranged", focus[0].id, one.leader.id, at)
+            return
         yield Grounded(one.said.id, "across_from", one.leader.id, focus[0].id, gap, hard=False)
         yield Grounded(one.said.id, "facing", one.leader.id, focus[0].id, {"degrees": 35.0})
     if one.said.pattern == "islands":
         for thing, _ in one.spots:
             yield Grounded(one.said.id, "off_walls", thing.id, None, {"min": OFF_WALLS})
+
+
+def _aheads(one: Laid) -> list[float]:
+    return [spot.ahead for _, spot in one.spots]
+
+
+def _before(one: Laid, focus: Wanted, brief: SceneGraph) -> bool:
+    """Whether what rows look at has its place before them: it stands free, and nothing else says where."""
+    placed = any(r.subject == focus.asked and not r.implied for r in brief.relations)
+    patterns = ("row", "rows", "grid", "sides")
+    level = all(abs(spot.turn) < 1.0 for _, spot in one.spots)
+    return one.said.pattern in patterns and level and focus.mount == "floor" and not placed and focus.support is None
 
 
 def _middle_of(one: Laid) -> float:
@@ -261,12 +432,28 @@ def _at_sides(brief: SceneGraph, wanted: Sequence[Wanted]) -> Iterator[Grounded]
             continue
         d, w, _ = tables[0].asset.size
         seats = iter([one for one in wanted if one.asked == said.entity])
-        for side, count in zip(("front", "back") if w >= d else ("left", "right"), said.sides, strict=False):
+        order = ("front", "back", "left", "right") if w >= d else ("left", "right", "front", "back")
+        for side, count in zip(order, said.sides, strict=False):
             for k in range(count):
                 seat = next(seats, None)
                 if seat is not None:
                     params = {"side": side, "k": k, "n": count}
                     yield Grounded(said.id, "seated_at", seat.id, tables[0].id, params)
+
+
+def _about_a_u(brief: SceneGraph, wanted: Sequence[Wanted]) -> Iterator[Grounded]:
+    """Seats on the outer or the inner side of tables that are set out in a U: shared out among them."""
+    for said in brief.arrangements:
+        tables = [w for w in wanted if said.pattern in ("outside", "inside") and w.asked == said.around]
+        seats = [w for w in wanted if w.asked == said.entity and w.mount == "floor"]
+        if not tables or not seats:
+            continue
+        # A desk has its front to who sits at it; other tables of a U look inward.
+        outer = "front" if has_role(tables[0].category, "desk") or said.pattern == "inside" else "back"
+        for k, seat in enumerate(seats):
+            table, at = tables[k % len(tables)], k // len(tables)
+            share = len(seats[k % len(tables) :: len(tables)])
+            yield Grounded(said.id, "seated_at", seat.id, table.id, {"side": outer, "k": at, "n": share})
 
 
 def led(brief: SceneGraph, wanted: Sequence[Wanted]) -> dict[str, frozenset[str]]:
@@ -275,6 +462,9 @@ def led(brief: SceneGraph, wanted: Sequence[Wanted]) -> dict[str, frozenset[str]
     for one in laid_out(brief, wanted):
         alone = one.said.pattern == "row" or one.leader.asked == one.said.around
         found[one.leader.id] = frozenset() if alone else LED_ASTRAY
+    for unit in units_of(brief, wanted):
+        turned = {"facing", "across_from"} if unit.leader.id in unit.turned else set[str]()
+        found[unit.leader.id] = found.get(unit.leader.id, frozenset()) | turned
     return found
 
 
@@ -288,6 +478,8 @@ def fits(brief: SceneGraph, wanted: Sequence[Wanted], room: Room) -> bool:
     xs, ys = [p[0] for p in room.outline], [p[1] for p in room.outline]
     short, long = sorted((max(xs) - min(xs), max(ys) - min(ys)))
     patterns = laid_out(brief, wanted)
+    if not _units_fit(units_of(brief, wanted, patterns), short, long):
+        return False
     if sum((one.box[0] + WAY) * (one.box[1] + WAY) for one in patterns if not one.said.upright) > FILLED * area_of(
         room
     ):
@@ -299,6 +491,16 @@ def fits(brief: SceneGraph, wanted: Sequence[Wanted], room: Room) -> bool:
             if b + margin > long:
                 return False
         elif a + (margin if one.said.pattern != "row" else 0.0) > short or b + margin > long:
+            return False
+    return True
+
+
+def _units_fit(units: Sequence[Unit], short: float, long: float) -> bool:
+    """Whether the box about each group has a place between walls, with a way beside it."""
+    for unit in units:
+        members = [(unit.leader, Spot(0.0, 0.0)), *((one, spot) for one, spot, _ in unit.spots)]
+        a, b = sorted(extent_of([(spot, one.asset.size[0], one.asset.size[1]) for one, spot in members]))
+        if a + WAY / 2 > short or b + WAY / 2 > long:
             return False
     return True
 

@@ -6,19 +6,16 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
-from sceneweaver.geometry.polygons import signed_area
 from sceneweaver.language import Grounded
 
 from .program import Wanted
+from .under import is_closed
 
 BEHIND = 0.08
 """Free depth [m] of what stands between a thing and the wall that it is against."""
 
 WITHIN = 0.5
 """Most gap [m] to a thing in a corner of what is said to be around it."""
-
-CLOSED = 0.6
-"""Share of the floor under a thing that its body covers from which on nothing else is under it."""
 
 AGAINST = 0.1
 """Most gap [m] between a thing that has nothing under it and what was to be there."""
@@ -27,16 +24,6 @@ Pair = frozenset[str | tuple[str, str] | None]
 
 EDGES = ("against_wall", "in_corner", "at_window")
 """Types of relations that leave no room on all sides of a thing."""
-
-
-def _is_closed(lower: Wanted | None, upper: Wanted | None) -> bool:
-    """Whether a thing that is to be under another finds no room there, as that is closed down to the floor."""
-    if lower is None or upper is None or lower.thing.is_flat or upper.thing.is_flat:
-        return False
-    body = upper.asset.object(upper.id, mount="floor")
-    depth, width, _ = body.size
-    below = [part for part in body.solids if part.z[0] < lower.asset.size[2]]
-    return sum(abs(signed_area(part.polygon)) for part in below) > CLOSED * depth * width
 
 
 def _pair(row: Grounded) -> Pair:
@@ -67,7 +54,7 @@ def reconciled(rows: Sequence[Grounded], wanted: Sequence[Wanted]) -> list[Groun
     for row in rows:
         if row.type == "above" and row.subject in bodies:
             row = replace(row, hard=False)  # what stands on the floor is over nothing that does
-        if row.type == "over" and _is_closed(bodies.get(row.subject), bodies.get(str(row.target))):
+        if row.type == "over" and is_closed(bodies.get(row.subject), bodies.get(str(row.target))):
             row = replace(row, type="near", params={"max": AGAINST})  # shoes under a bench that reaches to the floor
         if row.type == "distance" and float(row.params.get("min") or 0.0) > close.get(_pair(row), math.inf):
             row = replace(row, hard=False)  # what stands next to a thing is not across the room from it

@@ -46,12 +46,20 @@ def outline(shape: str, width: float, depth: float, rng: random.Random) -> Plan:
     A notch, a cut corner and a bay keep the area of that box, the shapes that a request may name the box itself.
     """
     plan = _DRAWN[shape](width, depth, rng)
-    return _mirrored(plan) if plan.shape in ("L", "notch", "cut", "bay") and rng.random() < 0.5 else plan
+    return mirrored(plan) if plan.shape in ("L", "notch", "cut", "bay") and rng.random() < 0.5 else plan
 
 
 def asked_outline(shape: str, width: float, depth: float, rng: random.Random) -> Plan:
     """A room of a shape and of sides [m] that a request leaves no choice about; one comes in by wall 0, at y = 0."""
     return replace(_DRAWN[shape](width, depth, rng), entries=(0,))
+
+
+def winged(width: float, depth: float, wing: tuple[float, float]) -> Plan:
+    """A main part of sides [m] with another one at the left end of its far side: the first of its sides lies along."""
+    along, out = wing if wing[0] < width else (wing[1], wing[0])
+    top = depth + out
+    corners = ((0.0, 0.0), (width, 0.0), (width, depth), (along, depth), (along, top), (0.0, top))
+    return Plan("L", corners, (0,))
 
 
 def sides_of(shape: str, area: float, aspect: float) -> tuple[float, float]:
@@ -144,7 +152,7 @@ _DRAWN: dict[str, Callable[[float, float, random.Random], Plan]] = {
 }
 
 
-def _mirrored(plan: Plan) -> Plan:
+def mirrored(plan: Plan) -> Plan:
     """The plan as a mirror shows it; wall i becomes wall n - 2 - i, so that wall 0 stays at y = 0."""
     n, width = len(plan.corners), max(x for x, _ in plan.corners)
     corners = tuple((width - x, y) for x, y in reversed(plan.corners))

@@ -5,6 +5,7 @@ Each place is (ahead, left, turn) in the frame of the leader, [m, m, deg]; the l
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -125,6 +126,65 @@ def back_to_back(count: int, pitch: Pitch) -> list[Spot]:
     return found
 
 
+def double_rows(rows: int, columns: int, count: int, pitch: Pitch) -> list[Spot]:
+    """Rows with their backs together by twos, with a way between the double rows."""
+    across, found = pitch.width + pitch.beside, list[Spot]()
+    for row in range(rows):
+        ahead = -(row // 2) * (2 * pitch.depth + pitch.between) - (row % 2) * (pitch.depth + 0.01)
+        found += [Spot(ahead, across * k, 180.0 * (row % 2)) for k in range(columns) if row * columns + k < count]
+    return found
+
+
+def end_to_end(sizes: Sequence[tuple[float, float]], gap: float) -> list[Spot]:
+    """Things of some depths and widths [m] in a line along their longer sides, all looking the same way."""
+    found, at = [Spot(0.0, 0.0)], 0.0
+    for (d, w), (e, v) in itertools.pairwise(sizes):
+        if sizes[0][0] >= sizes[0][1]:
+            at -= (d + e) / 2 + gap
+            found.append(Spot(at, 0.0))
+        else:
+            at += (w + v) / 2 + gap
+            found.append(Spot((e - sizes[0][0]) / 2, at))
+    return found
+
+
+def side_by_side(sizes: Sequence[tuple[float, float]], gap: float) -> list[Spot]:
+    """Things of some depths and widths [m] in a row with their backs in line."""
+    found, at = [Spot(0.0, 0.0)], 0.0
+    for (_, w), (e, v) in itertools.pairwise(sizes):
+        at += (w + v) / 2 + gap
+        found.append(Spot((e - sizes[0][0]) / 2, at))
+    return found
+
+
+def right_angle(
+    one: Sequence[tuple[float, float]],
+    other: Sequence[tuple[float, float]],
+    beside: float,
+    corner: float,
+    *,
+    open_: bool,
+) -> list[Spot]:
+    """Two rows of things of some depths and widths [m] at right angles, as along the two walls of a corner.
+
+    The second is at the left end of the first and looks to the right. Open corners leave ``corner`` [m] between the end
+    of the first row and the fronts of the second, which begins level with the backs of the first; else the second
+    begins so far before the fronts of the first.
+    """
+    first = side_by_side(one, beside)
+    end = max(spot.left + width / 2 for spot, (_, width) in zip(first, one, strict=True))
+    if open_:
+        end += corner + max(depth for depth, _ in other)
+        ahead = -one[0][0] / 2
+    else:
+        ahead = max(spot.ahead + depth / 2 for spot, (depth, _) in zip(first, one, strict=True)) + corner
+    found = list(first)
+    for depth, width in other:
+        found.append(Spot(ahead + width / 2, end - depth / 2, -90.0))
+        ahead += width + beside
+    return found
+
+
 def _about(spots: Sequence[Spot], first: int) -> list[Spot]:
     """Spots of which all look ahead or by quarters, about one of them, which comes first."""
     base = spots[first]
@@ -132,27 +192,42 @@ def _about(spots: Sequence[Spot], first: int) -> list[Spot]:
     return [moved[first], *moved[:first], *moved[first + 1 :]]
 
 
+def within(frame: Spot, spot: Spot) -> Spot:
+    """A spot that is given in the frame of another, in the frame of that one."""
+    c, s = math.cos(math.radians(frame.turn)), math.sin(math.radians(frame.turn))
+    ahead, left = frame.ahead + c * spot.ahead - s * spot.left, frame.left + s * spot.ahead + c * spot.left
+    return Spot(ahead, left, _half_turn(frame.turn + spot.turn))
+
+
+def seen_from(base: Spot, spot: Spot) -> Spot:
+    """A spot in the frame of another of the same frame."""
+    c, s = math.cos(math.radians(base.turn)), math.sin(math.radians(base.turn))
+    dx, dy = spot.ahead - base.ahead, spot.left - base.left
+    return Spot(c * dx + s * dy, c * dy - s * dx, _half_turn(spot.turn - base.turn))
+
+
+def _half_turn(turn: float) -> float:
+    """An angle [deg] within half a turn."""
+    return math.degrees(math.remainder(math.radians(turn), 2 * math.pi))
+
+
 def _turned_about(spots: Sequence[Spot], first: int) -> list[Spot]:
     """Spots in the frame of one of them, which comes first."""
-    base = spots[first]
-    c, s = math.cos(math.radians(base.turn)), math.sin(math.radians(base.turn))
-    found = []
-    for spot in spots:
-        dx, dy = spot.ahead - base.ahead, spot.left - base.left
-        found.append(
-            Spot(
-                c * dx + s * dy,
-                c * dy - s * dx,
-                math.degrees(math.remainder(math.radians(spot.turn - base.turn), 2 * math.pi)),
-            )
-        )
+    found = [seen_from(spots[first], spot) for spot in spots]
     return [found[first], *found[:first], *found[first + 1 :]]
 
 
 def extent(spots: Sequence[Spot], depth: float, width: float) -> tuple[float, float]:
     """Sides [m] of the box about things at some spots, along the leader's front and across."""
-    reach = [(abs(math.cos(math.radians(s.turn))), abs(math.sin(math.radians(s.turn)))) for s in spots]
-    xs = [(s.ahead, (c * depth + t * width) / 2) for s, (c, t) in zip(spots, reach, strict=True)]
-    ys = [(s.left, (c * width + t * depth) / 2) for s, (c, t) in zip(spots, reach, strict=True)]
+    return extent_of([(spot, depth, width) for spot in spots])
+
+
+def extent_of(things: Sequence[tuple[Spot, float, float]]) -> tuple[float, float]:
+    """The same of things of several depths and widths [m]."""
+    xs, ys = list[tuple[float, float]](), list[tuple[float, float]]()
+    for spot, depth, width in things:
+        c, t = abs(math.cos(math.radians(spot.turn))), abs(math.sin(math.radians(spot.turn)))
+        xs.append((spot.ahead, (c * depth + t * width) / 2))
+        ys.append((spot.left, (c * width + t * depth) / 2))
     sides = [max(at + half for at, half in values) - min(at - half for at, half in values) for values in (xs, ys)]
     return sides[0], sides[1]

@@ -85,9 +85,11 @@ def with_people(brief: SceneGraph, room_type: RoomType) -> SceneGraph:
 
 
 def _lounge_tables(draft: _Draft) -> None:
-    """A plain table that armchairs are around is a low one."""
+    """A plain table that armchairs are around, or that is between them, is a low one."""
     lounge = {e.id for e in draft.entities if has_role(e.category, "lounge_seat")}
     low = {r.targets[0] for r in draft.relations if r.type == "around" and r.subject in lounge and r.targets}
+    low |= {r.subject for r in draft.relations if r.type == "between" and r.targets and lounge.issuperset(r.targets)}
+    low |= {a.entity for a in draft.brief.arrangements if a.pattern == "between" and a.around in lounge}
     for entity in [e for e in draft.entities if e.id in low and e.category in LOW and "dining" not in e.noun]:
         category = LOW[entity.category]
         draft.change(entity, category=category, noun=category.replace("_", " "))

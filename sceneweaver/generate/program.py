@@ -20,10 +20,7 @@ from sceneweaver.scene import PRIORITIES, InputError, Palette, SceneObject, Zone
 from .draft import CRAMMED, groups_of
 from .hanging import OVER, before_window, hanging_height, is_lit_table
 from .meant import decided_kinds, is_plural, loose, matches, may_mean, roles_of, sat_elsewhere
-from .quantity import is_plain, is_plain_item, least_of, small_kind
-
-MANY = (5, 10)
-"""Things that a request names from which on nothing optional, and nothing usual, is added."""
+from .quantity import SOME, is_detailed, is_plain, is_plain_item, least_of, small_kind
 
 PLENTY = 5
 """How many of a thing that stands on the floor are so many that some of them are small ones, on furniture."""
@@ -221,7 +218,15 @@ def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, wi
     found = [d for d in found if d.asked or d.item is None or d.item.id not in skipped or d.item.need == "needed"]
     found = [d for d in found if d.asked or d.item is None or d.item.id not in spare]
     found += [_asked_demand(one, None, area, people, rng.random(), brief) for one in asked.values()]
-    return found
+    return [_at_all_windows(demand, windows) for demand in found]
+
+
+def _at_all_windows(demand: Demand, windows: int) -> Demand:
+    """ "The curtains" are those of all windows."""
+    asked = demand.asked
+    if asked is None or asked.count is not None or not has_role(asked.category, "curtain", "blind"):
+        return demand
+    return replace(demand, count=max(1, windows), least=max(1, windows))
 
 
 def _usual_enough(item: Item, brief: SceneGraph, keep: float) -> bool:
@@ -231,7 +236,7 @@ def _usual_enough(item: Item, brief: SceneGraph, keep: float) -> bool:
     if item.need == "needed":
         return True
     said = len(brief.entities)
-    return said < MANY[0] and keep >= 0.3 if item.need == "optional" else said < MANY[1]
+    return said < SOME and keep >= 0.3 if item.need == "optional" else not is_detailed(brief)
 
 
 def _shares(
@@ -496,7 +501,8 @@ def _wish(demand: Demand, palette: Palette, seed: int) -> tuple[Wish, str | None
         material=look.material or (asked.material if asked else None),
         shape=look.shape,
         parts=look.parts,
-        beyond=any(said is not None for said in look.size) or look.mount is not None,
+        beyond=any(extent is not None for extent in (*look.size, *(asked.size if asked else ())))
+        or look.mount is not None,
         style=(asked and asked.style) or palette.style,
         palette=palette.code,
         words=" ".join(asked.words) if asked else "",

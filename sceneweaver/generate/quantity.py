@@ -20,6 +20,9 @@ FEW = 4
 MANY: Mapping[str, int] = {"floor": 10, "wall": 8, "ceiling": 8, "surface": 14}
 """How many other things are many, by what holds them."""
 
+SOME, DETAILED, COMPLETE = 4, 6, 10
+"""Things that a request names from which on nothing optional, nothing usual, and nothing on walls is added."""
+
 ON_FLOOR = 3
 """Of small things all over a room every so many lies on the floor."""
 
@@ -30,6 +33,11 @@ DECORATION = frozenset(("decor", "plant_group", "textile"))
 def is_plain(brief: SceneGraph) -> bool:
     """Whether a request wants little or nothing beside what it names: no pictures, plants, rugs and small things."""
     return brief.only or brief.density == "sparse"
+
+
+def is_detailed(brief: SceneGraph) -> bool:
+    """Whether a request names so many things that it describes the room: nothing is added but what the room needs."""
+    return len(brief.entities) >= DETAILED
 
 
 def is_plain_item(item: Item) -> bool:

@@ -11,7 +11,7 @@ from sceneweaver.geometry.angles import cross, dot
 from sceneweaver.knowledge import Place
 from sceneweaver.language import Grounded, SceneGraph, StatedRelation, Thing, grounded
 from sceneweaver.language.model import PLACES
-from sceneweaver.language.wall_names import direction_of
+from sceneweaver.language.wall_names import direction_of, walls_meant
 from sceneweaver.scene import CATALOGUE, InputError, Relation, Room, Window
 
 from .arrange import DROPPED, led, patterned
@@ -299,9 +299,14 @@ def _instance(one: Wanted, name: str | None, by_item: dict[str, list[Wanted]]) -
     return pool[one.number % len(pool)] if pool else None
 
 
+def stated_rows(brief: SceneGraph, wanted: Sequence[Wanted]) -> list[Grounded]:
+    """What the request states of the objects to be, to the letter."""
+    return grounded(brief, _made(wanted))[0]
+
+
 def rows_of(brief: SceneGraph, wanted: Sequence[Wanted]) -> list[Grounded]:
     """What the request states of the objects to be."""
-    return patterned(reconciled(grounded(brief, _made(wanted))[0], wanted), brief, wanted)
+    return patterned(reconciled(stated_rows(brief, wanted), wanted), brief, wanted)
 
 
 def _made(wanted: Sequence[Wanted]) -> dict[str, list[Thing]]:
@@ -353,7 +358,9 @@ def in_room(rows: Iterable[Grounded], room: Room, unmet: list[str]) -> Iterator[
     """Grounded relations with the walls and openings of a room; of those that it has not ``unmet`` is told."""
     number: dict[tuple[str, str], int] = {}
     for row in rows:
-        k = number[row.said, row.type] = number.get((row.said, row.type), -1) + 1
+        named = isinstance(row.target, str) and row.target.startswith("wall:")
+        key = (str(row.target), "") if named else (row.said, row.type)  # at one end, at the other end
+        k = number[key] = number.get(key, -1) + 1
         try:
             relation = _in_room(row, room, k)
         except InputError as error:
@@ -373,7 +380,7 @@ def _in_room(row: Grounded, room: Room, number: int) -> Relation | None:
     """
     target, kind = row.target, CATALOGUE[row.type].target_kind
     if kind == "wall" and isinstance(target, str):
-        target = f"wall:{wall_named(target.split(':', 1)[1], room)}"
+        target = f"wall:{wall_named(target.split(':', 1)[1], room, number)}"
     elif kind == "window":
         if not room.windows:
             return None
@@ -406,20 +413,26 @@ def _lack(said: StatedRelation, made: Mapping[str, Sequence[Thing]]) -> str:
     return "no relation can say it"
 
 
-def wall_named(name: str, room: Room) -> int:
-    """The wall that "left", "right", "far", "near" (seen from the door) or a compass point names, or a number.
+def wall_named(name: str, room: Room, number: int = 0) -> int:
+    """The wall that "left", "right", "far", "near" (seen from the door), a compass point, "long" or "short" names, or a
+    number; of several walls that are meant one without a door, the next one for each ``number``.
 
     Raises:
         InputError: for another name.
     """
-    if name.isdigit():
-        if int(name) >= len(room.walls):
-            raise InputError(f"wall {name}: the room has walls 0 to {len(room.walls) - 1}")
-        return int(name)
+    meant = walls_meant(name, room)
+    if not meant and name.isdigit():
+        raise InputError(f"wall {name}: the room has walls 0 to {len(room.walls) - 1}")
     way = direction_of(name, room)
-    if way is None:
-        raise InputError(f"wall '{name}' is unknown; say left, right, far, near, north, south, east or west")
-    return max((round(dot(wall.outward, way), 1), wall.length, wall.index) for wall in room.walls)[2]
+    if way is not None:
+        return max((round(dot(wall.outward, way), 1), wall.length, wall.index) for wall in room.walls)[2]
+    if not meant:
+        raise InputError(
+            f"wall '{name}' is unknown; say left, right, far, near, north, south, east, west, long or short"
+        )
+    doors = {door.wall for door in room.doors}
+    shut = [k for k in meant if k not in doors] or meant
+    return sorted(shut, key=lambda k: -room.walls[k].length)[number % len(shut)]
 
 
 def _without_doubles(relations: Iterable[Relation]) -> list[Relation]:

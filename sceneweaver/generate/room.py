@@ -22,7 +22,7 @@ from .free_floor import agreeing, free_areas_of, kept_free, people_of
 from .hanging import hung_between, lamp_count
 from .look import look_of
 from .program import BY_RANK, Limits, Program, Wanted, build, demands, free_zones
-from .relations import of_brief, of_items, rows_of
+from .relations import of_brief, of_items, rows_of, stated_rows
 from .rooms import larger_rooms, may_hold, other_rooms, same_walls, walls_hold
 from .rows import in_rows, lines_of, row_variants
 from .run import Variant, has_place
@@ -30,7 +30,10 @@ from .seats import lengthened
 from .setup import Proposal, Setup
 from .shell import floor_area, shell
 from .stacks import stacked
+from .stated_lengths import with_stated_lengths
+from .stated_states import with_stated_states
 from .supports import Places, laid, supported
+from .under import below_windows, with_room_below
 
 FILL = {"sparse": 0.73, "normal": 1.0, "full": 1.21}
 """Share of what a kind of room usually has under furniture up to which more is put in."""
@@ -60,7 +63,7 @@ PLACING = CATALOGUE.with_role("placing") | {
 LED = CATALOGUE.with_role("placing") | {"at_window", "near_door"}
 """Types of relations that of a line only the first piece has."""
 
-LEAN, LEAST = 0.62, 0.75
+LEAN, LEAST = 0.62, 0.55
 """Share of what a kind of room usually has under furniture below which a floor that nobody fixed shrinks to what it
 holds, and the least share of the floor that is left."""
 
@@ -77,12 +80,14 @@ LARGEST = 1.5
 
 @dataclass
 class _Floor:
-    """The floor [m2] of an attempt: whether the request fixes it, and whether it may shrink to what it holds."""
+    """The floor [m2] of an attempt: whether the request fixes it, whether it may shrink to what it holds, and down to
+    how much."""
 
     area: float
     people: int
     given: bool
     shrinks: bool
+    least: float
 
 
 @dataclass
@@ -111,8 +116,11 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
     room, brief, seed = setup.room_type, setup.brief, setup.seed
     area, people, given, notes = floor_area(room, brief, seed)
     most = LARGEST * room.area[2]
-    shrinks = not given and people_of(brief) is None and brief.scale == 1.0
-    floor = _Floor(area if given else min(area * roomier, most), people, given, shrinks)
+    shrinks = not given and brief.scale == 1.0
+    least = max(LEAST * area, 0.8 * room.area[0])
+    if people_of(brief) is not None and room.area_per_person:
+        least = max(least, room.area_per_person * people)
+    floor = _Floor(area if given else min(area * roomier, most), people, given, shrinks, least)
     style = brief.style or style or random.Random(seed ^ 0x57).choice(room.styles)
     wanted = look_of(brief)
     style = (wanted and wanted.style) or style
@@ -124,6 +132,7 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
     palette = kept(look, style, seed, tuple(dict.fromkeys(avoid)))
 
     made = _shelled(setup, floor, palette, roomier, hurried)
+    smallest: tuple[float, _Attempt] | None = None
     for attempt in range(1, GROWTHS + 1):
         _furnished(setup, made, palette)
         # Where a grid or a line fits no shell of this size, or all is crowded, only more floor helps.
@@ -133,7 +142,13 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
         crowded = crowded or made.program.wall > WALLED * walls_of(made.space)
         astray = not made.variants and in_rows(_free_of_rows(made.program.wanted, made.rows))
         astray = astray or not fits(brief, made.program.wanted, made.space)
-        if given or not (crowded or astray) or attempt == GROWTHS or floor.area >= most or hurried():
+        if not crowded and smallest is None:
+            smallest = floor.area, made
+        if given or not (crowded or astray) or hurried():
+            break
+        if attempt == GROWTHS or floor.area >= most:
+            if smallest is not None:  # what is astray in any of them does not need a hall
+                floor.area, made = smallest
             break
         floor.area *= GROWTH
         made = _shelled(setup, floor, palette, roomier, hurried)
@@ -173,7 +188,7 @@ def _shelled(setup: Setup, floor: _Floor, palette: Palette, roomier: float, hurr
         # Nobody asked for this size: a floor that would stay empty shrinks, once, to what it holds.
         needed = roomier * program.footprint / (LEAN * room.fill) + kept_free(brief)
         if floor.shrinks and needed < floor.area:
-            floor.area, floor.shrinks = max(needed, LEAST * floor.area, 0.8 * room.area[0]), False
+            floor.area, floor.shrinks = max(needed, min(floor.least, floor.area)), False
             continue
         rows = rows_of(brief, program.wanted)
         corners, cost = fitted(program, _free_of_rows(program.wanted, rows), space, setup.library)
@@ -190,6 +205,8 @@ def _furnished(setup: Setup, made: _Attempt, palette: Palette) -> None:
     stacked(program.wanted, brief)
     hung(brief, program.wanted)
     program.wanted = _not_before_windows(program.wanted, rows_of(brief, program.wanted))
+    below_windows(brief, program.wanted, made.space)
+    with_room_below(stated_rows(brief, program.wanted), program.wanted, setup.library)
     rows = rows_of(brief, program.wanted)
     if lengthened(program, rows, setup.library, brief):
         rows = rows_of(brief, program.wanted)  # more seats may be told of a longer table
@@ -320,7 +337,10 @@ def _program(setup: Setup, space: Room, area: float, people: int, palette: Palet
     fill = FILL[brief.density] * room.fill
     walls = walls_of(space)
     limits = Limits(max(area - kept_free(brief), 0.5 * area), fill, walls, WALLED * walls)
-    return build(wishes, room, setup.library, limits, setup.seed, palette, pane, space.height)
+    program = build(wishes, room, setup.library, limits, setup.seed, palette, pane, space.height)
+    with_stated_lengths(program.wanted, brief, space.height, setup.library)
+    with_stated_states(program.wanted, brief, space.windows, setup.library)
+    return program
 
 
 def _object(one: Wanted, space: Room, over: float, clear: bool, places: Places) -> SceneObject:
@@ -336,8 +356,10 @@ def _object(one: Wanted, space: Room, over: float, clear: bool, places: Places) 
     )
     obj = places.objects.get(one.id) or one.asset.object(one.id, pose=pose, mount=one.mount)  # type: ignore[arg-type]
     zones = free_zones(one.item, obj)
-    top = (places.tops[one.id],) if one.id in places.tops and not obj.surfaces else obj.surfaces
-    return obj.model_copy(update={"intent": intent, "surfaces": top, "zones": zones})
+    top = places.tops.get(one.id)
+    added = top is not None and top.name not in {s.name for s in obj.surfaces}
+    surfaces = (*obj.surfaces, top) if top is not None and added else obj.surfaces
+    return obj.model_copy(update={"intent": intent, "surfaces": surfaces, "zones": zones})
 
 
 def _over_doors(brief: SceneGraph, wanted: Sequence[Wanted], space: Room) -> dict[str, float]:

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Sequence
 from sceneweaver.geometry.angles import cross
 from sceneweaver.knowledge import RoomType
 from sceneweaver.language import Grounded, SceneGraph
+from sceneweaver.language.wall_names import walls_meant
 from sceneweaver.scene import Relation, Room
 
 from .program import Wanted
@@ -20,8 +21,9 @@ TRIED = 24
 SCALES = (1.0, 1.0, 1.06, 0.9, 1.12, 1.2, 1.06)
 """Factors on the floor of a room whose size is ours, taken in turn."""
 
-LARGER = (1.5, 1.9, 2.4)
-"""Factors on the floor where something that was asked for has no place."""
+LARGER = (1.2, 1.45, 1.75)
+"""Factors on the floor where something that was asked for has no place: what fits in none of them, a hall of mostly
+empty floor would not hold better either."""
 
 BESIDE_DOOR = 0.05
 """Length [m] of wall beside a door that something between it and the corner needs beyond its own width."""
@@ -91,7 +93,14 @@ def may_hold(room: Room, wanted: Sequence[Wanted], rows: Sequence[Grounded]) -> 
 def same_walls(room: Room, base: Room, relations: Iterable[Relation]) -> bool:
     """Whether the walls that relations name by number are the same ones in another room, as seen from the door."""
     named = {r.target for r in relations if isinstance(r.target, str) and r.target.startswith("wall:")}
-    return not named or all(wall_named(side, room) == wall_named(side, base) for side in SEEN)
+    alike = all(wall_named(side, room) == wall_named(side, base) for side in SEEN)
+    turned = bool(_only_long(base)) and _only_long(base).isdisjoint(_only_long(room)) and bool(_only_long(room))
+    return not named or (alike and not turned)
+
+
+def _only_long(room: Room) -> set[int]:
+    """The long walls of a room that is longer than wide."""
+    return set(walls_meant("long", room)) - set(walls_meant("short", room))
 
 
 def walls_hold(room: Room, wanted: Sequence[Wanted]) -> bool:

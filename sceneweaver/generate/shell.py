@@ -12,7 +12,7 @@ from sceneweaver.scene import Room
 from .free_floor import kept_free, people_of
 from .niches import with_niches
 from .openings import ENTRY, doors_of, windows_of
-from .outline import LARGEST, SMALLEST, Plan, asked_outline, drawn_shape, outline, sides_of, turned
+from .outline import LARGEST, SMALLEST, Plan, asked_outline, drawn_shape, mirrored, outline, sides_of, turned, winged
 from .stated_openings import walls_stated
 
 NARROW = 0.25
@@ -34,7 +34,8 @@ def floor_area(room_type: RoomType, brief: SceneGraph, seed: int) -> tuple[float
     told = people_of(brief)
     people = told if told is not None else room_type.people
     if brief.size is not None:
-        return brief.size[0] * brief.size[1], people, True, notes
+        more = brief.wing[0] * brief.wing[1] if brief.wing is not None else 0.0
+        return brief.size[0] * brief.size[1] + more, people, True, notes
     if brief.area is not None:
         return brief.area, people, True, notes
     area = room_type.area[1] * brief.scale * rng.uniform(0.92, 1.14)
@@ -88,6 +89,9 @@ def _plan(room_type: RoomType, brief: SceneGraph, area: float, rng: random.Rando
     shape = drawn_shape(room_type, area, rng) if free else brief.shape or "rectangle"
     if brief.size is not None:
         width, depth = _within(brief.size, notes)
+        if brief.wing is not None:
+            plan = winged(width, depth, brief.wing)
+            return mirrored(plan) if rng.random() < 0.5 else plan
         return asked_outline(shape, width, depth, rng)
     low, high = room_type.aspect
     aspect = rng.uniform(low, high) if rng.random() < 0.75 else rng.uniform(high, high + NARROW)

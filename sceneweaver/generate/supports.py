@@ -56,6 +56,9 @@ EYES = 1.45
 FREE = 0.3
 """Share of a top that must be free of what rises from it, for a thing to stand there."""
 
+SHALLOW = 0.5
+"""Depth [m] of what usually stands up to which it may hang flat on a wall."""
+
 BESIDE = ("next_to", "near", "left_of", "right_of", "in_front_of", "behind", "against", "leaning_on", "below", "at")
 """Stated relations to a thing or a part of the room that put such a thing on the floor."""
 
@@ -166,6 +169,8 @@ def _held(brief: SceneGraph, by_asked: dict[str, list[Wanted]]) -> None:
                 one.held = "wall" if one.mount != "floor" or said.type in ("on", "hanging_from", "above") else one.held
             elif place == "wall" and said.type in ("on", "hanging_from") and one.category not in categories():
                 one.held = "wall"  # of what is not known it is known that it hangs
+            elif place == "wall" and said.type == "hanging_from" and one.asset.size[0] <= SHALLOW:
+                one.held = "wall"  # a spade, a guitar; a bicycle stands out too far
             elif "ceiling" in may and place == "ceiling":
                 one.held = "ceiling"
             elif one.mount == "surface" and (place == "floor" or said.type == "around" and _on_floor(said, by_asked)):
@@ -377,12 +382,12 @@ def _on_one(
     support: Wanted, riders: Sequence[Wanted], rows: Sequence[Grounded], shelf: Shelf, places: Places
 ) -> tuple[list[Standing], list[Wanted]]:
     obj = places.objects.get(support.id) or support.asset.object(support.id, mount="floor")
-    top = None if obj.surfaces else _top(obj)
+    top = None if obj.surfaces and not _bare_top(obj, riders) else _top(obj)
     if top is not None:
         if all(one.category == support.category for one in riders):
             top = _over_edge(top)
         places.tops[support.id] = top
-        obj = obj.model_copy(update={"surfaces": (top,)})
+        obj = obj.model_copy(update={"surfaces": (*obj.surfaces, top)})
     plan = usual_arrangement(support.item.top if support.item else None, support.category)
     if not obj.surfaces:
         return [], list(riders)
@@ -390,6 +395,12 @@ def _on_one(
     found, lost = layer.run([Rider(w.id, w.asset, w.inside, w.share) for w in riders], rows)
     names = {rider.id for rider in lost}
     return found, [w for w in riders if w.id in names]
+
+
+def _bare_top(obj: SceneObject, riders: Sequence[Wanted]) -> bool:
+    """Whether something goes on top of a thing with doors, whose surfaces are all behind them: a kettle on a fridge."""
+    outside = any(not one.inside for one in riders)
+    return outside and has_role(obj.category, "opened") and all(s.headroom is not None for s in obj.surfaces)
 
 
 def _over_edge(top: Surface) -> Surface:

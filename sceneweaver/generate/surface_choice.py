@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from sceneweaver.assets import categories
+from sceneweaver.assets.roles import groups_above
 from sceneweaver.knowledge.surfaces import (
     Arrangement,
     Crowd,
     Slot,
     Unit,
+    arrangement,
     arrangement_of,
     arrangements,
     crowd,
@@ -15,13 +17,16 @@ from sceneweaver.knowledge.surfaces import (
     crowds,
     usual_arrangement,
 )
-from sceneweaver.scene import SceneObject, Surface
+from sceneweaver.scene import CATALOGUE, SceneObject, Surface
 
 from .surface_candidates import surfaces_of
 from .surface_scene import Surroundings
 
 PLACES = ((0.4, 0.7), (0.5, -0.6), (0.75, 0.1), (0.2, -0.1), (0.6, 0.4))
 """Where things stand that only the category table knows of: depth and side."""
+
+SEATED = CATALOGUE.with_role("seat", "formation")
+"""Types of relations whose subject, a seat, is one that people sit on."""
 
 HIGH, REACHED = "boxes", 1.6
 """Theme of tops above the height [m] that people reach every day."""
@@ -100,10 +105,20 @@ def is_dressed(around: Surroundings, obj: SceneObject, plan: Arrangement | None 
         return obj.category in plan.by_category or (item is not None and item.top in (plan.name, *plan.instead))
     if item is not None and item.top:
         return True
-    usual = obj.category in arrangement_of(around.room)
+    name = arrangement_of(around.room).get(obj.category)
+    usual = name is not None and (arrangement(name).sat_on or not is_sat_on(around, obj))
     if item is not None and item.fill and (len(obj.surfaces) == 1 or not usual):
         return False
     return obj.mount != "surface" and usual
+
+
+def is_sat_on(around: Surroundings, obj: SceneObject) -> bool:
+    """Whether people sit on a seat, so that it carries nothing that nobody asked for: it was itself asked for, or has
+    its place at a table or in a row. The stool beside a bed or a bath is a small table."""
+    if "seating" not in groups_above(obj.category):
+        return False
+    placed = any(r.subject == obj.id and r.type in SEATED for r in around.scene.relations)
+    return placed or obj.intent.priority == "asked"
 
 
 def leaves_top(around: Surroundings, obj: SceneObject) -> bool:

@@ -111,6 +111,7 @@ class Arrangement(_Plan):
     user: Literal["front", "back"] = Field(default="front", description="Side of the furniture its user is at")
     top: bool = Field(default=False, description="Whether it goes on the highest surface, not the one to work at")
     most: float = Field(default=0.5, description="Largest share of the surface to cover, for what is not needed")
+    sat_on: bool = Field(default=False, description="Whether one still sits where it lies, as with cushions")
     slots: tuple[Slot, ...]
 
     @field_validator("slots")

@@ -13,6 +13,7 @@ from .model import SceneGraph as SceneGraph
 from .model import Span as Span
 from .model import StatedFinish as StatedFinish
 from .model import StatedLook as StatedLook
+from .model import StatedMeasure as StatedMeasure
 from .model import StatedRelation as StatedRelation
 from .model import Unread as Unread
 from .pairs import Thing as Thing
@@ -28,6 +29,7 @@ __all__ = [
     "Span",
     "StatedFinish",
     "StatedLook",
+    "StatedMeasure",
     "StatedRelation",
     "Thing",
     "Unread",

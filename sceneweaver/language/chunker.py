@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from .chunks import CLOSED, OPEN, QUALITIES, Chunk, Kind, NounPhrase
+from sceneweaver.assets.plurals import singular
+
+from .chunks import CLOSED, EACH, OPEN, QUALITIES, Chunk, Kind, NounPhrase
 from .noun_phrases import noun_phrase
 from .scan import Scan, is_verb, participle_next
 from .tokens import Token
-from .vocabulary import Verb, frame
+from .vocabulary import Verb, frame, words
 
 _BREAKS: dict[str, Kind] = {",": "comma", ".": "stop"}
 _PRONOUNS = ("rest", "partial", "both", "each", "pron")
@@ -152,9 +154,13 @@ def _pronoun(scan: Scan, token: Token, after: Token | None) -> bool:
         and not after.has(*CLOSED)
         and not (after.has("verb") and is_verb(scan, scan.at + 1, seen_noun=True))
     )
-    if opens and (token.has("each", "both", "det", "number", "rest") or token.text == "another"):
+    if token.text in EACH and after is not None and _one_of_several(scan, token, after):
         return False
-    if token.has("each", "both") and after is not None and after.has("det", "number"):
+    of_station = token.text in EACH and after is not None and singular(after.text) in words("nouns")["stations"]
+    if of_station or opens and (token.has("each", "both", "det", "number", "rest") or token.text == "another"):
+        return False
+    targeted = bool(scan.out) and scan.out[-1].kind == "place"  # "on each a vase"
+    if token.text in (*EACH, "both") and not targeted and after is not None and after.has("det", "number"):
         return False
     if token.text == "one" and after is not None:
         placed = after.has("verb", "preposition", "place_adverb")
@@ -162,6 +168,14 @@ def _pronoun(scan: Scan, token: Token, after: Token | None) -> bool:
             return False
     scan.add("noun", value=NounPhrase("pronoun", token.text, token.start, token.end, value=kind))
     return True
+
+
+def _one_of_several(scan: Scan, token: Token, after: Token) -> bool:
+    """Whether "every second chair", "for every two chairs" or "between each two chairs" begins."""
+    if after.text in words("nouns")["every"]:
+        return True
+    between = bool(scan.out) and scan.out[-1].kind == "place" and scan.out[-1].value.type == "between"
+    return after.has("number") and (token.text == "every" or between)
 
 
 def _purpose(scan: Scan, token: Token, after: Token | None) -> bool:

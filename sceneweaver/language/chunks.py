@@ -44,6 +44,9 @@ CLOSED = (
 )
 """Kinds of words that end a noun phrase, or begin the next."""
 
+EACH = ("each", "every")
+"""Articles that speak of every single one."""
+
 _HEADS = (
     *("noun", "room", "group", "place", "region", "parts", "abstract", "people_words", "whom", "collective"),
     *("containers", "matter"),

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from sceneweaver.assets.taxonomy import category_named
 
 from .chunks import Chunk, NounPhrase
+from .distribution import each_next, every_so_many, listed_before, stands_for_each, stations
 from .exclusions import excluded, only_chunk, without_chunk
-from .items import close_surface, open_surface
+from .items import close_surface, name_nothing, open_surface
 from .nearness import meant_of_list
 from .parsed import Mention, Parsed
-from .pronouns import number_phrase, pronoun_phrase
+from .pronouns import is_one_of_quality, number_phrase, pronoun_phrase
 from .region_phrases import part_phrase, region_phrase, thing_phrase
 from .relating import relate_mutually, relate_to_nearest
 from .room_phrases import (
@@ -33,6 +35,9 @@ from .vocabulary import Place, words
 
 _TURNED = ("transform", "convert", "turn", "set up")
 """Verbs whose "into a studio" is no place."""
+
+_LOOKING = ("face", "turn", "look", "point")
+"""Verbs whose "away from" is no distance."""
 
 SEATED = 4
 """Chairs from which on those around a table are taken for dining chairs."""
@@ -98,9 +103,12 @@ def _purpose(state: State, chunk: Chunk) -> None:
 def _adjective(state: State, chunk: Chunk) -> None:
     """Words of quality alone: of what "is" so, of what stands before them, or of the room."""
     phrase: NounPhrase = chunk.value
+    if is_one_of_quality(chunk, state.chunk(state.at)):
+        return  # "the larger one": the pronoun after it says which
     if state.glue == "open" and state.frames and state.frames[-1].owner and not state.frames[-1].items:
         state.head, state.glue = state.frames.pop().owner, ""  # "covered in red felt"
     who = state.predicate or (state.head if state.glue == "" and not state.waiting else [])
+    who = who or _said_at_last(state, phrase)
     last = (state.head or state.subject)[-1:]
     if phrase.sides is not None:
         sides, phrase.sides = phrase.sides, None
@@ -116,6 +124,21 @@ def _adjective(state: State, chunk: Chunk) -> None:
     if not who:
         for token in phrase.qualities:
             room_quality(state, token, room=not state.out.mentions or state.after_be)
+
+
+def _said_at_last(state: State, phrase: NounPhrase) -> list[Mention]:
+    """ "A rug under the table, red and round": what the sentence is about, where no noun follows."""
+    after = state.chunk(state.at)
+    ends = after is None or after.kind in ("stop", "comma", "with", "aside", "word", "and")
+    of_things = any(t.has("color", "material", "shape", "finish") for t in phrase.qualities)
+    if not state.glue.startswith("comma") or not ends or not of_things or phrase.determiner:
+        return []
+    fresh = [m for m in state.out.mentions[state.begun :] if not m.implied]
+    if not fresh:
+        return []
+    listed = state.frames[-1].items if state.frames else []
+    about = listed or state.subject
+    return about[-1:] if about and about[-1] in fresh else fresh[:1]
 
 
 def _may_have(mention: Mention, sides: tuple[float, ...]) -> bool:
@@ -157,7 +180,7 @@ def _bracket(state: State, chunk: Chunk) -> None:
 def _comma(state: State, chunk: Chunk) -> None:
     if state.waiting is not None and state.waiting.first is None:
         open_ends(state)
-    state.manner, state.each = "", False
+    state.manner, state.each = "", None
     state.glue = "comma"
     state.predicate = []
 
@@ -188,8 +211,21 @@ def _while(state: State, chunk: Chunk) -> None:
 def _noun(state: State, chunk: Chunk) -> None:
     phrase: NounPhrase = chunk.value
     state.after_be = False
-    if not (state.negated and excluded(state, phrase, chunk)):
-        _PHRASES[phrase.what](state, phrase, chunk)
+    state.every = every_so_many(phrase)
+    if state.every > 1 and not (state.waiting is not None and state.waiting.place.type == "between"):
+        state.out.referred.append(state.span_of(phrase))
+    if stands_for_each(state, phrase) and state.refs.known(phrase, True, []) is None and (group := stations(state)):
+        state.refer(phrase)
+        phrase.what, phrase.value, phrase.text, phrase.of = "thing", None, group.noun, None
+    if state.negated and excluded(state, phrase, chunk):
+        return
+    waiting = state.waiting
+    looks = waiting is not None and waiting.place.type == "facing"
+    if waiting is not None and looks and phrase.text in words("relations")["views"]:
+        place = replace(waiting.place, words=f"{waiting.place.words} the {phrase.text} through")
+        state.waiting = replace(waiting, place=place)  # "a bench that looks out over the garden"
+        phrase.what, phrase.value = "place", "window"
+    _PHRASES[phrase.what](state, phrase, chunk)
 
 
 def _place(state: State, chunk: Chunk) -> None:
@@ -201,6 +237,10 @@ def _place(state: State, chunk: Chunk) -> None:
     before, after = state.chunk(state.at - 2), state.chunk(state.at)
     noun_next = state.noun_next()
     turned = before is not None and before.kind == "verb" and before.value.lemma in _TURNED
+    if before is not None and before.kind == "verb" and before.value.lemma in _LOOKING and place.type == "far_from":
+        state.leave_unread(state.source.text[before.start : chunk.end], before.start, chunk.end)
+        name_nothing(state)  # "faces away from the door" says nothing of how far it is
+        return
     if turned and place.type in ("inside", "through", "on") and noun_next:
         state.at += 1  # "transformed into a studio"
         return
@@ -252,6 +292,11 @@ def _subjects_of(state: State, place: Place, glue: str) -> list[Mention] | None:
     holds = frame is not None and frame.kind == "verb" and frame.type in ("on", "inside")
     if frame is not None and holds and place.type in ("opposite", "along"):
         return list(frame.owner)  # "a console supports a TV across from the sofa"
+    if state.joined in ("and", "comma") and each_next(state, state.at):
+        listed = frame.items if frame is not None else state.subject if state.subject_open else []
+        owner = state.refs.known(state.chunks[state.at].value, True, [])
+        if state.joined == "and" and state.head == listed[-1:]:
+            return listed_before(state, listed, owner) or list(state.head)
     if state.joined == "and":
         listed = frame.items if frame is not None else state.subject if state.subject_open else []
         if len(listed) > 1 and state.head == listed[-1:]:

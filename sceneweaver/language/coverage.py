@@ -8,7 +8,7 @@ told to the user as not understood. Words of grammar and of politeness need no a
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import cache
 
 from .model import SceneGraph, Span, Unread
@@ -19,12 +19,20 @@ _WORD = re.compile(r"[^\W\d_]+(?:['’&-][^\W\d_]+)*|\d+(?:[.,]\d+)?", re.UNICOD
 _JOIN = re.compile(r"[\s'’\"-]*")
 
 
-def silent_words(graph: SceneGraph, language: str = "en") -> tuple[Unread, ...]:
+def silent_words(
+    graph: SceneGraph, language: str = "en", referred: Iterable[Span] = (), slips: Mapping[str, str] | None = None
+) -> tuple[Unread, ...]:
     """The words of the text that no item of the graph accounts for, neighbours together, in order.
 
     Time grows with the length of the text.
+
+    Args:
+        graph: what was read of it.
+        language: that it was read in.
+        referred: where what was named before is named again.
+        slips: words with a slip of the pen, and what was meant.
     """
-    covered = _marked(graph, _spans(graph))
+    covered = _marked(graph, (*_spans(graph), *referred))
     if language != "en":
         covered = _marked(graph, (*_spans(graph), *(entity.span for entity in graph.entities)))
         lost = unknown_words(graph.text.lower()[: len(graph.text)], language)
@@ -33,7 +41,10 @@ def silent_words(graph: SceneGraph, language: str = "en") -> tuple[Unread, ...]:
     found: list[list[int]] = []
     for match in _WORD.finditer(graph.text):
         word = match[0].lower().replace("’", "'")
-        if any(covered[match.start() : match.end()]) or word in function_words() or word in known:
+        if any(covered[match.start() : match.end()]):
+            continue
+        meant = (slips or {}).get(word, word)
+        if meant in known or all(part in function_words() or part in known for part in meant.split()):
             continue
         if any(named[match.start() : match.end()]) and (word[0].isdecimal() or word in vocabulary()):
             continue  # of what stands before a noun, only words that nobody knows are lost
@@ -73,9 +84,11 @@ def _spans(graph: SceneGraph) -> Iterable[Span]:
         graph.looks,
         graph.finishes,
     )
-    for row in (item for several in (*rows, graph.arrangements, graph.unread) for item in several):
+    for row in (item for several in (*rows, graph.arrangements, graph.measures, graph.unread) for item in several):
         if row.span is not None:
             yield row.span
+    for one in graph.arrangements:
+        yield from one.more
     for entity in graph.entities:
         yield from (attribute.span for attribute in entity.attributes if attribute.span is not None)
 
@@ -87,6 +100,8 @@ def _known_elsewhere(graph: SceneGraph) -> frozenset[str]:
     said += [said.words for said in (*graph.relations, *graph.exclusions)]
     said += [word for entity in graph.entities for word in (entity.noun, *entity.words)]
     said += [a.words for entity in graph.entities for a in entity.attributes]
+    if graph.wing is not None:
+        said += [*words("openings")["wings"], "l l-shaped shaped shape form main"]
     spoken = frozenset(word for text in said for word in _WORD.findall(text.lower()))
     if graph.scale != 1.0 or graph.density != "normal" or graph.only:
         spoken |= frozenset(" ".join(words("function_words").get("room_quality", "").split()).split())
@@ -97,10 +112,11 @@ def _is_measure(graph: SceneGraph, match: re.Match[str]) -> bool:
     """Whether a number is one of the room's sides, its area, its height or a measure that was read."""
     value = float(match[0].replace(",", "."))
     have = [*(graph.size or ()), graph.area or 0.0, graph.height or 0.0, float(graph.people or 0)]
+    have += [*(graph.wing or ())]
     have += [float(n) for entity in graph.entities for n in entity.count or ()]
     have += [float(s) for entity in graph.entities for s in entity.size if s is not None]
     have += [float(value) for relation in graph.relations for value in relation.params.values() if value is not None]
-    have += [value for one in graph.arrangements for value in (one.spacing, one.height) if value]
+    have += [value for one in graph.arrangements for value in (one.spacing, one.height, one.aisle) if value]
     units = (1.0, 0.01, 0.001, 0.3048, 0.0254, 0.092903)
     return any(abs(value * unit - other) <= 0.006 * max(1.0, other) for unit in units for other in have if other)
 

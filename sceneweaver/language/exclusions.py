@@ -13,22 +13,22 @@ from .parsed import Mention
 from .region_phrases import thing_phrase
 from .state import State
 from .things import match_of, name_of
-from .vocabulary import category_of, plural, words
+from .unwanted import is_class, kinds_unwanted
+from .vocabulary import category_of, words
+
+FEW = 12
+"""Kinds of a known thing that are ruled out with it."""
 
 
 def without_chunk(state: State, chunk: Chunk) -> None:
     """ "No", "without", "nothing": what follows must not be there."""
     state.waiting = None
+    if state.negated and chunk.value in words("unwanted")["except"]:
+        state.negated, state.glue = "", "start"  # "no appliances except a stove"
+        return
     if chunk.value != "nothing":
         state.negated, state.negation, state.glue = "first", str(chunk.value), "neg"
         return
-    rules = words("groups")["nothing_on"]  # "nothing on the walls"
-    for k, ahead in enumerate(state.chunks[state.at : state.at + 4]):
-        place = str(ahead.value.value).split(":")[0] if ahead.kind == "noun" and ahead.value.what == "place" else ""
-        if place in rules:
-            state.out.without += [(name, (name,), state.span_of(ahead)) for name in rules[place]]
-            state.at += k + 1
-            return
     if state.at < len(state.chunks) and state.chunks[state.at].text.split()[0] in ("else", "more"):
         state.out.only = True
 
@@ -80,7 +80,9 @@ def _is_elsewhere(state: State, phrase: NounPhrase) -> bool:
 def _leave_out(state: State, phrase: NounPhrase) -> None:
     """The categories, or groups of them, that a noun phrase rules out."""
     span, groups = state.span_of(phrase), words("groups")
-    if phrase.what == "place":
+    if phrase.what in ("group", "abstract", "collective", "matter") and is_class(phrase.text):
+        state.out.without.append((phrase.text, kinds_unwanted(phrase.text), span))
+    elif phrase.what == "place":
         state.out.openings[str(phrase.value)] = 0
     elif phrase.what == "group":
         things = groups["groups"][phrase.value]["things"]
@@ -88,7 +90,7 @@ def _leave_out(state: State, phrase: NounPhrase) -> None:
     elif phrase.what in ("thing", "part") and (names := excluded_names(phrase)):
         state.out.without.append((phrase.text, names, span))
         return
-    if phrase.what in ("thing", "part", "matter", "people", "collective"):
+    elif phrase.what in ("thing", "part", "matter", "people", "collective"):
         spoken = state.source.text[phrase.start : phrase.end]
         state.leave_unread(f"{state.negation} {spoken}", phrase.start, phrase.end)
         if phrase.what == "thing" and _may_be_ruled_out(state, phrase):
@@ -106,7 +108,10 @@ def _may_be_ruled_out(state: State, phrase: NounPhrase) -> bool:
 
 def _qualified(phrase: NounPhrase) -> bool:
     """Whether only some of a kind are meant: "no red chairs"."""
-    return any(t.has("color", "material", "scale", "styles", "finish") and not t.has("noun") for t in phrase.qualities)
+    return any(
+        t.has("material") or (t.has("color", "scale", "styles", "finish") and not t.has("noun"))
+        for t in phrase.qualities
+    )
 
 
 def excluded_names(phrase: NounPhrase) -> tuple[str, ...]:
@@ -114,20 +119,20 @@ def excluded_names(phrase: NounPhrase) -> tuple[str, ...]:
 
     A plain noun rules out all that bears its name: "no cabinets" the kitchen's and those on the wall as well.
     """
-    noun, listed = name_of(phrase), words("groups")["without"]
+    noun = name_of(phrase)
     if _qualified(phrase):
         return ()
-    for name in (noun, phrase.text, plural(phrase.text), singular(phrase.text)):
-        if name in listed:
-            known, usual = categories(), match_of(noun).category
-            names = tuple(one for one in listed[name] if one in known)
+    for name in (noun, phrase.text):
+        if is_class(name):
+            names, usual = kinds_unwanted(name), match_of(noun).category
             return names if singular(phrase.text) != phrase.text or usual in names else (usual, *names)
     match, known = match_of(noun), categories().get(str(phrase.value))
     if match.how == "generic" and phrase.value is None:
-        return ()
+        return kinds_unwanted(noun)
     if known is not None and known.size is None:
         return (str(phrase.value),)
-    return (match.category, *_namesakes(singular(noun), match.category))
+    below = kinds_unwanted(noun)
+    return tuple(dict.fromkeys((match.category, *_namesakes(singular(noun), match.category), *below[:FEW])))
 
 
 @cache

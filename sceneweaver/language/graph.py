@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
+from sceneweaver.assets.plurals import singular
 from sceneweaver.assets.taxonomy import category_named, narrower
 
 from .coverage import silent_words
+from .distribution import tell_each
 from .in_room import mean_in_room
 from .meaning import unsaid
+from .measured import give_states, measured
 from .model import Amount, Attribute, Entity, Exclusion, SceneGraph, StatedRelation, Unread
 from .mutual import split_mutual
 from .parsed import Barred, Left, Mention, Parsed, Said
 from .source import Source
-from .statements.counts import bounded_counts, peopled
+from .statements.counts import bounded_counts, peopled, told_apart
 from .statements.resolve import resolved
 from .vocabulary import words
 
@@ -25,7 +28,7 @@ MOST = 400
 SEVERAL, PLURAL = 6, 6
 """Things that there are at least of what is all over a room, and most of a bare plural."""
 
-_SAME = ("room_type", "room_words", "other_rooms", "shape", "style", "only")
+_SAME = ("room_type", "room_words", "other_rooms", "shape", "wing", "style", "only")
 """What a graph says of the room as it was parsed."""
 
 _SIDES = ("left_of", "right_of", "next_to", "in_front_of", "behind", "near", "flanking", "around")
@@ -34,11 +37,14 @@ _SIDES = ("left_of", "right_of", "next_to", "in_front_of", "behind", "near", "fl
 def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     """The graph of a request; notes say what was left out."""
     notes = parsed.notes
+    tell_each(parsed)
     split_mutual(parsed)
     mentions = _first(_without_contradictions(parsed), parsed)
     for mention in mentions:
         _narrowed(mention)
     mean_in_room(mentions, parsed.room_type)
+    lengths = measured(parsed, mentions, text)
+    give_states(parsed, mentions, text)
     _named(mentions)
     _shared_support(parsed)
     _by_attribute(parsed, mentions)
@@ -51,7 +57,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     named = {entity.id for entity in entities}
     amounts = tuple(a for a in resolved(parsed.amounts, entities, "amount") if a.entity in named)
     entities = tuple(_many(entity, amounts) for entity in entities)
-    arrangements = resolved(parsed.arrangements, entities, "arrangement")
+    relations, arrangements = told_apart(relations, resolved(parsed.arrangements, entities, "arrangement"))
     people = peopled(
         bounded_counts(entities, parsed.bounds),
         relations,
@@ -81,9 +87,16 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         capacities=people.capacities,
         arrangements=arrangements,
         amounts=amounts,
+        measures=tuple(
+            measure.model_copy(update={"id": f"measure-{k}", "entity": mention.id if mention is not None else ""})
+            for k, (measure, mention) in enumerate(lengths)
+            if mention is None or mention in mentions
+        ),
         relations=tuple(r.model_copy(update={"id": f"relation-{k}"}) for k, r in enumerate(people.relations)),
         exclusions=_numbered(
-            [Exclusion(words=w, categories=c, span=span) for (w, c), span in reversed(exclusions.items())] + barred
+            [Exclusion(words=w, categories=c, span=span) for (w, c), span in reversed(exclusions.items())]
+            + [_but_for(one, entities) for one in parsed.unwanted]
+            + barred
         ),
         unread=tuple(
             Unread(words=left.words, span=source.span(left.start, left.end) if left.end > left.start else left.span)
@@ -91,13 +104,19 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         ),
     )
     notes += [f"'{said.words}' cannot be said as a relation" for said in unsaid(graph) if not said.implied]
-    silent = silent_words(graph, source.language)
+    silent = silent_words(graph, source.language, parsed.referred, source.slips)
     placed = {unread.words for unread in silent}
     left = sorted(
         (*(unread for unread in graph.unread if unread.span or unread.words not in placed), *silent),
         key=lambda one: one.span.start if one.span else len(text),
     )
     return graph.model_copy(update={"notes": tuple(dict.fromkeys(notes)), "unread": tuple(left)})
+
+
+def _but_for(excluded: Exclusion, entities: Sequence[Entity]) -> Exclusion:
+    """What is not wanted by material, property or place, without what the request names."""
+    named = {entity.category for entity in entities}
+    return excluded.model_copy(update={"categories": tuple(c for c in excluded.categories if c not in named)})
 
 
 def _barred(said: Barred, mentions: list[Mention]) -> Exclusion | None:
@@ -123,6 +142,8 @@ def _numbered(exclusions: list[Exclusion]) -> tuple[Exclusion, ...]:
 def _without_contradictions(parsed: Parsed) -> list[Mention]:
     """What is both wanted and not wanted stays out."""
     related = {m for said in parsed.said for m in said.subjects}
+    wanted = {m.category: singular(m.noun) for m in parsed.mentions}
+    parsed.without = [(said, _but_named(said, names, wanted), span) for said, names, span in parsed.without]
     excluded = {name for _, names, _ in parsed.without for name in names}
     first: dict[str, Mention] = {}
     kept: list[Mention] = []
@@ -138,6 +159,12 @@ def _without_contradictions(parsed: Parsed) -> list[Mention]:
         else:
             kept.append(mention)
     return kept
+
+
+def _but_named(said: str, names: tuple[str, ...], wanted: Mapping[str, str]) -> tuple[str, ...]:
+    """What a word rules out but for kinds of it that are asked for by a name of their own: "no plants, a cactus"."""
+    own = singular(said)
+    return tuple(name for name in names if name not in wanted or len(names) == 1 or wanted[name].endswith(own))
 
 
 def _alike(one: Mention, other: Mention) -> bool:
@@ -227,7 +254,7 @@ def _entity(mention: Mention, notes: list[str]) -> Entity:
         notes.append(f"{count[1]} x {mention.noun} was brought to {MOST}")
         count = (min(count[0], MOST), MOST)
     found = category_named(mention.category).size
-    for want, bounds, name in zip(mention.size, found.ranges if found else (), ("deep", "wide", "high"), strict=False):
+    for want, bounds, name in zip(mention.size, found.reach if found else (), ("deep", "wide", "high"), strict=False):
         if want is not None and not bounds[0] - 1e-6 <= want <= bounds[1] + 1e-6:
             notes.append(
                 f"a {mention.noun} {want:g} m {name} cannot be made; it is {bounds[0]:g} to {bounds[1]:g} m {name}"

@@ -16,7 +16,7 @@ from sceneweaver.rules.relation import VIEWED
 from sceneweaver.rules.stated import number as number_of
 
 from .model import PLACES, SceneGraph, StatedRelation
-from .pairs import Thing, kind_of, of_pair, of_place
+from .pairs import Thing, of_pair, of_place
 
 FURTHEST: float = number_of("furthest")
 """Most distance [m] where none is given."""
@@ -238,7 +238,7 @@ def _rows(said: StatedRelation, pair: _Pair, known: Mapping[str, Thing]) -> Iter
         if subject is target:
             yield Grounded(said.id, "", subject.id)
             return
-    for row in of_pair(kind_of(said), subject, target, pair.side, pair.k, pair.n):
+    for row in of_pair(said.type, subject, target, pair.side, pair.k, pair.n):
         first, second = (target, subject) if row.swapped else (subject, target)
         if said.params and row.type in ("distance", "near"):
             low, high = said.params.get("min") or 0.0, said.params.get("max") or FURTHEST

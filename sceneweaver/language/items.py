@@ -6,9 +6,11 @@ from dataclasses import replace
 from typing import Any
 
 from .chunks import NounPhrase
+from .distribution import distributed, is_each, over_each, share_in, speaks_of_both
 from .parsed import Mention, Said
 from .relating import relate, relate_to_owner, say, support_kind
 from .state import Frame, Fronted, State, Waiting
+from .things import MANY
 from .vocabulary import Place
 
 _FULL = ("full of", "filled with")
@@ -37,7 +39,7 @@ def name_things(state: State, mentions: list[Mention], phrase: NounPhrase, new: 
     clause = clause and (state.done or (bool(state.frames) and not state.subject_open))
     if glue in ("start", "while") or clause or not (state.subject or state.frames or state.fronted):
         begin_clause(state, mentions, glue)
-    elif state.fronted and not (state.frames and glue == ""):
+    elif state.fronted and not (state.frames and glue == "" and state.frames[-1].kind != "list"):
         keep = bool(state.first_items) and state.subject_open and glue == "and"
         begin_clause(state, mentions, glue, keep=keep)
     else:
@@ -46,6 +48,7 @@ def name_things(state: State, mentions: list[Mention], phrase: NounPhrase, new: 
 
 def begin_clause(state: State, mentions: list[Mention], glue: str, keep: bool = False) -> None:
     """Things become the subject of a new clause; ``keep`` adds them to the one that there is."""
+    mentions = _over_fronted(state, state.fronted, mentions)
     if state.subject and not keep:
         state.previous = list(state.subject)
         if glue != "start":
@@ -63,6 +66,14 @@ def begin_clause(state: State, mentions: list[Mention], glue: str, keep: bool = 
     if fronted:
         _relate_fronted(state, fronted, mentions)
         state.frames.append(Frame("fronted", fronted=fronted, items=list(mentions)))
+
+
+def _over_fronted(state: State, fronted: list[Fronted], mentions: list[Mention]) -> list[Mention]:
+    """Things after "at every desk" counted out over the desks."""
+    for place, targets, _ in fronted:
+        if place.over_each:
+            mentions = distributed(state, mentions, targets[0])
+    return mentions
 
 
 def _relate_fronted(state: State, fronted: list[Fronted], mentions: list[Mention]) -> None:
@@ -127,6 +138,12 @@ def _inner_list_goes_on(state: State, mentions: list[Mention], phrase: NounPhras
 def _add_item(state: State, mentions: list[Mention], phrase: NounPhrase) -> None:
     """What is named in an open list."""
     frame = state.frames[-1]
+    if frame.each or phrase.determiner == "each":
+        mentions = distributed(state, mentions, _counted_owner(frame.owner))
+    elif frame.kind == "fronted":
+        mentions = _over_fronted(state, frame.fronted, mentions)
+    elif frame.kind in ("with", "verb") and len(frame.owner) == 1:
+        mentions = share_in(state, mentions, frame.owner[0])
     if frame.items:
         state.previous = list(frame.items[-1:])
     frame.items += mentions
@@ -146,16 +163,10 @@ def _add_item(state: State, mentions: list[Mention], phrase: NounPhrase) -> None
         relate_to_owner(state, frame, mentions, phrase)
     else:
         _place_item(state, frame, mentions)
-    if frame.each or phrase.determiner == "each":
-        _for_each(frame.owner, mentions)
 
 
-def _for_each(owners: list[Mention], mentions: list[Mention]) -> None:
-    """So many for each of their owners."""
-    many = next((o.count for o in owners if o.count is not None), None)
-    for mention in mentions:
-        if many is not None and mention.count is not None:
-            mention.count = (mention.count[0] * many[0], mention.count[1] * many[1])
+def _counted_owner(owners: list[Mention]) -> Mention | None:
+    return next((o for o in owners if o.count is not None), next(iter(owners), None))
 
 
 def _place_item(state: State, frame: Frame, mentions: list[Mention]) -> None:
@@ -183,15 +194,15 @@ def give_target(state: State, waiting: Waiting, mentions: list[Mention], phrase:
         state.glue = "open"
         return
     state.waiting = None
-    if state.each and new and waiting.subjects:
-        _for_each(waiting.subjects, mentions)
+    if state.each is not None and new and waiting.subjects:
+        mentions = distributed(state, mentions, state.each)
     targets: tuple[Any, ...] = tuple(mentions)
     if between:
         targets = (waiting.first, mentions[0]) if waiting.first is not None else (mentions[0], mentions[-1])
     elif waiting.place.type != "around" and phrase.what != "pronoun":
         targets = targets[:1]
     _on_both(waiting, mentions, phrase)
-    bind_target(state, waiting, targets, phrase.determiner in ("each", "every"))
+    bind_target(state, waiting, targets, is_each(phrase) or speaks_of_both(phrase, waiting.place.type))
     if waiting.subjects is not None and new and not waiting.lost:
         state.head = list(mentions)
     elif waiting.subjects is None:
@@ -228,17 +239,34 @@ def bind_target(state: State, waiting: Waiting, targets: tuple[Any, ...], each: 
             relate(state, place, subjects, target, state.span_of(waiting.chunk))
         state.barred, state.unwanted = False, []
         return
+    target = targets[0]
+    each = each and len(targets) == 1 and isinstance(target, Mention)
+    place = over_each(place) if each and state.every == 1 else place
     if subjects is None:
         state.fronted.append((place, targets, waiting.chunk))
         return
-    if each:
-        place = Place(place.type, place.side, True, place.words)
-        many = targets[0].count if isinstance(targets[0], Mention) and waiting.count is None else None
-        if many is not None:
-            _for_each([targets[0]], [s for s in subjects if s.count != many])
+    if isinstance(target, Mention) and len(targets) == 1:
+        subjects = _each_with_its_own(state, subjects, target, waiting, each)
     groups = [targets] if len(targets) < 2 or place.type == "between" else [(target,) for target in targets]
     for group in groups:
         relate(state, place, subjects, group, state.span_of(waiting.chunk), count=waiting.count)
+
+
+def _each_with_its_own(
+    state: State, subjects: list[Mention], target: Mention, waiting: Waiting, each: bool
+) -> list[Mention]:
+    """The subjects counted out over a target of which each is meant, or which is each one's own."""
+    if not each:
+        return share_in(state, subjects, target)
+    if waiting.count is None:
+        fresh = [s for s in subjects if s in state.out.mentions[state.begun :]]
+        swapped = dict(zip(fresh, distributed(state, fresh, target), strict=True))
+        return [swapped.get(s, s) for s in subjects]
+    for subject in subjects:  # "chairs, two at each table"
+        if subject.count in (None, MANY) and target.count is not None:
+            subject.count = (waiting.count[0] * target.count[0], waiting.count[1] * target.count[1])
+            subject.per = target
+    return subjects
 
 
 def continue_with(state: State, mentions: list[Mention]) -> None:

@@ -61,7 +61,8 @@ Activity = Literal["sit", "sleep", "work", "eat", "stand", "wait", "use"]
 
 PLACES = ("wall", "window", "door", "corner", "middle", "ceiling", "floor", "room")
 """Targets that are parts of the room. ``wall:left`` (right, far, near, north ...) is as seen from the door, or by
-compass with y north."""
+compass with y north; ``wall:long``, ``wall:short`` (an end of the room), ``wall:side`` (left or right), ``wall:window``
+and ``wall:door`` are any such wall; ``corner:far+left`` is the corner of these two, ``corner:far`` one of two."""
 
 
 class Span(NamedTuple):
@@ -131,6 +132,8 @@ class StatedRelation(FrozenModel):
 class Exclusion(FrozenModel):
     """What must not be there: nowhere in the room or, with a ``relation``, not there ("no shelf above the bed").
 
+    Beside the ``categories`` it may be whatever is of some ``materials`` or hangs where a ``mount`` says.
+
     An entity that must not stand somewhere ("the wardrobe may not be in front of the window") is named by ``subject``.
     """
 
@@ -140,6 +143,12 @@ class Exclusion(FrozenModel):
     relation: RelationType | None = Field(default=None, description="How they must not stand to the targets")
     targets: tuple[str, ...] = Field(default=(), description="Ids of entities or `PLACES`, of the relation")
     subject: str = Field(default="", description="The entity that it is said of, by id; else all of the categories")
+    materials: tuple[str, ...] = Field(
+        default=(), description="Names of materials; nothing may be of one that the request does not name"
+    )
+    mount: Literal["", "wall", "ceiling"] = Field(
+        default="", description="Where nothing may hang that the request does not name"
+    )
     span: Span | None = None
 
 
@@ -208,25 +217,48 @@ class Arrangement(FrozenModel):
     """How things of one kind stand to each other.
 
     A ``cluster`` is one of ``groups`` of ``columns`` things, ``around`` something where that is said. ``sides`` are
-    numbers at opposite sides of what they are ``around``, or of an aisle where nothing is said.
+    numbers at opposite sides of what they are ``around`` (or all four: front, back, left, right), or of an aisle where
+    nothing is said; of ``walls`` at either of the walls named by ``around``. ``between`` has one of them in each gap of
+    what they are ``around``. At a ``right_angle`` stand two of a kind, or one of it and
+    ``others``. Seats are ``outside`` or ``inside`` of a U of tables.
     """
 
     id: str = ""
     entity: str
     pattern: Literal[
-        "row", "rows", "grid", "circle", "semicircle", "u", "back_to_back", "stack", "cluster", "islands", "sides"
+        "row",
+        "rows",
+        "grid",
+        "circle",
+        "semicircle",
+        "u",
+        "back_to_back",
+        "stack",
+        "cluster",
+        "islands",
+        "sides",
+        "walls",
+        "between",
+        "right_angle",
+        "head_to_head",
+        "end_to_end",
+        "outside",
+        "inside",
     ]
+    others: tuple[str, ...] = Field(default=(), description="What else takes part: entities, by id")
     rows: int | None = Field(default=None, description="One behind the other; of a stack: one on the other")
     columns: int | None = Field(default=None, description="In each row or group")
     groups: int | None = Field(default=None, description="Groups, or stacks")
     sides: tuple[int, ...] = Field(default=(), description="How many are on one side, and on the other")
     spacing: float | None = Field(default=None, description="Clear between neighbours, or rows of one column [m]")
+    aisle: float | None = Field(default=None, description="Way through the middle, from front to back [m]")
     upright: bool = Field(default=False, description="Whether rows are one above the other, at a wall")
     height: float | None = Field(default=None, description="Up to which a stack reaches [m]")
     around: str = Field(default="", description="What each group, or the circle, is around: an entity, by id")
     facing: str = Field(default="", description="What they look at: an entity, one of `PLACES`, or 'each other'")
     words: str = ""
     span: Span | None = None
+    more: tuple[Span, ...] = Field(default=(), description="Further words of it, elsewhere in the request")
 
 
 class Amount(FrozenModel):
@@ -263,6 +295,43 @@ class StatedLook(FrozenModel):
     span: Span | None = None
 
 
+class StatedMeasure(FrozenModel):
+    """A length that is said of things: an extent, or the height of a part of them or of where they are.
+
+    ``length`` is that of the longer side in plan, ``side`` that of both; ``top``, ``seat``, ``centre``, ``bottom`` and
+    ``upper`` are heights above the floor, ``placed`` is where a thing hangs or stands, ``ceiling`` what is left to it.
+    """
+
+    id: str = ""
+    entity: str = Field(default="", description="The entity, by id; empty: all worktops of the room")
+    quantity: Literal[
+        "depth",
+        "width",
+        "length",
+        "height",
+        "diameter",
+        "side",
+        "top",
+        "seat",
+        "centre",
+        "bottom",
+        "upper",
+        "placed",
+        "ceiling",
+    ]
+    low: float | None = Field(default=None, description="Least [m]; the same as the largest where one was given")
+    high: float | None = Field(default=None, description="Largest [m]")
+    vague: bool = Field(default=False, description="Whether it is about so much")
+    words: str = ""
+    span: Span | None = None
+
+    @property
+    def wanted(self) -> float:
+        """A length [m] that is as asked, by the ends alone."""
+        ends = [end for end in (self.low, self.high) if end is not None]
+        return sum(ends) / len(ends)
+
+
 class Unread(FrozenModel):
     """Words that were not understood."""
 
@@ -279,6 +348,9 @@ class SceneGraph(FrozenModel):
     other_rooms: tuple[str, ...] = Field(default=(), description="Kinds of further rooms that the request names")
     shape: Shape | None = None
     size: tuple[float, float] | None = Field(default=None, description="Floor [m], longer side first")
+    wing: tuple[float, float] | None = Field(
+        default=None, description="Sides [m] of what sticks out of a floor of that size, at an end of a long side"
+    )
     area: float | None = Field(default=None, description="Floor [m2]")
     height: float | None = Field(default=None, description="Of the ceiling [m]")
     scale: float = Field(default=1.0, description="1.3 for a large room, 0.75 for a small one")
@@ -301,6 +373,7 @@ class SceneGraph(FrozenModel):
     capacities: tuple[Capacity, ...] = ()
     arrangements: tuple[Arrangement, ...] = ()
     amounts: tuple[Amount, ...] = ()
+    measures: tuple[StatedMeasure, ...] = ()
     only: bool = Field(default=False, description="Nothing but what is named: 'only', 'just', 'nothing else'")
     unread: tuple[Unread, ...] = ()
     notes: tuple[str, ...] = Field(default=(), description="What was assumed, corrected or contradicts itself")

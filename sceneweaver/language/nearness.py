@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from itertools import takewhile
 
+from sceneweaver.assets.taxonomy import likeliness
+
 from .parsed import Mention
 from .state import State
 from .vocabulary import Place
@@ -87,6 +89,20 @@ def nearest(state: State, without: list[Mention], apart: bool = False) -> list[M
     return [m for m in reversed(state.out.mentions[-6:]) if m not in without][:1]
 
 
+def carrying(state: State, near: list[Mention], subjects: list[Mention]) -> list[Mention]:
+    """ "A chair in front of it and a lamp on it": of what is near, or was meant by "it" before, what rather carries
+    such things."""
+    meant = [t for said in state.out.said[-3:] for t in said.targets if isinstance(t, Mention)]
+    choices = [*near[-1:], *(m for m in reversed(meant) if m not in near and m not in subjects)]
+    if not subjects or len(choices) < 2 or not all(s.is_small for s in subjects):
+        return near
+    ranks = [likeliness(subjects[0].category, m.category) for m in choices]
+    if ranks[0] is not None or all(rank is None for rank in ranks):
+        return near
+    _, best = min((rank, k) for k, rank in enumerate(ranks) if rank is not None)
+    return [choices[best]]
+
+
 def chained(state: State, near: list[Mention], subjects: list[Mention]) -> list[Mention]:
     """Whose "its" is in a list: "a laptop at its center, a lamp to its left and a clock to its right" are about the
     laptop."""
@@ -109,9 +125,13 @@ def meant_of_list(state: State, place: Place, listed: list[Mention]) -> list[Men
     """Who of a list a relation after it is about: the last, or all that belong together."""
     kind = place.type
     related = {m for s in state.out.said for m in s.subjects}
+    if kind == "between":
+        return listed[-1:]
     if kind in ("on", "inside"):
         small = list(takewhile(lambda m: m.is_small and not m.implied, reversed(listed)))[::-1]
         return [m for m in small if m not in related or m is listed[-1]] or listed[-1:]
+    if state.manner == "hang" and len(listed) == 2 and listed[0] not in related:
+        return listed  # "a spade and a rake hanging on the wall"
     if kind in ("flanking", "along", "around") and len(listed) == 2:
         return listed
     pair = all(m.mount == "surface" for m in listed[-2:])

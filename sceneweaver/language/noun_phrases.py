@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from .chunks import CLOSED, OPEN, QUALITIES, NounPhrase, bounded, nominal
+from .nothings import is_word
 from .scan import Scan, is_verb
-from .tokens import Token
+from .tokens import Token, looks_adjective
 from .vocabulary import words
 
 _ENDS = ("neg", "with", "while", "pron", "mutual", "only_all", "sides", "aside")
@@ -128,8 +129,14 @@ def _run_ends(scan: Scan, k: int, run: list[Token], phrase: NounPhrase, named: b
         return seen or not _nominal_ahead(scan, k + 1)
     if token.has("people_words", "whom") and seen and not token.has("noun"):
         return True
-    unknown = not token.kinds and seen and bool(run) and token.text.endswith("ing")
-    return unknown and (after is None or after.has(*CLOSED))
+    if token.kinds or not seen or not run:
+        return False
+    closed, doing = after is None or after.has(*CLOSED), token.text.endswith("ing")
+    if (closed or doing) and not looks_adjective(token.text) and not is_word(token.text):
+        return run[-1].has("noun") or is_word(
+            run[-1].text
+        )  # "fairy lights allong the rail", "a diffuser emitting mist"
+    return closed and doing
 
 
 def _place_ends(token: Token, after: Token | None, run: list[Token], phrase: NounPhrase, seen: bool) -> bool | None:

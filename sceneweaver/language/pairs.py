@@ -23,6 +23,10 @@ FLAT: float = number("flat")
 """Height [m] up to which what lies on the floor, like a rug, has others stand on it."""
 
 
+_FRONTS = frozenset(("seating", "chair_group", "bed_group", "screen", "storage", "sanitary", "board", "wide_mirror"))
+"""Roles and groups of what has a front that matters."""
+
+
 @dataclass(frozen=True)
 class Thing:
     """An object as far as its relations need to know it; ``carrier`` is the id of what it stands on, if anything."""
@@ -59,15 +63,15 @@ class Thing:
         return roles_of(self.category) | groups_of(self.category)
 
     @property
+    def looks(self) -> bool:
+        """Whether its front says where it looks, or from where it is used: a seat, a bed, a screen, a cupboard."""
+        return not _FRONTS.isdisjoint(self.roles)
+
+    @property
     def may_hang(self) -> bool:
         """Whether such a thing is hung on walls, as far as it is known."""
         row = categories().get(self.category)
         return self.mount == "wall" or row is None or "wall" in row.mount
-
-
-def kind_of(said: StatedRelation) -> str:
-    """The type of a stated relation; "by the sofa" is nearer than "near the sofa"."""
-    return "next_to" if said.type == "near" and said.words.lower().startswith(("by ", "at ")) else said.type
 
 
 def of_pair(kind: str, a: Thing, b: Thing, side: str | None, k: int, n: int) -> Iterator[Row]:
@@ -102,12 +106,11 @@ def of_pair(kind: str, a: Thing, b: Thing, side: str | None, k: int, n: int) -> 
 
 def of_place(said: StatedRelation, a: Thing, count: int) -> Iterator[tuple[str, str | None, dict[str, Any]]]:
     """Type, target and parameters of the relations to a part of the room; ``count`` things are said to be there."""
-    place, kind = said.targets[0], kind_of(said)
-    if place == "window" and kind != said.type:
-        kind = "at"
-    for row in word_of_place(kind, place).meant({"a": a, "count": count}):
-        target = (place if ":" in place else None) if row.target == "said" else row.target
-        yield row.type, target, row.params
+    place = said.targets[0]
+    names = [f"wall:{name}" for name in place.partition(":")[2].split("+") if name]
+    for row in word_of_place(said.type, place).meant({"a": a, "count": count, "named": len(names)}):
+        said_walls = {"said": names[0] if names else None, "second": names[-1] if names else None}
+        yield row.type, said_walls.get(row.target, row.target) if row.target else None, row.params
 
 
 __all__ = ["Row", "Thing", "groups_of", "of_pair", "of_place"]

@@ -8,7 +8,19 @@ from typing import Any, Self
 
 from sceneweaver.assets.roles import has_role
 
-from .model import Amount, Arrangement, Attribute, Capacity, FreeArea, Span, StatedFinish, StatedLook, StatedOpening
+from .model import (
+    Amount,
+    Arrangement,
+    Attribute,
+    Capacity,
+    Exclusion,
+    FreeArea,
+    Span,
+    StatedFinish,
+    StatedLook,
+    StatedMeasure,
+    StatedOpening,
+)
 from .vocabulary import family, mounts
 
 
@@ -32,6 +44,12 @@ class Mention:
     implied: bool = False
     span: Span | None = None
     id: str = ""
+    uncounted: bool = False
+    """Whether it was named by "each" alone, before its number is told."""
+    per_place: str = ""
+    """The part of the room, window or door, at each of which it is."""
+    per: Mention | None = None
+    """The things over which it was counted out, so that each of them has its own."""
 
     @property
     def many(self) -> bool:
@@ -84,6 +102,11 @@ class Said:
     span: Span | None = None
     params: dict[str, float] = field(default_factory=dict)
 
+    @property
+    def by_side(self) -> bool:
+        """Whether it was said by a side alone ("on the left"), without the word for a wall."""
+        return not {"left", "right"}.isdisjoint(self.words.split())
+
 
 @dataclass(eq=False)
 class Barred(Said):
@@ -96,6 +119,26 @@ def without(mentions: Iterable[Mention], others: Iterable[object]) -> list[Menti
     """The mentions that are none of the others."""
     gone = list(others)
     return [m for m in mentions if m not in gone]
+
+
+@dataclass(frozen=True)
+class Told:
+    """Something said of a thing by a pattern: it is named ``after`` the words or before them, by ``noun``, with
+    ``named`` in so many words."""
+
+    what: StatedMeasure | Attribute
+    noun: str
+    after: bool
+    named: bool = False
+
+
+@dataclass(frozen=True)
+class Zone:
+    """A part of the room, or a use of all of it, that is a kind of room by itself."""
+
+    kind: str
+    words: str
+    span: Span
 
 
 @dataclass
@@ -117,14 +160,21 @@ class Parsed:
     said: list[Said] = field(default_factory=list)
     without: list[tuple[str, tuple[str, ...], Span | None]] = field(default_factory=list)
     barred: list[Barred] = field(default_factory=list)
+    unwanted: list[Exclusion] = field(default_factory=list)
     stated_openings: list[StatedOpening] = field(default_factory=list)
     free_areas: list[FreeArea] = field(default_factory=list)
     capacities: list[Capacity] = field(default_factory=list)
     arrangements: list[Arrangement] = field(default_factory=list)
     amounts: list[Amount] = field(default_factory=list)
+    states: list[Told] = field(default_factory=list)
+    measures: list[Told] = field(default_factory=list)
     bounds: list[tuple[tuple[str, ...], int, int]] = field(default_factory=list)
     room_type: str | None = None
     room_words: str = ""
+    setting: str = ""
+    """Where the room is, or whose: "our office" of a prayer room for our office."""
+    wing: tuple[float, float] | None = None
+    zones: list[Zone] = field(default_factory=list["Zone"])
     other_rooms: list[str] = field(default_factory=list)
     room_scale: float = 1.0
     shape: str | None = None
@@ -139,6 +189,8 @@ class Parsed:
     only: bool = False
     sides: list[tuple[float, ...]] = field(default_factory=list)
     unread: list[Left] = field(default_factory=list)
+    referred: list[Span] = field(default_factory=list[Span])
+    """Where what was named before is named again."""
     notes: list[str] = field(default_factory=list)
 
     def note(self, text: str) -> None:
@@ -167,7 +219,7 @@ class Parsed:
                     continue
                 said.subjects = [p for m in said.subjects for p in (parts if m is whole else [m])]
             if whole in said.targets:
-                if len(said.targets) == 2:
+                if len(said.targets) == 2 or said.type == "between":
                     said.targets = (parts[0], parts[-1])
                 else:
                     said.targets = tuple(parts[0] if t is whole else t for t in said.targets)

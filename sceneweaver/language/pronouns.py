@@ -3,15 +3,28 @@
 from __future__ import annotations
 
 from .chunks import Chunk, NounPhrase
+from .distribution import owner_told_of, part_of_each
 from .items import begin_clause, continue_with, give_target, name_things
-from .nearness import carrier_root, nearest
+from .nearness import carrier_root, carrying, nearest
 from .parsed import Mention, Said
 from .relating import relate_to_place
 from .shares import ends_here, give_total, share_out
 from .state import State, Waiting
+from .vocabulary import shows
 
 _BESIDE_IT = ("next_to", "left_of", "right_of", "near", "in_front_of", "behind")
 """Relations of small things to "it": to another small thing, not to what carries both."""
+
+
+_OF_ONE = ("above", "below", "around", "at", "in_front_of", "behind", "opposite", "facing", "flanking", "at_foot")
+"""Relations of which several in a row are of the same thing: "a lamp above it and a rug under it"."""
+
+
+def is_one_of_quality(chunk: Chunk, after: Chunk | None) -> bool:
+    """Whether a word of quality and the pronoun after it are "the larger one"."""
+    if chunk.kind != "adjective" or chunk.value.determiner != "the" or after is None or after.kind != "noun":
+        return False
+    return after.value.what == "pronoun" and after.text in ("one", "ones")
 
 
 def number_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
@@ -21,10 +34,21 @@ def number_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         state.out.people = (phrase.count or (1, 1))[1]
         state.glue = ""
         return
+    meant = _meant_again(state, phrase)
+    if meant:
+        state.out.referred.append(state.span_of(phrase))
+    if meant and state.waiting is not None:
+        give_target(state, state.waiting, meant, phrase, False)
+        return
+    if meant:
+        begin_clause(state, meant, state.glue)
+        state.glue = ""
+        return
     near = _at_hand(state)
     group = state.refs.several(near)
     count = phrase.count or (1, 1)
     total = phrase.bound is not None or phrase.value == "grouped" or state.glue == "bracket"
+    total = total or (chunk.text.endswith(" them") and not _placed(state.chunk(state.at)))
     if group is not None and total and give_total(state, phrase, group):
         state.waiting, state.glue = None, ""
         return
@@ -34,7 +58,7 @@ def number_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     if group is None:
         if after is None or after.kind != "stop":
             state.leave_unread(chunk.text, chunk.start, chunk.end)
-    elif _on_each(after):
+    elif part_of_each(state, after):
         _say_of_some(state, group, count)
     elif (part := state.refs.part(near, count[1])) is not None:
         continue_with(state, [part])
@@ -52,23 +76,45 @@ def pronoun_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     elif kind == "each":
         group = state.refs.several(_at_hand(state))
         if group is not None:
-            state.head, state.each, state.glue = [group], True, ""
+            state.head, state.each, state.glue = [group], group, ""
             state.subject, state.subject_open = [group], True
             state.close_frames()
+        elif state.out.people:
+            state.per_person, state.glue = True, "start"  # "two boys, each has a bed"
     elif phrase.text not in ("which", "itself", "themselves"):
         found = state.refs.pronoun(phrase, state.subject, [])
         if found:
             begin_clause(state, found, state.glue)
             state.glue = ""
+            if kind == "both" and len(found) == 1 and found[0].many and _comes_with(state.chunk(state.at)):
+                state.each = found[0]
+
+
+def _comes_with(after: Chunk | None) -> bool:
+    """Whether what each of some things has is told next: "both have", "both with"."""
+    return after is not None and (after.kind == "with" or (after.kind == "verb" and shows(after.value.lemma)))
+
+
+def _placed(after: Chunk | None) -> bool:
+    """Whether something is said of what a number names, so that it is some of the things that were named."""
+    return after is not None and after.kind in ("place", "verb", "adjective", "with", "while")
+
+
+def _meant_again(state: State, phrase: NounPhrase) -> list[Mention]:
+    """ "The larger one", "between the two": what was named before, by what is said of it or by its number."""
+    if phrase.determiner not in ("the", "these", "those", "that", "this"):
+        return []
+    apart = (state.waiting.subjects or []) if state.waiting is not None else []
+    if phrase.count == (1, 1) and phrase.qualities:
+        found = state.refs.by_quality(phrase.qualities, apart)
+        return [found] if found is not None else []
+    if phrase.qualities or phrase.count is None or phrase.count[0] != phrase.count[1] or phrase.count[0] < 2:
+        return []
+    return state.refs.last(phrase.count[0], apart)
 
 
 def _at_hand(state: State) -> list[Mention]:
     return state.head or state.subject or state.previous
-
-
-def _on_each(after: Chunk | None) -> bool:
-    """Whether "on each side" and the like follow."""
-    return after is not None and after.kind == "place" and after.value.each
 
 
 def _say_of_some(state: State, group: Mention, count: tuple[int, int]) -> None:
@@ -80,13 +126,29 @@ def _say_of_some(state: State, group: Mention, count: tuple[int, int]) -> None:
 def _part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     """ "One of them", "another", "the other"."""
     waiting, partial = state.waiting, phrase.value == "partial"
+    before = state.chunk(state.at - 2)
+    if before is not None and is_one_of_quality(before, chunk):
+        apart = (waiting.subjects or []) if waiting is not None else []
+        one = state.refs.by_quality(before.value.qualities, apart)
+        if one is not None:
+            state.out.referred.append(state.span_of(before))
+        if one is not None and waiting is not None:
+            give_target(state, waiting, [one], phrase, False)
+        elif one is not None:
+            begin_clause(state, [one], state.glue)
+            state.glue = ""
+        else:
+            state.leave_unread(f"{before.text} {chunk.text}", before.start, chunk.end)
+        return
     near = nearest(state, waiting.subjects or []) if waiting is not None else _at_hand(state)
-    if partial and _on_each(state.chunk(state.at)):
+    if partial and part_of_each(state, state.chunk(state.at)):
         group = state.refs.several(near)
         if group is not None:
             _say_of_some(state, group, (1, 1))
         return
     found = state.refs.rest
+    if not partial and found is not None and found.many and phrase.text.split()[1] in ("second", "third", "fourth"):
+        found = state.refs.part([found])
     if partial and (found is None or not phrase.text.startswith("another")):
         found = state.refs.part(near) or _one_more(state, near)
     if found is None:
@@ -107,12 +169,28 @@ def _pronoun_target(state: State, phrase: NounPhrase, waiting: Waiting) -> None:
         last = state.previous[-1]
         if last not in subjects and all(m.mount == "surface" for m in (*subjects, last)):
             near = [last]  # a lamp beside "it" is beside the laptop, not beside the desk
-    found = state.refs.pronoun(phrase, near, subjects)
+    if it and waiting.place.type in ("on", "inside"):
+        near = carrying(state, near, subjects)
+    if it and state.each is not None and state.each not in subjects:
+        near = [state.each]
+    elif it and waiting.place.type in _OF_ONE and state.meant_by_it and near and _beside_it(state, near[-1]):
+        near = state.meant_by_it
+    owner = owner_told_of(state, subjects, waiting.place.type == "on") if phrase.value == "each" else None
+    if it and waiting.subjects is None and waiting.place.type in ("above", "below", "on", "inside"):
+        state.fronted_it = state.fronted_it or state.refs.pronoun(phrase, near, subjects)  # "over it X, under it Y"
+        near = state.fronted_it
+    if it and near and near[-1] is state.each:
+        found = near
+    else:
+        found = [owner] if owner is not None else state.refs.pronoun(phrase, near, subjects)
+    if it:
+        state.meant_by_it = list(found)
     if not found and it and len(subjects) > 1:
         found = subjects[:1]  # "a fireplace and bookshelves on either side of it"
     if found:
         beside = waiting.place.type in _BESIDE_IT and bool(subjects) and all(m.mount == "floor" for m in subjects)
-        if it and beside and found[-1].mount == "surface":  # a fridge next to "it" is next to the counter
+        hung = waiting.place.type == "above" and bool(subjects) and all(m.mount == "wall" for m in subjects)
+        if it and (beside or hung) and found[-1].mount == "surface":  # a fridge next to "it" is next to the counter
             found = [carrier_root(state, found[-1])]
         give_target(state, waiting, found, phrase, False)
         return
@@ -121,6 +199,11 @@ def _pronoun_target(state: State, phrase: NounPhrase, waiting: Waiting) -> None:
         place = waiting.place
         relate_to_place(state, Said(place.type, subjects, ("window",), place.words, span=state.chunk_span()))
         state.glue = ""
+
+
+def _beside_it(state: State, thing: Mention) -> bool:
+    """Whether a thing was just placed by what "it" means: "a lamp above it and a rug under it"."""
+    return any(thing in said.subjects and said.targets[0] in state.meant_by_it for said in state.out.said[-6:])
 
 
 def _window_before(state: State) -> bool:

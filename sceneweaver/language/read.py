@@ -10,8 +10,9 @@ from .clauses import read_clauses
 from .graph import build
 from .model import SceneGraph
 from .parsed import Left, Parsed, without
+from .predicates import with_predicates
 from .source import Source, check_measures, check_text, read_source
-from .statements import STATEMENTS
+from .statements import STATEMENTS, furnish_zones
 from .things import match_of
 from .tokens import tokens
 
@@ -35,7 +36,8 @@ def read_request(text: str) -> SceneGraph:
     parsed = Parsed(notes=list(source.notes))
     for read in STATEMENTS:
         read(source, parsed)
-    read_clauses(chunked(without_asides(tokens(source, parsed.notes))), source, parsed)
+    read_clauses(chunked(without_asides(with_predicates(tokens(source, parsed.notes)))), source, parsed)
+    furnish_zones(parsed)
     _sides(parsed, source)
     for note in source.notes:
         parsed.note(note)

@@ -10,6 +10,7 @@ from .chunks import NounPhrase
 from .parsed import Mention, Parsed
 from .parsed import without as apart
 from .things import match_of, name_of, singular
+from .tokens import Token
 from .vocabulary import words
 
 REACH = 60
@@ -114,6 +115,27 @@ class References:
         for topic in self.topics:
             topic[:] = [p for m in topic for p in ([parted, self.rest] if m is group else [m])]
         return parted
+
+    def by_quality(self, qualities: list[Token], without: list[Mention]) -> Mention | None:
+        """ "The larger one", "the white one": of things of one kind, the one of which that is said."""
+        recent = apart(self._recent()[:12], without)
+        kin = [m for m in recent if sum(singular(m.noun) == singular(o.noun) for o in recent) > 1]
+        for token in qualities:
+            if any(m for m in kin if token.text in _described(m)):
+                return next(m for m in kin if token.text in _described(m))
+            if token.has("scale") and len({m.scale for m in kin}) > 1:
+                wanted = token.get("scale")
+                return max(kin, key=lambda m: m.scale if wanted >= 1.0 else -m.scale)
+        return None
+
+    def last(self, count: int, without: list[Mention]) -> list[Mention]:
+        """So many things that were named last: "between the two"; a group of so many is these."""
+        recent = apart(self._recent()[:8], without)
+        for mention in recent[:3]:
+            if mention.count == (count, count):
+                return [mention]
+        single = [m for m in recent if m.count in (None, (1, 1)) and not m.many and not m.is_rug][:count]
+        return single[::-1] if len(single) == count else []
 
     def carrier(self, near: list[Mention], without: list[Mention], kind: str = "top", word: str = "") -> Mention | None:
         """Whose top, shelf or side is meant where nobody is named."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from .chunks import Chunk, NounPhrase
+from .chunks import EACH, Chunk, NounPhrase
 from .items import bind_target, name_nothing, name_things
 from .model import Attribute
 from .nearness import carrier_root, main_things, nearest
@@ -69,6 +69,8 @@ def _owner(state: State, phrase: NounPhrase, waiting: Waiting | None) -> Mention
         if of.what != "thing":
             return None
         known = state.refs.known(of, True, [])
+        if known is not None:
+            state.refer(of)
         return known if known is not None else new_thing(state, of)
     if any(t.has("room") and not t.has("noun") for t in phrase.qualities):
         return "room"
@@ -105,11 +107,26 @@ def _owner_meant(state: State, phrase: NounPhrase, waiting: Waiting) -> Mention 
             return "room"
     if region == "center":
         return _center_meant(state, own, subjects)
+    if region == "end" and not own and _is_end_of_room(state, phrase, subjects):
+        return "room"
+    if region in ("head", "foot"):  # these are of beds, whatever was named last
+        beds = [m for m in state.out.mentions if m.family == "bed_group" and m not in subjects]
+        if beds:
+            return beds[-1]
     near = nearest(state, subjects)
     if phrase.determiner == "its" and near and near[-1].many:
         pronoun = NounPhrase("pronoun", "it", phrase.start, phrase.end, value="pron")
         near = state.refs.pronoun(pronoun, [], [*subjects, *near]) or near
     return state.refs.carrier(near, subjects, region, phrase.text) or next(iter(near[-1:]), None)
+
+
+def _is_end_of_room(state: State, phrase: NounPhrase, subjects: list[Mention]) -> bool:
+    """Whether "one end" and "the other end" are the room's: of furniture that is told to be there, of no table."""
+    spoken = state.source.text[phrase.start : phrase.end].split()
+    of_two = not {phrase.determiner, spoken[0], *spoken[:-1]}.isdisjoint(words("relations")["one_of_two"])
+    framed = any(f.kind in ("with", "verb") and f.owner for f in state.frames[-1:])
+    stands = bool(subjects) and all(s.mount in ("floor", "wall") and s.family != "seat" for s in subjects)
+    return of_two and stands and not framed
 
 
 def _center_meant(state: State, own: bool, subjects: list[Mention]) -> Mention | str:
@@ -135,7 +152,7 @@ def _of_room(state: State, phrase: NounPhrase, waiting: Waiting, owner: str) -> 
     if subjects and any(t.text == "opposite" for t in phrase.qualities):
         for other in main_things(state, subjects)[-1:]:
             say(state, Said("opposite", subjects, (other,), phrase.text, span=state.chunk_span(), implied=True))
-    place = {"corner": "corner", "center": "middle"}.get(str(phrase.value), "room")
+    place = {"corner": "corner", "center": "middle", "end": "wall:short"}.get(str(phrase.value), "room")
     if owner in ("wall", "window", "door", "ceiling") or owner.startswith("wall:"):
         place = owner
     if phrase.determiner in ("each", "every", "all") or phrase.text == "corners":
@@ -160,6 +177,9 @@ def _kind_on(region: str, phrase: NounPhrase, waiting: Waiting, owner: Mention) 
 
 def part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     """What a thing has is said of it: "with three drawers", "a tufted headboard"."""
+    if phrase.determiner in EACH and state.refs.known(phrase, True, []) is not None:
+        named_thing(state, phrase, chunk)  # "seven wheels, at every wheel a stool"
+        return
     owners = state.frames[-1].owner if state.frames and state.frames[-1].kind in ("with", "verb") else []
     owners = owners or (state.head if state.glue in ("open", "", "and") else [])
     opening = phrase.text.split()[-1].rstrip("s")

@@ -10,11 +10,12 @@ from sceneweaver.assets.roles import has_role
 from sceneweaver.assets.taxonomy import category_named, likeliness
 
 from .chunks import Chunk, NounPhrase
+from .distribution import on_each_side
 from .model import Span
 from .nearness import SIDED, anchor, beside_those, carrier_root, chained, main_things, nearest
-from .parsed import Barred, Left, Mention, Said, without
+from .parsed import Barred, Left, Mention, Said, Target, without
 from .state import Frame, State
-from .vocabulary import Place, words
+from .vocabulary import Place, mounts, words
 
 _SIDES_OF_ROOM = ("near", "next_to", "opposite", "left_of", "right_of", "behind", "in_front_of")
 """Relations of what stands on the floor to something else that does."""
@@ -51,11 +52,12 @@ def relate(
         relate_to_place(state, said)
         return
     flanked = place.type == "flanking" and not place.words.startswith("flank")
-    if flanked and len(subjects) == 1 and one.count == (1, 1) and count is None:
+    alone = flanked and len(subjects) == 1 and one.count == (1, 1) and count is None
+    if alone:
         one.count = (2, 2)  # "a nightstand on either side of the bed"
     if place.type == "through":
         return
-    kind = said.type = _meant_kind(place.type, place.words, subjects)
+    kind = said.type = close_kind(_meant_kind(place.type, place.words, subjects), place.words, subjects, target)
     if kind in ("on", "inside") and not target.is_rug:
         call_by_place(subjects, "surface")
     lamps = [
@@ -72,11 +74,10 @@ def relate(
         said.subjects = list(dict.fromkeys(roots))
     if kind == "centered_on" and (target.is_rug or all(s.is_small for s in subjects)):
         say(state, replace(said, type="on", targets=(target,)))
-    on_each = kind == "along" and "each" in place.words.split() and count is None and len(subjects) == 1
-    if on_each and one.count is not None:
-        said.count, one.count = one.count, (2 * one.count[0], 2 * one.count[1])  # "two chairs on each long side"
-    said.each = place.each and (said.count is not None or kind not in ("flanking", "along"))
     said.side = place.side
+    if kind in ("along", "flanking") and count is None and len(subjects) == 1 and not alone:
+        on_each_side(said, place.words.split(), one, target)
+    said.each = place.each and (said.count is not None or said.type not in ("flanking", "along"))
     say(state, said)
 
 
@@ -108,6 +109,19 @@ def _meant_kind(kind: str, spoken: str, subjects: list[Mention]) -> str:
     return "on" if kind in ("occupying", "covering") else kind
 
 
+def close_kind(kind: str, spoken: str, subjects: list[Mention], target: Target) -> str:
+    """What "at" and "by" mean, which are nearer than "near": seats are at a table, other things next to it; at a wall
+    is against it."""
+    first = spoken.lower().partition(" ")[0]
+    if kind != "near" or first not in ("at", "by"):
+        return kind
+    if isinstance(target, str):
+        part = target.partition(":")[0]
+        return {"wall": "against", "window": "at"}.get(part, kind)  # a door wants room to open
+    seated = first == "at" and all(has_role(s.category, "pulled_up") for s in subjects)
+    return "at" if seated and has_role(target.category, "pulled_up_to") else "next_to"
+
+
 def call_by_place(subjects: list[Mention], where: str) -> None:
     """What things are called where they stand or hang: a plant on a table is a small one."""
     other = words("nouns")["hung"][where]
@@ -130,6 +144,8 @@ def relate_to_place(state: State, said: Said) -> None:
     kind, subjects, place = said.type, said.subjects, str(said.targets[0])
     if kind == "through":
         return
+    if place == "room" and kind in ENDS_OF_ROOM:
+        kind, place = "against", ENDS_OF_ROOM[kind]
     if place == "room" and kind == "opposite":
         for target in nearest(state, subjects):
             say(state, replace(said, targets=(target,)))
@@ -145,7 +161,11 @@ def relate_to_place(state: State, said: Said) -> None:
             of_wall = f"{said.words} the opposite wall"
             say(state, replace(said, type="opposite", targets=(others[-1],), words=of_wall, implied=True))
         place = "wall" if others else "wall:far"
+    if place.startswith("wall") and kind in ("on", "against", "inside") and said.words.startswith("hang"):
+        kind = "hanging_from"
+    kind = close_kind(kind, said.words, subjects, place)
     stated, kind = kind, _kind_at(kind, place, subjects)
+    subjects = _carriers_of(state, kind, subjects)
     if place == "ceiling":
         call_by_place(subjects, "ceiling")
     elif place.startswith("wall") and kind != "against":
@@ -159,6 +179,24 @@ def relate_to_place(state: State, said: Said) -> None:
     say(state, replace(said, type=kind, subjects=subjects, targets=(place,), words=spoken))
 
 
+def _carriers_of(state: State, kind: str, subjects: list[Mention]) -> list[Mention]:
+    """What is at a wall, in a corner or by a window where small things were named last: "a rack with jars on the left
+    wall" is about the rack."""
+    frame = state.frames[-1] if state.frames else None
+    if frame is None or frame.kind not in ("with", "verb") or not frame.owner or kind in ("facing", "below"):
+        return subjects
+    owner = frame.owner[-1]
+    carried = all(
+        s.is_small
+        and s in frame.items
+        and "wall" not in mounts(s.category)
+        and (s.mount == "surface" or likeliness(s.category, owner.category) is not None)
+        for s in subjects
+    )
+    stands = owner.mount in ("floor", "wall") and owner not in subjects
+    return list(frame.owner) if subjects and carried and stands else subjects
+
+
 def _kind_at(kind: str, place: str, subjects: list[Mention]) -> str:
     """The type of relation to a part of the room."""
     if place.startswith("wall"):
@@ -168,12 +206,15 @@ def _kind_at(kind: str, place: str, subjects: list[Mention]) -> str:
         return "against" if kind == "on" and stand else kind
     if place == "ceiling" and kind in _AT_CEILING:
         return "hanging_from"
-    if place in ("corner", "middle") and kind not in ("facing", "far_from"):
+    if place.partition(":")[0] in ("corner", "middle") and kind not in ("facing", "far_from"):
         return "at"
     if place in ("window", "door") and kind in ("inside", "on", "occupying", "covering"):
         return "at"
     return _meant_kind(kind, "", subjects)
 
+
+ENDS_OF_ROOM = {"at_foot": "wall:short", "along": "wall:short", "behind": "wall:far", "in_front_of": "wall:near"}
+"""Where "at the end of", "at the back of" and "at the front of" the room are, by their types."""
 
 _AT_CEILING = frozenset(
     ("on", "from", "inside", "hanging_from", "at", "near", "against", "above", "below", "centered_on", "covering")
@@ -190,6 +231,10 @@ def relate_to_nearest(state: State, place: Place, subjects: list[Mention] | None
     if not subjects:
         return
     its, sideways = "its" in place.words.split(), place.type in ("left_of", "right_of")
+    end = words("relations")["ends"].get(place.words)
+    if end is not None and all(s.mount != "surface" for s in subjects):
+        relate_to_place(state, Said("against", subjects, (end,), place.words, span=state.span_of(chunk)))
+        return
     near = main_things(state, subjects) if place.type == "opposite" else None
     if near is None:
         near = nearest(state, subjects, apart=place.type in _SIDES_OF_ROOM)
@@ -200,7 +245,7 @@ def relate_to_nearest(state: State, place: Place, subjects: list[Mention] | None
         near = chained(state, near, subjects)
     if place.type == "inside" and not near:
         return
-    if sideways and not near:
+    if sideways and (not near or (not its and _seen_from_door(state, near[-1]))):
         relate_to_place(state, Said("against", subjects, (f"wall:{place.type.split('_')[0]}",), place.words))
         return
     if place.type == "centered_on":
@@ -223,8 +268,18 @@ def relate_to_nearest(state: State, place: Place, subjects: list[Mention] | None
     relate(state, place, subjects, (target,), state.span_of(chunk), count=state.subset)
 
 
+def _seen_from_door(state: State, thing: Mention) -> bool:
+    """Whether a thing is at the left or right of the room itself: what is at the other side after it is so as well."""
+    sides = ("wall:left", "wall:right")
+    return any(thing in said.subjects and said.targets[0] in sides for said in state.out.said if said.by_side)
+
+
 def _front(state: State, place: Place, chunk: Chunk) -> None:
     """ "Across the room stands a wardrobe": a word of place that comes before who it is about."""
+    end = words("relations")["ends"].get(place.words)
+    if end is not None:
+        state.fronted.append((Place("against", words=place.words), (end,), chunk))
+        return
     across = place.type == "opposite" and "room" in place.words
     targets = main_things(state, []) if across else nearest(state, [])
     if place.type == "centered_on" and state.surface is not None:
@@ -288,5 +343,6 @@ def owned_kind(mention: Mention, owner: Mention, small: bool) -> str | None:
     if mention.family == "seat" and owner.family == "table":
         return "at"
     if mention.category == "nightstand":
-        return "flanking" if mention.count == (2, 2) else "next_to"
+        beds = owner.count[0] if mention.per is owner and owner.count is not None else 1
+        return "flanking" if mention.count == (2 * beds, 2 * beds) else "next_to"
     return "near"

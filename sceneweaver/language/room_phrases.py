@@ -9,7 +9,7 @@ from sceneweaver.knowledge.load import room_words
 from .chunks import Chunk, NounPhrase
 from .items import bind_target, name_nothing, name_things
 from .parsed import Mention, Said
-from .relating import relate, relate_to_place, say
+from .relating import ENDS_OF_ROOM, relate, relate_to_place, say
 from .shares import ends_here, share_out
 from .state import State, Waiting
 from .tokens import Token
@@ -95,6 +95,9 @@ def room_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         out.note(f"'{phrase.text}' is another room; only the {out.room_words} is made")
     if waiting is not None and waiting.subjects and waiting.place.type == "centered_on":
         relate_to_place(state, Said("at", waiting.subjects, ("middle",), waiting.place.words))
+    elif waiting is not None and not waiting.lost and waiting.place.type in ENDS_OF_ROOM:  # "at the back of the shop"
+        place = Place("against", words=waiting.place.words)
+        bind_target(state, replace(waiting, place=place), (ENDS_OF_ROOM[waiting.place.type],))
     elif waiting is not None and waiting.subjects is None and not waiting.lost:
         state.glue = "start"
         return
@@ -156,6 +159,9 @@ def place_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         many = (4, 4)
     if phrase.count is not None and phrase.count[0] >= 2 and place == "corner":
         many = phrase.count
+    if phrase.determiner in ("each", "every") and place in ("window", "door"):
+        for subject in subjects:
+            subject.per_place = place
     for subject in subjects if many is not None else ():
         subject.count = many if subject.count == (1, 1) else subject.count
     if waiting.place.type == "between" and subjects:

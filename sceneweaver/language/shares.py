@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from .chunks import NounPhrase
+from .distribution import distributed
 from .parsed import Mention, Said
 from .relating import owned_kind, say
 from .state import State
@@ -45,9 +46,11 @@ def owners_of(state: State, items: list[Mention]) -> Mention | None:
     return None
 
 
-def share_out(state: State, owner: Mention | None = None, of_people: bool = False) -> bool:
+def share_out(
+    state: State, owner: Mention | None = None, of_people: bool = False, items: list[Mention] | None = None
+) -> bool:
     """ "Three chairs each", "a towel for each guest", "one locker per bed": multiplies what was named last."""
-    items = last_items(state)
+    items = items or last_items(state)
     owner = None if of_people else owner or owners_of(state, items)
     if owner in items:
         items = [m for m in items if m is not owner]
@@ -55,8 +58,10 @@ def share_out(state: State, owner: Mention | None = None, of_people: bool = Fals
     by = owner.count if owner is not None else (people, people) if people else None
     if not items or by is None:
         return False
-    multiply(items, by)
-    if owner is not None:
+    if owner is None:
+        multiply(items, by)
+    else:
+        items = distributed(state, items, owner)
         _belong(state, items, owner)
     return True
 
@@ -68,7 +73,10 @@ def _belong(state: State, items: list[Mention], owner: Mention) -> None:
         kind = owned_kind(item, owner, item.mount == "surface") if item not in related else None
         if kind is not None:
             spoken = f"{item.noun} for each {owner.noun}"
-            say(state, Said(kind, [item], (owner,), spoken, each=True, implied=True, span=state.chunk_span()))
+            say(
+                state,
+                Said(kind, [item], (owner,), spoken, each=state.every == 1, implied=True, span=state.chunk_span()),
+            )
 
 
 def give_total(state: State, phrase: NounPhrase, group: Mention) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 import unicodedata
 from dataclasses import dataclass, field
@@ -31,6 +32,17 @@ _SQUARE = re.compile(
     rf"{_NUMBER}{_GAP}-?{_GAP}(m2|m²|sqm|sq\.?{_GAP}m(?:et(?:er|re)s?)?|square[\s-]?met(?:er|re)s?|square[\s-]?m|"
     rf"sq\.?{_GAP}ft\.?|sqft|square[\s-]?f(?:ee|oo)t|ft2|ft²)(?![a-z])"
 )
+_FREE = r"(?:free|clear|open|empty|unobstructed|uncluttered|unoccupied|spare)"
+_FREE_BEHIND = re.compile(
+    rf"{_GAP}(?:of{_GAP})?(?:(?:must|should|has|have|to|is|are|be|stay|stays|remain|kept|left|completely|totally|at all"
+    rf"|floor|space|area|the){_GAP}){{0,6}}{_FREE}(?![a-z])"
+)
+_FREE_BEFORE = re.compile(
+    rf"(?<![a-z]){_FREE}{_GAP}(?:floor|space|area|room|ground|zone|spot|patch)?{_GAP}(?:space|area)?{_GAP}"
+    rf"(?:of{_GAP})?(?:(?:at{_GAP}least|about|around|roughly|approximately|some){_GAP})?$"
+)
+_KEPT = re.compile(rf"(?:keep|leave|leaving|keeping){_GAP}(?:(?:at{_GAP}least|about|around|some){_GAP})?$")
+
 _SIDE = rf"{_NUMBER}{_GAP}{_LENGTH}?"
 _SIDES = re.compile(rf"{_SIDE}(?:{_AXIS})?{_BY}{_SIDE}(?:{_AXIS})?(?:{_BY}{_SIDE})?(?![\w])")
 _LONG_WIDE = re.compile(
@@ -89,11 +101,15 @@ class Source:
     area: float | None = None
     height: float | None = None
     sides: dict[int, tuple[float, ...]] = field(default_factory=dict)
+    free: set[int] = field(default_factory=set[int])
+    """Where sides stood that are of floor to keep free."""
     colons: set[int] = field(default_factory=set[int])
     spoken: str = ""
     """All of the text in lower case, before anything is taken out; characters stand where they do in ``text``."""
     notes: list[str] = field(default_factory=list)
     language: str = "en"
+    slips: dict[str, str] = field(default_factory=dict[str, str])
+    """Words that were mended, with what was meant."""
 
     def span(self, start: int, end: int) -> Span:
         """Where characters [start, end) stand in the request."""
@@ -156,7 +172,7 @@ def read_source(text: str) -> Source:
     found.blank(_FAR, lambda m: _too_far(m, found))
     found.blank(_CEILING, lambda m: _ceiling(m, found))
     found.blank(_LOW_CEILING, lambda m: _ceiling(m, found))
-    found.blank(_SQUARE, lambda m: _square(m, found))
+    found.blank(_SQUARE, lambda m: _free_square(m, found) or _square(m, found))
     found.blank(_LONG_WIDE, lambda m: _sides(m, found))
     found.blank(_SIDES, lambda m: _sides(m, found))
     found.blank(_ON, lambda m: _on(m, found))
@@ -207,6 +223,18 @@ def _on(m: re.Match[str], found: Source) -> str:
 def _square(m: re.Match[str], found: Source) -> str:
     found.area = float(m[1].replace(",", ".")) * (SQUARE_FOOT if "f" in m[2] else 1.0)
     return " "
+
+
+def _free_square(m: re.Match[str], found: Source) -> str | None:
+    """Square metres that are to stay free are no floor of a room: a square of that area stands for them."""
+    before, behind = m.string[max(0, m.start() - 60) : m.start()], m.string[m.end() :]
+    free = _FREE_BEHIND.match(behind) or _FREE_BEFORE.search(before)
+    if free is None and not (_KEPT.search(before) and re.search(rf"(?<![a-z]){_FREE}(?![a-z])", behind[:30])):
+        return None
+    side = round(math.sqrt(float(m[1].replace(",", ".")) * (SQUARE_FOOT if "f" in m[2] else 1.0)), 4)
+    found.sides[m.start()] = (side, side)
+    found.free.add(m.start())
+    return "§"
 
 
 def _sides(m: re.Match[str], found: Source) -> str | None:

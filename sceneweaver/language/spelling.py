@@ -1,4 +1,7 @@
-"""Slips of the pen: a word that is in no list becomes the known one that differs by a letter, and a note says so."""
+"""Slips of the pen: a word that is in no list becomes the known one that differs by a letter, and a note says so.
+
+Words that are run together become two, and of the commonest words short ones are mended as well.
+"""
 
 from __future__ import annotations
 
@@ -8,6 +11,9 @@ from .vocabulary import vocabulary, words
 
 SHORT = 6
 """Letters that both words must have; a short word has too many neighbours."""
+
+LEAST = 4
+"""Letters that a slip of a common word has at least."""
 
 MOST = 40
 """Letters that a word with a slip has at most; no known word is longer."""
@@ -20,15 +26,50 @@ _USEFUL = ("noun", "room", "color", "styles", "preposition", "place", "material"
 
 
 def mended(word: str, notes: list[str]) -> str | None:
-    """The known word that was probably meant; None when there is none, or when the word may be one of its own."""
-    if not SHORT <= len(word) <= MOST or not word.isascii() or not word.isalpha():
+    """The known word or words that were probably meant; None when there are none, or when the word may be one of its
+    own."""
+    if word in _spoken() or not len(word) <= MOST or not word.isascii() or not word.isalpha():
         return None
-    found = _neighbour(word)
+    found = words("spelling")["slips"].get(word) or _common_slips().get(word) or _run_together(word)
+    if found is None and len(word) >= SHORT:
+        found = _neighbour(word)
     if found is not None:
         note = f"'{word}' was read as '{found}'"
         if note not in notes:
             notes.append(note)
     return found
+
+
+@cache
+def _spoken() -> frozenset[str]:
+    """All words of all phrases that are known."""
+    return frozenset(word for phrase in vocabulary() for word in phrase.split())
+
+
+@cache
+def _common_slips() -> dict[str, str]:
+    """Slips of common words with the word: a letter missing, doubled or changed round with the one after it."""
+    data = words("spelling")
+    found: dict[str, set[str]] = {}
+    for word in data["common"]:
+        ways = {word[:k] + word[k + 1 :] for k in range(1, len(word))}
+        ways |= {word[:k] + word[k + 1] + word[k] + word[k + 2 :] for k in range(len(word) - 1)}
+        ways |= {word[:k] + word[k] + word[k:] for k in range(len(word))}
+        for slip in ways:
+            if len(slip) >= LEAST:
+                found.setdefault(slip, set()).add(word)
+    real = _real_words() | frozenset(data["not_common"]) | _spoken()
+    return {slip: min(meant) for slip, meant in found.items() if len(meant) == 1 and slip not in real}
+
+
+@lru_cache(maxsize=4096)
+def _run_together(word: str) -> str | None:
+    """ "Livingroom": two words that are a known phrase together, written as one."""
+    for k in range(2, len(word) - 1):
+        kinds = vocabulary().get(f"{word[:k]} {word[k:]}", {})
+        if len(word) >= SHORT and kinds.keys() & {"noun", "room", "preposition", "place_adverb", "mutual", "place"}:
+            return f"{word[:k]} {word[k:]}"
+    return None
 
 
 @lru_cache(maxsize=4096)

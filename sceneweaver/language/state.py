@@ -97,7 +97,11 @@ class State:
         self.done = False  # whether the clause had its verb
         self.lost = False  # whether the subject is no object, so that nothing is said of it
         self.lit = False  # whether light came through a window
-        self.each = self.inverted = self.after_be = self.relative = self.head_related = False
+        self.every = 1  # of how many things the phrase in hand means one
+        self.meant_by_it: list[Mention] = []  # what "it" meant last in the sentence
+        self.fronted_it: list[Mention] = []  # what "over it" meant ahead of what is there
+        self.each: Mention | None = None  # the things of each of which the clause tells
+        self.inverted = self.after_be = self.relative = self.head_related = False
 
     def name_first(self, mentions: list[Mention]) -> None:
         """Things are named first in a clause. Of many, the first one and the last ones are kept: "them and a book" over
@@ -180,6 +184,12 @@ class State:
     def leave_unread(self, text: str, start: int, end: int) -> None:
         """Words at characters [start, end) of the source are not understood."""
         self.out.unread.append(Left(" ".join(text.split()), start, end))
+
+    def refer(self, phrase: NounPhrase) -> None:
+        """The noun of a phrase names again what was named before; what else it says is accounted for elsewhere."""
+        start = phrase.end - len(phrase.text)
+        if self.source.text[start : phrase.end] == phrase.text:
+            self.out.referred.append(self.source.span(start, phrase.end))
 
     def span_of(self, piece: Chunk | NounPhrase) -> Span:
         """Where a piece stands in the request."""

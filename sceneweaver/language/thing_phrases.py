@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from .chunks import Chunk, NounPhrase
-from .items import name_nothing, name_things
-from .nothings import may_name
+from .distribution import count_out_again
+from .items import begin_clause, name_nothing, name_things
+from .nothings import is_animal, is_certain, is_large, may_name
 from .parsed import Mention, without
 from .room_phrases import abstract_phrase, describe_room, people_phrase, unknown_room
-from .shares import ends_here, multiply, share_out
+from .shares import ends_here, last_items, multiply, share_out
 from .state import State
-from .things import describe, match_of, name_of, new_mention, note_on, singular
+from .things import MANY, describe, match_of, name_of, new_mention, note_on, singular
 from .vocabulary import words
 
 MOST_NEW = 400
@@ -37,11 +38,24 @@ def named_thing(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         before = state.chunk(state.at - 2)
         follows = before is not None and (before.text == "for" or before.kind == "noun")
         if group is not None and follows and ends_here(state) and share_out(state, group):
+            state.refer(phrase)
             state.glue = ""  # "one locker per bed"
             return
+        if group is None and before is not None and before.kind == "noun" and ends_here(state):
+            items = last_items(state)
+            owner = new_thing(state, phrase) if items else None
+            if owner is not None and share_out(state, owner, items=items):
+                owner.uncounted = True
+                state.glue = ""  # "one chair per desk, six desks"
+                return
         if group is not None and group.many:
-            name_things(state, [group], phrase, False)
-            state.each = True
+            state.refer(phrase)
+            if state.verb_follows(state.at):
+                begin_clause(state, [group], state.glue)
+                state.glue = ""
+            else:
+                name_things(state, [group], phrase, False)
+            state.each = group
             return
     several = waiting is not None and waiting.subjects is not None and len(waiting.subjects) > 1
     if waiting is not None and several and (phrase.definite or phrase.determiner == "each"):
@@ -49,6 +63,7 @@ def named_thing(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         waiting.subjects = without(waiting.subjects or [], [one])
     found = _named_before(state, phrase)
     if found is not None:
+        state.refer(phrase)
         _describe_again(found, phrase, state)
         name_things(state, [found], phrase, False)
         return
@@ -71,6 +86,11 @@ def named_thing(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
 
 def _named_before(state: State, phrase: NounPhrase) -> Mention | None:
     """What was named and is meant again."""
+    if (counted := _counted_now(state, phrase)) is not None:
+        state.out.referred.append(state.span_of(phrase))
+        return counted
+    if (told := _told_of_again(state, phrase)) is not None:
+        return told
     rest, waiting = state.refs.rest, state.waiting
     apart = (waiting.subjects or []) if waiting is not None else []
     target = waiting is not None and state.glue != "start"
@@ -85,6 +105,37 @@ def _named_before(state: State, phrase: NounPhrase) -> Mention | None:
         if several is not None and several.many:
             return state.refs.part([several])
     return found
+
+
+def _told_of_again(state: State, phrase: NounPhrase) -> Mention | None:
+    """ "A desk and a chair, desk should be oak": a noun without article of which a verb tells is what was named so."""
+    if phrase.determiner or phrase.count is not None or phrase.of is not None or state.waiting is not None:
+        return None
+    after = state.chunk(state.at)
+    if after is None or after.kind != "verb" or after.value.form not in ("s", "base") or after.passive:
+        return None
+    noun = singular(name_of(phrase))
+    for mention in reversed(state.out.mentions[-20:]):
+        if singular(mention.noun) == noun and (phrase.plural or not mention.many):
+            return mention
+    return None
+
+
+def _counted_now(state: State, phrase: NounPhrase) -> Mention | None:
+    """ "The chairs are black, four chairs": the number of what was named without one and is nowhere yet."""
+    if phrase.determiner or phrase.count is None or phrase.count == (1, 1) or phrase.qualities or phrase.of is not None:
+        return None
+    noun, placed = singular(name_of(phrase)), {m for said in state.out.said for m in said.subjects}
+    for mention in reversed(state.out.mentions[-6:]):
+        if mention.uncounted and singular(mention.noun) == noun:
+            count_out_again(state, mention, phrase.count)
+            return mention
+        if mention.plural and mention.count in (None, MANY) and singular(mention.noun) == noun:
+            if mention in placed or mention.per is not None:
+                return None
+            mention.count = phrase.count
+            return mention
+    return None
 
 
 def _some_of(state: State, phrase: NounPhrase) -> Mention | None:
@@ -138,7 +189,10 @@ def new_thing(state: State, phrase: NounPhrase) -> Mention | None:
         return None
     mention = new_mention(phrase, state.source)
     if mention.generic and not _is_concrete(state, phrase):
-        state.leave_unread(state.source.text[phrase.start : phrase.end], phrase.start, phrase.end)
+        spoken = state.source.text[phrase.start : phrase.end].removeprefix(f"{phrase.determiner} ")
+        state.leave_unread(spoken, phrase.start, phrase.end)
+        if is_large(name_of(phrase)):
+            state.out.note(f"'{name_of(phrase)}' is nothing that can be put in a room; it was left out")
         return None
     like = (state.head or state.previous or state.subject)[-1:]
     if like and any(t.text == "matching" for t in phrase.qualities):
@@ -156,11 +210,20 @@ def new_thing(state: State, phrase: NounPhrase) -> Mention | None:
 
 def _is_concrete(state: State, phrase: NounPhrase) -> bool:
     """Whether a noun that is not known stands where a thing is named: in a list, or as what is placed."""
-    if phrase.definite or not any(c.isalpha() for c in phrase.text) or not may_name(phrase.text):
+    noun = name_of(phrase)
+    if not any(c.isalpha() for c in phrase.text) or not (may_name(noun) or _is_likeness(phrase)):
         return False
+    if phrase.definite:
+        return is_certain(noun)
     if phrase.determiner or phrase.count is not None:
         return True
     return bool(state.frames or state.waiting) and state.glue != "start" and bool(state.out.mentions)
+
+
+def _is_likeness(phrase: NounPhrase) -> bool:
+    """Whether an animal is one that somebody made: "a stuffed crocodile", "a bronze heron"."""
+    made = words("nouns")["likenesses"]
+    return is_animal(name_of(phrase)) and any(t.has("material") or t.text in made for t in phrase.qualities)
 
 
 def _called_for(state: State, phrase: NounPhrase) -> Mention | None:

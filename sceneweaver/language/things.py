@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from functools import lru_cache
 
 from sceneweaver.assets import Match, resolve
-from sceneweaver.assets.taxonomy import category_named, narrower
+from sceneweaver.assets.taxonomy import category_named, is_no_thing, narrower
 
 from .chunks import NounPhrase
 from .model import Attribute, AttributeKind
@@ -57,7 +57,8 @@ def match_of(noun: str, of: str = "") -> Match:
         noun = f"{head} jar".strip()
     whole = f"{noun} of {of}" if of else noun
     parts = noun.split()
-    for k, name in ((0, whole), *((k, " ".join(parts[k:])) for k in range(len(parts)))):
+    tails = 1 if is_no_thing(noun) else len(parts)  # a fire drill is no drill
+    for k, name in ((0, whole), *((k, " ".join(parts[k:])) for k in range(tails))):
         found = table.get(name, {}).get("noun")
         if found is not None:
             return Match(category_of(found), "exact" if k == 0 else "head", modifiers=tuple(parts[:k]))
@@ -112,7 +113,8 @@ _PLURALS = {"shelves": "shelf", "ies": "y", "xes": "x", "ches": "ch", "shes": "s
 
 def _single(noun: str) -> str:
     for ending, plain in _PLURALS.items():
-        if noun.endswith(ending) and not noun.endswith(f" {ending}") and noun != ending:  # an ending ends a word
+        whole = noun == ending or noun.endswith(f" {ending}")
+        if noun.endswith(ending) and (not whole or len(plain) > 2):  # an ending ends a word
             return noun[: len(noun) - len(ending)] + plain
     return noun
 

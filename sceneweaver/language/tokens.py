@@ -55,7 +55,8 @@ class _Raw:
 
 def tokens(source: Source, notes: list[str]) -> list[Token]:
     """The tokens of a source; corrected spellings are noted."""
-    raw, learned = _raw(source.text), learned_words()
+    learned = learned_words()
+    raw = list(_mended(_raw(source.text), source, notes, learned))
     found: list[Token] = []
     at = 0
     while at < len(raw):
@@ -80,6 +81,21 @@ def _raw(text: str) -> list[_Raw]:
         between = text[one.end : two.start]
         one.glued = between in ("-", "_") and one.text[0].isalnum() and two.text[0].isalnum()
     return found
+
+
+def _mended(raw: list[_Raw], source: Source, notes: list[str], learned: Mapping[str, str]) -> Iterator[_Raw]:
+    """The words without slips of the pen; what was meant as two is two."""
+    named = {word for phrase in learned for word in phrase.split()}
+    glued = False
+    for word in raw:
+        known = None if glued or word.glued or word.text in named else mended(word.text, notes)
+        glued = word.glued
+        if known is None:
+            yield word
+            continue
+        source.slips[word.text] = known
+        for part in known.split():
+            yield _Raw(part, word.start, word.end)
 
 
 def _joined(raw: list[_Raw], start: int, end: int) -> str:
@@ -143,9 +159,8 @@ def _phrase(raw: list[_Raw], at: int, notes: list[str], learned: Mapping[str, st
         return Token(phrase, raw[at].start, raw[end - 1].end, dict(table[phrase])), end
     if raw[at].glued:
         return _compound(raw, at)
-    known = mended(raw[at].text, notes)
-    kinds = dict(table[known]) if known else {"adverbs": raw[at].text} if _is_adverb(raw[at].text) else {}
-    return Token(known or raw[at].text, raw[at].start, raw[at].end, kinds), at + 1
+    kinds = {"adverbs": raw[at].text} if _is_adverb(raw[at].text) else {}
+    return Token(raw[at].text, raw[at].start, raw[at].end, kinds), at + 1
 
 
 def _is_number(word: str) -> bool:

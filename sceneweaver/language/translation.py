@@ -76,6 +76,9 @@ def language_of(text: str) -> str:
         name: sum(word in tables(name).phrases and tables(name).phrases[word][1] != "nouns" for word in plain)
         for name in ("de", "es", "fr")
     }
+    if not english:  # a few words: a noun tells as well, beside a word of grammar
+        nouns = {name: sum(word in tables(name).phrases for word in plain) for name in scores}
+        scores = {name: nouns[name] if told else 0 for name, told in scores.items()}
     best = max(scores, key=lambda name: scores[name])
     return best if scores[best] >= 2 and scores[best] > 2 * english else "en"
 

@@ -36,7 +36,7 @@ def with_chunk(state: State, chunk: Chunk) -> None:
         if chunk.text in ("full of", "filled with"):
             state.frames.append(Frame("verb", list(owner), "inside", chunk.text))
         else:
-            state.frames.append(Frame("with", list(owner), words=chunk.text, each=state.each))
+            state.frames.append(Frame("with", list(owner), words=chunk.text, each=bool(state.each)))
     elif not state.frames:
         state.frames.append(Frame("list"))
     state.glue = "open"
@@ -172,13 +172,17 @@ def _framed(state: State, chunk: Chunk, kind: str, placed: str, owner: list[Ment
         state.subset = None
         state.glue = "object"
     else:
-        _open(state, Frame("verb", list(owner), kind, chunk.text, finite=finite, each=state.each), finite)
+        _open(state, Frame("verb", list(owner), kind, chunk.text, finite=finite, each=bool(state.each)), finite)
         state.glue = "open"
 
 
 def _shows(state: State, chunk: Chunk, owner: list[Mention]) -> None:
     owner = [m for m in owner if not m.implied]
-    frame = Frame("with", list(owner), words=chunk.text) if owner else Frame("list", words=chunk.text)
+    frame = (
+        Frame("with", list(owner), words=chunk.text, each=bool(state.each))
+        if owner
+        else Frame("list", words=chunk.text)
+    )
     _open(state, frame, True)
     state.glue = "open"
 

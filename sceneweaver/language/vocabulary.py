@@ -43,6 +43,8 @@ class Place:
     side: str | None = None
     each: bool = False
     words: str = ""
+    over_each: bool = False
+    """Whether what it is said of is each one of several, so that what stands there is counted out over them."""
 
 
 @dataclass(frozen=True)

@@ -67,7 +67,7 @@ _ALL = (
     _asked("centred", "m", "how far the middle of the outline lies off the target's, along an axis or the nearer one"),
     _asked("share_over", "", "share of the subject's outline within the target's, as seen from above; of either"),
     _asked("share_within", "", "share of the subject's height and outline within the target's"),
-    _asked("held", "", "1 where the target carries the subject, with anything between; of: inner, on an inner surface"),
+    _asked("held", "", "1 where the target carries the subject, with anything between; of: inner or outer surfaces"),
     _asked("top_over_top", "m", "top of the subject over the top of the target"),
     _asked("top_over_middle", "m", "top of the subject over the middle of the target's height"),
     _asked("bottom_over_top", "m", "bottom of the subject over the top of the target"),
@@ -78,6 +78,7 @@ _ALL = (
     _asked("seat_away", "deg", "angle of a seat's front from the nearest point or the middle of the target"),
     _asked("off_front", "deg", "angle between the subject's front and the way to the target's centre"),
     _asked("long_side_turned", "deg", "angle between the subject's long side and a wall"),
+    _asked("to_wall", "m", "least distance of the subject's outline from any wall"),
     _asked("off_way_in", "deg", "angle between a wall's inward normal and the way from the opening to the subject"),
     _asked("off_middle", "m", "how far the middle of a group is from the middle of the floor"),
 )  # fmt: skip

@@ -13,6 +13,9 @@ from typing import Any, NamedTuple
 from .expression import Expression
 from .relation import Way, load, ways_of
 
+_ANY = ("corner", "ceiling", "floor", "middle")
+"""Places of which most words say the same."""
+
 _PLACES = ("wall", "window", "door", "corner", "ceiling", "floor", "middle")
 
 
@@ -115,8 +118,10 @@ def word_of_place(name: str, place: str) -> Word:
         return Word()
     words = _words(place)
     aims = words.get(name) or words.get("", Word())
-    holds = words if place != "door" else _words("window")  # a door is judged as a window is
-    judged = holds.get(name) or (words.get("", Word()) if len(words) == 1 else Word())
+    own = words.get(name)
+    if place == "door" and (own is None or not own.holds):  # a door is judged as a window is
+        own = _words("window").get(name)
+    judged = own or (words.get("", Word()) if "" in words and place in _ANY else Word())
     return Word(judged.holds, aims.aims, aims.side, judged.frame)
 
 

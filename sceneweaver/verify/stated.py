@@ -12,6 +12,7 @@ from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
+from sceneweaver.assets.roles import has_role
 from sceneweaver.geometry.angles import cross, dot, wrap_angle
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.rules.relation import Row, Way, own_side
@@ -22,6 +23,9 @@ from sceneweaver.verify.solids import Array, Body, Placed
 
 RAY = 1000.0
 """Length [m] of a ray: more than any room has."""
+
+INSIDE = "inside"
+"""The surface within a box or basket without a lid."""
 
 _SLACK = {"m": TOLERANCE, "deg": 1e-6, "": 0.0}
 _AXES = {"front": (0, 1.0), "back": (0, -1.0), "left": (1, 1.0), "right": (1, -1.0)}
@@ -211,10 +215,27 @@ def _held(q: Asked) -> Reading | None:
         return Reading(1.0, "") if found is not None or carried_by(q.view, q.t, q.s) else None
     if found is None:
         return None
-    inner = {surface.name for surface in q.t.item.surfaces if surface.headroom is not None}
-    support = found.item.support
-    within = not inner or (support is not None and support.surface in inner)
-    return Reading(float(within or q.row.of != "inner"), "")
+    if q.row.of == "outer":
+        support = found.item.support
+        return Reading(float(support is not None and support.surface not in _inner(q.t)), "")
+    return Reading(float(q.row.of != "inner" or _is_within(found, q.t)), "")
+
+
+def _inner(target: Body) -> set[str]:
+    """The surfaces of a thing that are within it."""
+    return {s.name for s in target.item.surfaces if s.headroom is not None or s.name == INSIDE}
+
+
+def _is_within(held: Body, target: Body) -> bool:
+    """Whether what stands on a thing is in it: on a board or the floor within it, in a bowl or on a dish, in bedding.
+
+    On the lid of a chest or beside the bowl of a sink it is not.
+    """
+    support = held.item.support
+    inner = _inner(target)
+    if support is None or support.surface in inner or inner:
+        return support is not None and support.surface in inner
+    return target.item.mount == "surface" or has_role(target.item.category, "soft_top")
 
 
 def _shape(view: Outlines, target: Target) -> tuple[Any, tuple[float, float]]:
@@ -258,8 +279,20 @@ def _off_front(q: Asked) -> Reading | None:
 
 def _turn(q: Asked) -> Reading | None:
     other = q.t.wall.yaw if isinstance(q.t, Segment) else q.t.yaw
-    modulo = math.radians(q.row.options.get("modulo", 360.0))
-    return Reading(math.degrees(float(wrap_angle(q.s.yaw - other, modulo))), "deg")
+    modulo, by = (math.radians(q.row.options.get(name, value)) for name, value in (("modulo", 360.0), ("by", 0.0)))
+    return Reading(math.degrees(float(wrap_angle(q.s.yaw - other - by, modulo))), "deg")
+
+
+def _to_wall(q: Asked) -> Reading | None:
+    import shapely
+
+    return Reading(min(float(shapely.distance(q.view.footprint(q.s), _line(w))) for w in q.view.placed.walls))
+
+
+def _line(wall: Wall) -> Any:
+    import shapely
+
+    return shapely.linestrings([wall.point(0.0), wall.point(wall.length)])
 
 
 def _long_side_turned(q: Asked) -> Reading | None:
@@ -293,6 +326,7 @@ MEASURED: dict[str, Callable[[Asked], Reading | None]] = {
     "seat_away": _seat_away,
     "off_front": _off_front,
     "turn": _turn,
+    "to_wall": _to_wall,
     "long_side_turned": _long_side_turned,
     "off_way_in": _off_way_in,
 }

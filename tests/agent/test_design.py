@@ -214,6 +214,7 @@ def test_without_physics_layouts_are_not_optimised():
     assert refined.report.valid
 
 
+@pytest.mark.slow
 def test_two_screens_stand_on_the_desk():
     result = design("a home office with two monitors", seed=17, **QUICK)
     screens = [o for o in result.scene.objects if o.category == "monitor"]

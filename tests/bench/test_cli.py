@@ -22,6 +22,7 @@ def results(tmp_path_factory):
     return out
 
 
+@pytest.mark.slow
 def test_results_are_compared(results, capsys):
     assert main(["bench", "compare", str(results), "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
@@ -32,6 +33,7 @@ def test_results_are_compared(results, capsys):
     assert "| adam |" in text and "broken: ZeroDivisionError: one over nothing (1 runs: bedroom-small)" in text
 
 
+@pytest.mark.slow
 def test_results_are_plotted(results, tmp_path):
     assert main(["bench", "plot", str(results), "-o", str(tmp_path), "--format", "svg"]) == 0
     paths = sorted(tmp_path.iterdir())

@@ -39,6 +39,7 @@ each = pytest.mark.parametrize(
 )
 
 
+@pytest.mark.slow
 @each
 def test_it_runs_through_refine_and_carries_what_is_carried(library):
     optimizer = made(library)
@@ -65,6 +66,7 @@ class Nothing:
         return state
 
 
+@pytest.mark.slow
 @each
 def test_it_counts_what_it_measures(library, monkeypatch):
     """Calls and measured layouts are those that the problem sees; scenes of two sizes in one batch."""

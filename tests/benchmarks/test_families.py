@@ -53,7 +53,7 @@ def settings(tmp_path):
 
 SLOW = (
     *("openable", "odd", "pictures", "ablations", "by_model", "requests", "stability", "variety"),
-    *("cold", "memory", "throughput"),
+    *("cold", "memory", "throughput", "design", "quality", "patterns", "large"),
 )
 """Families whose design is one that another family makes as well, and what takes longest."""
 

@@ -26,6 +26,7 @@ def test_all_rivals_have_a_place():
             assert callable(getattr(importlib.import_module(module), name))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", PLACERS)
 def test_a_placer_lowers_the_energy(name):
     problem = problem_of("bedroom-small")

@@ -7,6 +7,8 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+import pytest
+
 from benchmarks.families.tight import SEEDS, fill
 from benchmarks.starts import blind
 from benchmarks.tight_rooms import tight_room
@@ -32,6 +34,7 @@ def test_witnesses_are_valid_and_the_rooms_are_tight(tmp_path: Path, seeds: Sequ
     assert lines.splitlines()[-1] == f"{len(files)}/{len(files)} valid"
 
 
+@pytest.mark.slow
 def test_further_attempts_make_the_most_of_a_tight_room() -> None:
     scene = blind(tight_room(10))
     few, usual = (refine(scene, candidates=64, init="random", device="cpu", steps=steps) for steps in (10, None))

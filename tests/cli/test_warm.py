@@ -32,6 +32,7 @@ def warm(cache: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, timeout=240, check=False)
 
 
+@pytest.mark.slow
 def test_it_compiles_once_and_says_where_the_cache_is(tmp_path):
     done = warm(tmp_path)
     (folder,) = tmp_path.iterdir()

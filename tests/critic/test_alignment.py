@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from sceneweaver.critic import STATUSES, Alignment, phrases
+from sceneweaver.critic.partners import own_partners
 from sceneweaver.scene import SceneObject
 from tests.critic import rooms
 from tests.critic.measuring import (
@@ -169,8 +170,10 @@ def test_inside_is_not_on_top() -> None:
     said: dict[str, Any] = {"type": "inside", "subject": "book", "targets": ("bookcase",)}
     assert holds(case, on(case, "book-0", (0.2, 0.2, 0.2), inner=True), **said)
     assert not holds(case, on(case, "book-0", (0.2, 0.2, 0.2)), **said)
-    basket = carrier(box("basket-0", (0.5, 0.5, 0.4), 3.0, 3.0))
-    assert holds(basket, on(basket, "book-0", (0.2, 0.2, 0.2)), **said | {"targets": ("basket",)})
+    bowl = carrier(on(table, "bowl-0", (0.5, 0.5, 0.2)))
+    assert holds(table, bowl, on(bowl, "book-0", (0.2, 0.2, 0.2)), **said | {"targets": ("bowl",)})
+    chest = carrier(box("chest-0", (0.5, 0.5, 0.4), 3.0, 3.0))
+    assert not holds(chest, on(chest, "book-0", (0.2, 0.2, 0.2)), **said | {"targets": ("chest",)}), "on its lid"
 
 
 def test_flanking_needs_both_sides() -> None:
@@ -291,6 +294,16 @@ def test_each_target_and_each_corner() -> None:
     corners = [lamp(x, y, k=k) for k, (x, y) in enumerate([(0.3, 0.3), (5.7, 0.3), (5.7, 4.7), (0.3, 4.7)])]
     every: dict[str, Any] = {"type": "at", "subject": "floor_lamp", "targets": ("corner",), "each": True}
     assert holds(*corners, **every) and not holds(*corners[:3], **every)
+
+
+def test_what_is_each_ones_own_counts_for_one() -> None:
+    assert own_partners({"a": ["x"], "b": ["x", "y"]}, 1) == {"a": ["x"], "b": ["y"]}
+    assert own_partners({"a": ["x", "y"], "b": ["x", "y", "z"]}, 2)["b"] == ["z"]
+    pair = [carrier(box(f"dining_table-{k}", (0.5, 0.5, 0.5), 2.0 + 1.2 * k, 2.5)) for k in range(2)]
+    said: dict[str, Any] = {"type": "near", "subject": "stool", "targets": ("dining_table",), "each": True}
+    between = [stool(2.6, 2.5, k=0)]
+    assert not holds(*pair, *between, **said)
+    assert holds(*pair, *between, stool(3.8, 2.5, k=1), **said)
 
 
 def test_of_what_is_missing_its_relations_and_looks_are_unmet() -> None:

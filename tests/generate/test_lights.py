@@ -11,6 +11,7 @@ from sceneweaver.language import read_request
 from sceneweaver.scene import Scene
 from sceneweaver.tools.base import Context
 from sceneweaver.tools.init_prior import InitPrior
+from tests.for_each import for_each
 
 ROOMS = room_types()
 
@@ -58,7 +59,7 @@ def test_each_table_of_a_restaurant_has_its_lamp(propose):
     assert tables and tables == {r.target for r in scene.relations if r.type == "over"}
 
 
-@pytest.mark.parametrize("name", list(ROOMS))
+@for_each(ROOMS)
 def test_no_ceiling_lamp_is_merely_near_something(name):
     """A lamp hangs over something, on the grid, in the middle, or along a counter."""
     for item in ROOMS[name].items:

@@ -10,11 +10,12 @@ from sceneweaver.assets.materials import STYLES, color_named, finish, shade
 from sceneweaver.knowledge import room_types
 from sceneweaver.knowledge.palettes import FALLBACK, accent_for, floor_for, groups_of, palette_for, palettes
 from sceneweaver.scene import InputError
+from tests.for_each import for_each
 
 ROOMS = room_types()
 
 
-@pytest.mark.parametrize("name", palettes())
+@for_each(palettes())
 def test_a_palette_names_what_exists(name):
     palette = palettes()[name]
     for color in (palette.walls, palette.accent, *palette.textiles):
@@ -28,7 +29,7 @@ def test_a_palette_names_what_exists(name):
     assert set(palette.styles) <= set(STYLES)
 
 
-@pytest.mark.parametrize("name", palettes())
+@for_each(palettes())
 def test_furniture_stands_out_from_a_wooden_floor(name):
     palette = palettes()[name]
     floor = finish(palette.floors["wood"]).material.color
@@ -48,7 +49,7 @@ def test_what_the_file_says_of_rooms_is_of_rooms_that_exist():
         assert set(palette.groups) <= set(data["kinds"])
 
 
-@pytest.mark.parametrize("name", sorted(ROOMS))
+@for_each(sorted(ROOMS))
 def test_each_room_has_a_palette_for_each_of_its_styles_and_they_vary(name):
     groups = set(groups_of(name))
     for style in ROOMS[name].styles:
@@ -98,7 +99,7 @@ def test_a_palette_has_two_woods_at_most():
         Palette(**(row | {"woods": ("oak", "birch", "pine")}))
 
 
-@pytest.mark.parametrize("name", palettes())
+@for_each(palettes())
 def test_floors_are_quiet(name):
     """Terracotta tiles are the loudest floor that people live on; carpets are quieter."""
     for material, tone in palettes()[name].floors.items():

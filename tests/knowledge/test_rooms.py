@@ -10,6 +10,7 @@ import pytest
 from sceneweaver.assets import categories
 from sceneweaver.knowledge import Item, Place, RoomType, match_room, room_types, surfaces
 from sceneweaver.scene import CATALOGUE, InputError, Relation
+from tests.for_each import for_each
 
 ROOMS = room_types()
 NAMES = sorted(ROOMS)
@@ -120,7 +121,7 @@ def test_people_find_rooms_by_their_own_words(words: str, name: str) -> None:
     assert found[0] == name
 
 
-@pytest.mark.parametrize("name", NAMES)
+@for_each(NAMES)
 def test_all_that_a_room_names_exists(name: str) -> None:
     room, known = ROOMS[name], categories()
     assert room.sources and all(len(source.split()) >= 2 for source in room.sources)
@@ -138,7 +139,7 @@ def test_all_that_a_room_names_exists(name: str) -> None:
             surfaces.crowd(item.fill)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@for_each(NAMES)
 def test_relations_are_those_of_the_catalogue(name: str) -> None:
     room = ROOMS[name]
     for item in room.items:
@@ -153,7 +154,7 @@ def test_relations_are_those_of_the_catalogue(name: str) -> None:
                 assert _mount(item) in ("wall", "ceiling"), f"{item.id}: what is above something has to hang"
 
 
-@pytest.mark.parametrize("name", NAMES)
+@for_each(NAMES)
 def test_numbers_are_plausible(name: str) -> None:
     room = ROOMS[name]
     least, usual, most = room.area
@@ -174,7 +175,7 @@ def test_numbers_are_plausible(name: str) -> None:
             assert item.bottom[0] + _height(item) < room.height
 
 
-@pytest.mark.parametrize("name", NAMES)
+@for_each(NAMES)
 def test_what_stands_on_the_floor_is_told_where(name: str) -> None:
     room = ROOMS[name]
     floor = [i for i in room.items if _mount(i) == "floor"]
@@ -197,7 +198,7 @@ EXACT = ("against_wall", "side_against_wall", "aligned", "parallel", "centered_o
 EXACT += ("leftright_to_leftright", "side_by_side", "back_to_back", "around", "at_window")
 
 
-@pytest.mark.parametrize("name", NAMES)
+@for_each(NAMES)
 def test_what_has_to_hold_is_no_looser_than_the_catalogue_says(name: str) -> None:
     for item in ROOMS[name].items:
         for place in item.place:
@@ -212,7 +213,7 @@ def test_what_has_to_hold_is_no_looser_than_the_catalogue_says(name: str) -> Non
                 assert not looser, f"{item.id}: {place.type} {key} {value}, usually {usual}"
 
 
-@pytest.mark.parametrize("name", NAMES)
+@for_each(NAMES)
 def test_nothing_is_needed_that_cannot_fit(name: str) -> None:
     room, area = ROOMS[name], 0.0
     for item in room.items:

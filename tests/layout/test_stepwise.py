@@ -96,6 +96,7 @@ class Watched(BuiltIn):
         return state
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", BUDGETS)
 def test_a_built_in_one_under_way(name):
     """What it calls best gets no worse, by the verdict and for descents by energy, its counts rise to the end, and what

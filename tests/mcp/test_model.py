@@ -18,6 +18,7 @@ ROOM = {"prompt": "a store room with only one shelf", "steps": 1, "candidates": 
 BEGIN = {"problem": "no room", "calls": [{"tool": "init_prior", "confidence": 0.9, "instruction": "Begin."}]}
 
 
+@pytest.mark.slow
 def test_a_model_plans_a_room_and_what_it_took_is_told(tmp_path, monkeypatch):
     monkeypatch.setenv("SCENEWEAVER_API_KEY", KEY)
     with ModelServer(answering({"You design a room step by step": [BEGIN]})) as model:

@@ -222,6 +222,7 @@ def started(program: str, **environment: str) -> subprocess.CompletedProcess[str
     )
 
 
+@pytest.mark.slow
 def test_warp_starts_without_a_word_and_a_gpu_that_is_missing_is_named():
     program = (
         "from sceneweaver.layout.devices import pick_devices; import sceneweaver.render.tracing\n"

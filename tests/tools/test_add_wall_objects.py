@@ -18,6 +18,7 @@ from sceneweaver.scene.edits import apply_all
 from sceneweaver.tools.add_wall_objects import AddWallObjects
 from sceneweaver.tools.base import Context
 from sceneweaver.verify import check
+from tests.for_each import for_each
 
 LIBRARY = Library()
 DOOR = Door(id="door-0", wall=0, offset=0.2, width=0.9, height=2.0)
@@ -105,7 +106,7 @@ def test_only_the_walls_that_are_named():
         hung(scene(), walls=[7])
 
 
-@pytest.mark.parametrize("name", sorted(room_types()))
+@for_each(sorted(room_types()))
 def test_each_kind_of_room_has_things_for_its_walls(name):
     things = wall_things(name)
     assert things and all(share > 0 for share in things.values())

@@ -13,7 +13,7 @@ from sceneweaver.generate.surface_field import Field, Piece, Prism, Shape
 from sceneweaver.knowledge import room_types
 from sceneweaver.knowledge.surfaces import arrangement_of, arrangements, crowd_of
 from sceneweaver.language import SceneGraph, read_request
-from sceneweaver.scene import InputError, Intent, Pose, Scene, SceneObject, Support, Window
+from sceneweaver.scene import InputError, Intent, Pose, Relation, Scene, SceneObject, Support, Window
 from sceneweaver.tools.add_tabletop import AddTabletop
 from sceneweaver.tools.base import Context
 from tests.sizes import sizes
@@ -112,6 +112,19 @@ def test_asked() -> None:
     }
     done = after(scene, answer(TOOL, scene, wish))
     assert len(of(done, "candlestick")) >= 2 and of(done, "laptop") and not faults(done)
+
+
+def test_seats_that_people_sit_on_carry_nothing_but_a_stool_may_be_a_small_table() -> None:
+    desk, stool, bench = standing("desk"), standing("stool", at=(3, 3, 0)), standing("bench", at=(-3, 3, 0))
+    asked = bench.model_copy(update={"intent": Intent(priority="asked")})
+    sat_on = Relation(type="seated_at", subject=stool.id, target=desk.id)
+
+    def carrying(scene: Scene) -> set[str]:
+        done = after(scene, answer(TOOL, scene))
+        return {carrier(done, o).id for o in done.objects if o.support is not None}
+
+    assert {desk.id, stool.id, bench.id} <= carrying(room([desk, stool, bench]))
+    assert carrying(room([desk, stool, asked], [sat_on])) == {desk.id}
 
 
 def test_what_must_not_be_there_is_not_laid_out_either() -> None:

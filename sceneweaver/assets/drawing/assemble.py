@@ -13,6 +13,7 @@ from sceneweaver.scene import Part, Surface, Zone
 from ..asset import Asset, Origin
 from ..body import Hull, Mesh
 from ..mirror import mirrored
+from ..postures import postured
 from ..prisms import prisms_of
 from ..zones import access_zones, opening_zones
 from .bare import Bare, Slot
@@ -75,8 +76,14 @@ def bare_of(drawing: Drawing) -> Bare:
             replace(k, low=vec3(np.array(k.low) - shift), high=vec3(np.array(k.high) - shift)) for k in drawn.interiors
         ),
     )
+    asset = mirrored(asset) if request.mirrored else asset
+    if request.posture is not None:
+        placed = postured(asset, request.posture, drawn.groups)
+        if placed is not asset or drawing.posed:
+            shown["posture"] = request.posture
+        asset = placed
     return Bare(
-        asset=mirrored(asset) if request.mirrored else asset,
+        asset=asset,
         slots=tuple(slots),
         slot=slot,
         faces=np.array([len(piece.faces) for piece in drawn.pieces], dtype=np.int32),

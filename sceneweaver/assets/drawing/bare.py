@@ -20,6 +20,13 @@ Slot = int | Material
 """The number of a finish that the drawing was given, or a finish of its own."""
 
 
+GLOWS = 0.3
+"""Share of its colour from which on a material is that of a lamp."""
+
+LIGHT = ("lit", "unlit")
+"""Postures of what shines."""
+
+
 @dataclass(frozen=True, eq=False)
 class Bare:
     """A drawing without its finishes.
@@ -67,6 +74,10 @@ class Bare:
     def finished(self, given: Sequence[Material], finishes: Finishes) -> Asset:
         """The asset with the finishes that the drawing was given, as ``finishes`` decided."""
         materials = [given[slot] if isinstance(slot, int) else slot for slot in self.slots]
+        shown = dict(self.shown)
+        if finishes.request.posture in LIGHT and any(m.emission >= GLOWS for m in materials):
+            shown["posture"] = finishes.request.posture
+            materials = [_lit(m, finishes.request.posture) for m in materials]
         numbers: dict[Material, int] = {}
         division = tuple(numbers.setdefault(material, len(numbers)) for material in materials)
         masses = masses_of(self.bulk, [materials[slot] for slot in self.slot.tolist()], self.mass)
@@ -83,7 +94,7 @@ class Bare:
             mesh=replace(bare.mesh, materials=tuple(numbers), face_material=self._divided(division)),
             mass=round(sum(masses), 5),
             masses=masses,
-            attributes=attributes | self.shown,
+            attributes=attributes | shown,
             description=f"{main.name} {words}" if main is not None else words,
             drawn_as=self.key if same else f"{self.key}/{','.join(map(str, division))}",
         )
@@ -96,3 +107,9 @@ class Bare:
             of_piece = np.array(division, dtype=np.int32)[self.slot]
             self._divisions[division] = np.repeat(of_piece, self.faces)
         return self._divisions[division]
+
+
+def _lit(material: Material, posture: str) -> Material:
+    """A material of what shines, or does not, in a posture."""
+    out = posture == "unlit" and material.emission >= GLOWS
+    return replace(material, name=f"{material.name} off", emission=0.0) if out else material

@@ -23,7 +23,7 @@ class Request:
     them leaves them out. ``label`` is what a body that stands for an unknown noun is called. ``palette`` is the code of
     the room's, which all that is not asked otherwise follows. Pieces of one ``suite`` (any number) match, of whatever
     category: fronts, handles and worktops of a kitchen. ``mirrored`` turns left into right: a door then hangs at its
-    other side.
+    other side. ``posture`` is one of `postures`, or one that drawings of the category know: a curtain that is drawn.
     """
 
     size: tuple[float | None, float | None, float | None] = (None, None, None)
@@ -36,10 +36,11 @@ class Request:
     palette: str | None = None
     suite: int | None = None
     mirrored: bool = False
+    posture: str | None = None
 
     @property
     def bare(self) -> Request:
-        """What of it a drawing sees: size, shape, parts, label and hand."""
+        """What of it a drawing sees: size, shape, parts, label, hand and posture."""
         return replace(self, color=None, material=None, style=None, palette=None, suite=None)
 
     @property
@@ -56,6 +57,8 @@ class Request:
             parts.append("palette=" + quote(self.palette, safe="/,"))
         if self.suite is not None:
             parts.append(f"suite={self.suite}")
+        if self.posture is not None:
+            parts.append("posture=" + quote(self.posture))
         if self.mirrored:
             parts.append("mirrored=1")
         return "".join(f"&{part}" for part in parts)

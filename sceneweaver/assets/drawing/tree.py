@@ -77,6 +77,13 @@ class Tree(Watching):
         self._link = 0
         self._handle = False
         self._group: str | None = None
+        self.posed = False
+
+    def takes(self, *postures: str) -> str | None:
+        """The posture that is asked for, if it is one that this drawing knows: it has to show it then."""
+        asked = self.request.posture
+        self.posed = self.posed or asked in postures
+        return asked if asked in postures else None
 
     # Frames
 

@@ -19,6 +19,9 @@ from ..parametric.drawings import Drawings
 from ..taxonomy import Match, resolve
 from .base import Card, Wish
 
+WORDS = ("color", "material", "style", "shape", "label", "palette", "posture")
+"""What an id says in words."""
+
 PREFIX, MIRRORED = "parametric:", "&mirrored=1"
 
 
@@ -64,7 +67,8 @@ class ParametricSource:
         size = (depth, width, height)
         style = wish.style if wish.style in STYLES else None
         label = match.category if match.body != match.category else None
-        return Request(size, wish.color, wish.material, style, wish.shape, wish.parts, label, wish.palette, wish.suite)
+        look = wish.color, wish.material, style, wish.shape, wish.parts
+        return Request(size, *look, label, wish.palette, wish.suite, posture=wish.posture)
 
 
 TRIES, TRIES_FOR_COUNTS = 8, 24
@@ -121,7 +125,7 @@ def _read(asset_id: str) -> tuple[str, int, Request]:
     """What an id says: category, seed and request; the things of a scene are loaded many times."""
     category, _, query = asset_id.removeprefix(PREFIX).partition("?")
     given = dict(parse_qsl(query, keep_blank_values=True))
-    words = {k: given.pop(k) for k in ("color", "material", "style", "shape", "label", "palette") if k in given}
+    words = {k: given.pop(k) for k in WORDS if k in given}
     try:
         seed = int(given.pop("seed", "0"))
         size, parts = _size(given.pop("size", ",,")), _parts(given.pop("parts", ""))

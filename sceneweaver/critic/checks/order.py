@@ -37,7 +37,10 @@ def in_ring(survey: Survey, sofa: Body) -> bool:
 def belongs_to_wall(survey: Survey, o: Body) -> bool:
     """Whether nothing says that a body stands elsewhere than at a wall: the room's items, or the request."""
     asked = survey.program.asked_of.get(o.id)
-    if any(r.subject == asked and {"middle", "window", "corner"} & set(r.targets) for r in survey.brief.relations):
+    if any(
+        r.subject == asked and {"middle", "window", "corner"} & {t.partition(":")[0] for t in r.targets}
+        for r in survey.brief.relations
+    ):
         return False
     name = survey.program.item_of.get(o.id)
     item = survey.room_type.item(name) if name is not None else None

@@ -13,7 +13,8 @@ from sceneweaver.scene import InputError
 
 from ..model import PLACES
 from ..things import match_of
-from ..vocabulary import vocabulary, words
+from ..unwanted import is_class, kinds_unwanted
+from ..vocabulary import vocabulary
 
 LONGEST = 60
 """Most characters of an English name or of the words about a thing; of a quote twice as many."""
@@ -21,11 +22,9 @@ LONGEST = 60
 
 def excluded_categories(name: str) -> Iterator[str]:
     """The categories, or groups of them, that "no ..." means in English."""
-    listed = words("groups")["without"]
-    for form in (name, f"{name}s"):
-        if form in listed:
-            yield from listed[form]
-            return
+    if is_class(name):
+        yield from kinds_unwanted(name)
+        return
     group = name.replace(" ", "_")
     if group in categories() and categories()[group].size is None:
         yield group

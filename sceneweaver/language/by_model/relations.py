@@ -8,7 +8,7 @@ from ..graph import MOST
 from ..grounding import FURTHEST
 from ..model import PLACES
 from ..parsed import Mention, Said, Target
-from ..relating import call_by_place
+from ..relating import call_by_place, close_kind
 from ..wall_names import COMPASS
 from .draft import OUT, Draft, counted
 from .english import LONGEST, cut
@@ -108,6 +108,7 @@ def _say(
     span = draft.quotes.nearest(said.quote, subject.span) if said.quote else None
     if said.quote and span is None:
         draft.doubts.append(f"{where}: {shown(cut(said.quote))} is not in the request; copy its words")
+    kind = close_kind(kind, said.quote or "", [subject], first)
     params = {name: value for name, value in (("min", said.min), ("max", said.max)) if value is not None}
     words = cut(said.quote, 2 * LONGEST) or said.type.replace("_", " ")
     draft.parsed.said.append(

@@ -1,4 +1,4 @@
-"""Statements that are read by pattern before the clauses are: openings, free floor, people, arrangements.
+"""Statements that are read by pattern before the clauses are: sides, openings, free floor, arrangements, lengths ...
 
 Each reader looks for phrases of its subject in the source, adds what they say to `Parsed`, and blanks them out of the
 source (`Source.blank`), so that no word of them is read as a thing. Things that a statement is about are named in the
@@ -14,22 +14,46 @@ from ..source import Source
 from .arrangements import arrangements
 from .bounds import bounds
 from .capacities import capacities
+from .entering import entering
 from .finishes import read_finishes
 from .free_areas import read_free_areas
 from .fullness import fullness
+from .groups import aisles, facing_rows, groups, horseshoes, merged
 from .looks import read_looks
+from .measures import measures
 from .openings import read_openings
+from .room_kind import furnish_zones, read_room_kind
+from .states import read_states
+from .unwanted import unwanted
+from .wings import wings
+
+
+def _told_of_rows(source: Source, parsed: Parsed) -> None:
+    """What is said of rows beside their number: aisles, backs together."""
+    facing_rows(source, parsed)
+    aisles(source, parsed)
+    horseshoes(source, parsed)
+    merged(parsed)
+
 
 STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
+    entering,
+    wings,
     read_openings,
-    bounds,
-    arrangements,
-    read_free_areas,
-    capacities,
     read_finishes,
+    bounds,
+    groups,
+    arrangements,
+    _told_of_rows,
+    read_free_areas,
+    measures,
+    read_states,
+    capacities,
     read_looks,
     fullness,
+    unwanted,
+    read_room_kind,
 )
 """The readers, in order; each gets what the ones before it left."""
 
-__all__ = ["STATEMENTS"]
+__all__ = ["STATEMENTS", "furnish_zones"]

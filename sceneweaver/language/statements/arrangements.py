@@ -13,15 +13,35 @@ from typing import Any, Literal, get_args
 from ..model import Arrangement, Span
 from ..parsed import Parsed
 from ..source import Source
+from .aisles import AISLE, ROWS, width_of
 from .lengths import LENGTH, length_of
 from .phrases import NUMBER, Edits, noun_after, noun_before, number_of, table_before
 
 Pattern = Literal[
-    "row", "rows", "grid", "circle", "semicircle", "u", "back_to_back", "stack", "cluster", "islands", "sides"
+    "row",
+    "rows",
+    "grid",
+    "circle",
+    "semicircle",
+    "u",
+    "back_to_back",
+    "stack",
+    "cluster",
+    "islands",
+    "sides",
+    "walls",
+    "between",
+    "right_angle",
+    "head_to_head",
+    "end_to_end",
+    "outside",
+    "inside",
 ]
 
 _N, _M = rf"(?P<n>{NUMBER})", rf"(?P<m>{NUMBER})"
-_PLACED = r"(?:,? ?(?:all |neatly )?(?:laid out|set out|set up|arranged|laid|placed|lined up|standing|put) )?"
+PLACED = r"(?:,? ?(?:all |neatly )?(?:laid out|set out|set up|arranged|laid|placed|lined up|standing|put) )?"
+"""What may stand before the words of a pattern."""
+
 _AREA = r"(?:grid|array|matrix|pattern|formation|raster)"
 _GROUP = r"(?:groups?|clusters?|pods?|sets?|bunches)"
 _HEIGHTS = {"knee": 0.5, "waist": 1.0, "hip": 0.95, "chest": 1.25, "shoulder": 1.4, "head": 1.7}
@@ -39,7 +59,19 @@ _FACING = re.compile(
     r"\s*,?\s*(?:and |all |both |with )?(?:(?:their |the )?fronts? )?(?:facing|looking at|turned to|towards?) "
     r"(?P<what>each other|one another)|\s*,?\s*face to face(?P<face>)"
 )
-_LOOKING = re.compile(r"\s*,?\s*(?:and |all |both )*(?:facing|looking at|turned to|oriented to) (?:the |a |an )?")
+_LOOKING = re.compile(
+    r"\s*,?\s*(?:and |all |both |that |which )*(?:facing|looking (?:out )?(?:at|over|onto|of|through|towards?)|"
+    r"(?:turned|oriented|pointed|pointing|directed) (?:to|towards?|at)|face|towards) (?:the |an? )?"
+)
+_LOOKING_OUT = re.compile(r"\s*,?\s*(?:and |all |both )*looking out(?:side|wards)?(?=\s*(?:$|[.,;)]|with\b|and\b))")
+_EACH_ROW = re.compile(
+    rf"\s*,?\s*(?:with |of )?(?P<n>{NUMBER})(?: [a-z]+)? (?:in|per|to|on|at) (?:each|a|every|the)?"
+    r"(?: ?(?:row|line|side|one)\b)?"
+)
+_AMID = re.compile(
+    r"\s*,?\s*(?:with |and |around )?(?:an? |the )(?P<what>(?:[a-z-]+ ){0,2}?[a-z-]+)(?P<place> in (?:the|its) "
+    r"(?:middle|centre|center)(?: of (?:it|them|the circle))?)"
+)
 _EACH_AROUND = re.compile(
     rf"\s*,?\s*(?:with )?(?:each|every)(?: {_GROUP}| one)?(?: arranged| set)?(?: around| round| about| at) "
     r"(?P<a>an? |its own )"
@@ -55,7 +87,7 @@ def arrangements(source: Source, parsed: Parsed) -> None:
                 read(m, edits, parsed)
 
 
-def _add(
+def add(
     edits: Edits,
     parsed: Parsed,
     m: re.Match[str],
@@ -76,7 +108,11 @@ def _add(
     at = m.end() if end is None else end
     text = edits.source.text
     facing, spacing = "", given.pop("spacing", None)
-    for _ in range(2):
+    for _ in range(3):
+        if pattern in ROWS and (way := AISLE.match(text, at)):
+            given["aisle"] = width_of(way)
+            edits.take(way.start(), way.end())
+            at = way.end()
         if spaced := _SPACED.match(text, at):
             spacing = length_of(spaced)[0]
             edits.take(spaced.start(), spaced.end())
@@ -85,13 +121,19 @@ def _add(
             facing = "each other"
             edits.take(faced.start(), faced.end())
             at = faced.end()
+        elif out := _LOOKING_OUT.match(text, at):
+            facing = "window"
+            edits.take(out.start(), out.end())
+            at = out.end()
         elif looks := _LOOKING.match(text, at):
-            facing, _ = noun_after(text, looks.end())
+            facing, at = noun_after(text, looks.end())
             break
-    words = text[m.start() : at].strip(" ,")
+    words = text[m.start() : max(at, m.end())].strip(" ,")
     short = re.compile(r"\s*w/ ").match(text, m.end())  # there is room now to write it out
     last, instead = (short.end(), f"{instead} with") if short and blank else (m.end(), instead)
-    span: Span = edits.take(m.start(), last, instead) if blank else edits.source.span(m.start(), m.end())
+    if blank:
+        edits.take(m.start(), last, instead)
+    span: Span = edits.source.span(m.start(), max(at, m.end()))
     said = Arrangement(entity=noun, pattern=pattern, spacing=spacing, facing=facing, words=words, span=span, **given)
     parsed.arrangements.append(said)
     return True
@@ -104,7 +146,7 @@ def _rows_of(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     pattern: Pattern = "rows" if rows > 1 else "row"
     if m["kind"].startswith("column"):
         rows, columns = columns, rows
-    _add(edits, parsed, m, pattern, noun, end=end, instead=str(rows * columns), rows=rows, columns=columns)
+    add(edits, parsed, m, pattern, noun, end=end, instead=str(rows * columns), rows=rows, columns=columns)
 
 
 def _in_rows(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -112,9 +154,13 @@ def _in_rows(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     noun = noun_before(edits.source.text, m.start())
     rows = number_of(m["n"]) if m["n"] else None
     columns = number_of(m["m"]) if m["m"] else None
+    end = m.end()
+    if columns is None and (each := _EACH_ROW.match(edits.source.text, end)):
+        columns, end = number_of(each["n"]), each.end()
+        edits.take(each.start(), each.end())
     if m["kind"].startswith("column"):
         rows, columns = columns, rows
-    _add(edits, parsed, m, "rows", noun, rows=rows, columns=columns)
+    add(edits, parsed, m, "rows", noun, end=end, rows=rows, columns=columns)
 
 
 def _grid(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -124,21 +170,21 @@ def _grid(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     if m.groupdict().get("of"):
         noun, end = noun_after(edits.source.text, m.end())
         count = str(rows * columns) if rows and columns else ""
-        _add(edits, parsed, m, "grid", noun, end=end, instead=count, rows=rows, columns=columns)
+        add(edits, parsed, m, "grid", noun, end=end, instead=count, rows=rows, columns=columns)
     else:
         noun = noun_before(edits.source.text, m.start())
-        _add(edits, parsed, m, "grid", noun, rows=rows, columns=columns)
+        add(edits, parsed, m, "grid", noun, rows=rows, columns=columns)
 
 
 def _in_row(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
-    _add(edits, parsed, m, "row", noun_before(edits.source.text, m.start()), rows=1)
+    add(edits, parsed, m, "row", noun_before(edits.source.text, m.start()), rows=1)
 
 
 def _row_of(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "A row of five hooks"."""
     noun, end = noun_after(edits.source.text, m.end())
     columns = number_of(m["n"])
-    _add(edits, parsed, m, "row", noun, end=end, instead=m["n"], rows=1, columns=columns)
+    add(edits, parsed, m, "row", noun, end=end, instead=m["n"], rows=1, columns=columns)
 
 
 def _curve(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -151,18 +197,21 @@ def _curve(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     noun, around = noun_before(text, m.start()), ""
     if follows := re.compile(r"\s*(?:around|round|about) (?:the |an? )?").match(text, m.end()):
         around, _ = noun_after(text, follows.end())
-    _add(edits, parsed, m, pattern, noun, around=around)
+    elif amid := _AMID.match(text, m.end()):
+        around = amid["what"]
+        edits.take(amid.start("place"), amid.end("place"))
+    add(edits, parsed, m, pattern, noun, around=around)
 
 
 def _curve_of(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "A circle of eight chairs"."""
     noun, end = noun_after(edits.source.text, m.end())
     pattern: Pattern = "circle" if m["shape"] in ("circle", "ring") else "semicircle"
-    _add(edits, parsed, m, pattern, noun, end=end, instead=m["n"])
+    add(edits, parsed, m, pattern, noun, end=end, instead=m["n"])
 
 
 def _backs(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
-    _add(edits, parsed, m, "back_to_back", noun_before(edits.source.text, m.start()))
+    add(edits, parsed, m, "back_to_back", noun_before(edits.source.text, m.start()))
 
 
 def _groups(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -177,7 +226,7 @@ def _groups(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     if each := _EACH_AROUND.match(text, end):
         around, _ = noun_after(text, each.end("a"))
         edits.take(each.start(), each.end("a"), ", a ")
-    _add(edits, parsed, m, "cluster", noun, end=end, instead=instead, groups=groups, columns=size, around=around)
+    add(edits, parsed, m, "cluster", noun, end=end, instead=instead, groups=groups, columns=size, around=around)
 
 
 def _wide_and_high(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -186,7 +235,7 @@ def _wide_and_high(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     noun = m["noun"]
     if noun:
         instead = f"{rows * columns} {noun}"
-        _add(edits, parsed, m, "grid", noun, instead=instead, rows=rows, columns=columns, upright=True)
+        add(edits, parsed, m, "grid", noun, instead=instead, rows=rows, columns=columns, upright=True)
 
 
 def _stack(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -197,7 +246,7 @@ def _stack(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     rows = number_of(m["n"]) if m["n"] else None
     noun = noun_before(edits.source.text, m.start())
     walls = re.compile(r" ?(?:along|around|against) (?:all )?(?:of )?the walls\b").match(edits.source.text, m.end())
-    _add(edits, parsed, m, "stack", noun, rows=rows, height=height, groups=ALL_WALLS if walls else None)
+    add(edits, parsed, m, "stack", noun, rows=rows, height=height, groups=ALL_WALLS if walls else None)
 
 
 def _stacks_of(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -205,7 +254,7 @@ def _stacks_of(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     noun, end = noun_after(edits.source.text, m.end())
     groups = 1 if m["n"] is None else number_of(m["n"])
     rows = number_of(m["m"])
-    _add(edits, parsed, m, "stack", noun, end=end, instead=str(groups * rows), rows=rows, groups=groups)
+    add(edits, parsed, m, "stack", noun, end=end, instead=str(groups * rows), rows=rows, groups=groups)
 
 
 def _parallel(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -213,19 +262,22 @@ def _parallel(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     noun, end = noun_after(edits.source.text, m.end())
     if number_of(m["n"]) > 1:
         rows = number_of(m["n"])
-        _add(edits, parsed, m, "rows", noun, end=end, instead=m["n"], rows=rows, columns=1)
+        add(edits, parsed, m, "rows", noun, end=end, instead=m["n"], rows=rows, columns=1)
 
 
 def _islands(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     noun, end = noun_after(edits.source.text, m.end())
-    _add(edits, parsed, m, "islands", noun, end=end, instead=m["n"])
+    add(edits, parsed, m, "islands", noun, end=end, instead=m["n"])
 
 
 def _each_side(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "Six pews on each side of the aisle": a block of rows at either hand."""
+    with_it = re.search(r"[a-z] with (?:the )?$", edits.source.text[: m.start()])
+    if with_it and table_before(edits.source.text, m.start()):
+        return  # "tables with three chairs on each side": the sides are theirs
     many = number_of(m["n"])
     instead = f"{2 * many} {m['noun']}"
-    _add(edits, parsed, m, "sides", m["noun"], instead=instead, sides=(many, many))
+    add(edits, parsed, m, "sides", m["noun"], instead=instead, sides=(many, many))
 
 
 def _two_sides(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -237,7 +289,7 @@ def _two_sides(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
         around = table_before(edits.source.text, m.start()) or noun_before(edits.source.text, m.start())
     elif len(instead) + len(around) + 8 <= m.end() - m.start():
         instead += f" at a {around}"
-    _add(edits, parsed, m, "sides", m["noun"], instead=instead, sides=(one, other), around=around)
+    add(edits, parsed, m, "sides", m["noun"], instead=instead, sides=(one, other), around=around)
 
 
 _NOUN = r"(?P<noun>[a-z][a-z'-]*(?: [a-z][a-z'-]*){0,2}?)"
@@ -248,7 +300,7 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
     (
         re.compile(
             rf"\b{_N} {_NOUN} on one side(?: of (?:the )?(?P<at>it|[a-z]+))?,? ?(?:and )?"
-            rf"{_M} on the other(?: side)?\b"
+            rf"{_M}(?: (?P=noun)s?)? on the (?:other|opposite)(?: side)?\b"
         ),
         _two_sides,
     ),
@@ -262,16 +314,17 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
     ),
     (
         re.compile(
-            rf"\b{_N} {_STRAIGHT}(?P<kind>rows|lines|ranks|columns|row) of {_M} (?=[a-z])(?!in\b|with\b|and\b|w/)"
+            rf"\b{_N} {_STRAIGHT}(?P<kind>rows|lines|ranks|columns|row) of {_M} "
+            r"(?=[a-z])(?!(?:in|with|and|back|facing|on|along|each|at|standing|against|by|near|side|next|parallel)\b|w/)"
         ),
         _rows_of,
     ),
-    (re.compile(rf"{_PLACED}\b(?:in|into|as) {_N} {_STRAIGHT}{_LINES}(?: of {_M}(?: each)?)?\b"), _in_rows),
-    (re.compile(rf"{_PLACED}\bin {_STRAIGHT}{_LINES}(?: of {_M}(?: each)?)?\b(?P<n>(?!))?"), _in_rows),
+    (re.compile(rf"{PLACED}\b(?:in|into|as) {_N} {_STRAIGHT}{_LINES}(?: of {_M}(?: each)?)?\b"), _in_rows),
+    (re.compile(rf"{PLACED}\bin {_STRAIGHT}{_LINES}(?: of {_M}(?: each)?)?\b(?P<n>(?!))?"), _in_rows),
     (re.compile(rf"\b(?:an? )?{_N} ?(?:x|by|×) ?{_M} {_AREA} (?P<of>of) "), _grid),
-    (re.compile(rf"{_PLACED}\b(?:in|on|as|into) an? (?:regular |tight )?{_N} ?(?:x|by|×) ?{_M} {_AREA}\b"), _grid),
+    (re.compile(rf"{PLACED}\b(?:in|on|as|into) an? (?:regular |tight )?{_N} ?(?:x|by|×) ?{_M} {_AREA}\b"), _grid),
     (
-        re.compile(rf"{_PLACED}\b(?:in|on|as|into) an? (?:regular |tight )?{_AREA}(?: of {_N} ?(?:x|by|×) ?{_M})?\b"),
+        re.compile(rf"{PLACED}\b(?:in|on|as|into) an? (?:regular |tight )?{_AREA}(?: of {_N} ?(?:x|by|×) ?{_M})?\b"),
         _grid,
     ),
     (
@@ -281,12 +334,12 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
         ),
         _wide_and_high,
     ),
-    (re.compile(rf"\b(?:{_PLACED}(?P<in>in|into) )?{_N} (?:small |equal )?{_GROUP} of {_M}(?: each)?\b ?"), _groups),
+    (re.compile(rf"\b(?:{PLACED}(?P<in>in|into) )?{_N} (?:small |equal )?{_GROUP} of {_M}(?: each)?\b ?"), _groups),
     (re.compile(rf"\b(?:an? )(?:{_STRAIGHT})row of {_N} "), _row_of),
-    (re.compile(rf"{_PLACED}\b(?:in|as) (?:an?|one|a single) {_STRAIGHT}(?:row|line)\b(?! of)"), _in_row),
+    (re.compile(rf"{PLACED}\b(?:in|as) (?:an?|one|a single) {_STRAIGHT}(?:row|line)\b(?! of)"), _in_row),
     (
         re.compile(
-            rf"{_PLACED}\b(?:in|as) an? (?:loose |wide |open |large |small )?"
+            rf"{PLACED}\b(?:in|as) an? (?:loose |wide |open |large |small )?"
             r"(?P<shape>semi-?circle|half[ -]circle|arc|circle|ring|"
             r"u(?:[ -]shape)?|horseshoe(?: shape)?)\b"
         ),

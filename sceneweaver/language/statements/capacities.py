@@ -16,7 +16,7 @@ from ..model import Activity, Capacity
 from ..parsed import Parsed
 from ..source import Source
 from ..things import match_of
-from ..vocabulary import words
+from ..vocabulary import vocabulary, words
 from .phrases import NUMBER, Edits, listed, noun_after, noun_before, number_of, one_of
 
 _N = rf"(?P<n>{NUMBER})"
@@ -95,6 +95,45 @@ def _each_at(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
         return
     said = Capacity(people=number_of(m["n"]), activity=activity, target=noun, each=True)
     _add(edits, parsed, m.start(), m.end(), said, ", " if m["on"] else "")
+
+
+def _they_do(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "Ten people can sit", "a table where four can eat", "two people work side by side", "six of us eat here"."""
+    does = next(name for name, verbs in words("people")["does"].items() if m["does"] in verbs)
+    at = ""
+    if m["where"]:
+        noun = noun_before(edits.source.text, m.start())
+        at = noun if activity_at(noun) is not None else ""
+    _add(edits, parsed, m.start(), m.end(), Capacity(people=number_of(m["n"]), activity=does, target=at))
+
+
+def _seater(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "A 6-seater dining table", "four-person booth", "a one person office"."""
+    noun, _ = noun_after(edits.source.text, m.end())
+    activity = activity_at(noun)
+    if activity is None and not m["person"]:
+        return
+    if noun.split()[-1:] and "room" in vocabulary().get(noun.split()[-1], {}):
+        parsed.people = parsed.people or number_of(m["n"])
+        edits.take(m.start(), m.end())
+        return
+    said = Capacity(people=number_of(m["n"]), activity=activity or "use", target=noun if activity else "")
+    _add(edits, parsed, m.start(), m.end(), said)
+
+
+def _places(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "Two working places", "14 covers"."""
+    does = next(name for name, spoken in words("people")["places"].items() if m["place"] in spoken)
+    _add(edits, parsed, m.start(), m.end(), Capacity(people=number_of(m["n"]), activity=does))
+
+
+def _couple(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "For me and my wife": two people, who stay in the source for whom the room is."""
+    parsed.people = parsed.people or 2
+
+
+def _ensemble(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    parsed.people = parsed.people or words("people")["ensembles"][m[1]]
 
 
 def _room_people(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -196,6 +235,32 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
         ),
         _thing_for,
     ),
+    (
+        re.compile(
+            rf"\b(?P<where>where |at which |that )?{_N}(?: (?:of us|of them|{_PEOPLE}))?"
+            rf"(?: {one_of(listed('can'))})? (?:all |comfortably |both )?"
+            rf"(?P<does>{'|'.join(verb for verbs in words('people')['does'].values() for verb in verbs)})"
+            r"(?![a-z])(?: (?:side by side|together|next to each other|in it|there|here|at it|at once|at a time"
+            r"|at the same time))*"
+        ),
+        _they_do,
+    ),
+    (
+        re.compile(
+            rf"\b{_N} (?P<place>{'|'.join(p for found in words('people')['places'].values() for p in found)})\b"
+        ),
+        _places,
+    ),
+    (re.compile(rf"\b{_N}[\s-](?:seater|seat|(?P<person>person|people|man|child|pupil|guest))\b(?! each)"), _seater),
+    (
+        re.compile(
+            rf"\b(?:me|i|myself|mum|mom|dad|us) and (?:my |our )?{one_of(listed('partners'))}\b"
+            rf"|\b(?:my |our ){one_of(listed('partners'))} and (?:me|i|myself)\b"
+        ),
+        _couple,
+    ),
+    (re.compile(rf"\b(?:for|of) an? ({'|'.join(words('people')['ensembles'])})\b"), _ensemble),
+    (re.compile(rf"\b(?:we|they|you) are {_N}(?! [a-z]+s\b)(?: {_PEOPLE})?\b"), _room_people),
     (re.compile(rf"\b(?:my|our|his|her|their|the) {_N} {_PEOPLE}"), _room_people),
     (re.compile(rf"\b{one_of(listed('of_people'))} of {_N}\b(?! [a-z]+s\b)"), _room_people),
     (

@@ -9,6 +9,9 @@ from ..model import Activity, Arrangement, Capacity, Entity, StatedRelation
 from ..vocabulary import family, words
 from .resolve import entity_named
 
+VAGUE, FEW = (2, 6), 4
+"""Count of a bare plural, and how many of it stand along two walls."""
+
 
 @dataclass(frozen=True)
 class Peopled:
@@ -46,9 +49,13 @@ def peopled(
     if people is None:
         people = sum(_total(c, by_id) for c in capacities) or None
     known = [_known(c, people, by_id) for c in capacities]
+    rooms = words("people")["in_rooms"]
+    does: Activity = next((name for name in rooms if room_type in rooms[name]), "use")
+    known = [
+        c.model_copy(update={"activity": does}) if c.activity == "use" and not c.target and not c.own else c
+        for c in known
+    ]
     if people is not None and not any(c.people == people and not c.own for c in known):
-        rooms = words("people")["in_rooms"]
-        does: Activity = next((name for name in rooms if room_type in rooms[name]), "use")
         known.append(Capacity(id=f"capacity-{len(known)}", people=people, activity=does, words=f"{people} people"))
     for one in known:
         for name, count in one.own:
@@ -67,9 +74,63 @@ def peopled(
             if not any(r.subject == one.entity and r.targets == (one.around,) for r in found):
                 said = StatedRelation(type="around", subject=one.entity, targets=(one.around,), span=one.span)
                 found.append(_grouped(said, one))
+    for one in arrangements:
+        entity, host = by_id.get(one.entity), by_id.get(one.around)
+        if one.pattern == "walls" and entity is not None and entity.count == VAGUE:
+            by_id[one.entity] = entity.model_copy(update={"count": (FEW, FEW)})  # two at each
+        if one.pattern == "u" and entity is not None and entity.count == VAGUE:
+            by_id[one.entity] = entity.model_copy(update={"count": (VAGUE[1], VAGUE[1])})
+        if one.pattern in ("outside", "inside") and entity is not None and host is not None and entity.count == VAGUE:
+            by_id[one.entity] = entity.model_copy(update={"count": host.count})  # a seat at each table
+    for one in arrangements:
+        host = by_id.get(one.around)
+        if one.pattern == "between" and one.entity in by_id and host is not None and host.count is not None:
+            gaps = host.count[0] - _rows_of(one.around, arrangements)
+            by_id[one.entity] = by_id[one.entity].model_copy(update={"count": (max(1, gaps), max(1, gaps))})
     for said in relations:
         _with_seats(said, by_id)
     return Peopled(tuple(by_id[e.id] for e in entities), found, tuple(known), people)
+
+
+def _rows_of(name: str, arrangements: Sequence[Arrangement]) -> int:
+    """In how many rows things stand, between whose neighbours there is something."""
+    one = next((a for a in arrangements if a.entity == name), None)
+    if one is None or one.pattern == "row":
+        return 1
+    if one.facing == "each other" and one.columns == 1:
+        return 1  # across from each other
+    return one.rows or (2 if one.pattern in ("walls", "sides", "rows") else 1)
+
+
+def told_apart(
+    relations: Sequence[StatedRelation], arrangements: Sequence[Arrangement]
+) -> tuple[list[StatedRelation], tuple[Arrangement, ...]]:
+    """Relations and arrangements where what is between "two sofas" is between both, if these were told apart."""
+    partner = {
+        r.subject: r.targets[0]
+        for r in reversed(relations)
+        if r.type in ("facing", "side_by_side") and len(r.targets) == 1 and r.subject.startswith(_stem(r.targets[0]))
+    }
+    partner |= {b: a for a, b in partner.items() if b not in partner}
+    found = []
+    for said in relations:
+        if said.type == "between" and len(said.targets) == 1 and said.targets[0] in partner:
+            said = said.model_copy(update={"targets": (said.targets[0], partner[said.targets[0]])})
+        found.append(said)
+    kept = []
+    for one in arrangements:
+        if one.pattern == "between" and one.around in partner:
+            ends = (one.around, partner[one.around])
+            row = StatedRelation(id=one.id, type="between", subject=one.entity, targets=ends, words=one.words)
+            found.append(row.model_copy(update={"span": one.span}))
+        else:
+            kept.append(one)
+    return found, tuple(kept)
+
+
+def _stem(name: str) -> str:
+    """The id of an entity without its number."""
+    return name.rpartition("-")[0] if name.rpartition("-")[2].isdigit() else name
 
 
 def _with_seats(said: StatedRelation, entities: dict[str, Entity]) -> None:
@@ -127,4 +188,4 @@ def _holds_off(said: StatedRelation, one: Arrangement) -> bool:
     return said.type in ("on", "inside", "hanging_from") or said.targets == (one.entity,)
 
 
-__all__ = ["Peopled", "bounded_counts", "peopled"]
+__all__ = ["Peopled", "bounded_counts", "peopled", "told_apart"]

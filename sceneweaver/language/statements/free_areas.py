@@ -52,6 +52,12 @@ def read_free_areas(source: Source, parsed: Parsed) -> None:
             filler = _filler(source.text, start, end, found)
             source.text = source.text[:start] + filler + source.text[end:]
             marked = marked[:start] + filler + marked[end:]
+    for at in source.free:  # no other words of the phrase are understood
+        if source.text[at : at + 1] == "§":
+            said = source.spoken[at : at + 12].split(",")[0].strip()
+            size = source.sides[at][:2]
+            parsed.free_areas.append(FreeArea(kind="rectangle", size=size, words=said, span=source.span(at, at + 1)))  # type: ignore[arg-type]
+            source.text = source.text[:at] + " " + source.text[at + 1 :]
     parsed.free_areas.sort(key=lambda area: area.span or (0, 0))
 
 
@@ -73,8 +79,9 @@ def _marked(text: str) -> tuple[str, dict[int, tuple[float, float | None]]]:
     lengths: dict[int, tuple[float, float | None]] = {}
 
     def mark(found: re.Match[str]) -> str:
-        lengths[found.start()] = length_of(found)
-        return "¤".ljust(len(found[0]))
+        comma = len(found[0]) - len(found[0].lstrip(", "))
+        lengths[found.start() + comma] = length_of(found)
+        return found[0][:comma] + "¤".ljust(len(found[0]) - comma)
 
     return _LENGTH.sub(mark, text), lengths
 

@@ -31,6 +31,43 @@ PLAIN = rf"{_NUMBER}\s{{0,2}}-?\s{{0,2}}{_UNIT}"
 """A pattern of one length with nothing around it, without groups; `plain_length` reads it."""
 
 
+_MOST = (
+    r"(?:at\s+(?:the\s+very\s+)?most|no\s+more\s+than|not\s+more\s+than|max(?:imum)?\.?(?:\s+of)?|up\s+to|under|below|"
+)
+_MOST += r"less\s+than|(?:no|not)\s+(?:higher|taller|wider|deeper|longer|bigger)\s+than)"
+_LEAST = (
+    r"(?:at\s+(?:the\s+very\s+)?least|no\s+less\s+than|not\s+less\s+than|min(?:imum)?\.?(?:\s+of)?|over|more\s+than|"
+)
+_LEAST += r"a\s+minimum\s+of)"
+_SOFT = (
+    r"(?:about|around|approximately|approx\.?|ca\.?|circa|roughly|some|nearly|almost|maybe|exactly|just|only|say|good)"
+)
+
+BOUNDED = (
+    rf"(?:(?:(?P<most>{_MOST})|(?P<least>{_LEAST})|(?P<soft>{_SOFT}))\s{{1,2}}){{0,2}}"
+    rf"(?:(?:between|from)\s{{1,2}}(?P<from>{_NUMBER})\s{{0,2}}(?P<unit0>{_UNIT})?\s{{1,2}}(?:and|to)\s{{1,2}}"
+    rf"(?P<to>{_NUMBER})\s{{0,2}}-?\s{{0,2}}(?P<unit1>{_UNIT})"
+    rf"|(?P<low>{_NUMBER})(?:\s{{0,2}}(?:-|to|or)\s{{0,2}}(?P<high>{_NUMBER}))?\s{{0,2}}-?\s{{0,2}}(?P<unit>{_UNIT})"
+    rf"(?:\s{{0,2}}(?P<rest>\d{{1,2}})(?:\s{{0,2}}(?:cm\b|in\b|inch(?:es)?\b|\"))?(?!\s?\w|[.,x]\d))?)"
+)
+"""A pattern of one length or of two ends of it, with what bounds it; its groups are what `bounded_length` reads."""
+
+
+def bounded_length(found: re.Match[str]) -> tuple[float | None, float | None, bool]:
+    """The least and the largest length [m] that `BOUNDED` matched, the same twice for one; whether it is vague."""
+    if found["from"]:
+        unit = found["unit1"]
+        return _value(found["from"], found["unit0"] or unit), _value(found["to"], unit), False
+    low = _value(found["low"], found["unit"])
+    if found["rest"] and found["unit"].startswith(("m", "f", "'")):
+        low += float(found["rest"]) * (0.01 if found["unit"].startswith("m") else INCH)
+    high = _value(found["high"], found["unit"]) if found["high"] else low
+    low, high = round(low, 4), round(high, 4)
+    if found["most"]:
+        return None, high, False
+    return (low, None, False) if found["least"] else (low, high, bool(found["soft"]))
+
+
 def _value(number: str, unit: str) -> float:
     half = number.endswith("1/2")
     plain = number.removesuffix("1/2").strip()
@@ -56,4 +93,4 @@ def plain_length(text: str) -> float:
 
 _PLAIN = re.compile(rf"({_NUMBER})\s{{0,2}}-?\s{{0,2}}({_UNIT})")
 
-__all__ = ["LENGTH", "PLAIN", "length_of", "plain_length"]
+__all__ = ["BOUNDED", "LENGTH", "PLAIN", "bounded_length", "length_of", "plain_length"]

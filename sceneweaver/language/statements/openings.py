@@ -27,7 +27,7 @@ _HEAD = (
 )
 _PHRASE = re.compile(
     rf"(?P<lead>^|[.,(]\s*|\b(?:and|with|has|have|plus|there is|there are|is there|want|need|by its)\s)"
-    rf"(?P<count>{_COUNT})?(?P<kinds>(?:{_KINDS},?[\s-]){{0,4}}){_HEAD}"
+    rf"(?P<count>{_COUNT})?(?:(?P<size>{PLAIN})\s?-?(?:wide|broad|big|large)?[\s-])?(?P<kinds>(?:{_KINDS},?[\s-]){{0,4}}){_HEAD}"
 )
 _SIDES_WORD = (
     "left|right|far|back|rear|end|near|opposite|facing|other|long|longer|longest|short|shorter|shortest|narrow|north|"
@@ -39,6 +39,8 @@ _PLACE = re.compile(
     rf"(?:the|one|a|an|its|each|both|either|that|two|three|all)?\s?(?:of\sthe\s)?"
     rf"(?P<side>{_SIDES_WORD}|{PLAIN})(?:[\s-]hand)?(?:\s(?P<what>wall|walls|side|sides|end|ends|corner))?\b"
 )
+_EACH_SIDE = re.compile(r"\b(?:each|both|either)\s(?:of\sthe\s)?(?:two\s)?(?:long|short|narrow)")
+_EACH_WALL = re.compile(r"\b(?:each|every|all(?:\sfour)?|all\sof\sthe)\s(?:walls?|sides?)\b")
 _MIDDLE = re.compile(
     r"\b(?:in|at|on)\s(?:the\s)?(?:exact\s)?(?:middle|centre|center)(?:\sline)?\b|\bcent(?:red|ered)\b"
 )
@@ -66,6 +68,20 @@ _STOP = re.compile(r"\b(?:and|with|for|so that|so|that|which|where|but|because|w
 _PANES = re.compile(
     r"\b(?:glass|glazing|glazed|windows)\s(?:on|along|at)\s(?P<many>two|three|four|all|both)\s(?:of\sits\s)?(?:sides|walls)\b"
 )
+_FRONT = re.compile(
+    r"\b(?:(?:a|the|one|its)\s)?(?:(?:fully|all|big|large|full)\s)?(?:glass|glazed)\s(?:shop\s)?"
+    r"(?:front|facade|façade|wall|end)\b"
+    r"|\b(?:one|the|a)\s(?:whole\s|entire\s)?"
+    r"(?P<side>long|short|far|left|right|front|back|south|north|east|west|street)?\s?"
+    r"(?:side|wall|end|front)\s(?:is|being|of|in|made of)\s(?:all\s|entirely\s|fully\s|only\s"
+    r"|floor to ceiling\s)?glass\b"
+)
+_WALLS_OF = {"long": "long", "short": "short", "far": "far", "back": "far", "left": "left", "right": "right"} | {
+    side: side for side in ("south", "north", "east", "west")
+}
+_WINDOWLESS = re.compile(
+    r"\b(?:windowless|(?:has|have|had|with)\s(?:got\s)?no\swindows?\b(?!\s[a-z]+\s)|there(?:'s| is| are)\sno\swindows?)"
+)
 _LONG = {"long": "long", "longer": "long", "longest": "long"}
 _SHORT = {"short": "short", "shorter": "short", "shortest": "short", "narrow": "short", "end": "short"}
 _SEEN = {"left": "left", "right": "right", "far": "far", "back": "far", "rear": "far", "near": "near"}
@@ -88,6 +104,9 @@ def read_openings(source: Source, parsed: Parsed) -> None:
         if match["count"] == "the " and match["lead"].strip() in ("and", "with"):
             continue  # "between the bed and the door, 90 cm wide" is about what lies between
         told = _told(text, match, len(parsed.stated_openings))
+        if match["size"]:
+            told.fields.setdefault("width", plain_length(match["size"]))
+            told.taken.append(match.span("size"))
         kinds = _kinds(match["kinds"])
         if not told.fields and not kinds:
             continue
@@ -103,6 +122,7 @@ def read_openings(source: Source, parsed: Parsed) -> None:
         parsed.stated_openings.append(
             StatedOpening(part=cast(Any, part), count=count, features=kinds, words=said, span=span, **told.fields)
         )
+        parsed.stated_openings += _on_the_others(text[match.end() : end], parsed.stated_openings)
         parsed.openings.setdefault(part, 0)
         noun = match.span("part") if part == "niche" else match.span("kinds")
         blanks += [(match.start("kinds"), noun[1]), *told.taken]
@@ -113,6 +133,22 @@ def read_openings(source: Source, parsed: Parsed) -> None:
             StatedOpening(part="window", count=many, at="along", features=("glass",), words=match[0], span=span)
         )
         blanks.append((match.start(), match.end()))
+    for match in _FRONT.finditer(text):
+        span, wall = source.span(match.start(), match.end()), _WALLS_OF.get(match["side"] or "", "any")
+        parsed.stated_openings.append(
+            StatedOpening(
+                part="window",
+                wall=cast(Any, wall),
+                at="along",
+                features=("glass", "floor to ceiling"),
+                words=match[0],
+                span=span,
+            )
+        )
+        blanks.append((match.start(), match.end()))
+    if (found := _WINDOWLESS.search(text)) is not None:
+        parsed.openings["window"] = 0
+        blanks.append((found.start(), found.end()))
     for match in _GLASS.finditer(text):
         span, kind = source.span(match.start(), match.end()), match["kind"].replace("colored", "coloured")
         parsed.stated_openings.append(
@@ -127,6 +163,17 @@ def read_openings(source: Source, parsed: Parsed) -> None:
             count = sum(s.count for s in stated) + beyond  # one comes in by a door of which nothing is said
             parsed.openings[part] = max(parsed.openings.get(part, 0), count)
     source.text = _blanked(text, blanks)
+
+
+def _on_the_others(said: str, stated: list[StatedOpening]) -> list[StatedOpening]:
+    """The same opening in the other wall of two ("on each short side"), or in the three others ("in every wall")."""
+    last, own = stated[-1], f"opening-{len(stated) - 1}"
+    if _EACH_SIDE.search(said) and last.wall in ("long", "short"):
+        return [last.model_copy(update={"wall": "any", "opposite": own})]
+    if _EACH_WALL.search(said):
+        stated[-1] = last.model_copy(update={"wall": "left"})
+        return [last.model_copy(update={"wall": wall}) for wall in ("right", "far", "near")]
+    return []
 
 
 def _told(text: str, match: re.Match[str], number: int) -> _Told:
@@ -171,6 +218,9 @@ def _fields(clause: str, number: int, fields: dict[str, Any]) -> list[tuple[int,
             continue
         if _placed(m, number, fields):
             spans.append(m.span())
+    if (m := re.search(rf"\b(?:in|on)\s{_EACH_WALL.pattern}", clause)) is not None:
+        fields.setdefault("wall", "any")
+        spans.append(m.span())
     m = _MIDDLE.search(clause)
     if m is not None and not any(a < m.end() and m.start() < b for a, b in spans):
         fields.setdefault("at", "middle")

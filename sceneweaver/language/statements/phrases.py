@@ -8,7 +8,7 @@ from functools import cache
 
 from ..model import Span
 from ..source import Source
-from ..vocabulary import NUMBERS, words
+from ..vocabulary import NUMBERS, vocabulary, words
 
 _SCORES = {"a couple of": 2, "a pair of": 2, "half a dozen": 6, "a dozen": 12, "two dozen": 24, "dozen": 12}
 
@@ -22,6 +22,9 @@ _WORD = re.compile(r"[a-z][a-z'/-]*")
 _DETERMINERS = frozenset(
     ("the", "a", "an", "every", "each", "all", "both", "my", "our", "his", "her", "its", "their", "this", "these")
 )
+
+_BEFORE = frozenset(("with", "a", "an", "the", "each", "every", "his", "her", "our", "my", "their", "some"))
+"""Words behind which a noun phrase begins."""
 
 MOST_WORDS = 4
 """Words that a noun with what stands before it has at most."""
@@ -79,6 +82,22 @@ def noun_before(text: str, at: int) -> str:
     free += [chunks[-1][1]] if near else []
     chosen = (free or [found for _, found in said] or [[]])[-1]
     return " ".join(chosen[-MOST_WORDS:])
+
+
+def noun_at(text: str, start: int, end: int) -> tuple[str, bool]:
+    """The noun that something between two places is said of, and whether it comes after."""
+    before = re.search(r"([a-z0-9']+|[,.(])[\s-]*$", text[:start])
+    said = before[1] if before is not None else "."
+    follows = re.match(r"[\s,-]*([a-z]+)", text[end:])
+    plain = follows is not None and follows[1] not in listed("closed") and follows[1] not in listed("prepositions")
+    behind = said in _BEFORE or said in NUMBERS or said.isdigit() or (said in ",.(" and text[end : end + 1] != ",")
+    behind = behind or not vocabulary().get(said, {"noun": 1}).keys() & {"noun", "plural", "verb", "parts", "stop"}
+    if plain and behind:
+        noun, _ = noun_after(text, end + len(re.match(r"[\s,-]*", text[end:])[0]))  # type: ignore[index]
+        if noun:
+            return noun, True
+    bracket = re.search(r"\([^()]{0,40}$", text[:start])
+    return noun_before(text, start) or (noun_before(text, bracket.start()) if bracket is not None else ""), False
 
 
 def table_before(text: str, at: int) -> str:

@@ -36,6 +36,8 @@ def entity_named(words: str, entities: Sequence[Entity]) -> str | None:
         found = next((entity.id for entity in entities if entity.noun and alike(entity)), None)
         if found is not None:
             return found
+    if noun.split()[-1] in PLACES:  # "the garden window"
+        return noun.split()[-1]
     match = match_of(noun)
     names = {match.category, *members(match.category)} if match.how != "generic" else set[str]()
     return next((entity.id for entity in entities if entity.category in names), None)
@@ -50,8 +52,9 @@ def resolved(statements: Sequence[S], entities: Sequence[Entity], prefix: str) -
             words = getattr(statement, name, "")
             if words:
                 changed[name] = entity_named(words, entities) or words
-        if targets := getattr(statement, "targets", ()):
-            changed["targets"] = tuple(entity_named(words, entities) or words for words in targets)
+        for name in ("targets", "others"):
+            if several := getattr(statement, name, ()):
+                changed[name] = tuple(entity_named(words, entities) or words for words in several)
         if own := getattr(statement, "own", ()):
             changed["own"] = tuple((entity_named(words, entities) or words, count) for words, count in own)
         found.append(statement.model_copy(update=changed))

@@ -38,6 +38,7 @@ def nowhere() -> str:
         return f"http://127.0.0.1:{free.getsockname()[1]}/v1"
 
 
+@pytest.mark.slow
 def test_a_strict_run_ends_where_the_model_is_not_reachable(tmp_path: Path) -> None:
     with planted() as key:
         ended = program(key, tmp_path, nowhere(), "--strict", *QUICK)

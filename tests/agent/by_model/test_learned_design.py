@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 from typing import Any
 
+import pytest
 from pydantic_ai.messages import ModelMessage, ModelResponse, ToolCallPart
 from pydantic_ai.models.function import AgentInfo, FunctionModel
 
@@ -25,6 +26,7 @@ ON_BENCH = [
 ]
 
 
+@pytest.mark.slow
 def test_learned_written_down_dressed_and_replayed(tmp_path, monkeypatch):
     monkeypatch.setenv("SCENEWEAVER_ROOMS", str(tmp_path / "rooms"))
     monkeypatch.setattr(planner, "top_picture", lambda *_, **__: Picture(PIXEL, "top view"))

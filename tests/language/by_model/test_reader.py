@@ -115,7 +115,7 @@ def test_german_down_to_its_words() -> None:
         "an der linken Wand",
         "Auf dem Schreibtisch",
     ]
-    assert graph.without == ("rug",)
+    assert "rug" in graph.without and "sofa" not in graph.without
 
 
 def test_chinese_down_to_its_words() -> None:

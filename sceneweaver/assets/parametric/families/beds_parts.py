@@ -29,8 +29,10 @@ def bedding(
 ) -> None:
     """A mattress that fills a box, pillows at its head (-x), and a blanket turned down over the rest.
 
-    The blanket hangs down to the height ``hem`` at the sides, in folds that stand out there by ``overhang`` [m].
+    The blanket hangs down to the height ``hem`` at the sides, in folds that stand out there by ``overhang`` [m]. An
+    unmade bed has it thrown back in a heap, and its pillows lie askew.
     """
+    unmade = d.takes("unmade") is not None
     sheet, cover = d.material("sheet", SHEETS), d.material("blanket", BLANKETS)
     long = box.depth > 1.7
     start, top = box.x[0] + (0.62 if long else 0.42), box.z[1] + 0.032
@@ -41,7 +43,13 @@ def bedding(
     end = cloth.x[1] - 0.07
     with d.part(name):
         mattress(d, box if overhang else box.inset(y=0.012), sheet, piping=sheet)
-        blanket(d, cloth, cover, 0.07, swing, d.uniform(f"{name} folds", 0, 6), 0.06)
+        if unmade:
+            _thrown_back(d, box.to(x=(start - 0.1, box.x[1])), cover, name)
+        else:
+            blanket(d, cloth, cover, 0.07, swing, d.uniform(f"{name} folds", 0, 6), 0.06)
+    if unmade:
+        _pillows_askew(d, box, name, pillows, thick, sheet)
+        return
     if runner:
         band = flat.inset(front=0.2, top=-0.01).front(0.42)
         end = band.x[0] - 0.04
@@ -62,6 +70,32 @@ def bedding(
             if thick > 0.145 and d.chance("double pillows", 0.6):
                 with d.at(0.2, z=0.2, pitch=0.85):
                     d.pillow(Box.sized(0.9 * depth, 0.96 * wide, 0.9 * thick), cover)
+
+
+def _thrown_back(d: Drawing, box: Box, cover: Look, name: str) -> None:
+    """A blanket in waves and ridges over a box, slanting where it was thrown back."""
+    phase, slant = d.uniform(f"{name} waves", 0.0, 6.0), d.uniform(f"{name} slant", 0.15, 0.4)
+    along, across = np.meshgrid(np.linspace(0.0, 1.0, 22), np.linspace(0.0, 1.0, 20), indexing="ij")
+    first = box.x[0] + slant * box.depth * (0.5 + 0.5 * np.sin(2.6 * across + phase))
+    x = first + along * (box.x[1] - 0.02 - first)
+    y = box.y[0] + 0.02 + across * (box.width - 0.04) + 0.015 * np.sin(9.0 * along + phase)
+    waves = np.sin(11.0 * along + 4.0 * across + phase) + np.sin(15.0 * across - 6.0 * along + 2.0 * phase)
+    ridge = np.exp(-((along - 0.06 - 0.03 * np.sin(7.0 * across)) ** 2) / 0.004)
+    z = box.z[1] + 0.03 + 0.014 * (waves + 2.0) + 0.075 * ridge
+    z = z - 0.03 * (np.abs(2.0 * across - 1.0) ** 8 + (along > 0.97))
+    d.sheet(np.stack([x, np.clip(y, *box.y), z], axis=-1), 0.02, cover, (3, 2))
+
+
+def _pillows_askew(d: Drawing, box: Box, name: str, count: int, thick: float, case: Look) -> None:
+    """Pillows where somebody slept on them."""
+    deep, wide = 0.42, min(0.7, (box.width - 0.12) / count - 0.08)
+    x, _, z = box.anchor("back top")
+    with d.part(f"{name} pillows"):
+        for k in range(count):
+            y = (k + 0.5) / count - 0.5
+            turn = (-1.0) ** k * d.uniform(f"{name} pillow {k}", 0.1, 0.3)
+            with d.at(x + 0.1 + deep / 2, y * box.width, z + 0.004, yaw=turn, pitch=0.08):
+                d.pillow(Box.sized(deep, wide, 0.8 * thick), case)
 
 
 def barred(

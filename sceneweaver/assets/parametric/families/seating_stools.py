@@ -84,7 +84,7 @@ def bar_stool(d: Drawing) -> None:
                 d.bar((-0.15, 0.12, top - 0.06), (-0.17, 0.12, top + 0.14), 0.011, metal, segments=8)
 
 
-@draws("bench", whole=True)
+@draws("bench")
 def bench(d: Drawing) -> None:
     """A plank, slatted or padded seat on legs of several styles."""
     wood = d.material("seat", "oak, walnut, pine, light oak, ash grey wood, white paint")

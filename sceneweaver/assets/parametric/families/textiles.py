@@ -16,6 +16,9 @@ CLOTHS = ", ".join(f"{color} fabric" for color in _COLORS)
 OFF_WALL = 0.09
 """Distance [m] of a curtain's cloth from the wall: a sill stands 0.07 m out of it."""
 
+COVERS = {"closed": 0.995, "half_closed": 0.5}
+"""Share of the width that curtains cover in these postures."""
+
 FOLD = 0.085
 """Width [m] of a fold of a curtain that is drawn open."""
 
@@ -144,12 +147,14 @@ def doormat(d: Drawing) -> None:
 def curtains(d: Drawing) -> None:
     """Two panels in folds, of cloth or of a thin one that lets light through, on a rod or a track; tied in some.
 
-    They are drawn open: they hang beside the glass, and clear of a sill or a radiator before the wall.
+    They hang beside the glass unless they are to be closed or half open, and clear of a sill or a radiator before the
+    wall.
     """
+    drawn = d.takes("closed", "half_closed", "drawn_back")
     sheer, box = d.category.name == "sheer_curtain", d.bounds
     cloth = d.material("cloth", "sheer fabric" if sheer else CLOTHS)
     metal = d.material("rod", "black steel, brass, oak, brushed steel, walnut")
-    on_track, tied = d.chance("track", 0.2), d.chance("tied", 0.3)
+    on_track, tied = d.chance("track", 0.2), d.chance("tied", 0.3) and drawn not in COVERS
     thick = min(box.depth - OFF_WALL, 0.08)
     axis, rod, end = box.x[1] - thick / 2, box.height - 0.03, box.y[1]
     with d.part("rod"):
@@ -173,6 +178,7 @@ def curtains(d: Drawing) -> None:
                     ]
                     d.revolve([*finial, (0.004, 0.07)], metal, 14)
     wide = min(max(0.28, d.uniform("drawn", 0.15, 0.2) * box.width), 0.9 * (end - 0.06))
+    wide = COVERS[drawn] * (end - 0.06) if drawn in COVERS else wide
     panel = Box((axis - thick / 2, axis + thick / 2), (end - 0.06 - wide, end - 0.06), (0.0, rod - 0.016))
     folds = max(4, round(wide / FOLD))
     with d.mirror("y"), d.part("panel"):

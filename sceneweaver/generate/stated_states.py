@@ -1,0 +1,58 @@
+"""States that a request tells of things, in a program of them: their bodies are drawn in the posture that shows it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from sceneweaver.assets import Library
+from sceneweaver.assets.states import State
+from sceneweaver.language import Attribute, SceneGraph
+from sceneweaver.language.told_states import posture_as_told, state_as_told
+from sceneweaver.scene import Window
+
+from .program import Wanted
+
+BEYOND = 0.04
+"""How much higher [m] than its window a blind is that covers it."""
+
+
+def with_stated_states(
+    wanted: Sequence[Wanted], brief: SceneGraph, windows: Sequence[Window], library: Library
+) -> None:
+    """Gives things bodies in the states of which a request speaks; of so many of them where it tells how many.
+
+    Args:
+        wanted: the things; the bodies of those of which a state is told change.
+        brief: the request.
+        windows: those of the room.
+        library: where bodies are from.
+    """
+    for asked in brief.entities:
+        things = [one for one in wanted if one.asked == asked.id]
+        done: set[str] = set()
+        for told in asked.attributes:
+            if told.kind != "state":
+                continue
+            free = [one for one in things if one.id not in done]
+            for one in free[: told.count[1] if told.count else None]:
+                state = state_as_told(one.category, told)
+                if state is not None and _change(one, told, state, windows, library):
+                    done.add(one.id)
+
+
+def _change(one: Wanted, told: Attribute, state: State, windows: Sequence[Window], library: Library) -> bool:
+    if one.wish is None:
+        return False
+    depth, width, height = one.asset.size
+    if state.measure == "drop" and windows:
+        window = windows[one.number % len(windows)]
+        height = (sum(state.range) / 2 if state.range[0] < 0.8 else 1.0) * window.height
+        height += BEYOND if state.range[0] >= 0.8 else 0.0
+    size = (round(depth, 4), round(width, 4), round(height, 4))
+    wish = replace(one.wish, size=size, posture=posture_as_told(state, told), beyond=True)
+    one.asset, one.wish = library.choose(one.category, 1, wish)[0], wish
+    return True
+
+
+__all__ = ["with_stated_states"]

@@ -1,0 +1,109 @@
+"""What each of several things has: counted out once, with a partner of its own for every one."""
+
+from __future__ import annotations
+
+import pytest
+
+from sceneweaver.language import SceneGraph, read_request
+from tests.language.graphs import consistent
+
+
+def counts(graph: SceneGraph) -> dict[str, int]:
+    """How many there are of each category, where that is exact."""
+    found: dict[str, int] = {}
+    for entity in graph.entities:
+        low, high = entity.count or (1, 1)
+        assert low == high, entity
+        found[entity.category] = found.get(entity.category, 0) + low
+    return found
+
+
+def apiece(graph: SceneGraph) -> set[tuple[str, str, str]]:
+    """Relations that hold of each target."""
+    return {(r.subject, r.type, r.targets[0]) for r in graph.relations if r.each and len(r.targets) == 1}
+
+
+COUNTED = [
+    (
+        "Gallery: three plinths, and a vase and a table lamp on every plinth.",
+        {"pedestal": 3, "vase": 3, "table_lamp": 3},
+        {("vase", "on", "pedestal"), ("table_lamp", "on", "pedestal")},
+    ),
+    (
+        "A den. Four armchairs, a side table next to each one.",
+        {"armchair": 4, "side_table": 4},
+        {("side_table", "next_to", "armchair")},
+    ),
+    (
+        "Three desks, behind each desk an office chair and a trash can",
+        {"desk": 3, "office_chair": 3, "trash_can": 3},
+        {("office_chair", "behind", "desk"), ("trash_can", "behind", "desk")},
+    ),
+    (
+        "Five desks. At each of them a chair.",
+        {"desk": 5, "chair": 5},
+        {("chair", "at", "desk")},
+    ),
+    (
+        "Office with four desks, at each place a monitor and a keyboard",
+        {"desk": 4, "monitor": 4, "keyboard": 4},
+        {("monitor", "next_to", "desk"), ("keyboard", "next_to", "desk")},
+    ),
+    (
+        "A den with two armchairs. Each armchair has its own floor lamp and its own ottoman.",
+        {"armchair": 2, "floor_lamp": 2, "ottoman": 2},
+        {("floor_lamp", "near", "armchair"), ("ottoman", "near", "armchair")},
+    ),
+    (
+        "Two desks and four chairs at each desk, so to say.",
+        {"desk": 2, "chair": 8},
+        {("chair", "at", "desk")},
+    ),
+    (
+        "Two single beds, every bed with a nightstand and a lamp on the nightstand",
+        {"single_bed": 2, "nightstand": 2, "table_lamp": 2},
+        {("nightstand", "next_to", "single_bed"), ("table_lamp", "on", "nightstand")},
+    ),
+    (
+        "A pottery, seven wheels and at every wheel a stool and a small table",
+        {"pottery_wheel": 7, "stool": 7, "bakers_table": 7},
+        {("stool", "next_to", "pottery_wheel")},
+    ),
+    (
+        "One stool per desk, five desks.",
+        {"stool": 5, "desk": 5},
+        {("stool", "at", "desk")},
+    ),
+    (
+        "Six tables, two chairs apiece, one chess board on each.",
+        {"dining_table": 6, "chair": 12, "board_game": 6},
+        {("chair", "at", "dining_table"), ("board_game", "on", "dining_table")},
+    ),
+    ("Six desks, a bin beside every second desk.", {"desk": 6, "trash_can": 3}, set()),
+    ("An armchair at each window, three windows.", {"armchair": 3}, set()),
+    (
+        "Six desks and six chairs, a chair at each desk.",
+        {"desk": 6, "chair": 6},
+        {("chair", "at", "desk")},
+    ),
+]
+
+
+@pytest.mark.parametrize(("text", "count", "each"), COUNTED, ids=[text for text, *_ in COUNTED])
+def test_each_has_its_own(text, count, each):
+    graph = read_request(text)
+    consistent(graph)
+    assert counts(graph) == count
+    assert each <= apiece(graph)
+
+
+def test_some_of_those_that_were_named_are_at_each():
+    graph = read_request("Three beds, three nightstands (one next to each bed), a wardrobe.")
+    assert counts(graph) == {"bed": 3, "nightstand": 3, "wardrobe": 1}
+    (said,) = (r for r in graph.relations if r.subject == "nightstand")
+    assert (said.type, said.count, said.each) == ("next_to", (1, 1), True)
+
+
+def test_a_place_said_first_may_follow_a_list():
+    graph = read_request("A hallway with a console table, over it a mirror.")
+    assert ("wall_mirror", "above", "console_table") in {(r.subject, r.type, *r.targets) for r in graph.relations}

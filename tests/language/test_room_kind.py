@@ -1,0 +1,49 @@
+"""The kind of room that a request is about, by its name, its purpose, where it is and what it is as well."""
+
+from __future__ import annotations
+
+import pytest
+
+from sceneweaver.language import read_request
+
+KINDS = {
+    "a room to fix bicycles in, bench, tools": "bike_shop",
+    "somewhere to practise the violin, a stand and a chair": "music_room",
+    "the bridge of a container ship": "ship_bridge",
+    "quiet prayer room for our airport": "prayer_room",
+    "studio for recording singers, desk, microphone": "recording_studio",
+    "ten chairs, a low table. it's the waiting room of a garage": "waiting_room",
+    "a gym in our basement": "home_gym",
+    "a gym": "gym",
+    "hall with two lathes and a milling machine": "metal_workshop",
+    "place where patients wait for their turn, eight chairs": "waiting_room",
+    "massage room at a hotel with a table": "massage_room",
+    "Küche mit Kochinsel": "kitchen",
+}
+
+
+@pytest.mark.parametrize("text", KINDS)
+def test_kind(text: str) -> None:
+    graph = read_request(text)
+    assert graph.room_type == KINDS[text]
+    assert not graph.other_rooms
+
+
+@pytest.mark.parametrize("text", ["a bench in the corner", "plants everywhere in a living room", "a pair of armchairs"])
+def test_things_name_no_room(text: str) -> None:
+    assert read_request(text).room_type in (None, "living_room")
+    assert read_request(text).entities
+
+
+def test_a_name_that_nobody_knows_is_no_other_room() -> None:
+    graph = read_request("toll booth with a seat and a counter")
+    assert (graph.room_type, graph.room_words) == (None, "toll booth")
+
+
+def test_a_second_function_brings_its_furniture() -> None:
+    graph = read_request("living room that is also a gym, with a sofa and a treadmill")
+    things = {entity.category: entity for entity in graph.entities}
+    assert graph.room_type == "living_room" and not graph.other_rooms
+    assert things["spin_bike"].implied and not things["treadmill"].implied
+    corner = read_request("bedroom with a sewing corner")
+    assert "sewing_machine_table" in {entity.category for entity in corner.entities}
