@@ -112,7 +112,12 @@ def scheme(code: str) -> Scheme:
         woods, paints, metals = (tuple(paint(name) for name in group) for group in groups[:3])
     except KeyError as error:
         raise InputError(f"palette: {error} is no finish; see assets/materials.yaml") from None
-    families = ((("wood", "stone"), woods), (("paint",), paints), (("metal",), metals))  # furniture may be of concrete
+    # Furniture may be of concrete or steel in the place of wood.
+    families = (
+        (("wood", "stone", "metal"), woods),
+        (("paint",), paints),
+        (("metal",), metals),
+    )
     wrong = [f.material.name for known, group in families for f in group if f.family not in known]
     if wrong:
         raise InputError(f"palette: {wrong[0]} stands in the wrong place; give woods, paints, metals, cloth and a seed")

@@ -34,6 +34,8 @@ class _Check(NamedTuple):
     reason: str
     measured: tuple[str, float, float] | None = None
     objects: tuple[str, ...] = ()
+    grave: bool = False
+    """Whether nothing of the look is there without it."""
 
 
 def outcomes(survey: Survey) -> Iterator[Asked]:
@@ -68,7 +70,7 @@ def _look(survey: Survey, said: StatedLook, row: Look, whole: Look) -> Asked:
     if checks and not wrong:
         lacking = row.lacks or ("marks of use are not drawn" if row.worn else "")
         return partly("room", item, ids, f"{reason}; {lacking}", m) if lacking else met("room", item, ids, reason, m)
-    if len(wrong) < len(checks):
+    if len(wrong) < len(checks) and not any(check.grave for check in wrong):
         return partly("room", item, ids, reason, m)
     return unmet(
         "room", item, ids, reason, m, fault="wrong_look", suggestion=f"start again with a room that is {row.name}"
@@ -97,7 +99,8 @@ def _light(survey: Survey, said: StatedLook, row: Look) -> Iterator[_Check]:
     have, want = survey.scene.room.light or RoomLight(), row.light
     told = f"the light is {have.level}, {have.kelvin} K, {have.daylight}"
     if want.level is not None:
-        yield _Check(have.level == want.level or _refined(survey, row, "level", have.level), told)
+        right = have.level == want.level or _refined(survey, row, "level", have.level)
+        yield _Check(right, told, grave=row.kind == "light")
     if want.daylight is not None:
         yield _Check(have.daylight == want.daylight or _refined(survey, row, "daylight", have.daylight), told)
     if want.kelvin is not None:
@@ -168,7 +171,8 @@ def _in_palette(survey: Survey, look: Look) -> _Check:
     share = good / all_ if all_ else 1.0
     reason = f"{share:.0%} of what is seen is in its colours and materials"
     worst = tuple(name for _, name in sorted(odd, reverse=True)[: int(LIMITS["shown"])])
-    return _Check(share >= LIMITS["share"], reason, ("share in its colours", share, LIMITS["share"]), worst)
+    numbers = ("share in its colours", share, LIMITS["share"])
+    return _Check(share >= LIMITS["share"], reason, numbers, worst, share < LIMITS["part"])
 
 
 def seen(survey: Survey) -> Iterator[tuple[float, str, str, str]]:
@@ -200,7 +204,7 @@ def _colors(survey: Survey, look: Look) -> frozenset[str]:
     names += [*look.woods, *look.metals, *look.paints, *survey.brief.colors]
     names += [said.color for said in survey.brief.finishes]
     names += [entity.color for entity in survey.brief.entities]
-    return frozenset(basic for name in names if name and (basic := basic(name)))
+    return frozenset(found for name in names if name and (found := basic(name)))
 
 
 def basic(name: str) -> str:
