@@ -79,8 +79,8 @@ def room_looks(room: Room) -> RoomLooks:
         accent,
         tiles,
         above and replace(_wall(above.color, "ceiling.color", 0.3, above.material), name="ceiling"),
-        above and above.beams and _of(above.beams, "ceiling.beams"),
-        finish.trim and replace(_of(finish.trim, "trim"), name="trim"),
+        _of(above.beams, "ceiling.beams") if above is not None and above.beams else None,
+        replace(_of(finish.trim, "trim"), name="trim") if finish.trim else None,
     )
 
 

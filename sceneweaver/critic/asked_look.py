@@ -21,6 +21,9 @@ from .verdict import Asked, counted, met, partly, unmet
 LIMITS = fault_kind("wrong_look").limits
 """Least shares of what is seen that are of a look, and how many things carry it."""
 
+MIRED = 1_000_000
+"""Over a colour temperature [K] the number by which eyes tell lamps apart."""
+
 ELECTRIC = 1880
 """Year from which on there are electric lamps."""
 
@@ -104,7 +107,7 @@ def _light(survey: Survey, said: StatedLook, row: Look) -> Iterator[_Check]:
     if want.daylight is not None:
         yield _Check(have.daylight == want.daylight or _refined(survey, row, "daylight", have.daylight), told)
     if want.kelvin is not None:
-        near = abs(1e6 / have.kelvin - 1e6 / want.kelvin) <= LIMITS["mired"]
+        near = abs(MIRED / have.kelvin - MIRED / want.kelvin) <= LIMITS["mired"]
         yield _Check(near or _refined(survey, row, "kelvin", have.kelvin), told)
     color = said.color or want.glow
     if color is not None:
@@ -185,7 +188,7 @@ def seen(survey: Survey) -> Iterator[tuple[float, str, str, str]]:
         banded = 0.0
         if accent is not None:
             length = sum(room.walls[k].length for k in accent.walls if k < len(room.walls))
-            banded = length * min(accent.high or (1.15 if accent.kind == "panelling" else high), high)
+            banded = length * min(accent.high or (LIMITS["panels"] if accent.kind == "panelling" else high), high)
             yield banded, accent.color, accent.color, ""
         yield max(around * high - glass - banded, 0.0), finish.walls, finish.walls, ""
         tone = finish.floor.tone or ""
@@ -264,7 +267,7 @@ def _part(survey: Survey, said: StatedFinish) -> tuple[bool, str]:
         case "panels":
             if accent is None or accent.kind != "panelling" or len(accent.walls) < len(survey.scene.room.walls):
                 return False, "missing"
-            high, want = accent.high or 1.15, min(said.high or 0.0, survey.scene.room.height)
+            high, want = accent.high or LIMITS["panels"], min(said.high or 0.0, survey.scene.room.height)
             return abs(high - want) <= slack and said.color in (
                 None,
                 accent.color,

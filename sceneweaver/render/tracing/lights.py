@@ -206,7 +206,7 @@ def mood_of(light: RoomLight | None) -> Mood:
     sun, sky, day = _SUN[light.daylight]
     lamp, level = kelvin_color(light.kelvin), _LEVELS[light.level]
     if light.level in ("dim", "dark"):  # what comes in is kept out by the same measure
-        sun, sky, day = _times(sun, (0.35,) * 3), _times(sky, (0.4,) * 3), 0.6 * day
+        sun, sky, day = _times(sun, (0.35, 0.35, 0.35)), _times(sky, (0.4, 0.4, 0.4)), 0.6 * day
     colored = 1.0 - 0.75 * day if light.glow is None else 1.0
     usual = kelvin_color(3200)
     tint = tuple(min(max(0.6, a / b), 1.2) ** (0.8 * colored) for a, b in zip(lamp, usual, strict=True))
