@@ -80,6 +80,8 @@ class Scheme:
             return self.metals[0].material
         if one.family in ("fabric", "leather", "cloth"):
             return tinted(finish("natural linen").material, self.textiles[0])
+        if one.family in DYED and one.family not in self.avoid:
+            return tinted(one.material, self.textiles[0])
         return self.woods[0].material
 
     def _metal(self, one: Finish, options: Sequence[Finish]) -> Material:

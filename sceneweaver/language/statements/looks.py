@@ -37,6 +37,7 @@ def read_looks(source: Source, parsed: Parsed) -> None:
     latest = _limit(source, parsed)
     _years(source, parsed)
     _glow(source, parsed)
+    _flames(source, parsed)
     for pattern, named in _patterns():
 
         def take(match: re.Match[str], named: bool = named) -> str | None:
@@ -93,6 +94,32 @@ def _glow(source: Source, parsed: Parsed) -> None:
             return " "
 
         source.blank(re.compile(form), take)
+
+
+def _flames(source: Source, parsed: Parsed) -> None:
+    """What burns is all the light there is: "lit by torches", "light only from the fire and from candles"."""
+    rows: dict[str, str] = words("looks")["flames"]
+    burning = rf"(?:a |the |some |two |three |few )*(?:{one_of(list(rows))})"
+    pattern = re.compile(
+        rf"\b(?:all |the |only |its )*(?:light(?:ed|ing)?|lit|illuminated)(?: comes| is| coming)?"
+        rf"(?: only| just| solely| mainly| mostly| up)* (?:from|by|with|of)(?: only| just)? (?P<of>{burning})"
+        rf"(?:(?: and|,| or) (?:from |by )?(?P<more>{burning}))?(?: (?:only|alone))?\b"
+    )
+
+    def take(match: re.Match[str]) -> str | None:
+        name = next((name for word, name in rows.items() if match["of"].split()[-1] == word.split()[-1]), "candle")
+        if _is_denied(source.text, match.start()):
+            return None
+        add(parsed, source, name, match)
+        kept = [one for one in (match["of"], match["more"]) if one and _is_thing_too(one)]
+        return " and ".join(kept) if kept else " "
+
+    source.blank(pattern, take)
+
+
+def _is_thing_too(spoken: str) -> bool:
+    """Whether what burns is a thing of the room as well: a fireplace, some lanterns."""
+    return spoken.split()[-1] in words("looks")["burning_things"]
 
 
 def _bare(source: Source, parsed: Parsed) -> None:
