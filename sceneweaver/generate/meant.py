@@ -41,8 +41,8 @@ def named_kinds(brief: SceneGraph) -> frozenset[str]:
 
 def decided_kinds(brief: SceneGraph, room_type: RoomType) -> frozenset[str]:
     """The categories of which nothing is added of our own: those that a request names, those that it excludes, and
-    those that do not belong in such a room."""
-    return named_kinds(brief) | excluded_kinds((*brief.without, *room_type.never))
+    those that do not belong in such a room or are not of its time."""
+    return named_kinds(brief) | excluded_kinds((*brief.without, *room_type.never)) | room_type.absent
 
 
 def roles_of(room_type: RoomType, brief: SceneGraph) -> dict[str, tuple[str, ...]]:

@@ -76,6 +76,8 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         height=source.height,
         scale=parsed.room_scale,
         for_whom=tuple(dict.fromkeys(parsed.for_whom)),
+        finishes=tuple(said.model_copy(update={"id": f"finish-{k}"}) for k, said in enumerate(parsed.finishes)),
+        looks=tuple(look.model_copy(update={"id": f"look-{k}"}) for k, look in enumerate(parsed.looks)),
         colors=tuple(dict.fromkeys(parsed.colors)),
         windows=parsed.openings.get("window"),
         doors=parsed.openings.get("door"),
