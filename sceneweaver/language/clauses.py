@@ -175,6 +175,12 @@ def _aside(state: State, chunk: Chunk) -> None:
 
 
 def _bracket(state: State, chunk: Chunk) -> None:
+    """What was opened in a bracket ends with it: "two desks (each with a lamp), a sofa"."""
+    if chunk.text == "(":
+        state.bracketed = len(state.frames)
+    elif chunk.text == ")" and state.bracketed is not None:
+        del state.frames[state.bracketed :]
+        state.bracketed, state.each = None, None
     state.glue = "bracket"
 
 

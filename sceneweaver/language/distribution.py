@@ -143,6 +143,8 @@ def on_each_side(said: Said, spoken: list[str], one: Mention, target: Mention) -
     """
     if one.count is None or one.count[0] != one.count[1] or (said.type == "flanking" and one.count == (1, 1)):
         return
+    if one.count == (1, 1) and {"either", "both"} & {*spoken}:
+        spoken = ["each"]  # "a lamp at either end"
     least = one.count[0]
     by = target.count[0] if target.count is not None and target.count[0] == target.count[1] else 1
     shared = by if one.per is target else 1

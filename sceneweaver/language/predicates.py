@@ -100,6 +100,11 @@ def _pronoun_with_verb(tokens: list[Token], at: int, found: list[Token]) -> int:
     """ "It is green": said of what was named last, where that can be said of things."""
     table = words("predicates")["subjects"]
     token, second = tokens[at], _token(tokens, at + 1)
+    if token.text == "that's" and second is not None and second.has(*QUALITIES) and found and found[-1].has("noun"):
+        middle = token.start + len("that")
+        found.append(Token("that", token.start, middle, {"while": "that"}))
+        found.append(Token("is", middle, token.end, {"verb": Verb("be", "s")}))
+        return 1
     pronoun, taken = table.get(token.text), 1
     if pronoun is None and second is not None:
         pronoun, taken = table.get(f"{token.text} {second.text}"), 2

@@ -99,6 +99,7 @@ class State:
         self.done = False  # whether the clause had its verb
         self.lost = False  # whether the subject is no object, so that nothing is said of it
         self.lit = False  # whether light came through a window
+        self.bracketed: int | None = None  # how many lists were open before the bracket
         self.every = 1  # of how many things the phrase in hand means one
         self.meant_by_it: list[Mention] = []  # what "it" meant last in the sentence
         self.fronted_it: list[Mention] = []  # what "over it" meant ahead of what is there

@@ -145,3 +145,15 @@ def test_places_that_have_nothing_are_told_as_not_understood():
 def test_a_list_of_each_ends_with_its_and():
     graph = read_request("A den with two desks, each with a lamp, a chair and a bin, a sofa and a rug")
     assert counts(graph) == {"desk": 2, "table_lamp": 2, "chair": 2, "trash_can": 2, "sofa": 1, "rug": 1}
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        ("Three work tables, on every table a lamp", {"workbench": 3, "table_lamp": 3}),
+        ("Two desks (each with a monitor), two stools", {"desk": 2, "monitor": 2, "stool": 2}),
+        ("Every bookcase has a floor lamp next to it, there are three bookcases", {"bookcase": 3, "floor_lamp": 3}),
+    ],
+)
+def test_where_each_begins_and_ends(text, count):
+    assert sorted(counts(read_request(text)).values()) == sorted(count.values())

@@ -100,6 +100,9 @@ def _each_at(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
 def _they_do(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "Ten people can sit", "a table where four can eat", "two people work side by side", "six of us eat here"."""
     does = next(name for name, verbs in words("people")["does"].items() if m["does"] in verbs)
+    noun, _ = noun_after(edits.source.text, m.end())
+    if len(m[0].split()) == 2 and noun and match_of(singular(noun)).how != "generic":
+        return  # "three work tables" are tables
     at = ""
     if m["where"]:
         noun = noun_before(edits.source.text, m.start())

@@ -93,7 +93,8 @@ def _between_each(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
         before = text[: m.start()]
         host = parsed.arrangements[-1].entity if parsed.arrangements else noun_before(text, len(before))
     if host:
-        add(edits, parsed, m, "between", noun, around=host, instead=f"{m['with'] or ''}{m['a']}{noun}")
+        lead = ", " if m[0].startswith(",") else ""  # what stands before it is a thing of its own
+        add(edits, parsed, m, "between", noun, around=host, instead=f"{lead}{m['with'] or ''}{m['a']}{noun}")
 
 
 def _between_them(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
