@@ -12,6 +12,7 @@ from . import (
     asked_measures,
     asked_relations,
     asked_room,
+    asked_states,
 )
 from .asked_clauses import doubted
 from .grade import Finding, finding
@@ -22,6 +23,7 @@ from .verdict import Asked
 PARTS = (
     asked_entities.outcomes,
     asked_measures.outcomes,
+    asked_states.outcomes,
     asked_relations.outcomes,
     asked_capacity.outcomes,
     asked_arrangements.outcomes,

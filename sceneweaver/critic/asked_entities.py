@@ -19,13 +19,16 @@ from .verdict import Asked, counted, met, not_understood, substituted, unmet
 
 MANY = 10**6
 
+EXTENTS = {"depth": 1, "width": 1, "height": 1, "length": 1, "top": 1, "seat": 1, "diameter": 2, "side": 2}
+"""How many of its three extents a length that is stated of a thing gives, at most."""
+
 
 def outcomes(survey: Survey) -> Iterator[Asked]:
     """Each entity with its attributes, then each exclusion."""
     for asked in survey.brief.entities:
         bodies = survey.standing_for(asked.id)
         yield _entity(survey, asked, bodies)
-        lengths = [m.wanted for m in survey.brief.measures if m.entity == asked.id]
+        lengths = sum(EXTENTS.get(m.quantity, 0) for m in survey.brief.measures if m.entity == asked.id)
         yield from asked_attributes.outcomes(asked, bodies, lengths, survey.scene.room.windows)
     yield from _exclusions(survey)
     if survey.brief.only and survey.brief.entities:

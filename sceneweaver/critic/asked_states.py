@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from sceneweaver.assets import categories
 from sceneweaver.assets.states import State
+from sceneweaver.language.told_states import pulled_as_told
 from sceneweaver.scene import Window
 from sceneweaver.verify.measure import Measurement
 from sceneweaver.verify.solids import Body
+
+from .seats import table_of
+from .survey import Survey
+from .verdict import Asked, met, text_of, unmet
+
+SLACK = 0.12
+"""Length [m] by which a seat that is pulled out may be nearer to its table, or farther."""
 
 UPRIGHT = 0.85
 """Height by the least usual one from which on a thing is not on its side, unless it is as wide as it is high."""
@@ -43,6 +51,37 @@ def measured_state(body: Body, state: State, posture: str | None, windows: Seque
     return Measurement("bodies in that state", in_posture, 1.0, 1.0, "")
 
 
+def outcomes(survey: Survey) -> Iterator[Asked]:
+    """Seats that are told to be pulled out: how far they are from the table that they belong to."""
+    for asked in survey.brief.entities:
+        for told in asked.attributes:
+            far = pulled_as_told(told)
+            if far is None:
+                continue
+            seats = survey.standing_for(asked.id)
+            found = [(seat, m) for seat in seats if (m := _away(survey, seat, far)) is not None]
+            ids = [seat.id for seat in seats]
+            if not found:
+                reason = f"no '{asked.noun}' is at a table that it could be {told.words} from"
+                yield unmet("attribute", told.id, ids, reason, fault="wrong_state")
+                continue
+            good = [m for _, m in found if m.ok()]
+            if len(good) >= (told.count[0] if told.count else len(found)):
+                yield met("attribute", told.id, ids, f"{found[0][0].id}: {text_of(good[0])}", good[0])
+                continue
+            seat, worst = next((seat, m) for seat, m in found if not m.ok())
+            yield unmet("attribute", told.id, ids, f"{seat.id}: {text_of(worst)}", worst, fault="wrong_state")
+
+
+def _away(survey: Survey, seat: Body, far: float) -> Measurement | None:
+    """The gap between a seat and its table; None where it belongs to none."""
+    table = table_of(survey, seat)
+    if table is None:
+        return None
+    gap = next((gap for other, gap in survey.near(seat, far + 1.0) if other is table), far + 1.0)
+    return Measurement("gap to the table", gap, max(0.08, far - SLACK), far + SLACK, "m")
+
+
 def _covered(body: Body) -> float:
     """The share of the width of what hangs that its parts of more than half its height cover."""
     spans = sorted(
@@ -58,4 +97,4 @@ def _covered(body: Body) -> float:
     return float(covered / max(body.size[1], 1e-6))
 
 
-__all__ = ["measured_state"]
+__all__ = ["measured_state", "outcomes"]
