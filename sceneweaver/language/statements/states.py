@@ -26,7 +26,7 @@ _BE = (
     r"(?:(?:is|are|lies?|lying|left|standing|stands?|has\sbeen|have\sbeen|was|were|all|still|slightly|just|to\sbe)\s)"
     r"{0,3}"
 )
-_MANY = rf"(?:(?P<many>{NUMBER})\s(?:of\s(?:them|these|those|which|the\s[a-z]+|its\s[a-z]+)\s)?)?"
+_MANY = rf"(?:(?P<many>{NUMBER})\s(?:of\s(?:them|these|those|which)\s)?)?"
 FAR = 0.3
 """How far [m] from its table a chair is that is pulled out."""
 
