@@ -38,7 +38,7 @@ def measured(parsed: Parsed, mentions: Sequence[Mention], text: str) -> list[tup
 
 def give_states(parsed: Parsed, mentions: Sequence[Mention], text: str) -> None:
     """States and looks become attributes of the things that they are said of; those of none are not understood."""
-    for told in (*parsed.states, *parsed.looks):
+    for told in (*parsed.states, *parsed.appearances):
         assert isinstance(told.what, Attribute)
         mention = named_by(told, mentions, text)
         if mention is None:
