@@ -9,6 +9,7 @@ import numpy as np
 from sceneweaver.assets import categories
 from sceneweaver.assets.states import State
 from sceneweaver.language.told_states import pulled_as_told
+from sceneweaver.rules.faults import fault_kind
 from sceneweaver.scene import Window
 from sceneweaver.verify.measure import Measurement
 from sceneweaver.verify.solids import Body
@@ -17,11 +18,8 @@ from .seats import table_of
 from .survey import Survey
 from .verdict import Asked, met, text_of, unmet
 
-SLACK = 0.12
-"""Length [m] by which a seat that is pulled out may be nearer to its table, or farther."""
-
-UPRIGHT = 0.85
-"""Height by the least usual one from which on a thing is not on its side, unless it is as wide as it is high."""
+LIMITS = fault_kind("wrong_state").limits
+"""What a body in a state measures: see the row."""
 
 
 def measured_state(body: Body, state: State, posture: str | None, windows: Sequence[Window]) -> Measurement | None:
@@ -43,9 +41,9 @@ def measured_state(body: Body, state: State, posture: str | None, windows: Seque
         return Measurement("height by that of the window", body.size[2] / tall, low, high, "") if tall else None
     if state.measure == "lean" and in_posture:
         row = categories().get(body.item.category)
-        if row is not None and row.size is not None and row.size.height[0] > 1.2 * max(row.size.width[0], 0.01):
+        if row is not None and row.size is not None and row.size.height[0] > LIMITS["tall"] * row.size.width[0]:
             share = body.size[2] / row.size.height[0]
-            return Measurement("height by the least usual upright", share, 0.0, UPRIGHT, "")
+            return Measurement("height by the least usual upright", share, 0.0, LIMITS["upright"], "")
     if given is None and posture is not None:
         return None if state.measure == "glow" else Measurement("bodies in that state", 0.0, 1.0, 1.0, "")
     return Measurement("bodies in that state", in_posture, 1.0, 1.0, "")
@@ -78,8 +76,12 @@ def _away(survey: Survey, seat: Body, far: float) -> Measurement | None:
     table = table_of(survey, seat)
     if table is None:
         return None
-    gap = next((gap for other, gap in survey.near(seat, far + 1.0) if other is table), far + 1.0)
-    return Measurement("gap to the table", gap, max(0.08, far - SLACK), far + SLACK, "m")
+    gap = next(
+        (gap for other, gap in survey.near(seat, far + LIMITS["around"]) if other is table), far + LIMITS["around"]
+    )
+    return Measurement(
+        "gap to the table", gap, max(LIMITS["nearest"], far - LIMITS["slack"]), far + LIMITS["slack"], "m"
+    )
 
 
 def _covered(body: Body) -> float:
@@ -87,7 +89,7 @@ def _covered(body: Body) -> float:
     spans = sorted(
         (float(np.min(ys)), float(np.max(ys)))
         for part in body.item.solids
-        if part.z[1] - part.z[0] > 0.5 * body.size[2]
+        if part.z[1] - part.z[0] > LIMITS["hangs"] * body.size[2]
         for ys in [[y for _, y in part.polygon]]
     )
     covered, end = 0.0, -np.inf

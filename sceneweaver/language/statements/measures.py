@@ -52,7 +52,8 @@ def _sides(source: Source, parsed: Parsed, edits: Edits) -> None:
             ("length", "width", "height"), (*sorted(sides[:2])[::-1], *sides[2:]), strict=False
         ):
             said = " x ".join(f"{side:g}" for side in sides) + " m"
-            what = StatedMeasure(quantity=quantity, low=length, high=length, words=said, span=span)  # type: ignore[arg-type]
+            given = {"quantity": quantity, "low": length, "high": length}
+            what = StatedMeasure.model_validate({**given, "words": said, "span": span})
             parsed.measures.append(Told(what, found["noun"], after=False, named=True))
 
 

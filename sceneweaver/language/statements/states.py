@@ -166,8 +166,8 @@ def _patterns() -> tuple[re.Pattern[str], ...]:
     return tuple(
         re.compile(pattern)
         for pattern in (
-            rf"\b(?:(?:one|a|an|the|its|top|bottom|both|all|two|every|with|and)\s){{0,3}}(?:(?P<noun>[a-z]+)\s)?{part}\s"
-            rf"{_BE}(?P<state>{opened})\b",
+            r"\b(?:(?:one|a|an|the|its|top|bottom|both|all|two|every|with|and)\s){0,3}"
+            rf"(?:(?P<noun>[a-z]+)\s)?{part}\s{_BE}(?P<state>{opened})\b",
             rf"\b{_MANY}{_BE}(?P<state>{spoken})\b",
             rf"\b{_BE}(?P<state>{behind}){_END}",
         )
