@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator
 
-from sceneweaver.assets.materials import color_named
+from sceneweaver.assets.materials import color_named, color_words
 from sceneweaver.geometry.angles import cross
 from sceneweaver.rules.faults import fault_kind, number
 from sceneweaver.scene import InputError
@@ -165,17 +165,20 @@ def _style(survey: Survey) -> Iterator[Asked]:
         other = [b for b in told if b.item.attributes["style"] != brief.style]
         share = counted("pieces of the style", len(told) - len(other), math.ceil(len(told) / 2))
         reason = f"{len(told) - len(other)} of {len(told)} pieces are {brief.style}"
-        yield _fact(
-            "style",
-            share.ok(),
-            reason,
-            share,
-            "wrong_style",
-            [b.id for b in other[: limits["shown"]]],
-            f"choose {brief.style} furniture",
-            len(other) / max(1, len(told)),
-            limits["room"],
-        )
+        if share.ok():  # as they were chosen; how it looks is not measured
+            yield met("room", "room.style", (), reason, share, assumed=True)
+        else:
+            yield _fact(
+                "style",
+                False,
+                reason,
+                share,
+                "wrong_style",
+                [b.id for b in other[: limits["shown"]]],
+                f"choose {brief.style} furniture",
+                len(other) / max(1, len(told)),
+                limits["room"],
+            )
     if brief.colors:
         yield _colors(survey)
 
@@ -196,6 +199,9 @@ def _colors(survey: Survey) -> Asked:
         return unmet(
             "room", item, (), f"nothing is {names}", m, fault="wrong_colors", suggestion=f"choose furniture in {names}"
         )
+    unread = {word for left in survey.brief.unread for word in left.words.lower().split()}.intersection(color_words())
+    if not missing and unread:
+        return partly("room", item, (), f"'{min(unread)}' was not understood", m)
     if missing or not m.ok():
         lack = f"nothing is {' or '.join(missing)}" if missing else f"{share:.0%} of what is seen is {names}"
         return partly("room", item, (), lack, m)

@@ -220,7 +220,8 @@ class Arrangement(FrozenModel):
     numbers at opposite sides of what they are ``around`` (or all four: front, back, left, right), or of an aisle where
     nothing is said; of ``walls`` at either of the walls named by ``around``. ``between`` has one of them in each gap of
     what they are ``around``. At a ``right_angle`` stand two of a kind, or one of it and
-    ``others``. Seats are ``outside`` or ``inside`` of a U of tables.
+    ``others``. Seats are ``outside`` or ``inside`` of a U of tables. A ``wall`` of things is a
+    row over most of one.
     """
 
     id: str = ""
@@ -244,6 +245,7 @@ class Arrangement(FrozenModel):
         "end_to_end",
         "outside",
         "inside",
+        "wall",
     ]
     others: tuple[str, ...] = Field(default=(), description="What else takes part: entities, by id")
     rows: int | None = Field(default=None, description="One behind the other; of a stack: one on the other")

@@ -166,6 +166,7 @@ class Parsed:
     capacities: list[Capacity] = field(default_factory=list)
     arrangements: list[Arrangement] = field(default_factory=list)
     amounts: list[Amount] = field(default_factory=list)
+    looks: list[Told] = field(default_factory=list)
     states: list[Told] = field(default_factory=list)
     measures: list[Told] = field(default_factory=list)
     bounds: list[tuple[tuple[str, ...], int, int]] = field(default_factory=list)
@@ -189,6 +190,8 @@ class Parsed:
     only: bool = False
     sides: list[tuple[float, ...]] = field(default_factory=list)
     unread: list[Left] = field(default_factory=list)
+    stations: list[Mention] = field(default_factory=list[Mention])
+    """Places that were counted, of each of which it is told what is there; they are no things."""
     referred: list[Span] = field(default_factory=list[Span])
     """Where what was named before is named again."""
     notes: list[str] = field(default_factory=list)

@@ -11,6 +11,7 @@ from collections.abc import Callable
 
 from ..parsed import Parsed
 from ..source import Source
+from .appearances import read_appearances
 from .arrangements import arrangements
 from .bounds import bounds
 from .capacities import capacities
@@ -48,6 +49,7 @@ STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     read_free_areas,
     measures,
     read_states,
+    read_appearances,
     capacities,
     read_looks,
     fullness,
