@@ -180,7 +180,7 @@ class Parsed:
     room_scale: float = 1.0
     shape: str | None = None
     style: str | None = None
-    looks: list[StatedLook] = field(default_factory=list)
+    room_looks: list[StatedLook] = field(default_factory=list)
     finishes: list[StatedFinish] = field(default_factory=list)
     colors: list[str] = field(default_factory=list)
     density: str | None = None
