@@ -9,6 +9,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
 
+from sceneweaver.assets.roles import has_role
 from sceneweaver.geometry.angles import bearing, wrap_angle
 from sceneweaver.language.model import Arrangement
 from sceneweaver.verify.measure import Measurement
@@ -27,7 +28,7 @@ from .group_patterns import (
     opening,
     right_angle,
 )
-from .survey import Survey, turn_to
+from .survey import FLAT, Survey, turn_to
 from .verdict import Asked, counted, met, not_understood, unmet
 
 Checks = Iterator[Measurement]
@@ -163,8 +164,18 @@ def _in_lines(
     else:
         yield Measurement("difference of gaps", max(gaps) - min(gaps), -math.inf, limit("even"))
         yield Measurement("gap", max(gaps), -math.inf, limit("row"))
-    turned = [abs(wrap_angle(b.yaw - bodies[0].yaw, math.pi)) for b in bodies]
-    yield Measurement("turned", math.degrees(max(turned)), -math.inf, limit("turned"), "deg")
+    for line in lines:  # a row looks one way, the next one may look at it; around a table its two sides do
+        alike = math.pi if said.around or said.facing == "each other" or _even_sided(bodies) else 2 * math.pi
+        turned = [abs(wrap_angle(bodies[k].yaw - bodies[line[0]].yaw, alike)) for k in line]
+        yield Measurement("turned", math.degrees(max(turned)), -math.inf, limit("turned"), "deg")
+
+
+def _even_sided(bodies: Sequence[Body]) -> bool:
+    """Whether the things look alike from front and back: tables, stools, rugs."""
+    return all(
+        has_role(b.item.category, "backless_seat", "pulled_up_to") or b.size[2] <= FLAT or b.item.mount == "ceiling"
+        for b in bodies
+    )
 
 
 def _in_line(said: Arrangement, bodies: Sequence[Body], line: Sequence[int]) -> list[float]:

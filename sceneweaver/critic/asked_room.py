@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
-from sceneweaver.assets.materials import color_named
+from sceneweaver.assets.materials import color_named, color_words
 from sceneweaver.geometry.angles import cross
 from sceneweaver.rules.faults import fault_kind, number
 from sceneweaver.scene import InputError
 from sceneweaver.verify.measure import Measurement
+from sceneweaver.verify.solids import Body
 
 from . import asked_openings, kinds
 from .model import USE
@@ -171,28 +172,47 @@ def _style(survey: Survey) -> Iterator[Asked]:
         other = [b for b in told if b.item.attributes["style"] != brief.style]
         share = counted("pieces of the style", len(told) - len(other), math.ceil(len(told) / 2))
         reason = f"{len(told) - len(other)} of {len(told)} pieces are {brief.style}"
-        yield _fact(
-            "style",
-            share.ok(),
-            reason,
-            share,
-            "wrong_style",
-            [b.id for b in other[: limits["shown"]]],
-            f"choose {brief.style} furniture",
-            len(other) / max(1, len(told)),
-            limits["room"],
-        )
+        if share.ok():  # as they were chosen; how it looks is not measured
+            yield met("room", "room.style", (), reason, share, assumed=True)
+        else:
+            yield _fact(
+                "style",
+                False,
+                reason,
+                share,
+                "wrong_style",
+                [b.id for b in other[: limits["shown"]]],
+                f"choose {brief.style} furniture",
+                len(other) / max(1, len(told)),
+                limits["room"],
+            )
     if brief.colors:
-        told = [b for b in furniture if "color" in b.item.attributes]
-        wanted = {basic_color(c) for c in brief.colors}
-        so = [b.id for b in told if basic_color(str(b.item.attributes["color"])) in wanted]
-        painted = any(basic_color(c) in wanted for c in _colors_of_shell(survey))
-        yield _fact(
-            "colors",
-            bool(so) or painted or not told,
-            f"nothing is {' or '.join(brief.colors)}",
-            counted("pieces of the colours", len(so), min(1, len(told))),
-            "wrong_colors",
-            so,
-            f"choose furniture in {' and '.join(brief.colors)}",
-        )
+        yield _colors(survey, brief.colors, furniture)
+
+
+def _colors(survey: Survey, asked: Sequence[str], furniture: Sequence[Body]) -> Asked:
+    """Whether each of some colours is seen on walls, floor or furniture; one colour alone is that of all walls."""
+    told = [b for b in furniture if "color" in b.item.attributes]
+    shown = {b.id: basic_color(str(b.item.attributes["color"])) for b in told}
+    shell = [basic_color(c) for c in _colors_of_shell(survey)]
+    lost = [c for c in dict.fromkeys(asked) if basic_color(c) not in {*shown.values(), *shell}]
+    so = [name for name, color in shown.items() if color in {basic_color(c) for c in asked}]
+    number = counted("of the colours", len(dict.fromkeys(asked)) - len(lost), len(dict.fromkeys(asked)))
+    if lost and len(lost) < len(set(asked)):
+        return partly("room", "room.colors", so, f"nothing is {' or '.join(lost)}", number)
+    unread = {word for left in survey.brief.unread for word in left.words.lower().split()}.intersection(color_words())
+    if not lost and unread:
+        return partly("room", "room.colors", so, f"'{min(unread)}' was not understood", number)
+    finish = survey.scene.room.finish
+    accent = finish.accent.color if finish is not None and finish.accent is not None else None
+    if not lost and accent is not None and basic_color(accent) not in {basic_color(c) for c in asked}:
+        return partly("room", "room.colors", so, f"one wall is {accent}", number)
+    return _fact(
+        "colors",
+        not lost or not told,
+        f"nothing is {' or '.join(asked)}",
+        number,
+        "wrong_colors",
+        so,
+        f"choose furniture in {' and '.join(asked)}",
+    )

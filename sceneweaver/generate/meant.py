@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from sceneweaver.assets.plurals import singular
 from sceneweaver.assets.roles import has_role
 from sceneweaver.assets.taxonomy import category_named, members
@@ -49,6 +51,8 @@ def roles_of(room_type: RoomType, brief: SceneGraph) -> dict[str, tuple[str, ...
     if room_type.for_request:
         return roles_written(room_type, {one.id: _alike(one, room_type, brief) for one in brief.entities}, brief)
     found = {one.id: tuple(item.id for item in room_type.items if meant_by(one, item, brief)) for one in brief.entities}
+    for one in brief.entities:
+        found[one.id] = _with_their_hosts(one, found, room_type, brief)
     taken = {name for items in found.values() for name in items}
     for one in brief.entities:
         if any(room_type.item(name).need == "needed" for name in found[one.id]):
@@ -66,6 +70,16 @@ def roles_of(room_type: RoomType, brief: SceneGraph) -> dict[str, tuple[str, ...
             found[one.id] = (free[0],)
             taken.add(free[0])
     return found
+
+
+def _with_their_hosts(
+    one: Entity, found: Mapping[str, tuple[str, ...]], room_type: RoomType, brief: SceneGraph
+) -> tuple[str, ...]:
+    """Of the items that a thing may stand for those that go with what the request says it is at, if there are any: the
+    chairs of a salon's mirrors are no clerks' chairs."""
+    hosts = {item for r in brief.relations if r.subject == one.id for name in r.targets for item in found.get(name, ())}
+    own = tuple(name for name in found[one.id] if room_type.item(name).with_ in hosts)
+    return own or found[one.id]
 
 
 def _alike(one: Entity, room_type: RoomType, brief: SceneGraph) -> list[Item]:

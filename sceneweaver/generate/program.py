@@ -497,7 +497,7 @@ def _wish(demand: Demand, palette: Palette, seed: int) -> tuple[Wish, str | None
             size[2] = asked.size[2]  # a huge lamp is wide; how far it hangs down follows from what is below
     wish = Wish(
         size=(size[0], size[1], size[2]),
-        color=(asked and asked.color) or (item and item.color) or None,
+        color=(asked and asked.color) or look.color or (item and item.color) or None,
         material=look.material or (asked.material if asked else None),
         shape=look.shape,
         parts=look.parts,

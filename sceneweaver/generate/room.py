@@ -32,9 +32,9 @@ from .shell import floor_area, shell
 from .stacks import stacked
 from .stated_finish import stated_finish
 from .stated_lengths import with_stated_lengths
-from .stated_states import with_stated_states
+from .stated_states import with_stated_looks, with_stated_states
 from .supports import Places, laid, supported
-from .under import below_windows, with_room_below
+from .under import below_windows, with_room_below, without_company
 
 FILL = {"sparse": 0.73, "normal": 1.0, "full": 1.21}
 """Share of what a kind of room usually has under furniture up to which more is put in."""
@@ -204,7 +204,9 @@ def _furnished(setup: Setup, made: _Attempt, palette: Palette) -> None:
     hung(brief, program.wanted)
     program.wanted = _not_before_windows(program.wanted, rows_of(brief, program.wanted))
     below_windows(brief, program.wanted, made.space)
-    with_room_below(stated_rows(brief, program.wanted), program.wanted, setup.library)
+    stated = stated_rows(brief, program.wanted)
+    with_room_below(stated, program.wanted, setup.library)
+    program.wanted = without_company(program.wanted, stated)
     rows = rows_of(brief, program.wanted)
     if lengthened(program, rows, setup.library, brief):
         rows = rows_of(brief, program.wanted)  # more seats may be told of a longer table
@@ -336,6 +338,7 @@ def _program(setup: Setup, space: Room, area: float, people: int, palette: Palet
     limits = Limits(max(area - kept_free(brief), 0.5 * area), fill, walls, WALLED * walls)
     program = build(wishes, room, setup.library, limits, setup.seed, palette, pane, space.height)
     with_stated_lengths(program.wanted, brief, space.height, setup.library)
+    with_stated_looks(program.wanted, brief, setup.library)
     with_stated_states(program.wanted, brief, space.windows, setup.library)
     return program
 

@@ -225,7 +225,15 @@ def _noun(state: State, chunk: Chunk) -> None:
         place = replace(waiting.place, words=f"{waiting.place.words} the {phrase.text} through")
         state.waiting = replace(waiting, place=place)  # "a bench that looks out over the garden"
         phrase.what, phrase.value = "place", "window"
+    hangs = waiting is not None and waiting.place.type == "hanging_from" and phrase.what != "place"
+    if hangs and phrase.text in words("relations")["overhead"] and not _is_named(state, phrase):
+        phrase.what, phrase.value = "place", "ceiling"
     _PHRASES[phrase.what](state, phrase, chunk)
+
+
+def _is_named(state: State, phrase: NounPhrase) -> bool:
+    """Whether a thing of that name is there: a bar of a pub is no bar overhead."""
+    return any(phrase.text in (m.noun, f"{m.noun}s") for m in state.out.mentions)
 
 
 def _place(state: State, chunk: Chunk) -> None:

@@ -8,7 +8,7 @@ from typing import Any
 from .chunks import NounPhrase
 from .distribution import distributed, is_each, over_each, share_in, speaks_of_both
 from .parsed import Mention, Said
-from .relating import relate, relate_to_owner, say, support_kind
+from .relating import relate, relate_to_owner, say, seen_before, support_kind
 from .state import Frame, Fronted, State, Waiting
 from .things import MANY
 from .vocabulary import Place
@@ -25,7 +25,8 @@ def name_things(state: State, mentions: list[Mention], phrase: NounPhrase, new: 
     has_verb = state.verb_follows(state.at)
     bound = glue in ("and", "or", "comma and")
     more = not new or (state.done and not state.frames and glue == "and")
-    if bound and more and state.last_target is not None and not has_verb:
+    apart = new and state.placed_next(state.at)  # "faces the fire and there is a lamp behind it"
+    if bound and more and state.last_target is not None and not has_verb and not apart:
         last, _ = state.last_target  # "next to the bed and the door"
         bind_target(state, replace(last, first=None), tuple(mentions))
         return
@@ -196,6 +197,8 @@ def give_target(state: State, waiting: Waiting, mentions: list[Mention], phrase:
     state.waiting = None
     if state.each is not None and new and waiting.subjects:
         mentions = distributed(state, mentions, state.each)
+    if phrase.what == "pronoun" and len(mentions) == 1:
+        mentions = [seen_before(state, waiting.place, mentions[0])]
     targets: tuple[Any, ...] = tuple(mentions)
     if between:
         targets = (waiting.first, mentions[0]) if waiting.first is not None else (mentions[0], mentions[-1])
@@ -286,6 +289,8 @@ def name_nothing(state: State) -> None:
         state.head = []
         if state.glue in ("start", "while") or state.verb_follows(state.at):
             state.subject, state.fronted = [], []
+        elif state.placed_next(state.at) and not state.frames:  # what it is said of is not what was named before
+            state.subject = []
     state.lost = True
     state.glue = ""
 

@@ -210,6 +210,9 @@ def part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         if mention is not None:
             name_things(state, [mention], phrase, True)
             return
+    if not owners and state.glue == "comma" and state.placed_next(state.at):
+        name_nothing(state)  # "drawers under the bunk": of the drawers, not of what was named before
+        return
     state.glue = ""
     state.head = list(owners[-1:]) if owners else state.head
 

@@ -13,7 +13,7 @@ from .relating import ENDS_OF_ROOM, relate, relate_to_place, say
 from .shares import ends_here, share_out
 from .state import State, Waiting
 from .tokens import Token
-from .vocabulary import Place, category_of, family, words
+from .vocabulary import Place, category_of, family, group_rows, words
 
 _SAID_OF_ROOMS = (
     *("room_scale", "styles", "moods", "density", "color", "shape", "adjective", "scale", "material"),
@@ -28,7 +28,7 @@ def group_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     if out.room_type is None and not state.names_a_room and phrase.text in room_words():
         out.room_type, out.room_words = room_words()[phrase.text], phrase.text
         describe_room(state, phrase)
-    things = words("groups")["groups"][phrase.value]["things"]
+    things = group_rows()[phrase.value]["things"]
     if phrase.definite:
         there = _already_there(state, list(things))
         if there and state.waiting is not None:
@@ -62,6 +62,8 @@ def _made_of_group(state: State, phrase: NounPhrase, things: dict[str, tuple[int
     """A mention for each thing that a group calls for, of what is there already where it was named."""
     made: list[Mention] = []
     least, most = phrase.count or (1, 1)
+    if phrase.count is not None and phrase.value in words("groups")["collections"]:
+        things, (least, most) = _shared(things, phrase.count), (1, 1)
     for name, (low, high) in things.items():
         category = category_of(name)
         mention = next((m for m in state.out.mentions if m.category == category and not m.implied), None)
@@ -73,6 +75,13 @@ def _made_of_group(state: State, phrase: NounPhrase, things: dict[str, tuple[int
             state.out.mentions.append(mention)
         made.append(mention)
     return made
+
+
+def _shared(things: dict[str, tuple[int, int]], count: tuple[int, int]) -> dict[str, tuple[int, int]]:
+    """So many things of several kinds together: "twelve toys" are four of each of three kinds."""
+    kinds = list(things)[: max(1, count[0])]
+    n = len(kinds)
+    return {name: ((count[0] + k) // n, (count[1] + k) // n) for name, k in zip(kinds, reversed(range(n)), strict=True)}
 
 
 def room_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:

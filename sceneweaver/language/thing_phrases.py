@@ -213,8 +213,10 @@ def _is_concrete(state: State, phrase: NounPhrase) -> bool:
     noun = name_of(phrase)
     if not any(c.isalpha() for c in phrase.text) or not (may_name(noun) or _is_likeness(phrase)):
         return False
-    if phrase.definite:
+    if phrase.definite or is_certain(noun):
         return is_certain(noun)
+    if _is_likeness(phrase):
+        return True
     if phrase.determiner or phrase.count is not None:
         return True
     return bool(state.frames or state.waiting) and state.glue != "start" and bool(state.out.mentions)
@@ -232,7 +234,8 @@ def _called_for(state: State, phrase: NounPhrase) -> Mention | None:
         return None
     noun = name_of(phrase)
     head, match = singular(noun).split()[-1], match_of(noun)
-    for mention in (m for m in reversed(state.out.mentions[-12:]) if m.implied):
+    placed = state.party if state.waiting is not None else []  # "sweets in jars": other jars
+    for mention in without((m for m in reversed(state.out.mentions[-12:]) if m.implied), placed):
         if mention.category != match.category and singular(mention.noun).split()[-1] != head:
             continue
         if singular(noun) != head:

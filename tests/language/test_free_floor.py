@@ -119,3 +119,20 @@ def test_free_floor_is_no_size_of_the_room():
 def test_one_phrase_may_say_two_things():
     graph = read_request("a lounge with two sofas, 1.2 m between the sofas and to the door")
     assert [(a.kind, a.targets) for a in graph.free_areas] == [("gap", ("sofa",)), ("path", ("door", "sofa"))]
+
+
+@pytest.mark.parametrize(
+    ("text", "width"),
+    [
+        ("A tailor's shop, aisle at least 1.1 m wide.", 1.1),
+        ("An archive with corridors no narrower than 85 cm", 0.85),
+        ("a 1.5 m wide walkway and ten benches", 1.5),
+    ],
+)
+def test_a_way_with_a_width_alone_is_one_through_the_room(text, width):
+    (area,) = read_request(text).free_areas
+    assert (area.kind, area.size[0], area.targets) == ("path", width, ())
+
+
+def test_a_corridor_with_its_length_is_a_room():
+    assert not read_request("a corridor 1.5 m wide and 6 m long with a bench").free_areas

@@ -18,6 +18,7 @@ from .entering import entering
 from .free_areas import read_free_areas
 from .fullness import fullness
 from .groups import aisles, facing_rows, groups, horseshoes, merged
+from .looks import read_looks
 from .measures import measures
 from .openings import read_openings
 from .room_kind import furnish_zones, read_room_kind
@@ -45,6 +46,7 @@ STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     read_free_areas,
     measures,
     read_states,
+    read_looks,
     capacities,
     fullness,
     unwanted,

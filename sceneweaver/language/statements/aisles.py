@@ -22,13 +22,14 @@ AISLE = re.compile(
     rf"(?:,? (?:of |is |at least |about )*{_ABOUT}(?P<after>{PLAIN})(?: (?:wide|across))?)?"
     r"(?: (?:in )?between(?: (?:them|the rows|the two|each|both|the two rows))?"
     r"| (?:down|in|through|along|up) the (?:middle|centre|center))?"
+    rf"(?:,? (?:of |is |at least |about )*{_ABOUT}(?P<last>{PLAIN})(?: (?:wide|across))?)?"
 )
 """An aisle with its width, if one is said, and where it is."""
 
 
 def width_of(found: re.Match[str]) -> float:
     """The width [m] of what `AISLE` matched."""
-    width = found["before"] or found["after"]
+    width = found["before"] or found["after"] or found["last"]
     return plain_length(width) if width else WIDE
 
 

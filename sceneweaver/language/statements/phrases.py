@@ -63,9 +63,16 @@ def noun_after(text: str, at: int) -> tuple[str, int]:
     return " ".join(found), end
 
 
+@cache
+def _heights() -> re.Pattern[str]:
+    """Phrases that say how high something is by naming the floor or the ceiling."""
+    return re.compile(rf"\b(?:{'|'.join(sorted(words('measures')['ceiling'], key=len, reverse=True))})\b")
+
+
 def noun_before(text: str, at: int) -> str:
     """The noun of the sentence that something at a place is said of: the last one before it that no preposition ties
-    to another ("four benches from wood" are benches)."""
+    to another ("four benches from wood" are benches). How high it is, "from floor to ceiling", names nothing."""
+    text = _heights().sub(lambda m: " " * len(m[0]), text[:at])
     start = max(text.rfind(".", 0, at), text.rfind("(", 0, at)) + 1
     chunks: list[tuple[str, list[str]]] = [("", [])]
     for m in re.finditer(r"[a-z][a-z'/-]*|\d+|[,)]", text[start:at]):
