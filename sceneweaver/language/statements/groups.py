@@ -261,11 +261,13 @@ def _parallels(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
 def _left_and_right(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "Two bunks on the left wall and two on the right": so many at either side wall."""
     noun = m["noun"] or noun_before(edits.source.text, m.start())
-    if m["one"] == m["two"] or not noun:
+    before = edits.source.text[: m.start()]
+    if m["one"] == m["two"] or not noun or re.search(r"each other|one another", before):
         return
     numbers = number_of(m["n"]), number_of(m["m"])
     sides = numbers if m["one"] == "left" else numbers[::-1]
-    instead = f"{sum(numbers)} {m['noun']}" if m["noun"] else ""
+    named = re.search(rf"\b{re.escape(singular(noun))}(?:e?s)?\b", before)  # "two desks, one desk on the left ..."
+    instead = f"{sum(numbers)} {m['noun']}" if m["noun"] and not named else ""
     add(edits, parsed, m, "walls", noun, sides=sides, around="wall:side", instead=instead)
 
 
