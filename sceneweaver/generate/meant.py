@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from sceneweaver.assets.plurals import singular
 from sceneweaver.assets.roles import has_role
@@ -41,8 +41,8 @@ def named_kinds(brief: SceneGraph) -> frozenset[str]:
 
 def decided_kinds(brief: SceneGraph, room_type: RoomType) -> frozenset[str]:
     """The categories of which nothing is added of our own: those that a request names, those that it excludes, and
-    those that do not belong in such a room."""
-    return named_kinds(brief) | excluded_kinds((*brief.without, *room_type.never))
+    those that do not belong in such a room or are not of its time."""
+    return named_kinds(brief) | excluded_kinds((*brief.without, *room_type.never)) | room_type.absent
 
 
 def roles_of(room_type: RoomType, brief: SceneGraph) -> dict[str, tuple[str, ...]]:
@@ -80,6 +80,25 @@ def _with_their_hosts(
     hosts = {item for r in brief.relations if r.subject == one.id for name in r.targets for item in found.get(name, ())}
     own = tuple(name for name in found[one.id] if room_type.item(name).with_ in hosts)
     return own or found[one.id]
+
+
+def desks_spared(room_type: RoomType, brief: SceneGraph, roles: Mapping[str, Sequence[str]]) -> frozenset[str]:
+    """The desks of a room that are not needed, with their seats: a table at which people are said to work or sit takes
+    the place of one where the request names no desk."""
+    if room_type.for_request or any("desk" in e.category for e in brief.entities):
+        return frozenset()
+    taken = {name for items in roles.values() for name in items}
+    desks = [i for i in room_type.items if i.id not in taken and any("desk" in name for name in i.what)]
+    desks = [i for i in desks if all(has_role(name, "seated_at") for name in i.what)]
+    at = {one.target for one in brief.capacities if one.target and not one.own}
+    seats = {e.id for e in brief.entities if has_role(e.category, "upright_seat")}
+    placed = {r.subject for r in brief.relations if r.targets and not r.implied}
+    at |= {t for r in brief.relations if r.subject in seats for t in r.targets}
+    tables = [e for e in brief.entities if has_role(e.category, "seated_at") and (e.id in at or seats - placed)]
+    if not tables:
+        return frozenset()
+    spared = {desk.id for desk in desks}
+    return frozenset(spared | {item.id for item in room_type.items if item.with_ in spared})
 
 
 def _alike(one: Entity, room_type: RoomType, brief: SceneGraph) -> list[Item]:

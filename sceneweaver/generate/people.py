@@ -263,7 +263,13 @@ def _seats(draft: _Draft, said: Capacity) -> None:
     """Seats for the people of a room, with the tables that such a room has for them."""
     tables = [e for e in draft.entities if has_role(e.category, "pulled_up_to")]
     elsewhere = [e for e in draft.entities if e.id in {a.entity for a in draft.brief.arrangements} and e not in tables]
-    if len(tables) == 1 and (said.activity == "eat" or elsewhere):
+    desks = any("desk" in e.category for e in draft.entities)
+    seated = [e for e in draft.entities if family(e.category) == "seat" and e.count and e.count[0] == e.count[1]]
+    rest = said.people - sum(e.count[0] for e in seated if e.count)
+    if len(tables) == 1 and seated and rest > 0 and not any(_at(draft, e, tables[0]) for e in seated):
+        _seats_more(draft, said, tables[0], rest)
+        return
+    if len(tables) == 1 and (said.activity == "eat" or elsewhere or (said.activity == "work" and not desks)):
         rest = said.people - sum(e.count[0] for e in elsewhere if e.count and family(e.category) != "seat")
         if rest == said.people or _seats_named(draft, tables[0]) is None:
             _seats_at(draft, said.model_copy(update={"people": max(1, rest)}), tables[0])
@@ -296,6 +302,17 @@ def _seats(draft: _Draft, said: Capacity) -> None:
         return
     each = max(1, seat.count.of(usual, said.people, 0.5))
     _counted(draft, table, host, math.ceil(said.people / each))
+
+
+def _at(draft: _Draft, seat: Entity, table: Entity) -> bool:
+    return any(r.subject == seat.id and table.id in r.targets for r in draft.relations)
+
+
+def _seats_more(draft: _Draft, said: Capacity, table: Entity, people: int) -> None:
+    """Seats at a table for those of whom the request names no seats: two of eight potters work at the table."""
+    seat = draft.add(_seat_for(draft.room, table), people)
+    if seat is not None:
+        _told(draft, seat, table, _place_at(table, said), people, False)
 
 
 def _counted(draft: _Draft, named: Entity | None, item: Item, count: int) -> None:

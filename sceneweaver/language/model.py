@@ -274,6 +274,29 @@ class Amount(FrozenModel):
     span: Span | None = None
 
 
+class StatedFinish(FrozenModel):
+    """What a part of the room is finished in. Of walls in two colours the lower one is ``lower``."""
+
+    id: str = ""
+    part: Literal["walls", "accent", "lower", "panels", "floor", "ceiling", "beams", "furniture"]
+    material: str | None = Field(default=None, description="As `scene.RoomFinish` names it")
+    color: str | None = Field(default=None, description="A colour, or a finish of wood")
+    high: float | None = Field(default=None, description="Up to which height [m]")
+    words: str = ""
+    span: Span | None = None
+
+
+class StatedLook(FrozenModel):
+    """How the whole room looks: a row of `sceneweaver.knowledge.looks`, by its name."""
+
+    id: str = ""
+    name: str = Field(description="Of the row; empty where only the last year is said")
+    years: tuple[int, int] | None = Field(default=None, description="First and last year of the time that is meant")
+    color: str | None = Field(default=None, description="Colour of the light that is named")
+    words: str = ""
+    span: Span | None = None
+
+
 class StatedMeasure(FrozenModel):
     """A length that is said of things: an extent, or the height of a part of them or of where they are.
 
@@ -336,6 +359,10 @@ class SceneGraph(FrozenModel):
     people: int | None = None
     for_whom: tuple[str, ...] = Field(default=(), description="child, teenager, couple, guest ... as it was written")
     style: str | None = None
+    looks: tuple[StatedLook, ...] = Field(default=(), description="Styles, times, themes, moods and light of the room")
+    finishes: tuple[StatedFinish, ...] = Field(
+        default=(), description="What walls, floor and ceiling are said to be of"
+    )
     colors: tuple[str, ...] = ()
     windows: int | None = None
     doors: int | None = None
@@ -357,6 +384,16 @@ class SceneGraph(FrozenModel):
     def without(self) -> tuple[str, ...]:
         """Categories or groups that must be nowhere in the room."""
         return tuple(dict.fromkeys(c for e in self.exclusions if e.relation is None for c in e.categories))
+
+    def finish_of(self, part: str) -> StatedFinish | None:
+        """What is said of a part of the room."""
+        return next((one for one in self.finishes if one.part == part), None)
+
+    @property
+    def year(self) -> int | None:
+        """The last year of the time that the room is of; None where it is of today."""
+        years = [look.years[1] for look in self.looks if look.years is not None]
+        return min(years, default=None)
 
     def entity(self, name: str) -> Entity | None:
         """The entity of that id; None for a place."""

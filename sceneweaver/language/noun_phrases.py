@@ -71,6 +71,8 @@ def _determine(phrase: NounPhrase, token: Token) -> None:
         phrase.determiner = "the"
     if token.has("both", "rest"):
         phrase.value = token.text
+    if token.text == "each of":
+        phrase.of_group = True
     if token.has("both"):
         phrase.count, phrase.both = (2, 2), True
     if token.text in ("one of which", "one of them", "another", "one more", "a second"):

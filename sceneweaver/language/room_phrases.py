@@ -6,14 +6,15 @@ from dataclasses import replace
 
 from sceneweaver.knowledge.load import room_words
 
-from .chunks import Chunk, NounPhrase
+from .chunks import EACH, Chunk, NounPhrase
+from .distribution import over_each
 from .items import bind_target, name_nothing, name_things
 from .parsed import Mention, Said
 from .relating import ENDS_OF_ROOM, relate, relate_to_place, say
 from .shares import ends_here, share_out
 from .state import State, Waiting
 from .tokens import Token
-from .vocabulary import Place, category_of, family, group_rows, words
+from .vocabulary import Place, category_of, family, group_rows, shows, words
 
 _SAID_OF_ROOMS = (
     *("room_scale", "styles", "moods", "density", "color", "shape", "adjective", "scale", "material"),
@@ -150,12 +151,18 @@ def room_quality(state: State, word: Token, room: bool) -> None:
 def place_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     """A part of the room: what waits is related to it."""
     place = str(phrase.value)
-    if place in ("window", "door") and state.waiting is None:
+    has = phrase.determiner in EACH and _has_next(state)
+    if place in ("window", "door") and state.waiting is None and not has:
         _count_openings(state, place, phrase)
         return
     if phrase.text in ("opposite wall", "wall across the room", "other wall"):
         place = "wall:opposite"
     waiting, state.waiting = state.waiting, None
+    if waiting is None and phrase.determiner in EACH and place in _HOLDING and _has_next(state):
+        where = Place(_HOLDING[place], words=f"{_HOLDING[place]} each", over_each=True)
+        state.fronted, state.glue = [(where, (place,), chunk)], "start"  # "each corner gets a lamp"
+        state.at += 1
+        return
     if place == "room":
         _the_room(state, phrase, waiting)
     if waiting is None:
@@ -168,11 +175,14 @@ def place_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         many = (4, 4)
     if phrase.count is not None and phrase.count[0] >= 2 and place == "corner":
         many = phrase.count
-    if phrase.determiner in ("each", "every") and place in ("window", "door"):
+    each = phrase.determiner in EACH
+    if each and place in ("window", "door"):
         for subject in subjects:
             subject.per_place = place
     for subject in subjects if many is not None else ():
         subject.count = many if subject.count == (1, 1) else subject.count
+    if each and waiting.subjects is None:
+        waiting.place = over_each(waiting.place)  # "in each corner a plant"
     if waiting.place.type == "between" and subjects:
         near = replace(waiting, place=Place("near", words=waiting.place.words))
         after = state.chunk(state.at)
@@ -190,6 +200,16 @@ def place_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     state.last_target = None
     if waiting.subjects is None:
         state.head = []
+
+
+_HOLDING = {"corner": "at", "wall": "on", "window": "near", "door": "near"}
+"""Where things are of which each part of the room has one."""
+
+
+def _has_next(state: State) -> bool:
+    """Whether a verb says next what there is: "every wall has a picture"."""
+    after = state.chunk(state.at)
+    return after is not None and after.kind == "verb" and shows(after.value.lemma)
 
 
 def _the_room(state: State, phrase: NounPhrase, waiting: Waiting | None) -> None:

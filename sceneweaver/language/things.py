@@ -88,8 +88,13 @@ def new_mention(phrase: NounPhrase, source: Source) -> Mention:
         elif phrase.determiner and phrase.determiner not in ("the", "its", "their", "any", "these", "those"):
             mention.count = (1, 1)
     first, _, rest = noun.partition(" ")
-    if rest and first in ("dual", "twin", "double") and phrase.plural and match_of(rest).category == match.category:
-        mention.count = (2, 2)
+    if (
+        rest
+        and first in ("dual", "twin", "double")
+        and phrase.plural
+        and (first == "twin" or match_of(rest).category == match.category)
+    ):
+        mention.count = phrase.count or (2, 2)
     describe(mention, phrase, source)
     mention.category = narrower(mention.category, " ".join(a.words for a in mention.attributes), mention.noun)
     meant = sense_of(mention.noun, source, phrase.start, phrase.end, mention.scale)

@@ -11,10 +11,12 @@ from collections.abc import Callable
 
 from ..parsed import Parsed
 from ..source import Source
+from .appearances import read_appearances
 from .arrangements import arrangements
 from .bounds import bounds
 from .capacities import capacities
 from .entering import entering
+from .finishes import read_finishes
 from .free_areas import read_free_areas
 from .fullness import fullness
 from .groups import aisles, facing_rows, groups, horseshoes, merged
@@ -39,6 +41,7 @@ STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     entering,
     wings,
     read_openings,
+    read_finishes,
     bounds,
     groups,
     arrangements,
@@ -46,8 +49,9 @@ STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     read_free_areas,
     measures,
     read_states,
-    read_looks,
+    read_appearances,
     capacities,
+    read_looks,
     fullness,
     unwanted,
     read_room_kind,
