@@ -150,7 +150,7 @@ def _beside_each_other(said: Arrangement, things: Sequence[Wanted]) -> Iterator[
         return
     sizes = [one.asset.size[:2] for one in bases]
     spots = side_by_side(sizes, MOVED)
-    box = extent_of([(spot, *size) for spot, size in zip(spots, sizes, strict=True)])
+    box = extent_of([(spot, size[0], size[1]) for spot, size in zip(spots, sizes, strict=True)])
     yield Laid(said, bases[0], tuple(zip(bases, spots, strict=True)), box)
 
 
