@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from sceneweaver.rules.faults import number
 
 from . import (
     asked_arrangements,
@@ -19,6 +22,9 @@ from .model import USE, Alignment
 from .survey import Survey
 from .verdict import Asked
 
+NEEDED = ("entity", "capacity", "arrangement")
+"""Kinds of items without which a room is not what it was asked for."""
+
 PARTS = (
     asked_entities.outcomes,
     asked_measures.outcomes,
@@ -33,12 +39,41 @@ PARTS = (
 def measured(survey: Survey) -> tuple[Asked, ...]:
     """Every item of the request: things and what they are like, exclusions, relations, people, arrangements, free
     floor, the room, and words that are not known."""
-    return doubted([item for part in PARTS for item in part(survey)], survey.brief)
+    return doubted(_of_stand_ins([item for part in PARTS for item in part(survey)], survey), survey)
+
+
+def _of_stand_ins(items: Sequence[Asked], survey: Survey) -> list[Asked]:
+    """The items, of which relations that hold of what only stands for what was asked are so in part."""
+    stood = {i.outcome.item: i.outcome.reason for i in items if i.outcome.status == "substituted"}
+    ends = {said.id or f"relation-{k}": (said.subject, *said.targets) for k, said in enumerate(survey.brief.relations)}
+    found = []
+    for item in items:
+        of = next((stood[name] for name in ends.get(item.outcome.item, ()) if name in stood), None)
+        if of is not None and item.outcome.status == "met":
+            told = {"status": "partly", "reason": f"{item.outcome.reason}; {of}"}
+            item = replace(item, outcome=item.outcome.model_copy(update=told))
+        found.append(item)
+    return found
 
 
 def alignment(items: Sequence[Asked]) -> Alignment:
     """What became of the items."""
     return Alignment(items=tuple(item.outcome for item in items))
+
+
+def usable(items: Sequence[Asked], grades: Mapping[str, float]) -> tuple[Asked, ...]:
+    """The items; that the room can be used is so in part where what people are there for is not, or works badly."""
+    lacking = next((i for i in items if i.outcome.kind in NEEDED and i.outcome.status == "unmet"), None)
+    low = grades["functionality"] < number("usable")
+    if lacking is None and not low:
+        return tuple(items)
+    reason = lacking.outcome.reason if lacking else f"its functionality is graded {grades['functionality']:.1f} of 10"
+    return tuple(
+        replace(item, outcome=item.outcome.model_copy(update={"status": "partly", "reason": reason}))
+        if item.outcome.item == USE and item.outcome.status == "met"
+        else item
+        for item in items
+    )
 
 
 def findings(items: Sequence[Asked]) -> list[Finding]:

@@ -9,14 +9,26 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
 
+from sceneweaver.assets.roles import has_role
 from sceneweaver.geometry.angles import bearing, wrap_angle
 from sceneweaver.language.model import Arrangement
 from sceneweaver.verify.measure import Measurement
 from sceneweaver.verify.solids import Body
 
 from .group_measures import apart
-from .group_patterns import about_a_u, aisle, along_walls, at_sides, ends, in_gaps, limit, opening, right_angle
-from .survey import Survey, turn_to
+from .group_patterns import (
+    about_a_u,
+    aisle,
+    along_walls,
+    at_sides,
+    ends,
+    full_wall,
+    in_gaps,
+    limit,
+    opening,
+    right_angle,
+)
+from .survey import FLAT, Survey, turn_to
 from .verdict import Asked, counted, met, not_understood, unmet
 
 Checks = Iterator[Measurement]
@@ -37,6 +49,8 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
             )
             continue
         found = list(_CHECKS[said.pattern](survey, said, bodies))
+        if said.facing not in ("", "each other") and said.pattern not in _LOOKING:
+            found += _faced(survey, said, bodies)
         ids = [b.id for b in bodies]
         failing = [m for m in found if not m.ok()]
         if not failing:
@@ -150,8 +164,18 @@ def _in_lines(
     else:
         yield Measurement("difference of gaps", max(gaps) - min(gaps), -math.inf, limit("even"))
         yield Measurement("gap", max(gaps), -math.inf, limit("row"))
-    turned = [abs(wrap_angle(b.yaw - bodies[0].yaw, math.pi)) for b in bodies]
-    yield Measurement("turned", math.degrees(max(turned)), -math.inf, limit("turned"), "deg")
+    for line in lines:  # a row looks one way, the next one may look at it; around a table its two sides do
+        alike = math.pi if said.around or said.facing == "each other" or _even_sided(bodies) else 2 * math.pi
+        turned = [abs(wrap_angle(bodies[k].yaw - bodies[line[0]].yaw, alike)) for k in line]
+        yield Measurement("turned", math.degrees(max(turned)), -math.inf, limit("turned"), "deg")
+
+
+def _even_sided(bodies: Sequence[Body]) -> bool:
+    """Whether the things look alike from front and back: tables, stools, rugs."""
+    return all(
+        has_role(b.item.category, "backless_seat", "pulled_up_to") or b.size[2] <= FLAT or b.item.mount == "ceiling"
+        for b in bodies
+    )
 
 
 def _in_line(said: Arrangement, bodies: Sequence[Body], line: Sequence[int]) -> list[float]:
@@ -332,5 +356,9 @@ _CHECKS: dict[str, Callable[[Survey, Arrangement, Sequence[Body]], Checks]] = {
     "end_to_end": ends,
     "outside": about_a_u,
     "inside": about_a_u,
+    "wall": full_wall,
 }
 """What is measured of each pattern."""
+
+_LOOKING = ("row", "rows", "grid", "sides", "u", "semicircle")
+"""Patterns whose measures have what their things look at."""

@@ -9,10 +9,10 @@ from typing import NamedTuple
 from sceneweaver.assets import categories
 from sceneweaver.assets.category import Category
 from sceneweaver.assets.looks import Words, read_words
-from sceneweaver.assets.materials import STYLES, color_named, finishes_named
+from sceneweaver.assets.materials import STYLES, color_named, color_words, finishes_named
 from sceneweaver.assets.roles import has_role
 from sceneweaver.language import Attribute, Entity
-from sceneweaver.language.told_states import posture_as_told, state_as_told
+from sceneweaver.language.told_states import detail_as_told, posture_as_told, state_as_told
 from sceneweaver.rules.faults import fault_kind
 from sceneweaver.scene import InputError, Window
 from sceneweaver.verify.measure import Measurement
@@ -113,6 +113,8 @@ def _test(attribute: Attribute, asked: Entity, windows: Sequence[Window]) -> _Te
         return _Test(lambda b: _of_state(b, attribute, windows), lambda b: _in_state(b, attribute, windows))
     words = read_words(attribute.value)
     match attribute.kind:
+        case "part" if (detail := detail_as_told(attribute)) is not None:
+            return _Test(lambda b: _of_detail(b, *detail))
         case "color":
             return _Test(lambda b: _of_color(b, attribute.value))
         case "material" | "finish":
@@ -153,6 +155,21 @@ def _of_color(body: Body, want: str) -> Answer | None:
     return wanted == is_ or wanted in is_.split() or is_ in wanted.split(), str(given)
 
 
+def _of_detail(body: Body, part: str, want: str) -> Answer | None:
+    """Whether a part is in a colour and of a material, as far as the words name them."""
+    given = body.item.attributes.get(f"{part} finish")
+    if given is None:
+        return None
+    is_, words = str(given), read_words(want)
+    named = {_undyed(f.material.name) for f in finishes_named(words.material or want)}
+    if not named and words.color is None:
+        return None
+    holds = not named or _undyed(is_) in named
+    if words.color is not None:
+        holds = holds and (words.color in is_ or _color(words.color) in (is_.split()[0], _color(is_.split()[0])))
+    return holds, f"of {is_}"
+
+
 def _color(words: str) -> str:
     """The basic colour of some words, the words themselves where they name none."""
     try:
@@ -170,7 +187,20 @@ def _of_material(body: Body, want: str) -> Answer | None:
     named = {_undyed(f.material.name) for f in finishes_named(wanted)}
     families = {f.family for f in finishes_named(is_)}
     plain = wanted == is_ or wanted in is_.split() or (" " in wanted and wanted in is_)
-    return plain or _undyed(is_) in named or wanted in families, str(given)
+    alike = plain or _undyed(is_) in named or wanted in families
+    return alike and _dyed_as(body, wanted) and (_see_through(is_) or not _see_through(wanted)), str(given)
+
+
+def _dyed_as(body: Body, wanted: str) -> bool:
+    """Whether it has the colour that words about a material begin with, where they do: "black leather" is no tan."""
+    first, _, rest = wanted.partition(" ")
+    color = _of_color(body, first) if rest and _color(first) in color_words() else None
+    return color is None or color[0]
+
+
+def _see_through(words: str) -> bool:
+    """Whether words are the name of a material that one sees through."""
+    return any(f.material.name == words and f.material.opacity < 1.0 for f in finishes_named(words))
 
 
 def _undyed(finish: str) -> str:
@@ -183,9 +213,10 @@ def _of_style(body: Body, want: str) -> Answer | None:
 
 
 def _of_shape(body: Body, want: str) -> Answer | None:
-    """Its own word for its shape, else its outline from above."""
-    given = body.item.attributes.get("shape")
-    is_ = str(given) if given is not None else plan_shape(body)
+    """Its own word for its shape as far as its outline from above bears it out, else that outline."""
+    given, seen = body.item.attributes.get("shape"), plan_shape(body)
+    angular = seen in ("rectangular", "square") and body.item.mount != "wall"
+    is_ = seen if given is None or (angular and str(given) not in ("rectangular", "square")) else str(given)
     return is_ == want or (want == "rectangular" and is_ == "square" and given is None), is_
 
 

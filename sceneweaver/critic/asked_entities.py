@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from sceneweaver.assets.taxonomy import members
-from sceneweaver.knowledge.kin import interchangeable
+from sceneweaver.knowledge.kin import interchangeable, is_one
 from sceneweaver.language import Entity, Exclusion
+from sceneweaver.language.coverage import function_words
 from sceneweaver.language.unwanted import belongs_there
 from sceneweaver.rules.faults import fault_kind
 from sceneweaver.verify.solids import Body
@@ -24,12 +26,28 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
     """Each entity with its attributes, then each exclusion."""
     for asked in survey.brief.entities:
         bodies = survey.standing_for(asked.id)
-        yield _entity(survey, asked, bodies)
         lengths = [m.wanted for m in survey.brief.measures if m.entity == asked.id]
-        yield from asked_attributes.outcomes(asked, bodies, lengths, survey.scene.room.windows)
+        like = list(asked_attributes.outcomes(asked, bodies, lengths, survey.scene.room.windows))
+        yield _whole(asked, _entity(survey, asked, bodies), like)
+        yield from like
     yield from _exclusions(survey)
     if survey.brief.only and survey.brief.entities:
         yield _only(survey)
+
+
+def _whole(asked: Entity, thing: Asked, like: Sequence[Asked]) -> Asked:
+    """A thing that is there, of which one cannot see all that was said of it, is so in part."""
+    words = {a.id: (a.words or a.value).lower().split() for a in asked.attributes}
+    unseen = [
+        item.outcome.reason
+        for item in like
+        if item.outcome.status == "not_understood"
+        and not function_words().issuperset(words.get(item.outcome.item, ["?"]))
+    ]
+    if thing.outcome.status != "met" or not unseen:
+        return thing
+    reason = f"{thing.outcome.reason}; {unseen[0]}"
+    return replace(thing, outcome=thing.outcome.model_copy(update={"status": "partly", "reason": reason}))
 
 
 def _entity(survey: Survey, asked: Entity, bodies: list[Body]) -> Asked:
@@ -67,8 +85,9 @@ def _entity(survey: Survey, asked: Entity, bodies: list[Body]) -> Asked:
             call=("remove_objects", {"ids": spare}),
         )
     made = f"'{asked.noun}': {', '.join(ids[:6])}"
-    if asked.unnamed or asked.generic:
-        name = kinds.words(asked.category)
+    other = next((b for b in bodies if not is_one(b.item.category, asked.category, asked.noun)), None)
+    if asked.unnamed or asked.generic or other is not None:
+        name = kinds.words(asked.category if other is None else other.item.category)
         made = f"a {name} stands for '{asked.noun}'"
         return substituted("entity", asked.id, ids, made, have)
     return met("entity", asked.id, ids, made, have, assumed=asked.implied)

@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from sceneweaver.language.free_floor import scene_area
+from sceneweaver.language.model import PLACES, FreeArea
+from sceneweaver.rules.faults import fault_kind
 from sceneweaver.verify.free_floor import measure
+from sceneweaver.verify.solids import Body
 
 from .survey import Survey
-from .verdict import Asked, met, not_understood, text_of, unmet
+from .verdict import Asked, met, not_understood, partly, text_of, unmet
 
 
 def outcomes(survey: Survey) -> Iterator[Asked]:
@@ -32,6 +35,8 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
         m = found.measurement
         if m is None:
             yield not_understood("free_area", asked.id, objects, f"'{asked.words}' was not measured")
+        elif found.holds and (short := _short_of(survey, asked, m.value)):
+            yield partly("free_area", asked.id, objects, f"{text_of(m)}; {short}", m)
         elif found.holds:
             yield met("free_area", asked.id, objects, f"{text_of(m)}", m)
         else:
@@ -48,3 +53,28 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
                 share=m.excess / max(m.low, 1e-6),
                 suggestion=f"keep free: {asked.words}",
             )
+
+
+def _short_of(survey: Survey, asked: FreeArea, width: float) -> str:
+    """What of an area that is free is not as it was asked for, in words; empty where all is."""
+    for name in asked.targets:
+        if name.partition(":")[0] not in PLACES and not survey.ids_of(name):
+            return f"'{name}' of '{asked.words}' is not there"
+    limits = fault_kind("asked_free_floor").limits
+    if asked.most is not None and width > asked.most + limits["wider"]:
+        return f"at most {asked.most:.2f} m were asked for"
+    if asked.kind == "gap" and len(asked.targets) == 2 and not _face(survey, *asked.targets):
+        return "they are not across from each other"
+    return ""
+
+
+def _face(survey: Survey, one: str, other: str) -> bool:
+    """Whether some of the things on both sides of a gap are beside each other over a part of their width."""
+    pairs = [(a, b) for a in survey.standing_for(one) for b in survey.standing_for(other) if a is not b]
+    return not pairs or any(_abreast(a, b) or _abreast(b, a) for a, b in pairs)
+
+
+def _abreast(a: Body, b: Body) -> bool:
+    """Whether the middle of one is between the lines of two opposite sides of the other."""
+    ahead, aside = a.local((b.centre[0], b.centre[1]))
+    return abs(ahead) <= a.size[0] / 2 or abs(aside) <= a.size[1] / 2

@@ -123,6 +123,8 @@ def _ruling(survey: Survey, said: StatedRelation, subjects: Sequence[Body]) -> R
     if said.each:
         return _of_each(survey, said, subjects, table)
     verdicts = [_any_of_each(rows) for rows in table]
+    if said.type == "between" and said.count is None and (alone := _left_out(survey, said, table)) is not None:
+        return Ruling(False, tuple(subjects), alone)
     return _counted(survey, said, subjects, verdicts)
 
 
@@ -224,6 +226,21 @@ def _between(survey: Survey, said: StatedRelation, body: Body) -> dict[str, Verd
             ends = [next((b for b in survey.bodies if b.id == name), None) for name in names]
             found[" ".join(names)] = decide([group_measures.of_between(survey, body, shapes, ends)])
     return found
+
+
+def _left_out(survey: Survey, said: StatedRelation, table: list[dict[str, dict[str, Verdict]]]) -> Measurement | None:
+    """Of what something is between, how many it is beside, where those are fewer than asked: between a sofa and two
+    chairs it has both chairs beyond it."""
+    used = {name for rows in table for n, v in rows["between"].items() if v.holds for name in n.split()}
+    if not used:
+        return None
+    for target in said.targets:
+        ids = [b.id for b in survey.standing_for(target)]
+        least = min(len(ids), survey.least(target))
+        have = counted(f"of {target.replace('_', ' ')} that it is beside", len(used.intersection(ids)), least)
+        if ids and not have.ok():
+            return have
+    return None
 
 
 def _any_of_each(rows: dict[str, dict[str, Verdict]]) -> Verdict:

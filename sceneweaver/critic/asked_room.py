@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator
 
-from sceneweaver.assets.materials import color_named
+from sceneweaver.assets.materials import color_named, color_words
 from sceneweaver.geometry.angles import cross
 from sceneweaver.rules.faults import fault_kind, number
 from sceneweaver.scene import InputError
 from sceneweaver.verify.measure import Measurement
 
-from . import asked_openings, kinds
+from . import asked_look, asked_openings, kinds
 from .model import USE
 from .survey import Survey
 from .verdict import Asked, counted, met, not_understood, partly, unmet
@@ -59,6 +59,7 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
             yield _fact(f"{name}s", number.ok(), reason, number, f"wrong_{name}s")
     yield from asked_openings.outcomes(survey)
     yield from _style(survey)
+    yield from asked_look.outcomes(survey)
     yield from _use(survey)
     for k, unread in enumerate(brief.unread):
         yield not_understood("unread", f"unread-{k}", (), f"'{unread.words}' was not understood")
@@ -156,43 +157,52 @@ def basic_color(name: str) -> str:
         return name.lower()
 
 
-def _colors_of_shell(survey: Survey) -> Iterator[str]:
-    """The colours of walls and floor."""
-    finish = survey.scene.room.finish
-    if finish is not None:
-        yield from (finish.walls, *([finish.accent.color] if finish.accent else []), finish.floor.tone or "")
-
-
 def _style(survey: Survey) -> Iterator[Asked]:
     brief = survey.brief
     furniture = [b for b in survey.bodies if b.item.mount == "floor"]
-    if brief.style is not None:
+    if brief.style is not None and not brief.looks:  # else its look is measured as a whole
         told, limits = [b for b in furniture if "style" in b.item.attributes], fault_kind("wrong_style").limits
         other = [b for b in told if b.item.attributes["style"] != brief.style]
         share = counted("pieces of the style", len(told) - len(other), math.ceil(len(told) / 2))
         reason = f"{len(told) - len(other)} of {len(told)} pieces are {brief.style}"
-        yield _fact(
-            "style",
-            share.ok(),
-            reason,
-            share,
-            "wrong_style",
-            [b.id for b in other[: limits["shown"]]],
-            f"choose {brief.style} furniture",
-            len(other) / max(1, len(told)),
-            limits["room"],
-        )
+        if share.ok():  # as they were chosen; how it looks is not measured
+            yield met("room", "room.style", (), reason, share, assumed=True)
+        else:
+            yield _fact(
+                "style",
+                False,
+                reason,
+                share,
+                "wrong_style",
+                [b.id for b in other[: limits["shown"]]],
+                f"choose {brief.style} furniture",
+                len(other) / max(1, len(told)),
+                limits["room"],
+            )
     if brief.colors:
-        told = [b for b in furniture if "color" in b.item.attributes]
-        wanted = {basic_color(c) for c in brief.colors}
-        so = [b.id for b in told if basic_color(str(b.item.attributes["color"])) in wanted]
-        painted = any(basic_color(c) in wanted for c in _colors_of_shell(survey))
-        yield _fact(
-            "colors",
-            bool(so) or painted or not told,
-            f"nothing is {' or '.join(brief.colors)}",
-            counted("pieces of the colours", len(so), min(1, len(told))),
-            "wrong_colors",
-            so,
-            f"choose furniture in {' and '.join(brief.colors)}",
+        yield _colors(survey)
+
+
+def _colors(survey: Survey) -> Asked:
+    """The colours that are named for the room: each is there, and together they are a good part of what is seen."""
+    wanted = {basic_color(c): c for c in survey.brief.colors}
+    shown, whole = dict.fromkeys(wanted, 0.0), 0.0
+    for area, color, material, _ in asked_look.seen(survey):
+        whole += area
+        for name in {asked_look.basic(color), asked_look.basic(material)} & set(shown):
+            shown[name] += area
+    share = sum(shown.values()) / whole if whole else 1.0
+    missing = [wanted[name] for name, area in shown.items() if area == 0.0]
+    m = counted("share in the colours", share, fault_kind("wrong_colors").limits["share"])
+    item, names = "room.colors", " and ".join(survey.brief.colors)
+    if len(missing) == len(wanted) and whole:
+        return unmet(
+            "room", item, (), f"nothing is {names}", m, fault="wrong_colors", suggestion=f"choose furniture in {names}"
         )
+    unread = {word for left in survey.brief.unread for word in left.words.lower().split()}.intersection(color_words())
+    if not missing and unread:
+        return partly("room", item, (), f"'{min(unread)}' was not understood", m)
+    if missing or not m.ok():
+        lack = f"nothing is {' or '.join(missing)}" if missing else f"{share:.0%} of what is seen is {names}"
+        return partly("room", item, (), lack, m)
+    return met("room", item, (), "colors as asked", m)

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import math
 import re
 from dataclasses import dataclass
 
 from sceneweaver.language import SceneGraph, Span
+from sceneweaver.language.coverage import UNITS
+from sceneweaver.rules.faults import number
 
 from .model import Alignment, ItemOutcome
+
+_NUMBER = re.compile(r"\d+(?:[.,]\d+)?")
 
 
 @dataclass(frozen=True)
@@ -44,7 +49,8 @@ def _words(graph: SceneGraph) -> dict[str, tuple[str, Span | None]]:
     for entity in graph.entities:
         found[entity.id] = entity.noun, entity.span
         for key in ("color", "material", "style", "size", "metres"):
-            found[f"{entity.id}.{key}"] = f"{getattr(entity, key, None) or key} {entity.noun}", None
+            span = entity.span if key == "metres" else None
+            found[f"{entity.id}.{key}"] = f"{getattr(entity, key, None) or key} {entity.noun}", span
         for attribute in entity.attributes:
             found[attribute.id] = f"{attribute.words or attribute.value} {entity.noun}", attribute.span
     for k, said in enumerate(graph.relations):
@@ -53,12 +59,26 @@ def _words(graph: SceneGraph) -> dict[str, tuple[str, Span | None]]:
     for k, excluded in enumerate(graph.exclusions):
         words = excluded.words if excluded.relation else f"no {excluded.words}"
         found[excluded.id or f"exclusion-{k}"] = words.replace("_", " "), excluded.span
-    for several in (graph.openings, graph.free_areas, graph.capacities, graph.arrangements):
-        found |= {f"room.{one.id}": (one.words, one.span) for one in several}
+    found |= {f"room.{one.id}": (one.words, one.span) for one in graph.openings}
+    for name in ("area", "height"):
+        found[f"room.{name}"] = name, _of_length(graph, getattr(graph, name))
+    for name in ("free_area", "capacity", "arrangement", "amount"):
+        several = getattr(graph, {"capacity": "capacities"}.get(name, f"{name}s"))
+        found |= {one.id or f"{name}-{k}": (one.words, one.span) for k, one in enumerate(several)}
     found |= {one.id: (one.words, one.span) for one in graph.measures}
     for k, unread in enumerate(graph.unread):
         found[f"unread-{k}"] = unread.words, unread.span
     return found
+
+
+def _of_length(graph: SceneGraph, value: float | None) -> Span | None:
+    """Where the first number stands that is a length or an area of the room, in some unit."""
+    slack = number("spoken")
+    for match in _NUMBER.finditer(graph.text) if value else ():
+        spoken = float(match[0].replace(",", "."))
+        if any(math.isclose(spoken * unit, value, rel_tol=slack) for unit in UNITS):
+            return Span(*match.span())
+    return None
 
 
 def _of_room(graph: SceneGraph, item: str) -> tuple[str, Span | None]:

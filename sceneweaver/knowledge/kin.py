@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from functools import cache, lru_cache
 from typing import Any
 
-from sceneweaver.assets import categories
+from sceneweaver.assets import categories, resolve
 from sceneweaver.assets.plurals import singular
 from sceneweaver.assets.roles import groups_above
 from sceneweaver.assets.taxonomy import members
@@ -89,6 +89,19 @@ def serves(category: str, wanted: tuple[str, ...]) -> int:
     if category in wanted or any(category in members(name) for name in wanted):
         return 2
     return int(any(category in may_stand_in(name) for name in wanted))
+
+
+@cache
+def is_one(category: str, wanted: str, noun: str) -> bool:
+    """Whether a person would call a category by a noun that was read as another one, and not a stand-in for it.
+
+    A folding table is a "table"; it is none where a massage table is meant.
+    """
+    if wanted not in categories() or categories()[wanted].parent is None:  # of anything at all
+        return True
+    if serves(category, (wanted,)) == 2 or category in interchangeable(wanted):
+        return True
+    return wanted == resolve(noun).category and category in kin(wanted, noun)
 
 
 @cache

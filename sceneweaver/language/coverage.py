@@ -16,6 +16,9 @@ from .translation import unknown_words
 from .vocabulary import vocabulary, words
 
 _WORD = re.compile(r"[^\W\d_]+(?:['’&-][^\W\d_]+)*|\d+(?:[.,]\d+)?", re.UNICODE)
+UNITS = (1.0, 0.01, 0.001, 0.3048, 0.0254, 0.092903)
+"""What the units are in metres and square metres that numbers are given in."""
+
 _JOIN = re.compile(r"[\s'’\"-]*")
 
 
@@ -74,7 +77,16 @@ def _marked(graph: SceneGraph, spans: Iterable[Span | None]) -> bytearray:
 
 def _spans(graph: SceneGraph) -> Iterable[Span]:
     """Where everything that was read stands, but for the noun phrases of things."""
-    rows = (graph.relations, graph.exclusions, graph.openings, graph.free_areas, graph.capacities, graph.amounts)
+    rows = (
+        graph.relations,
+        graph.exclusions,
+        graph.openings,
+        graph.free_areas,
+        graph.capacities,
+        graph.amounts,
+        graph.looks,
+        graph.finishes,
+    )
     for row in (item for several in (*rows, graph.arrangements, graph.measures, graph.unread) for item in several):
         if row.span is not None:
             yield row.span
@@ -108,8 +120,7 @@ def _is_measure(graph: SceneGraph, match: re.Match[str]) -> bool:
     have += [float(s) for entity in graph.entities for s in entity.size if s is not None]
     have += [float(value) for relation in graph.relations for value in relation.params.values() if value is not None]
     have += [value for one in graph.arrangements for value in (one.spacing, one.height, one.aisle) if value]
-    units = (1.0, 0.01, 0.001, 0.3048, 0.0254, 0.092903)
-    return any(abs(value * unit - other) <= 0.006 * max(1.0, other) for unit in units for other in have if other)
+    return any(abs(value * unit - other) <= 0.006 * max(1.0, other) for unit in UNITS for other in have if other)
 
 
 __all__ = ["function_words", "silent_words"]

@@ -48,6 +48,8 @@ def relate(
         return
     said = Said(place.type, subjects, targets, place.words, count, span=span)
     target, one = targets[0], subjects[0]
+    if target in state.party and one in state.party and span is not None and place.type in ("on", "inside"):
+        return  # "office supplies in the drawer": in none of themselves
     if state.barred:
         _bar(state, said)
         return
@@ -166,6 +168,9 @@ def relate_to_place(state: State, said: Said) -> None:
             of_wall = f"{said.words} the opposite wall"
             say(state, replace(said, type="opposite", targets=(others[-1],), words=of_wall, implied=True))
         place = "wall" if others else "wall:far"
+    lone = kind == "flanking" and place in ("window", "door") and not said.words.startswith("flank")
+    if lone and len(subjects) == 1 and subjects[0].count == (1, 1):
+        subjects[0].count = (2, 2)  # "a plant on either side of the door"
     if place.startswith("wall") and kind in ("on", "against", "inside") and said.words.startswith("hang"):
         kind = "hanging_from"
     kind = close_kind(kind, said.words, subjects, place)
@@ -180,7 +185,7 @@ def relate_to_place(state: State, said: Said) -> None:
     if kind == "far_from" and place not in ("door", "window"):
         state.out.note(f"'away from the {place}' cannot be said as a relation and was left out")
         return
-    spoken = said.words if said.words.endswith(place) else f"{said.words} the {place.split(':')[0]}"
+    spoken = said.words if said.words.endswith((place, "each")) else f"{said.words} the {place.split(':')[0]}"
     say(state, replace(said, type=kind, subjects=subjects, targets=(place,), words=spoken))
 
 

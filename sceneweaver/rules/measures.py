@@ -75,6 +75,7 @@ _ALL = (
     _asked("bottom_over_bottom", "m", "bottom of the subject over the bottom of the target"),
     _asked("below_ceiling", "m", "how far the top of the subject is below the ceiling"),
     _asked("looks_away", "deg", "angle of a front from the target's middle; 0 where the ray ahead meets the target"),
+    _asked("end_on", "deg", "angle by which neither the subject's back nor a long side of it looks at a wall"),
     _asked("seat_away", "deg", "angle of a seat's front from the nearest point or the middle of the target"),
     _asked("off_front", "deg", "angle between the subject's front and the way to the target's centre"),
     _asked("long_side_turned", "deg", "angle between the subject's long side and a wall"),

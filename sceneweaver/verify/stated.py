@@ -263,6 +263,16 @@ def _looks_away(q: Asked) -> Reading | None:
     return Reading(off_front(q.s, middle, way), "deg")
 
 
+def _end_on(q: Asked) -> Reading | None:
+    """Angle [deg] by which neither the back nor a long side of the subject looks at the wall."""
+    if not isinstance(q.t, Segment):
+        return None
+    depth, width = q.s.size[:2]
+    faces = ("back", "left", "right") if depth > width else ("back", "front")
+    turned = [dot(q.s.face(name).normal, q.t.wall.outward) for name in faces]
+    return Reading(math.degrees(math.acos(max(-1.0, min(1.0, max(turned))))), "deg")
+
+
 def _seat_away(q: Asked) -> Reading | None:
     import shapely
 
@@ -323,6 +333,7 @@ MEASURED: dict[str, Callable[[Asked], Reading | None]] = {
     "below_ceiling": lambda q: Reading(q.view.placed.scene.room.height - q.s.z[1]),
     "height": lambda q: Reading(q.s.z[0]),
     "looks_away": _looks_away,
+    "end_on": _end_on,
     "seat_away": _seat_away,
     "off_front": _off_front,
     "turn": _turn,
