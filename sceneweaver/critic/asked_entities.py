@@ -9,7 +9,7 @@ from sceneweaver.assets.taxonomy import members
 from sceneweaver.knowledge.kin import interchangeable, is_one
 from sceneweaver.language import Entity, Exclusion
 from sceneweaver.language.coverage import function_words
-from sceneweaver.language.unwanted import belongs_there
+from sceneweaver.language.unwanted import belongs_there, kinds_unwanted
 from sceneweaver.rules.faults import fault_kind
 from sceneweaver.verify.solids import Body
 
@@ -128,7 +128,8 @@ def _exclusions(survey: Survey) -> Iterator[Asked]:
 
 def _is_unwanted(survey: Survey, excluded: Exclusion, body: Body) -> bool:
     """Whether a body is what an exclusion rules out: of its categories, or by material and place unless asked for."""
-    if any(body.item.category in (word, *members(word)) for word in excluded.categories):
+    named = (*excluded.categories, *kinds_unwanted(excluded.words))
+    if any(body.item.category in (word, *members(word)) for word in named):
         return True
     if body.id in survey.program.asked_of:
         return False
