@@ -8,7 +8,7 @@ from dataclasses import replace
 from sceneweaver.assets.taxonomy import members
 from sceneweaver.knowledge.kin import interchangeable, is_one
 from sceneweaver.language import Entity, Exclusion
-from sceneweaver.language.coverage import function_words
+from sceneweaver.language.coverage import idle_words
 from sceneweaver.language.unwanted import belongs_there, kinds_unwanted
 from sceneweaver.rules.faults import fault_kind
 from sceneweaver.verify.solids import Body
@@ -41,8 +41,7 @@ def _whole(asked: Entity, thing: Asked, like: Sequence[Asked]) -> Asked:
     unseen = [
         item.outcome.reason
         for item in like
-        if item.outcome.status == "not_understood"
-        and not function_words().issuperset(words.get(item.outcome.item, ["?"]))
+        if item.outcome.status == "not_understood" and not idle_words().issuperset(words.get(item.outcome.item, ["?"]))
     ]
     if thing.outcome.status != "met" or not unseen:
         return thing
