@@ -14,6 +14,7 @@ from sceneweaver.assets import Library
 from sceneweaver.export import formats_named
 from sceneweaver.export.formats import USUAL
 from sceneweaver.generate.asked_room import asked_room, headline
+from sceneweaver.generate.look import in_time, suited
 from sceneweaver.generate.people import with_people
 from sceneweaver.knowledge import RoomType, match_room
 from sceneweaver.knowledge.learned import all_rooms
@@ -169,7 +170,7 @@ def design(prompt: str = "", **options: Unpack[AllOptions]) -> Result:
             roles, asking, limit, folder.path / RECORDS if folder is not None else None, time.monotonic() - began
         )
         with session.known_rooms(prompt):
-            brief = session.read(offline, folder)
+            brief = in_time(session.read(offline, folder))
             room_type, remarks = chosen_room(brief)
             brief = with_people(brief, room_type)
             tools = {n: tool for n, tool in registered().items() if usable(n, tool, settings, room_type, session.plans)}
@@ -207,7 +208,12 @@ def usable(name: str, tool: Registered, settings: Settings, room_type: RoomType,
 
 
 def chosen_room(brief: SceneGraph) -> tuple[RoomType, tuple[str, ...]]:
-    """The kind of room that a request means, and what was assumed where it does not say."""
+    """The kind of room that a request means, in the look that it wants, and what was assumed where it does not say."""
+    kind, remarks = _kind_of_room(brief)
+    return suited(kind, brief), remarks
+
+
+def _kind_of_room(brief: SceneGraph) -> tuple[RoomType, tuple[str, ...]]:
     known = all_rooms()
     if brief.room_type is not None and brief.room_type in known:
         return known[brief.room_type], ()

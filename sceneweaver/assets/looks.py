@@ -78,6 +78,12 @@ def vocabulary() -> dict[str, dict[Kind, Any]]:
     return table
 
 
+@cache
+def roles_of_detail(part: str) -> tuple[str, ...]:
+    """The roles by which drawings give a part its finish, the likeliest first."""
+    return tuple(_data()["details"].get(part, ()))
+
+
 @lru_cache(maxsize=4096)
 def is_look(phrase: str) -> bool:
     """Whether all words of a phrase are about a look."""

@@ -47,6 +47,18 @@ def finish(name: str) -> Finish:
     return finishes()[name]
 
 
+def paint(name: str) -> Finish:
+    """A finish by name, or paint in any colour ("mint paint"); KeyError when there is none."""
+    known = finishes().get(name)
+    if known is not None or not name.endswith(" paint"):
+        return finish(name)
+    try:
+        made = tinted(finish("white paint").material, name.removesuffix(" paint"))
+    except InputError:
+        raise KeyError(name) from None
+    return replace(finish("white paint"), material=made)
+
+
 def expand(names: tuple[str, ...]) -> list[Finish]:
     """Finishes of names, where "@wood" stands for all of that family but those that have to be asked for."""
     found: list[Finish] = []

@@ -46,6 +46,9 @@ class RoomLooks:
     wall: Material
     accent: Material | None = None
     tiles: Material | None = None
+    ceiling: Material | None = None
+    beams: Material | None = None
+    trim: Material | None = None
 
 
 def room_looks(room: Room) -> RoomLooks:
@@ -62,11 +65,23 @@ def room_looks(room: Room) -> RoomLooks:
     floor = _FLOOR_LOOKS[kind]
     if tone is not None:
         floor = replace(floor, name=f"{tone} floor", color=_floor_color(tone))
-    accent = finish.accent and _painted(finish.accent.color, "accent.color", 0.3)
+    accent = finish.accent and _wall(
+        finish.accent.color, "accent.color", 0.3, "boards" if finish.accent.kind == "panelling" else "plaster"
+    )
+    above = finish.ceiling
     tiles = finish.tiles and replace(
         _painted(finish.tiles.color, "tiles.color", 0.3), name="wall tile", roughness=0.25, texture="wall tiles"
     )
-    return RoomLooks(kind, floor, _painted(finish.walls, "walls", 0.5), accent, tiles)
+    return RoomLooks(
+        kind,
+        floor,
+        _wall(finish.walls, "walls", 0.5, finish.walls_of),
+        accent,
+        tiles,
+        above and replace(_wall(above.color, "ceiling.color", 0.3, above.material), name="ceiling"),
+        _of(above.beams, "ceiling.beams") if above is not None and above.beams else None,
+        replace(_of(finish.trim, "trim"), name="trim") if finish.trim else None,
+    )
 
 
 def wall_look(room: Room, wall: int) -> Material:
@@ -95,11 +110,46 @@ def _floor_color(tone: str) -> tuple[float, float, float]:
     return round(r, 4), round(g, 4), round(b, 4)
 
 
+def _of(name: str, field: str) -> Material:
+    """A finish by its name, or lacquer in a colour."""
+    known = finishes().get(name)
+    return known.material if known is not None else Material(f"{name} lacquer", _shade(name, field), roughness=0.5)
+
+
+_SHOWN = {
+    "rough plaster": ("rough plaster", 0.98, 0.0),
+    "concrete": ("concrete", 0.9, 0.0),
+    "brick": ("brick", 0.9, 0.0),
+    "stone": ("rubble", 0.95, 0.0),
+    "boards": ("floorboards", 0.65, 0.0),
+    "logs": ("floorboards", 0.8, 0.0),
+    "metal": ("cast", 0.42, 0.35),
+    "tiles": ("wall tiles", 0.2, 0.0),
+}
+"""Pattern, roughness and metallic of what walls show but paint and paper."""
+
+
+def _wall(color: str, field: str, softer: float, of: str) -> Material:
+    """What a wall or a ceiling of a material and a colour, or of a wood, looks like."""
+    wood = finishes().get(color)
+    if wood is not None and wood.family != "wood":
+        wood = None
+    if of in ("plaster", "paper", "rough plaster"):
+        if wood is not None:
+            return replace(wood.material, name=f"{color} wall")
+        made = _painted(color, field, softer if of == "plaster" else 0.5 * softer)
+        return replace(made, texture={"paper": "damask"}.get(of, of))
+    texture, rough, metallic = _SHOWN[of]
+    shown = wood.material.color if wood is not None else _shade(color, field)
+    return Material(f"{color} {of} wall", shown, roughness=rough, metallic=metallic, texture=texture)
+
+
 def _painted(color: str, field: str, softer: float) -> Material:
     """Wall paint is never as strong as a colour card, as large areas look twice as strong: ``softer`` of the way to a
     pale one."""
     h, light, s = colorsys.rgb_to_hls(*_shade(color, field))
     pale = max(light, 0.86) if light > 0.45 else 0.62
+    softer *= min(1.0, max(0.25, (light - 0.1) / 0.35))  # dark paint is wanted dark: black walls are black
     light = min((1 - softer) * light + softer * pale, 0.935)
     r, g, b = colorsys.hls_to_rgb(h, light, (1 - 0.5 * softer) * s)
     return Material(f"{color} wall", (round(r, 4), round(g, 4), round(b, 4)), roughness=0.95, texture="plaster")

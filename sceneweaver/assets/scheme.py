@@ -10,7 +10,7 @@ from functools import cache
 from sceneweaver.scene import InputError
 
 from .body import Material
-from .materials import Finish, color_name, color_named, finish, hue, own_look, tinted
+from .materials import Finish, color_name, color_named, finish, hue, own_look, paint, tinted
 
 LARGE_CLOTH = (0, 0, 1, 0, 2)
 """Which colours of cloth large things have, in proportion."""
@@ -29,6 +29,7 @@ class Scheme:
     textiles: tuple[str, ...]
     seed: int
     hues: frozenset[str]
+    avoid: frozenset[str] = frozenset()
 
     def replaced(self, options: Sequence[Finish], large: bool) -> list[Material]:
         """What some finishes become, one for each, of like families beside each other.
@@ -37,6 +38,7 @@ class Scheme:
             options: finishes that would do.
             large: whether it is furniture, which has the first wood and painted finishes of the room.
         """
+        options = [o for o in options if not self._avoids(o)] or options
         order = sorted(range(len(options)), key=lambda k: (options[k].family, k))
         return [self._one(options[k], k, options, large) for k in order]
 
@@ -51,6 +53,8 @@ class Scheme:
 
     def _one(self, one: Finish, k: int, options: Sequence[Finish], large: bool) -> Material:
         choice = len(options) > 1
+        if self._avoids(one):
+            return self._instead(one)
         if one.family == "wood":
             return self.woods[0 if large else k % len(self.woods)].material
         if one.family == "metal":
@@ -66,6 +70,19 @@ class Scheme:
             return one.material
         colors = [c for c in self.textiles if hue(color_named(c))] or self.textiles
         return tinted(one.material, colors[k % len(colors)])
+
+    def _avoids(self, one: Finish) -> bool:
+        return one.family in self.avoid or one.material.name in self.avoid
+
+    def _instead(self, one: Finish) -> Material:
+        """What takes the place of a finish that the room does not have: a metal, cloth or wood of it."""
+        if one.family == "metal":
+            return self.metals[0].material
+        if one.family in ("fabric", "leather", "cloth"):
+            return tinted(finish("natural linen").material, self.textiles[0])
+        if one.family in DYED and one.family not in self.avoid:
+            return tinted(one.material, self.textiles[0])
+        return self.woods[0].material
 
     def _metal(self, one: Finish, options: Sequence[Finish]) -> Material:
         """The room's metal where it would do or is like the one meant, else the one meant unless it is a warm one."""
@@ -91,19 +108,24 @@ def scheme(code: str) -> Scheme:
         InputError: for a code that is none, or names what is unknown.
     """
     groups = [tuple(part for part in group.split(",") if part) for group in code.split("/")]
-    if len(groups) != 5 or not all(groups) or not groups[4][0].isdecimal():
+    if len(groups) not in (5, 6) or not all(groups) or not groups[4][0].isdecimal():
         raise InputError(f"palette: '{code}' is none; give woods, paints, metals, cloth and a seed")
     try:
-        woods, paints, metals = (tuple(finish(name) for name in group) for group in groups[:3])
+        woods, paints, metals = (tuple(paint(name) for name in group) for group in groups[:3])
     except KeyError as error:
         raise InputError(f"palette: {error} is no finish; see assets/materials.yaml") from None
-    families = (("wood", woods), ("paint", paints), ("metal", metals))
-    wrong = [f.material.name for family, group in families for f in group if f.family != family]
+    # Furniture may be of concrete or steel in the place of wood.
+    families = (
+        (("wood", "stone", "metal"), woods),
+        (("paint",), paints),
+        (("metal",), metals),
+    )
+    wrong = [f.material.name for known, group in families for f in group if f.family not in known]
     if wrong:
         raise InputError(f"palette: {wrong[0]} stands in the wrong place; give woods, paints, metals, cloth and a seed")
     colors = [color_named(c) for c in groups[3]] + [color_name(f.material.color) for f in paints]
     hues = frozenset(found for c in colors if (found := hue(c)))
-    return Scheme(woods, paints, metals, groups[3], int(groups[4][0]), hues)
+    return Scheme(woods, paints, metals, groups[3], int(groups[4][0]), hues, frozenset(*groups[5:]))
 
 
 def scheme_for(category: str, code: str | None) -> Scheme | None:

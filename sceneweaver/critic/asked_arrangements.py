@@ -16,7 +16,18 @@ from sceneweaver.verify.measure import Measurement
 from sceneweaver.verify.solids import Body
 
 from .group_measures import apart
-from .group_patterns import about_a_u, aisle, along_walls, at_sides, ends, in_gaps, limit, opening, right_angle
+from .group_patterns import (
+    about_a_u,
+    aisle,
+    along_walls,
+    at_sides,
+    ends,
+    full_wall,
+    in_gaps,
+    limit,
+    opening,
+    right_angle,
+)
 from .survey import FLAT, Survey, turn_to
 from .verdict import Asked, counted, met, not_understood, unmet
 
@@ -38,6 +49,8 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
             )
             continue
         found = list(_CHECKS[said.pattern](survey, said, bodies))
+        if said.facing not in ("", "each other") and said.pattern not in _LOOKING:
+            found += _faced(survey, said, bodies)
         ids = [b.id for b in bodies]
         failing = [m for m in found if not m.ok()]
         if not failing:
@@ -343,5 +356,9 @@ _CHECKS: dict[str, Callable[[Survey, Arrangement, Sequence[Body]], Checks]] = {
     "end_to_end": ends,
     "outside": about_a_u,
     "inside": about_a_u,
+    "wall": full_wall,
 }
 """What is measured of each pattern."""
+
+_LOOKING = ("row", "rows", "grid", "sides", "u", "semicircle")
+"""Patterns whose measures have what their things look at."""

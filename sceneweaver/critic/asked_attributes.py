@@ -12,7 +12,7 @@ from sceneweaver.assets.looks import Words, read_words
 from sceneweaver.assets.materials import STYLES, color_named, color_words, finishes_named
 from sceneweaver.assets.roles import has_role
 from sceneweaver.language import Attribute, Entity
-from sceneweaver.language.told_states import posture_as_told, state_as_told
+from sceneweaver.language.told_states import detail_as_told, posture_as_told, state_as_told
 from sceneweaver.language.vocabulary import words
 from sceneweaver.rules.faults import fault_kind
 from sceneweaver.scene import InputError, Window
@@ -114,6 +114,8 @@ def _test(attribute: Attribute, asked: Entity, windows: Sequence[Window]) -> _Te
         return _Test(lambda b: _of_state(b, attribute, windows), lambda b: _in_state(b, attribute, windows))
     words = read_words(attribute.value)
     match attribute.kind:
+        case "part" if (detail := detail_as_told(attribute)) is not None:
+            return _Test(lambda b: _of_detail(b, *detail))
         case "color":
             return _Test(lambda b: _of_color(b, attribute.value))
         case "material" | "finish":
@@ -152,6 +154,21 @@ def _of_color(body: Body, want: str) -> Answer | None:
         return None
     wanted, is_ = _color(want), _color(str(given))
     return wanted == is_ or wanted in is_.split() or is_ in wanted.split(), str(given)
+
+
+def _of_detail(body: Body, part: str, want: str) -> Answer | None:
+    """Whether a part is in a colour and of a material, as far as the words name them."""
+    given = body.item.attributes.get(f"{part} finish")
+    if given is None:
+        return None
+    is_, words = str(given), read_words(want)
+    named = {_undyed(f.material.name) for f in finishes_named(words.material or want)}
+    if not named and words.color is None:
+        return None
+    holds = not named or _undyed(is_) in named
+    if words.color is not None:
+        holds = holds and (words.color in is_ or _color(words.color) in (is_.split()[0], _color(is_.split()[0])))
+    return holds, f"of {is_}"
 
 
 def _color(words: str) -> str:

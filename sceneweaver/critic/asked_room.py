@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 
 from sceneweaver.assets.materials import color_named, color_words
 from sceneweaver.geometry.angles import cross
 from sceneweaver.rules.faults import fault_kind, number
 from sceneweaver.scene import InputError
 from sceneweaver.verify.measure import Measurement
-from sceneweaver.verify.solids import Body
 
-from . import asked_openings, kinds
+from . import asked_look, asked_openings, kinds
 from .model import USE
 from .survey import Survey
 from .verdict import Asked, counted, met, not_understood, partly, unmet
@@ -60,6 +59,7 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
             yield _fact(f"{name}s", number.ok(), reason, number, f"wrong_{name}s")
     yield from asked_openings.outcomes(survey)
     yield from _style(survey)
+    yield from asked_look.outcomes(survey)
     yield from _use(survey)
     for k, unread in enumerate(brief.unread):
         yield not_understood("unread", f"unread-{k}", (), f"'{unread.words}' was not understood")
@@ -157,17 +157,10 @@ def basic_color(name: str) -> str:
         return name.lower()
 
 
-def _colors_of_shell(survey: Survey) -> Iterator[str]:
-    """The colours of walls and floor."""
-    finish = survey.scene.room.finish
-    if finish is not None:
-        yield from (finish.walls, *([finish.accent.color] if finish.accent else []), finish.floor.tone or "")
-
-
 def _style(survey: Survey) -> Iterator[Asked]:
     brief = survey.brief
     furniture = [b for b in survey.bodies if b.item.mount == "floor"]
-    if brief.style is not None:
+    if brief.style is not None and not brief.looks:  # else its look is measured as a whole
         told, limits = [b for b in furniture if "style" in b.item.attributes], fault_kind("wrong_style").limits
         other = [b for b in told if b.item.attributes["style"] != brief.style]
         share = counted("pieces of the style", len(told) - len(other), math.ceil(len(told) / 2))
@@ -187,32 +180,29 @@ def _style(survey: Survey) -> Iterator[Asked]:
                 limits["room"],
             )
     if brief.colors:
-        yield _colors(survey, brief.colors, furniture)
+        yield _colors(survey)
 
 
-def _colors(survey: Survey, asked: Sequence[str], furniture: Sequence[Body]) -> Asked:
-    """Whether each of some colours is seen on walls, floor or furniture; one colour alone is that of all walls."""
-    told = [b for b in furniture if "color" in b.item.attributes]
-    shown = {b.id: basic_color(str(b.item.attributes["color"])) for b in told}
-    shell = [basic_color(c) for c in _colors_of_shell(survey)]
-    lost = [c for c in dict.fromkeys(asked) if basic_color(c) not in {*shown.values(), *shell}]
-    so = [name for name, color in shown.items() if color in {basic_color(c) for c in asked}]
-    number = counted("of the colours", len(dict.fromkeys(asked)) - len(lost), len(dict.fromkeys(asked)))
-    if lost and len(lost) < len(set(asked)):
-        return partly("room", "room.colors", so, f"nothing is {' or '.join(lost)}", number)
+def _colors(survey: Survey) -> Asked:
+    """The colours that are named for the room: each is there, and together they are a good part of what is seen."""
+    wanted = {basic_color(c): c for c in survey.brief.colors}
+    shown, whole = dict.fromkeys(wanted, 0.0), 0.0
+    for area, color, material, _ in asked_look.seen(survey):
+        whole += area
+        for name in {asked_look.basic(color), asked_look.basic(material)} & set(shown):
+            shown[name] += area
+    share = sum(shown.values()) / whole if whole else 1.0
+    missing = [wanted[name] for name, area in shown.items() if area == 0.0]
+    m = counted("share in the colours", share, fault_kind("wrong_colors").limits["share"])
+    item, names = "room.colors", " and ".join(survey.brief.colors)
+    if len(missing) == len(wanted) and whole:
+        return unmet(
+            "room", item, (), f"nothing is {names}", m, fault="wrong_colors", suggestion=f"choose furniture in {names}"
+        )
     unread = {word for left in survey.brief.unread for word in left.words.lower().split()}.intersection(color_words())
-    if not lost and unread:
-        return partly("room", "room.colors", so, f"'{min(unread)}' was not understood", number)
-    finish = survey.scene.room.finish
-    accent = finish.accent.color if finish is not None and finish.accent is not None else None
-    if not lost and accent is not None and basic_color(accent) not in {basic_color(c) for c in asked}:
-        return partly("room", "room.colors", so, f"one wall is {accent}", number)
-    return _fact(
-        "colors",
-        not lost or not told,
-        f"nothing is {' or '.join(asked)}",
-        number,
-        "wrong_colors",
-        so,
-        f"choose furniture in {' and '.join(asked)}",
-    )
+    if not missing and unread:
+        return partly("room", item, (), f"'{min(unread)}' was not understood", m)
+    if missing or not m.ok():
+        lack = f"nothing is {' or '.join(missing)}" if missing else f"{share:.0%} of what is seen is {names}"
+        return partly("room", item, (), lack, m)
+    return met("room", item, (), "colors as asked", m)

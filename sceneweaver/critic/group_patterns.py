@@ -11,6 +11,7 @@ from sceneweaver.assets.roles import has_role
 from sceneweaver.geometry.angles import dot, wrap_angle
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.language.model import Arrangement
+from sceneweaver.language.wall_names import direction_of
 from sceneweaver.rules.faults import fault_kind
 from sceneweaver.verify.measure import Measurement
 from sceneweaver.verify.solids import Body
@@ -108,7 +109,19 @@ def along_walls(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Ch
         yield Measurement("length of the walls", max(w.length for w in pair), 0.95 * longest, math.inf)
     elif kind == "short":
         yield Measurement("length of the walls", max(w.length for w in pair), -math.inf, 1.001 * longest)
+    elif kind == "side" and (way := direction_of("left", survey.scene.room)) is not None:
+        yield Measurement("side walls", abs(dot(pair[0].inward, way)), 0.9, math.inf, "")
     yield from aisle(survey, said, bodies)
+
+
+def full_wall(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Checks:
+    """Side by side over most of one wall."""
+    at = [_walls_of(survey, b) for b in bodies]
+    best = 0.0
+    for wall in survey.scene.room.walls:
+        own = [b for b, walls in zip(bodies, at, strict=True) if wall.index in walls]
+        best = max(best, sum(high - low for low, high in _spans(own, wall.yaw)) / wall.length if own else 0.0)
+    yield Measurement("share of a wall", best, limit("covered"), math.inf, "")
 
 
 def right_angle(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Checks:

@@ -117,6 +117,11 @@ def laid_out(brief: SceneGraph, wanted: Sequence[Wanted]) -> list[Laid]:
             found += _clusters(said, things, wanted)
         elif said.pattern == "walls":
             found += _along_walls(said, things, wanted, brief)
+        elif said.pattern == "wall":
+            sizes = [one.asset.size[:2] for one in things]
+            spots = side_by_side(sizes, TOUCHING)
+            box = extent_of([(spot, *size) for spot, size in zip(spots, sizes, strict=True)])
+            found.append(Laid(said, things[0], tuple(zip(things, spots, strict=True)), box, ("against_wall", "")))
         elif said.pattern == "right_angle":
             found.append(_at_right_angles(said, things))
         elif not (said.pattern == "circle" and _is_table(said.around, wanted)):
@@ -401,6 +406,8 @@ def _of_pattern(one: Laid, wanted: Sequence[Wanted], brief: SceneGraph) -> Itera
             yield Grounded(one.said.id, "arranged", focus[0].id, one.leader.id, at)
             return
         yield Grounded(one.said.id, "across_from", one.leader.id, focus[0].id, gap, hard=False)
+        yield Grounded(one.said.id, "facing", one.leader.id, focus[0].id, {"degrees": 35.0})
+    elif focus and one.said.pattern == "right_angle":
         yield Grounded(one.said.id, "facing", one.leader.id, focus[0].id, {"degrees": 35.0})
     if one.said.pattern == "islands":
         for thing, _ in one.spots:

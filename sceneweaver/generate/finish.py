@@ -3,57 +3,135 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any, cast
 
-from sceneweaver.assets.materials import color_name
-from sceneweaver.assets.materials import finish as finish_named
 from sceneweaver.assets.roles import has_role
 from sceneweaver.geometry.angles import dot
 from sceneweaver.knowledge import RoomType
+from sceneweaver.knowledge.looks import Look
 from sceneweaver.knowledge.palettes import Palette, accent_for, floor_for
-from sceneweaver.scene import Room, RoomFinish, Scene, WallAccent, WallTiles
-from sceneweaver.scene.finish import FloorFinish
+from sceneweaver.language import SceneGraph
+from sceneweaver.language.model import StatedFinish
+from sceneweaver.scene import CeilingFinish, Room, RoomFinish, RoomLight, Scene, WallAccent, WallTiles
+from sceneweaver.scene.finish import FloorFinish, FloorMaterial, WallMaterial
 
-from .stated_finish import stated_finish
+from .look import is_electric, look_of
 
-PANELS = "tan"
-"""Colour of wooden panels where nothing is said of their wood."""
+PANELS = "walnut"
+"""Finish of wooden panels where nothing is said of their wood."""
+
+PANELLED = 9.0
+"""Height [m] of panels where nothing is said of it: up to the ceiling."""
 
 AT_WALL = 0.3
 """Distance [m] of the back of a piece from its wall at most."""
 
 
-def finished(
-    room: Room, room_type: RoomType, palette: Palette, seed: int, text: str = "", colors: Sequence[str] = ()
-) -> Room:
-    """The room with the paint, accent wall, tiles and floor of its palette.
+def finished(room: Room, room_type: RoomType, palette: Palette, seed: int, brief: SceneGraph | None = None) -> Room:
+    """The room with the paint, accent wall, tiles, floor, ceiling and light of its palette.
 
-    ``text`` is the request: "navy walls" and "a red accent wall" are painted so, "an oak floor" is laid. ``colors``
-    are those that it names for the room: where the palette has one of them as its accent, a wall shows it.
+    ``brief`` is the request: what it states of a part of the room is done so, what it says of the look of the whole
+    room comes next. Of the colours that it names for the room one that the palette has as its accent shows on a wall.
     """
-    said = stated_finish(text)
-    usual = floor_for(room_type.name, room_type.floor, seed)
-    tone = said.woods[0] if usual == "wood" and said.woods else palette.floors.get(usual)
-    floor = said.floor or FloorFinish(material=usual, tone=tone)
-    tiles = room_type.tiles
-    kind = accent_for(room_type.name, seed)
-    wall = accent_wall(room)
-    accent = None
-    if said.panelled:
-        color = color_name(finish_named(said.woods[0]).material.color) if said.woods else PANELS
-        accent = WallAccent(kind="panelling", color=said.walls or color, walls=tuple(w.index for w in room.walls))
-    elif said.accent is not None and wall is not None:
-        accent = WallAccent(kind="paint", color=said.accent, walls=(wall,))
-    elif palette.accent in colors and wall is not None and tiles is None and said.walls is None:
-        accent = WallAccent(kind="paint" if kind == "plain" else kind, color=palette.accent, walls=(wall,))
-    elif kind != "plain" and tiles is None and wall is not None and said.walls is None:
-        accent = WallAccent(kind=kind, color=palette.accent, walls=(wall,))
+    brief = brief or SceneGraph(text=" ")
+    look = look_of(brief) or Look(name="", kind="style")
+    said = brief.finish_of
+    walls, every = _walls(said("walls"), look, palette), tuple(wall.index for wall in room.walls)
+    tiles = room_type.tiles if said("panels") is None and walls["walls_of"] in ("plaster", "paper") else None
     finish = RoomFinish(
-        walls=said.walls or palette.walls,
-        floor=floor,
-        accent=accent,
+        **walls,
+        floor=_floor(said("floor"), look, palette, room_type, seed, _woods(brief)),
+        accent=_accent(brief, look, palette, room, room_type, seed, every, tiles is not None),
         tiles=None if tiles is None else WallTiles(color=tile_color(palette), low=tiles[0], high=tiles[1]),
+        ceiling=_ceiling(said("ceiling"), said("beams"), look),
+        trim=look.trim,
+        electric=is_electric(brief),
     )
-    return room.model_copy(update={"finish": finish})
+    update: dict[str, object] = {"finish": finish}
+    if (light := light_of(look)) is not None:
+        update["light"] = light
+    return room.model_copy(update=update)
+
+
+def light_of(look: Look) -> RoomLight | None:
+    """The light that a look asks for; None where it says nothing of it."""
+    said = look.light.model_dump(exclude_none=True)
+    return RoomLight(**said) if said else None
+
+
+def _walls(said: StatedFinish | None, look: Look, palette: Palette) -> dict[str, Any]:
+    """Colour and material of the walls."""
+    own = look.walls.of if look.walls is not None else "plaster"
+    of = "rough plaster" if own == "rough" else own
+    if said is None:
+        return {"walls": palette.walls, "walls_of": of}
+    painted = "paper" if of == "paper" else "plaster"
+    return {"walls": said.color or palette.walls, "walls_of": said.material or (painted if said.color else of)}
+
+
+def _floor(
+    said: StatedFinish | None, look: Look, palette: Palette, room_type: RoomType, seed: int, woods: Sequence[str]
+) -> FloorFinish:
+    if said is not None:
+        return FloorFinish(material=cast("FloorMaterial", said.material or "tile"), tone=said.color)
+    usual = floor_for(room_type.name, room_type.floor, seed)
+    if look.floor is not None and not (room_type.tiles and look.floor.material in ("carpet", "wood")):
+        usual = look.floor.material
+    return FloorFinish(material=usual, tone=woods[0] if usual == "wood" and woods else palette.floors.get(usual))
+
+
+def _woods(brief: SceneGraph) -> list[str]:
+    return [one.color for one in brief.finishes if one.part == "furniture" and one.color]
+
+
+def _accent(
+    brief: SceneGraph,
+    look: Look,
+    palette: Palette,
+    room: Room,
+    room_type: RoomType,
+    seed: int,
+    every: tuple[int, ...],
+    tiled: bool,
+) -> WallAccent | None:
+    """What is done otherwise on some walls, or on all up to some height."""
+    panels, lower, said = (brief.finish_of(part) for part in ("panels", "lower", "accent"))
+    if panels is not None:
+        wood = panels.color or next(iter(_woods(brief)), None) or next(iter(look.woods), PANELS)
+        return WallAccent(kind="panelling", color=wood, walls=every, high=min(panels.high or PANELLED, room.height))
+    if lower is not None and lower.color is not None:
+        return WallAccent(kind="paint", color=lower.color, walls=every, high=lower.high)
+    wall = accent_wall(room)
+    if said is not None and said.color is not None and wall is not None:
+        return WallAccent(kind="paint", color=said.color, walls=(wall,))
+    if brief.finish_of("walls") is not None or tiled:
+        return None
+    if look.panels is not None:
+        return WallAccent(
+            kind="panelling", color=look.panels.color, walls=every, high=min(look.panels.high, room.height)
+        )
+    if look.accent is not None:
+        high = None if look.accent.high is None else min(look.accent.high, room.height)
+        color = brief.colors[0] if brief.colors and palette.accent in brief.colors else look.accent.color
+        return WallAccent(kind=look.accent.kind, color=color, walls=(wall,), high=high) if wall is not None else None
+    kind = accent_for(room_type.name, seed)
+    if wall is None:
+        return None
+    if palette.accent in brief.colors:
+        return WallAccent(kind="paint" if kind == "plain" else kind, color=palette.accent, walls=(wall,))
+    if kind != "plain" and look.walls is None:
+        return WallAccent(kind=kind, color=palette.accent, walls=(wall,))
+    return None
+
+
+def _ceiling(said: StatedFinish | None, beams: StatedFinish | None, look: Look) -> CeilingFinish | None:
+    own = look.ceiling
+    if said is None and beams is None and own is None:
+        return None
+    material = (said and said.material) or (own.of if own is not None and said is None else "plaster")
+    color = (said and said.color) or (own.color if own is not None and said is None else "white")
+    wood = (beams and (beams.color or "dark oak")) or (own.beams if own is not None else None)
+    return CeilingFinish(material=cast("WallMaterial", material), color=color, beams=wood)
 
 
 def accented(scene: Scene) -> Scene:

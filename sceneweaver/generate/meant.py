@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 from sceneweaver.assets.plurals import singular
 from sceneweaver.assets.roles import has_role
 from sceneweaver.assets.taxonomy import category_named, members
@@ -39,8 +41,8 @@ def named_kinds(brief: SceneGraph) -> frozenset[str]:
 
 def decided_kinds(brief: SceneGraph, room_type: RoomType) -> frozenset[str]:
     """The categories of which nothing is added of our own: those that a request names, those that it excludes, and
-    those that do not belong in such a room."""
-    return named_kinds(brief) | excluded_kinds((*brief.without, *room_type.never))
+    those that do not belong in such a room or are not of its time."""
+    return named_kinds(brief) | excluded_kinds((*brief.without, *room_type.never)) | room_type.absent
 
 
 def roles_of(room_type: RoomType, brief: SceneGraph) -> dict[str, tuple[str, ...]]:
@@ -49,6 +51,8 @@ def roles_of(room_type: RoomType, brief: SceneGraph) -> dict[str, tuple[str, ...
     if room_type.for_request:
         return roles_written(room_type, {one.id: _alike(one, room_type, brief) for one in brief.entities}, brief)
     found = {one.id: tuple(item.id for item in room_type.items if meant_by(one, item, brief)) for one in brief.entities}
+    for one in brief.entities:
+        found[one.id] = _with_their_hosts(one, found, room_type, brief)
     taken = {name for items in found.values() for name in items}
     for one in brief.entities:
         if any(room_type.item(name).need == "needed" for name in found[one.id]):
@@ -66,6 +70,35 @@ def roles_of(room_type: RoomType, brief: SceneGraph) -> dict[str, tuple[str, ...
             found[one.id] = (free[0],)
             taken.add(free[0])
     return found
+
+
+def _with_their_hosts(
+    one: Entity, found: Mapping[str, tuple[str, ...]], room_type: RoomType, brief: SceneGraph
+) -> tuple[str, ...]:
+    """Of the items that a thing may stand for those that go with what the request says it is at, if there are any: the
+    chairs of a salon's mirrors are no clerks' chairs."""
+    hosts = {item for r in brief.relations if r.subject == one.id for name in r.targets for item in found.get(name, ())}
+    own = tuple(name for name in found[one.id] if room_type.item(name).with_ in hosts)
+    return own or found[one.id]
+
+
+def desks_spared(room_type: RoomType, brief: SceneGraph, roles: Mapping[str, Sequence[str]]) -> frozenset[str]:
+    """The desks of a room that are not needed, with their seats: a table at which people are said to work or sit takes
+    the place of one where the request names no desk."""
+    if room_type.for_request or any("desk" in e.category for e in brief.entities):
+        return frozenset()
+    taken = {name for items in roles.values() for name in items}
+    desks = [i for i in room_type.items if i.id not in taken and any("desk" in name for name in i.what)]
+    desks = [i for i in desks if all(has_role(name, "seated_at") for name in i.what)]
+    at = {one.target for one in brief.capacities if one.target and not one.own}
+    seats = {e.id for e in brief.entities if has_role(e.category, "upright_seat")}
+    placed = {r.subject for r in brief.relations if r.targets and not r.implied}
+    at |= {t for r in brief.relations if r.subject in seats for t in r.targets}
+    tables = [e for e in brief.entities if has_role(e.category, "seated_at") and (e.id in at or seats - placed)]
+    if not tables:
+        return frozenset()
+    spared = {desk.id for desk in desks}
+    return frozenset(spared | {item.id for item in room_type.items if item.with_ in spared})
 
 
 def _alike(one: Entity, room_type: RoomType, brief: SceneGraph) -> list[Item]:

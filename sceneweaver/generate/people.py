@@ -27,6 +27,9 @@ USUAL_SEATS = {"desk": "office_chair", "bar": "bar_stool", "work": "stool"}
 LOW = {"dining_table": "coffee_table", "round_dining_table": "round_coffee_table"}
 """What a plain table is that has armchairs around it."""
 
+COVERED = 0.85
+"""Share of a wall that things cover which are said to be a whole wall of it."""
+
 STACKS = 3
 """Stacks that there are where the request says how high they are and not how many."""
 
@@ -81,6 +84,7 @@ def with_people(brief: SceneGraph, room_type: RoomType) -> SceneGraph:
             _seats(draft, one)
     for said in brief.arrangements:
         _stacks(draft, said)
+        _full_wall(draft, said)
     return brief.model_copy(update={"entities": tuple(draft.entities), "relations": tuple(draft.relations)})
 
 
@@ -112,6 +116,20 @@ def _stacks(draft: _Draft, said: Arrangement) -> None:
         return
     rows = rows_for(said, entity.category, entity.count[1] if entity.count else 2)
     count = rows * (said.groups or STACKS)
+    draft.change(entity, count=(count, count))
+
+
+def _full_wall(draft: _Draft, said: Arrangement) -> None:
+    """As many things as cover most of a wall of the floor that is asked for, or of a usual one."""
+    entity = next((e for e in draft.entities if e.id == said.entity), None)
+    size = category_named(entity.category).size if entity is not None else None
+    if said.pattern != "wall" or entity is None or size is None or not _vague(entity):
+        return
+    brief = draft.brief
+    area = brief.area or draft.room.area[1]
+    wall = max(brief.size) if brief.size is not None else math.sqrt(1.2 * area)
+    width = entity.size[1] or (size.width[0] + size.width[1]) / 2
+    count = max(2, int(COVERED * wall / width))
     draft.change(entity, count=(count, count))
 
 
@@ -245,7 +263,13 @@ def _seats(draft: _Draft, said: Capacity) -> None:
     """Seats for the people of a room, with the tables that such a room has for them."""
     tables = [e for e in draft.entities if has_role(e.category, "pulled_up_to")]
     elsewhere = [e for e in draft.entities if e.id in {a.entity for a in draft.brief.arrangements} and e not in tables]
-    if len(tables) == 1 and (said.activity == "eat" or elsewhere):
+    desks = any("desk" in e.category for e in draft.entities)
+    seated = [e for e in draft.entities if family(e.category) == "seat" and e.count and e.count[0] == e.count[1]]
+    rest = said.people - sum(e.count[0] for e in seated if e.count)
+    if len(tables) == 1 and seated and rest > 0 and not any(_at(draft, e, tables[0]) for e in seated):
+        _seats_more(draft, said, tables[0], rest)
+        return
+    if len(tables) == 1 and (said.activity == "eat" or elsewhere or (said.activity == "work" and not desks)):
         rest = said.people - sum(e.count[0] for e in elsewhere if e.count and family(e.category) != "seat")
         if rest == said.people or _seats_named(draft, tables[0]) is None:
             _seats_at(draft, said.model_copy(update={"people": max(1, rest)}), tables[0])
@@ -278,6 +302,17 @@ def _seats(draft: _Draft, said: Capacity) -> None:
         return
     each = max(1, seat.count.of(usual, said.people, 0.5))
     _counted(draft, table, host, math.ceil(said.people / each))
+
+
+def _at(draft: _Draft, seat: Entity, table: Entity) -> bool:
+    return any(r.subject == seat.id and table.id in r.targets for r in draft.relations)
+
+
+def _seats_more(draft: _Draft, said: Capacity, table: Entity, people: int) -> None:
+    """Seats at a table for those of whom the request names no seats: two of eight potters work at the table."""
+    seat = draft.add(_seat_for(draft.room, table), people)
+    if seat is not None:
+        _told(draft, seat, table, _place_at(table, said), people, False)
 
 
 def _counted(draft: _Draft, named: Entity | None, item: Item, count: int) -> None:

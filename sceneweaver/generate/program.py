@@ -19,7 +19,7 @@ from sceneweaver.scene import PRIORITIES, InputError, Palette, SceneObject, Zone
 
 from .draft import CRAMMED, groups_of
 from .hanging import OVER, before_window, hanging_height, is_lit_table
-from .meant import decided_kinds, is_plural, loose, matches, may_mean, roles_of, sat_elsewhere
+from .meant import decided_kinds, desks_spared, is_plural, loose, matches, may_mean, roles_of, sat_elsewhere
 from .quantity import SOME, is_detailed, is_plain, is_plain_item, least_of, small_kind
 
 PLENTY = 5
@@ -172,6 +172,7 @@ def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, wi
     shares = _shares(room_type, brief, area, people, roles)
     holders = {i.with_ for i in room_type.items if any(i.id in items for items in roles.values())}
     sat_at = _sat_at_items(brief, roles)
+    spared = desks_spared(room_type, brief, roles)
     skipped, spare = set[str](), set[str]()
     cramped = not room_type.for_request and (brief.scale < 1.0 or area < CRAMPED * room_type.area[1])
     found: list[Demand] = []
@@ -200,6 +201,8 @@ def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, wi
             continue  # in a small bathroom a shower that is asked for takes the place of the tub
         if item.with_ in sat_at and "seating" in groups_of(item.what[0]):
             continue  # the request says what is sat on there
+        if item.id in spared or _seated_already(item, room_type, brief):
+            continue
         if not names and item.with_:
             skipped.add(item.with_)
         if _hangs_at_windows(item) and _something_at_windows(room_type, brief):
@@ -265,13 +268,40 @@ def _shares(
 def _sat_at_items(brief: SceneGraph, roles: Mapping[str, Sequence[str]]) -> frozenset[str]:
     """The items of the room at whose things the request has seats of its own."""
     seats = {e.id for e in brief.entities if "seating" in groups_of(e.category)}
-    at = {
-        name
-        for r in brief.relations
-        if r.subject in seats and r.type in ("around", "along", "at")
-        for name in r.targets
-    }
+    placed = {r.subject for r in brief.relations if r.targets and not r.implied}
+    tables = [e for e in brief.entities if has_role(e.category, "seated_at")]
+    loose_seats = [e for e in brief.entities if has_role(e.category, "upright_seat") and e.id not in placed]
+    beside = {t for r in brief.relations if r.subject in seats for t in r.targets} & {e.id for e in tables}
+    alone = {tables[0].id} if len(tables) == 1 and loose_seats else set[str]()
+    at = (
+        beside
+        | alone
+        | {
+            name
+            for r in brief.relations
+            if r.subject in seats and r.type in ("around", "along", "at")
+            for name in r.targets
+        }
+    )
     return frozenset(item for name in at for item in roles.get(name, ()))
+
+
+ENOUGH_SEATS, ENOUGH_FOR_SOFA = 3, 4
+"""Seats that a request names from which on a room gets none of its own besides, or no sofa."""
+
+
+def _seated_already(item: Item, room_type: RoomType, brief: SceneGraph) -> bool:
+    """Whether seats that nobody asked for would double those that the request names: benches in a waiting room."""
+    if "seating" not in groups_of(item.what[0]):
+        return False
+    host = room_type.item(item.with_) if item.with_ else None
+    if host is not None and any(has_role(name, "seated_at") for name in host.what):
+        return False
+    tables = {e.id for e in brief.entities if has_role(e.category, "seated_at")}
+    at_tables = {r.subject for r in brief.relations if tables & set(r.targets)}
+    seats = [e for e in brief.entities if "seating" in groups_of(e.category) and e.id not in at_tables]
+    named = sum(e.count[0] if e.count else 2 if is_plural(e) else 1 for e in seats)
+    return named >= (ENOUGH_FOR_SOFA if has_role(item.what[0], "sofa") else ENOUGH_SEATS)
 
 
 def _hangs_at_windows(item: Item) -> bool:
@@ -497,7 +527,7 @@ def _wish(demand: Demand, palette: Palette, seed: int) -> tuple[Wish, str | None
             size[2] = asked.size[2]  # a huge lamp is wide; how far it hangs down follows from what is below
     wish = Wish(
         size=(size[0], size[1], size[2]),
-        color=(asked and asked.color) or (item and item.color) or None,
+        color=(asked and asked.color) or look.color or (item and item.color) or None,
         material=look.material or (asked.material if asked else None),
         shape=look.shape,
         parts=look.parts,

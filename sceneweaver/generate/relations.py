@@ -20,6 +20,7 @@ from .hanging import place_along
 from .program import Wanted
 from .run import has_place, run_of
 from .seats import seat_relations
+from .under import set_under
 
 _EDGE = frozenset(("against_wall", "side_against_wall", "in_corner", "at_window"))
 
@@ -306,7 +307,7 @@ def stated_rows(brief: SceneGraph, wanted: Sequence[Wanted]) -> list[Grounded]:
 
 def rows_of(brief: SceneGraph, wanted: Sequence[Wanted]) -> list[Grounded]:
     """What the request states of the objects to be."""
-    return patterned(reconciled(stated_rows(brief, wanted), wanted), brief, wanted)
+    return set_under(patterned(reconciled(stated_rows(brief, wanted), wanted), brief, wanted), wanted)
 
 
 def _made(wanted: Sequence[Wanted]) -> dict[str, list[Thing]]:
@@ -335,7 +336,7 @@ def of_brief(
     """
     made = _made(wanted)
     rows, unsaid = grounded(brief, made)
-    rows = patterned(reconciled(rows, wanted), brief, wanted)
+    rows = set_under(patterned(reconciled(rows, wanted), brief, wanted), wanted)
     rows = [replace(row, hard=False) if row in failed else row for row in rows]
     found: list[Relation] = []
     placed: dict[str, frozenset[str]] = led(brief, wanted)

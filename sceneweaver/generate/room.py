@@ -7,10 +7,9 @@ import random
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from sceneweaver.assets.materials import finish
 from sceneweaver.assets.roles import has_role
 from sceneweaver.knowledge.palettes import Palette as RoomPalette
-from sceneweaver.knowledge.palettes import palette_for
+from sceneweaver.knowledge.palettes import palette_for, unnamed
 from sceneweaver.language import Grounded, SceneGraph
 from sceneweaver.scene import CATALOGUE, Intent, Palette, Pose, Relation, Room, Scene, SceneObject
 from sceneweaver.scene.palette import MOST_COLORS
@@ -21,6 +20,7 @@ from .finish import finished
 from .fit import POOR, fitted
 from .free_floor import agreeing, free_areas_of, kept_free, people_of
 from .hanging import hung_between, lamp_count
+from .look import look_of
 from .program import BY_RANK, Limits, Program, Wanted, build, demands, free_zones
 from .relations import of_brief, of_items, rows_of, stated_rows
 from .rooms import larger_rooms, may_hold, other_rooms, same_walls, walls_hold
@@ -30,11 +30,10 @@ from .seats import lengthened
 from .setup import Proposal, Setup
 from .shell import floor_area, shell
 from .stacks import stacked
-from .stated_finish import stated_finish
 from .stated_lengths import with_stated_lengths
-from .stated_states import with_stated_states
+from .stated_states import with_stated_looks, with_stated_states
 from .supports import Places, laid, supported
-from .under import below_windows, with_room_below
+from .under import below_windows, with_room_below, without_company
 
 FILL = {"sparse": 0.73, "normal": 1.0, "full": 1.21}
 """Share of what a kind of room usually has under furniture up to which more is put in."""
@@ -123,11 +122,14 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
         least = max(least, room.area_per_person * people)
     floor = _Floor(area if given else min(area * roomier, most), people, given, shrinks, least)
     style = brief.style or style or random.Random(seed ^ 0x57).choice(room.styles)
-    look = palette_for(room.name, style, brief.colors, seed)
-    woods = [name for name in stated_finish(brief.text).woods if finish(name).family == "wood"]
+    wanted = look_of(brief)
+    style = (wanted and wanted.style) or style
+    look = palette_for(room.name, style, brief.colors, seed, wanted)
+    woods = [said.color for said in brief.finishes if said.part == "furniture" and said.color]
     if woods:
         look = look.model_copy(update={"woods": tuple(woods[:2])})
-    palette = kept(look, style, seed)
+    avoid = (*(wanted.avoid if wanted is not None else ()), *unnamed(brief.colors))
+    palette = kept(look, style, seed, tuple(dict.fromkeys(avoid)))
 
     made = _shelled(setup, floor, palette, roomier, hurried)
     smallest: tuple[float, _Attempt] | None = None
@@ -151,7 +153,7 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
         floor.area *= GROWTH
         made = _shelled(setup, floor, palette, roomier, hurried)
 
-    space = finished(made.space, room, look, seed, brief.text, brief.colors)
+    space = finished(made.space, room, look, seed, brief)
     scene, unmet = _scene(setup, space, made, palette, people)
     rooms, larger = ([], []) if hurried() else _alternatives(setup, floor, made, space, scene)
     notes += made.remarks + made.program.notes
@@ -162,8 +164,8 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
     return Proposal(
         scene=scene,
         variants=tuple(tuple(agreeing(variant, scene.free_areas)) for variant in made.variants),
-        rooms=tuple(finished(r, room, look, seed, brief.text, brief.colors) for r in rooms[:ROOMS]),
-        larger=tuple(finished(r, room, look, seed, brief.text, brief.colors) for r in larger),
+        rooms=tuple(finished(r, room, look, seed, brief) for r in rooms[:ROOMS]),
+        larger=tuple(finished(r, room, look, seed, brief) for r in larger),
         fresh=True,
         notes=tuple(notes),
         unmet=(*unmet, *made.places.unmet, *_missing(brief, made.program)),
@@ -204,7 +206,9 @@ def _furnished(setup: Setup, made: _Attempt, palette: Palette) -> None:
     hung(brief, program.wanted)
     program.wanted = _not_before_windows(program.wanted, rows_of(brief, program.wanted))
     below_windows(brief, program.wanted, made.space)
-    with_room_below(stated_rows(brief, program.wanted), program.wanted, setup.library)
+    stated = stated_rows(brief, program.wanted)
+    with_room_below(stated, program.wanted, setup.library)
+    program.wanted = without_company(program.wanted, stated)
     rows = rows_of(brief, program.wanted)
     if lengthened(program, rows, setup.library, brief):
         rows = rows_of(brief, program.wanted)  # more seats may be told of a longer table
@@ -234,7 +238,7 @@ def _alternatives(
     return others, larger
 
 
-def kept(look: RoomPalette, style: str, seed: int) -> Palette:
+def kept(look: RoomPalette, style: str, seed: int, avoid: Sequence[str] = ()) -> Palette:
     """A palette in a style as a scene keeps it."""
     return Palette(
         name=look.name,
@@ -243,6 +247,7 @@ def kept(look: RoomPalette, style: str, seed: int) -> Palette:
         paints=look.paints,
         metals=look.metals,
         textiles=look.textiles[:MOST_COLORS],
+        avoid=tuple(avoid),
         seed=seed,
     )
 
@@ -336,6 +341,7 @@ def _program(setup: Setup, space: Room, area: float, people: int, palette: Palet
     limits = Limits(max(area - kept_free(brief), 0.5 * area), fill, walls, WALLED * walls)
     program = build(wishes, room, setup.library, limits, setup.seed, palette, pane, space.height)
     with_stated_lengths(program.wanted, brief, space.height, setup.library)
+    with_stated_looks(program.wanted, brief, setup.library)
     with_stated_states(program.wanted, brief, space.windows, setup.library)
     return program
 

@@ -1,14 +1,15 @@
-"""States that a request tells of things, in a program of them: their bodies are drawn in the posture that shows it."""
+"""States and looks that a request tells of some things, or of parts of them: their bodies are drawn so."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
 from sceneweaver.assets import Library
 from sceneweaver.assets.states import State
 from sceneweaver.language import Attribute, SceneGraph
-from sceneweaver.language.told_states import posture_as_told, state_as_told
+from sceneweaver.language.told_states import detail_as_told, posture_as_told, state_as_told
 from sceneweaver.scene import Window
 
 from .program import Wanted
@@ -41,6 +42,37 @@ def with_stated_states(
                     done.add(one.id)
 
 
+def with_stated_looks(wanted: Sequence[Wanted], brief: SceneGraph, library: Library) -> None:
+    """Gives things bodies in the colours and materials that are said of some of them, or of parts of them.
+
+    Args:
+        wanted: the things; the bodies of those of which this is said change.
+        brief: the request.
+        library: where bodies are from.
+    """
+    for asked in brief.entities:
+        things = [one for one in wanted if one.asked == asked.id and one.wish is not None]
+        parts = tuple(detail for told in asked.attributes if (detail := detail_as_told(told)) is not None)
+        for one in things if parts else ():
+            _drawn(one, library, details=parts)
+        start = 0
+        counted = [told for told in asked.attributes if told.count is not None and told.kind in ("color", "material")]
+        for k, told in enumerate(counted):
+            another = k > 0 and told.span == counted[k - 1].span and told.kind != counted[k - 1].kind
+            start = start - (counted[k - 1].count or (0, 0))[1] if another else start
+            for one in things[start : start + (told.count or (0, 0))[1]]:
+                _drawn(one, library, **{told.kind: told.value})
+            start += (told.count or (0, 0))[1]
+
+
+def _drawn(one: Wanted, library: Library, **look: Any) -> None:
+    """Another body of the same size with a look."""
+    assert one.wish is not None
+    depth, width, height = (round(side, 4) for side in one.asset.size)
+    one.wish = replace(one.wish, size=(depth, width, height), beyond=True, **look)
+    one.asset = library.choose(one.category, 1, one.wish)[0]
+
+
 def _change(one: Wanted, told: Attribute, state: State, windows: Sequence[Window], library: Library) -> bool:
     if one.wish is None:
         return False
@@ -55,4 +87,4 @@ def _change(one: Wanted, told: Attribute, state: State, windows: Sequence[Window
     return True
 
 
-__all__ = ["with_stated_states"]
+__all__ = ["with_stated_looks", "with_stated_states"]

@@ -211,6 +211,9 @@ class RoomType(FrozenModel):
         default=None, description="Group of palettes.yaml whose palettes it takes; None: the one that lists it"
     )
     never: tuple[str, ...] = Field(default=(), description="Categories, or groups of them, that do not belong in it")
+    absent: frozenset[str] = Field(
+        default=frozenset(), description="Categories that the look or the time of a request does not have"
+    )
     things: tuple[str, ...] = Field(
         default=(), description="Groups of small_things.yaml whose small things belong in it, beside those that list it"
     )

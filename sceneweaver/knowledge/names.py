@@ -49,8 +49,11 @@ def room_of_part(words: str) -> str | None:
 
 
 def _word_by_word(asked: str, known: str) -> bool:
-    """Whether each word is a misspelling of its counterpart: a "boiler room" is no "toilet room"."""
+    """Whether each word is a misspelling of its counterpart: a "boiler room" is no "toilet room".
+
+    Hardly anybody misspells the first letter: a "visiting room" is no "sitting room"."""
     mine, theirs = asked.split(), known.split()
     return len(mine) != len(theirs) or all(
-        difflib.SequenceMatcher(None, a, b).ratio() >= 0.75 for a, b in zip(mine, theirs, strict=True)
+        a[:1] == b[:1] and difflib.SequenceMatcher(None, a, b).ratio() >= 0.75
+        for a, b in zip(mine, theirs, strict=True)
     )

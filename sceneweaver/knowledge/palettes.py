@@ -11,10 +11,11 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from sceneweaver.assets.materials import color_named, shade
+from sceneweaver.assets.materials import color_named, hue, shade
 from sceneweaver.scene.base import FrozenModel
 
 from .load import data_of, room_types
+from .looks import Look
 
 FloorMaterial = Literal["wood", "tile", "carpet", "concrete", "stone"]
 AccentKind = Literal["plain", "paint", "paper", "panelling"]
@@ -61,7 +62,9 @@ def groups_of(room: str) -> tuple[str, ...]:
     return tuple(name for name, rooms in _data()["kinds"].items() if room in rooms) or (FALLBACK,)
 
 
-def palette_for(room: str, style: str | None = None, colors: Sequence[str] = (), seed: int = 0) -> Palette:
+def palette_for(
+    room: str, style: str | None = None, colors: Sequence[str] = (), seed: int = 0, look: Look | None = None
+) -> Palette:
     """The palette of a room.
 
     Args:
@@ -70,6 +73,7 @@ def palette_for(room: str, style: str | None = None, colors: Sequence[str] = (),
         colors: colours that the request names for the room. They win: the palette that comes nearest is taken, pale
             ones are painted on the walls, others on the accent wall, and textiles have all of them.
         seed: draws among the palettes that suit.
+        look: what the request says of the look of the room; it outranks all but ``colors``.
     """
     known = palettes().values()
     groups = set(groups_of(room))
@@ -83,7 +87,30 @@ def palette_for(room: str, style: str | None = None, colors: Sequence[str] = (),
         most = max(len(basics & _basics(p)) for p in fitting)
         fitting = [p for p in fitting if len(basics & _basics(p)) == most]
     chosen = random.Random(f"palette {room} {seed}").choice(fitting)
-    return _with(chosen, wanted, metals)
+    return _with(chosen if look is None else dressed(chosen, look), wanted, metals)
+
+
+def dressed(palette: Palette, look: Look) -> Palette:
+    """The palette as a look has it, as far as that says anything."""
+    update: dict[str, object] = {
+        key: value for key in ("woods", "paints", "metals", "textiles") if (value := getattr(look, key))
+    }
+    if look.walls is not None and look.walls.color is not None:
+        update["walls"] = look.walls.color
+    if look.accent is not None:
+        update["accent"] = look.accent.color
+    if look.floor is not None and look.floor.tone is not None:
+        update["floors"] = {**palette.floors, look.floor.material: look.floor.tone}
+    return palette.model_copy(update=update)
+
+
+def unnamed(colors: Sequence[str]) -> tuple[str, ...]:
+    """The finishes that would fight with a scheme of several colours which a request names; none for one colour."""
+    if len(colors) < 2:
+        return ()
+    named = {color_named(c) for c in colors if _is_color(c)}
+    rows: Mapping[str, Sequence[str]] = _data()["fighting"]
+    return tuple(name for color, names in rows.items() if color not in named for name in names)
 
 
 def accent_for(room: str, seed: int) -> AccentKind:
@@ -106,8 +133,12 @@ def _with(palette: Palette, colors: Sequence[str], metals: Sequence[str]) -> Pal
         update["walls"] = pale[0]
     if strong:
         update["accent"] = strong[0]
+    if len(colors) + len(metals) > 1:  # a scheme: walls and painted furniture are of it as well
+        update["walls"] = (pale or strong or [palette.walls])[0]
+        update["paints"] = tuple(f"{color} paint" for color in (*pale, *strong)[:2]) or palette.paints
     if colors:
         own = [t for t in palette.textiles if color_named(t) not in {color_named(c) for c in colors}]
+        own = [t for t in own if hue(color_named(t)) is None]  # a hue that nobody named would fight with those
         update["textiles"] = tuple([*dict.fromkeys(colors), *own][: max(HUES, len(colors))])
     if metals:
         update["metals"] = tuple(dict.fromkeys(metals))[:2]

@@ -11,6 +11,8 @@ from .model import Entity as Entity
 from .model import Exclusion as Exclusion
 from .model import SceneGraph as SceneGraph
 from .model import Span as Span
+from .model import StatedFinish as StatedFinish
+from .model import StatedLook as StatedLook
 from .model import StatedMeasure as StatedMeasure
 from .model import StatedRelation as StatedRelation
 from .model import Unread as Unread
@@ -25,6 +27,8 @@ __all__ = [
     "Meaning",
     "SceneGraph",
     "Span",
+    "StatedFinish",
+    "StatedLook",
     "StatedMeasure",
     "StatedRelation",
     "Thing",

@@ -154,6 +154,8 @@ def _pronoun(scan: Scan, token: Token, after: Token | None) -> bool:
         and not after.has(*CLOSED)
         and not (after.has("verb") and is_verb(scan, scan.at + 1, seen_noun=True))
     )
+    if token.text == "each of":
+        return False
     if token.text in EACH and after is not None and _one_of_several(scan, token, after):
         return False
     of_station = token.text in EACH and after is not None and singular(after.text) in words("nouns")["stations"]

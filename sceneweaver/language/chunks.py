@@ -74,6 +74,8 @@ class NounPhrase:
     """Whether it is counted in pairs: "a pair of"."""
     both: bool = False
     """Whether it is "both" of two."""
+    of_group: bool = False
+    """Whether it is each of a group, with the number of the group: "each of the five benches"."""
     qualities: list[Token] = field(default_factory=list)
     length: float | None = None
     sides: tuple[float, ...] | None = None

@@ -10,7 +10,7 @@ from sceneweaver.assets.taxonomy import category_named
 from .chunks import Chunk, NounPhrase
 from .distribution import each_next, every_so_many, listed_before, stands_for_each, stations
 from .exclusions import excluded, only_chunk, without_chunk
-from .items import close_surface, name_nothing, open_surface
+from .items import begin_clause, close_surface, give_target, name_nothing, name_things, open_surface
 from .nearness import meant_of_list
 from .parsed import Mention, Parsed
 from .pronouns import is_one_of_quality, number_phrase, pronoun_phrase
@@ -28,6 +28,7 @@ from .room_phrases import (
 from .shares import share_total
 from .source import Source
 from .state import Frame, State, Waiting
+from .stations import names_stations, new_stations, station_group
 from .things import describe, give_length, give_sides, singular
 from .tokens import Token
 from .verbs import open_ends, verb_chunk, with_chunk
@@ -214,6 +215,11 @@ def _noun(state: State, chunk: Chunk) -> None:
     state.every = every_so_many(phrase)
     if state.every > 1 and not (state.waiting is not None and state.waiting.place.type == "between"):
         state.out.referred.append(state.span_of(phrase))
+    if names_stations(state, phrase):
+        name_things(state, [new_stations(state, phrase)], phrase, True)
+        return
+    if stands_for_each(state, phrase) and _tells_of_stations(state, phrase, chunk):
+        return
     if stands_for_each(state, phrase) and state.refs.known(phrase, True, []) is None and (group := stations(state)):
         state.refer(phrase)
         phrase.what, phrase.value, phrase.text, phrase.of = "thing", None, group.noun, None
@@ -225,7 +231,31 @@ def _noun(state: State, chunk: Chunk) -> None:
         place = replace(waiting.place, words=f"{waiting.place.words} the {phrase.text} through")
         state.waiting = replace(waiting, place=place)  # "a bench that looks out over the garden"
         phrase.what, phrase.value = "place", "window"
+    hangs = waiting is not None and waiting.place.type == "hanging_from" and phrase.what != "place"
+    if hangs and phrase.text in words("relations")["overhead"] and not _is_named(state, phrase):
+        phrase.what, phrase.value = "place", "ceiling"
     _PHRASES[phrase.what](state, phrase, chunk)
+
+
+def _is_named(state: State, phrase: NounPhrase) -> bool:
+    """Whether a thing of that name is there: a bar of a pub is no bar overhead."""
+    return any(phrase.text in (m.noun, f"{m.noun}s") for m in state.out.mentions)
+
+
+def _tells_of_stations(state: State, phrase: NounPhrase, chunk: Chunk) -> bool:
+    """Whether "each place" means places that are no things; what comes next is each one's then."""
+    if state.refs.known(phrase, True, []) is not None or (not state.out.stations and stations(state) is not None):
+        return False
+    group = station_group(state)
+    if group is None:
+        return False
+    state.refer(phrase)
+    if state.waiting is not None:
+        give_target(state, state.waiting, [group], phrase, False)
+        return True
+    begin_clause(state, [group], state.glue)
+    state.each, state.glue = group, ""
+    return True
 
 
 def _place(state: State, chunk: Chunk) -> None:

@@ -84,7 +84,16 @@ def _marked(graph: SceneGraph, spans: Iterable[Span | None]) -> bytearray:
 
 def _spans(graph: SceneGraph) -> Iterable[Span]:
     """Where everything that was read stands, but for the noun phrases of things."""
-    rows = (graph.relations, graph.exclusions, graph.openings, graph.free_areas, graph.capacities, graph.amounts)
+    rows = (
+        graph.relations,
+        graph.exclusions,
+        graph.openings,
+        graph.free_areas,
+        graph.capacities,
+        graph.amounts,
+        graph.looks,
+        graph.finishes,
+    )
     for row in (item for several in (*rows, graph.arrangements, graph.measures, graph.unread) for item in several):
         if row.span is not None:
             yield row.span

@@ -62,6 +62,16 @@ def _counted_out(state: State, mention: Mention, owner: Mention) -> Mention:
     return mention
 
 
+def at_each_place(mentions: list[Mention], place: str) -> None:
+    """ "In each corner a plant": four of a rectangle's corners and walls, as many of its windows as are told."""
+    for mention in mentions:
+        if place in ("window", "door"):
+            mention.per_place = place
+        elif place in ("corner", "wall"):
+            low, high = mention.count or (1, 1)
+            mention.count = (4 * low, 4 * high)
+
+
 def count_out_again(state: State, owner: Mention, count: tuple[int, int]) -> None:
     """ "One chair per desk, six desks": how many there are of what was named by "each" alone."""
     owner.count, owner.uncounted = count, False
@@ -171,7 +181,7 @@ def _rather(subjects: list[Mention], one: Mention, other: Mention) -> bool:
 
 def every_so_many(phrase: NounPhrase) -> int:
     """2 for "every second chair" and "every two chairs", which the phrase then says no more; 1 for every single one."""
-    if phrase.determiner not in EACH:
+    if phrase.determiner not in EACH or phrase.of_group:
         return 1
     if phrase.count is not None and phrase.count[0] == phrase.count[1] > 1:
         many, phrase.count = phrase.count[0], None

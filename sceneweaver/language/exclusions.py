@@ -14,7 +14,7 @@ from .region_phrases import thing_phrase
 from .state import State
 from .things import match_of, name_of
 from .unwanted import is_class, kinds_unwanted
-from .vocabulary import category_of, words
+from .vocabulary import category_of, group_rows, words
 
 FEW = 12
 """Kinds of a known thing that are ruled out with it."""
@@ -79,13 +79,13 @@ def _is_elsewhere(state: State, phrase: NounPhrase) -> bool:
 
 def _leave_out(state: State, phrase: NounPhrase) -> None:
     """The categories, or groups of them, that a noun phrase rules out."""
-    span, groups = state.span_of(phrase), words("groups")
+    span = state.span_of(phrase)
     if phrase.what in ("group", "abstract", "collective", "matter") and is_class(phrase.text):
         state.out.without.append((phrase.text, kinds_unwanted(phrase.text), span))
     elif phrase.what == "place":
         state.out.openings[str(phrase.value)] = 0
     elif phrase.what == "group":
-        things = groups["groups"][phrase.value]["things"]
+        things = group_rows()[phrase.value]["things"]
         state.out.without += [(phrase.text, (category_of(name),), span) for name in things]
     elif phrase.what in ("thing", "part") and (names := excluded_names(phrase)):
         state.out.without.append((phrase.text, names, span))

@@ -20,6 +20,7 @@ from .parsed import Barred, Left, Mention, Parsed, Said
 from .source import Source
 from .statements.counts import bounded_counts, peopled, told_apart
 from .statements.resolve import resolved
+from .stations import settle_stations
 from .vocabulary import words
 
 MOST = 400
@@ -37,6 +38,7 @@ _SIDES = ("left_of", "right_of", "next_to", "in_front_of", "behind", "near", "fl
 def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     """The graph of a request; notes say what was left out."""
     notes = parsed.notes
+    settle_stations(parsed)
     tell_each(parsed)
     split_mutual(parsed)
     mentions = _first(_without_contradictions(parsed), parsed)
@@ -74,6 +76,8 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         height=source.height,
         scale=parsed.room_scale,
         for_whom=tuple(dict.fromkeys(parsed.for_whom)),
+        finishes=tuple(said.model_copy(update={"id": f"finish-{k}"}) for k, said in enumerate(parsed.finishes)),
+        looks=tuple(look.model_copy(update={"id": f"look-{k}"}) for k, look in enumerate(parsed.looks)),
         colors=tuple(dict.fromkeys(parsed.colors)),
         windows=parsed.openings.get("window"),
         doors=parsed.openings.get("door"),
@@ -259,7 +263,7 @@ def _entity(mention: Mention, notes: list[str]) -> Entity:
             )
     seen: dict[tuple[str, str], Attribute] = {}
     for attribute in mention.attributes:
-        seen.setdefault((attribute.kind, attribute.words), attribute)
+        seen.setdefault((attribute.kind, f"{attribute.words}{attribute.count or ''}"), attribute)
     given: dict[str, Any] = {name: getattr(mention, name) for name in Entity.model_fields}
     given["attributes"] = [a.model_copy(update={"id": f"{mention.id}/{k}"}) for k, a in enumerate(seen.values())]
     given |= {"count": count, "words": tuple(dict.fromkeys(mention.words)), "unnamed": tuple(mention.unnamed)}

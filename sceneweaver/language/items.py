@@ -6,9 +6,9 @@ from dataclasses import replace
 from typing import Any
 
 from .chunks import NounPhrase
-from .distribution import distributed, is_each, over_each, share_in, speaks_of_both
+from .distribution import at_each_place, distributed, is_each, over_each, share_in, speaks_of_both
 from .parsed import Mention, Said
-from .relating import relate, relate_to_owner, say, support_kind
+from .relating import relate, relate_to_owner, say, seen_before, support_kind
 from .state import Frame, Fronted, State, Waiting
 from .things import MANY
 from .vocabulary import Place
@@ -25,7 +25,8 @@ def name_things(state: State, mentions: list[Mention], phrase: NounPhrase, new: 
     has_verb = state.verb_follows(state.at)
     bound = glue in ("and", "or", "comma and")
     more = not new or (state.done and not state.frames and glue == "and")
-    if bound and more and state.last_target is not None and not has_verb:
+    apart = new and state.placed_next(state.at)  # "faces the fire and there is a lamp behind it"
+    if bound and more and state.last_target is not None and not has_verb and not apart:
         last, _ = state.last_target  # "next to the bed and the door"
         bind_target(state, replace(last, first=None), tuple(mentions))
         return
@@ -71,8 +72,10 @@ def begin_clause(state: State, mentions: list[Mention], glue: str, keep: bool = 
 def _over_fronted(state: State, fronted: list[Fronted], mentions: list[Mention]) -> list[Mention]:
     """Things after "at every desk" counted out over the desks."""
     for place, targets, _ in fronted:
-        if place.over_each:
+        if place.over_each and isinstance(targets[0], Mention):
             mentions = distributed(state, mentions, targets[0])
+        elif place.over_each:
+            at_each_place(mentions, targets[0])
     return mentions
 
 
@@ -117,6 +120,8 @@ def _coordinate(state: State, mentions: list[Mention], phrase: NounPhrase, glue:
 def _inner_list_goes_on(state: State, mentions: list[Mention], phrase: NounPhrase) -> bool:
     """Whether a comma does not end an inner list: small things after small things that something holds."""
     inner, outer = state.frames[-1], state.frames[0].kind
+    if inner.kind == "with" and inner.each and not inner.closed and _list_ends_with_and(state):
+        return True  # "each with a chair, a trolley and a lamp"
     if state.placed_next(state.at) or not all(m.mount == "surface" for m in mentions):
         return False
     held = inner.kind == "verb" and inner.type in ("on", "inside")
@@ -135,6 +140,16 @@ def _inner_list_goes_on(state: State, mentions: list[Mention], phrase: NounPhras
     return (held and outer == "with") or (inner.kind == "with" and first.count is not None)
 
 
+def _list_ends_with_and(state: State) -> bool:
+    """Whether the list that goes on here has its last item after "and", and nothing says where that is."""
+    for k, chunk in enumerate(state.chunks[state.at : state.at + 14], start=state.at):
+        if chunk.kind == "and":
+            return state.noun_next(k + 1 - state.at) and not state.placed_next(k + 2)
+        if chunk.kind not in ("comma", "noun", "adjective"):
+            return False
+    return False
+
+
 def _add_item(state: State, mentions: list[Mention], phrase: NounPhrase) -> None:
     """What is named in an open list."""
     frame = state.frames[-1]
@@ -147,6 +162,7 @@ def _add_item(state: State, mentions: list[Mention], phrase: NounPhrase) -> None
     if frame.items:
         state.previous = list(frame.items[-1:])
     frame.items += mentions
+    frame.closed = frame.closed or (state.joined == "and" and len(frame.items) > len(mentions))
     if phrase.count is not None:
         frame.numbered += [m.noun for m in mentions]
     state.head, state.glue, state.head_related = list(mentions), "", False
@@ -196,6 +212,8 @@ def give_target(state: State, waiting: Waiting, mentions: list[Mention], phrase:
     state.waiting = None
     if state.each is not None and new and waiting.subjects:
         mentions = distributed(state, mentions, state.each)
+    if phrase.what == "pronoun" and len(mentions) == 1:
+        mentions = [seen_before(state, waiting.place, mentions[0])]
     targets: tuple[Any, ...] = tuple(mentions)
     if between:
         targets = (waiting.first, mentions[0]) if waiting.first is not None else (mentions[0], mentions[-1])
@@ -244,6 +262,8 @@ def bind_target(state: State, waiting: Waiting, targets: tuple[Any, ...], each: 
     place = over_each(place) if each and state.every == 1 else place
     if subjects is None:
         state.fronted.append((place, targets, waiting.chunk))
+        if isinstance(target, Mention) and place.type in ("above", "below", "on", "inside"):
+            state.fronted_it = [target]  # "on the desk a lamp, under it a bin"
         return
     if isinstance(target, Mention) and len(targets) == 1:
         subjects = _each_with_its_own(state, subjects, target, waiting, each)
@@ -286,6 +306,8 @@ def name_nothing(state: State) -> None:
         state.head = []
         if state.glue in ("start", "while") or state.verb_follows(state.at):
             state.subject, state.fronted = [], []
+        elif state.placed_next(state.at) and not state.frames:  # what it is said of is not what was named before
+            state.subject = []
     state.lost = True
     state.glue = ""
 

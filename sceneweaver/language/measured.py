@@ -37,14 +37,20 @@ def measured(parsed: Parsed, mentions: Sequence[Mention], text: str) -> list[tup
 
 
 def give_states(parsed: Parsed, mentions: Sequence[Mention], text: str) -> None:
-    """States become attributes of the things that they are said of; those of none are not understood."""
-    for told in parsed.states:
+    """States and looks become attributes of the things that they are said of; those of none are not understood."""
+    for told in (*parsed.states, *parsed.looks):
         assert isinstance(told.what, Attribute)
         mention = named_by(told, mentions, text)
         if mention is None:
             parsed.unread.append(Left(told.what.words, span=told.what.span))
-        else:
-            mention.attributes.append(told.what)
+            continue
+        mention.attributes.append(told.what)
+        if told.what.count is None and told.what.kind == "color":
+            mention.color = mention.color or told.what.value
+        elif told.what.count is None and told.what.kind == "material":
+            mention.material = mention.material or told.what.value
+        elif told.what.kind == "finish":
+            mention.words.append(told.what.words)
 
 
 def worktop_categories() -> frozenset[str]:

@@ -220,7 +220,8 @@ class Arrangement(FrozenModel):
     numbers at opposite sides of what they are ``around`` (or all four: front, back, left, right), or of an aisle where
     nothing is said; of ``walls`` at either of the walls named by ``around``. ``between`` has one of them in each gap of
     what they are ``around``. At a ``right_angle`` stand two of a kind, or one of it and
-    ``others``. Seats are ``outside`` or ``inside`` of a U of tables.
+    ``others``. Seats are ``outside`` or ``inside`` of a U of tables. A ``wall`` of things is a
+    row over most of one.
     """
 
     id: str = ""
@@ -244,6 +245,7 @@ class Arrangement(FrozenModel):
         "end_to_end",
         "outside",
         "inside",
+        "wall",
     ]
     others: tuple[str, ...] = Field(default=(), description="What else takes part: entities, by id")
     rows: int | None = Field(default=None, description="One behind the other; of a stack: one on the other")
@@ -268,6 +270,29 @@ class Amount(FrozenModel):
     entity: str
     spread: Literal["many", "everywhere", "surfaces", "floor", "walls"]
     least: int | None = Field(default=None, description="At least so many, where that is told")
+    words: str = ""
+    span: Span | None = None
+
+
+class StatedFinish(FrozenModel):
+    """What a part of the room is finished in. Of walls in two colours the lower one is ``lower``."""
+
+    id: str = ""
+    part: Literal["walls", "accent", "lower", "panels", "floor", "ceiling", "beams", "furniture"]
+    material: str | None = Field(default=None, description="As `scene.RoomFinish` names it")
+    color: str | None = Field(default=None, description="A colour, or a finish of wood")
+    high: float | None = Field(default=None, description="Up to which height [m]")
+    words: str = ""
+    span: Span | None = None
+
+
+class StatedLook(FrozenModel):
+    """How the whole room looks: a row of `sceneweaver.knowledge.looks`, by its name."""
+
+    id: str = ""
+    name: str = Field(description="Of the row; empty where only the last year is said")
+    years: tuple[int, int] | None = Field(default=None, description="First and last year of the time that is meant")
+    color: str | None = Field(default=None, description="Colour of the light that is named")
     words: str = ""
     span: Span | None = None
 
@@ -334,6 +359,10 @@ class SceneGraph(FrozenModel):
     people: int | None = None
     for_whom: tuple[str, ...] = Field(default=(), description="child, teenager, couple, guest ... as it was written")
     style: str | None = None
+    looks: tuple[StatedLook, ...] = Field(default=(), description="Styles, times, themes, moods and light of the room")
+    finishes: tuple[StatedFinish, ...] = Field(
+        default=(), description="What walls, floor and ceiling are said to be of"
+    )
     colors: tuple[str, ...] = ()
     windows: int | None = None
     doors: int | None = None
@@ -355,6 +384,16 @@ class SceneGraph(FrozenModel):
     def without(self) -> tuple[str, ...]:
         """Categories or groups that must be nowhere in the room."""
         return tuple(dict.fromkeys(c for e in self.exclusions if e.relation is None for c in e.categories))
+
+    def finish_of(self, part: str) -> StatedFinish | None:
+        """What is said of a part of the room."""
+        return next((one for one in self.finishes if one.part == part), None)
+
+    @property
+    def year(self) -> int | None:
+        """The last year of the time that the room is of; None where it is of today."""
+        years = [look.years[1] for look in self.looks if look.years is not None]
+        return min(years, default=None)
 
     def entity(self, name: str) -> Entity | None:
         """The entity of that id; None for a place."""

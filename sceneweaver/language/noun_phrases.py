@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from .chunks import CLOSED, OPEN, QUALITIES, NounPhrase, bounded, nominal
 from .nothings import is_word
-from .scan import Scan, is_verb
+from .scan import Scan, is_name_of_one, is_verb
 from .tokens import Token, looks_adjective
 from .vocabulary import words
 
@@ -70,6 +71,8 @@ def _determine(phrase: NounPhrase, token: Token) -> None:
         phrase.determiner = "the"
     if token.has("both", "rest"):
         phrase.value = token.text
+    if token.text == "each of":
+        phrase.of_group = True
     if token.has("both"):
         phrase.count, phrase.both = (2, 2), True
     if token.text in ("one of which", "one of them", "another", "one more", "a second"):
@@ -93,6 +96,8 @@ def _run_ends(scan: Scan, k: int, run: list[Token], phrase: NounPhrase, named: b
     more = after is not None and bool(run) and after.has(*QUALITIES) and run[-1].has(*QUALITIES)
     if token.text in ("to", "for"):
         return True
+    if seen and is_name_of_one(scan, k):
+        return False
     if token.has("break"):  # "a large, comfortable sofa"
         return token.text != "," or seen or not (more and _nominal_ahead(scan, k + 1))
     if token.has("and"):  # "a red and white rug"
@@ -169,7 +174,8 @@ def noun_phrase(scan: Scan) -> bool:
     run: list[Token] = []
     named = False
     while k < len(scan.tokens) and not _run_ends(scan, k, run, phrase, named):
-        run.append(scan.tokens[k])
+        token = scan.tokens[k]
+        run.append(replace(token, kinds={}) if run and is_name_of_one(scan, k) else token)
         named = named or (nominal(run[-1]) and not run[-1].has("material", "color"))
         k += 1
     while run and not nominal(run[-1]) and any(nominal(t) for t in run):
@@ -266,7 +272,8 @@ def _kind(scan: Scan, head: Token, phrase: NounPhrase, start: int) -> tuple[str,
         placed = before is not None and before.has("preposition") and before.text not in ("in", "inside", "within")
         if not noun or not (placed or {"thing", "group"} & scan.named):
             return "room", head.get("room")
-    if head.has("parts") and not (noun and (before is None or before.text == ".")):
+    holds = before is not None and before.text in ("on", "from") and head.text in words("nouns")["holders"]
+    if head.has("parts") and not (noun and (holds or before is None or before.text == ".")):
         return "part", head.text
     if noun and not (head.has("abstract") and not phrase.determiner and phrase.count is None):
         return "thing", head.get("noun")

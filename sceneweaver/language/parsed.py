@@ -8,7 +8,19 @@ from typing import Any, Self
 
 from sceneweaver.assets.roles import has_role
 
-from .model import Amount, Arrangement, Attribute, Capacity, Exclusion, FreeArea, Span, StatedMeasure, StatedOpening
+from .model import (
+    Amount,
+    Arrangement,
+    Attribute,
+    Capacity,
+    Exclusion,
+    FreeArea,
+    Span,
+    StatedFinish,
+    StatedLook,
+    StatedMeasure,
+    StatedOpening,
+)
 from .vocabulary import family, mounts
 
 
@@ -154,6 +166,7 @@ class Parsed:
     capacities: list[Capacity] = field(default_factory=list)
     arrangements: list[Arrangement] = field(default_factory=list)
     amounts: list[Amount] = field(default_factory=list)
+    looks: list[Told] = field(default_factory=list)
     states: list[Told] = field(default_factory=list)
     measures: list[Told] = field(default_factory=list)
     bounds: list[tuple[tuple[str, ...], int, int]] = field(default_factory=list)
@@ -167,6 +180,8 @@ class Parsed:
     room_scale: float = 1.0
     shape: str | None = None
     style: str | None = None
+    looks: list[StatedLook] = field(default_factory=list)
+    finishes: list[StatedFinish] = field(default_factory=list)
     colors: list[str] = field(default_factory=list)
     density: str | None = None
     people: int | None = None
@@ -175,6 +190,8 @@ class Parsed:
     only: bool = False
     sides: list[tuple[float, ...]] = field(default_factory=list)
     unread: list[Left] = field(default_factory=list)
+    stations: list[Mention] = field(default_factory=list[Mention])
+    """Places that were counted, of each of which it is told what is there; they are no things."""
     referred: list[Span] = field(default_factory=list[Span])
     """Where what was named before is named again."""
     notes: list[str] = field(default_factory=list)

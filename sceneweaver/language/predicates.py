@@ -7,9 +7,12 @@ place and no material as a thing.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
-from .chunks import OPEN, QUALITIES
+from sceneweaver.assets.plurals import singular as _singular
+
+from .chunks import EACH, OPEN, QUALITIES
 from .tokens import Token
 from .vocabulary import Verb, words
 
@@ -23,7 +26,7 @@ def with_predicates(tokens: list[Token]) -> list[Token]:
     at = 0
     while at < len(tokens):
         taken = 0
-        for rule in (_pieces, _times, _pronoun_with_verb, _should_be, _made_of, _filler, _seen_from):
+        for rule in _RULES:
             taken = rule(tokens, at, found)
             if taken:
                 break
@@ -50,6 +53,9 @@ def _fitting(tokens: list[Token], at: int) -> Token:
         target = after is not None and after.has("det", "pron", "number", "amount", "each", "both")
         if not target:
             return _without(token, "preposition", "place_adverb")
+    counted = before is not None and before.has("number") and _singular(token.text) in words("nouns")["places"]
+    if counted and token.text.endswith("s"):
+        return replace(token, kinds={"plural": True})
     verb = token.get("verb")
     if not isinstance(verb, Verb) or verb.form != "base" or token.has(*OPEN) or before is None:
         return token
@@ -177,5 +183,69 @@ def _seen_from(tokens: list[Token], at: int, found: list[Token]) -> int:
     found.append(Token(f"{token.text} {after.text}", token.start, after.end, {"aside": "verb"}))
     return 2
 
+
+def _as_many(tokens: list[Token], at: int, found: list[Token]) -> int:
+    """ "30 desks and as many chairs": the number that was told last."""
+    token, after = tokens[at], _token(tokens, at + 1)
+    if token.text not in ("as many", "as") or after is None:
+        return 0
+    taken = 1 if token.text == "as many" else 2 if after.text == "many" else 0
+    number = next((t for t in reversed(found) if t.has("number")), None)
+    noun = _token(tokens, at + taken)
+    if not taken or number is None or noun is None or not noun.has(*OPEN):
+        return 0
+    found.append(Token("as many", token.start, tokens[at + taken - 1].end, {"number": number.get("number")}))
+    return taken
+
+
+def _to_each(tokens: list[Token], at: int, found: list[Token]) -> int:
+    """ "Four chairs to a table": to each of the tables that were named."""
+    token, article, noun = tokens[at], _token(tokens, at + 1), _token(tokens, at + 2)
+    if token.text != "to" or article is None or noun is None or article.text not in ("a", "an", "each", "every", "one"):
+        return 0
+    head = _singular(noun.text)
+    named = any(t.has("plural") and _singular(t.text).endswith(head) for t in found)
+    if not noun.has("noun") or not named or not found[-1].has("plural"):
+        return 0
+    found.append(Token("per", token.start, article.end, {"each": "per"}))
+    return 2
+
+
+def _each_of(tokens: list[Token], at: int, found: list[Token]) -> int:
+    """ "Each of the five benches": each of a group that is named, with its number, now or before."""
+    token, of, article = tokens[at], _token(tokens, at + 1), _token(tokens, at + 2)
+    if token.text not in (*EACH, "every one", "each one") or of is None or of.text != "of" or article is None:
+        return 0
+    if not article.has("det") or article.has("noun"):
+        return 0
+    found.append(Token("each of", token.start, article.end, {"each": "each of"}))
+    return 3
+
+
+def _there_is(tokens: list[Token], at: int, found: list[Token]) -> int:
+    """ "Every wall has a picture and there is a bed": the bed is not every wall's."""
+    token, there = tokens[at], _token(tokens, at + 1)
+    if not token.has("and", "break") or there is None or there.text not in ("there is", "there are", "there should be"):
+        return 0
+    if not any(t.has("each") for t in _last_sentence(found)):
+        return 0
+    found.append(Token(".", token.start, token.end, {"break": "."}))
+    return 1
+
+
+_RULES: tuple[Callable[[list[Token], int, list[Token]], int], ...] = (
+    _pieces,
+    _times,
+    _pronoun_with_verb,
+    _should_be,
+    _made_of,
+    _filler,
+    _seen_from,
+    _as_many,
+    _to_each,
+    _each_of,
+    _there_is,
+)
+"""Each takes what has been found so far, adds to it, and says how many tokens it took; 0 leaves them to the next."""
 
 __all__ = ["with_predicates"]

@@ -10,6 +10,7 @@ from .parsed import Mention, Said
 from .relating import relate_to_place
 from .shares import ends_here, give_total, share_out
 from .state import State, Waiting
+from .stations import station_group
 from .vocabulary import shows
 
 _BESIDE_IT = ("next_to", "left_of", "right_of", "near", "in_front_of", "behind")
@@ -47,6 +48,8 @@ def number_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     near = _at_hand(state)
     group = state.refs.several(near)
     count = phrase.count or (1, 1)
+    if group is None and state.glue == "bracket" and near and near[-1].count is None:
+        group = near[-1]  # "toy chest (2)"
     total = phrase.bound is not None or phrase.value == "grouped" or state.glue == "bracket"
     total = total or (chunk.text.endswith(" them") and not _placed(state.chunk(state.at)))
     if group is not None and total and give_total(state, phrase, group):
@@ -55,11 +58,17 @@ def number_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     if phrase.value == "grouped":
         state.waiting, state.glue = None, ""
         return
+    if group is None and part_of_each(state, after):
+        group = near[-1] if near else None
     if group is None:
         if after is None or after.kind != "stop":
             state.leave_unread(chunk.text, chunk.start, chunk.end)
     elif part_of_each(state, after):
-        _say_of_some(state, group, count)
+        more = _more_of_the_same(state, near, count, phrase)
+        if more is not None:
+            continue_with(state, [more])
+        else:
+            _say_of_some(state, group, count)
     elif (part := state.refs.part(near, count[1])) is not None:
         continue_with(state, [part])
 
@@ -78,6 +87,10 @@ def pronoun_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         if group is not None:
             state.head, state.each, state.glue = [group], group, ""
             state.subject, state.subject_open = [group], True
+            state.close_frames()
+        elif state.out.people is None and (places := station_group(state)) is not None:
+            state.head = state.subject = [places]
+            state.each, state.glue, state.subject_open = places, "", True
             state.close_frames()
         elif state.out.people:
             state.per_person, state.glue = True, "start"  # "two boys, each has a bed"
@@ -117,6 +130,21 @@ def _at_hand(state: State) -> list[Mention]:
     return state.head or state.subject or state.previous
 
 
+def _more_of_the_same(state: State, near: list[Mention], count: tuple[int, int], phrase: NounPhrase) -> Mention | None:
+    """ "A chair at each end and three on each side": more of what has its places already. Of "eight chairs around the
+    table, two on each side" they are some."""
+    first = near[-1] if near else None
+    told = [said for said in state.out.said if first in said.subjects and not said.implied]
+    if first is None or not told or first.per is not None:
+        return None
+    sided = any(said.each or {"each", "either", "both"} & {*said.words.split()} for said in told)
+    if not sided and first.count is not None and first.count[1] >= 2 * count[0]:
+        return None
+    more = first.copied(count=count, plural=count[1] > 1, span=state.span_of(phrase), id="")
+    state.out.mentions.append(more)
+    return more
+
+
 def _say_of_some(state: State, group: Mention, count: tuple[int, int]) -> None:
     """What follows is said of so many of a group, on each of some sides."""
     state.subset, state.head, state.glue = count, [group], ""
@@ -142,8 +170,11 @@ def _part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         return
     near = nearest(state, waiting.subjects or []) if waiting is not None else _at_hand(state)
     if partial and part_of_each(state, state.chunk(state.at)):
+        more = _more_of_the_same(state, near, (1, 1), phrase)
         group = state.refs.several(near)
-        if group is not None:
+        if more is not None:
+            continue_with(state, [more])
+        elif group is not None:
             _say_of_some(state, group, (1, 1))
         return
     found = state.refs.rest

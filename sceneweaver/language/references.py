@@ -82,6 +82,9 @@ class References:
 
     def pronoun(self, phrase: NounPhrase, near: list[Mention], without: list[Mention]) -> list[Mention]:
         """Who "it", "them", "both" are; ``near`` is what stands closest in the sentence."""
+        if phrase.text in ("the former", "the latter"):
+            two = self.last(2, without if phrase.text == "the former" else [])
+            return two[:1] if phrase.text == "the former" else two[-1:]
         several = phrase.text in ("them", "they", "these", "those", "themselves") or phrase.value in ("both", "each")
         for group in (near, *reversed(self.topics), *([m] for m in self._recent()[:8])):
             group = apart(group, without)

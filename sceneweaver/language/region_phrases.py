@@ -39,6 +39,10 @@ def region_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     if waiting is None and of is None and with_owner and not phrase.definite:
         part_phrase(state, phrase, chunk)
         return
+    if phrase.determiner in EACH and phrase.value == "corner" and of is None:
+        state.waiting = waiting
+        place_phrase(state, replace(phrase, what="place", value="corner"), chunk)
+        return
     if waiting is None:
         _region_alone(state, phrase, owner)
         return
@@ -51,6 +55,10 @@ def region_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         _of_room(state, phrase, waiting, owner)
     else:
         kind = _kind_on(str(phrase.value), phrase, waiting, owner)
+        if phrase.determiner in EACH and phrase.value in ("end", "side") and waiting.place.type != "flanking":
+            flank = Place("along", "short", True, "at each") if owner.family == "table" else None
+            waiting = replace(waiting, place=flank or Place("flanking", None, True, "at each"))
+            kind = waiting.place.type
         place = Place(kind, waiting.place.side, waiting.place.each, f"{waiting.place.words} {phrase.text}")
         bind_target(state, replace(waiting, place=place), (owner,))
     state.glue, state.last_target = "", None
@@ -210,6 +218,9 @@ def part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         if mention is not None:
             name_things(state, [mention], phrase, True)
             return
+    if not owners and state.glue == "comma" and state.placed_next(state.at):
+        name_nothing(state)  # "drawers under the bunk": of the drawers, not of what was named before
+        return
     state.glue = ""
     state.head = list(owners[-1:]) if owners else state.head
 

@@ -17,6 +17,9 @@ from .parsed import Barred, Left, Mention, Said, Target, without
 from .state import Frame, State
 from .vocabulary import Place, mounts, words
 
+FLAT = 0.05
+"""Height [m] up to which what lies on floors is kept on shelves."""
+
 _SIDES_OF_ROOM = ("near", "next_to", "opposite", "left_of", "right_of", "behind", "in_front_of")
 """Relations of what stands on the floor to something else that does."""
 
@@ -45,6 +48,8 @@ def relate(
         return
     said = Said(place.type, subjects, targets, place.words, count, span=span)
     target, one = targets[0], subjects[0]
+    if target in state.party and one in state.party and span is not None and place.type in ("on", "inside"):
+        return  # "office supplies in the drawer": in none of themselves
     if state.barred:
         _bar(state, said)
         return
@@ -118,6 +123,8 @@ def close_kind(kind: str, spoken: str, subjects: list[Mention], target: Target) 
     if isinstance(target, str):
         part = target.partition(":")[0]
         return {"wall": "against", "window": "at"}.get(part, kind)  # a door wants room to open
+    if all(s.is_small and s.mount == "surface" for s in subjects) and not target.is_small:
+        return kind  # a screen at a desk is on it
     seated = first == "at" and all(has_role(s.category, "pulled_up") for s in subjects)
     return "at" if seated and has_role(target.category, "pulled_up_to") else "next_to"
 
@@ -161,6 +168,9 @@ def relate_to_place(state: State, said: Said) -> None:
             of_wall = f"{said.words} the opposite wall"
             say(state, replace(said, type="opposite", targets=(others[-1],), words=of_wall, implied=True))
         place = "wall" if others else "wall:far"
+    lone = kind == "flanking" and place in ("window", "door") and not said.words.startswith("flank")
+    if lone and len(subjects) == 1 and subjects[0].count == (1, 1):
+        subjects[0].count = (2, 2)  # "a plant on either side of the door"
     if place.startswith("wall") and kind in ("on", "against", "inside") and said.words.startswith("hang"):
         kind = "hanging_from"
     kind = close_kind(kind, said.words, subjects, place)
@@ -175,7 +185,7 @@ def relate_to_place(state: State, said: Said) -> None:
     if kind == "far_from" and place not in ("door", "window"):
         state.out.note(f"'away from the {place}' cannot be said as a relation and was left out")
         return
-    spoken = said.words if said.words.endswith(place) else f"{said.words} the {place.split(':')[0]}"
+    spoken = said.words if said.words.endswith((place, "each")) else f"{said.words} the {place.split(':')[0]}"
     say(state, replace(said, type=kind, subjects=subjects, targets=(place,), words=spoken))
 
 
@@ -193,8 +203,26 @@ def _carriers_of(state: State, kind: str, subjects: list[Mention]) -> list[Menti
         and (s.mount == "surface" or likeliness(s.category, owner.category) is not None)
         for s in subjects
     )
+    stored = owner.family == "storage" or bool(category_named(owner.category).holds)
+    carried = carried or (stored and all(s in frame.items and _is_less(s, owner) for s in subjects))
     stands = owner.mount in ("floor", "wall") and owner not in subjects
     return list(frame.owner) if subjects and carried and stands else subjects
+
+
+def seen_before(state: State, place: Place, target: Mention) -> Mention:
+    """What "it" is in "a rack to the left of the fire, a basket to the right of it": the fire, and not the rack."""
+    last = state.out.said[-1] if state.out.said else None
+    if last is None or {last.type, place.type} != {"left_of", "right_of"} or target not in last.subjects:
+        return target
+    return last.targets[0] if isinstance(last.targets[0], Mention) else target
+
+
+def _is_less(thing: Mention, other: Mention) -> bool:
+    """Whether a thing on the floor is so much smaller than another that it is on or in it: mats with a shelf."""
+    one, two = category_named(thing.category).size, category_named(other.category).size
+    if one is None or two is None or "wall" in mounts(thing.category):
+        return False
+    return one.height[1] <= FLAT or 3 * one.height[1] * one.width[1] <= two.height[1] * two.width[1]
 
 
 def _kind_at(kind: str, place: str, subjects: list[Mention]) -> str:

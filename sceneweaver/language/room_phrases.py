@@ -6,14 +6,15 @@ from dataclasses import replace
 
 from sceneweaver.knowledge.load import room_words
 
-from .chunks import Chunk, NounPhrase
+from .chunks import EACH, Chunk, NounPhrase
+from .distribution import over_each
 from .items import bind_target, name_nothing, name_things
 from .parsed import Mention, Said
 from .relating import ENDS_OF_ROOM, relate, relate_to_place, say
 from .shares import ends_here, share_out
 from .state import State, Waiting
 from .tokens import Token
-from .vocabulary import Place, category_of, family, words
+from .vocabulary import Place, category_of, family, group_rows, shows, words
 
 _SAID_OF_ROOMS = (
     *("room_scale", "styles", "moods", "density", "color", "shape", "adjective", "scale", "material"),
@@ -28,7 +29,7 @@ def group_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     if out.room_type is None and not state.names_a_room and phrase.text in room_words():
         out.room_type, out.room_words = room_words()[phrase.text], phrase.text
         describe_room(state, phrase)
-    things = words("groups")["groups"][phrase.value]["things"]
+    things = group_rows()[phrase.value]["things"]
     if phrase.definite:
         there = _already_there(state, list(things))
         if there and state.waiting is not None:
@@ -62,6 +63,8 @@ def _made_of_group(state: State, phrase: NounPhrase, things: dict[str, tuple[int
     """A mention for each thing that a group calls for, of what is there already where it was named."""
     made: list[Mention] = []
     least, most = phrase.count or (1, 1)
+    if phrase.count is not None and phrase.value in words("groups")["collections"]:
+        things, (least, most) = _shared(things, phrase.count), (1, 1)
     for name, (low, high) in things.items():
         category = category_of(name)
         mention = next((m for m in state.out.mentions if m.category == category and not m.implied), None)
@@ -73,6 +76,13 @@ def _made_of_group(state: State, phrase: NounPhrase, things: dict[str, tuple[int
             state.out.mentions.append(mention)
         made.append(mention)
     return made
+
+
+def _shared(things: dict[str, tuple[int, int]], count: tuple[int, int]) -> dict[str, tuple[int, int]]:
+    """So many things of several kinds together: "twelve toys" are four of each of three kinds."""
+    kinds = list(things)[: max(1, count[0])]
+    n = len(kinds)
+    return {name: ((count[0] + k) // n, (count[1] + k) // n) for name, k in zip(kinds, reversed(range(n)), strict=True)}
 
 
 def room_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
@@ -141,12 +151,18 @@ def room_quality(state: State, word: Token, room: bool) -> None:
 def place_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     """A part of the room: what waits is related to it."""
     place = str(phrase.value)
-    if place in ("window", "door") and state.waiting is None:
+    has = phrase.determiner in EACH and _has_next(state)
+    if place in ("window", "door") and state.waiting is None and not has:
         _count_openings(state, place, phrase)
         return
     if phrase.text in ("opposite wall", "wall across the room", "other wall"):
         place = "wall:opposite"
     waiting, state.waiting = state.waiting, None
+    if waiting is None and phrase.determiner in EACH and place in _HOLDING and _has_next(state):
+        where = Place(_HOLDING[place], words=f"{_HOLDING[place]} each", over_each=True)
+        state.fronted, state.glue = [(where, (place,), chunk)], "start"  # "each corner gets a lamp"
+        state.at += 1
+        return
     if place == "room":
         _the_room(state, phrase, waiting)
     if waiting is None:
@@ -159,11 +175,14 @@ def place_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         many = (4, 4)
     if phrase.count is not None and phrase.count[0] >= 2 and place == "corner":
         many = phrase.count
-    if phrase.determiner in ("each", "every") and place in ("window", "door"):
+    each = phrase.determiner in EACH
+    if each and place in ("window", "door"):
         for subject in subjects:
             subject.per_place = place
     for subject in subjects if many is not None else ():
         subject.count = many if subject.count == (1, 1) else subject.count
+    if each and waiting.subjects is None:
+        waiting.place = over_each(waiting.place)  # "in each corner a plant"
     if waiting.place.type == "between" and subjects:
         near = replace(waiting, place=Place("near", words=waiting.place.words))
         after = state.chunk(state.at)
@@ -181,6 +200,16 @@ def place_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     state.last_target = None
     if waiting.subjects is None:
         state.head = []
+
+
+_HOLDING = {"corner": "at", "wall": "on", "window": "near", "door": "near"}
+"""Where things are of which each part of the room has one."""
+
+
+def _has_next(state: State) -> bool:
+    """Whether a verb says next what there is: "every wall has a picture"."""
+    after = state.chunk(state.at)
+    return after is not None and after.kind == "verb" and shows(after.value.lemma)
 
 
 def _the_room(state: State, phrase: NounPhrase, waiting: Waiting | None) -> None:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
+from sceneweaver.assets.taxonomy import is_head
+
 from .chunks import CLOSED, QUALITIES, Chunk, Kind
 from .tokens import Token
 from .vocabulary import Verb, frame
@@ -14,6 +16,10 @@ _BASES = ("stand", "rest", "face", "display", "frame", "support", "house", "line
 
 
 _MODALS = ("can", "could", "should", "shall", "will", "would", "must", "may", "might")
+
+
+LONGEST_NAME = 4
+"""Words before a noun's last that are looked at."""
 
 
 class Scan:
@@ -81,6 +87,23 @@ def _of_several(scan: Scan, k: int) -> bool:
     return before is not None and before.has("plural", "place") and scan.several[k]
 
 
+def is_name_of_one(scan: Scan, k: int) -> bool:
+    """Whether a verb's plain form ends the name of one thing: "a burette stand", for what one thing does ends in s.
+
+    Right before it stand "a" and what belongs to one noun, and no other noun is bound to that.
+    """
+    verb = scan.tokens[k].get("verb")
+    if not isinstance(verb, Verb) or verb.form != "base" or not is_head(scan.tokens[k].text):
+        return False
+    for at in range(k - 1, max(-1, k - 1 - LONGEST_NAME), -1):
+        token, before = scan.tokens[at], scan.token(at - 1)
+        if token.text in ("a", "an", "another"):
+            return at < k - 1 and (before is None or not before.has("and", "break"))
+        if token.has("plural", *CLOSED) or not (token.has("noun", *QUALITIES) or not token.kinds):
+            return False
+    return False
+
+
 def is_verb(scan: Scan, k: int, seen_noun: bool) -> bool:
     """Whether a token that can be a verb is one: after a noun, and not followed by the noun that it would name."""
     token = scan.tokens[k]
@@ -99,6 +122,8 @@ def is_verb(scan: Scan, k: int, seen_noun: bool) -> bool:
         return not other or (seen_noun and (closed or not token.has("noun")))
     if verb.form == "base" and k > 0 and scan.tokens[k - 1].text in _MODALS:  # "everybody must have"
         return True
+    if is_name_of_one(scan, k):
+        return False
     if verb.form == "base":
         several = k > 0 and scan.tokens[k - 1].has("plural") and after is not None and after.has("det", "preposition")
         return seen_noun and (

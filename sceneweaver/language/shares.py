@@ -84,7 +84,8 @@ def give_total(state: State, phrase: NounPhrase, group: Mention) -> bool:
     count = phrase.count or (1, 1)
     related = state.last_subjects if group in state.last_subjects else state.subject or state.head
     listed = [m for m in related if m.plural and m.count in (None, MANY)]
-    listed = listed if group in listed else [group] if group.count in (None, MANY) else []
+    open_ = group.count is None or group.count == MANY or (state.glue == "bracket" and group.count[0] < group.count[1])
+    listed = listed if group in listed else [group] if open_ else []
     if not listed:
         return False
     least, most = (-(-n // len(listed)) for n in count)

@@ -71,7 +71,7 @@ _SPELT = re.compile(
 )
 _FAR = re.compile(rf"{_NUMBER}{_GAP}(?:km|kilomet(?:er|re)s?|miles?)\b")
 _BARE = re.compile(
-    rf"(?<![\w.]){_NUMBER}{_BY}{_NUMBER}"
+    rf"(?<![\w.])(?<!grid of )(?<!array of ){_NUMBER}{_BY}{_NUMBER}"
     rf"(?![\w.]|{_GAP}(?:cm|mm|in|grid|array|matrix|pattern|formation|raster|rows?|block|layout)\b)"
 )
 _ENDLESS = re.compile(r"\d{10,}")

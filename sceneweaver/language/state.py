@@ -30,6 +30,8 @@ class Frame:
     items: list[Mention] = field(default_factory=list)
     finite: bool = False
     each: bool = False
+    closed: bool = False
+    """Whether "and" named its last item."""
     numbered: list[str] = field(default_factory=list)
     fronted: list[Fronted] = field(default_factory=list)
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from .chunks import Chunk, NounPhrase
 from .distribution import count_out_again
 from .items import begin_clause, name_nothing, name_things
@@ -9,7 +11,7 @@ from .nothings import is_animal, is_certain, is_large, may_name
 from .parsed import Mention, without
 from .room_phrases import abstract_phrase, describe_room, people_phrase, unknown_room
 from .shares import ends_here, last_items, multiply, share_out
-from .state import State
+from .state import Frame, State
 from .things import MANY, describe, match_of, name_of, new_mention, note_on, singular
 from .vocabulary import words
 
@@ -33,6 +35,8 @@ def named_thing(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         state.glue = ""
         return
     waiting = state.waiting
+    if phrase.of_group:
+        _name_group(state, phrase)
     if waiting is None and phrase.determiner in ("each", "every"):  # "each bowl next to a spoon"
         group = state.refs.known(phrase, True, [])
         before = state.chunk(state.at - 2)
@@ -50,6 +54,11 @@ def named_thing(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
                 return
         if group is not None and group.many:
             state.refer(phrase)
+            if before is not None and before.text == "for" and state.glue == "start":
+                begin_clause(state, [group], state.glue)
+                state.frames.append(Frame("with", [group], words="for each", each=True))
+                state.each, state.glue = group, "open"  # "for each bench one stool and a lamp"
+                return
             if state.verb_follows(state.at):
                 begin_clause(state, [group], state.glue)
                 state.glue = ""
@@ -84,6 +93,15 @@ def named_thing(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         name_nothing(state)
 
 
+def _name_group(state: State, phrase: NounPhrase) -> None:
+    """ "Each of the five benches": the group is there, if it was not named before."""
+    count, phrase.count = phrase.count, None
+    if state.refs.known(phrase, True, []) is None:
+        group = new_thing(state, replace(phrase, determiner="", count=count, of_group=False))
+        if group is not None and count is None:
+            group.count = MANY
+
+
 def _named_before(state: State, phrase: NounPhrase) -> Mention | None:
     """What was named and is meant again."""
     if (counted := _counted_now(state, phrase)) is not None:
@@ -112,11 +130,13 @@ def _told_of_again(state: State, phrase: NounPhrase) -> Mention | None:
     if phrase.determiner or phrase.count is not None or phrase.of is not None or state.waiting is not None:
         return None
     after = state.chunk(state.at)
-    if after is None or after.kind != "verb" or after.value.form not in ("s", "base") or after.passive:
+    told = after is not None and after.kind == "verb" and after.value.form in ("s", "base") and not after.passive
+    placed = after is not None and after.kind == "place" and state.glue == "start"
+    if not (told or placed):
         return None
-    noun = singular(name_of(phrase))
+    noun, related = singular(name_of(phrase)), {m for said in state.out.said for m in said.subjects if not said.implied}
     for mention in reversed(state.out.mentions[-20:]):
-        if singular(mention.noun) == noun and (phrase.plural or not mention.many):
+        if singular(mention.noun) == noun and (phrase.plural or not mention.many) and (told or mention not in related):
             return mention
     return None
 
@@ -213,8 +233,10 @@ def _is_concrete(state: State, phrase: NounPhrase) -> bool:
     noun = name_of(phrase)
     if not any(c.isalpha() for c in phrase.text) or not (may_name(noun) or _is_likeness(phrase)):
         return False
-    if phrase.definite:
+    if phrase.definite or is_certain(noun):
         return is_certain(noun)
+    if _is_likeness(phrase):
+        return True
     if phrase.determiner or phrase.count is not None:
         return True
     return bool(state.frames or state.waiting) and state.glue != "start" and bool(state.out.mentions)
@@ -232,13 +254,16 @@ def _called_for(state: State, phrase: NounPhrase) -> Mention | None:
         return None
     noun = name_of(phrase)
     head, match = singular(noun).split()[-1], match_of(noun)
-    for mention in (m for m in reversed(state.out.mentions[-12:]) if m.implied):
+    placed = state.party if state.waiting is not None else []  # "sweets in jars": other jars
+    for mention in without((m for m in reversed(state.out.mentions[-12:]) if m.implied), placed):
         if mention.category != match.category and singular(mention.noun).split()[-1] != head:
             continue
         if singular(noun) != head:
             mention.noun, mention.category, mention.generic = noun, match.category, match.how == "generic"
+        several = mention.count if state.each is not None and mention.count is not None else (1, 1)
         if phrase.count is not None or phrase.determiner:
-            mention.count = phrase.count or (1, 1)
+            low, high = phrase.count or (1, 1)
+            mention.count = (low * several[0], high * several[1])
         mention.implied = False
         mention.span = state.span_of(phrase)
         describe(mention, phrase, state.source)

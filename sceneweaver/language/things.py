@@ -7,6 +7,7 @@ from functools import lru_cache
 
 from sceneweaver.assets import Match, resolve
 from sceneweaver.assets.taxonomy import category_named, is_no_thing, narrower
+from sceneweaver.assets.wordnet import noun_named
 
 from .chunks import NounPhrase
 from .model import Attribute, AttributeKind
@@ -53,10 +54,15 @@ def match_of(noun: str, of: str = "") -> Match:
     """The category of a noun, tried whole, then without the words before it."""
     table = vocabulary()
     head, _, last = noun.rpartition(" ")
-    if of and singular(last) == "tub":  # of what is sold in it, not to bathe in
-        noun = f"{head} jar".strip()
+    if of and singular(last) in words("nouns")["sold_in"]:  # of what is sold in it: no tub to bathe in, no handbag
+        noun = f"{head} {words('nouns')['sold_in'][singular(last)]}".strip()
     whole = f"{noun} of {of}" if of else noun
     parts = noun.split()
+    first, *others = parts
+    if others and not table.get(first) and noun_named(first) is None:  # "coffe table"
+        meant = resolve(noun)
+        if meant.how == "spelling":
+            return meant
     tails = 1 if is_no_thing(noun) else len(parts)  # a fire drill is no drill
     for k, name in ((0, whole), *((k, " ".join(parts[k:])) for k in range(tails))):
         found = table.get(name, {}).get("noun")
@@ -82,8 +88,13 @@ def new_mention(phrase: NounPhrase, source: Source) -> Mention:
         elif phrase.determiner and phrase.determiner not in ("the", "its", "their", "any", "these", "those"):
             mention.count = (1, 1)
     first, _, rest = noun.partition(" ")
-    if rest and first in ("dual", "twin", "double") and phrase.plural and match_of(rest).category == match.category:
-        mention.count = (2, 2)
+    if (
+        rest
+        and first in ("dual", "twin", "double")
+        and phrase.plural
+        and (first == "twin" or match_of(rest).category == match.category)
+    ):
+        mention.count = phrase.count or (2, 2)
     describe(mention, phrase, source)
     mention.category = narrower(mention.category, " ".join(a.words for a in mention.attributes), mention.noun)
     meant = sense_of(mention.noun, source, phrase.start, phrase.end, mention.scale)

@@ -14,6 +14,7 @@ from .spelling import mended
 from .vocabulary import LONGEST, NUMBERS, Verb, vocabulary, words
 
 _WORD = re.compile(r"§|\d+(?:[.,]\d+)?|[a-z][a-z'&/]*|[^\W\d_]+|[.,()&\"{}\[\]<>\\/=]")
+_LIST = re.compile(r"[a-z]+(?:/[a-z]+){2,}")
 _UNIT = re.compile(r"^(meters?|metres?|m|cm|centimeters?|centimetres?|ft|feet|foot|inch(?:es)?|in)$")
 _MEASURES = re.compile(
     r"^(mm|milli(?:meter|metre)s?|lit(?:er|re)s?|l|ml|kg|(?:kilo)?grams?|lbs?|pounds?|oz|ounces?|gallons?|watts?|kw|"
@@ -76,7 +77,7 @@ def tokens(source: Source, notes: list[str]) -> list[Token]:
 
 
 def _raw(text: str) -> list[_Raw]:
-    found = [_Raw(m[0], m.start(), m.end()) for m in _WORD.finditer(text)]
+    found = [_Raw(m[0], m.start(), m.end()) for m in _WORD.finditer(_LIST.sub(_listed, text))]
     for one, two in zip(found, found[1:], strict=False):
         between = text[one.end : two.start]
         one.glued = between in ("-", "_") and one.text[0].isalnum() and two.text[0].isalnum()
@@ -96,6 +97,12 @@ def _mended(raw: list[_Raw], source: Source, notes: list[str], learned: Mapping[
         source.slips[word.text] = known
         for part in known.split():
             yield _Raw(part, word.start, word.end)
+
+
+def _listed(m: re.Match[str]) -> str:
+    """ "Sofa/bed/desk": a list, where all of it are nouns that are known."""
+    table = vocabulary()
+    return m[0].replace("/", ",") if all("noun" in table.get(word, {}) for word in m[0].split("/")) else m[0]
 
 
 def _joined(raw: list[_Raw], start: int, end: int) -> str:

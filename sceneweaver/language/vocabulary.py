@@ -62,6 +62,13 @@ def words(file: str = "words") -> dict[str, Any]:
 
 
 @cache
+def group_rows() -> dict[str, dict[str, Any]]:
+    """What stands for several things: parts of a room, and nouns for things of many kinds together."""
+    data = words("groups")
+    return data["groups"] | data["collections"]
+
+
+@cache
 def vocabulary() -> dict[str, dict[str, Any]]:
     """Every phrase that is known: phrase -> kind -> value."""
     table: dict[str, dict[str, Any]] = {}
@@ -85,8 +92,9 @@ def vocabulary() -> dict[str, dict[str, Any]]:
             put(phrase, section, phrase)
     for phrase, count in nouns["collectives"].items():
         put(phrase, "collective", count)
-    for name, row in words("groups")["groups"].items():
-        for phrase in row["words"]:
+    for name, row in group_rows().items():
+        heads = words("groups")["heads"] if row.get("about") else ()
+        for phrase in (*row["words"], *(f"{about} {head}" for about in row.get("about", ()) for head in heads)):
             put(phrase, "group", name)
     for phrase, value in NUMBERS.items():
         put(phrase, "number", value)

@@ -106,6 +106,14 @@ class Finishes:
         return whole or self.looks.wall
 
 
+_PANES = {
+    "overcast": ((0.80, 0.83, 0.86), 0.6),
+    "dusk": ((0.62, 0.44, 0.42), 0.35),
+    "night": ((0.07, 0.09, 0.17), 0.05),
+}
+"""Colour and emission of windows in pictures from above, where it is no bright day."""
+
+
 def finishes_of(scene: Scene, cut: tuple[float, float, float] | None = None) -> Finishes:
     """The finishes of a scene's room; ``cut`` is the sRGB colour of walls where they are cut.
 
@@ -114,6 +122,14 @@ def finishes_of(scene: Scene, cut: tuple[float, float, float] | None = None) -> 
     """
     looks = room_looks(scene.room)
     more = {} if cut is None else {"cut": Material("wall cut", cut, roughness=0.9)}
+    light = scene.room.light
+    if light is not None and light.daylight in _PANES:
+        color, glow = _PANES[light.daylight]
+        more["daylight"] = Material("daylight", color, roughness=1.0, emission=glow)
+    if looks.ceiling is not None:
+        more["ceiling"] = looks.ceiling
+    if looks.trim is not None:
+        more |= {"trim": looks.trim, "leaf": looks.trim}
     return Finishes(looks, scene.room.finish or RoomFinish(), **more)
 
 

@@ -114,12 +114,51 @@ Rectangle = tuple[Range, Range]
 def add_wall_finish(builder: Builder, room: Room, wall: Wall, look: Finishes, height: float) -> None:
     """Paper, panels and tiles of a wall up to a height [m] at which it may be cut."""
     kind, band, accent = look.accented(wall.index), look.tiled(wall.index), look.looks.accent
+    high = look.plan.accent.high if look.plan.accent is not None else None
     if kind == "paper" and accent is not None:
         _facing(builder, room, wall, (0.0, height), _PAPER, replace(accent, texture="stripes"))
     elif kind == "panelling" and accent is not None:
-        _panels(builder, room, wall, accent, height)
+        _panels(builder, room, wall, accent, height, high or PANELS)
+    elif kind == "paint" and accent is not None and high is not None:
+        _facing(builder, room, wall, (0.0, min(high, height)), _PAPER, accent)
+    if look.plan.walls_of in _CLAD and kind is None:
+        _clad(builder, room, wall, look.looks.wall, height, *_CLAD[look.plan.walls_of])
     if band is not None and look.looks.tiles is not None:
         _facing(builder, room, wall, (band[0], min(band[1], height)), _TILE, look.looks.tiles)
+
+
+_CLAD = {"logs": (0.24, 0.05, False), "boards": (0.16, 0.007, False), "metal": (1.2, 0.012, True)}
+"""Walls of bodies: how high logs, boards or plates are, how far they stand out [m], whether they are square."""
+
+_JOINT = 0.01  # between plates and boards [m]
+
+
+def _clad(
+    builder: Builder, room: Room, wall: Wall, material: Material, height: float, high: float, deep: float, plates: bool
+) -> None:
+    """Logs, boards or plates before a wall."""
+    rows = max(1, round(room.height / high))
+    step = room.height / rows
+    for row in range(rows):
+        low, top = row * step, min((row + 1) * step - _JOINT, height)
+        for (a, b), z in _solid(room, wall, (low, top)):
+            if not plates:
+                _slab(builder, wall, (a, b), z, deep, material)
+                if deep > 0.03:  # the round of a log, in two steps
+                    mid = 0.5 * (low + top)
+                    _slab(
+                        builder,
+                        wall,
+                        (a, b),
+                        (max(z[0], mid - 0.3 * step), min(z[1], mid + 0.3 * step)),
+                        1.5 * deep,
+                        material,
+                    )
+                continue
+            count = max(1, round((b - a) / high))
+            wide = (b - a) / count
+            for k in range(count):
+                _slab(builder, wall, (a + k * wide, a + (k + 1) * wide - _JOINT), z, deep, material)
 
 
 def _facing(builder: Builder, room: Room, wall: Wall, z: Range, thick: float, material: Material) -> None:
@@ -141,9 +180,9 @@ def _slab(builder: Builder, wall: Wall, along: Range, z: Range, thick: float, ma
         builder.prism(wall_block(wall, along, (-thick, 0.0)), z, material)
 
 
-def _panels(builder: Builder, room: Room, wall: Wall, panel: Material, height: float) -> None:
-    """Panelling up to `PANELS`, or a lower height [m]."""
-    top = min(PANELS, height)
+def _panels(builder: Builder, room: Room, wall: Wall, panel: Material, height: float, high: float) -> None:
+    """Panelling up to a height [m], cut at another; high panels have a rail where low ones end."""
+    top = min(high, height)
     for along, z in _solid(room, wall, (0.0, top)):
         _slab(builder, wall, along, z, 0.002, panel)
     count = max(1, round(wall.length / (_FIELD + _BATTEN)))
@@ -152,9 +191,10 @@ def _panels(builder: Builder, room: Room, wall: Wall, panel: Material, height: f
     for (a, b), z in _solid(room, wall, (0.0, top)):
         for low, high in battens:
             _slab(builder, wall, (max(a, low), min(b, high)), z, 0.009, panel)
-    if height >= PANELS:
-        for along, z in _solid(room, wall, (PANELS - _RAIL, PANELS)):
-            _slab(builder, wall, along, z, 0.018, panel)
+    for rail in (PANELS, high) if high > 2.0 * _RAIL + PANELS else (high,):
+        if height >= rail:
+            for along, z in _solid(room, wall, (rail - _RAIL, rail)):
+                _slab(builder, wall, along, z, 0.018, panel)
 
 
 def floor_mesh(look: Material, plan: np.ndarray) -> Mesh:

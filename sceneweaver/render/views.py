@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -23,7 +24,7 @@ from .overlay import annotated
 from .shapes import View
 from .shell import Shell, build_shell
 from .tracing import DirectLights, Quality, TracedPicture, Tracer, interior_lights, trace
-from .tracing.lights import most_glass, portals_of, slant_of
+from .tracing.lights import mood_of, most_glass, portals_of, slant_of
 from .viewpoints import EYE_VIEWS, corner_camera, corner_directions, cut_walls, eye_cameras, opposite
 
 _CUT = 1.5  # height [m] at which pictures from above cut the walls: through most windows
@@ -296,25 +297,55 @@ def corner_light(room: Room, way: np.ndarray, cut: set[int], things: Sequence[In
     walls = list(range(len(room.outline)))
     # Best is a window that is seen; sun also comes through those of the walls that are cut away.
     more = _beam(room, [k for k in walls if k not in cut]) or _beam(room, walls)
-    return DirectLights(
-        sun=(float(key[0]), float(key[1]), 1.15),
-        softness=0.075,
-        sun_color=(0.62, 0.58, 0.53) if more else (0.68, 0.64, 0.58),
-        glows=glows_of(things),
-        **_DAY,
-        **more,
+    return _in_mood(
+        room,
+        DirectLights(
+            sun=(float(key[0]), float(key[1]), 1.15),
+            softness=0.075,
+            sun_color=(0.62, 0.58, 0.53) if more else (0.68, 0.64, 0.58),
+            glows=glows_of(things),
+            **_DAY,
+            **more,
+        ),
     )
 
 
 def top_light(room: Room, things: Sequence[Instance]) -> DirectLights:
     """The light of a picture from straight above: the sun stands high, so that walls throw short shadows."""
-    return DirectLights(
-        sun=(-0.30, 0.34, 1.3),
-        softness=0.07,
-        sun_color=(0.72, 0.68, 0.62),
-        glows=glows_of(things),
-        **_DAY,
-        **_beam(room, list(range(len(room.outline)))),
+    return _in_mood(
+        room,
+        DirectLights(
+            sun=(-0.30, 0.34, 1.3),
+            softness=0.07,
+            sun_color=(0.72, 0.68, 0.62),
+            glows=glows_of(things),
+            **_DAY,
+            **_beam(room, list(range(len(room.outline)))),
+        ),
+    )
+
+
+def _in_mood(room: Room, lights: DirectLights) -> DirectLights:
+    """Plain light as a room is to be shown in: dimmer, in another colour, without the sun."""
+    if room.light is None:
+        return lights
+    mood = mood_of(room.light)
+    level, tint = mood.level**1.5, np.asarray(mood.tint)
+
+    def dyed(color: tuple[float, float, float], share: float = 1.0) -> tuple[float, float, float]:
+        r, g, b = np.asarray(color) * tint * share
+        return float(r), float(g), float(b)
+
+    return replace(
+        lights,
+        sun_color=dyed(lights.sun_color, 0.35 + 0.65 * mood.day),
+        sky=dyed(lights.sky),
+        ground=dyed(lights.ground),
+        background=dyed(lights.background, max(0.12, mood.day)),
+        beam_color=dyed(lights.beam_color, mood.day),
+        exposure=lights.exposure * level,
+        glows=tuple((x, y, z, power * (1.0 + 2.2 * (1.0 - level))) for x, y, z, power in lights.glows),
+        glow_color=mood.lamp if room.light.kelvin < 2600 else lights.glow_color,
     )
 
 

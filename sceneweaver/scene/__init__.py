@@ -39,8 +39,10 @@ from .edits import invert as invert
 from .fields import Quat as Quat
 from .fields import Vec2 as Vec2
 from .fields import Vec3 as Vec3
+from .finish import CeilingFinish as CeilingFinish
 from .finish import FloorFinish as FloorFinish
 from .finish import RoomFinish as RoomFinish
+from .finish import RoomLight as RoomLight
 from .finish import WallAccent as WallAccent
 from .finish import WallTiles as WallTiles
 from .free_area import FreeArea as FreeArea
@@ -72,6 +74,7 @@ __all__ = [
     "Add",
     "AnyEdit",
     "CATALOGUE",
+    "CeilingFinish",
     "Door",
     "Dropped",
     "EDITS",
@@ -99,6 +102,7 @@ __all__ = [
     "Replace",
     "Room",
     "RoomFinish",
+    "RoomLight",
     "SCHEMA",
     "SIDES",
     "Scene",

@@ -11,6 +11,12 @@ from .fields import Index, Length, Name, Offset
 from .messages import FieldError
 
 FloorMaterial = Literal["wood", "tile", "carpet", "concrete", "stone"]
+WallMaterial = Literal[
+    "plaster", "rough plaster", "paper", "concrete", "brick", "stone", "boards", "logs", "metal", "tiles"
+]
+Outside = Literal["garden", "snow", "city", "sea", "forest", "mountains", "space", "rain"]
+Daylight = Literal["day", "overcast", "dusk", "night"]
+Level = Literal["bright", "normal", "dim", "dark"]
 
 
 class FloorFinish(FrozenModel):
@@ -26,6 +32,25 @@ class WallAccent(FrozenModel):
     kind: Literal["paint", "paper", "panelling"] = "paint"
     color: Name = Field(description="Its colour")
     walls: Annotated[tuple[Index, ...], Field(min_length=1)] = Field(description="Numbers of the walls")
+    high: Length | None = Field(default=None, description="Height of panels [m]; null: 1.15")
+
+
+class CeilingFinish(FrozenModel):
+    """What a ceiling is of, and the wood of beams under it."""
+
+    material: WallMaterial = Field(default="plaster", description="What it is of")
+    color: Name = Field(default="white", description="Its colour, or a finish of wood")
+    beams: Name | None = Field(default=None, description="A finish of wood or metal; null: there are none")
+
+
+class RoomLight(FrozenModel):
+    """The light that a room is shown in: what comes in by the windows, and what its lamps are like."""
+
+    daylight: Daylight = Field(default="day", description="What comes in by the windows")
+    level: Level = Field(default="normal", description="How light the room is")
+    kelvin: Annotated[int, Field(ge=1000, le=12000)] = Field(default=2900, description="Colour of its lamps [K]")
+    glow: Name | None = Field(default=None, description="A colour that fills the room, as of neon; null: none")
+    outside: Outside = Field(default="garden", description="What is seen through the windows")
 
 
 class WallTiles(FrozenModel):
@@ -46,7 +71,11 @@ class WallTiles(FrozenModel):
 class RoomFinish(FrozenModel):
     """Paint, paper, panels and tiles of the walls, and the floor."""
 
-    walls: Name = Field(default="white", description="Colour of the walls")
+    walls: Name = Field(default="white", description="Colour of the walls, or a finish of wood")
+    walls_of: WallMaterial = Field(default="plaster", description="What the walls show")
+    ceiling: CeilingFinish | None = Field(default=None, description="Null: white plaster")
+    trim: Name | None = Field(default=None, description="Colour or wood of skirting, frames and doors; null: white")
+    electric: bool = Field(default=True, description="Whether there are switches, sockets and radiators")
     floor: FloorFinish = FloorFinish()
     accent: WallAccent | None = None
     tiles: WallTiles | None = None

@@ -31,9 +31,13 @@ class Palette(FrozenModel):
     textiles: Annotated[tuple[Name, ...], Field(min_length=1, max_length=MOST_COLORS)] = Field(
         description="Colours of cloth, that of large things first"
     )
+    avoid: tuple[Name, ...] = Field(
+        default=(), description="Finishes and families of them that nothing is of: plastic long ago"
+    )
     seed: Index = Field(default=0, description="Decides what the names leave open, for the whole room alike")
 
     @property
     def code(self) -> str:
         """Its colours in one word, as a part of the recipe of an asset."""
-        return "/".join(",".join(g) for g in (self.woods, self.paints, self.metals, self.textiles, (str(self.seed),)))
+        groups = (self.woods, self.paints, self.metals, self.textiles, (str(self.seed),), self.avoid)
+        return "/".join(",".join(group) for group in groups if group)

@@ -14,7 +14,7 @@ from sceneweaver.io.messages import is_number, quote, show, suggest
 
 from .base import FrozenModel
 from .fields import Id, Index, Length, Name, Offset, Outline
-from .finish import RoomFinish
+from .finish import RoomFinish, RoomLight
 from .limits import MAX_DOORS, MAX_WINDOWS
 from .messages import FieldError
 
@@ -79,6 +79,7 @@ class Room(FrozenModel):
         default=(), description="Windows in its walls"
     )
     finish: RoomFinish | None = Field(default=None, description="Of walls and floor; null: by the kind of room")
+    light: RoomLight | None = Field(default=None, description="The light it is shown in; null: an even day")
 
     @classmethod
     def rectangle(cls, width: float, depth: float, *, height: float = 2.7, kind: str = "room") -> Self:

@@ -60,3 +60,18 @@ def test_a_word_means_what_it_can_mean_of_the_thing():
     assert state_of("rug", "knocked over") is None
     assert state_of("wardrobe", "upside down") is None
     assert all(row.posture or row.measure for row in states())
+
+
+def detailed(category, *details):
+    source = ParametricSource()
+    (card,) = source.find(category, Wish(count=1, details=details))
+    return source.load(card.id).attributes
+
+
+def test_parts_have_the_finish_that_is_asked_for():
+    shown = detailed("coffee_table", ("top", "black marble"), ("legs", "brass"))
+    assert "marble" in shown["top finish"] and "brass" in shown["legs finish"]
+
+
+def test_a_finish_that_nobody_knows_is_not_claimed():
+    assert "top finish" not in detailed("coffee_table", ("top", "moonstone"))

@@ -10,6 +10,7 @@ from sceneweaver.assets import make
 from sceneweaver.generate.finish import accent_wall, accented, finished
 from sceneweaver.knowledge import room_type
 from sceneweaver.knowledge.palettes import palette_for
+from sceneweaver.language import read_request
 from sceneweaver.scene import Door, Pose, Room, RoomFinish, Scene, WallAccent, Window
 
 DOOR = Door(id="door-0", wall=0, offset=0.2, width=0.9, height=2.0)
@@ -70,7 +71,7 @@ def test_the_accent_is_behind_the_bed():
 def test_colours_that_the_request_says_of_walls(text, walls, accent):
     palette = palette_for("bedroom", "modern", (), 1)
     for seed in range(8):
-        finish = finished(ROOM, room_type("bedroom"), palette, seed, text).finish
+        finish = finished(ROOM, room_type("bedroom"), palette, seed, read_request(text)).finish
         assert finish.walls == (walls or palette.walls)
         assert not (walls and accent is None and finish.accent)
         assert accent is None or finish.accent.color == accent

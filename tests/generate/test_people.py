@@ -90,3 +90,10 @@ def test_screens_hang_in_rows(library: Library) -> None:
     assert len(screens) == 6 and {o.mount for o in screens} == {"wall"}
     heights = [o.intent.mounting_height for o in screens]
     assert len(set(heights)) == 2 and all(heights.count(h) == 3 for h in heights)
+
+
+def test_the_chairs_of_stations_are_theirs_and_not_the_clerks(library: Library) -> None:
+    scene = drawn("a hair salon, four styling stations along the left wall, each with a chair and a trolley", library)
+    asked = [o for o in scene.objects if o.intent.request == "chair"]
+    assert [o.category for o in asked] == ["barber_chair"] * 4
+    assert sum(o.category == "barber_chair" for o in scene.objects) == 4

@@ -79,6 +79,17 @@ COUNTED = [
         {"dining_table": 6, "chair": 12, "board_game": 6},
         {("chair", "at", "dining_table"), ("board_game", "on", "dining_table")},
     ),
+    (
+        "For each of the five desks one stool and one trash can.",
+        {"desk": 5, "stool": 5, "trash_can": 5},
+        {("stool", "at", "desk")},
+    ),
+    ("Ten tables, four chairs to a table.", {"dining_table": 10, "chair": 40}, {("chair", "at", "dining_table")}),
+    ("Every wall has a picture and there is a bed.", {"picture": 4, "bed": 1}, set()),
+    ("In each corner a plant.", {"potted_plant": 4}, set()),
+    ("A sofa with a floor lamp at each end.", {"sofa": 1, "floor_lamp": 2}, set()),
+    ("A table with a chair at each end and three on each long side.", {"dining_table": 1, "chair": 8}, set()),
+    ("12 desks and as many stools.", {"desk": 12, "stool": 12}, set()),
     ("Six desks, a bin beside every second desk.", {"desk": 6, "trash_can": 3}, set()),
     ("An armchair at each window, three windows.", {"armchair": 3}, set()),
     (
@@ -107,3 +118,30 @@ def test_some_of_those_that_were_named_are_at_each():
 def test_a_place_said_first_may_follow_a_list():
     graph = read_request("A hallway with a console table, over it a mirror.")
     assert ("wall_mirror", "above", "console_table") in {(r.subject, r.type, *r.targets) for r in graph.relations}
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Three stations, each station with a stool, a trolley and a lamp",
+        "A salon with three places, each with a stool, a trolley and a lamp",
+        "Three working places. Each place has a stool, a trolley and a lamp",
+    ],
+)
+def test_places_are_no_things_and_have_what_is_told_of_each(text):
+    graph = read_request(text)
+    assert sorted(counts(graph).values()) == [3, 3, 3]
+    stool = next(e.id for e in graph.entities if "stool" in e.category)
+    others = {e.id for e in graph.entities} - {stool}
+    assert {(r.subject, r.targets[0], r.each) for r in graph.relations} == {(other, stool, True) for other in others}
+
+
+def test_places_that_have_nothing_are_told_as_not_understood():
+    graph = read_request("A table with six places")
+    assert [e.category for e in graph.entities] == ["dining_table"]
+    assert any("places" in u.words for u in graph.unread)
+
+
+def test_a_list_of_each_ends_with_its_and():
+    graph = read_request("A den with two desks, each with a lamp, a chair and a bin, a sofa and a rug")
+    assert counts(graph) == {"desk": 2, "table_lamp": 2, "chair": 2, "trash_can": 2, "sofa": 1, "rug": 1}

@@ -24,6 +24,8 @@ SAID = [
     ("A table, a lamp above it and a rug under it.", ("rug", "below", "dining_table")),
     ("Two desks, each desk has a stool in front of it.", ("stool", "in_front_of", "desk")),
     ("Three lamps, the first on the desk, the third on the shelf.", ("table_lamp-2", "on", "wall_shelf")),
+    ("A shower and a tub; the former in the corner.", ("shower", "at", "corner")),
+    ("Bed, desk. Bed by the window. Desk opposite the bed.", ("desk", "opposite", "bed")),
     ("Two sofas facing each other with a coffee table in between.", ("coffee_table", "between", "sofa", "sofa-2")),
 ]
 

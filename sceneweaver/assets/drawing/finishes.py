@@ -8,6 +8,7 @@ from sceneweaver.scene import InputError
 
 from ..body import Material
 from ..category import Category
+from ..looks import read_words, roles_of_detail
 from ..materials import STYLES, Finish, alike, color_name, color_named, expand, finish, finishes_named, tinted
 from ..scheme import scheme_for
 from .choices import Choices
@@ -57,6 +58,10 @@ class Finishes(Choices):
         if role in self.roles:
             return self.roles[role]
         options = expand(tuple(one for name in names for one in name.split(", ")))
+        detail = self._detail(role, options)
+        if detail is not None:
+            self.roles[role] = detail
+            return detail
         asked = self._asked_finishes(options)
         options = asked or options
         color = self.request.color if "color" not in self.shown else None
@@ -67,6 +72,24 @@ class Finishes(Choices):
             self._main = role
         self.roles[role] = chosen or (self._suiting(role, options) if asked else self._usual(role, options))
         return self.roles[role]
+
+    def _detail(self, role: str, options: list[Finish]) -> Material | None:
+        """The finish that is asked for of the part that has a role; None where nothing is, or another role shows it."""
+        for part, look in self.request.details:
+            shown = f"{part} finish"
+            if role not in roles_of_detail(part) or shown in self.shown:
+                continue
+            words = read_words(look)
+            of = finishes_named(look) or (finishes_named(words.material) if words.material else ())
+            if not of and words.color is None:
+                continue
+            dyed = [one for one in options if one.tints] or [one for one in options if alike(one.family)] or options
+            material = of[0].material if of else self._suiting(role, dyed)
+            if words.color is not None and not finishes_named(look):
+                material = tinted(material, words.color)
+            self.shown[shown] = f"{color_name(material.color)} {material.name}"
+            return material
+        return None
 
     @property
     def lacks_material(self) -> bool:

@@ -24,6 +24,7 @@ class Request:
     the room's, which all that is not asked otherwise follows. Pieces of one ``suite`` (any number) match, of whatever
     category: fronts, handles and worktops of a kitchen. ``mirrored`` turns left into right: a door then hangs at its
     other side. ``posture`` is one of `postures`, or one that drawings of the category know: a curtain that is drawn.
+    ``details`` are looks of parts, (("top", "black marble"), ...), by the names of ``looks.yaml``.
     """
 
     size: tuple[float | None, float | None, float | None] = (None, None, None)
@@ -37,11 +38,12 @@ class Request:
     suite: int | None = None
     mirrored: bool = False
     posture: str | None = None
+    details: tuple[tuple[str, str], ...] = ()
 
     @property
     def bare(self) -> Request:
         """What of it a drawing sees: size, shape, parts, label, hand and posture."""
-        return replace(self, color=None, material=None, style=None, palette=None, suite=None)
+        return replace(self, color=None, material=None, style=None, palette=None, suite=None, details=())
 
     @property
     def suffix(self) -> str:
@@ -57,6 +59,8 @@ class Request:
             parts.append("palette=" + quote(self.palette, safe="/,"))
         if self.suite is not None:
             parts.append(f"suite={self.suite}")
+        if self.details:
+            parts.append("details=" + ",".join(f"{name}:{quote(look)}" for name, look in self.details))
         if self.posture is not None:
             parts.append("posture=" + quote(self.posture))
         if self.mirrored:

@@ -62,6 +62,7 @@ class Wish:
     ``shape`` is a name of ``looks.yaml``, ``parts`` are counted ones (("drawers", 3), ...), ``mount`` is what holds a
     thing that no category fits; ``palette`` is the code of the room's palette, for sources that make things to order;
     ``posture`` is how it is there, for sources that make things to order: a name of `postures` or of the drawing;
+    ``details`` are looks of its parts, (("top", "black marble"), ...);
     ``licences`` are the only ones allowed, None allows all. What is chosen for one ``suite`` (any number) matches.
 
     Raises:
@@ -83,6 +84,7 @@ class Wish:
     palette: str | None = None
     suite: int | None = None
     posture: str | None = None
+    details: tuple[tuple[str, str], ...] = ()
 
     def __post_init__(self) -> None:
         for name, want in zip(("depth", "width", "height"), self.size, strict=True):

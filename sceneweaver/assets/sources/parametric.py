@@ -68,7 +68,7 @@ class ParametricSource:
         style = wish.style if wish.style in STYLES else None
         label = match.category if match.body != match.category else None
         look = wish.color, wish.material, style, wish.shape, wish.parts
-        return Request(size, *look, label, wish.palette, wish.suite, posture=wish.posture)
+        return Request(size, *look, label, wish.palette, wish.suite, posture=wish.posture, details=wish.details)
 
 
 TRIES, TRIES_FOR_COUNTS = 8, 24
@@ -84,11 +84,12 @@ def _shown(category: str, seed: int, request: Request) -> Asset:
     words = Words(color=request.color, material=request.material, shape=request.shape, parts=request.parts)
     first = _draw(category, seed, request)
     missing = {kind for kind, shown in shows(first.attributes, words).items() if not shown}
-    if not missing or any(kind not in (*VARIED, *first.attributes) for kind in missing):
+    bare = _without_details(first, request)
+    if any(kind not in (*VARIED, *first.attributes) for kind in missing) or not (missing or bare):
         return first
     if not _can_show(category, replace(request, size=(None, None, None), style=None), words):
         return first
-    tries = TRIES if missing & set(VARIED) else TRIES_FOR_COUNTS
+    tries = TRIES if missing & set(VARIED) or bare else TRIES_FOR_COUNTS
     return next(_that_show(category, seed, request, words, range(1, tries)), first)
 
 
@@ -100,7 +101,13 @@ def _can_show(category: str, request: Request, words: Words) -> bool:
 
 def _that_show(category: str, seed: int, request: Request, words: Words, tries: range) -> Iterator[Asset]:
     drawn = (_draw(category, seed + 7919 * k, request) for k in tries)
-    return (made for made in drawn if all(shows(made.attributes, words).values()))
+    shown = (made for made in drawn if all(shows(made.attributes, words).values()))
+    return (made for made in shown if not _without_details(made, request))
+
+
+def _without_details(made: Asset, request: Request) -> list[str]:
+    """The parts of a body that were to have a look and have none."""
+    return [part for part, _ in request.details if f"{part} finish" not in made.attributes]
 
 
 _DRAWN = Drawings(64 * 2**20)
@@ -131,11 +138,16 @@ def _read(asset_id: str) -> tuple[str, int, Request]:
         size, parts = _size(given.pop("size", ",,")), _parts(given.pop("parts", ""))
         suite = int(given.pop("suite")) if "suite" in given else None
         flipped = int(given.pop("mirrored", "0"))
+        details = _details(given.pop("details", ""))
     except ValueError as error:
         raise InputError(f"asset: '{asset_id}' is no parametric id; write parametric:CATEGORY?seed=N") from error
     if given or seed < 0 or (suite or 0) < 0 or flipped not in (0, 1):
         raise InputError(f"asset: '{asset_id}' is no parametric id; write parametric:CATEGORY?seed=N")
-    return category, seed, Request(size=size, parts=parts, suite=suite, mirrored=bool(flipped), **words)
+    return (
+        category,
+        seed,
+        Request(size=size, parts=parts, suite=suite, mirrored=bool(flipped), details=details, **words),
+    )
 
 
 def _size(text: str) -> tuple[float | None, float | None, float | None]:
@@ -146,6 +158,11 @@ def _size(text: str) -> tuple[float | None, float | None, float | None]:
 def _parts(text: str) -> tuple[tuple[str, int], ...]:
     rows = [row.partition(":") for row in text.split(",") if row]
     return tuple((name, int(count)) for name, _, count in rows)
+
+
+def _details(text: str) -> tuple[tuple[str, str], ...]:
+    rows = [row.partition(":") for row in text.split(",") if row]
+    return tuple((name, look) for name, _, look in rows)
 
 
 def other_hand(asset_id: str) -> str | None:

@@ -11,13 +11,16 @@ from collections.abc import Callable
 
 from ..parsed import Parsed
 from ..source import Source
+from .appearances import read_appearances
 from .arrangements import arrangements
 from .bounds import bounds
 from .capacities import capacities
 from .entering import entering
+from .finishes import read_finishes
 from .free_areas import read_free_areas
 from .fullness import fullness
 from .groups import aisles, facing_rows, groups, horseshoes, merged
+from .looks import read_looks
 from .measures import measures
 from .openings import read_openings
 from .room_kind import furnish_zones, read_room_kind
@@ -38,6 +41,7 @@ STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     entering,
     wings,
     read_openings,
+    read_finishes,
     bounds,
     groups,
     arrangements,
@@ -45,7 +49,9 @@ STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     read_free_areas,
     measures,
     read_states,
+    read_appearances,
     capacities,
+    read_looks,
     fullness,
     unwanted,
     read_room_kind,

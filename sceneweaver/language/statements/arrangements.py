@@ -13,6 +13,8 @@ from typing import Any, Literal, get_args
 from ..model import Arrangement, Span
 from ..parsed import Parsed
 from ..source import Source
+from ..things import match_of, singular
+from ..vocabulary import family
 from .aisles import AISLE, ROWS, width_of
 from .lengths import LENGTH, length_of
 from .phrases import NUMBER, Edits, noun_after, noun_before, number_of, table_before
@@ -36,6 +38,7 @@ Pattern = Literal[
     "end_to_end",
     "outside",
     "inside",
+    "wall",
 ]
 
 _N, _M = rf"(?P<n>{NUMBER})", rf"(?P<m>{NUMBER})"
@@ -43,7 +46,7 @@ PLACED = r"(?:,? ?(?:all |neatly )?(?:laid out|set out|set up|arranged|laid|plac
 """What may stand before the words of a pattern."""
 
 _AREA = r"(?:grid|array|matrix|pattern|formation|raster)"
-_GROUP = r"(?:groups?|clusters?|pods?|sets?|bunches)"
+GROUP = r"(?:groups?|clusters?|pods?|sets?|bunches)"
 _HEIGHTS = {"knee": 0.5, "waist": 1.0, "hip": 0.95, "chest": 1.25, "shoulder": 1.4, "head": 1.7}
 """Heights [m] that are named after a part of the body."""
 
@@ -64,6 +67,10 @@ _LOOKING = re.compile(
     r"(?:turned|oriented|pointed|pointing|directed) (?:to|towards?|at)|face|towards) (?:the |an? )?"
 )
 _LOOKING_OUT = re.compile(r"\s*,?\s*(?:and |all |both )*looking out(?:side|wards)?(?=\s*(?:$|[.,;)]|with\b|and\b))")
+_IN_STACKS = re.compile(
+    rf"\s*,?\s*(?:and )?(?:in|into|as|making) (?P<n>{NUMBER}) (?:stacks?|piles?|towers?|columns?|heaps?)\b"
+    rf"(?: of (?P<m>{NUMBER})(?: each)?)?(?:,? (?:each )?(?P<high>{NUMBER}) high)?"
+)
 _EACH_ROW = re.compile(
     rf"\s*,?\s*(?:with |of )?(?P<n>{NUMBER})(?: [a-z]+)? (?:in|per|to|on|at) (?:each|a|every|the)?"
     r"(?: ?(?:row|line|side|one)\b)?"
@@ -72,8 +79,8 @@ _AMID = re.compile(
     r"\s*,?\s*(?:with |and |around )?(?:an? |the )(?P<what>(?:[a-z-]+ ){0,2}?[a-z-]+)(?P<place> in (?:the|its) "
     r"(?:middle|centre|center)(?: of (?:it|them|the circle))?)"
 )
-_EACH_AROUND = re.compile(
-    rf"\s*,?\s*(?:with )?(?:each|every)(?: {_GROUP}| one)?(?: arranged| set)?(?: around| round| about| at) "
+EACH_AROUND = re.compile(
+    rf"\s*,?\s*(?:with )?(?:each|every)(?: {GROUP}| one)?(?: arranged| set)?(?: around| round| about| at) "
     r"(?P<a>an? |its own )"
 )
 
@@ -223,7 +230,7 @@ def _groups(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     if not noun or m["in"]:
         noun, end, instead = noun_before(text, m.start()), m.end(), ""
     around = ""
-    if each := _EACH_AROUND.match(text, end):
+    if each := EACH_AROUND.match(text, end):
         around, _ = noun_after(text, each.end("a"))
         edits.take(each.start(), each.end("a"), ", a ")
     add(edits, parsed, m, "cluster", noun, end=end, instead=instead, groups=groups, columns=size, around=around)
@@ -246,7 +253,20 @@ def _stack(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     rows = number_of(m["n"]) if m["n"] else None
     noun = noun_before(edits.source.text, m.start())
     walls = re.compile(r" ?(?:along|around|against) (?:all )?(?:of )?the walls\b").match(edits.source.text, m.end())
-    add(edits, parsed, m, "stack", noun, rows=rows, height=height, groups=ALL_WALLS if walls else None)
+    groups, end = ALL_WALLS if walls else None, m.end()
+    if told := _IN_STACKS.match(edits.source.text, end):
+        groups, end = number_of(told["n"]), told.end()
+        deep = told["m"] or told["high"]
+        rows = number_of(deep) if deep and rows is None else rows
+        edits.take(told.start(), told.end())
+    add(edits, parsed, m, "stack", noun, end=end, rows=rows, height=height, groups=groups)
+
+
+def _in_stacks(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "Crates in four stacks of five", "in three piles, four high"."""
+    rows = number_of(m["m"] or m["high"]) if m["m"] or m["high"] else None
+    noun = noun_before(edits.source.text, m.start())
+    add(edits, parsed, m, "stack", noun, rows=rows, groups=number_of(m["n"]))
 
 
 def _stacks_of(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -277,7 +297,12 @@ def _each_side(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
         return  # "tables with three chairs on each side": the sides are theirs
     many = number_of(m["n"])
     instead = f"{2 * many} {m['noun']}"
-    add(edits, parsed, m, "sides", m["noun"], instead=instead, sides=(many, many))
+    if family(match_of(singular(m["noun"])).category) == "bed_group" and "aisle" not in m[0]:
+        add(edits, parsed, m, "walls", m["noun"], instead=instead, sides=(many, many), around="wall")
+        return
+    seat = family(match_of(singular(m["noun"])).category) == "seat" and not re.search("aisle|gangway|walkway", m[0])
+    around = table_before(edits.source.text, m.start()) if seat else ""
+    add(edits, parsed, m, "sides", m["noun"], instead=instead, sides=(many, many), around=around)
 
 
 def _two_sides(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -334,7 +359,7 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
         ),
         _wide_and_high,
     ),
-    (re.compile(rf"\b(?:{PLACED}(?P<in>in|into) )?{_N} (?:small |equal )?{_GROUP} of {_M}(?: each)?\b ?"), _groups),
+    (re.compile(rf"\b(?:{PLACED}(?P<in>in|into) )?{_N} (?:small |equal )?{GROUP} of {_M}(?: each)?\b ?"), _groups),
     (re.compile(rf"\b(?:an? )(?:{_STRAIGHT})row of {_N} "), _row_of),
     (re.compile(rf"{PLACED}\b(?:in|as) (?:an?|one|a single) {_STRAIGHT}(?:row|line)\b(?! of)"), _in_row),
     (
@@ -361,6 +386,13 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
             rf"| (?:up )?to (?:about )?{LENGTH}(?: height| high)?)?(?: on (?:top of )?(?:each other|one another))?"
         ),
         _stack,
+    ),
+    (
+        re.compile(
+            rf"(?:,? ?\b(?:stacked|piled)(?: up)?)? ?\b(?:in|into|as) {_N} (?:stacks?|piles?|towers?)\b"
+            rf"(?: of {_M}(?: each)?)?(?:,? (?:each )?(?P<high>{NUMBER}) high)?"
+        ),
+        _in_stacks,
     ),
     (re.compile(rf"\b{_N} parallel (?=[a-z])"), _parallel),
     (re.compile(rf"\b{_N} (?:free-?standing )?island (?=[a-z])"), _islands),

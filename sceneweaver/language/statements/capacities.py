@@ -111,7 +111,7 @@ def _seater(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "A 6-seater dining table", "four-person booth", "a one person office"."""
     noun, _ = noun_after(edits.source.text, m.end())
     activity = activity_at(noun)
-    if activity is None and not m["person"]:
+    if activity is None and not (m["person"] or m["people"]):
         return
     if noun.split()[-1:] and "room" in vocabulary().get(noun.split()[-1], {}):
         parsed.people = parsed.people or number_of(m["n"])
@@ -125,6 +125,26 @@ def _places(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "Two working places", "14 covers"."""
     does = next(name for name, spoken in words("people")["places"].items() if m["place"] in spoken)
     _add(edits, parsed, m.start(), m.end(), Capacity(people=number_of(m["n"]), activity=does))
+    each = _EACH_WITH.match(edits.source.text, m.end())
+    if each is not None:
+        _own_list(each, edits, parsed)
+
+
+def _own_list(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "Each place has a couch, a rolling stool and a lamp over the couch"."""
+    text = edits.source.text
+    stop = re.compile(r"[.;()]").search(text, m.end())
+    clause = text[m.end() : stop.start() if stop is not None else len(text)]
+    nouns: list[str] = []
+    for piece in re.split(r",|\band\b|\bplus\b", clause):
+        head = re.split(rf"\b{one_of(listed('prepositions'))}\b", piece.strip())[0]
+        noun = noun_before(head, len(head))
+        if not noun or match_of(singular(noun)).how == "generic":
+            break
+        nouns.append(noun)
+    if nouns:
+        said = Capacity(people=0, activity="use", own=tuple((noun, 1) for noun in dict.fromkeys(nouns)))
+        _add(edits, parsed, m.start(), m.end(), said, ", " if m.end() - m.start() > 2 else "")
 
 
 def _couple(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -197,6 +217,11 @@ _EACH_ONE = (
 )
 _HAS = r"(?:must |should |needs to |need to |has to |shall |will )?(?:have|has|gets|get|needs|need|with)"
 
+_EACH_WITH = re.compile(
+    r",?\s*(?:and\s)?(?:each|every|both)(?:\s(?:one|place|of them|of which))?\s(?:with|has|have|having)\s"
+)
+_PLACE = r"(?:(?:work |working |treatment )?(?:place|station|spot|workplace|work place|position)s?)"
+
 _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed], None]], ...] = (
     (re.compile(rf"\b{_EACH_ONE} {_HAS} (?:(?:his|her|their|its|an|a) )?own "), _own),
     (
@@ -251,7 +276,13 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
         ),
         _places,
     ),
-    (re.compile(rf"\b{_N}[\s-](?:seater|seat|(?P<person>person|people|man|child|pupil|guest))\b(?! each)"), _seater),
+    (re.compile(rf"\b(?:each|every|both)(?: of (?:these|those|the))? {_PLACE} (?:with|{_HAS}) "), _own_list),
+    (
+        re.compile(
+            rf"\b{_N}(?:[\s-](?:seater|seat|(?P<person>person|man|child|pupil|guest))|-(?P<people>people))\b(?! each)"
+        ),
+        _seater,
+    ),
     (
         re.compile(
             rf"\b(?:me|i|myself|mum|mom|dad|us) and (?:my |our )?{one_of(listed('partners'))}\b"

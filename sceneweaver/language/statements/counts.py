@@ -66,7 +66,11 @@ def peopled(
         if one.entity in by_id:
             by_id[one.entity] = _hung(_counted(by_id[one.entity], _things(one)), one)
         # What all look at is said of the arrangement; none of a row looks straight at it but the middle one.
-        found = [r for r in found if not (r.type == "facing" and r.subject == one.entity and one.facing in r.targets)]
+        found = [
+            r
+            for r in found
+            if not (r.type == "facing" and r.subject in (one.entity, *one.others) and one.facing in r.targets)
+        ]
         if one.pattern == "cluster" and one.around in by_id and one.groups and one.entity in by_id:
             by_id[one.around] = _counted(by_id[one.around], one.groups)
             # What a group is around stands on the floor, whatever its words were tied to.

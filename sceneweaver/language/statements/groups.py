@@ -9,18 +9,27 @@ import re
 from collections.abc import Callable
 from functools import cache
 
+from sceneweaver.assets.taxonomy import category_named
+
 from ..model import Arrangement
 from ..parsed import Parsed
 from ..source import Source
 from ..things import match_of, singular
-from ..vocabulary import family
-from .aisles import AISLE, ROWS, width_of
-from .arrangements import PLACED, add
+from ..vocabulary import family, mounts
+from .aisles import AISLE, ROWS, WIDE, width_of
+from .arrangements import EACH_AROUND, GROUP, PLACED, add
+from .lengths import PLAIN, plain_length
 from .phrases import NUMBER, Edits, noun_after, noun_before, number_of, table_before
 
 PAIRS = {"pairs": 2, "twos": 2, "threes": 3, "fours": 4, "couples": 2}
 
 MOST_SIDES = 4
+
+IN_ROW = 4
+"""Things of a row by an aisle of which no number is said."""
+
+FEW = 3
+"""Things of a group of which no number is said."""
 
 _N = rf"(?P<n>{NUMBER})"
 _NOUN = r"(?P<noun>[a-z][a-z'-]*(?: [a-z][a-z'-]*){0,2}?)"
@@ -133,9 +142,10 @@ def _all_around(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     if not _sits(noun):
         return
     long, short = number_of(m["m"]), number_of(m["ends"])
+    other = 0 if re.search(r"at (?:the|one) (?:head|end|short side)\b|at one", m[0]) else short
     table = table_before(text, m.start()) or "table"
-    instead = f"{2 * (long + short)} {noun}"
-    add(edits, parsed, m, "sides", noun, sides=(long, long, short, short), around=table, instead=instead)
+    instead = f"{2 * long + short + other} {noun}"
+    add(edits, parsed, m, "sides", noun, sides=(long, long, short, other), around=table, instead=instead)
 
 
 def _mutual(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -154,11 +164,6 @@ def _mutual(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
         span, words = edits.take(m.start(), m.end()), m[0].strip(" ,")
     told = Arrangement(entity=noun, pattern="rows", rows=2, columns=columns, facing="each other", words=words)
     parsed.arrangements.append(told.model_copy(update={"span": span}))
-
-
-def _amid(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
-    """ "A table in the middle of them" is between them."""
-    edits.take(m.start(), m.end(), "between them")
 
 
 def _two_walls(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -182,8 +187,9 @@ def _many_beside(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     noun, others = _members(edits.source.text, m.start())
     count = _count_of(noun, edits.source.text, m.start()) if noun else 0
     named = bool(noun) and match_of(singular(noun)).how != "generic"
-    if named and not others and (count >= 3 or (count and m["parted"] is not None)):
-        add(edits, parsed, m, "row", noun, rows=1, columns=count)
+    several = not count and singular(noun) != noun
+    if named and not others and (several or count >= 3 or (count and m["parted"] is not None)):
+        add(edits, parsed, m, "row", noun, rows=1, columns=count or None)
 
 
 def _row_of_some(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -193,7 +199,7 @@ def _row_of_some(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
         return
     many = m["rows"].endswith("s")
     if many:
-        add(edits, parsed, m, "rows", noun, end=end)
+        add(edits, parsed, m, "rows", noun, end=end, rows=number_of(m["n"]) if m["n"] else None)
     else:
         add(edits, parsed, m, "row", noun, end=end, rows=1)
 
@@ -211,7 +217,85 @@ def _pushed(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "Four desks pushed together": one block."""
     noun = noun_before(edits.source.text, m.start())
     count = _count_of(noun, edits.source.text, m.start()) if noun else 0
-    add(edits, parsed, m, "cluster", noun, groups=1, columns=count or None)
+    add(edits, parsed, m, "cluster", noun, groups=1, columns=count or None, instead=m["middle"] or "")
+
+
+def _some_groups(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "Two groups of armchairs, each group around a low table": so many groups of a few."""
+    text = edits.source.text
+    noun, end = noun_after(text, m.end())
+    if not noun or match_of(singular(noun)).how == "generic":
+        return
+    many, around = number_of(m["n"]), ""
+    if each := EACH_AROUND.match(text, end):
+        around, _ = noun_after(text, each.end("a"))
+        edits.take(each.start(), each.end("a"), ", a ")
+    add(edits, parsed, m, "cluster", noun, end=end, instead=str(FEW * many), groups=many, columns=FEW, around=around)
+
+
+def _backs_first(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "Desks back to back in two rows": what comes before the rows."""
+    add(edits, parsed, m, "back_to_back", noun_before(edits.source.text, m.start()))
+
+
+def _two_by_two(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "Four tables two by two facing each other"."""
+    noun = noun_before(edits.source.text, m.start())
+    count = _count_of(noun, edits.source.text, m.start()) if noun else 0
+    add(edits, parsed, m, "rows", noun, rows=2, columns=count // 2 or None)
+
+
+def _parallels(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "Two islands parallel to each other": side by side, or behind each other if they are wider than deep."""
+    noun = noun_before(edits.source.text, m.start())
+    size = category_named(match_of(singular(noun)).category).size if noun else None
+    count = _count_of(noun, edits.source.text, m.start()) if noun else 0
+    if not count:
+        return
+    if size is not None and size.width[0] > size.depth[0]:
+        add(edits, parsed, m, "rows", noun, rows=count, columns=1)
+    else:
+        add(edits, parsed, m, "row", noun, rows=1, columns=count)
+
+
+def _left_and_right(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "Two bunks on the left wall and two on the right": so many at either side wall."""
+    noun = m["noun"] or noun_before(edits.source.text, m.start())
+    if m["one"] == m["two"] or not noun:
+        return
+    numbers = number_of(m["n"]), number_of(m["m"])
+    sides = numbers if m["one"] == "left" else numbers[::-1]
+    instead = f"{sum(numbers)} {m['noun']}" if m["noun"] else ""
+    add(edits, parsed, m, "walls", noun, sides=sides, around="wall:side", instead=instead)
+
+
+def _by_an_aisle(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "Pews on both sides of a central aisle"."""
+    width = re.search(PLAIN, m[0])
+    wide = plain_length(width[0]) if width else WIDE
+    count = _count_of(m["noun"], edits.source.text, m.end())
+    columns = count // 2 if count else IN_ROW
+    add(edits, parsed, m, "rows", m["noun"], instead=m["noun"], rows=2, columns=columns, aisle=wide)
+
+
+def _both_sides(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "A long table and benches on both sides"."""
+    text = edits.source.text
+    table, noun = table_before(text, m.start()), m["noun"]
+    if not table or not _sits(noun):
+        return
+    count = _count_of(noun, text, m.end())
+    long = match_of(singular(noun)).category.endswith("bench")
+    each = count // 2 if count else 1 if long else 2
+    add(edits, parsed, m, "sides", noun, instead=noun, sides=(each, each), around=table)
+
+
+def _full_wall(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "A whole wall of shelves": side by side along one wall, over most of it."""
+    noun, end = noun_after(edits.source.text, m.end())
+    category = match_of(singular(noun)).category if noun else ""
+    if noun and "floor" in mounts(category) and not re.match(r",? ?\w+ wide\b", edits.source.text[end:]):
+        add(edits, parsed, m, "wall", noun, end=end)
 
 
 def _islands(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -229,7 +313,6 @@ def _patterns() -> tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, 
     each = r"(?:each|every)"
     rows = (
         (rf"{PLACED}\b(?:at|in|forming|as) (?:an? )?{angles}{_EACH_OTHER}{_END}", _right_angle),
-        (r"\bin the (?:middle|centre|center) (?:of|between) (?:them|both|these|the two)\b", _amid),
         (
             rf"{PLACED}\b(?:(?:in|as) an? l(?:[ -]shape)? )?(?:along|against|on|lining) two (?:adjacent |adjoining |"
             r"neighbou?ring )?walls(?! of\b)",
@@ -242,9 +325,35 @@ def _patterns() -> tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, 
             r"(?: (?:in )?between(?: them)?)?",
             _mutual,
         ),
+        (rf"\b{_N} (?:small |separate |cosy |equal )?{GROUP} of (?!{NUMBER})", _some_groups),
+        (rf"{PLACED},? ?\bback[ -]to[ -]back(?= (?:in|as)\b)", _backs_first),
+        (rf"{PLACED},? ?\b(?:two by two|2 by 2|in two by two)\b", _two_by_two),
+        (rf"{PLACED},? ?\bparallel(?: to (?:each other|one another))\b", _parallels),
+        (
+            r"\b(?:an? |one |the )?(?:(?:whole|entire|full|complete) )?wall (?:full )?of "
+            rf"(?!{NUMBER}|the\b|glass\b|windows?\b)",
+            _full_wall,
+        ),
+        (
+            r",? ?\b(?:which |that )?(?:form|forms|forming|make|makes|making) (?:an? )"
+            r"(?:l(?:[ -]shape)?|right angle|corner)\b(?! (?:room|desk|sofa|couch|table|unit))",
+            _right_angle,
+        ),
+        (
+            rf"\b(?P<n>{NUMBER})(?: {_NOUN})? (?:on|at|along|against|by|to) the (?P<one>left|right)"
+            rf"(?:[- ]hand)?(?: wall| side)?,? (?:and |, ?)?(?P<m>{NUMBER})(?: (?P=noun))? "
+            r"(?:on|at|along|against|by|to) the (?P<two>left|right)(?:[- ]hand)?(?: wall| side)?\b",
+            _left_and_right,
+        ),
+        (
+            r"\b(?P<noun>[a-z-]+) on (?:both|either) sides? of (?:an? |the )(?:central |middle |centre |center |wide )?"
+            rf"(?:{PLAIN} )?(?:aisle|gangway|walkway|corridor)\b",
+            _by_an_aisle,
+        ),
+        (rf"\b(?P<noun>[a-z-]+) on both (?:long )?sides{_END}", _both_sides),
         (rf"{PLACED}\bperpendicular (?:to (?:each other|one another))", _right_angle),
         (
-            rf"(?:,? ?(?:with |and )?)\b(?P<with>with |and |)(?P<a>an? |one )(?P<noun>(?:[a-z-]+ ){{0,2}}?[a-z-]+)"
+            rf",? ?\b(?P<with>with |and |)(?P<a>an? |one )(?P<noun>(?:[a-z-]+ ){{0,2}}?[a-z-]+)"
             rf"(?: standing| placed| set)? (?:in )?between {each}(?: two\b| pair\b| other\b| couple\b)?"
             rf"(?: of (?:them|the [a-z]+))?(?: (?!(?:and|with|in|on|at|of|facing)\b)(?P<host>[a-z]+))?",
             _between_each,
@@ -262,7 +371,7 @@ def _patterns() -> tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, 
         (rf"{PLACED}\b(?:along|down) {which} (?:sides?|flanks?)(?! of\b)", _walls),
         (
             rf"\b(?P<m>{NUMBER}) {_NOUN} (?:on|at|along|to) (?:each|either|both|every) (?:of the )?(?:long )?sides?,? "
-            rf"(?:and|plus|with) (?P<ends>{NUMBER}) (?:on|at) (?:each|either|both|the|every) (?:of the )?"
+            rf"(?:and|plus|with) (?P<ends>{NUMBER}) (?:on|at) (?:each|either|both|the|every|one) (?:of the )?"
             r"(?:ends?|heads?|short sides?)(?: of (?:it|the table))?",
             _all_around,
         ),
@@ -278,13 +387,23 @@ def _patterns() -> tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, 
         ),
         (rf"{PLACED},? ?\b(?P<one>head|foot|end|toe)s?[- ]to[- ](?P<two>head|foot|end|toe|tail)s?\b", _ends),
         (
-            rf"{PLACED}\b(?:side by side|next to (?:each other|one another)|shoulder to shoulder|in line|"
-            rf"beside (?:each other|one another))\b(?P<parted>(?= with (?:an?|one|the) [a-z -]*\bbetween\b))?",
+            rf"{PLACED}\b(?:lined up(?! in\b(?! front))|side by side|next to (?:each other|one another)|"
+            r"shoulder to shoulder|in line|beside (?:each other|one another))\b"
+            r"(?P<parted>(?= with (?:an?|one|the) [a-z -]*\bbetween\b))?",
             _many_beside,
         ),
-        (rf"\b(?:an? |the |two |several )?(?:{_STRAIGHT})?(?P<rows>rows?|lines?|banks?) of (?!{NUMBER})", _row_of_some),
+        (
+            rf"\b(?:(?P<n>{NUMBER}) |the |several )?(?:{_STRAIGHT})?(?P<rows>rows?|lines?|banks?) of (?!{NUMBER})",
+            _row_of_some,
+        ),
         (rf"{PLACED}(?P<stacked>,? ?\b(?:stacked|piled)(?: up)? )?\bin (?P<pairs>{'|'.join(PAIRS)})\b", _in_pairs),
-        (rf"{PLACED}\b(?:pushed|shoved|put|joined) together\b(?: in(?:to| the)? [a-z]+)?", _pushed),
+        (
+            rf"{PLACED}\b(?:pushed|shoved|put|joined) together\b"
+            r"(?P<middle> in the (?:middle|centre|center))?"
+            r"(?: (?:as|into|to form|to make|like) (?:one|an?) (?:(?:big|large|long|single) )*"
+            r"(?:table|block|island|desk|unit))?",
+            _pushed,
+        ),
         (rf"{PLACED}\b(?:as|like) (?:free-?standing )?(?:islands?|an island)\b", _islands),
     )
     return tuple((re.compile(pattern), read) for pattern, read in rows)
@@ -352,11 +471,14 @@ def merged(parsed: Parsed) -> None:
     """One arrangement of "two rows of six, back to back", and of a U with what is said of its seats."""
     found: list[Arrangement] = []
     for one in parsed.arrangements:
-        before = next((o for o in found if o.entity == one.entity and o.pattern in ("rows", "grid")), None)
-        if one.pattern == "back_to_back" and before is not None:
-            k = found.index(before)
-            update = {"pattern": "back_to_back", "words": f"{before.words}, {one.words}"}
-            found[k] = before.model_copy(update=update)
+        told = ("rows", "grid") if one.pattern == "back_to_back" else ("back_to_back",) if one.pattern == "rows" else ()
+        before = next((o for o in found if o.entity == one.entity and o.pattern in told), None)
+        if before is not None:
+            rows = before if before.pattern != "back_to_back" else one
+            more = tuple(span for o in (before, one) if o is not rows and o.span is not None for span in (o.span,))
+            words = f"{before.words}, {one.words}"
+            update = {"pattern": "back_to_back", "words": words, "more": (*rows.more, *more)}
+            found[found.index(before)] = rows.model_copy(update=update)
             continue
         found.append(one)
     parsed.arrangements[:] = found

@@ -104,7 +104,12 @@ def _decided(source: Source, parsed: Parsed, parts: list[_Part], headline: bool)
     if _is_something_else(spoken, bare):
         return False
     headless = _without_head(parts) if spoken and bare and len(spoken) + len(parts) > 2 else parts
-    found = _best(source.spoken, headless, bare) or (_best(source.spoken, parts, bare) if not named else None)
+    alone = bool(named) and headless is parts
+    found = (
+        None
+        if alone
+        else _best(source.spoken, headless, bare) or (_best(source.spoken, parts, bare) if not named else None)
+    )
     if found is not None and named and found.kind == room_words()[named]:
         return True
     if found is None and named:
@@ -112,8 +117,11 @@ def _decided(source: Source, parsed: Parsed, parts: list[_Part], headline: bool)
         if not _belied(source, parsed, parts, named) and headline and strange:
             _set(source, parsed, room_words()[named], core, parts[:1], parts, exact=True)
         return headline
+    if found is None and headline and bare:
+        _blank_settings(source, parsed, parts[1:])
+        return _unknown(source, parsed, spoken, parts)
     if found is None:
-        return headline and bare and _unknown(source, parsed, spoken, parts)
+        return False
     _set(source, parsed, found.kind, core, parts, parts, exact=found.named and not found.told - _told(parts[:1]))
     return True
 
@@ -320,6 +328,8 @@ def _blank_settings(source: Source, parsed: Parsed, rest: list[_Part]) -> None:
 
 def _names_room(part: _Part) -> bool:
     spoken = _WORD.findall(part.text)
+    if 0 < len(spoken) <= 4 and part.kind != "purpose" and _building().search(part.text.strip()):
+        return True
     return bool(spoken) and len(spoken) <= 5 and bool(_named(spoken)) and spoken[-1] == _named(spoken).split()[-1]
 
 
@@ -382,6 +392,11 @@ def _core_mention(parsed: Parsed, name: str, count: int, span: Span) -> Mention:
 def _plain_heads() -> tuple[str, ...]:
     """Words for a room that the clauses know as such."""
     return ("room", "somewhere", "where", "something", *words("groups")["rooms"])
+
+
+@cache
+def _building() -> re.Pattern[str]:
+    return re.compile(rf"\b{one_of(words('room_kind')['buildings'])}$")
 
 
 @cache

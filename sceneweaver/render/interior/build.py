@@ -8,16 +8,18 @@ from typing import Any
 
 import numpy as np
 
-from sceneweaver.assets.body import Mesh
+from sceneweaver.assets.body import Material, Mesh
+from sceneweaver.assets.materials import shade
 from sceneweaver.geometry.shell import WALL_THICKNESS, outer_outline
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.scene import Room, Scene, SceneObject
 
-from ..blocks import Builder, Finishes
+from ..blocks import Builder, Finishes, wall_block
 from ..camera import Camera
 from ..mouldings import Plane, disc, moulding, plate
 from ..openings import add_door, add_window, is_in_doorway
 from ..shell import add_wall, add_wall_finish, bare_stretches, floor_mesh
+from ..tracing.lights import GLOW
 from ..words import is_one_of
 from .fittings import add_fittings, plan_fittings
 from .outside import outside_mesh
@@ -60,7 +62,9 @@ def build_interior(scene: Scene, look: Finishes, cameras: Sequence[Camera] = ())
         part(f"wall:{wall.index}", "wall", _add_whole_wall, room, wall, look)
     part("ceiling", "ceiling", _add_ceiling, room, look)
     part("coving", "coving", _add_coving, room, look, scene.objects)
+    part("beams", "beams", _add_beams, room, look)
     part("skirting", "skirting", _add_skirting, room, look)
+    part("glow", "glow", _add_glow, room)
     panelled = not is_one_of(room.type, "plain doors")
     for door in room.doors:
         wall = room.walls[door.wall]
@@ -115,7 +119,12 @@ def _add_ceiling(builder: Builder, room: Room, look: Finishes) -> None:
 
 def _add_coving(builder: Builder, room: Room, look: Finishes, things: Iterable[SceneObject]) -> None:
     """Coving along the ceiling where the kind of room has it, and roses over hanging lamps."""
-    if is_one_of(room.type, "plain ceiling") or room.height < 2.2:
+    above = room.finish.ceiling if room.finish is not None else None
+    if (
+        is_one_of(room.type, "plain ceiling")
+        or room.height < 2.2
+        or (above and (above.beams or above.material != "plaster"))
+    ):
         return
     moulding(builder, Plane.floor(), np.asarray(room.outline), _cove(room.height), look.ceiling, closed=True)
     under = Plane(np.array([0.0, 0.0, room.height]), *(np.eye(3) * (1, 1, -1)))
@@ -124,6 +133,48 @@ def _add_coving(builder: Builder, room: Room, look: Finishes, things: Iterable[S
             x, y, _ = thing.pose.position
             for radius, thick in ((0.17, 0.008), (0.145, 0.016), (0.10, 0.024)):
                 plate(builder, under, disc((x, y), radius, 40), (-0.001, thick), look.ceiling, bevel=0.006)
+
+
+def _add_glow(builder: Builder, room: Room) -> None:
+    """A line of coloured light under the ceiling, all around, where the room is lit so."""
+    if room.light is None or room.light.glow is None:
+        return
+    tube = Material(f"{room.light.glow}{GLOW}", shade(room.light.glow), roughness=0.6, emission=0.9)
+    for wall in room.walls:
+        if wall.length > 0.3:
+            builder.prism(
+                wall_block(wall, (0.05, wall.length - 0.05), (-0.035, -0.005)),
+                (room.height - 0.09, room.height - 0.06),
+                tube,
+            )
+
+
+_BEAM = (0.16, 0.18, 1.0)
+"""Width and height of a beam, and about how far beams are apart [m]."""
+
+
+def _add_beams(builder: Builder, room: Room, look: Finishes) -> None:
+    """Beams under the ceiling, across the longer way of the room."""
+    import shapely
+
+    if look.looks.beams is None:
+        return
+    plan = shapely.Polygon(room.outline)
+    x0, y0, x1, y1 = plan.bounds
+    along_x = x1 - x0 < y1 - y0
+    low, high = (y0, y1) if along_x else (x0, x1)
+    wide, deep, apart = _BEAM
+    count = max(3, round((high - low) / apart))
+    for k in range(count):
+        at = low + (k + 0.5) * (high - low) / count
+        a, b = at - wide / 2, at + wide / 2
+        strip = shapely.box(x0, a, x1, b) if along_x else shapely.box(a, y0, b, y1)
+        found = plan.intersection(strip)
+        for part in getattr(found, "geoms", [found]):
+            if not part.is_empty and part.area > 0.02:
+                box = shapely.box(*part.bounds)
+                corners = np.array(shapely.geometry.polygon.orient(box).exterior.coords)[:-1]
+                builder.prism(corners, (room.height - deep, room.height), look.looks.beams)
 
 
 def _cove(height: float) -> np.ndarray:

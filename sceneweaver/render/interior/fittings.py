@@ -29,6 +29,9 @@ _SIDE = 0.081  # of a switch or socket
 _RADIATOR = (0.03, 0.095)  # depths into the room [m]
 _AIR = 0.1  # what furniture must keep from a radiator [m]
 
+_UNHEATED = ("metal", "logs", "stone")
+"""Walls on which no radiators hang, and that have no sockets."""
+
 _PLASTIC = Material("switch plate", (0.94, 0.935, 0.92), roughness=0.35)
 _SHADE = Material("socket recess", (0.80, 0.795, 0.78), roughness=0.4)
 _DARK = Material("socket pin hole", (0.06, 0.06, 0.06), roughness=0.6)
@@ -64,7 +67,11 @@ class Fittings:
 def plan_fittings(scene: Scene) -> Fittings:
     """Where switches, sockets and radiators go: never on an opening, on a door frame or behind or in furniture."""
     free = _Free(scene)
+    if scene.room.finish is not None and not scene.room.finish.electric:
+        return Fittings((), (), ())
     switches = [spot for door in scene.room.doors for spot in _switch(scene, door, free)][: 4 * len(scene.room.doors)]
+    if scene.room.finish is not None and scene.room.finish.walls_of in _UNHEATED:
+        return Fittings(tuple(switches), (), ())
     radiators = [found for window in scene.room.windows for found in _radiator(scene, window, free)]
     if scene.room.windows and not radiators:  # furniture or curtains are there: it hangs on the nearest free wall
         radiators = [*_aside(scene, free)][:1]

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from sceneweaver.assets.body import Material, Mesh
+from sceneweaver.assets.materials import shade
 from sceneweaver.geometry.shell import WALL_THICKNESS
 from sceneweaver.geometry.walls import Wall
-from sceneweaver.scene import InputError, Room, Scene
+from sceneweaver.scene import InputError, Room, RoomLight, Scene
 
 Color = tuple[float, float, float]
 
@@ -47,8 +48,9 @@ class Lights:
 
     ``sun`` points toward the sun, ``softness`` is the tangent of its half angle, ``sun_color`` its irradiance at right
     angles. ``view`` is how bright the world outside looks at most beside the light that it gives. ``lamp_color`` is
-    that of everything with an emission; ``lamp_flux`` what one of 0.12 m2 sends out. ``room`` is the box [m] that the
-    room fills, lower and upper corner; None: all that is drawn.
+    that of everything with an emission; ``lamp_flux`` what one of 0.12 m2 sends out. ``level`` is how bright the
+    picture is beside one that is exposed as usual, ``adapted`` the share of the colour of the light that an eye gets
+    used to. ``room`` is the box [m] that the room fills, lower and upper corner; None: all that is drawn.
     """
 
     sun: Color = (0.5, -0.35, 0.79)
@@ -61,6 +63,8 @@ class Lights:
     view: float = 1.0
     lamp_color: Color = (1.0, 0.74, 0.48)
     lamp_flux: float = 0.9
+    level: float = 1.0
+    adapted: float = 0.65
     enclosed: bool = False
     portals: tuple[Portal, ...] = ()
     room: tuple[Color, Color] | None = None
@@ -117,6 +121,7 @@ def interior_lights(scene: Scene) -> Lights:
     """
     room = scene.room
     sunny = most_glass(room, range(len(room.walls))) or room.walls[0]
+    stated = mood_of(room.light)
     outline = np.asarray(room.outline, dtype=float)
     low, high = outline.min(axis=0) - 2 * WALL_THICKNESS, outline.max(axis=0) + 2 * WALL_THICKNESS
     return Lights(
@@ -124,7 +129,14 @@ def interior_lights(scene: Scene) -> Lights:
         enclosed=True,
         portals=portals_of(room),
         room=((float(low[0]), float(low[1]), -0.3), (float(high[0]), float(high[1]), room.height + 0.4)),
-        lamp_flux=0.9 if room.windows else 1.6,
+        lamp_flux=stated.flux * (0.9 if room.windows else 1.6),
+        sun_color=_times(Lights.sun_color, stated.sun),
+        zenith=_times(Lights.zenith, stated.sky),
+        horizon=_times(Lights.horizon, stated.sky),
+        ground=_times(Lights.ground, stated.sky),
+        lamp_color=stated.lamp,
+        level=stated.level,
+        adapted=stated.adapted,
     )
 
 
@@ -155,6 +167,77 @@ def slant_of(wall: Wall) -> Color:
     way = np.asarray(wall.outward) + _SUN_SLANT * np.asarray(wall.along)
     way = way / np.linalg.norm(way) * math.cos(_SUN_HEIGHT)
     return float(way[0]), float(way[1]), math.sin(_SUN_HEIGHT)
+
+
+GLOW = " glow tube"
+"""End of the names of materials that shine in their own colour."""
+
+
+@dataclass(frozen=True)
+class Mood:
+    """What a light that is asked for makes of the usual one: factors on sun, sky and lamps, the colour of lamps, how
+    bright a picture is, how far an eye gets used to the colour, and a tint for pictures in plain light."""
+
+    sun: Color = (1.0, 1.0, 1.0)
+    sky: Color = (1.0, 1.0, 1.0)
+    flux: float = 1.0
+    lamp: Color = Lights.lamp_color
+    level: float = 1.0
+    adapted: float = Lights.adapted
+    tint: Color = (1.0, 1.0, 1.0)
+    day: float = 1.0
+
+
+_SUN: Mapping[str, tuple[Color, Color, float]] = {
+    "day": ((1.0, 1.0, 1.0), (1.0, 1.0, 1.0), 1.0),
+    "overcast": ((0.0, 0.0, 0.0), (0.62, 0.64, 0.68), 0.8),
+    "dusk": ((0.30, 0.16, 0.06), (0.22, 0.20, 0.26), 0.4),
+    "night": ((0.0, 0.0, 0.0), (0.006, 0.008, 0.016), 0.0),
+}
+"""What is left of sun and sky, and of the share of daylight in a room."""
+
+_LEVELS: Mapping[str, float] = {"bright": 1.12, "normal": 1.0, "dim": 0.55, "dark": 0.32}
+
+
+def mood_of(light: RoomLight | None) -> Mood:
+    """What a stated light makes of the usual one."""
+    if light is None:
+        return Mood()
+    sun, sky, day = _SUN[light.daylight]
+    lamp, level = kelvin_color(light.kelvin), _LEVELS[light.level]
+    if light.level in ("dim", "dark"):  # what comes in is kept out by the same measure
+        sun, sky, day = _times(sun, (0.35, 0.35, 0.35)), _times(sky, (0.4, 0.4, 0.4)), 0.6 * day
+    colored = 1.0 - 0.75 * day if light.glow is None else 1.0
+    usual = kelvin_color(3200)
+    tint = tuple(min(max(0.6, a / b), 1.2) ** (0.8 * colored) for a, b in zip(lamp, usual, strict=True))
+    if light.glow is not None:
+        hue = np.asarray(shade(light.glow)) ** 1.6
+        hue = 0.30 + 0.9 * hue / max(float(hue.max()), 1e-6)
+        tint = tuple(float(v) for v in hue)
+    return Mood(
+        sun,
+        sky,
+        1.0 + 0.8 * (1.0 - day),
+        lamp,
+        level,
+        0.65 - 0.4 * colored * (light.level != "bright") if light.glow is None else 0.1,
+        (float(tint[0]), float(tint[1]), float(tint[2])),
+        day,
+    )
+
+
+def kelvin_color(kelvin: float) -> Color:
+    """Linear RGB of a lamp of a colour temperature [K], the strongest 1: a fit of the colours of a black body."""
+    t = kelvin / 100.0
+    red = 1.0 if t <= 66 else 1.293 * (t - 60) ** -0.1332
+    green = (0.3901 * math.log(t) - 0.6318) if t <= 66 else 1.1299 * (t - 60) ** -0.0755
+    blue = 1.0 if t >= 66 else 0.0 if t <= 19 else 0.5432 * math.log(t - 10) - 1.1963
+    r, g, b = (min(max(v, 0.0), 1.0) ** 2.2 for v in (red, green, blue))
+    return round(r, 4), round(g, 4), round(b, 4)
+
+
+def _times(a: Color, b: Color) -> Color:
+    return a[0] * b[0], a[1] * b[1], a[2] * b[2]
 
 
 @dataclass(frozen=True)
@@ -213,7 +296,9 @@ def emission_of(mesh: Mesh, area: np.ndarray | None, lights: Lights | DirectLigh
     lamp = float(total[shining >= _LAMP].sum())
     flux = lights.lamp_flux * min((lamp / 0.12) ** 0.65, 3.0) if lamp > 0 else 0.0
     for k, material in enumerate(mesh.materials):
-        if material.emission >= _LAMP and lamp >= _LEAST_LAMP:
+        if material.name.endswith(GLOW):
+            radiance[k] = 3.2 * linear_color(material)
+        elif material.emission >= _LAMP and lamp >= _LEAST_LAMP:
             level = min(flux / (math.pi * lamp), 6.0) * material.emission
             radiance[k] = level * np.asarray(lights.lamp_color)
         elif material.emission > 0:

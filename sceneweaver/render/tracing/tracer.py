@@ -41,7 +41,6 @@ _WHITE = 0.47
 
 _PAINT = 0.82
 _EVERY = 5  # pixel that is looked at
-_ADAPTED = 0.65  # share of the colour of the light that an eye gets used to
 
 
 @dataclass(frozen=True)
@@ -168,7 +167,8 @@ class Tracer:
             film.exposure, film.contrast, film.balance = lights.exposure, 1.0, wp.vec3(1.0)
         else:
             film.contrast = _CONTRAST
-            film.exposure, balance = exposed(layers.soft.numpy(), grid.key.numpy())
+            film.exposure, balance = exposed(layers.soft.numpy(), grid.key.numpy(), lights.adapted)
+            film.exposure *= lights.level
             film.balance = wp.vec3(*balance)
             if lights.enclosed:
                 self._light.view = wp.vec3(*(min(lights.view, _OUTSIDE / film.exposure) / balance))
@@ -247,12 +247,13 @@ def hilbert_order(side: int = 64) -> np.ndarray:
     return place.astype(np.int32)
 
 
-def exposed(soft: np.ndarray, key: np.ndarray) -> tuple[float, np.ndarray]:
+def exposed(soft: np.ndarray, key: np.ndarray, adapted: float = Lights.adapted) -> tuple[float, np.ndarray]:
     """Exposure, and the gains of red, green and blue [3].
 
     Args:
         soft: Light without that of the sun, over pi, RGB [N, 3].
         key: Negative where nothing is seen [N].
+        adapted: Share of the colour of the light that an eye gets used to.
     """
     soft, key = soft[::_EVERY], key[::_EVERY]
     seen = key >= 0
@@ -267,5 +268,5 @@ def exposed(soft: np.ndarray, key: np.ndarray) -> tuple[float, np.ndarray]:
     middling = lit & (bright >= low) & (bright <= high)
     level = float(np.exp(np.log(bright[middling]).mean()))
     mean = light[middling].mean(axis=0)
-    gains = (mean @ (0.2126, 0.7152, 0.0722) / np.maximum(mean, 1e-9)) ** _ADAPTED
+    gains = (mean @ (0.2126, 0.7152, 0.0722) / np.maximum(mean, 1e-9)) ** adapted
     return _WHITE / (_PAINT * level), gains

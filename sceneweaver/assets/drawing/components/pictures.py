@@ -19,16 +19,20 @@ SCHEMES = (
     "sky, forest, moss, chalk, sea",
 )
 KINDS = ("hills", "blocks", "circles", "arches", "sea", "leaves", "waves")
+OLD_KINDS, OLD_STYLES = ("hills", "sea", "portrait", "portrait"), ("classic", "rustic")
+"""What hangs in rooms of old styles."""
 
 
 def art(d: Drawing, box: Box, rng: np.random.Generator, kind: str | None = None) -> Box:
-    """A composition of coloured shapes that fills a box, one of `KINDS`; its paint lies in coats as thick as the box.
+    """A composition of coloured shapes that fills a box, one of `KINDS` or a "portrait"; its paint lies in coats as
+    thick as the box.
 
     It faces the front, and the box is its part.
     """
     import shapely
 
-    kind = kind or KINDS[int(rng.integers(len(KINDS)))]
+    kinds = OLD_KINDS if d.in_room and d.style in OLD_STYLES else KINDS
+    kind = kind or kinds[int(rng.integers(len(kinds)))]
     tones = SCHEMES[int(rng.integers(len(SCHEMES)))].split(", ")
     w, h = box.width, box.height
     small, page = min(w, h), shapely.box(0.0, 0.0, w, h)
@@ -62,6 +66,15 @@ def art(d: Drawing, box: Box, rng: np.random.Generator, kind: str | None = None)
             line = (0.62 - 0.15 * n) if hills else (0.48 - 0.12 * n)
             wave = np.sin(t * rng.uniform(3, 7) + rng.uniform(0, 6)) + 0.3 * np.sin(t * 14 + n)
             paint(below(line + swing * wave), 2 + n, tone)
+    elif kind == "portrait":
+        coat, hair = ("ink", "plum", "night")[int(rng.integers(3))], ("ink", "terracotta")[int(rng.integers(2))]
+        paint(page, 1, ("forest", "night")[int(rng.integers(2))])
+        wide = 0.36 * small
+        paint(disc(0.5, 0.04, wide).union(shapely.box(0.5 * w - wide, 0.0, 0.5 * w + wide, 0.04 * h)), 2, coat)
+        paint(disc(0.5, 0.63, 0.185 * small), 3, hair)
+        paint(disc(0.5, 0.40, 0.09 * small), 4, "blush")
+        paint(disc(0.5, 0.575, 0.135 * small), 5, "blush")
+        paint(disc(0.5, 0.33, 0.06 * small), 6, "chalk")
     elif kind == "blocks":
         u = 0.0
         for n, share in enumerate(rng.dirichlet((5, 5, 5))):

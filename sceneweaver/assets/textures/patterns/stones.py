@@ -190,6 +190,28 @@ def _hexagon(n: int) -> Relief:
     return _tiled(n, 0.6, edge, number[:, 0].reshape(n, n), 441, 0.003, tone=0.05, grout=0.6)
 
 
+@pattern("rubble", (2.4, 1.6), kind="stone", pixels=1024)
+def _rubble(n: int) -> Relief:
+    """Roughly hewn blocks of about 0.4 m by 0.2 m, each in a tone of its own, with wide joints."""
+    u, v = grid(n)
+    u = u + 0.009 * field(n, 461, 0.12, 1.8)
+    v = v + 0.014 * field(n, 462, 0.12, 1.8)
+    j = np.floor(v * 8)
+    along = u * 6 + 0.38 * np.mod(j * 3, 8) / 1.9
+    i = np.floor(along)
+    x, y = (along - i) * 0.4, (v * 8 - j) * 0.2
+    edge = np.minimum(np.minimum(x, 0.4 - x), np.minimum(y, 0.2 - y))
+    face = step(0.006, 0.02, edge)
+    number = np.mod(i, 6) * 8 + np.mod(j, 8)
+    tone, warm = spread(number, 463) - 0.5, spread(number, 464) - 0.5
+    sand, cloud = field(n, 467, 0.006, 0.9), field(n, 468, 0.08, 1.5)
+    shade = 1.0 + 0.38 * tone + 0.10 * cloud + 0.06 * sand
+    stone = shade[:, :, None] * (1.0 + warm[:, :, None] * np.array([0.08, 0.0, -0.12]))
+    tint = face[:, :, None] * stone + (1 - face)[:, :, None] * (0.62 + 0.08 * sand)[:, :, None]
+    height = face * (7e-3 + 1.5e-3 * cloud) + 4e-4 * sand
+    return Relief(tint, height, 1.0 + 0.05 * sand, shade=0.1, reach=0.012)
+
+
 @pattern("brick", (1.0, 0.6), kind="stone")
 def _brick(n: int) -> Relief:
     """Bricks of 0.24 m by 67 mm in running bond with sandy mortar."""

@@ -1,0 +1,126 @@
+"""Colours and materials of things that stand behind their nouns, of some of them, or of their parts.
+
+"Three armchairs, one red and two blue", "a bed in emerald velvet and brass lamps", "a square table, oak", "with a black
+marble top and brass legs": each is said of one thing, and none names another.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import cache
+from typing import Any
+
+from ..model import Attribute, AttributeKind
+from ..parsed import Parsed, Told
+from ..source import Source
+from ..things import match_of, singular
+from ..vocabulary import vocabulary, words
+from .phrases import NUMBER, Edits, noun_before, number_of, one_of
+
+_KINDS: tuple[AttributeKind, ...] = ("color", "material", "finish")
+_LEAD = re.compile(r"(?:(?:,\s{0,3})?\b(?:with|has|have|having|and|its|the|an?|on|plus)\s{1,3}){1,3}$|,\s{0,3}$")
+_ENDS = (
+    r"(?=\s*(?:[,.;:)]|$|and\b|with\b|but\b|in\s(?:the|a|an|my|our)\b|around\b|at\b|by\b|on\b|near\b|under\b|beside\b))"
+)
+
+
+def read_appearances(source: Source, parsed: Parsed) -> None:
+    """Adds what is said so of things, and takes its words out."""
+    edits = Edits(source)
+    shared, behind, trailing, part = _patterns()
+    for pattern, read in ((shared, _shared), (part, _part), (behind, _whole), (trailing, _whole)):
+        for found in list(pattern.finditer(source.text)):
+            if edits.free(*found.span()):
+                _add(source, parsed, edits, found, list(read(found)))
+
+
+def _add(source: Source, parsed: Parsed, edits: Edits, found: re.Match[str], said: list[dict[str, Any]]) -> None:
+    text, start = source.text, found.start()
+    if "of_part" in found.re.groupindex and (lead := _LEAD.search(text[:start])) is not None:
+        start = lead.start()
+    noun = noun_before(text, start)
+    noun = noun if _is_thing(noun) else _thing_before(text, start)
+    if not said or not _is_thing(noun) or _goes_on(text, found.end()):
+        return
+    span = edits.take(start, found.end())
+    for one in said:
+        attribute = Attribute(span=span, **one)
+        parsed.looks.append(Told(attribute, noun, after=False, named=True))
+
+
+def _is_thing(noun: str) -> bool:
+    """Whether a noun names a thing, and no part of the room."""
+    last = singular(noun).split()[-1] if noun else ""
+    kinds = vocabulary().get(last, {}).keys()
+    return bool(last) and not kinds & {"room", "place", "abstract", "region"} and match_of(noun).how != "generic"
+
+
+def _thing_before(text: str, start: int) -> str:
+    """The last thing that the sentence names before a place."""
+    spoken = re.findall(r"[a-z][a-z'-]*", text[text.rfind(".", 0, start) + 1 : start])
+    return next((word for word in reversed(spoken) if "noun" in vocabulary().get(word, {}) and _is_thing(word)), "")
+
+
+def _goes_on(text: str, end: int) -> bool:
+    """Whether a noun follows at once, of which the words would be said."""
+    follows = re.match(r"\s+([a-z]+)", text[end:])
+    kinds = vocabulary().get(follows[1], {}).keys() if follows is not None else set[str]()
+    return bool(kinds & {"noun", "plural"}) and not kinds & {"preposition", "verb"}
+
+
+def _shared(found: re.Match[str]) -> Iterator[dict[str, Any]]:
+    """So many of them in one look, and so many in another."""
+    for one in re.finditer(rf"(?P<many>{NUMBER}|a)\s(?:of\sthem\s|is\s|are\s|in\s)*(?P<look>{_look()})", found[0]):
+        many = 1 if one["many"] == "a" else number_of(one["many"])
+        for row in _words_of(one["look"]):
+            yield {**row, "count": (many, many)}
+
+
+def _whole(found: re.Match[str]) -> Iterator[dict[str, Any]]:
+    yield from _words_of(found["look"])
+
+
+def _part(found: re.Match[str]) -> Iterator[dict[str, Any]]:
+    name = next(name for name, nouns in words("states")["part_nouns"].items() if found["of_part"] in nouns)
+    yield {"kind": "part", "value": f"{found['look']} {name}", "words": found[0]}
+
+
+def _words_of(look: str) -> Iterator[dict[str, Any]]:
+    """The words of a look, each known phrase with its kind."""
+    table, spoken, at = vocabulary(), look.split(), 0
+    while at < len(spoken):
+        for length in range(min(3, len(spoken) - at), 0, -1):
+            phrase = " ".join(spoken[at : at + length])
+            kind = next((kind for kind in _KINDS if kind in table.get(phrase, {})), None)
+            if kind is not None:
+                value = words("nouns")["made_of"].get(phrase, str(table[phrase][kind]))
+                yield {"kind": kind, "value": value, "words": phrase}
+                at += length - 1
+                break
+        at += 1
+
+
+@cache
+def _look() -> str:
+    """A pattern of colours and materials one after the other."""
+    known = [phrase for phrase, kinds in vocabulary().items() if kinds.keys() & set(_KINDS) and phrase[0].isalpha()]
+    shades = r"(?:(?:dark|light|pale|deep|bright|matte|polished|brushed|bare)\s)?"
+    one = rf"{shades}{one_of(known)}(?![\w-])"
+    return rf"{one}(?:\s{one}){{0,2}}"
+
+
+@cache
+def _patterns() -> tuple[re.Pattern[str], ...]:
+    look = _look()
+    item = rf"(?:{NUMBER}|a)\s(?:of\sthem\s)?(?:(?:is|are|in)\s)?{look}(?:\sone)?"
+    parts = one_of([noun for nouns in words("states")["part_nouns"].values() for noun in nouns])
+    return (
+        re.compile(rf"[,:(]?\s*\b{item}(?:\s*(?:,\s*and|,|and)\s+{item}){{1,5}}{_ENDS}"),
+        re.compile(rf"\bin\s(?P<look>{look}){_ENDS}"),
+        re.compile(rf",\s(?:all\s)?(?:in\s|of\s)?(?P<look>{look})(?=\s*(?:[,.;)]|$))"),
+        re.compile(rf"\b(?P<look>{look})\s(?P<of_part>{parts})\b"),
+    )
+
+
+__all__ = ["read_appearances"]

@@ -1,0 +1,335 @@
+"""How the whole room looks: its style, the time that it is of, a theme, a mood, sets of colours, its light.
+
+Words that are said of one thing alone ("a rustic table", "a retro fridge") are left to it, and what the request does
+not want ("not gloomy", "nothing modern") is no look of the room.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import cache
+
+from sceneweaver.assets.materials import color_named, color_words
+from sceneweaver.assets.materials import hue as hue_of
+from sceneweaver.knowledge.looks import Years, look_words, looks, time_of
+
+from ..model import StatedLook
+from ..parsed import Parsed
+from ..source import Source
+from ..vocabulary import vocabulary, words
+from .phrases import one_of
+
+FIRST, LAST = 1000, 2999
+"""Years that four digits may mean."""
+
+_BEFORE = re.compile(
+    r"(?:\b(?:not|no|never|without|nothing|isn't|aren't|don't|non|avoid|less|too)\b(?:[ -]\w+)?[ -]*)$"
+)
+_INSIDE = re.compile(r"\b(?:on|of|in|aboard|inside|for) (?:a|an|the|our|my)(?: \w+){0,2} $")
+"""Before a place that the room is a part of, and is not itself: "the mess of a whaling ship"."""
+
+_NEXT = re.compile(r"[ -]*([a-z][a-z'-]*)")
+
+
+def read_looks(source: Source, parsed: Parsed) -> None:
+    """Read what a request says of the look of its room; what names nothing else goes out of the source."""
+    latest = _limit(source, parsed)
+    _years(source, parsed)
+    _glow(source, parsed)
+    _flames(source, parsed)
+    for pattern, named in _patterns():
+
+        def take(match: re.Match[str], named: bool = named) -> str | None:
+            name = look_words()[_plain(match["look"])]
+            if _is_denied(source.text, match.start("look")) or _is_of_thing(source.text, match, named):
+                return None
+            add(parsed, source, name, match)
+            inside = _INSIDE.search(source.text[: match.start("look")])
+            return None if _names_more(match["look"]) and not (inside and _is_place(match["look"])) else " "
+
+        source.blank(pattern, take)
+    _bare(source, parsed)
+    if latest is not None and not any(one.years for one in parsed.looks):
+        parsed.looks.append(StatedLook(name="", years=(latest[0] - 9, latest[0]), words=latest[1], span=latest[2]))
+
+
+def add(parsed: Parsed, source: Source, name: str, match: re.Match[str], years: Years | None = None) -> None:
+    """One more look, unless a longer phrase at the same place has been read."""
+    span = source.span(*match.span())
+    if any(one.span and one.span.start < span.end and span.start < one.span.end for one in parsed.looks):
+        return
+    row = looks().get(name)
+    years = years or (row.years if row is not None else None)
+    if not row_years(match) and any(one.name == name for one in parsed.looks):
+        years = None  # said again: the year that was named counts
+    parsed.looks.append(StatedLook(name=name, years=years, words=match[0].strip(" ,."), span=span))
+
+
+def row_years(match: re.Match[str]) -> bool:
+    """Whether a phrase names a year, a decade or a century itself."""
+    return "look" not in match.groupdict()
+
+
+def _glow(source: Source, parsed: Parsed) -> None:
+    """Coloured light: "neon purple", "purple neon lights", "bathed in red light"."""
+    rows = words("looks")
+    hue = one_of([name for name in color_words() if not name.startswith("neon")])
+    before, lit = r"(?:bathed in |lit in |lit by |lit with |in |with )?\b", one_of(rows["lit"])
+    forms = (
+        rf"{before}neon[ -](?P<color>{hue})(?: (?:{lit})\b)?",
+        rf"{before}(?P<color>{hue})(?: and \w+)? (?:neon )?(?:{lit})\b",
+    )
+    for form in forms:
+
+        def take(match: re.Match[str]) -> str | None:
+            color = match["color"]
+            basic = color_named(color)
+            color = f"neon {basic}" if f"neon {basic}" in color_words() else color
+            if hue_of(basic) is None or _is_denied(source.text, match.start("color")):
+                return None
+            span = source.span(*match.span())
+            said = StatedLook(name="neon", color=color, words=match[0].strip(), span=span)
+            parsed.looks.append(said)
+            return " "
+
+        source.blank(re.compile(form), take)
+
+
+def _flames(source: Source, parsed: Parsed) -> None:
+    """What burns is all the light there is: "lit by torches", "light only from the fire and from candles"."""
+    rows: dict[str, str] = words("looks")["flames"]
+    burning = rf"(?:a |the |some |two |three |few )*(?:{one_of(list(rows))})"
+    pattern = re.compile(
+        rf"\b(?:all |the |only |its )*(?:light(?:ed|ing)?|lit|illuminated)(?: comes| is| coming)?"
+        rf"(?: only| just| solely| mainly| mostly| up)* (?:from|by|with|of)(?: only| just)? (?P<of>{burning})"
+        rf"(?:(?: and|,| or) (?:from |by )?(?P<more>{burning}))?(?: (?:only|alone))?\b"
+    )
+
+    def take(match: re.Match[str]) -> str | None:
+        name = next((name for word, name in rows.items() if match["of"].split()[-1] == word.split()[-1]), "candle")
+        if _is_denied(source.text, match.start()):
+            return None
+        add(parsed, source, name, match)
+        kept = [one for one in (match["of"], match["more"]) if one and _is_thing_too(one)]
+        return " and ".join(kept) if kept else " "
+
+    source.blank(pattern, take)
+
+
+def _is_thing_too(spoken: str) -> bool:
+    """Whether what burns is a thing of the room as well: a fireplace, some lanterns."""
+    return spoken.split()[-1] in words("looks")["burning_things"]
+
+
+def _bare(source: Source, parsed: Parsed) -> None:
+    """Words that are a look where they are all of a clause: "dark, only the fire burns"."""
+    rows: dict[str, str] = words("looks")["bare"]
+    before = r"(?:(?:very|quite|all|rather|it is|it's|must be|should be|should feel|feels) )*"
+    pattern = re.compile(
+        rf"(?:(?<=^)|(?<=[,.;:!?] )|(?<=[,.;:!?])|(?<= and )|(?<= but ))"
+        rf"{before}(?P<look>{one_of(list(rows))})(?=\s*(?:[,.;!?]|$)| and )"
+    )
+
+    def take(match: re.Match[str]) -> str | None:
+        if _is_denied(source.text, match.start("look")):
+            return None
+        add(parsed, source, rows[match["look"]], match)
+        return " "
+
+    source.blank(pattern, take)
+
+
+# ---- times -----------------------------------------------------------------------------------------------------------
+
+
+def _limit(source: Source, parsed: Parsed):
+    """ "Nothing younger than 1940": the last year that there is, its words and their place, if there is such."""
+    rows, found = words("looks"), []
+
+    def take(match: re.Match[str]) -> str:
+        if match["year"]:
+            found.append((int(match["year"]), match[0], source.span(*match.span())))
+        else:  # "nothing newer than that": the time that the request names
+            parsed.looks.append(StatedLook(name="", words=match[0], span=source.span(*match.span())))
+        return " "
+
+    younger = one_of(rows["younger"])
+    source.blank(
+        re.compile(
+            rf"\b(?:nothing|no \w+|none)(?: \w+){{0,4}}? {younger} (?:than )?(?:(?P<year>\d{{4}})\b|that\b|this\b)"
+        ),
+        take,
+    )
+    return found[0] if found else None
+
+
+def _years(source: Source, parsed: Parsed) -> None:
+    """Years, decades and centuries, in digits or words."""
+    rows = words("looks")
+    decades, numbers, hundred = rows["decades"], rows["ordinals"], one_of(list(rows["hundreds"]))
+    about = rf"(?:(?:{one_of(rows['about'])})[ ,]*)*"
+    part = rf"(?:(?P<part>{one_of(list(rows['parts']))})[ -]+)?"
+    after = rf"(?:[ -]+(?:{one_of(rows['after'])})\b)*"
+    forms = (
+        rf"\b{about}{part}(?P<year>[12]\d{{3}})(?P<s>'?s)?(?![\d,.]\d|\w){after}",
+        rf"(?<!\d)(?<!\d[.,])\b{about}{part}'?(?P<short>[2-9]0)(?P<s>'?s)(?!\w){after}",
+        rf"\b{about}{part}(?:(?P<hundred>{hundred})[ -])?(?P<decade>{one_of(list(decades))})\b{after}",
+        rf"\b{about}{part}(?P<century>\d{{1,2}}(?:st|nd|rd|th)|{one_of(list(numbers))})[ -]century{after}",
+    )
+    for form in forms:
+
+        def take(match: re.Match[str]) -> str | None:
+            years = _years_of(match.groupdict(), decades, numbers, rows)
+            if years is None or _counts(source.text, match):
+                return None
+            add(parsed, source, time_of(years).name, match, years)
+            return " "
+
+        source.blank(re.compile(form), take)
+
+
+def _years_of(said: dict, decades: dict, ordinals: dict, rows: dict) -> Years | None:
+    """First and last year of a time in words."""
+    if said.get("year"):
+        first = int(said["year"])
+        if not said["s"]:
+            return (first, first) if FIRST <= first <= LAST else None
+        long = 99 if first % 100 == 0 and first < 1900 else 14 if first == 1900 else 9
+        years = (first, first + long)
+    elif said.get("short"):
+        years = (1900 + int(said["short"]), 1909 + int(said["short"]))
+    elif said.get("decade"):
+        first = rows["hundreds"].get(said.get("hundred") or "", 1900) + int(decades[said["decade"]])
+        years = (first, first + 9)
+    else:
+        word = said["century"]
+        number = int(re.sub(r"\D", "", word)) if word[0].isdecimal() else int(ordinals[word])
+        if not 1 <= number <= 29:
+            return None
+        years = (100 * (number - 1), 100 * (number - 1) + 99)
+    share = rows["parts"].get(said.get("part") or "")
+    if share:
+        length = years[1] - years[0] + 1
+        years = (years[0] + round(share[0] * length), years[0] + round(share[1] * length) - 1)
+    return years
+
+
+def _counts(text: str, match: re.Match[str]) -> bool:
+    """Whether a number counts things or measures something: "1500 books", "1200 mm", "2000 x 900"."""
+    rows, groups = words("looks"), match.groupdict()
+    if groups.get("s") or groups.get("decade") or groups.get("century"):
+        return bool(groups.get("decade")) and _is_people(text, match)
+    following = _NEXT.match(text, match.end())
+    told = match[0].strip()[0].isalpha() and match[0].strip().split()[0] not in ("in",)
+    if following is None:
+        return bool(re.match(r"\s*(?:[x×*/€$£%]|by\b)", text[match.end() :]))
+    if following[1] in rows["units"]:
+        return True
+    entry = vocabulary().get(following[1], {})
+    return not told and "noun" in entry and following[1].endswith("s") and "room" not in entry
+
+
+def _is_people(text: str, match: re.Match[str]) -> bool:
+    """Whether a decade is an age: "a woman in her eighties", "people in their sixties"."""
+    return bool(re.search(r"\b(?:her|his|their|my|our|your)(?: \w+)? $", text[: match.start("decade")]))
+
+
+# ---- words -----------------------------------------------------------------------------------------------------------
+
+
+@cache
+def _patterns() -> tuple[tuple[re.Pattern[str], bool], ...]:
+    """Patterns of looks: with words such as "style" or "mood" behind them, which make them the room's, then bare."""
+    rows = words("looks")
+    either = one_of(list(look_words()))
+    before = rf"(?:\b(?:{one_of(rows['before'])})[ ]+)*"
+    after = rf"(?:[ -]+(?:{one_of(rows['after'])})\b)"
+    look = rf"(?<![\w-])(?P<look>{either})(?![\w])"
+    return (
+        (re.compile(rf"{before}{look}{after}+"), True),
+        (re.compile(rf"{before}{look}"), False),
+    )
+
+
+def _plain(text: str) -> str:
+    return text.replace("-", " ") if text not in look_words() else text
+
+
+def _is_denied(text: str, at: int) -> bool:
+    before = text[max(0, at - 24) : at]
+    return bool(_BEFORE.search(before))
+
+
+def _is_of_thing(text: str, match: re.Match[str], named: bool) -> bool:
+    """Whether a look is said of the one thing that is named after it, and not of the room.
+
+    The first noun after it decides: what is a kind of room or no thing is the room's.
+    """
+    row = looks()[look_words()[_plain(match["look"])]]
+    if row.kind in ("light", "scheme"):
+        return _light_of_thing(text, match)
+    at, spoken = match.end(), list[str]()
+    before = re.search(r"\b(?:a|an|the|two|three|four|my|our|its|some|\d+) (?:[a-z-]+ ){0,2}$", text[: match.start()])
+    for _ in range(5):
+        following = _NEXT.match(text, at)
+        if following is None or following[1] in words("looks")["ends"]:
+            break
+        spoken.append(following[1])
+        at = following.end()
+    if not spoken:
+        return False
+    kinds = [kind for kind in _noun_kinds(spoken)]
+    if not kinds:
+        return False
+    return "room" not in kinds and (not named or before is None) and not _all_of_it(text, match)
+
+
+def _all_of_it(text: str, match: re.Match[str]) -> bool:
+    """ "Modern furniture", "vintage decor": all that is in the room."""
+    return bool(re.match(rf"[ -]+(?:[a-z]+ )?{one_of(words('looks')['all'])}\b", text[match.end() :]))
+
+
+def _light_of_thing(text: str, match: re.Match[str]) -> bool:
+    """ "Neon sign", "warm light oak": the word is a part of a thing's name."""
+    following = _NEXT.match(text, match.end())
+    return following is not None and following[1] in words("looks")["lit_things"]
+
+
+def _noun_kinds(spoken: list[str]) -> Iterator[str]:
+    """Of the nouns at the beginning of some words whether each names a thing or a room, the longest first."""
+    table, at = vocabulary(), 0
+    while at < len(spoken):
+        for length in range(min(4, len(spoken) - at), 0, -1):
+            entry = table.get(" ".join(spoken[at : at + length]).replace("-", " "), {})
+            if "room" in entry or "region" in entry or "abstract" in entry:
+                yield "room"
+                break
+            if "noun" in entry:
+                yield "noun"
+                break
+        else:
+            entry = table.get(spoken[at], {})
+            if not entry or "color" in entry or "material" in entry or "adjective" in entry or "styles" in entry:
+                at += 1
+                continue
+            return
+        at += length
+
+
+def _is_place(word: str) -> bool:
+    """Whether a look is that of a place, which the words name: a hut, a ship."""
+    return word.split()[-1] in words("looks")["places"]
+
+
+def _names_more(word: str) -> bool:
+    """Whether a look's word names a place or a thing as well: a saloon, a bunker, candles."""
+    entry = vocabulary().get(word.replace("-", " "), {})
+    if _is_place(word):
+        return True
+    if looks()[look_words()[_plain(word)]].kind in ("scheme", "mood") and "density" not in entry:
+        return False
+    if "noun" in entry or "room" in entry or "styles" in entry or "density" in entry:
+        return True
+    last = vocabulary().get(word.split()[-1], {})
+    return "room" in last or ("noun" in last and word in words("looks")["things"])
