@@ -13,6 +13,7 @@ from sceneweaver.assets.materials import STYLES, color_named, color_words, finis
 from sceneweaver.assets.roles import has_role
 from sceneweaver.language import Attribute, Entity
 from sceneweaver.language.told_states import detail_as_told, posture_as_told, pulled_as_told, state_as_told
+from sceneweaver.language.vocabulary import words
 from sceneweaver.rules.faults import fault_kind
 from sceneweaver.scene import InputError, Window
 from sceneweaver.verify.measure import Measurement
@@ -231,7 +232,13 @@ def _of_parts(body: Body, want: dict[str, int]) -> Answer | None:
 
 
 def _of_name(body: Body, want: str) -> Answer | None:
-    """Whether its category, a name of that, or its description has the words; nothing is known where they have not."""
+    """Whether its category, a name of that, or its description has the words; nothing is known where they have not.
+
+    What is called bent has to have such an outline.
+    """
+    if want.lower() in words("bearing_words")["bent"].split() and body.item.mount == "floor":
+        seen = plan_shape(body)
+        return seen not in ("rectangular", "square"), seen
     row = categories().get(body.item.category)
     names = (body.item.category, body.item.description or "", *(row.synonyms if row is not None else ()))
     text = {word for name in names for word in name.lower().replace("_", " ").replace("-", " ").split()}

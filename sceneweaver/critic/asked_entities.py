@@ -8,8 +8,8 @@ from dataclasses import replace
 from sceneweaver.assets.taxonomy import members
 from sceneweaver.knowledge.kin import interchangeable, is_one
 from sceneweaver.language import Entity, Exclusion
-from sceneweaver.language.coverage import function_words
-from sceneweaver.language.unwanted import belongs_there
+from sceneweaver.language.coverage import idle_words
+from sceneweaver.language.unwanted import belongs_there, kinds_unwanted
 from sceneweaver.rules.faults import fault_kind
 from sceneweaver.verify.solids import Body
 
@@ -44,8 +44,7 @@ def _whole(asked: Entity, thing: Asked, like: Sequence[Asked]) -> Asked:
     unseen = [
         item.outcome.reason
         for item in like
-        if item.outcome.status == "not_understood"
-        and not function_words().issuperset(words.get(item.outcome.item, ["?"]))
+        if item.outcome.status == "not_understood" and not idle_words().issuperset(words.get(item.outcome.item, ["?"]))
     ]
     if thing.outcome.status != "met" or not unseen:
         return thing
@@ -131,7 +130,8 @@ def _exclusions(survey: Survey) -> Iterator[Asked]:
 
 def _is_unwanted(survey: Survey, excluded: Exclusion, body: Body) -> bool:
     """Whether a body is what an exclusion rules out: of its categories, or by material and place unless asked for."""
-    if any(body.item.category in (word, *members(word)) for word in excluded.categories):
+    named = (*excluded.categories, *kinds_unwanted(excluded.words))
+    if any(body.item.category in (word, *members(word)) for word in named):
         return True
     if body.id in survey.program.asked_of:
         return False
