@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
-
-from sceneweaver.rules.faults import number
 
 from . import (
     asked_arrangements,
@@ -15,6 +13,7 @@ from . import (
     asked_measures,
     asked_relations,
     asked_room,
+    asked_states,
 )
 from .asked_clauses import doubted
 from .grade import Finding, finding
@@ -28,6 +27,7 @@ NEEDED = ("entity", "capacity", "arrangement")
 PARTS = (
     asked_entities.outcomes,
     asked_measures.outcomes,
+    asked_states.outcomes,
     asked_relations.outcomes,
     asked_capacity.outcomes,
     asked_arrangements.outcomes,
@@ -39,7 +39,8 @@ PARTS = (
 def measured(survey: Survey) -> tuple[Asked, ...]:
     """Every item of the request: things and what they are like, exclusions, relations, people, arrangements, free
     floor, the room, and words that are not known."""
-    return doubted(_of_stand_ins([item for part in PARTS for item in part(survey)], survey), survey)
+    found = [item for part in PARTS for item in part(survey)]
+    return doubted(_usable(_of_stand_ins(found, survey)), survey)
 
 
 def _of_stand_ins(items: Sequence[Asked], survey: Survey) -> list[Asked]:
@@ -61,19 +62,18 @@ def alignment(items: Sequence[Asked]) -> Alignment:
     return Alignment(items=tuple(item.outcome for item in items))
 
 
-def usable(items: Sequence[Asked], grades: Mapping[str, float]) -> tuple[Asked, ...]:
-    """The items; that the room can be used is so in part where what people are there for is not, or works badly."""
-    lacking = next((i for i in items if i.outcome.kind in NEEDED and i.outcome.status == "unmet"), None)
-    low = grades["functionality"] < number("usable")
-    if lacking is None and not low:
-        return tuple(items)
-    reason = lacking.outcome.reason if lacking else f"its functionality is graded {grades['functionality']:.1f} of 10"
-    return tuple(
-        replace(item, outcome=item.outcome.model_copy(update={"status": "partly", "reason": reason}))
+def _usable(items: Sequence[Asked]) -> list[Asked]:
+    """The items; that the room can be used is so in part where what people are there for is not there."""
+    lacking = next((i.outcome.reason for i in items if i.outcome.kind in NEEDED and i.outcome.status == "unmet"), None)
+    if lacking is None:
+        return list(items)
+    told = {"status": "partly", "reason": lacking}
+    return [
+        replace(item, outcome=item.outcome.model_copy(update=told))
         if item.outcome.item == USE and item.outcome.status == "met"
         else item
         for item in items
-    )
+    ]
 
 
 def findings(items: Sequence[Asked]) -> list[Finding]:

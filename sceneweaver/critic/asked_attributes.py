@@ -12,7 +12,8 @@ from sceneweaver.assets.looks import Words, read_words
 from sceneweaver.assets.materials import STYLES, color_named, color_words, finishes_named
 from sceneweaver.assets.roles import has_role
 from sceneweaver.language import Attribute, Entity
-from sceneweaver.language.told_states import detail_as_told, posture_as_told, state_as_told
+from sceneweaver.language.told_states import detail_as_told, posture_as_told, pulled_as_told, state_as_told
+from sceneweaver.language.vocabulary import words
 from sceneweaver.rules.faults import fault_kind
 from sceneweaver.scene import InputError, Window
 from sceneweaver.verify.measure import Measurement
@@ -45,13 +46,15 @@ class _Test(NamedTuple):
 
 
 def outcomes(
-    asked: Entity, bodies: Sequence[Body], lengths: Sequence[float] = (), windows: Sequence[Window] = ()
+    asked: Entity, bodies: Sequence[Body], lengths: int = 0, windows: Sequence[Window] = ()
 ) -> Iterator[Asked]:
-    """Each attribute of an entity; of a thing that is missing they are unmet; ``lengths`` [m] are others' to tell."""
+    """Each attribute of an entity; of a thing that is missing they are unmet; ``lengths`` are told elsewhere."""
     for k, attribute in enumerate(_all(asked)):
+        if pulled_as_told(attribute) is not None:
+            continue  # of seats and tables together, see `asked_states`
         item = attribute.id or f"{asked.id}.{attribute.kind}" + (f"-{k}" if attribute.kind in ("other", "part") else "")
         yield _outcome(asked, attribute, item, bodies, windows)
-    if any(size is not None and size not in lengths for size in asked.size) and bodies:
+    if sum(size is not None for size in asked.size) > lengths and bodies:
         yield _measured_size(asked, bodies)
 
 
@@ -229,7 +232,13 @@ def _of_parts(body: Body, want: dict[str, int]) -> Answer | None:
 
 
 def _of_name(body: Body, want: str) -> Answer | None:
-    """Whether its category, a name of that, or its description has the words; nothing is known where they have not."""
+    """Whether its category, a name of that, or its description has the words; nothing is known where they have not.
+
+    What is called bent has to have such an outline.
+    """
+    if want.lower() in words("bearing_words")["bent"].split() and body.item.mount == "floor":
+        seen = plan_shape(body)
+        return seen not in ("rectangular", "square"), seen
     row = categories().get(body.item.category)
     names = (body.item.category, body.item.description or "", *(row.synonyms if row is not None else ()))
     text = {word for name in names for word in name.lower().replace("_", " ").replace("-", " ").split()}

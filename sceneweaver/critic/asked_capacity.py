@@ -8,15 +8,17 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from sceneweaver.assets.roles import has_role
+from sceneweaver.assets.roles import groups_above, has_role
 from sceneweaver.knowledge.capacity import edge_places, number, seat_places, sleeping_places
 from sceneweaver.language.model import Capacity
 from sceneweaver.rules.faults import fault_kind
 from sceneweaver.verify.solids import Body
+from sceneweaver.verify.stated import worktop
 
 from . import kinds
+from .partners import own_partners
 from .survey import Survey, turn_to
-from .verdict import Asked, counted, met, not_understood, unmet
+from .verdict import Asked, counted, met, not_understood, partly, unmet
 
 DOES = {
     "sit": "sit",
@@ -53,10 +55,30 @@ def _own(survey: Survey, said: Capacity, item: str) -> Asked:
         worst = min(worst, (len(bodies) / max(1, least), len(bodies), least, entity.noun if entity else name))
     share, have, least, noun = worst
     number_ = counted("number", have, least)
+    if share >= 1.0 and (alone := _without_own(survey, said)):
+        return partly("capacity", item, ids, alone, number_)
     if share >= 1.0:
         return met("capacity", item, ids, f"each of {said.people} has their own {noun}", number_)
     reason = f"{have} '{noun}' for {said.people} people, {least} were asked for"
     return unmet("capacity", item, ids, reason, number_, fault="too_few_places", share=1.0 - share)
+
+
+def _without_own(survey: Survey, said: Capacity) -> str:
+    """Whose place has none of what each has for their own on it or beside it, in words; empty where all have. What
+    stands on the floor, such as wardrobes, may be anywhere."""
+    reach = fault_kind("too_few_places").limits["own"]
+    seats = [seat for table in survey.bodies if _is_table(table) for seat in _seats_at(survey, table)]
+    places = seats or [b for b in survey.bodies if sleeping_places(b.item.category)]
+    for name, each in said.own:
+        things = {b.id for b in survey.standing_for(name) if b.item.mount == "surface"}
+        if not things or not places:
+            continue
+        near = {p.id: [b.id for b, _ in survey.near(p, reach) if b.id in things] for p in places}
+        served = sum(len(own) >= each for own in own_partners(near, each).values())
+        if served < min(said.people, len(places)):
+            entity = survey.brief.entity(name)
+            return f"{served} of {len(places)} places have their own {entity.noun if entity else name}"
+    return ""
 
 
 def _places(survey: Survey, said: Capacity, item: str) -> Asked:
@@ -73,7 +95,8 @@ def _places(survey: Survey, said: Capacity, item: str) -> Asked:
     where = "at each" if said.each else "in all"
     reason = f"{have} people {DOES[said.activity]} {where}, {said.people} were asked for"
     if have >= said.people:
-        return met("capacity", item, ids, f"places for {have} people", measure)
+        vague = said.activity == "use" and not said.target  # what they do there is not said
+        return met("capacity", item, ids, f"places for {have} people", measure, assumed=vague)
     share = (said.people - have) / said.people
     return unmet(
         "capacity",
@@ -97,7 +120,7 @@ def _found(survey: Survey, said: Capacity, targets: list[Body]) -> tuple[list[st
         each = [_at(survey, said, target) for target in targets]
         ids = [i for found, _ in each for i in found]
         return ids, min(n for _, n in each) if said.each else sum(n for _, n in each)
-    seats = [b for b in survey.bodies if _is_seat(b)]
+    seats = [b for b in survey.bodies if _is_seat(b) and not _is_covered(survey, b)]
     if said.activity in ("eat", "work"):
         tables = [b for b in survey.bodies if _is_table(b)]
         at = {seat.id: seat for table in tables for seat in _seats_at(survey, table)}
@@ -105,7 +128,16 @@ def _found(survey: Survey, said: Capacity, targets: list[Body]) -> tuple[list[st
     beds = sum(sleeping_places(b.item.category) for b in survey.bodies)
     if said.activity == "use" and not seats and not beds:
         return None
-    return [b.id for b in seats], max(_on_all(seats), beds if said.activity == "use" else 0)
+    return [b.id for b in seats], max(_in_room(survey, seats), beds if said.activity == "use" else 0)
+
+
+def _in_room(survey: Survey, seats: Sequence[Body]) -> int:
+    """The people that sit somewhere in the room: at each table as many as its edge has room for."""
+    left, have = {seat.id: seat for seat in seats}, 0
+    for table in (b for b in survey.bodies if _is_table(b) and b.item.category not in kinds.COFFEE):
+        own = [left.pop(seat.id) for seat in _seats_at(survey, table) if seat.id in left]
+        have += min(_on_all(own), edge_places(table.size[0], table.size[1]))
+    return have + _on_all(list(left.values()))
 
 
 def _at(survey: Survey, said: Capacity, target: Body) -> tuple[list[str], int]:
@@ -131,7 +163,7 @@ def _seats_at(survey: Survey, table: Body) -> list[Body]:
     limits = fault_kind("too_few_places").limits
     found = []
     for other, gap in survey.near(table, limits["reach"]):
-        if not _is_seat(other) or other.item.mount != "floor":
+        if not _is_seat(other) or _is_covered(survey, other) or not _fits_under(other, table):
             continue
         ahead, aside = table.local(other.centre)
         near = (
@@ -153,6 +185,19 @@ def _seats_at(survey: Survey, table: Body) -> list[Body]:
 
 def _is_seat(body: Body) -> bool:
     return body.item.mount == "floor" and has_role(body.item.category, "sits_at_table", "lounge_seat", "backless_seat")
+
+
+def _is_covered(survey: Survey, seat: Body) -> bool:
+    """Whether so much stands on a seat that nobody sits there: a basket, but no cushion."""
+    things = [b for b in survey.carried.get(seat.id, ()) if "textile" not in groups_above(b.item.category)]
+    share = sum(b.size[0] * b.size[1] for b in things) / max(1e-6, seat.size[0] * seat.size[1])
+    return share > fault_kind("too_few_places").limits["covered"]
+
+
+def _fits_under(seat: Body, table: Body) -> bool:
+    """Whether who sits on a seat without a back has the table at a height to use it."""
+    limits, rise = fault_kind("too_few_places").limits, worktop(table) - seat.z[1]
+    return not has_role(seat.item.category, "backless_seat") or limits["knees"] <= rise <= limits["chest"]
 
 
 def _is_table(body: Body) -> bool:

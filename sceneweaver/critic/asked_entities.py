@@ -8,8 +8,8 @@ from dataclasses import replace
 from sceneweaver.assets.taxonomy import members
 from sceneweaver.knowledge.kin import interchangeable, is_one
 from sceneweaver.language import Entity, Exclusion
-from sceneweaver.language.coverage import function_words
-from sceneweaver.language.unwanted import belongs_there
+from sceneweaver.language.coverage import idle_words
+from sceneweaver.language.unwanted import belongs_there, kinds_unwanted
 from sceneweaver.rules.faults import fault_kind
 from sceneweaver.verify.solids import Body
 
@@ -21,12 +21,15 @@ from .verdict import Asked, counted, met, not_understood, substituted, unmet
 
 MANY = 10**6
 
+EXTENTS = {"depth": 1, "width": 1, "height": 1, "length": 1, "top": 1, "seat": 1, "diameter": 2, "side": 2}
+"""How many of its three extents a length that is stated of a thing gives, at most."""
+
 
 def outcomes(survey: Survey) -> Iterator[Asked]:
     """Each entity with its attributes, then each exclusion."""
     for asked in survey.brief.entities:
         bodies = survey.standing_for(asked.id)
-        lengths = [m.wanted for m in survey.brief.measures if m.entity == asked.id]
+        lengths = sum(EXTENTS.get(m.quantity, 0) for m in survey.brief.measures if m.entity == asked.id)
         like = list(asked_attributes.outcomes(asked, bodies, lengths, survey.scene.room.windows))
         yield _whole(asked, _entity(survey, asked, bodies), like)
         yield from like
@@ -41,8 +44,7 @@ def _whole(asked: Entity, thing: Asked, like: Sequence[Asked]) -> Asked:
     unseen = [
         item.outcome.reason
         for item in like
-        if item.outcome.status == "not_understood"
-        and not function_words().issuperset(words.get(item.outcome.item, ["?"]))
+        if item.outcome.status == "not_understood" and not idle_words().issuperset(words.get(item.outcome.item, ["?"]))
     ]
     if thing.outcome.status != "met" or not unseen:
         return thing
@@ -128,7 +130,8 @@ def _exclusions(survey: Survey) -> Iterator[Asked]:
 
 def _is_unwanted(survey: Survey, excluded: Exclusion, body: Body) -> bool:
     """Whether a body is what an exclusion rules out: of its categories, or by material and place unless asked for."""
-    if any(body.item.category in (word, *members(word)) for word in excluded.categories):
+    named = (*excluded.categories, *kinds_unwanted(excluded.words))
+    if any(body.item.category in (word, *members(word)) for word in named):
         return True
     if body.id in survey.program.asked_of:
         return False

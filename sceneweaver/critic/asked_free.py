@@ -71,10 +71,11 @@ def _short_of(survey: Survey, asked: FreeArea, width: float) -> str:
 def _face(survey: Survey, one: str, other: str) -> bool:
     """Whether some of the things on both sides of a gap are beside each other over a part of their width."""
     pairs = [(a, b) for a in survey.standing_for(one) for b in survey.standing_for(other) if a is not b]
-    return not pairs or any(_abreast(a, b) or _abreast(b, a) for a, b in pairs)
+    return not pairs or any(_abreast(a, b) and _abreast(b, a) for a, b in pairs)
 
 
 def _abreast(a: Body, b: Body) -> bool:
-    """Whether the middle of one is between the lines of two opposite sides of the other."""
+    """Whether one is, for the larger part, between the lines of two opposite sides of the other."""
     ahead, aside = a.local((b.centre[0], b.centre[1]))
-    return abs(ahead) <= a.size[0] / 2 or abs(aside) <= a.size[1] / 2
+    half = min(b.size[:2]) / 2
+    return abs(ahead) <= a.size[0] / 2 + half or abs(aside) <= a.size[1] / 2 + half

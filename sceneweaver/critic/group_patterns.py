@@ -63,7 +63,10 @@ def aisle(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Checks:
     inside = [
         b
         for b in survey.standing
-        if b not in bodies and b.z[1] > FLAT and b.z[0] < 2.0 and shapely.area(survey.footprint(b) & way) > 0.01
+        if b not in bodies
+        and b.z[1] > FLAT
+        and b.z[0] < 2.0
+        and shapely.area(survey.footprint(b) & way) > limit("litter")
     ]
     yield counted("things in the aisle", len(inside), 0, 0)
 
@@ -73,7 +76,7 @@ def _walls_of(survey: Survey, body: Body) -> set[int]:
     found = set[int]()
     for wall in survey.scene.room.walls:
         places = [wall.coordinates(p) for p in body.corners]
-        level = all(-0.05 <= at <= wall.length + 0.05 for at, _ in places)
+        level = all(-limit("into") <= at <= wall.length + limit("into") for at, _ in places)
         if level and min(depth for _, depth in places) <= limit("at_wall"):
             found.add(wall.index)
     return found
@@ -84,7 +87,7 @@ def _two_walls(survey: Survey, at: Sequence[set[int]]) -> tuple[Wall, Wall] | No
     pairs = [
         (one, other)
         for one, other in itertools.combinations(survey.scene.room.walls, 2)
-        if dot(one.inward, other.inward) < -0.9
+        if dot(one.inward, other.inward) < -limit("across")
     ]
     return max(pairs, key=lambda pair: sum(bool({w.index for w in pair} & a) for a in at), default=None)
 
@@ -106,11 +109,14 @@ def along_walls(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Ch
     longest = max(w.length for w in survey.scene.room.walls)
     kind = said.around.partition(":")[2]
     if kind == "long":
-        yield Measurement("length of the walls", max(w.length for w in pair), 0.95 * longest, math.inf)
+        yield Measurement("length of the walls", max(w.length for w in pair), limit("longest") * longest, math.inf)
     elif kind == "short":
-        yield Measurement("length of the walls", max(w.length for w in pair), -math.inf, 1.001 * longest)
+        outline = survey.scene.room.outline
+        sides = [max(p[k] for p in outline) - min(p[k] for p in outline) for k in (0, 1)]
+        most = min(sides) / limit("longest")
+        yield Measurement("length of the walls", max(w.length for w in pair), -math.inf, most)
     elif kind == "side" and (way := direction_of("left", survey.scene.room)) is not None:
-        yield Measurement("side walls", abs(dot(pair[0].inward, way)), 0.9, math.inf, "")
+        yield Measurement("side walls", abs(dot(pair[0].inward, way)), limit("across"), math.inf, "")
     yield from aisle(survey, said, bodies)
 
 

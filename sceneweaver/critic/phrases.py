@@ -73,8 +73,10 @@ def _words(graph: SceneGraph) -> dict[str, tuple[str, Span | None]]:
 
 def _of_length(graph: SceneGraph, value: float | None) -> Span | None:
     """Where the first number stands that is a length or an area of the room, in some unit."""
+    if not value:
+        return None
     slack = number("spoken")
-    for match in _NUMBER.finditer(graph.text) if value else ():
+    for match in _NUMBER.finditer(graph.text):
         spoken = float(match[0].replace(",", "."))
         if any(math.isclose(spoken * unit, value, rel_tol=slack) for unit in UNITS):
             return Span(*match.span())

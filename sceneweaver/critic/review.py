@@ -45,9 +45,8 @@ def review_scene(scene: Scene, report: Report, room_type: RoomType, brief: Scene
     found = [f for f in found if not _turned_as_asked(survey, f)] + asked.findings(items)
     ranked = sorted(found, key=lambda f: (f.cap is None, -f.fault.points))
     faults = _short([f.fault for f in ranked])
-    graded = grades(found, asked.alignment(items))
-    told = asked.alignment(asked.usable(items, graded))
-    return Review(grades=graded, faults=faults, measures=measures(survey), alignment=told)
+    told = asked.alignment(items)
+    return Review(grades=grades(found, told), faults=faults, measures=measures(survey), alignment=told)
 
 
 def _turned_as_asked(survey: Survey, found: Finding) -> bool:

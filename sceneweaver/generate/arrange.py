@@ -34,6 +34,7 @@ from .patterns import (
     upright,
 )
 from .program import Wanted
+from .stacks import rows_for
 from .units import Unit, composed, front_way, side_way, told_between
 
 OFFSET = 0.03
@@ -47,6 +48,9 @@ WAY, LEGS, AISLE = 1.1, 0.45, 1.2
 
 LOW_THING = 0.7
 """Height [m] from which on what is not entered from its sides stands in rows without gaps."""
+
+MOVED, IN_A_ROW = 0.05, 6
+"""Gap [m] between stacks beside each other, and how many of them are in one row."""
 
 LOUNGE, PULLED = 0.32, -0.1
 """Gaps [m] between the fronts of armchairs, and of chairs, and the table that a group of them is around."""
@@ -106,10 +110,13 @@ def laid_out(brief: SceneGraph, wanted: Sequence[Wanted]) -> list[Laid]:
     found = []
     for said in brief.arrangements:
         things = [w for w in wanted if w.asked == said.entity and w.support is None and w.mount in ("floor", "wall")]
+        if said.pattern == "stack":
+            found += _beside_each_other(said, [w for w in wanted if w.asked == said.entity])
+            continue
         things += [w for w in wanted if w.asked in said.others and w.support is None and w.mount == "floor"]
         if (
             len(things) < 2
-            or said.pattern in ("stack", "between", "outside", "inside")
+            or said.pattern in ("between", "outside", "inside")
             or (said.pattern == "sides" and said.around)
         ):
             continue
@@ -134,6 +141,17 @@ def laid_out(brief: SceneGraph, wanted: Sequence[Wanted]) -> list[Laid]:
 def _pattern(said: Arrangement, things: Sequence[Wanted], spots: Sequence[Spot]) -> Laid:
     depth, width, _ = things[0].asset.size
     return Laid(said, things[0], tuple(zip(things, spots, strict=True)), extent(spots, depth, width))
+
+
+def _beside_each_other(said: Arrangement, things: Sequence[Wanted]) -> Iterator[Laid]:
+    """The lowest things of a few stacks, in a row."""
+    bases = things[:: rows_for(said, things[0].category, len(things))] if things else []
+    if said.groups is None or not 2 <= len(bases) <= IN_A_ROW or any(w.mount != "floor" for w in bases):
+        return
+    sizes = [one.asset.size[:2] for one in bases]
+    spots = side_by_side(sizes, MOVED)
+    box = extent_of([(spot, size[0], size[1]) for spot, size in zip(spots, sizes, strict=True)])
+    yield Laid(said, bases[0], tuple(zip(bases, spots, strict=True)), box)
 
 
 def _parted(

@@ -15,6 +15,7 @@ from sceneweaver.knowledge import Item, Place, RoomType
 from sceneweaver.knowledge.kin import excluded_kinds, serves
 from sceneweaver.knowledge.usual_places import usual_places_of
 from sceneweaver.language import Entity, SceneGraph, Thing
+from sceneweaver.language.told_states import words_of_whole
 from sceneweaver.scene import PRIORITIES, InputError, Palette, SceneObject, Zone
 
 from .draft import CRAMMED, groups_of
@@ -506,7 +507,7 @@ def _wish(demand: Demand, palette: Palette, seed: int) -> tuple[Wish, str | None
     item, asked = demand.item, demand.asked
     size: list[float | None] = [None, None, None]
     rng = random.Random(seed)
-    look = drawable(demand.categories[0], " ".join(a.words for a in asked.attributes)) if asked else Look("")
+    look = drawable(demand.categories[0], words_of_whole(asked.attributes)) if asked else Look("")
     if item is not None:
         size = [None if r is None else round(rng.uniform(*r), 3) for r in item.size]
     if asked is not None:
@@ -516,6 +517,8 @@ def _wish(demand: Demand, palette: Palette, seed: int) -> tuple[Wish, str | None
             usual = category_named(demand.categories[0]).size
             assert usual is not None
             size[2] = round(usual.height[0] * HUNG, 3)
+        if look.shape in ("round", "square") and look.size[:2] == (None, None):
+            size[:2] = [None, None]  # the drawing makes both alike
         size = [a if a is not None else s for a, s in zip(asked.size, size, strict=True)]
         if asked.scale != 1.0 and size == [None, None, None]:
             ranges = category_named(asked.category).size

@@ -31,7 +31,7 @@ from .setup import Proposal, Setup
 from .shell import floor_area, shell
 from .stacks import stacked
 from .stated_lengths import with_stated_lengths
-from .stated_states import with_stated_looks, with_stated_states
+from .stated_states import pulled_out, with_stated_looks, with_stated_states
 from .supports import Places, laid, supported
 from .under import below_windows, with_room_below, without_company
 
@@ -300,6 +300,7 @@ def _scene(setup: Setup, space: Room, made: _Attempt, palette: Palette, people: 
         made_of.setdefault(one.asked or "", []).append(one.id)
     areas = free_areas_of(brief, made_of, space)
     relations = agreeing(relations, areas)
+    relations = pulled_out(relations, program.wanted, brief)
     relations = _widened(relations, levels := _levels(program.wanted, relations))
     tall = {w.id: w.asset.size[2] for w in program.wanted}
     over = {r.subject: tall[r.target] for r in relations if r.type == "above" and r.target in tall}

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import Any
 
 from sceneweaver.assets import Library
 from sceneweaver.assets.states import State
 from sceneweaver.language import Attribute, SceneGraph
-from sceneweaver.language.told_states import detail_as_told, posture_as_told, state_as_told
-from sceneweaver.scene import Window
+from sceneweaver.language.told_states import detail_as_told, posture_as_told, pulled_as_told, state_as_told
+from sceneweaver.scene import CATALOGUE, Relation, Window
 
 from .program import Wanted
+
+NEARER, FARTHER = 0.06, 0.1
+"""How much [m] nearer to its table, or farther from it, a chair may be that is pulled out so far."""
 
 BEYOND = 0.04
 """How much higher [m] than its window a blind is that covers it."""
@@ -65,6 +68,26 @@ def with_stated_looks(wanted: Sequence[Wanted], brief: SceneGraph, library: Libr
             start += (told.count or (0, 0))[1]
 
 
+def pulled_out(relations: Iterable[Relation], wanted: Sequence[Wanted], brief: SceneGraph) -> list[Relation]:
+    """The relations, of which those of seats that are not pushed in keep them as far from their tables as is asked."""
+    far: dict[str, float] = {}
+    for asked in brief.entities:
+        for told in asked.attributes:
+            if (length := pulled_as_told(told)) is not None:
+                things = [one.id for one in wanted if one.asked == asked.id]
+                far |= dict.fromkeys(things[: told.count[1] if told.count else None], length)
+    return [
+        r.model_copy(
+            update={
+                "params": {**r.params, "gap": [round(max(0.1, far[r.subject] - NEARER), 3), far[r.subject] + FARTHER]}
+            }
+        )
+        if r.subject in far and r.type in CATALOGUE.with_role("seat")
+        else r
+        for r in relations
+    ]
+
+
 def _drawn(one: Wanted, library: Library, **look: Any) -> None:
     """Another body of the same size with a look."""
     assert one.wish is not None
@@ -87,4 +110,4 @@ def _change(one: Wanted, told: Attribute, state: State, windows: Sequence[Window
     return True
 
 
-__all__ = ["with_stated_looks", "with_stated_states"]
+__all__ = ["pulled_out", "with_stated_looks", "with_stated_states"]

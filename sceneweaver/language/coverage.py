@@ -66,6 +66,13 @@ def function_words() -> frozenset[str]:
     return frozenset(word for group in words("function_words").values() for word in group.split())
 
 
+@cache
+def idle_words() -> frozenset[str]:
+    """Those of `function_words` that say nothing of a thing either: no places and no measures."""
+    groups = words("function_words")
+    return function_words().difference(*(groups[name].split() for name in ("nouns_of_place", "units", "room_quality")))
+
+
 def _marked(graph: SceneGraph, spans: Iterable[Span | None]) -> bytearray:
     """One for each character of the text that is in some of the spans, else zero."""
     found = bytearray(len(graph.text) + 1)
@@ -123,4 +130,4 @@ def _is_measure(graph: SceneGraph, match: re.Match[str]) -> bool:
     return any(abs(value * unit - other) <= 0.006 * max(1.0, other) for unit in UNITS for other in have if other)
 
 
-__all__ = ["function_words", "silent_words"]
+__all__ = ["function_words", "idle_words", "silent_words"]

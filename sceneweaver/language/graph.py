@@ -77,7 +77,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         scale=parsed.room_scale,
         for_whom=tuple(dict.fromkeys(parsed.for_whom)),
         finishes=tuple(said.model_copy(update={"id": f"finish-{k}"}) for k, said in enumerate(parsed.finishes)),
-        looks=tuple(look.model_copy(update={"id": f"look-{k}"}) for k, look in enumerate(parsed.looks)),
+        looks=tuple(look.model_copy(update={"id": f"look-{k}"}) for k, look in enumerate(parsed.room_looks)),
         colors=tuple(dict.fromkeys(parsed.colors)),
         windows=parsed.openings.get("window"),
         doors=parsed.openings.get("door"),

@@ -306,7 +306,7 @@ def name_nothing(state: State) -> None:
         state.head = []
         if state.glue in ("start", "while") or state.verb_follows(state.at):
             state.subject, state.fronted = [], []
-        elif state.placed_next(state.at) and not state.frames:  # what it is said of is not what was named before
+        elif state.placed_next(state.at):  # what it is said of is not what was named before
             state.subject = []
     state.lost = True
     state.glue = ""

@@ -38,7 +38,7 @@ def measured(parsed: Parsed, mentions: Sequence[Mention], text: str) -> list[tup
 
 def give_states(parsed: Parsed, mentions: Sequence[Mention], text: str) -> None:
     """States and looks become attributes of the things that they are said of; those of none are not understood."""
-    for told in (*parsed.states, *parsed.looks):
+    for told in (*parsed.states, *parsed.appearances):
         assert isinstance(told.what, Attribute)
         mention = named_by(told, mentions, text)
         if mention is None:
@@ -67,9 +67,11 @@ def named_by(told: Told, mentions: Sequence[Mention], text: str) -> Mention | No
         near = [m for m in placed if m.span is not None and m.span.end > end and "." not in text[end : m.span.start]]
         return min(near, key=lambda m: m.span or (0, 0), default=None)
     first = max(text.rfind(mark, 0, start) for mark in (". ", "\n", "; ")) + 1
-    near = [m for m in placed if m.span is not None and first <= m.span.start < start]
+    before = [m for m in placed if m.span is not None and m.span.start < start]
+    near = [m for m in before if m.span is not None and first <= m.span.start]
     head = singular(told.noun).split()[-1]
-    same = [m for m in near if head in singular(m.noun).split()]
+    named = [m for m in before if head in singular(m.noun).split()]  # "The desk is 2 m wide": it was named earlier
+    same = [m for m in near if m in named] or named
     return max(same if told.named else same or near, key=lambda m: m.span or (0, 0), default=None)
 
 
@@ -142,7 +144,17 @@ def _fitting(mention: Mention) -> str:
         return mention.category
     rows = [category_named(name) for name in alike]
     usual = (row.name for row in rows if _fits(row, mention.size, beyond=False))
-    return next(usual, next((row.name for row in rows if _fits(row, mention.size)), mention.category))
+    return next(usual, min(rows, key=lambda row: _misfit(row, mention.size)).name)
+
+
+def _misfit(row: Category, size: Sequence[float | None]) -> float:
+    """By how much, as a share, a size is beyond what things of a category may have."""
+    reach = row.size.reach if row.size is not None else ((1.0, 1.0),) * 3
+    return sum(
+        max(0.0, low / want - 1.0, want / high - 1.0)
+        for want, (low, high) in zip(size, reach, strict=True)
+        if want is not None
+    )
 
 
 def _fits(row: Category, size: Sequence[float | None], beyond: bool = True) -> bool:

@@ -166,7 +166,7 @@ class Parsed:
     capacities: list[Capacity] = field(default_factory=list)
     arrangements: list[Arrangement] = field(default_factory=list)
     amounts: list[Amount] = field(default_factory=list)
-    looks: list[Told] = field(default_factory=list)
+    appearances: list[Told] = field(default_factory=list)
     states: list[Told] = field(default_factory=list)
     measures: list[Told] = field(default_factory=list)
     bounds: list[tuple[tuple[str, ...], int, int]] = field(default_factory=list)
@@ -180,7 +180,7 @@ class Parsed:
     room_scale: float = 1.0
     shape: str | None = None
     style: str | None = None
-    looks: list[StatedLook] = field(default_factory=list)
+    room_looks: list[StatedLook] = field(default_factory=list)
     finishes: list[StatedFinish] = field(default_factory=list)
     colors: list[str] = field(default_factory=list)
     density: str | None = None

@@ -22,7 +22,8 @@ def sense_of(noun: str, source: Source, start: int, end: int, scale: float) -> s
 
     A compound that is known by itself has no other sense.
     """
-    rows = words("senses").get(singular(noun.partition(" of ")[0].split()[-1]))
+    head = singular(noun.partition(" of ")[0].split()[-1])
+    rows = words("senses").get(head) if head != "scenes" else None
     if rows is None or _is_compound(noun):
         return None
     around = source.spoken[max(0, start - BESIDE) : end + BESIDE]
@@ -49,5 +50,8 @@ def _fits(row: Mapping[str, Any], text: str, around: str, scale: float) -> bool:
 
 
 @cache
-def _any_of(phrases: Sequence[str]) -> re.Pattern[str]:
+def _any_of(names: Sequence[str]) -> re.Pattern[str]:
+    """A pattern for any of some words; "=music" stands for the words of a scene."""
+    scenes = words("senses")["scenes"]
+    phrases = [word for name in names for word in (scenes[name[1:]] if name.startswith("=") else (name,))]
     return re.compile(rf"\b(?:{'|'.join(map(re.escape, phrases))})\b")

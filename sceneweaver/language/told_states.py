@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 
 from sceneweaver.assets.looks import roles_of_detail
 from sceneweaver.assets.states import State, state_of
@@ -10,6 +11,9 @@ from sceneweaver.assets.states import State, state_of
 from .model import Attribute
 
 _DETAIL = re.compile(r"(?P<look>.+) (?P<part>[a-z]+)")
+
+PULLED_OUT = "pulled out by"
+"""What an attribute says of seats that are not pushed in, before how far [m] they are."""
 
 PARTS = ("drawer", "door", "lid")
 """Parts that words about a state may begin with: "drawer pulled out"."""
@@ -28,10 +32,25 @@ def posture_as_told(state: State, told: Attribute) -> str | None:
     return state.several if state.several and told.value.partition(" ")[0].endswith("s") else state.posture
 
 
+def pulled_as_told(told: Attribute) -> float | None:
+    """How far [m] a seat is to be from its table; None where nothing of that is said."""
+    words, _, far = told.value.rpartition(" ")
+    return float(far) if told.kind == "state" and words == PULLED_OUT else None
+
+
 def detail_as_told(told: Attribute) -> tuple[str, str] | None:
     """The part, by the name that drawings know, and the look that an attribute says it has: ("top", "black marble")."""
     found = _DETAIL.fullmatch(told.value) if told.kind == "part" else None
     return (found["part"], found["look"]) if found is not None and roles_of_detail(found["part"]) else None
 
 
-__all__ = ["detail_as_told", "posture_as_told", "state_as_told"]
+def words_of_whole(attributes: Iterable[Attribute]) -> str:
+    """The words that are said of all of the things, as they are: of no part, no state, and not of some of them."""
+    return " ".join(
+        told.words
+        for told in attributes
+        if told.kind != "state" and told.count is None and detail_as_told(told) is None
+    )
+
+
+__all__ = ["PULLED_OUT", "detail_as_told", "posture_as_told", "pulled_as_told", "state_as_told", "words_of_whole"]

@@ -149,6 +149,16 @@ def off_front(body: Body, point: tuple[float, float], way: float = 1.0) -> float
     return off if way > 0 else 180.0 - off
 
 
+def worktop(body: Body) -> float:
+    """The height [m] of the largest surface of a table that nothing is above, without taps and screens on it."""
+    import shapely
+
+    open_ = [s for s in body.item.surfaces if s.headroom is None]
+    if not open_:
+        return body.z[1]
+    return body.z[0] + max(open_, key=lambda s: float(shapely.Polygon(s.polygon).area)).z
+
+
 # ---- measures --------------------------------------------------------------------------------------------------------
 
 
@@ -335,6 +345,7 @@ MEASURED: dict[str, Callable[[Asked], Reading | None]] = {
     "looks_away": _looks_away,
     "end_on": _end_on,
     "seat_away": _seat_away,
+    "top_over_seat": lambda q: Reading(worktop(q.t) - q.s.z[1]),
     "off_front": _off_front,
     "turn": _turn,
     "to_wall": _to_wall,

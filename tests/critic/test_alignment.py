@@ -60,6 +60,8 @@ def stool(x: float, y: float, yaw: float = 0.0, k: int = 0) -> SceneObject:
         ("right_of", 4.0, 3.6, False),
         ("in_front_of", 3.6, 2.5, True),
         ("in_front_of", 3.6, 4.0, False),
+        ("in_front_of", 4.9, 2.5, True),
+        ("in_front_of", 5.4, 2.5, False),
         ("behind", 0.5, 2.5, True),
         ("behind", 3.6, 2.5, False),
         ("at_foot", 3.4, 2.0, True),
@@ -110,6 +112,8 @@ def test_a_distance_that_was_given_counts() -> None:
         ("facing", box("sofa-0", SOFA, 0.5, 3.3, 0), True),  # its front meets the table though its middle is aside
         ("opposite", box("sofa-0", SOFA, 5.55, 2.5, 180), True),
         ("opposite", box("sofa-0", SOFA, 5.55, 0.6, 90), False),
+        ("opposite", box("tv-0", (0.1, 1.2, 0.7), 5.9, 2.5, 180, z=1.0, mount="wall"), True),
+        ("opposite", box("tv-0", (0.1, 1.2, 0.7), 5.3, 0.06, 90, z=1.0, mount="wall"), False),  # at the side wall
         ("parallel", box("sofa-0", SOFA, 0.5, 2.5, 180), True),
         ("parallel", box("sofa-0", SOFA, 0.5, 2.5, 90), False),
         ("aligned", box("sofa-0", SOFA, 0.5, 2.5, 90), True),
@@ -126,6 +130,14 @@ def test_a_screen_that_is_faced_looks_back() -> None:
     said: dict[str, Any] = {"type": "facing", "subject": "sofa", "targets": ("tv",)}
     for yaw, yes in ((180, True), (150, False), (90, False)):
         assert holds(sofa, box("tv-0", (0.1, 1.2, 0.7), 4.0, 2.5, yaw, z=0.6), **said) is yes, yaw
+
+
+def test_a_picture_over_a_sofa_hangs_at_the_wall_behind_it() -> None:
+    said: dict[str, Any] = {"type": "above", "subject": "picture", "targets": ("sofa",)}
+    behind = box("picture-0", (0.03, 0.8, 0.6), 0.02, 2.5, 0, z=1.3, mount="wall")
+    assert holds(sofa, behind, **said)
+    aside = box("picture-0", (0.03, 0.8, 0.6), 1.0, 2.5, 0, z=1.3, mount="wall")
+    assert not holds(sofa, aside, **said)
 
 
 def test_two_of_a_kind_that_face_each_other() -> None:
@@ -238,6 +250,15 @@ def test_between() -> None:
         ("below", "window", box("sofa-0", SOFA, 3.0, 4.4, -90), True),
         ("below", "window", box("sofa-0", (0.6, 1.0, 2.2), 3.0, 4.6, -90), False),
         ("below", "window", box("sofa-0", SOFA, 5.5, 4.4, -90), False),
+        ("below", "window", box("sofa-0", SOFA, 3.0, 3.9, 0), False),  # its end to the window
+        ("behind", "door", box("sofa-0", (0.3, 0.3, 0.8), 1.5, 0.2, 90), True),
+        ("behind", "door", box("sofa-0", (0.3, 0.3, 0.8), 1.5, 0.9, 90), False),
+        ("hanging_from", "wall", box("sofa-0", CHAIR, 0.25, 2.5), False),
+        ("hanging_from", "wall", box("sofa-0", (0.2, 0.5, 0.9), 0.1, 2.5, z=0.8, mount="wall"), True),
+        ("on", "wall:short", sofa, True),
+        ("on", "wall:long", sofa, False),
+        ("at", "corner:near+right", box("sofa-0", CHAIR, 5.7, 0.3), True),
+        ("at", "corner:far+right", box("sofa-0", CHAIR, 5.7, 0.3), False),
         ("facing", "window", box("sofa-0", SOFA, 3.0, 2.0, 90), True),
         ("facing", "window", box("sofa-0", SOFA, 3.0, 2.0, 0), False),
         ("left_of", "window", box("sofa-0", (0.4, 0.4, 1.0), 2.0, 4.7), True),

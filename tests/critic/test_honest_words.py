@@ -7,7 +7,7 @@ from typing import Any
 from sceneweaver.knowledge.kin import is_one
 from sceneweaver.language import SceneGraph
 from tests.critic import rooms
-from tests.critic.measuring import SOFA, box, holds
+from tests.critic.measuring import SOFA, aligned, box, carrier, holds, on
 from tests.critic.rooms import Case, put
 
 
@@ -51,3 +51,12 @@ def test_a_row_looks_one_way() -> None:
 def test_only_what_people_call_by_the_noun_is_one() -> None:
     assert is_one("folding_table", "dining_table", "tables") and is_one("sofa_bed", "sofa", "sofa")
     assert not is_one("side_table", "massage_table", "table") and not is_one("desk", "dining_table", "tables")
+
+
+def test_a_seat_that_carries_a_basket_is_nobodys_place() -> None:
+    data = {"text": "", "capacities": [{"people": 1, "activity": "sit", "words": "one sits"}]}
+    seat = box("bench-0", (0.4, 0.6, 0.45), 3.0, 2.5)
+    laden = carrier(seat), on(seat, "storage_box-0", (0.35, 0.5, 0.3))
+    free = aligned((seat,), SceneGraph.model_validate(data)).of("capacity-0")
+    taken = aligned(laden, SceneGraph.model_validate(data)).of("capacity-0")
+    assert (free.status, taken.status) == ("met", "unmet")

@@ -89,7 +89,7 @@ def test_things_told_to_be_at_two_walls_are_left_to_the_search(library: Library)
 
 
 def test_beds_stand_at_both_long_walls_with_something_between(library: Library):
-    scene = drawn("a cabin with four bunk beds along both long walls and a chest between each two", library)
+    scene = drawn("a hostel room with four bunk beds along both long walls and a chest between each two", library)
     walls = {r.target for r in scene.relations if r.type == "side_against_wall" and r.subject.startswith("bunk")}
     assert len(walls) == 2
     chests = [o for o in scene.objects if o.intent.request == "chest"]

@@ -47,7 +47,7 @@ COUNTED = [
     (
         "Office with four desks, at each place a monitor and a keyboard",
         {"desk": 4, "monitor": 4, "keyboard": 4},
-        {("monitor", "next_to", "desk"), ("keyboard", "next_to", "desk")},
+        {("monitor", "near", "desk"), ("keyboard", "near", "desk")},
     ),
     (
         "A den with two armchairs. Each armchair has its own floor lamp and its own ottoman.",

@@ -61,3 +61,31 @@ def test_walls_by_length_side_and_opening() -> None:
     assert walls_meant("far", room) == [1] and sorted(walls_meant("side", room)) == [0, 2]
     assert walls_meant("window", room) == [0] and walls_meant("door", room) == [3]
     assert walls_meant("elsewhere", room) == []
+
+
+NOT_OF_THE_LAST = [
+    ("A den with a workbench and a board above the workbench, a flux jack under the workbench", "below"),
+    ("A cabin with a bunk along the left wall, drawers under the bunk", "below"),
+]
+
+
+@pytest.mark.parametrize(("text", "kind"), NOT_OF_THE_LAST, ids=[text for text, _ in NOT_OF_THE_LAST])
+def test_what_is_no_known_thing_hands_its_place_on_to_nothing(text: str, kind: str) -> None:
+    graph = read_request(text)
+    known = {r.subject for r in graph.relations if r.type == kind}
+    assert known.isdisjoint(e.id for e in graph.entities if not e.generic)
+
+
+def test_the_other_side_of_it_is_of_the_same_thing() -> None:
+    graph = read_request("A lodge with a rack to the left of the fireplace, a basket to the right of it")
+    assert ("basket", "right_of", "fireplace") in said(graph)
+
+
+def test_what_is_behind_one_thing_is_no_second_target() -> None:
+    graph = read_request("The armchair faces the fireplace and there is a lamp behind the sofa")
+    assert {r for r in said(graph) if r[1] == "facing"} == {("armchair", "facing", "fireplace")}
+
+
+def test_beams_are_overhead_and_a_bar_of_a_pub_is_none() -> None:
+    assert ("fern", "hanging_from", "ceiling") in said(read_request("A greenhouse with ferns hanging from the bars"))
+    assert ("hammock", "hanging_from", "ceiling") in said(read_request("An attic, a hammock hanging from the beams"))

@@ -24,6 +24,9 @@ def told(text: str) -> list[dict[str, Any]]:
         ("six bunk beds, three along each long wall", {"pattern": "walls", "sides": (3, 3), "around": "wall:long"}),
         ("two cots on the right wall and one on the left", {"pattern": "walls", "sides": (1, 2)}),
         ("a hall with pews on both sides of a 1.5 m aisle", {"pattern": "rows", "rows": 2, "aisle": 1.5}),
+        ("seats left and right of a centre aisle, three on each side", {"rows": 2, "columns": 3, "aisle": 1.2}),
+        ("ten booths for a museum, two rows of five back to back", {"pattern": "back_to_back", "columns": 5}),
+        ("kegs stacked three high, four stacks next to each other", {"pattern": "stack", "groups": 4}),
         ("five rows of eight chairs with a gangway in the middle", {"rows": 5, "columns": 8, "aisle": 1.2}),
         ("desks back to back in two rows of three", {"pattern": "back_to_back", "rows": 2, "columns": 3}),
         ("a table with four chairs, one on each side", {"pattern": "sides", "sides": (1, 1, 1, 1)}),
@@ -62,6 +65,7 @@ def test_a_u_has_its_seats_outside_and_opens_to_something() -> None:
         "a sofa against the wall of the living room",
         "a lamp on each side of the bed",
         "two beds and a nightstand between the two beds",
+        "a middle aisle of 1.2 m from the door to the window",
     ],
 )
 def test_what_is_no_group_is_left_to_the_clauses(text: str) -> None:

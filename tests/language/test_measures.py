@@ -13,6 +13,7 @@ SAID = [
     ("a den with a bookcase between 1.6 and 1.8 m high", "bookcase", {"height": (1.6, 1.8)}),
     ("a den, the sideboard at most 70 cm high", "sideboard", {"height": (None, 0.7)}),
     ("a bedroom with a wardrobe up to the ceiling", "wardrobe", {"ceiling": (0.0, 0.0)}),
+    ("a canteen with a table 2.4 x 0.9 m", "dining_table", {"length": (2.4, 2.4), "width": (0.9, 0.9)}),
     ("a hall with coat hooks at shoulder height", "coat_hooks", {"placed": (1.3, 1.5)}),
 ]
 

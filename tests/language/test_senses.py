@@ -58,3 +58,16 @@ def test_what_stands_where_people_do_something_is_read():
     graph = read_request("An armchair where I can read next to a floor lamp.")
     assert {e.id for e in graph.entities} == {"armchair", "floor_lamp"}
     assert [(r.subject, r.type, r.targets) for r in graph.relations] == [("armchair", "next_to", ("floor_lamp",))]
+
+
+@pytest.mark.parametrize(
+    ("text", "category"),
+    [
+        ("a rehearsal room for a choir with a keyboard", "digital_piano"),
+        ("an office desk with a laptop and a keyboard", "keyboard"),
+        ("a screen between the two treatment couches", "room_divider"),
+        ("a letterpress studio with a press", "printing_press"),
+    ],
+)
+def test_the_scene_and_what_stands_near_tell(text: str, category: str) -> None:
+    assert category in {entity.category for entity in read_request(text).entities}

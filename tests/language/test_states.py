@@ -14,6 +14,10 @@ SAID = [
     ("a study with a filing cabinet, one drawer pulled out", "filing_cabinet", ("drawer pulled out", None)),
     ("a cafe with six chairs, two of them upside down", "chair", ("upside down", (2, 2))),
     ("a bar with the blinds down", "window_blind", ("down", None)),
+    ("a dormitory with three beds; one of the beds is unmade", "bed", ("unmade", (1, 1))),
+    ("a study, the chair pulled out by 35 cm from the desk", "chair", ("pulled out by 0.35", None)),
+    ("a study with an office chair without armrests", "office_chair", ("without armrests", None)),
+    ("a den with a mug full of tea on the shelf", "mug", ("full of tea", None)),
 ]
 
 
@@ -33,3 +37,8 @@ def test_places_and_kinds_are_no_states(text):
     assert not [
         a for e in entities for a in e.attributes if a.kind == "state" and a.value in ("on", "door open", "off")
     ]
+
+
+def test_a_chair_that_is_pulled_out_is_still_at_its_desk():
+    (said,) = read_request("a study with a chair pulled out from the desk").relations
+    assert (said.subject, said.type, said.targets) == ("chair", "at", ("desk",))

@@ -20,7 +20,7 @@ Slot = int | Material
 """The number of a finish that the drawing was given, or a finish of its own."""
 
 
-GLOWS = 0.3
+GLOWS = 0.2
 """Share of its colour from which on a material is that of a lamp."""
 
 LIGHT = ("lit", "unlit")

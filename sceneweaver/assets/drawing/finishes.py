@@ -35,6 +35,7 @@ class Finishes(Choices):
         self.shown: dict[str, Any] = {}
         self._wanted = None if any_material else self.request.material
         self._main: str | None = None
+        self._detailed: set[str] = set()
 
     @property
     def in_room(self) -> bool:
@@ -44,7 +45,8 @@ class Finishes(Choices):
     @property
     def main_material(self) -> Material | None:
         """That of the role that shows what was asked, or the first role's."""
-        return self.roles[self._main] if self._main else next(iter(self.roles.values()), None)
+        plain = [material for role, material in self.roles.items() if role not in self._detailed]
+        return self.roles[self._main] if self._main else next(iter(plain or self.roles.values()), None)
 
     def material(self, role: str, *names: str) -> Material:
         """A finish for a role such as "top" or "legs": one of the names, "@wood" for any of a family.
@@ -61,6 +63,7 @@ class Finishes(Choices):
         detail = self._detail(role, options)
         if detail is not None:
             self.roles[role] = detail
+            self._detailed.add(role)
             return detail
         asked = self._asked_finishes(options)
         options = asked or options

@@ -27,10 +27,22 @@ AISLE = re.compile(
 """An aisle with its width, if one is said, and where it is."""
 
 
+def aisle_at(text: str, at: int) -> re.Match[str] | None:
+    """The aisle that is told of at a place in a text; None where there is none, or it is a way from one place to
+    another."""
+    found = AISLE.match(text, at)
+    return None if found is None or leads(text, found.end()) else found
+
+
+def leads(text: str, at: int) -> bool:
+    """Whether what goes before a place is a way from somewhere to somewhere."""
+    return re.match(r"\s*(?:from|to|into|towards)\b", text[at:]) is not None
+
+
 def width_of(found: re.Match[str]) -> float:
     """The width [m] of what `AISLE` matched."""
     width = found["before"] or found["after"] or found["last"]
     return plain_length(width) if width else WIDE
 
 
-__all__ = ["AISLE", "ROWS", "width_of"]
+__all__ = ["AISLE", "ROWS", "WIDE", "aisle_at", "leads", "width_of"]

@@ -14,9 +14,9 @@ from typing import Any
 from ..model import Attribute, AttributeKind
 from ..parsed import Parsed, Told
 from ..source import Source
-from ..things import match_of, singular
 from ..vocabulary import vocabulary, words
 from .phrases import NUMBER, Edits, noun_before, number_of, one_of
+from .resolve import is_thing, thing_before
 
 _KINDS: tuple[AttributeKind, ...] = ("color", "material", "finish")
 _LEAD = re.compile(r"(?:(?:,\s{0,3})?\b(?:with|has|have|having|and|its|the|an?|on|plus)\s{1,3}){1,3}$|,\s{0,3}$")
@@ -40,26 +40,13 @@ def _add(source: Source, parsed: Parsed, edits: Edits, found: re.Match[str], sai
     if "of_part" in found.re.groupindex and (lead := _LEAD.search(text[:start])) is not None:
         start = lead.start()
     noun = noun_before(text, start)
-    noun = noun if _is_thing(noun) else _thing_before(text, start)
-    if not said or not _is_thing(noun) or _goes_on(text, found.end()):
+    noun = noun if is_thing(noun) else thing_before(text, start)
+    if not said or not is_thing(noun) or _goes_on(text, found.end()):
         return
     span = edits.take(start, found.end())
     for one in said:
         attribute = Attribute(span=span, **one)
-        parsed.looks.append(Told(attribute, noun, after=False, named=True))
-
-
-def _is_thing(noun: str) -> bool:
-    """Whether a noun names a thing, and no part of the room."""
-    last = singular(noun).split()[-1] if noun else ""
-    kinds = vocabulary().get(last, {}).keys()
-    return bool(last) and not kinds & {"room", "place", "abstract", "region"} and match_of(noun).how != "generic"
-
-
-def _thing_before(text: str, start: int) -> str:
-    """The last thing that the sentence names before a place."""
-    spoken = re.findall(r"[a-z][a-z'-]*", text[text.rfind(".", 0, start) + 1 : start])
-    return next((word for word in reversed(spoken) if "noun" in vocabulary().get(word, {}) and _is_thing(word)), "")
+        parsed.appearances.append(Told(attribute, noun, after=False, named=True))
 
 
 def _goes_on(text: str, end: int) -> bool:
@@ -105,7 +92,7 @@ def _words_of(look: str) -> Iterator[dict[str, Any]]:
 def _look() -> str:
     """A pattern of colours and materials one after the other."""
     known = [phrase for phrase, kinds in vocabulary().items() if kinds.keys() & set(_KINDS) and phrase[0].isalpha()]
-    shades = r"(?:(?:dark|light|pale|deep|bright|matte|polished|brushed|bare)\s)?"
+    shades = r"(?:(?:dark|light|pale|deep|bright|matte|polished|brushed|bare|natural|solid|raw|untreated)\s)?"
     one = rf"{shades}{one_of(known)}(?![\w-])"
     return rf"{one}(?:\s{one}){{0,2}}"
 

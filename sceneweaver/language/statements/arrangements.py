@@ -15,7 +15,7 @@ from ..parsed import Parsed
 from ..source import Source
 from ..things import match_of, singular
 from ..vocabulary import family
-from .aisles import AISLE, ROWS, width_of
+from .aisles import ROWS, aisle_at, width_of
 from .lengths import LENGTH, length_of
 from .phrases import NUMBER, Edits, noun_after, noun_before, number_of, table_before
 
@@ -68,7 +68,8 @@ _LOOKING = re.compile(
 )
 _LOOKING_OUT = re.compile(r"\s*,?\s*(?:and |all |both )*looking out(?:side|wards)?(?=\s*(?:$|[.,;)]|with\b|and\b))")
 _IN_STACKS = re.compile(
-    rf"\s*,?\s*(?:and )?(?:in|into|as|making) (?P<n>{NUMBER}) (?:stacks?|piles?|towers?|columns?|heaps?)\b"
+    rf"\s*,?\s*(?:and )?(?:(?:in|into|as|making) )?(?P<n>{NUMBER}) (?:stacks?|piles?|towers?|columns?|heaps?)\b"
+    r"(?: (?:next to|beside) (?:each other|one another)| side by side)?"
     rf"(?: of (?P<m>{NUMBER})(?: each)?)?(?:,? (?:each )?(?P<high>{NUMBER}) high)?"
 )
 _EACH_ROW = re.compile(
@@ -116,7 +117,7 @@ def add(
     text = edits.source.text
     facing, spacing = "", given.pop("spacing", None)
     for _ in range(3):
-        if pattern in ROWS and (way := AISLE.match(text, at)):
+        if pattern in ROWS and (way := aisle_at(text, at)):
             given["aisle"] = width_of(way)
             edits.take(way.start(), way.end())
             at = way.end()

@@ -16,7 +16,7 @@ from ..parsed import Parsed
 from ..source import Source
 from ..things import match_of, singular
 from ..vocabulary import family, mounts
-from .aisles import AISLE, ROWS, WIDE, width_of
+from .aisles import AISLE, ROWS, WIDE, leads, width_of
 from .arrangements import EACH_AROUND, GROUP, PLACED, add
 from .lengths import PLAIN, plain_length
 from .phrases import NUMBER, Edits, noun_after, noun_before, number_of, table_before
@@ -189,6 +189,9 @@ def _many_beside(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     count = _count_of(noun, edits.source.text, m.start()) if noun else 0
     named = bool(noun) and match_of(singular(noun)).how != "generic"
     several = not count and singular(noun) != noun
+    several = several or (
+        count > 1 and re.match(r",? ?(?:and )?looking out\b", edits.source.text[m.end() :]) is not None
+    )
     if named and not others and (several or count >= 3 or (count and m["parted"] is not None)):
         add(edits, parsed, m, "row", noun, rows=1, columns=count or None)
 
@@ -203,6 +206,12 @@ def _row_of_some(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
         add(edits, parsed, m, "rows", noun, end=end, rows=number_of(m["n"]) if m["n"] else None)
     else:
         add(edits, parsed, m, "row", noun, end=end, rows=1)
+
+
+def _bare_rows(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "Twelve carrels, two rows of six": rows of what was named before."""
+    noun = noun_before(edits.source.text, m.start())
+    add(edits, parsed, m, "rows", noun, rows=number_of(m["n"]), columns=number_of(m["m"]))
 
 
 def _in_pairs(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -262,11 +271,13 @@ def _parallels(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
 def _left_and_right(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "Two bunks on the left wall and two on the right": so many at either side wall."""
     noun = m["noun"] or noun_before(edits.source.text, m.start())
-    if m["one"] == m["two"] or not noun:
+    before = edits.source.text[: m.start()]
+    if m["one"] == m["two"] or not noun or re.search(r"each other|one another", before):
         return
     numbers = number_of(m["n"]), number_of(m["m"])
     sides = numbers if m["one"] == "left" else numbers[::-1]
-    instead = f"{sum(numbers)} {m['noun']}" if m["noun"] else ""
+    named = re.search(rf"\b{re.escape(singular(noun))}(?:e?s)?\b", before)  # "two desks, one desk on the left ..."
+    instead = f"{sum(numbers)} {m['noun']}" if m["noun"] and not named else ""
     add(edits, parsed, m, "walls", noun, sides=sides, around="wall:side", instead=instead)
 
 
@@ -275,7 +286,10 @@ def _by_an_aisle(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     width = re.search(PLAIN, m[0])
     wide = plain_length(width[0]) if width else WIDE
     count = _count_of(m["noun"], edits.source.text, m.end())
-    columns = count // 2 if count else IN_ROW
+    each = m["m"] or m["k"]
+    if count and "either" in m[0]:
+        return  # so many on either side
+    columns = number_of(each) if each else count // 2 if count else IN_ROW
     add(edits, parsed, m, "rows", m["noun"], instead=m["noun"], rows=2, columns=columns, aisle=wide)
 
 
@@ -347,8 +361,9 @@ def _patterns() -> tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, 
             _left_and_right,
         ),
         (
-            r"\b(?P<noun>[a-z-]+) on (?:both|either) sides? of (?:an? |the )(?:central |middle |centre |center |wide )?"
-            rf"(?:{PLAIN} )?(?:aisle|gangway|walkway|corridor)\b",
+            r"\b(?P<noun>[a-z-]+) (?:on (?:both|either) sides? of|(?:to the )?left and right of) "
+            rf"(?:an? |the )(?:central |middle |centre |center |wide )?(?:{PLAIN} )?(?:aisle|gangway|walkway)\b"
+            rf"(?:,? (?:with )?(?P<m>{NUMBER}) (?:on|at|to) (?:each|either) side| with (?P<k>{NUMBER}) each)?",
             _by_an_aisle,
         ),
         (rf"\b(?P<noun>[a-z-]+) on both (?:long )?sides{_END}", _both_sides),
@@ -397,6 +412,11 @@ def _patterns() -> tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, 
             rf"\b(?:(?P<n>{NUMBER}) |the |several )?(?:{_STRAIGHT})?(?P<rows>rows?|lines?|banks?) of (?!{NUMBER})",
             _row_of_some,
         ),
+        (
+            rf"[,;:] (?:in )?{_N} (?:{_STRAIGHT})?(?:rows|lines) of (?P<m>{NUMBER})(?: each)?"
+            r"(?=\s*(?:$|[.,;)]|back\b|facing\b|with\b|and\b|along\b))",
+            _bare_rows,
+        ),
         (rf"{PLACED}(?P<stacked>,? ?\b(?:stacked|piled)(?: up)? )?\bin (?P<pairs>{'|'.join(PAIRS)})\b", _in_pairs),
         (
             rf"{PLACED}\b(?:pushed|shoved|put|joined) together\b"
@@ -418,7 +438,8 @@ def aisles(source: Source, parsed: Parsed) -> None:
     edits = Edits(source)
     rows = [one for one in parsed.arrangements if one.pattern in ROWS]
     for m in AISLE.finditer(source.text) if rows else ():
-        if not re.search(r"middle|cent(?:re|er|ral)|between", m[0]) and rows[-1].pattern not in ("sides", "walls"):
+        parted = rows[-1].aisle is not None or rows[-1].pattern in ("sides", "walls")
+        if leads(source.text, m.end()) or not (parted or re.search(r"middle|cent(?:re|er|ral)|between", m[0])):
             continue
         ahead = [one for one in rows if one.span is None or one.span.start <= source.span(m.start(), m.end()).start]
         told = (ahead or rows)[-1]

@@ -50,20 +50,20 @@ def read_looks(source: Source, parsed: Parsed) -> None:
 
         source.blank(pattern, take)
     _bare(source, parsed)
-    if latest is not None and not any(one.years for one in parsed.looks):
-        parsed.looks.append(StatedLook(name="", years=(latest[0] - 9, latest[0]), words=latest[1], span=latest[2]))
+    if latest is not None and not any(one.years for one in parsed.room_looks):
+        parsed.room_looks.append(StatedLook(name="", years=(latest[0] - 9, latest[0]), words=latest[1], span=latest[2]))
 
 
 def add(parsed: Parsed, source: Source, name: str, match: re.Match[str], years: Years | None = None) -> None:
     """One more look, unless a longer phrase at the same place has been read."""
     span = source.span(*match.span())
-    if any(one.span and one.span.start < span.end and span.start < one.span.end for one in parsed.looks):
+    if any(one.span and one.span.start < span.end and span.start < one.span.end for one in parsed.room_looks):
         return
     row = looks().get(name)
     years = years or (row.years if row is not None else None)
-    if not row_years(match) and any(one.name == name for one in parsed.looks):
+    if not row_years(match) and any(one.name == name for one in parsed.room_looks):
         years = None  # said again: the year that was named counts
-    parsed.looks.append(StatedLook(name=name, years=years, words=match[0].strip(" ,."), span=span))
+    parsed.room_looks.append(StatedLook(name=name, years=years, words=match[0].strip(" ,."), span=span))
 
 
 def row_years(match: re.Match[str]) -> bool:
@@ -90,7 +90,7 @@ def _glow(source: Source, parsed: Parsed) -> None:
                 return None
             span = source.span(*match.span())
             said = StatedLook(name="neon", color=color, words=match[0].strip(), span=span)
-            parsed.looks.append(said)
+            parsed.room_looks.append(said)
             return " "
 
         source.blank(re.compile(form), take)
@@ -151,7 +151,7 @@ def _limit(source: Source, parsed: Parsed):
         if match["year"]:
             found.append((int(match["year"]), match[0], source.span(*match.span())))
         else:  # "nothing newer than that": the time that the request names
-            parsed.looks.append(StatedLook(name="", words=match[0], span=source.span(*match.span())))
+            parsed.room_looks.append(StatedLook(name="", words=match[0], span=source.span(*match.span())))
         return " "
 
     younger = one_of(rows["younger"])

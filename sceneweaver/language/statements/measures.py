@@ -16,7 +16,8 @@ from ..source import Source
 from ..things import singular
 from ..vocabulary import vocabulary, words
 from .lengths import BOUNDED, bounded_length
-from .phrases import Edits, noun_at, one_of
+from .phrases import Edits, noun_at, noun_behind, one_of
+from .resolve import is_thing, thing_before
 
 REACH = (0.02, 12.0)
 """Lengths [m] that a thing in a room may have."""
@@ -33,10 +34,27 @@ _SPACES = r"[\s-]{0,3}"
 def measures(source: Source, parsed: Parsed) -> None:
     """Adds every length of a thing, and takes its words out."""
     edits = Edits(source)
+    _sides(source, parsed, edits)
     for pattern, read in _patterns():
         for found in list(pattern.finditer(source.text)):
             if edits.free(*found.span()) and (said := read(found, source.text)) is not None:
                 _add(source, parsed, edits, found, said)
+
+
+def _sides(source: Source, parsed: Parsed, edits: Edits) -> None:
+    """ "A table 3.2 x 0.7 m": two sides behind the noun of a thing, and perhaps its height."""
+    for found in list(re.finditer(r"(?P<noun>\b[a-z]+)\s{1,2}(?P<measure>§)", source.text)):
+        sides = source.sides.get(found.start("measure"))
+        if sides is None or not is_thing(found["noun"]) or singular(found["noun"]) in words("measures")["not_of"]:
+            continue
+        span = edits.take(found.start("measure"), found.end())
+        for quantity, length in zip(
+            ("length", "width", "height"), (*sorted(sides[:2])[::-1], *sides[2:]), strict=False
+        ):
+            said = " x ".join(f"{side:g}" for side in sides) + " m"
+            given = {"quantity": quantity, "low": length, "high": length}
+            what = StatedMeasure.model_validate({**given, "words": said, "span": span})
+            parsed.measures.append(Told(what, found["noun"], after=False, named=True))
 
 
 def _add(source: Source, parsed: Parsed, edits: Edits, found: re.Match[str], said: dict[str, Any]) -> None:
@@ -52,7 +70,14 @@ def _add(source: Source, parsed: Parsed, edits: Edits, found: re.Match[str], sai
     elif named:
         noun = (re.findall(r"[a-z]+", text[max(0, start - 30) : start]) or [""])[-1]
     else:
-        noun, after = noun_at(text, start, end)
+        behind = re.match(r"\s+(?:of|on)\s(?:the\s|a\s)?([a-z]+)", text[end:])
+        if "part" in found.groupdict():
+            noun = behind[1] if behind is not None and is_thing(behind[1]) else noun_behind(text, start)
+        else:
+            noun, after = noun_at(text, start, end)
+        if not after and singular(noun or "-").split()[-1] in words("measures")["not_of"]:
+            near = (re.findall(r"[a-z]+", text[max(0, start - 40) : start]) or [""])[-1]
+            noun = noun if near == noun.split()[-1] else thing_before(text, start) or noun
         if not after:
             start = _with_leading(text, start)
     last = singular(noun).split()[-1] if noun else ""

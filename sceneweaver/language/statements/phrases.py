@@ -97,14 +97,20 @@ def noun_at(text: str, start: int, end: int) -> tuple[str, bool]:
     said = before[1] if before is not None else "."
     follows = re.match(r"[\s,-]*([a-z]+)", text[end:])
     plain = follows is not None and follows[1] not in listed("closed") and follows[1] not in listed("prepositions")
+    plain = plain and not (follows and vocabulary().get(follows[1], {}).keys() & {"while", "stop", "neg", "pron"})
     behind = said in _BEFORE or said in NUMBERS or said.isdigit() or (said in ",.(" and text[end : end + 1] != ",")
     behind = behind or not vocabulary().get(said, {"noun": 1}).keys() & {"noun", "plural", "verb", "parts", "stop"}
     if plain and behind:
         noun, _ = noun_after(text, end + len(re.match(r"[\s,-]*", text[end:])[0]))  # type: ignore[index]
         if noun:
             return noun, True
+    return noun_behind(text, start), False
+
+
+def noun_behind(text: str, start: int) -> str:
+    """As `noun_before`; where a place is at the beginning of a bracket the noun before that."""
     bracket = re.search(r"\([^()]{0,40}$", text[:start])
-    return noun_before(text, start) or (noun_before(text, bracket.start()) if bracket is not None else ""), False
+    return noun_before(text, start) or (noun_before(text, bracket.start()) if bracket is not None else "")
 
 
 def table_before(text: str, at: int) -> str:

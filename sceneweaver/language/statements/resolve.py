@@ -11,6 +11,7 @@ from sceneweaver.scene.base import FrozenModel
 
 from ..model import PLACES, Entity
 from ..things import match_of, singular
+from ..vocabulary import vocabulary
 
 S = TypeVar("S", bound=FrozenModel)
 
@@ -43,6 +44,24 @@ def entity_named(words: str, entities: Sequence[Entity]) -> str | None:
     return next((entity.id for entity in entities if entity.category in names), None)
 
 
+def is_thing(noun: str) -> bool:
+    """Whether a noun names a thing, and no part of the room."""
+    last = singular(noun).split()[-1] if noun else ""
+    kinds = vocabulary().get(last, {}).keys()
+    return bool(last) and not kinds & {"room", "place", "abstract", "region"} and match_of(noun).how != "generic"
+
+
+def thing_before(text: str, start: int) -> str:
+    """The last thing that a sentence names before a place in the text; "" where a part of the room is named later."""
+    for word in reversed(re.findall(r"[a-z][a-z'-]*", text[text.rfind(".", 0, start) + 1 : start])):
+        kinds = vocabulary().get(word, {}).keys()
+        if "noun" in kinds and is_thing(word):
+            return word
+        if "place" in kinds and "noun" not in kinds:
+            return ""
+    return ""
+
+
 def resolved(statements: Sequence[S], entities: Sequence[Entity], prefix: str) -> tuple[S, ...]:
     """Statements with ids of their own and of what they are about; what names nothing keeps its words."""
     found: list[S] = []
@@ -61,4 +80,4 @@ def resolved(statements: Sequence[S], entities: Sequence[Entity], prefix: str) -
     return tuple(found)
 
 
-__all__ = ["entity_named", "resolved"]
+__all__ = ["entity_named", "is_thing", "resolved", "thing_before"]

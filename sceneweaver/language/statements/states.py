@@ -9,26 +9,42 @@ from __future__ import annotations
 import re
 from functools import cache
 
+from sceneweaver.assets.roles import groups_above
 from sceneweaver.assets.states import State, state_of, states
 
 from ..model import Attribute
 from ..parsed import Left, Parsed, Told
 from ..source import Source
 from ..things import match_of, singular
+from ..told_states import PULLED_OUT
 from ..vocabulary import vocabulary, words
-from .phrases import NUMBER, Edits, noun_at, noun_before, number_of, one_of
+from .lengths import PLAIN, plain_length
+from .phrases import NUMBER, Edits, noun_at, noun_before, noun_behind, number_of, one_of
+from .resolve import is_thing, thing_before
 
 _BE = (
     r"(?:(?:is|are|lies?|lying|left|standing|stands?|has\sbeen|have\sbeen|was|were|all|still|slightly|just|to\sbe)\s)"
     r"{0,3}"
 )
-_MANY = rf"(?:(?P<many>{NUMBER})\s(?:of\s(?:them|these|those|which|the\s[a-z]+|its\s[a-z]+)\s)?)?"
+_MANY = rf"(?:(?P<many>{NUMBER})\s(?:of\s(?:them|these|those|which)\s)?)?"
+FAR = 0.3
+"""How far [m] from its table a chair is that is pulled out."""
+
+_PULLED = re.compile(
+    r"(?P<said>\b(?:not\s(?:fully\s|quite\s|all\s)?pushed\sin|pulled\s(?:out|back|away)|pushed\sback)"
+    rf"(?:\s(?:by\s|about\s|some\s){{0,2}}(?P<length>{PLAIN}))?)(?P<from>\sfrom(?=\s(?:the|its|their|a|his|her)\s))?"
+)
+_SHARE = re.compile(
+    rf"\b(?P<many>{NUMBER})\sof\s(?P<rest>(?:the|our|my|these|those)\s(?:{NUMBER}\s)?[a-z]+\s?[a-z]*\s)$"
+)
 _END = r"(?=\s*(?:[,.;)]|$|and\b|with\b|but\b|while\b))"
 
 
 def read_states(source: Source, parsed: Parsed) -> None:
     """Adds every state of a thing, and takes its words out."""
     edits = Edits(source)
+    _pulled_out(source, parsed, edits)
+    _untold(source, parsed, edits)
     for pattern in _patterns():
         for found in list(pattern.finditer(source.text)):
             if edits.free(*found.span()):
@@ -59,6 +75,10 @@ def _add(source: Source, parsed: Parsed, edits: Edits, found: re.Match[str]) -> 
     if found["state"] in state.after and (after or not re.search(r"[a-z]\s+$", text[:start] + " ")):
         return
     many = groups.get("many")
+    share = _SHARE.search(text[:start]) if not many and not after and not part else None
+    if share is not None:  # "one of the two beds is unmade": the number is of this alone
+        many = share["many"]
+        edits.take(share.start("many"), share.start("rest"))
     count = (number_of(many), number_of(many)) if many and not part else None
     said = " ".join(text[start:end].split())
     value = f"{groups.get('part') or part} {found['state']}".strip()
@@ -70,6 +90,48 @@ def _add(source: Source, parsed: Parsed, edits: Edits, found: re.Match[str]) -> 
     span = edits.take(start, end)
     attribute = Attribute(kind="state", value=value, words=said, count=count, span=span)
     parsed.states.append(Told(attribute, noun, after, named=True))
+
+
+def _untold(source: Source, parsed: Parsed, edits: Edits) -> None:
+    """What is said of a thing and nothing shows: "a cup full of tea", "without arms", "turned away from the table"."""
+    for pattern in _unseen():
+        for found in list(pattern.finditer(source.text)):
+            noun = found.groupdict().get("noun") or thing_before(source.text, found.start())
+            if not noun:
+                continue
+            start = found.start("said")
+            said = " ".join(found["said"].split())
+            span = edits.take(start, found.end())
+            what = Attribute(kind="state", value=said, words=said, span=span)
+            parsed.states.append(Told(what, noun, after=False, named=True))
+
+
+def _pulled_out(source: Source, parsed: Parsed, edits: Edits) -> None:
+    """ "A chair pulled out by 40 cm from the desk": it is at the desk, and as far off."""
+    for found in list(_PULLED.finditer(source.text)):
+        noun = noun_behind(source.text, found.start("said"))
+        noun = noun if is_thing(noun) else thing_before(source.text, found.start("said"))
+        if not noun or "chair_group" not in groups_above(match_of(noun).category) and "stool" not in noun:
+            continue
+        far = plain_length(found["length"]) if found["length"] else FAR
+        start, end = found.span("said")
+        said = " ".join(found["said"].split())
+        span = edits.take(start, end + (5 if found["from"] else 0), "at" if found["from"] else "")
+        what = Attribute(kind="state", value=f"{PULLED_OUT} {far:g}", words=said, span=span)
+        parsed.states.append(Told(what, noun, after=False, named=True))
+
+
+@cache
+def _unseen() -> tuple[re.Pattern[str], ...]:
+    vessels, parts = one_of(words("states")["vessels"]), one_of(words("states")["lacking"])
+    return (
+        re.compile(rf"(?P<noun>\b{vessels})\s(?P<said>(?:half\s)?(?:full\sof|filled\swith)\s(?:hot\s|cold\s)?[a-z]+)"),
+        re.compile(rf"(?P<said>\b(?:without|with\sno)\s(?:any\s)?{parts}\b)"),
+        re.compile(
+            r"(?P<said>\b(?:turned|facing|turning)\s(?:away|around|round|aside)"
+            r"(?:\sfrom\s(?:the|each|it)\s?[a-z]*)?)"
+        ),
+    )
 
 
 def _thing(noun: str) -> str:
@@ -104,8 +166,8 @@ def _patterns() -> tuple[re.Pattern[str], ...]:
     return tuple(
         re.compile(pattern)
         for pattern in (
-            rf"\b(?:(?:one|a|an|the|its|top|bottom|both|all|two|every|with|and)\s){{0,3}}(?:(?P<noun>[a-z]+)\s)?{part}\s"
-            rf"{_BE}(?P<state>{opened})\b",
+            r"\b(?:(?:one|a|an|the|its|top|bottom|both|all|two|every|with|and)\s){0,3}"
+            rf"(?:(?P<noun>[a-z]+)\s)?{part}\s{_BE}(?P<state>{opened})\b",
             rf"\b{_MANY}{_BE}(?P<state>{spoken})\b",
             rf"\b{_BE}(?P<state>{behind}){_END}",
         )

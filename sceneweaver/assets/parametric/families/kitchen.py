@@ -116,7 +116,8 @@ def sink_cabinet(d: Drawing) -> None:
     top, thick = worktop_of(d)
     ceramic = d.material("sink", "brushed steel", "steel", "white ceramic", "granite")
     metal = d.material("tap", "chrome", "black steel", "brass", "brushed steel")
-    bounds = d.bounds.to(z=(0.0, min(0.92, max(0.87, d.size.height - 0.34))))
+    least = min(0.87, max(0.7, d.size.height - 0.25))  # lower only where a low one is asked for
+    bounds = d.bounds.to(z=(0.0, min(0.92, max(least, d.size.height - 0.34))))
     wide, half = bounds.width, d.uniform("basin", 0.24, 0.29)
     double = wide > 1.2 and d.chance("double", 0.5)
     middle = d.pick("side", [-1, 1]) * (wide / 2 - half - 0.1) if wide > 1.05 else 0.0
