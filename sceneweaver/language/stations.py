@@ -10,7 +10,7 @@ from .chunks import NounPhrase
 from .distribution import is_each
 from .parsed import Left, Mention, Parsed, Said
 from .state import State
-from .things import singular
+from .things import match_of, singular
 from .vocabulary import words
 
 
@@ -20,6 +20,8 @@ def names_stations(state: State, phrase: NounPhrase) -> bool:
         return False
     if phrase.of is not None or not {*singular(phrase.text).split()[-1:]} & {*words("nouns")["places"]}:
         return False
+    if match_of(singular(phrase.text)).how != "generic":
+        return False  # a styling station is a thing
     return any(chunk.kind == "noun" and is_each(chunk.value) for chunk in state.chunks[state.at : state.at + 12])
 
 

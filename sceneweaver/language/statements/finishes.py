@@ -219,6 +219,7 @@ def _panels(source: Source, parsed: Parsed) -> None:
 def _beams(source: Source, parsed: Parsed) -> None:
     wood = rf"(?:(?P<wood>{one_of(list(_wood_names()))})[ -])?"
     pattern = re.compile(
+        r"(?<!from )(?<!from the )"  # what hangs from them is overhead
         rf"\b(?:low |heavy |exposed |open |visible |rustic |old |thick )*{wood}{one_of(_data()['beams'])}\b"
     )
 
