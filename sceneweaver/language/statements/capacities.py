@@ -135,6 +135,9 @@ def _places(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
 
 def _own_list(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "Each place has a couch, a rolling stool and a lamp over the couch"."""
+    of_places = re.search(_PLACE, m[0]) is not None
+    if of_places and re.search(rf"\b{NUMBER} {_PLACE}", edits.source.text[: m.start()]):
+        return  # "three stations, each station with a chair": the clauses count out what stands at each
     text = edits.source.text
     stop = re.compile(r"[.;()]").search(text, m.end())
     clause = text[m.end() : stop.start() if stop is not None else len(text)]
