@@ -128,15 +128,16 @@ def _places(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "Two working places", "14 covers"."""
     does = next(name for name, spoken in words("people")["places"].items() if m["place"] in spoken)
     _add(edits, parsed, m.start(), m.end(), Capacity(people=number_of(m["n"]), activity=does))
-    each = _EACH_WITH.match(edits.source.text, m.end()) or _EACH_PLACE.match(edits.source.text, m.end())
+    each = _EACH_WITH.match(edits.source.text, m.end())
     if each is not None:
         _own_list(each, edits, parsed)
 
 
 def _own_list(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
-    """ "Each place has a couch, a rolling stool and a lamp over the couch", where it was said how many are at them."""
-    if not parsed.people and not any(c.people for c in parsed.capacities):
-        return
+    """ "Each place has a couch, a rolling stool and a lamp over the couch"."""
+    of_places = re.search(_PLACE, m[0]) is not None
+    if of_places and re.search(rf"\b{NUMBER} {_PLACE}", edits.source.text[: m.start()]):
+        return  # "three stations, each station with a chair": the clauses count out what stands at each
     text = edits.source.text
     stop = re.compile(r"[.;()]").search(text, m.end())
     clause = text[m.end() : stop.start() if stop is not None else len(text)]
@@ -226,8 +227,6 @@ _EACH_WITH = re.compile(
     r",?\s*(?:and\s)?(?:each|every|both)(?:\s(?:one|place|of them|of which))?\s(?:with|has|have|having)\s"
 )
 _PLACE = r"(?:(?:work |working |treatment )?(?:place|station|spot|workplace|work place|position)s?)"
-
-_EACH_PLACE = re.compile(rf"[.,;:]?\s*(?:each|every) {_PLACE} (?:with|{_HAS}) ")
 
 _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed], None]], ...] = (
     (re.compile(rf"\b{_EACH_ONE} {_HAS} (?:(?:his|her|their|its|an|a) )?own "), _own),
