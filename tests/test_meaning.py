@@ -12,7 +12,7 @@ ROOT = Path(__file__).resolve().parents[1]
 FOLDERS = ("sceneweaver", "kernels", "optimizers", "tools", "benchmarks")
 PROSE = ("detail", "finished", "reason")
 """Fields that hold sentences: of a violation, of the end of a run, of a fault, a call or what was dropped."""
-LOOKS = {"color", "material", "style", "label", "shape"}
+LOOKS = {"color", "material", "style", "label", "shape", "posture"}
 """Attributes that say how a thing looks or what it is called; all that code may read of them by name."""
 
 

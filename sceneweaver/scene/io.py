@@ -68,8 +68,9 @@ class SceneFile(FrozenModel):
     def to_json(self) -> dict[str, Any]:
         """The scene as plain JSON data; what says nothing in objects, their intents and relations is left out."""
         data = self.model_dump(mode="json", by_alias=True)
-        if data["room"]["finish"] is None:
-            del data["room"]["finish"]
+        for key in ("finish", "light"):
+            if data["room"][key] is None:
+                del data["room"][key]
         if not data["free_areas"]:
             del data["free_areas"]
         for obj in data["objects"]:

@@ -13,6 +13,7 @@ import re
 from dataclasses import dataclass, replace
 from functools import cache
 
+from sceneweaver.knowledge.learned import learned_words
 from sceneweaver.knowledge.likely import likeliest_room, told_by
 from sceneweaver.knowledge.load import room_types, room_words
 from sceneweaver.knowledge.purposes import Found, core_of, kinds_meant, stem, stemmed_heads, stems
@@ -54,6 +55,8 @@ class _Part:
 def read_room_kind(source: Source, parsed: Parsed) -> None:
     """Reads the kind of the room, and what else it is; see above. Words that are accounted for leave the source."""
     _zones(source, parsed)
+    if any(re.search(rf"(?<!\w){re.escape(name)}(?!\w)", source.spoken) for name in learned_words()):
+        return  # the clauses know the kinds of rooms that the user has learned
     for start, end, headline in _phrases_about_room(source.spoken):
         parts = _parts(source.spoken, start, end)
         if _decided(source, parsed, parts, headline):
