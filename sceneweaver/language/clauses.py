@@ -8,7 +8,7 @@ from dataclasses import replace
 from sceneweaver.assets.taxonomy import category_named
 
 from .chunks import Chunk, NounPhrase
-from .distribution import each_next, every_so_many, listed_before, stands_for_each, stations
+from .distribution import each_next, every_so_many, group_used_by_people, listed_before, stands_for_each
 from .exclusions import excluded, only_chunk, without_chunk
 from .items import begin_clause, close_surface, give_target, name_nothing, name_things, open_surface
 from .nearness import meant_of_list
@@ -224,11 +224,8 @@ def _noun(state: State, chunk: Chunk) -> None:
     if names_stations(state, phrase):
         name_things(state, [new_stations(state, phrase)], phrase, True)
         return
-    if stands_for_each(state, phrase) and _tells_of_stations(state, phrase, chunk):
+    if stands_for_each(state, phrase) and state.refs.known(phrase, True, []) is None and _is_of_stations(state, phrase):
         return
-    if stands_for_each(state, phrase) and state.refs.known(phrase, True, []) is None and (group := stations(state)):
-        state.refer(phrase)
-        phrase.what, phrase.value, phrase.text, phrase.of = "thing", None, group.noun, None
     if state.negated and excluded(state, phrase, chunk):
         return
     waiting = state.waiting
@@ -248,9 +245,13 @@ def _is_named(state: State, phrase: NounPhrase) -> bool:
     return any(phrase.text in (m.noun, f"{m.noun}s") for m in state.out.mentions)
 
 
-def _tells_of_stations(state: State, phrase: NounPhrase, chunk: Chunk) -> bool:
-    """Whether "each place" means places that are no things; what comes next is each one's then."""
-    if state.refs.known(phrase, True, []) is not None or (not state.out.stations and stations(state) is not None):
+def _is_of_stations(state: State, phrase: NounPhrase) -> bool:
+    """Whether "each place" means places that are no things, and what comes next is each one's; else it means the things
+    that people are at, if there are several."""
+    used = group_used_by_people(state)
+    if used is not None and not state.out.stations:
+        state.refer(phrase)
+        phrase.what, phrase.value, phrase.text, phrase.of = "thing", None, used.noun, None
         return False
     group = station_group(state)
     if group is None:

@@ -128,7 +128,7 @@ def stands_for_each(state: State, phrase: NounPhrase) -> bool:
     return phrase.determiner in EACH and singular(phrase.text) in words("nouns")["stations"]
 
 
-def stations(state: State) -> Mention | None:
+def group_used_by_people(state: State) -> Mention | None:
     """The things that places, seats and stations are: the last group that people are at, else the last group."""
     several = [m for m in reversed(state.out.mentions[-20:]) if m.many and m.count not in (None, MANY)]
     used = (m for m in several if m.family in ("table", "seat", "bed_group") and m.per is None)

@@ -56,6 +56,29 @@ across the room or the table from it, ``facing`` turned to it. With the place ``
 ``at``.
 """
 
+Pattern = Literal[
+    "row",
+    "rows",
+    "grid",
+    "circle",
+    "semicircle",
+    "u",
+    "back_to_back",
+    "stack",
+    "cluster",
+    "islands",
+    "sides",
+    "walls",
+    "between",
+    "right_angle",
+    "head_to_head",
+    "end_to_end",
+    "outside",
+    "inside",
+    "wall",
+]
+"""How things are set out."""
+
 Activity = Literal["sit", "sleep", "work", "eat", "stand", "wait", "use"]
 """What people do in a room; ``use`` where nothing is said."""
 
@@ -226,27 +249,7 @@ class Arrangement(FrozenModel):
 
     id: str = ""
     entity: str
-    pattern: Literal[
-        "row",
-        "rows",
-        "grid",
-        "circle",
-        "semicircle",
-        "u",
-        "back_to_back",
-        "stack",
-        "cluster",
-        "islands",
-        "sides",
-        "walls",
-        "between",
-        "right_angle",
-        "head_to_head",
-        "end_to_end",
-        "outside",
-        "inside",
-        "wall",
-    ]
+    pattern: Pattern
     others: tuple[str, ...] = Field(default=(), description="What else takes part: entities, by id")
     rows: int | None = Field(default=None, description="One behind the other; of a stack: one on the other")
     columns: int | None = Field(default=None, description="In each row or group")

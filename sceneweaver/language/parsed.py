@@ -173,7 +173,7 @@ class Parsed:
     room_type: str | None = None
     room_words: str = ""
     setting: str = ""
-    """Where the room is, or whose: "our office" of a prayer room for our office."""
+    """Where the room is, or whose: "our school" of a sick room for our school."""
     wing: tuple[float, float] | None = None
     zones: list[Zone] = field(default_factory=list["Zone"])
     other_rooms: list[str] = field(default_factory=list)

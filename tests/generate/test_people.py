@@ -4,31 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.agent.design import chosen_room
-from sceneweaver.agent.loop import empty_scene
 from sceneweaver.assets import Library
-from sceneweaver.generate.people import with_people
-from sceneweaver.language import SceneGraph, read_request
+from sceneweaver.language import read_request
 from sceneweaver.layout.engine import refine
-from sceneweaver.scene import Scene
-from sceneweaver.tools.base import Context
-from sceneweaver.tools.init_prior import InitPrior
-
-
-def brief_of(text: str) -> SceneGraph:
-    brief = read_request(text)
-    return with_people(brief, chosen_room(brief)[0])
-
-
-def drawn(text: str, library: Library) -> Scene:
-    brief = read_request(text)
-    room = chosen_room(brief)[0]
-    brief = with_people(brief, room)
-    scene = (
-        InitPrior().propose(Context(brief, room, empty_scene(brief, room), library, 0, text, {}, lambda: False)).scene
-    )
-    assert scene is not None
-    return scene
+from tests.generate.drafts import brief_of, drawn
 
 
 @pytest.mark.parametrize(

@@ -31,16 +31,16 @@ def test_a_desk_under_a_bed_looks_out_where_one_climbs_up_and_has_nothing_above_
 
 
 def test_on_top_of_a_fridge_is_no_shelf_in_it():
-    scene = drafted("a kitchen with a kettle on top of the fridge", room_type("kitchen"))
-    (kettle,) = [o for o in scene.objects if o.category == "kettle" and o.intent.request]
-    assert kettle.support is not None and kettle.support.surface == "top"
+    scene = drafted("a kitchen with a toaster on top of the fridge", room_type("kitchen"))
+    (toaster,) = [o for o in scene.objects if o.category == "toaster" and o.intent.request]
+    assert toaster.support is not None and toaster.support.surface == "top"
     inside = drafted("a kitchen with a bottle in the fridge", room_type("kitchen"))
     (bottle,) = [o for o in inside.objects if o.category == "bottle" and o.intent.request]
     assert bottle.support is not None and bottle.support.surface != "top"
 
 
 def test_what_hangs_below_a_window_hangs_under_its_sill():
-    scene = drafted("an office with an air conditioner under the window", room_type("office"))
+    scene = drafted("an office, and below its window an air conditioner", room_type("office"))
     (unit,) = [o for o in scene.objects if o.category == "air_conditioner"]
     sill = min(w.sill for w in scene.room.windows)
     assert unit.mount == "wall" and unit.intent.mounting_height is not None

@@ -6,27 +6,11 @@ import math
 
 import pytest
 
-from sceneweaver.agent.design import chosen_room
-from sceneweaver.agent.loop import empty_scene
 from sceneweaver.assets import Library
 from sceneweaver.generate.patterns import Pitch, Spot, double_rows, end_to_end, right_angle, seen_from, within
-from sceneweaver.generate.people import with_people
-from sceneweaver.language import read_request
 from sceneweaver.layout.engine import refine
 from sceneweaver.scene import Relation, Scene
-from sceneweaver.tools.base import Context
-from sceneweaver.tools.init_prior import InitPrior
-
-
-def drawn(text: str, library: Library) -> Scene:
-    brief = read_request(text)
-    room = chosen_room(brief)[0]
-    brief = with_people(brief, room)
-    scene = (
-        InitPrior().propose(Context(brief, room, empty_scene(brief, room), library, 0, text, {}, lambda: False)).scene
-    )
-    assert scene is not None
-    return scene
+from tests.generate.drafts import drawn
 
 
 def places(scene: Scene) -> dict[str, Relation]:

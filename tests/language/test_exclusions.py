@@ -76,7 +76,7 @@ def test_only_is_said_of_the_room_where_nothing_was_named(text, only):
     [
         ("a reading room with carrels, no computers please", {"laptop", "computer", "monitor"}, {"desk_lamp"}),
         ("an exam hall without any electronics", {"laptop", "tv", "phone", "speaker"}, {"typewriter", "tripod"}),
-        ("a games cellar, no screens of any kind", {"tv", "arcade_machine", "laptop"}, {"room_divider"}),
+        ("a games cellar, without screens of whatever sort", {"tv", "arcade_machine", "laptop"}, {"room_divider"}),
         ("a corridor with no carpets", {"rug", "runner_rug"}, {"table_runner"}),
         ("a chapel without seating", {"chair", "bench", "sofa"}, {"altar"}),
         ("a cell with nothing breakable", {"vase", "drinking_glass", "mug"}, {"bed"}),

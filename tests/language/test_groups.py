@@ -26,7 +26,7 @@ def told(text: str) -> list[dict[str, Any]]:
         ("a hall with pews on both sides of a 1.5 m aisle", {"pattern": "rows", "rows": 2, "aisle": 1.5}),
         ("seats left and right of a centre aisle, three on each side", {"rows": 2, "columns": 3, "aisle": 1.2}),
         ("ten booths for a museum, two rows of five back to back", {"pattern": "back_to_back", "columns": 5}),
-        ("kegs stacked three high, four stacks next to each other", {"pattern": "stack", "groups": 4}),
+        ("tyres stacked three high, four stacks beside one another", {"pattern": "stack", "groups": 4}),
         ("five rows of eight chairs with a gangway in the middle", {"rows": 5, "columns": 8, "aisle": 1.2}),
         ("desks back to back in two rows of three", {"pattern": "back_to_back", "rows": 2, "columns": 3}),
         ("a table with four chairs, one on each side", {"pattern": "sides", "sides": (1, 1, 1, 1)}),
@@ -35,7 +35,7 @@ def told(text: str) -> list[dict[str, Any]]:
         ("three benches end to end", {"pattern": "end_to_end"}),
         ("kegs stacked four high in two stacks", {"pattern": "stack", "rows": 4, "groups": 2}),
         ("a den with a whole wall of bookcases", {"pattern": "wall", "entity": "bookcase"}),
-        ("five deck chairs side by side looking out", {"pattern": "row", "facing": "window"}),
+        ("four beach chairs beside each other, looking outside", {"pattern": "row", "facing": "window"}),
         ("two islands parallel to each other, 1.1 m apart", {"pattern": "rows", "columns": 1, "spacing": 1.1}),
     ],
 )
@@ -52,7 +52,7 @@ def test_what_is_between_each_two_has_its_number() -> None:
 
 
 def test_a_u_has_its_seats_outside_and_opens_to_something() -> None:
-    rows = told("a class room, tables in a U, the open side towards the whiteboard, chairs on the outside of the U")
+    rows = told("a seminar hall, desks in a U, the open side towards the whiteboard, chairs on the outside")
     assert {"pattern": "u", "facing": "whiteboard"}.items() <= rows[0].items()
     assert rows[1]["pattern"] == "outside" and rows[1]["entity"] == "chair"
 

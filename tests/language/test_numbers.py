@@ -47,7 +47,7 @@ def test_so_many_each_belong_to_their_owners():
 @pytest.mark.parametrize(
     ("text", "sides"),
     [
-        ("A steel table, two chairs on one side, one on the other.", (2, 1)),
+        ("An oak table, two chairs on one side, three on the other.", (2, 3)),
         ("A meeting room with a table, three chairs on one side, two on the other.", (3, 2)),
         ("A hall with a long table and a rug. Four chairs on one side of the table, three on the other side", (4, 3)),
     ],

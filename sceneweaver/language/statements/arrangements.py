@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from typing import Any, Literal, get_args
+from typing import Any, get_args
 
-from ..model import Arrangement, Span
+from ..model import Arrangement, Pattern, Span
 from ..parsed import Parsed
 from ..source import Source
 from ..things import match_of, singular
@@ -18,28 +18,6 @@ from ..vocabulary import family
 from .aisles import ROWS, aisle_at, width_of
 from .lengths import LENGTH, length_of
 from .phrases import NUMBER, Edits, noun_after, noun_before, number_of, table_before
-
-Pattern = Literal[
-    "row",
-    "rows",
-    "grid",
-    "circle",
-    "semicircle",
-    "u",
-    "back_to_back",
-    "stack",
-    "cluster",
-    "islands",
-    "sides",
-    "walls",
-    "between",
-    "right_angle",
-    "head_to_head",
-    "end_to_end",
-    "outside",
-    "inside",
-    "wall",
-]
 
 _N, _M = rf"(?P<n>{NUMBER})", rf"(?P<m>{NUMBER})"
 PLACED = r"(?:,? ?(?:all |neatly )?(?:laid out|set out|set up|arranged|laid|placed|lined up|standing|put) )?"

@@ -169,7 +169,7 @@ def _material(words: Sequence[str], last: bool) -> tuple[dict[str, Any], int]:
 
 
 def _heights(source: Source, parsed: Parsed) -> None:
-    """ "Green up to shoulder height, cream above": two colours of one wall."""
+    """ "Blue to waist height, white over it": two colours of one wall."""
     heights: dict[str, float] = _data()["heights"]
     color = r"(?P<{}>(?:[a-z]+ )??[a-z]+)"
     high = rf"(?:(?P<name>{one_of(list(heights))})(?:[- ](?:height|high|level))?|(?P<metres>{PLAIN}))"

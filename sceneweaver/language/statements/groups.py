@@ -490,7 +490,7 @@ def horseshoes(source: Source, parsed: Parsed) -> None:
 
 
 def merged(parsed: Parsed) -> None:
-    """One arrangement of "two rows of six, back to back", and of a U with what is said of its seats."""
+    """One arrangement of "two rows of four, back to back", and of a U with what is said of its seats."""
     found: list[Arrangement] = []
     for one in parsed.arrangements:
         told = ("rows", "grid") if one.pattern == "back_to_back" else ("back_to_back",) if one.pattern == "rows" else ()

@@ -97,7 +97,7 @@ def _glow(source: Source, parsed: Parsed) -> None:
 
 
 def _flames(source: Source, parsed: Parsed) -> None:
-    """What burns is all the light there is: "lit by torches", "light only from the fire and from candles"."""
+    """What burns is all the light there is: "lit by torches", "nothing but candles gives light"."""
     rows: dict[str, str] = words("looks")["flames"]
     burning = rf"(?:a |the |some |two |three |few )*(?:{one_of(list(rows))})"
     pattern = re.compile(

@@ -322,7 +322,7 @@ def _is_thing(spoken: list[str]) -> bool:
 
 
 def _blank_settings(source: Source, parsed: Parsed, rest: list[_Part]) -> None:
-    """Where the room is, or whose it is, names no other room: a prayer room for our office."""
+    """Where the room is, or whose it is, names no other room: a sick room for our school."""
     for part in rest:
         if part.kind in ("whole", "setting", "purpose") and _names_room(part):
             _put(source, part.start, part.end)

@@ -1,4 +1,4 @@
-"""A floor of two rectangles: "5 x 3 m plus a 2 x 2 m alcove", "L-shaped, 6 x 4 m and 3 x 2 m"."""
+"""A floor of two rectangles: "4 x 6 m plus a 3 x 1.5 m recess", "L-shaped, 6 x 4 m and 3 x 2 m"."""
 
 from __future__ import annotations
 

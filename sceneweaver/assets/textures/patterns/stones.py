@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from scipy.spatial import KDTree
 
@@ -190,19 +192,33 @@ def _hexagon(n: int) -> Relief:
     return _tiled(n, 0.6, edge, number[:, 0].reshape(n, n), 441, 0.003, tone=0.05, grout=0.6)
 
 
+def _bond(
+    v: np.ndarray, along: Callable[[np.ndarray], np.ndarray], columns: int, size: tuple[float, float]
+) -> tuple[np.ndarray, np.ndarray]:
+    """Eight courses of blocks: how far [m] each texel is from the edge of its block, and the block's number.
+
+    Args:
+        v: up the wall, 0 to 1.
+        along: by the number of a course how many blocks there are to the left, shifted from course to course.
+        columns: blocks of a course.
+        size: width and height of a block with its joint [m].
+    """
+    j = np.floor(v * 8)
+    left = along(j)
+    i = np.floor(left)
+    x, y = (left - i) * size[0], (v * 8 - j) * size[1]
+    edge = np.minimum(np.minimum(x, size[0] - x), np.minimum(y, size[1] - y))
+    return edge, np.mod(i, columns) * 8 + np.mod(j, 8)
+
+
 @pattern("rubble", (2.4, 1.6), kind="stone", pixels=1024)
 def _rubble(n: int) -> Relief:
     """Roughly hewn blocks of about 0.4 m by 0.2 m, each in a tone of its own, with wide joints."""
     u, v = grid(n)
     u = u + 0.009 * field(n, 461, 0.12, 1.8)
     v = v + 0.014 * field(n, 462, 0.12, 1.8)
-    j = np.floor(v * 8)
-    along = u * 6 + 0.38 * np.mod(j * 3, 8) / 1.9
-    i = np.floor(along)
-    x, y = (along - i) * 0.4, (v * 8 - j) * 0.2
-    edge = np.minimum(np.minimum(x, 0.4 - x), np.minimum(y, 0.2 - y))
+    edge, number = _bond(v, lambda j: u * 6 + 0.38 * np.mod(j * 3, 8) / 1.9, 6, (0.4, 0.2))
     face = step(0.006, 0.02, edge)
-    number = np.mod(i, 6) * 8 + np.mod(j, 8)
     tone, warm = spread(number, 463) - 0.5, spread(number, 464) - 0.5
     sand, cloud = field(n, 467, 0.006, 0.9), field(n, 468, 0.08, 1.5)
     shade = 1.0 + 0.38 * tone + 0.10 * cloud + 0.06 * sand
@@ -218,13 +234,8 @@ def _brick(n: int) -> Relief:
     u, v = grid(n)
     u = u + 0.0016 * field(n, 451, 0.04, 1.6)
     v = v + 0.0030 * field(n, 452, 0.04, 1.6)
-    j = np.floor(v * 8)
-    along = u * 4 + 0.5 * (np.mod(j, 2))
-    i = np.floor(along)
-    x, y = (along - i) * 0.25, (v * 8 - j) * 0.075
-    edge = np.minimum(np.minimum(x, 0.25 - x), np.minimum(y, 0.075 - y))
+    edge, number = _bond(v, lambda j: u * 4 + 0.5 * (np.mod(j, 2)), 4, (0.25, 0.075))
     face = step(0.0045, 0.0065, edge)
-    number = np.mod(i, 4) * 8 + np.mod(j, 8)
     tone, warm = spread(number, 453) - 0.5, spread(number, 454) - 0.5
     sand, cloud = field(n, 457, 0.005, 0.9), field(n, 458, 0.06, 1.5)
     shade = 1.0 + 0.42 * tone + 0.07 * cloud + 0.05 * sand
