@@ -24,6 +24,7 @@ from .looks import read_looks
 from .measures import measures
 from .openings import read_openings
 from .room_kind import furnish_zones, read_room_kind
+from .room_sides import room_sides
 from .states import read_states
 from .unwanted import unwanted
 from .wings import wings
@@ -40,6 +41,7 @@ def _told_of_rows(source: Source, parsed: Parsed) -> None:
 STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     entering,
     wings,
+    room_sides,
     read_openings,
     read_finishes,
     bounds,
