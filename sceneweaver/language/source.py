@@ -159,7 +159,7 @@ def read_source(text: str) -> Source:
     spoken = "".join(letters).replace("§", " ")
     language = language_of(spoken)
     if language != "en":
-        spoken, origin = translated(spoken, origin, language)
+        spoken, origin = translated(spoken, origin, language, text)
         notes.append(f"read as {NAMES[language]}, word by word")
     found = Source(spoken, origin, notes=notes, language=language)
     found.blank(_TAG, lambda m: " ")
