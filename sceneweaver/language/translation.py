@@ -117,11 +117,13 @@ def unknown_words(text: str, language: str) -> list[tuple[int, int]]:
 
 def _capitals(text: str, origin: Sequence[int], request: str) -> frozenset[int]:
     """Where words of a text begin with a capital letter within a sentence: nouns, in German."""
-    return frozenset(
-        m.start()
-        for m in _WORD.finditer(text)
-        if request[origin[m.start()]].isupper() and request[: origin[m.start()]].rstrip()[-1:] not in ("", ".", "!", "?")
-    )
+    found: set[int] = set()
+    before = "."
+    for m in _WORD.finditer(text):
+        if before not in (".", "!", "?") and request[origin[m.start()]].isupper():
+            found.add(m.start())
+        before = m[0]
+    return frozenset(found)
 
 
 def _spaced(text: str, language: str, names: frozenset[int] = frozenset()) -> list[Told]:
