@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from .angles import dot
-from .walls import Wall
+from .walls import Point, Wall
 
 SAME_WAY = 0.7
 """Least dot product of two directions that count as the same."""
@@ -16,15 +16,32 @@ LONG = 0.9
 _COMPASS = {"south": (0.0, -1.0), "east": (1.0, 0.0), "north": (0.0, 1.0), "west": (-1.0, 0.0)}
 
 
-def is_wall(name: str, wall: Wall, walls: Sequence[Wall], entry: Wall | None) -> bool:
+def ahead_of(entry: Wall, told: str = "any") -> Point:
+    """The way (a unit vector) in which left, right and far are seen by who comes in by a wall.
+
+    Args:
+        entry: the wall of the first door.
+        told: the side that the request itself gives this wall, as on a plan; then it is at that side.
+    """
+    (x, y), (u, v) = entry.inward, entry.outward
+    return {"left": (v, -u), "right": (-v, u), "far": (u, v)}.get(told, (x, y))
+
+
+def is_wall(
+    name: str, wall: Wall, walls: Sequence[Wall], entry: Wall | None, ahead: Point | None = None, run: str = "any"
+) -> bool:
     """Whether a wall is what a name says: left, right, far or near, a compass point, long, short, or "any".
 
     Args:
-        name: of the wall.
+        name: of the wall; "side" is left or right.
         wall: which one is looked at.
         walls: all of the room.
         entry: the wall of the first door, from which left, right, far and near are seen; None: they name none.
+        ahead: the way in which they are seen where it is not straight in, see `ahead_of`.
+        run: "long" or "short" where the wall is one as well.
     """
+    if run != "any" and not is_wall(run, wall, walls, entry):
+        return False
     if name == "any":
         return True
     longest = max(one.length for one in walls)
@@ -38,14 +55,15 @@ def is_wall(name: str, wall: Wall, walls: Sequence[Wall], entry: Wall | None) ->
         return dot(wall.outward, _COMPASS[name]) > SAME_WAY
     if entry is None:
         return False
-    ahead = entry.inward
-    way = {
+    ahead = ahead or entry.inward
+    ways = {
         "far": ahead,
         "near": (-ahead[0], -ahead[1]),
         "left": (-ahead[1], ahead[0]),
         "right": (ahead[1], -ahead[0]),
-    }[name]
-    return dot(wall.outward, way) > SAME_WAY
+    }
+    names = ("left", "right") if name == "side" else (name,)
+    return any(dot(wall.outward, ways[one]) > SAME_WAY for one in names)
 
 
 def are_opposite(one: Wall, other: Wall) -> bool:
@@ -53,4 +71,4 @@ def are_opposite(one: Wall, other: Wall) -> bool:
     return dot(one.outward, other.outward) < -SAME_WAY
 
 
-__all__ = ["are_opposite", "is_wall"]
+__all__ = ["ahead_of", "are_opposite", "is_wall"]

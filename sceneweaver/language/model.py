@@ -185,7 +185,12 @@ class StatedOpening(FrozenModel):
     id: str = ""
     part: Literal["door", "window", "niche", "column"]
     count: int = 1
-    wall: Literal["left", "right", "far", "near", "north", "south", "east", "west", "long", "short", "any"] = "any"
+    wall: Literal["left", "right", "side", "far", "near", "north", "south", "east", "west", "long", "short", "any"] = (
+        "any"
+    )
+    run: Literal["long", "short", "any"] = Field(
+        default="any", description="Whether its wall is a long or a short one, where a side is said as well"
+    )
     at: Literal["middle", "left", "right", "corner", "along", "any"] = Field(
         default="any", description="'along' runs over the length of the wall; left and right as seen from the room"
     )

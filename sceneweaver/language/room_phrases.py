@@ -232,7 +232,8 @@ def _count_openings(state: State, place: str, phrase: NounPhrase) -> None:
     """Windows and doors as parts of the room: "two windows", "with a window"."""
     openings = state.out.openings
     if phrase.count is not None:
-        openings[place] = phrase.count[0]
+        told = any(one.part == place for one in state.out.stated_openings)
+        openings[place] = max(phrase.count[0], openings.get(place, 0) if told else 0)
     elif phrase.determiner in ("a", "an", "another"):
         openings[place] = max(1, openings.get(place, 0))
     name_nothing(state)
