@@ -25,8 +25,11 @@ ASSIGNMENTS = 2000
 CORNER = 0.15
 """Distance [m] from the corner of what is said to be in it."""
 
-LOW_DOOR = 0.9
-"""Height [m] of a low door, or one to crawl through."""
+LOW_DOOR, CRAWL = 1.2, 0.75
+"""Heights [m] of a low door, and of a way in to crawl through, which is as wide."""
+
+SLIT = 0.25, 0.9
+"""Sides [m] of a small slit."""
 
 UP, LOW = 1.6, 0.4
 """Sills [m] of windows that are said to be high up, at least, and of low ones."""
@@ -114,14 +117,21 @@ def door_width(one: StatedOpening, usual: float) -> float:
         return one.width
     if {"double", "french", "patio"} & set(one.features) or {"sliding", "glass"} <= set(one.features):
         return DOUBLE
+    if CRAWLED & set(one.features):
+        return CRAWL
     return WIDE if "wide" in one.features else 2.4 if "garage" in one.features else usual
+
+
+CRAWLED = frozenset(("crawl in", "crawl through"))
+"""Kinds of doors that one crawls through."""
 
 
 def door_height(one: StatedOpening, usual: float) -> float:
     """The height [m] of a door that is described."""
     if one.height is not None:
         return one.height
-    return LOW_DOOR if {"low", "crawl in", "crawl through", "tiny"} & set(one.features) else usual
+    kinds = set(one.features)
+    return CRAWL if kinds & CRAWLED else LOW_DOOR if kinds & {"low", "tiny"} else usual
 
 
 def door_swing(one: StatedOpening, usual: str) -> str:
@@ -146,7 +156,7 @@ def window_shape(
     if kinds & {"tall", "high", "sash", "arched", "pointed"}:
         sill, tall = 0.4, height
     if kinds & {"slit"} and kinds & {"vertical", "tall", "narrow"}:
-        width, sill, tall = 0.25, 0.6, height
+        width, sill, tall = SLIT[0], 0.6, height
     if is_high_up(one):
         sill, tall = max(UP, height - 0.75), 0.5
     elif kinds & {"low"}:
@@ -156,7 +166,7 @@ def window_shape(
     if kinds & {"large", "big", "huge", "wide"}:
         width = max(1.25 * width, LARGE)
     if kinds & {"small", "little", "tiny", "narrow", "slim"}:
-        width = min(width, SMALL)
+        width, tall = (SLIT[1], SLIT[0]) if kinds & {"slit", "slot"} and width > SLIT[0] else (min(width, SMALL), tall)
     width = one.width if one.width is not None else width
     sill = one.sill if one.sill is not None else sill
     sill = round(max(0.0, min(sill, height - (0.45 if one.sill is not None else 0.6))), 2)

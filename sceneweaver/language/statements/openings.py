@@ -212,7 +212,7 @@ def _stated(
     ):
         return [], []
     count = _count(match["count"], match["part"])
-    if match["part"] == "doors" and not match["count"] and {"double", "sliding", "french", "patio"} & set(kinds):
+    if match["part"] == "doors" and determiner in ("", "the", "its") and {"double", "sliding", "french", "patio"} & set(kinds):
         count, kinds = 1, tuple(dict.fromkeys((*kinds, "double")))  # two leaves
     found: list[StatedOpening] = []
     last = match.start("count") if match["count"] else match.start("kinds")
@@ -355,7 +355,7 @@ def _placed(m: re.Match[str], number: int, fields: dict[str, Any]) -> bool:
     elif _wall_of(side, what, fields):
         if side in _SEEN and "across" in m[0].split()[:1]:
             fields.setdefault("at", "along")
-        if more and more != "end":
+        if more:
             _wall_of(more, what or "wall", fields)
     elif re.fullmatch(PLAIN, side) and what in ("wall", "walls", "side", "sides"):
         fields.setdefault("wall_length", plain_length(side))
@@ -368,6 +368,8 @@ def _placed(m: re.Match[str], number: int, fields: dict[str, Any]) -> bool:
 
 def _wall_of(side: str, what: str, fields: dict[str, Any]) -> bool:
     """Takes a wall by its length, its side or both ("the far short wall"); whether the word names one."""
+    if side == "end" and not what:  # "at the end": of the way that one comes in
+        fields.setdefault("wall", "far")
     length = "long" if side in _LONG else "short" if side in _SHORT else None
     name = _SEEN.get(side) or (side if side in _COMPASS else None)
     if length is not None:
