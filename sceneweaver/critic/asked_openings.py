@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from sceneweaver.geometry.recesses import set_back, sides_of
 from sceneweaver.geometry.seen import ahead_of, are_opposite, is_wall
 from sceneweaver.geometry.walls import Point, Wall
 from sceneweaver.language.model import StatedOpening
-from sceneweaver.language.told_openings import entry_stated, is_high_up, leads_on
+from sceneweaver.language.told_openings import entry_stated, is_bay, is_high_up, leads_on
+from sceneweaver.language.wall_names import PARTS
 from sceneweaver.rules.faults import fault_kind
 from sceneweaver.scene import Door, Window
 
@@ -20,6 +22,9 @@ UNDRAWN = (
     *("glass panel", "stable", "barn", "folding", "revolving", "sash", "casement", "dormer"),
 )
 """Kinds that are drawn like any other: an opening that is right else is so in part."""
+
+
+BEGIN = "start again with a room as asked"
 
 
 def _limit(name: str) -> float:
@@ -37,8 +42,8 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
     first = entry_stated(survey.brief)
     ahead = ahead_of(entry, first.wall if first is not None else "any") if entry is not None else None
     for one in survey.brief.openings:
-        if one.part == "niche":
-            yield _niche(one, walls)
+        if one.part not in ("door", "window"):
+            yield _wall_part(one, survey, ahead) if one.part in ("niche", "breast") else _not_built(one)
             continue
         have: Sequence[Door | Window] = room.doors if one.part == "door" else room.windows
         beside = one.part == "door" and leads_on(one)  # not the door that one comes in by
@@ -66,7 +71,7 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
             f"'{one.words}': {reason}",
             number,
             fault=f"wrong_{one.part}s",
-            suggestion="start again with a room as asked",
+            suggestion=BEGIN,
         )
 
 
@@ -99,8 +104,15 @@ def _fault(
     for feature in one.features:
         if opening.width < fault_kind("wrong_doors").limits.get(feature, 0):
             return f"{opening.id} is {opening.width:.2f} m wide, not {feature}"
+    if isinstance(opening, Window) and is_bay(one) and not _in_bay(wall, walls):
+        return f"{opening.id} is in a straight wall"
     kind_fault = _window_fault(one, opening) if isinstance(opening, Window) else _door_fault(one, opening)
     return kind_fault or _place_fault(one, opening, wall)
+
+
+def _in_bay(wall: Wall, walls: Sequence[Wall]) -> bool:
+    """Whether a wall is the back of what stands out of the room."""
+    return wall.index in set_back(walls)
 
 
 def _door_fault(one: StatedOpening, door: Door) -> str:
@@ -167,26 +179,47 @@ def _place_fault(one: StatedOpening, opening: Door | Window, wall: Wall) -> str:
     return ""
 
 
-def _niche(one: StatedOpening, walls: Sequence[Wall]) -> Asked:
-    """A niche is a wall set back between two short ones that turn outward."""
-    many = len(walls)
-    found = 0
-    for k in range(many):
-        one_side, back, other = walls[k - 1], walls[k], walls[(k + 1) % many]
-        sides = max(one_side.length, other.length) < _limit("deep") and are_opposite(one_side, other)
-        found += bool(many > 4 and sides and back.length < _limit("long"))
-    number = counted("niches", found, one.count)
-    if found >= one.count:
-        return met("room", f"room.{one.id}", (), f"{one.words}: as asked", number)
-    return unmet(
-        "room",
-        f"room.{one.id}",
-        (),
-        f"'{one.words}': there is none",
-        number,
-        fault="wrong_shape",
-        suggestion="start again with a room as asked",
-    )
+def _wall_part(one: StatedOpening, survey: Survey, ahead: Point | None) -> Asked:
+    """A niche or a chimney breast, measured by the walls that stand back or forward."""
+    room, walls, noun = survey.scene.room, survey.placed.walls, one.words or one.part
+    entry = walls[room.doors[0].wall] if room.doors else None
+    here = [walls[k] for k in PARTS["beside_breast" if "beside" in one.features else one.part](room)]
+    faults = {wall.index: _part_fault(one, wall, walls, entry, ahead) for wall in here}
+    good = [wall for wall in here if not faults[wall.index]]
+    number = counted(f"such {one.part}s", len(good), one.count)
+    if len(good) >= one.count:
+        sizes = "; ".join(f"{w.length:.2f} m wide and {_depth(w, walls):.2f} m deep" for w in good[: one.count])
+        return met("room", f"room.{one.id}", (), f"{noun}: {sizes}", number)
+    reason = next((fault for fault in faults.values() if fault), f"there are {len(here)}")
+    return unmet("room", f"room.{one.id}", (), f"'{noun}': {reason}", number, fault="wrong_shape", suggestion=BEGIN)
+
+
+def _depth(wall: Wall, walls: Sequence[Wall]) -> float:
+    """How far [m] a wall stands back or forward: the shorter of its sides."""
+    return min(side.length for side in sides_of(wall.index, walls))
+
+
+def _part_fault(one: StatedOpening, wall: Wall, walls: Sequence[Wall], entry: Wall | None, ahead: Point | None) -> str:
+    """What is not as asked about a part of a wall."""
+    name = f"the {one.part}"
+    if not is_wall(one.wall, wall, walls, entry, ahead, one.run):
+        return f"{name} is not in the {one.wall if one.run == 'any' else f'{one.wall} {one.run}'} wall"
+    before, after = walls[wall.index - 2].length, walls[(wall.index + 2) % len(walls)].length
+    if one.at == "middle" and one.count == 1 and abs(before - after) / 2 > _limit("middle"):
+        return f"{name} is {abs(before - after) / 2:.2f} m off the middle of its wall"
+    if one.opposite == "door" and entry is not None and not are_opposite(wall, entry):
+        return f"{name} is not opposite the door"
+    if one.width is not None and abs(wall.length - one.width) > _limit("slack"):
+        return f"{name} is {wall.length:.2f} m wide"
+    if one.depth is not None and abs(_depth(wall, walls) - one.depth) > _limit("slack"):
+        return f"{name} is {_depth(wall, walls):.2f} m deep"
+    return ""
+
+
+def _not_built(one: StatedOpening) -> Asked:
+    """What no room has here."""
+    reason = f"'{one.words}' is not built: {next(iter(one.features), 'it cannot be')}"
+    return unmet("room", f"room.{one.id}", (), reason, fault="wrong_shape", suggestion="do without it")
 
 
 __all__ = ["outcomes"]

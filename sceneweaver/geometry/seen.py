@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from .angles import dot
+from .recesses import set_back, set_forward
 from .walls import Point, Wall
 
 SAME_WAY = 0.7
@@ -44,6 +45,8 @@ def is_wall(
         return False
     if name == "any":
         return True
+    if name in ("long", "short") and (set_back(walls) or set_forward(walls)):
+        return _runs(name, wall, walls)
     longest = max(one.length for one in walls)
     main = [one for one in walls if one.length > 0.4 * longest]
     if name == "long":
@@ -64,6 +67,13 @@ def is_wall(
     }
     names = ("left", "right") if name == "side" else (name,)
     return any(dot(wall.outward, ways[one]) > SAME_WAY for one in names)
+
+
+def _runs(name: str, wall: Wall, walls: Sequence[Wall]) -> bool:
+    """Whether a wall runs along the long or the short sides of a room of which parts of walls stand back or forward."""
+    spans = [max(w.start[k] for w in walls) - min(w.start[k] for w in walls) for k in (0, 1)]
+    own = spans[0 if abs(wall.along[0]) > abs(wall.along[1]) else 1]
+    return own >= LONG * max(spans) if name == "long" else own <= min(spans) / LONG
 
 
 def are_opposite(one: Wall, other: Wall) -> bool:

@@ -15,6 +15,7 @@ from .shares import ends_here, share_out
 from .state import State, Waiting
 from .tokens import Token
 from .vocabulary import Place, category_of, family, group_rows, shows, words
+from .wall_names import PARTS
 
 _SAID_OF_ROOMS = (
     *("room_scale", "styles", "moods", "density", "color", "shape", "adjective", "scale", "material"),
@@ -163,8 +164,14 @@ def place_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         state.fronted, state.glue = [(where, (place,), chunk)], "start"  # "each corner gets a lamp"
         state.at += 1
         return
+    if place.partition(":")[2] in PARTS:
+        state.refer(phrase)
     if place == "room":
         _the_room(state, phrase, waiting)
+    if waiting is None and place.partition(":")[2] in PARTS and _holds_next(state):
+        state.fronted, state.glue = [(Place("inside", words="in"), (place,), chunk)], "start"  # "an alcove with a desk"
+        state.at += 1
+        return
     if waiting is None:
         if place != "room":
             name_nothing(state)
@@ -210,6 +217,12 @@ def _has_next(state: State) -> bool:
     """Whether a verb says next what there is: "every wall has a picture"."""
     after = state.chunk(state.at)
     return after is not None and after.kind == "verb" and shows(after.value.lemma)
+
+
+def _holds_next(state: State) -> bool:
+    """Whether it is told next what is there: "a recess with a desk", "an alcove where a bed stands"."""
+    after = state.chunk(state.at)
+    return after is not None and (after.kind == "with" or after.text in ("where", "in which") or _has_next(state))
 
 
 def _the_room(state: State, phrase: NounPhrase, waiting: Waiting | None) -> None:

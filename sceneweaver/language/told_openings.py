@@ -33,4 +33,9 @@ def is_high_up(one: StatedOpening) -> bool:
     return bool(kinds & {"clerestory", "high up"}) or ("high" in kinds and bool(kinds & _UP_WITH))
 
 
-__all__ = ["doors_stated", "entry_stated", "is_high_up", "leads_on"]
+def is_bay(one: StatedOpening) -> bool:
+    """Whether a window is said to be in a bay."""
+    return one.part == "window" and not {"bay", "bow"}.isdisjoint(one.features)
+
+
+__all__ = ["doors_stated", "entry_stated", "is_bay", "is_high_up", "leads_on"]

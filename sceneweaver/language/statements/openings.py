@@ -25,7 +25,8 @@ _COUNT = (
 _KNOWN = words("openings")
 _KINDS = one_of([*_KNOWN["kinds"], *_KNOWN["plain"]]).replace(r"\ ", r"[\s-]")
 _HEAD = (
-    rf"(?P<part>doors?|doorways?|windows?|niches?|alcoves?|{one_of(_KNOWN['ways_in'])})"
+    r"(?P<part>doors?|doorways?|windows?|niches?|alcoves?|recess(?:es)?|chimney breasts?|chimneybreast|"
+    rf"{one_of(_KNOWN['ways_in'])})"
     rf"(?!\s?-?{one_of(_KNOWN['not_behind'])}\b)"
 )
 _ODD = (
@@ -77,6 +78,7 @@ _OPPOSITE = re.compile(
 )
 _WIDE = re.compile(rf"(?P<width>{PLAIN})\s?(?:wide|broad|across|in width)|wide,?\s(?:at least\s)?(?P<after>{PLAIN})")
 _HIGH = re.compile(rf"(?P<height>{PLAIN})\s?(?:high|tall|in height)")
+_DEEP = re.compile(rf"(?P<depth>{PLAIN})\s?(?:deep|in depth)")
 _SILL = re.compile(
     rf"\bsill\s(?:at|of|height|is)?\s?(?P<sill>{PLAIN})|(?P<above>{PLAIN})\s(?:above|off|from) the floor"
 )
@@ -203,8 +205,8 @@ def _stated(
         told.taken.append(match.span("size"))
     if determiner.endswith(("second", "third", "further", "other", "another", "additional", "extra")):
         kinds = (*kinds, "another") if part == "door" else kinds
-    way_in = match["part"].rstrip("s") not in ("door", "doorway", "window", "niche", "alcove")
-    goes_on = part != "niche" and bool(match["count"]) and _AND_ONE.match(text, match.end()) is not None
+    way_in = match["part"] in _KNOWN["ways_in"]
+    goes_on = part in ("door", "window") and bool(match["count"]) and _AND_ONE.match(text, match.end()) is not None
     if (
         not (told.fields or goes_on)
         and (not kinds or (kinds == ("another",) and part == "window"))
@@ -212,12 +214,17 @@ def _stated(
     ):
         return [], []
     count = _count(match["count"], match["part"])
-    if match["part"] == "doors" and determiner in ("", "the", "its") and {"double", "sliding", "french", "patio"} & set(kinds):
+    if (
+        match["part"] == "doors"
+        and determiner in ("", "the", "its")
+        and {"double", "sliding", "french", "patio"} & set(kinds)
+    ):
         count, kinds = 1, tuple(dict.fromkeys((*kinds, "double")))  # two leaves
     found: list[StatedOpening] = []
     last = match.start("count") if match["count"] else match.start("kinds")
     end = max([end for _, end in told.taken], default=match.end())
-    taken = [(match.start("kinds"), match.span("part" if part == "niche" else "kinds")[1]), *told.taken]
+    bay = {"bay", "bow"} & set(kinds)  # "the bay window" is a place with a name of its own
+    taken = [*([] if bay or part in ("niche", "breast") else [match.span("kinds")]), *told.taken]
 
     def add(count: int, told: _Told, start: int, end: int) -> None:
         fields = dict(told.fields)
@@ -298,7 +305,7 @@ def _told(text: str, at: int, number: int) -> _Told:
 
 def _fields(clause: str, number: int, fields: dict[str, Any]) -> list[tuple[int, int]]:
     spans: list[tuple[int, int]] = []
-    for pattern, name in ((_WIDE, "width"), (_HIGH, "height"), (_SILL, "sill")):
+    for pattern, name in ((_WIDE, "width"), (_HIGH, "height"), (_SILL, "sill"), (_DEEP, "depth")):
         if (m := pattern.search(clause)) and name not in fields:
             value = next(g for g in m.groups() if g)
             fields[name] = plain_length(value)
@@ -406,8 +413,11 @@ def _kinds(words_before: str) -> tuple[str, ...]:
 
 
 def _part(word: str) -> str:
-    word = word.rstrip("s")
-    return {"alcove": "niche", "niche": "niche", "window": "window"}.get(word, "door")
+    if word.startswith(("niche", "alcove", "recess")):
+        return "niche"
+    if word.startswith("chimney"):
+        return "breast"
+    return "window" if word.startswith("window") else "door"
 
 
 def _count(determiner: str | None, noun: str) -> int:
@@ -416,7 +426,7 @@ def _count(determiner: str | None, noun: str) -> int:
         return max(1, min(int(said), 20))
     if said.endswith(("second", "third", "further", "other", "additional", "extra")):
         return 1
-    return _NUMBERS.get(said, 2 if noun.endswith("s") and not said.startswith("a ") else 1)
+    return _NUMBERS.get(said, 2 if noun.endswith("s") and noun != "recess" and not said.startswith("a ") else 1)
 
 
 def _blanked(text: str, spans: list[tuple[int, int]]) -> str:
