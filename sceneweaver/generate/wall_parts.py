@@ -25,6 +25,9 @@ BREAST = 1.5, 0.4
 BAY = 0.65
 """Depth [m] of a bay of which nothing is said."""
 
+HIGHEST_SILL = 1.05
+"""Sill [m] of a bay's window over what stands before it, at most."""
+
 SLANT = 0.3
 """How much narrower [m] a bay is at its back, on each side."""
 
@@ -61,9 +64,9 @@ def with_wall_parts(room: Room, brief: SceneGraph) -> tuple[Room, list[str]]:
     return room, notes
 
 
-def _at(brief: SceneGraph, part: str) -> list[tuple[float, float]]:
-    """Depth and width [m] of what is said to stand at a part of a wall."""
-    found: list[tuple[float, float]] = []
+def _at(brief: SceneGraph, part: str) -> list[tuple[float, float, float]]:
+    """Depth, width and height [m] of what is said to stand at a part of a wall."""
+    found: list[tuple[float, float, float]] = []
     for said in brief.relations:
         entity = brief.entity(said.subject)
         if entity is None or f"wall:{part}" not in said.targets or said.type in ("facing", "opposite", "in_front_of"):
@@ -71,9 +74,9 @@ def _at(brief: SceneGraph, part: str) -> list[tuple[float, float]]:
         category = category_named(entity.category)
         if category.size is None or "floor" not in category.mount or {"wall", "surface"} & set(category.mount):
             continue
-        usual = (sum(category.size.depth) / 2, sum(category.size.width) / 2)
-        depth, width = (told or size for told, size in zip(entity.size[:2], usual, strict=True))
-        found += [(depth, width)] * (entity.count[0] if entity.count else 1)
+        usual = (sum(category.size.depth) / 2, sum(category.size.width) / 2, category.size.height[1])
+        depth, width, tall = (told or size for told, size in zip(entity.size, usual, strict=True))
+        found += [(depth, width, tall)] * (entity.count[0] if entity.count else 1)
     return found
 
 
@@ -81,15 +84,15 @@ def _sizes(one: StatedOpening, brief: SceneGraph) -> tuple[float, float]:
     """Width and depth [m] of a niche or a breast."""
     inside = _at(brief, "breast_opening") if one.part == "breast" else []
     if inside:  # two piers with what is in it between them
-        depth = max(BREAST[1], min(max(d for d, _ in inside), DEEPEST / 2))
-        return one.width or sum(w for _, w in inside) + PLAY + 2 * PIER, one.depth or depth
+        depth = max(BREAST[1], min(max(d for d, *_ in inside), DEEPEST / 2))
+        return one.width or sum(w for _, w, _ in inside) + PLAY + 2 * PIER, one.depth or depth
     there = _at(brief, one.part)
     share = there[: max(1, -(-len(there) // max(1, one.count)))]
     if one.part == "breast":
-        width = max([BREAST[0], *(w + PLAY for _, w in share)]) if not share else max(w + PLAY for _, w in share)
+        width = max([BREAST[0], *(w + PLAY for _, w, _ in share)]) if not share else max(w + PLAY for _, w, _ in share)
         return one.width or min(max(width, 1.0), WIDEST), one.depth or BREAST[1]
-    width = sum(w for _, w in share) + PLAY if share else WIDTH
-    depth = max((d for d, _ in share), default=DEPTH)
+    width = sum(w for _, w, _ in share) + PLAY if share else WIDTH
+    depth = max((d for d, *_ in share), default=DEPTH)
     return one.width or min(max(width, 0.6), WIDEST), one.depth or min(max(depth + 0.02, 0.35), DEEPEST)
 
 
@@ -118,7 +121,8 @@ def _with_part(room: Room, one: StatedOpening, brief: SceneGraph) -> Room | None
 
 def _with_bay(room: Room, one: StatedOpening, brief: SceneGraph) -> Room | None:
     """The room with a bay about one of its windows, which is in the wall that the request says."""
-    walls, depth = room.walls, one.depth or BAY
+    there = _at(brief, "bay")
+    walls, depth = room.walls, one.depth or min(max([BAY, *(d for d, *_ in there)]), DEEPEST / 2)
     suiting = {wall.index for wall in _suiting(room, one, brief)}
     for window in sorted(room.windows, key=lambda window: -window.width):
         if window.wall not in suiting:
@@ -128,14 +132,23 @@ def _with_bay(room: Room, one: StatedOpening, brief: SceneGraph) -> Room | None:
             (row for row in _bare(room, wall, without=window) if row[0] <= window.offset < row[1]), (0.0, 0.0)
         )
         middle = window.offset + window.width / 2
-        half = min(window.width / 2 + 0.1 + SLANT, middle - low - EDGE, high - middle - EDGE)
+        wanted = max(window.width + 2 * PLAY, sum(w + PLAY for _, w, _ in there) + PLAY)
+        half = min(wanted / 2 + SLANT, middle - low - EDGE, high - middle - EDGE)
         back = 2 * (half - SLANT)
         if back < 0.8:
             continue
         bent = _bent(room, wall, (round(middle - half, 3), round(middle + half, 3)), SLANT, -depth, window.id)
         width = round(min(window.width, back - 0.1), 3)
+        top = window.sill + window.height
+        sill = window.sill if one.sill is not None else min(max([window.sill, *(h for *_, h in there)]), HIGHEST_SILL)
         moved = window.model_copy(
-            update={"wall": wall.index + 2, "offset": round((back - width) / 2, 3), "width": width}
+            update={
+                "wall": wall.index + 2,
+                "offset": round((back - width) / 2, 3),
+                "width": width,
+                "sill": round(sill, 2),
+                "height": round(top - sill, 2),
+            }
         )
         return bent.model_copy(update={"windows": tuple(moved if w.id == moved.id else w for w in bent.windows)})
     return None

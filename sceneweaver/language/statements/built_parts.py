@@ -22,6 +22,10 @@ _PLACED = (
     r"from|of|with|has|and)\s)?(?P<det>(?:the|a|an|its|one|both|each)\s)?(?:(?:low|small|large|big|old|deep|round|square|"
     r"brick|exposed|steep|central|sunken|sunk|two|three|four|\d)\s){0,2}"
 )
+_DIVIDES = re.compile(
+    r"(?P<verb>\b(?:(?:that|which|to)\s)?(?:divides?|dividing|separates?|separating)\b)\s(?:off\s)?(?:the|a|my|our|one)\s"
+    r"(?:[a-z]+\s){1,3}?(?P<from>from)\s(?:the|a|my|our|its)\s"
+)
 _HEIGHT = re.compile(
     r"^(?:,?\s(?:is|of|at|down|to|about|only|just|on|the|one|both|left|right|far|side|sides|end|back|towards|wall|high|"
     r"low|as|tall|\d+(?:[.,]\d+)?\s?(?:metres?|meters?|cm|m|ft|feet)\b))*"
@@ -35,6 +39,7 @@ def built_parts(source: Source, parsed: Parsed) -> None:
     """Reads which built parts a request names; those that are not built are blanked."""
     _not_built(source, parsed)
     _meant_for(source)
+    _dividing(source)
     for part in ("breast", "niche"):
         if any(one.part == part for one in parsed.stated_openings):
             continue
@@ -59,6 +64,14 @@ def _meant_for(source: Source) -> None:
     pattern = rf"\b{names}\s(?P<for>for)\s(?!me\b|us\b)"
     for found in list(re.finditer(pattern, source.text)):
         Edits(source).take(*found.span("for"), "w/")
+
+
+def _dividing(source: Source) -> None:
+    """ "A low wall divides the bed from the desk" is between them."""
+    for found in list(_DIVIDES.finditer(source.text)):
+        edits = Edits(source)
+        edits.take(*found.span("verb"), "between")
+        edits.take(*found.span("from"), "and")
 
 
 def _not_built(source: Source, parsed: Parsed) -> None:
