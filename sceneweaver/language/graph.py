@@ -9,6 +9,7 @@ from typing import Any
 from sceneweaver.assets.plurals import singular
 from sceneweaver.assets.taxonomy import category_named, narrower
 
+from .built_in import by_their_names
 from .coverage import silent_words
 from .distribution import tell_each
 from .in_room import mean_in_room
@@ -59,6 +60,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     named = {entity.id for entity in entities}
     amounts = tuple(a for a in resolved(parsed.amounts, entities, "amount") if a.entity in named)
     entities = tuple(_many(entity, amounts) for entity in entities)
+    relations = [*relations, *by_their_names(entities, relations, parsed.stated_openings)]
     relations, arrangements = told_apart(relations, resolved(parsed.arrangements, entities, "arrangement"))
     people = peopled(
         bounded_counts(entities, parsed.bounds),

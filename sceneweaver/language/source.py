@@ -65,7 +65,9 @@ _LOW_CEILING = re.compile(
     rf"ceilings?{_GAP},?{_GAP}(?:(?:is|of|only|about|at|most|max|maximum|under|no|more|than){_GAP}){{0,4}}"
     rf"{_NUMBER}{_GAP}{_LENGTH}(?:{_GAP}(?:at{_GAP}most|at{_GAP}least|max(?:imum)?|high))?(?![a-z])"
 )
-_WALLS_HIGH = re.compile(rf"walls?{_GAP}(?:of{_GAP})?{_NUMBER}{_GAP}{_LENGTH}{_GAP}(?:high|tall)(?![a-z])")
+_PARTIAL = ("low", "half", "knee", "height", "high", "partition", "dividing", "pony", "a")
+_OF_ROOM = "".join(rf"(?<!{word} )" for word in _PARTIAL)  # a low wall is none of the room's
+_WALLS_HIGH = re.compile(rf"{_OF_ROOM}\bwalls?{_GAP}(?:of{_GAP})?{_NUMBER}{_GAP}{_LENGTH}{_GAP}(?:high|tall)(?![a-z])")
 _AND_HIGH = re.compile(rf"§\s{{0,40}}(?:and|,){_GAP}{_NUMBER}{_GAP}{_LENGTH}{_GAP}(?:high|tall)(?![a-z])")
 _PARTS = re.compile(r"(?<![\w.])(\d{1,2})\s?(?:m|meters?|metres?)\s(\d\d)(?![\w.]|\s?(?:cm|mm|m|inch))")
 """Metres and centimetres in two numbers: "2 metres 10"."""

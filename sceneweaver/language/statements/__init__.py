@@ -14,6 +14,7 @@ from ..source import Source
 from .appearances import read_appearances
 from .arrangements import arrangements
 from .bounds import bounds
+from .built_parts import built_parts
 from .capacities import capacities
 from .entering import entering
 from .finishes import read_finishes
@@ -43,6 +44,7 @@ STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     wings,
     room_sides,
     read_openings,
+    built_parts,
     read_finishes,
     bounds,
     groups,
