@@ -10,6 +10,7 @@ from sceneweaver.assets.plurals import singular
 from sceneweaver.assets.taxonomy import category_named, narrower
 
 from .built_in import by_their_names
+from .carrying import told_by_carriers
 from .coverage import silent_words
 from .distribution import tell_each
 from .in_room import mean_in_room
@@ -52,6 +53,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     _shared_support(parsed)
     _by_attribute(parsed, mentions)
     _pairs_of_flanks(parsed)
+    told_by_carriers(parsed, mentions)
     relations = _once([r for said in parsed.said for r in _relations(said, mentions, notes)])
     exclusions = {(words, names): span for words, names, span in reversed(parsed.without)}
     barred = [found for said in parsed.barred if (found := _barred(said, mentions)) is not None]
