@@ -275,6 +275,9 @@ def _kind(scan: Scan, head: Token, phrase: NounPhrase, start: int) -> tuple[str,
     holds = before is not None and before.text in ("on", "from") and head.text in words("nouns")["holders"]
     if head.has("parts") and not (noun and (holds or before is None or before.text == ".")):
         return "part", head.text
+    aimed = before is not None and bool(scan.out) and scan.out[-1].kind == "purpose" and scan.out[-1].value == "people"
+    if noun and aimed and head.has("people_words"):
+        return "people", head.text  # "a chair for staff"
     if noun and not (head.has("abstract") and not phrase.determiner and phrase.count is None):
         return "thing", head.get("noun")
     if head.has("people_words", "whom"):

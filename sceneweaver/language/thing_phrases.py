@@ -7,13 +7,14 @@ from dataclasses import replace
 from .chunks import Chunk, NounPhrase
 from .distribution import count_out_again
 from .items import begin_clause, name_nothing, name_things
+from .model import Attribute
 from .nothings import is_animal, is_certain, is_large, may_name
 from .parsed import Mention, without
 from .room_phrases import abstract_phrase, describe_room, people_phrase, unknown_room
 from .shares import ends_here, last_items, multiply, share_out
 from .state import Frame, State
 from .things import MANY, describe, match_of, name_of, new_mention, note_on, singular
-from .vocabulary import words
+from .vocabulary import family, words
 
 MOST_NEW = 400
 """Mentions that are made at most."""
@@ -81,7 +82,7 @@ def named_thing(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         abstract_phrase(state, phrase, chunk)  # "a basement cinema"
         state.lost = False
         return
-    if _is_of_the_room(state, phrase):
+    if _is_of_the_room(state, phrase) or _is_kind_of(state, phrase):
         return
     made = new_thing(state, phrase)
     if made is not None and waiting is None and phrase.determiner in ("each", "every"):
@@ -171,6 +172,24 @@ def _some_of(state: State, phrase: NounPhrase) -> Mention | None:
     return None
 
 
+def _is_kind_of(state: State, phrase: NounPhrase) -> bool:
+    """ "One of the chairs is a rocking chair": whether a noun says what kind of thing something is."""
+    verb, who = state.chunk(state.at - 2), state.predicate
+    told = verb is not None and verb.kind == "verb" and verb.value.lemma == "be"
+    if not told or len(who) != 1 or state.waiting is not None or phrase.definite or phrase.value is None:
+        return False
+    (one,) = who
+    match = match_of(name_of(phrase))
+    many = one.count[1] > 1 if one.count is not None else one.plural
+    if many != phrase.plural or match.how == "generic" or family(match.category) != one.family:
+        return False
+    one.noun, one.category, one.generic = name_of(phrase), match.category, False
+    describe(one, phrase, state.source)
+    state.out.referred.append(state.span_of(phrase))
+    state.head, state.glue, state.predicate = [one], "", []
+    return True
+
+
 def _is_of_the_room(state: State, phrase: NounPhrase) -> bool:
     """Whether an unknown noun at the very start is the room or who it is for: "a mountain hut for two hikers: "."""
     if state.out.mentions or state.waiting is not None or match_of(name_of(phrase)).how != "generic":
@@ -224,6 +243,12 @@ def new_thing(state: State, phrase: NounPhrase) -> Mention | None:
         alike = ("color", "material", "style", "other", "finish")
         mention.attributes += [a for a in other.attributes if a.kind in alike]
     note_on(mention, state.out)
+    for role in state.out.roles:
+        if phrase.start <= role.at < phrase.end:
+            mention.also.append(role.noun)
+            mention.attributes.append(
+                Attribute(kind="other", value=f"as {role.noun}", words=role.words, span=role.span)
+            )
     state.out.mentions.append(mention)
     if state.per_person and state.out.people and mention.count in (None, (1, 1)):
         multiply([mention], (state.out.people, state.out.people))

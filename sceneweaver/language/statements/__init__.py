@@ -23,6 +23,7 @@ from .groups import aisles, facing_rows, groups, horseshoes, merged
 from .looks import read_looks
 from .measures import measures
 from .openings import read_openings
+from .roles import roles
 from .room_kind import furnish_zones, read_room_kind
 from .states import read_states
 from .unwanted import unwanted
@@ -39,6 +40,7 @@ def _told_of_rows(source: Source, parsed: Parsed) -> None:
 
 STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     entering,
+    roles,
     wings,
     read_openings,
     read_finishes,

@@ -195,7 +195,12 @@ def _for_each(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     parts = text[start : m.start()].split(",")
     tied = rf"\b{one_of(listed('prepositions'))}\b"
     nouns: list[str] = []
-    end = m.start()
+    end = begin = m.start()
+    if len(parts) > 1 and parts[-1].strip() in ("one", "1"):  # "five hooks, one for everybody"
+        end = begin = m.start() - len(parts.pop()) - 1
+        if re.search(rf"\b{NUMBER} (?:[a-z-]+ )?[a-z-]+$", parts[-1]):
+            parsed.referred.append(edits.take(begin, m.end()))
+            return
     for k, part in enumerate(reversed(parts)):
         told = not edits.free(end - len(part), end)  # "four people at a table, a cup for each": the table is not each's
         end -= len(part) + 1
@@ -206,7 +211,7 @@ def _for_each(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
             nouns += [noun] if noun else []
     if nouns:
         said = Capacity(people=0, activity="use", own=tuple((noun, 1) for noun in dict.fromkeys(nouns)))
-        _add(edits, parsed, m.start(), m.end(), said)
+        _add(edits, parsed, begin, m.end(), said)
 
 
 def _per_person(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
