@@ -138,8 +138,12 @@ def _told_of_again(state: State, phrase: NounPhrase) -> Mention | None:
     if not (told or placed):
         return None
     noun, related = singular(name_of(phrase)), {m for said in state.out.said for m in said.subjects if not said.implied}
-    for mention in reversed(state.out.mentions[-20:]):
-        if singular(mention.noun) == noun and (phrase.plural or not mention.many) and (told or mention not in related):
+    named = [m for m in state.out.mentions[-20:] if singular(m.noun) == noun]
+    if not named and told:  # "a cast iron stove ... stove is black"
+        named = [m for m in state.out.mentions[-20:] if singular(m.noun).endswith(f" {noun}") or noun in m.also]
+        named = named if len(named) == 1 else []
+    for mention in reversed(named):
+        if (phrase.plural or not mention.many) and (told or mention not in related):
             return mention
     return None
 
@@ -229,7 +233,7 @@ def new_thing(state: State, phrase: NounPhrase) -> Mention | None:
         state.leave_unread(phrase.text, phrase.start, phrase.end)
         return None
     mention = new_mention(phrase, state.source)
-    if mention.generic and not _is_concrete(state, phrase):
+    if not mention.category or (mention.generic and not _is_concrete(state, phrase)):
         spoken = state.source.text[phrase.start : phrase.end].removeprefix(f"{phrase.determiner} ")
         state.leave_unread(spoken, phrase.start, phrase.end)
         if is_large(name_of(phrase)):

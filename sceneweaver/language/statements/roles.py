@@ -47,7 +47,8 @@ def _serving() -> re.Pattern[str]:
 def _ahead() -> re.Pattern[str]:
     return re.compile(
         rf"(?:^|[.,]|\band\b) ?(?P<role>as {_DET}(?=[a-z]))(?P<noun>[a-z -]+?) ?"
-        rf"(?:,|there is|there's|there are|we have|we use|i use|use|i want) ?(?P<thing>(?:an?|one|two|some|the|my|our) )"
+        r"(?:,|there is|there's|there are|we have|we use|i use|use|i want) ?"
+        r"(?P<thing>(?:an?|one|two|some|the|my|our) )"
     )
 
 
@@ -64,7 +65,7 @@ _TIMES = re.compile(r"(?<=[a-z]) ?\(?(?<![a-z0-9.])[x×] ?(?P<n>\d{1,2})\)?(?![\
 
 
 _TWO_KINDS = re.compile(
-    rf"\b(?P<n>{NUMBER}|an?) (?P<one>[a-z-]+)(?P<gap> ?(?:and|&|plus|,) (?:{NUMBER}|an?) )(?P<two>[a-z-]+) (?P<noun>[a-z]+)"
+    rf"\b(?:{NUMBER}|an?) (?P<one>[a-z-]+) ?(?:and|&|plus|,) (?:{NUMBER}|an?) (?P<two>[a-z-]+) (?P<noun>[a-z]+)"
 )
 
 
@@ -80,13 +81,8 @@ def _name_both(source: Source) -> None:
 def _is_quality(word: str) -> bool:
     """Whether a word can only say what a thing is like."""
     kinds = vocabulary().get(word, {}).keys()
-    return bool(kinds & {"color", "scale", "shape", "finish", "adjective", "styles", "material"}) and not kinds & {
-        "verb",
-        "preposition",
-        "noun",
-        "room",
-        "each",
-    }
+    like = {"color", "scale", "shape", "finish", "adjective", "styles", "material"}
+    return word in words("roles")["qualities"] or (bool(kinds & like) and not kinds & {"noun", "room", "each"})
 
 
 def _thing_at(text: str, at: int) -> tuple[str, int]:
