@@ -25,6 +25,7 @@ from .measures import measures
 from .openings import read_openings
 from .roles import roles
 from .room_kind import furnish_zones, read_room_kind
+from .room_sides import room_sides
 from .states import read_states
 from .unwanted import unwanted
 from .wings import wings
@@ -42,6 +43,7 @@ STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     entering,
     roles,
     wings,
+    room_sides,
     read_openings,
     read_finishes,
     bounds,
