@@ -183,6 +183,8 @@ class Parsed:
     measures: list[Told] = field(default_factory=list)
     roles: list[Role] = field(default_factory=list[Role])
     bounds: list[tuple[tuple[str, ...], int, int]] = field(default_factory=list)
+    shared: list[tuple[str, int]] = field(default_factory=list[tuple[str, int]])
+    """What so many people share one of: "a lamp for every three guests"."""
     room_type: str | None = None
     room_words: str = ""
     setting: str = ""

@@ -85,8 +85,9 @@ def named_thing(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     if _is_of_the_room(state, phrase) or _is_kind_of(state, phrase):
         return
     made = new_thing(state, phrase)
-    if made is not None and waiting is None and phrase.determiner in ("each", "every"):
-        made.uncounted, state.each = True, made  # "every bookcase has a lamp, there are three bookcases"
+    if made is not None and phrase.determiner in ("each", "every"):
+        made.uncounted = True  # "every bookcase has a lamp, there are three bookcases"
+        state.each = made if waiting is None else state.each
     if made is not None:
         name_things(state, [made], phrase, True)
     elif waiting is not None:

@@ -1,5 +1,5 @@
-"""One thing that is named twice in a phrase, or named as what is not wanted: "a crate as a table", "a trunk that doubles
-as a bench", "a settle, i.e. a bench", "benches instead of chairs", "six chairs in all".
+"""One thing that a phrase names twice, or names as what is not wanted: "a crate as a table", "a trunk that doubles as a
+bench", "a settle, i.e. a bench", "benches instead of chairs", "six chairs in all".
 
 The second name makes no second thing. It stays a name of the first one, by which the request may go on to speak of it.
 """
@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from functools import cache
 
+from ..chunks import bounded
 from ..exclusions import names_of
 from ..parsed import Left, Parsed, Role
 from ..source import Source
@@ -33,6 +34,10 @@ def roles(source: Source, parsed: Parsed) -> None:
         _in_all(m, edits, parsed)
     for m in _TIMES.finditer(source.text):
         _times(m, edits, parsed)
+    for m in _BEHIND.finditer(source.text):
+        _behind(m, edits, parsed)
+    for m in _BY_SO_MANY.finditer(source.text):
+        _stacked(m, edits, parsed)
 
 
 @cache
@@ -65,8 +70,31 @@ _TIMES = re.compile(r"(?<=[a-z]) ?\(?(?<![a-z0-9.])[x×] ?(?P<n>\d{1,2})\)?(?![\
 
 
 _TWO_KINDS = re.compile(
-    rf"\b(?:{NUMBER}|an?) (?P<one>[a-z-]+) ?(?:and|&|plus|,) (?:{NUMBER}|an?) (?P<two>[a-z-]+) (?P<noun>[a-z]+)"
+    rf"\b(?:{NUMBER}|an?) +(?P<one>[a-z-]+) ?(?:and|&|plus|,) (?:{NUMBER}|an?) +(?P<two>[a-z-]+) (?P<noun>[a-z]+)"
 )
+
+
+_BEHIND = re.compile(
+    rf"(?:(?<=^)|(?<=[,.:])|(?<=[,.:] )|(?<=\band ))(?P<noun>[a-z]+(?: [a-z]+)?),? "
+    rf"(?P<n>{NUMBER})(?:(?P<more> or more| and up| at least| min\.?| minimum)|(?=\s*(?:[,.]|$)))"
+)
+_BY_SO_MANY = re.compile(r"\b(?:stacked|piled)(?: up)? (?:by|in) (?P<n>twos|threes|fours|fives|sixes|sevens|eights|tens)\b")
+
+
+def _behind(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "Plants 5 or more", "beds 2, desks 2"."""
+    noun, count = m["noun"], number_of(m["n"])
+    last = singular(noun.split()[-1])
+    known = "noun" in vocabulary().get(last, {}) and match_of(singular(noun)).how != "generic"
+    if not known or not count or not edits.free(m.end("noun"), m.end()) or len(noun.split()[0]) < 2:
+        return
+    parsed.bounds.append(((noun,), *bounded((count, count), "least" if m["more"] else None)))
+    parsed.referred.append(edits.take(m.end("noun"), m.end()))
+
+
+def _stacked(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "Stacked by fives" is in stacks of five."""
+    edits.take(m.start(), m.end(), f"in stacks of {number_of(m['n'].removesuffix('s').replace('sixe', 'six'))}")
 
 
 def _name_both(source: Source) -> None:
