@@ -20,7 +20,7 @@ from .model import Amount, Attribute, Entity, Exclusion, SceneGraph, StatedRelat
 from .mutual import split_mutual
 from .parsed import Barred, Left, Mention, Parsed, Said
 from .source import Source
-from .statements.counts import bounded_counts, peopled, told_apart
+from .statements.counts import bounded_counts, peopled, shared_counts, told_apart
 from .statements.resolve import resolved
 from .stations import settle_stations
 from .vocabulary import words
@@ -65,7 +65,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     relations = [*relations, *by_their_names(entities, relations, parsed.stated_openings)]
     relations, arrangements = told_apart(relations, resolved(parsed.arrangements, entities, "arrangement"))
     people = peopled(
-        bounded_counts(entities, parsed.bounds),
+        bounded_counts(entities, [*parsed.bounds, *shared_counts(entities, parsed.shared, parsed.people)]),
         relations,
         resolved(parsed.capacities, entities, "capacity"),
         arrangements,

@@ -122,6 +122,17 @@ class Source:
         last = min(end, len(self.origin)) - 1
         return Span(self.origin[start], self.origin[max(last, start)] + 1)
 
+    def insert(self, at: int, text: str, like: int) -> None:
+        """Puts words in before character ``at``, which stand in the request where those from ``like`` on do."""
+        n = len(text)
+        self.text = self.text[:at] + text + self.text[at:]
+        self.spoken = self.spoken[:at] + text + self.spoken[at:]
+        own = [self.origin[min(max(like, like + k - n + len(text.lstrip())), len(self.origin) - 1)] for k in range(n)]
+        self.origin = self.origin[:at] + own + self.origin[at:]
+        self.sides = {k + n * (k >= at): sides for k, sides in self.sides.items()}
+        self.free = {k + n * (k >= at) for k in self.free}
+        self.colons = {k + n * (k >= at) for k in self.colons}
+
     def blank(self, pattern: re.Pattern[str], read: object) -> None:
         """Measures of a pattern are taken out when ``read`` understands them; the length stays the same."""
 

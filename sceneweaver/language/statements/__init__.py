@@ -24,6 +24,7 @@ from .groups import aisles, facing_rows, groups, horseshoes, merged
 from .looks import read_looks
 from .measures import measures
 from .openings import read_openings
+from .roles import roles
 from .room_kind import furnish_zones, read_room_kind
 from .room_sides import room_sides
 from .states import read_states
@@ -41,6 +42,7 @@ def _told_of_rows(source: Source, parsed: Parsed) -> None:
 
 STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     entering,
+    roles,
     wings,
     room_sides,
     read_openings,
