@@ -16,6 +16,7 @@ from sceneweaver.scene import CeilingFinish, Room, RoomFinish, RoomLight, Scene,
 from sceneweaver.scene.finish import FloorFinish, FloorMaterial, WallMaterial
 
 from .look import is_electric, look_of
+from .unlooked import cleaned
 
 PANELS = "walnut"
 """Finish of wooden panels where nothing is said of their wood."""
@@ -47,7 +48,7 @@ def finished(room: Room, room_type: RoomType, palette: Palette, seed: int, brief
         trim=look.trim,
         electric=is_electric(brief),
     )
-    update: dict[str, object] = {"finish": finish}
+    update: dict[str, object] = {"finish": cleaned(finish, brief)}
     if (light := light_of(look)) is not None:
         update["light"] = light
     return room.model_copy(update=update)

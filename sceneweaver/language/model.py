@@ -155,7 +155,8 @@ class StatedRelation(FrozenModel):
 class Exclusion(FrozenModel):
     """What must not be there: nowhere in the room or, with a ``relation``, not there ("no shelf above the bed").
 
-    Beside the ``categories`` it may be whatever is of some ``materials`` or hangs where a ``mount`` says.
+    Beside the ``categories`` it may be whatever is of some ``materials``, ``colors`` or ``styles``, or hangs where a
+    ``mount`` says; ``within`` are the things of which alone that is said ("no black chairs").
 
     An entity that must not stand somewhere ("the wardrobe may not be in front of the window") is named by ``subject``.
     """
@@ -168,6 +169,14 @@ class Exclusion(FrozenModel):
     subject: str = Field(default="", description="The entity that it is said of, by id; else all of the categories")
     materials: tuple[str, ...] = Field(
         default=(), description="Names of materials; nothing may be of one that the request does not name"
+    )
+    colors: tuple[str, ...] = Field(
+        default=(), description="Basic colours that nothing may have, unless the request says so of it"
+    )
+    styles: tuple[str, ...] = Field(default=(), description="Styles that nothing may have")
+    within: tuple[str, ...] = Field(
+        default=(),
+        description="Categories, or groups, of which alone materials and colours are unwanted; empty: of the room too",
     )
     mount: Literal["", "wall", "ceiling"] = Field(
         default="", description="Where nothing may hang that the request does not name"
