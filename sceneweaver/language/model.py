@@ -287,13 +287,19 @@ class Amount(FrozenModel):
 
 
 class StatedFinish(FrozenModel):
-    """What a part of the room is finished in. Of walls in two colours the lower one is ``lower``."""
+    """What a part of the room is finished in. Of walls in two colours the lower one is ``lower``, a band of tiles
+    ``tiled``."""
 
     id: str = ""
-    part: Literal["walls", "accent", "lower", "panels", "floor", "ceiling", "beams", "furniture"]
+    part: Literal["walls", "accent", "lower", "tiled", "panels", "floor", "ceiling", "beams", "doors", "furniture"]
     material: str | None = Field(default=None, description="As `scene.RoomFinish` names it")
     color: str | None = Field(default=None, description="A colour, or a finish of wood")
+    second: str | None = Field(default=None, description="The other colour of checks or stripes")
+    pattern: str | None = Field(default=None, description="As `scene.FloorFinish` and `scene.RoomFinish` name it")
     high: float | None = Field(default=None, description="Up to which height [m]")
+    where: Literal["any", "left", "right", "far", "near", "long", "short"] = Field(
+        default="any", description="Which wall an accent is on, as seen from the door"
+    )
     words: str = ""
     span: Span | None = None
 

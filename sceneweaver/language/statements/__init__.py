@@ -25,6 +25,7 @@ from .measures import measures
 from .openings import read_openings
 from .room_kind import furnish_zones, read_room_kind
 from .states import read_states
+from .surfaces import read_surfaces
 from .unlooked import read_unlooked
 from .unwanted import unwanted
 from .wings import wings
@@ -43,6 +44,7 @@ STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     wings,
     read_openings,
     read_unlooked,
+    read_surfaces,
     read_finishes,
     bounds,
     groups,
