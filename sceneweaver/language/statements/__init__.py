@@ -28,6 +28,8 @@ from .roles import roles
 from .room_kind import furnish_zones, read_room_kind
 from .room_sides import room_sides
 from .states import read_states
+from .surfaces import read_surfaces
+from .unlooked import read_unlooked
 from .unwanted import unwanted
 from .wings import wings
 
@@ -47,6 +49,8 @@ STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     room_sides,
     read_openings,
     built_parts,
+    read_unlooked,
+    read_surfaces,
     read_finishes,
     bounds,
     groups,
