@@ -81,6 +81,12 @@ _SPELT = re.compile(
 )
 _FAR = re.compile(rf"{_NUMBER}{_GAP}(?:km|kilomet(?:er|re)s?|miles?)\b")
 _ENDLESS = re.compile(r"\d{10,}")
+_ENDLESS_WORD = re.compile(r"[^\W\d_]{81,}")
+"""No language with spaces has such a word; what looks for its end at each of its letters would take long."""
+
+_ENDLESS_JOINED = re.compile(r"[a-z'/_-]{81,}")
+"""Words with hyphens between them, too many for one: they are read as words of their own."""
+
 _WRAPPED = re.compile(r"(?<=[^\n]{60})(?<!\s)\s*\n(?=[a-z])")
 """The end of a long line that was wrapped. It begins with the first white space, so that its time is linear."""
 
@@ -177,6 +183,8 @@ def read_source(text: str) -> Source:
     found = Source(spoken, origin, notes=notes, language=language)
     found.blank(_TAG, lambda m: " ")
     found.blank(_ENDLESS, lambda m: _endless(m, found))
+    found.blank(_ENDLESS_WORD, lambda m: _endless_word(m, found))
+    found.blank(_ENDLESS_JOINED, lambda m: re.sub("[^a-z]", " ", m[0]))
     found.blank(_WRAPPED, lambda m: " ")
     found.blank(_SHORTENED, lambda m: m[1])
     found.blank(_LISTED, lambda m: " & ")
@@ -274,6 +282,11 @@ def _sides(m: re.Match[str], found: Source) -> str | None:
 
 def _endless(m: re.Match[str], found: Source) -> str:
     found.notes.append(f"'{m[0][:10]}...' is no number that a room has; it was left out")
+    return " "
+
+
+def _endless_word(m: re.Match[str], found: Source) -> str:
+    found.notes.append(f"'{m[0][:10]}...' is no word, with its {len(m[0])} letters; it was left out")
     return " "
 
 
