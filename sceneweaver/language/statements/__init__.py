@@ -24,16 +24,18 @@ from .looks import read_looks
 from .measures import measures
 from .openings import read_openings
 from .room_kind import furnish_zones, read_room_kind
+from .spacings import spacings
 from .states import read_states
 from .unwanted import unwanted
 from .wings import wings
 
 
 def _told_of_rows(source: Source, parsed: Parsed) -> None:
-    """What is said of rows beside their number: aisles, backs together."""
+    """What is said of rows beside their number: aisles, backs together, how far apart their things are."""
     facing_rows(source, parsed)
     aisles(source, parsed)
     horseshoes(source, parsed)
+    spacings(source, parsed)
     merged(parsed)
 
 
