@@ -129,7 +129,7 @@ def _is_measure(graph: SceneGraph, match: re.Match[str]) -> bool:
     have += [float(n) for entity in graph.entities for n in entity.count or ()]
     have += [float(s) for entity in graph.entities for s in entity.size if s is not None]
     have += [float(value) for relation in graph.relations for value in relation.params.values() if value is not None]
-    have += [value for one in graph.arrangements for value in (one.spacing, one.height, one.aisle) if value]
+    have += [value for one in graph.arrangements for value in (one.spacing, one.pitch, one.height, one.aisle) if value]
     return any(abs(value * unit - other) <= 0.006 * max(1.0, other) for unit in UNITS for other in have if other)
 
 

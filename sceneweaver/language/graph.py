@@ -20,6 +20,7 @@ from .model import Amount, Attribute, Entity, Exclusion, SceneGraph, StatedRelat
 from .mutual import split_mutual
 from .parsed import Barred, Left, Mention, Parsed, Said
 from .source import Source
+from .statements.audiences import audiences
 from .statements.counts import bounded_counts, peopled, shared_counts, told_apart
 from .statements.resolve import resolved
 from .stations import settle_stations
@@ -72,6 +73,10 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         parsed.people,
         parsed.room_type,
     )
+    free = resolved(parsed.free_areas, entities, "free_area")
+    arrangements, said = audiences(
+        {e.id: e for e in people.entities}, people.relations, arrangements, people.capacities, free, people.people
+    )
     graph = SceneGraph(
         text=text,
         **{name: getattr(parsed, name) for name in _SAME},
@@ -89,7 +94,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         people=people.people,
         entities=people.entities,
         openings=resolved(parsed.stated_openings, entities, "opening"),
-        free_areas=resolved(parsed.free_areas, entities, "free_area"),
+        free_areas=free,
         capacities=people.capacities,
         arrangements=arrangements,
         amounts=amounts,
@@ -98,7 +103,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
             for k, (measure, mention) in enumerate(lengths)
             if mention is None or mention in mentions
         ),
-        relations=tuple(r.model_copy(update={"id": f"relation-{k}"}) for k, r in enumerate(people.relations)),
+        relations=tuple(r.model_copy(update={"id": f"relation-{k}"}) for k, r in enumerate(said)),
         exclusions=_numbered(
             [Exclusion(words=w, categories=c, span=span) for (w, c), span in reversed(exclusions.items())]
             + [_but_for(one, entities) for one in parsed.unwanted]

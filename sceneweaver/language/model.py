@@ -274,6 +274,8 @@ class Arrangement(FrozenModel):
     groups: int | None = Field(default=None, description="Groups, or stacks")
     sides: tuple[int, ...] = Field(default=(), description="How many are on one side, and on the other")
     spacing: float | None = Field(default=None, description="Clear between neighbours, or rows of one column [m]")
+    pitch: float | None = Field(default=None, description="Between the middles of neighbours [m]")
+    at_least: bool = Field(default=False, description="Whether the pitch may be more")
     aisle: float | None = Field(default=None, description="Way through the middle, from front to back [m]")
     upright: bool = Field(default=False, description="Whether rows are one above the other, at a wall")
     height: float | None = Field(default=None, description="Up to which a stack reaches [m]")

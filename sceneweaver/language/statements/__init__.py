@@ -27,6 +27,7 @@ from .openings import read_openings
 from .roles import roles
 from .room_kind import furnish_zones, read_room_kind
 from .room_sides import room_sides
+from .spacings import spacings
 from .states import read_states
 from .surfaces import read_surfaces
 from .unlooked import read_unlooked
@@ -35,10 +36,11 @@ from .wings import wings
 
 
 def _told_of_rows(source: Source, parsed: Parsed) -> None:
-    """What is said of rows beside their number: aisles, backs together."""
+    """What is said of rows beside their number: aisles, backs together, how far apart their things are."""
     facing_rows(source, parsed)
     aisles(source, parsed)
     horseshoes(source, parsed)
+    spacings(source, parsed)
     merged(parsed)
 
 
