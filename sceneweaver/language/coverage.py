@@ -20,6 +20,8 @@ _NUMERAL = re.compile(r"\d+(?:\.\d+)?")
 UNITS = (1.0, 0.01, 0.001, 0.3048, 0.0254, 0.092903)
 """What the units are in metres and square metres that numbers are given in."""
 
+_PART = re.compile(r"[\s-]+")
+"""What stands between the words of a compound, which a name has without hyphens: an "x-ray viewer"."""
 _JOIN = re.compile(r"[\s'’\"-]*")
 
 
@@ -48,7 +50,7 @@ def silent_words(
         if any(covered[match.start() : match.end()]):
             continue
         meant = (slips or {}).get(word, word)
-        if meant in known or all(part in function_words() or part in known for part in meant.split()):
+        if meant in known or all(part in function_words() or part in known for part in _PART.split(meant)):
             continue
         if any(named[match.start() : match.end()]) and (word[0].isdecimal() or word in vocabulary()):
             continue  # of what stands before a noun, only words that nobody knows are lost
