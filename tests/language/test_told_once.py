@@ -28,7 +28,10 @@ def _counts(text: str) -> dict[str, int]:
         ("three beds. Locker + chair + rug per bed", {"bed": 3, "locker": 3, "chair": 3, "rug": 3}),
         ("a jug on the counter for every four guests, eight stools", {"pitcher": 2, "kitchen_counter": 1, "stool": 8}),
         ("two round and three square stools", {"stool": 5}),
-        ("four aquariums, each with a lamp, one 2 m terrarium on the floor", {"aquarium": 4, "table_lamp": 4, "terrarium": 1}),
+        (
+            "four aquariums, each with a lamp, one 2 m terrarium on the floor",
+            {"aquarium": 4, "table_lamp": 4, "terrarium": 1},
+        ),
         ("pews facing the altar, 6 pews in total", {"public_bench": 6, "altar": 1}),
         ("a yoga room with mats x8, plants 5 or more", {"yoga_mat": 8, "potted_plant": 5}),
         ("a chapel with 40 seats, benches in the middle", {"public_bench": 2}),

@@ -78,7 +78,9 @@ _BEHIND = re.compile(
     rf"(?:(?<=^)|(?<=[,.:])|(?<=[,.:] )|(?<=\band ))(?P<noun>[a-z]+(?: [a-z]+)?),? "
     rf"(?P<n>{NUMBER})(?:(?P<more> or more| and up| at least| min\.?| minimum)|(?=\s*(?:[,.]|$)))"
 )
-_BY_SO_MANY = re.compile(r"\b(?:stacked|piled)(?: up)? (?:by|in) (?P<n>twos|threes|fours|fives|sixes|sevens|eights|tens)\b")
+_BY_SO_MANY = re.compile(
+    r"\b(?:stacked|piled)(?: up)? (?:by|in) (?P<n>twos|threes|fours|fives|sixes|sevens|eights|tens)\b"
+)
 
 
 def _behind(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
