@@ -35,6 +35,7 @@ from .patterns import (
 )
 from .places import SEATED, seats_at_tables
 from .program import Wanted
+from .sights import turned_to_views
 from .stacks import rows_for
 from .stations import of_their_own, rows_before_walls
 from .units import Unit, composed, front_way, side_way, told_between
@@ -368,7 +369,7 @@ def patterned(rows: Iterable[Grounded], brief: SceneGraph, wanted: Sequence[Want
         kept.append(row)
     for unit in units_of(brief, wanted, patterns):
         kept = _as_unit(kept, unit)
-    return kept
+    return [*kept, *turned_to_views(kept, brief, wanted)]
 
 
 def units_of(brief: SceneGraph, wanted: Sequence[Wanted], patterns: Sequence[Laid] | None = None) -> list[Unit]:

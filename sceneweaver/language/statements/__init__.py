@@ -27,6 +27,7 @@ from .room_kind import furnish_zones, read_room_kind
 from .spacings import spacings
 from .states import read_states
 from .unwanted import unwanted
+from .views import views
 from .wings import wings
 
 
@@ -52,6 +53,7 @@ STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     measures,
     read_states,
     read_appearances,
+    views,
     capacities,
     read_looks,
     fullness,

@@ -193,7 +193,10 @@ def _curve_of(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "A circle of eight chairs"."""
     noun, end = noun_after(edits.source.text, m.end())
     pattern: Pattern = "circle" if m["shape"] in ("circle", "ring") else "semicircle"
-    add(edits, parsed, m, pattern, noun, end=end, instead=m["n"])
+    if m["shape"].startswith(("u", "horse")):
+        pattern = "u"
+    if m["n"] or (noun and match_of(singular(noun)).how != "generic"):
+        add(edits, parsed, m, pattern, noun, end=end, instead=m["n"] or "")
 
 
 def _backs(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -349,7 +352,13 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
         ),
         _curve,
     ),
-    (re.compile(rf"\ban? (?P<shape>semi-?circle|half[ -]circle|circle|ring) of {_N} (?=[a-z])"), _curve_of),
+    (
+        re.compile(
+            r"\ban? (?P<shape>semi-?circle|half[ -]circle|circle|ring|u(?:[ -]shape)?|horseshoe) of "
+            rf"(?:{_N} )?(?=[a-z])"
+        ),
+        _curve_of,
+    ),
     (
         re.compile(
             rf",? ?\b(?:(?:{NUMBER} and {NUMBER}|in pairs|in twos|in two pairs|pairwise),? )?"

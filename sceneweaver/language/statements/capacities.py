@@ -22,7 +22,10 @@ from .phrases import NUMBER, Edits, listed, noun_after, noun_before, number_of, 
 _N = rf"(?P<n>{NUMBER})"
 _ABOUT = r"(?:about |around |roughly |some |up to |at least |max(?:imum)? |approx(?:imately)? )?"
 _PEOPLE = rf"(?:(?:[a-z-]+ ){{0,2}}{one_of(listed('people'))}\b)"
-_ENDS = r"(?=\s*(?:$|[.,()]|(?:with|and|in|at|but|by|under|near|on|along|that|which|in|from|next|to|or|against|plus|facing|looking|so|around|without|arranged|opposite|across|beside|behind)\b))"
+_ENDS = (
+    r"(?=\s*(?:$|[.,()]|(?:with|and|in|at|but|by|under|near|on|along|that|which|in|from|next|to|or|against|plus|facing"
+    r"|looking|so|around|without|arranged|opposite|across|beside|behind)\b))"
+)
 
 
 def activity_at(noun: str) -> Activity | None:
