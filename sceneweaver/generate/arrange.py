@@ -476,15 +476,15 @@ def _at_sides(brief: SceneGraph, wanted: Sequence[Wanted]) -> Iterator[Grounded]
         tables = [w for w in wanted if said.around and w.asked == said.around]
         if said.pattern != "sides" or not tables:
             continue
-        d, w, _ = tables[0].asset.size
         seats = iter([one for one in wanted if one.asked == said.entity])
-        order = ("front", "back", "left", "right") if w >= d else ("left", "right", "front", "back")
-        for side, count in zip(order, said.sides, strict=False):
-            for k in range(count):
-                seat = next(seats, None)
-                if seat is not None:
-                    params = {"side": side, "k": k, "n": count}
-                    yield Grounded(said.id, "seated_at", seat.id, tables[0].id, params)
+        for table in tables:
+            d, w, _ = table.asset.size
+            order = ("front", "back", "left", "right") if w >= d else ("left", "right", "front", "back")
+            for side, count in zip(order, said.sides, strict=False):
+                for k in range(count):
+                    seat = next(seats, None)
+                    if seat is not None:
+                        yield Grounded(said.id, "seated_at", seat.id, table.id, {"side": side, "k": k, "n": count})
 
 
 def _about_a_u(brief: SceneGraph, wanted: Sequence[Wanted]) -> Iterator[Grounded]:

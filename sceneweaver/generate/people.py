@@ -95,8 +95,11 @@ def with_people(brief: SceneGraph, room_type: RoomType) -> SceneGraph:
         if one.own or not one.people:
             continue
         bench = _only_long_seat(draft) if target is None and not named else None
+        table = _only_table(draft) if target is None and not named and one.activity == "use" else None
         if one.activity == "sleep":
             _beds(draft, one, target)
+        elif table is not None:
+            _seats_at(draft, one, table)
         elif bench is not None:
             _long_seat(draft, one, bench)
         elif target is not None and family(target.category) == "seat" and not _is_worked_at(draft, target):
@@ -210,6 +213,13 @@ def _beds(draft: _Draft, said: Capacity, target: Entity | None) -> None:
     if wide and (children or said.people == 1 or said.people > 2):
         category = "single_bed"
     draft.add(category, math.ceil(said.people / max(1, sleeping_places(category))))
+
+
+def _only_table(draft: _Draft) -> Entity | None:
+    """The table of a request that names one to sit at, and neither beds nor other seats: all sit there."""
+    tables = [e for e in draft.entities if has_role(e.category, "dining_table")]
+    other = any(has_role(e.category, "any_bed", "lounge_seat") for e in draft.entities)
+    return tables[0] if len(tables) == 1 and not other else None
 
 
 def _only_long_seat(draft: _Draft) -> Entity | None:
@@ -353,13 +363,17 @@ def _seats(draft: _Draft, said: Capacity) -> None:
     """Seats for the people of a room, with the tables that such a room has for them."""
     tables = [e for e in draft.entities if has_role(e.category, "pulled_up_to")]
     elsewhere = [e for e in draft.entities if e.id in {a.entity for a in draft.brief.arrangements} and e not in tables]
+    set_out = list[Entity]()
+    if len(tables) > 1:  # those that are set out for many, else the one that is no desk
+        set_out = [e for e in tables if any(a.entity == e.id for a in draft.brief.arrangements)]
+        tables = set_out or [e for e in tables if has_role(e.category, "dining_table")] or tables
     desks = any("desk" in e.category for e in draft.entities)
     seated = [e for e in draft.entities if family(e.category) == "seat" and e.count and e.count[0] == e.count[1]]
     rest = said.people - sum(e.count[0] for e in seated if e.count)
     if len(tables) == 1 and seated and rest > 0 and not any(_at(draft, e, tables[0]) for e in seated):
         _seats_more(draft, said, tables[0], rest)
         return
-    if len(tables) == 1 and (said.activity == "eat" or elsewhere or (said.activity == "work" and not desks)):
+    if len(tables) == 1 and (said.activity == "eat" or elsewhere or set_out or (said.activity == "work" and not desks)):
         rest = said.people - sum(e.count[0] for e in elsewhere if e.count and family(e.category) != "seat")
         if rest == said.people or _seats_named(draft, tables[0]) is None:
             _seats_at(draft, said.model_copy(update={"people": max(1, rest)}), tables[0])

@@ -20,7 +20,7 @@ from .lengths import LENGTH, length_of
 from .phrases import NUMBER, Edits, noun_after, noun_before, number_of, table_before
 
 _N, _M = rf"(?P<n>{NUMBER})", rf"(?P<m>{NUMBER})"
-PLACED = r"(?:,? ?(?:all |neatly )?(?:laid out|set out|set up|arranged|laid|placed|lined up|standing|put) )?"
+PLACED = r"(?:,? ?(?:all |neatly )?(?:laid out|set out|set up|arranged|laid|placed|lined up|standing|put|grouped) )?"
 """What may stand before the words of a pattern."""
 
 _AREA = r"(?:grid|array|matrix|pattern|formation|raster)"
@@ -301,7 +301,7 @@ def _two_sides(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
 
 _NOUN = r"(?P<noun>[a-z][a-z'-]*(?: [a-z][a-z'-]*){0,2}?)"
 _LINES = r"(?P<kind>rows|lines|ranks|columns)"
-_STRAIGHT = r"(?:straight |parallel |long |equal |neat |staggered )?"
+_STRAIGHT = r"(?:curved |tiered |raked |stepped |straight |parallel |long |equal |neat |staggered )?"
 
 _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed], None]], ...] = (
     (
@@ -354,7 +354,8 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
     ),
     (
         re.compile(
-            r"\ban? (?P<shape>semi-?circle|half[ -]circle|circle|ring|u(?:[ -]shape)?|horseshoe) of "
+            r"\b(?:an? |the )?(?:[a-z]+ )?"
+            r"(?P<shape>semi-?circle|half[ -]circle|circle|ring|u(?:[ -]shape)?|horseshoe) of "
             rf"(?:{_N} )?(?=[a-z])"
         ),
         _curve_of,

@@ -293,6 +293,10 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
         _verb,
     ),
     (
+        re.compile(rf"\b(?P<noun>tables|booths|desks|benches) of (?P<n>{NUMBER})(?! [a-z]+s\b){_ENDS}"),
+        _thing_for,
+    ),
+    (
         re.compile(
             rf"\b(?P<noun>[a-z]+)(?: (?:that is |that's )?(?:big|wide|large|long|roomy))?(?: enough)? for {_ABOUT}"
             rf"(?:{_N}(?: {_PEOPLE})?|both(?: of them)?|all(?: of (?:us|them))?"
@@ -324,6 +328,7 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
         _places,
     ),
     (re.compile(rf"\b(?:each|every|both)(?: of (?:these|those|the))? {_PLACE} (?:with|{_HAS}) "), _own_list),
+    (re.compile(rf",? ?\b(?:and )?{_EACH_ONE} {_HAS} (?=an? |one |their |his |her )"), _own_list),
     (
         re.compile(
             rf"\b{_N}(?:[\s-](?:seater|seat|(?P<person>person|man|child|pupil|guest))|-(?P<people>people))\b(?! each)"

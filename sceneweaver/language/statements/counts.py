@@ -60,7 +60,8 @@ def peopled(
     """Make one statement of the people of a request, and bring counts in line with it."""
     by_id = {entity.id: entity for entity in entities}
     if people is None:
-        people = sum(_total(c, by_id) for c in capacities) or None
+        free = sum(c.people for c in capacities if not c.target and not c.own)
+        people = free or sum(_total(c, by_id) for c in capacities) or None
     known = [_known(c, people, by_id) for c in capacities]
     rooms = words("people")["in_rooms"]
     does: Activity = next((name for name in rooms if room_type in rooms[name]), "use")
@@ -70,6 +71,11 @@ def peopled(
     ]
     if people is not None and not any(c.people == people and not c.own for c in known):
         known.append(Capacity(id=f"capacity-{len(known)}", people=people, activity=does, words=f"{people} people"))
+    for one in known:
+        host = by_id.get(one.target)
+        if one.each and one.people and people and host is not None and host.count == VAGUE:  # "tables of four"
+            count = max(2, -(-people // one.people))
+            by_id[host.id] = host.model_copy(update={"count": (count, count)})
     for one in known:
         for name, count in one.own:
             if name in by_id and one.people:
@@ -96,6 +102,9 @@ def peopled(
                 found.append(_grouped(said, one))
     for one in arrangements:
         entity, host = by_id.get(one.entity), by_id.get(one.around)
+        if one.pattern == "sides" and entity is not None and host is not None and host.count and host.count[0] > 1:
+            total = sum(one.sides) * host.count[0]  # at each of several tables
+            by_id[one.entity] = entity = entity.model_copy(update={"count": (total, total)})
         if one.pattern == "walls" and entity is not None and entity.count == VAGUE:
             by_id[one.entity] = entity.model_copy(update={"count": (FEW, FEW)})  # two at each
         several = entity is not None and entity.count == VAGUE and not (one.columns or one.sides)

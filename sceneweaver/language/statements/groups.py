@@ -430,7 +430,7 @@ def _patterns() -> tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, 
     return tuple((re.compile(pattern), read) for pattern, read in rows)
 
 
-_STRAIGHT = r"straight |long |single |neat |whole "
+_STRAIGHT = r"curved |tiered |raked |stepped |straight |long |single |neat |whole "
 
 
 def aisles(source: Source, parsed: Parsed) -> None:
