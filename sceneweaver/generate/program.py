@@ -64,9 +64,8 @@ class Wanted:
     """One object to be.
 
     ``parent`` is the instance that it goes with, ``support`` the one that it stands on (``inside``: on a board in it;
-    ``share``: where, as depth and side),
-    ``held`` what holds it where the request has it otherwise than usual, ``hung`` between which heights [m] its bottom
-    is then, ``wish`` what its body was chosen by.
+    ``hangs``: it hangs from it; ``share``: where, as depth and side), ``held`` what holds it where the request has it
+    otherwise than usual, ``hung`` between which heights [m] its bottom is then, ``wish`` what its body was chosen by.
     """
 
     item: Item | None
@@ -79,6 +78,7 @@ class Wanted:
     asked: str | None = None
     id: str = ""
     inside: bool = False
+    hangs: bool = False
     share: tuple[float, float] | None = None
     held: str | None = None
     hung: tuple[float, float] | None = None

@@ -9,6 +9,8 @@ from typing import Any
 from sceneweaver.assets.plurals import singular
 from sceneweaver.assets.taxonomy import category_named, narrower
 
+from .built_in import by_their_names
+from .carrying import told_by_carriers
 from .coverage import silent_words
 from .distribution import tell_each
 from .in_room import mean_in_room
@@ -19,7 +21,7 @@ from .mutual import split_mutual
 from .parsed import Barred, Left, Mention, Parsed, Said
 from .source import Source
 from .statements.audiences import audiences
-from .statements.counts import bounded_counts, peopled, told_apart
+from .statements.counts import bounded_counts, peopled, shared_counts, told_apart
 from .statements.resolve import resolved
 from .stations import settle_stations
 from .vocabulary import words
@@ -52,6 +54,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     _shared_support(parsed)
     _by_attribute(parsed, mentions)
     _pairs_of_flanks(parsed)
+    told_by_carriers(parsed, mentions)
     relations = _once([r for said in parsed.said for r in _relations(said, mentions, notes)])
     exclusions = {(words, names): span for words, names, span in reversed(parsed.without)}
     barred = [found for said in parsed.barred if (found := _barred(said, mentions)) is not None]
@@ -60,9 +63,10 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     named = {entity.id for entity in entities}
     amounts = tuple(a for a in resolved(parsed.amounts, entities, "amount") if a.entity in named)
     entities = tuple(_many(entity, amounts) for entity in entities)
+    relations = [*relations, *by_their_names(entities, relations, parsed.stated_openings)]
     relations, arrangements = told_apart(relations, resolved(parsed.arrangements, entities, "arrangement"))
     people = peopled(
-        bounded_counts(entities, parsed.bounds),
+        bounded_counts(entities, [*parsed.bounds, *shared_counts(entities, parsed.shared, parsed.people)]),
         relations,
         resolved(parsed.capacities, entities, "capacity"),
         arrangements,

@@ -165,6 +165,16 @@ def _seater(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     _add(edits, parsed, m.start(), m.end(), said)
 
 
+def _seats(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "A sofa 2 seats", "40 seats ... the benches face the altar": seats of what is named, and no chairs beside it."""
+    seats = one_of([noun for noun in words("people")["at"]["sit"] if noun.endswith("s")])
+    others = edits.source.text[: m.start()] + edits.source.text[m.end() :]
+    if m["noun"] or re.search(rf"\b{seats}\b", others):
+        start = m.end("noun") if m["noun"] else m.start()
+        said = Capacity(people=number_of(m["n"]), activity="sit", target=m["noun"] or "")
+        _add(edits, parsed, start, m.end(), said)
+
+
 def _places(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "Two working places", "14 covers"."""
     does = next(name for name, spoken in words("people")["places"].items() if m["place"] in spoken)
@@ -236,18 +246,28 @@ def _for_each(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     parts = text[start : m.start()].split(",")
     tied = rf"\b{one_of(listed('prepositions'))}\b"
     nouns: list[str] = []
-    end = m.start()
+    end = begin = m.start()
+    if len(parts) > 1 and parts[-1].strip() in ("one", "1"):  # "five hooks, one for everybody"
+        end = begin = m.start() - len(parts.pop()) - 1
+        if re.search(rf"\b{NUMBER} (?:[a-z-]+ )?[a-z-]+$", parts[-1]):
+            parsed.referred.append(edits.take(begin, m.end()))
+            return
     for k, part in enumerate(reversed(parts)):
         told = not edits.free(end - len(part), end)  # "four people at a table, a cup for each": the table is not each's
         end -= len(part) + 1
         if k and (told or re.search(tied, part) or len(part.split()) > 4):
             break
         for piece in re.split(rf"\band\b|{tied}", part):
+            if re.match(r"\s*the\b", piece) and piece is not part:
+                continue  # "a jug on the counter for every three guests": one counter
             noun = noun_before(piece, len(piece))
             nouns += [noun] if noun else []
-    if nouns:
+    if nouns and m["n"]:
+        parsed.shared += [(noun, number_of(m["n"])) for noun in dict.fromkeys(nouns)]
+        parsed.referred.append(edits.take(begin, m.end()))
+    elif nouns:
         said = Capacity(people=0, activity="use", own=tuple((noun, 1) for noun in dict.fromkeys(nouns)))
-        _add(edits, parsed, m.start(), m.end(), said)
+        _add(edits, parsed, begin, m.end(), said)
 
 
 def _per_person(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -322,6 +342,10 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
         _they_do,
     ),
     (
+        re.compile(rf"\b(?:(?P<noun>sofa|couch|settee|bench|booth),? )?{_ABOUT}{_N} seats\b(?! (?:each|per|at))"),
+        _seats,
+    ),
+    (
         re.compile(
             rf"\b{_N} (?P<place>{'|'.join(p for found in words('people')['places'].values() for p in found)})\b"
         ),
@@ -348,7 +372,8 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
     (re.compile(rf"\b{one_of(listed('of_people'))} of {_N}\b(?! [a-z]+s\b)"), _room_people),
     (
         re.compile(
-            rf" for (?:each(?: (?:one|of them|{_PEOPLE}))?|every {_PEOPLE}|everyone|everybody)(?=\s*(?:$|[.,)]))"
+            rf" for (?:(?:each|every) {_N} (?:{_PEOPLE}|of (?:us|them))|each(?: (?:one|of them|{_PEOPLE}))?|every {_PEOPLE}"
+            r"|everyone|everybody)(?=\s*(?:$|[.,)]))"
         ),
         _for_each,
     ),

@@ -49,6 +49,15 @@ def bounded_counts(
     return tuple(by_id.values())
 
 
+def shared_counts(
+    entities: Sequence[Entity], shared: Sequence[tuple[str, int]], people: int | None
+) -> list[tuple[tuple[str, ...], int, int]]:
+    """How many there are of what so many people share one of; who sits there counts where no number was told."""
+    exact = [e.count[0] for e in entities if e.count and e.count[0] == e.count[1] and family(e.category) == "seat"]
+    many = people or sum(exact)
+    return [((noun,), -(-many // by), -(-many // by)) for noun, by in shared if many]
+
+
 def peopled(
     entities: Sequence[Entity],
     relations: Sequence[StatedRelation],
@@ -235,4 +244,4 @@ def _holds_off(said: StatedRelation, one: Arrangement) -> bool:
     return said.type in ("on", "inside", "hanging_from") or said.targets == (one.entity,)
 
 
-__all__ = ["Peopled", "bounded_counts", "peopled", "told_apart"]
+__all__ = ["Peopled", "bounded_counts", "peopled", "shared_counts", "told_apart"]
