@@ -372,8 +372,8 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
     (re.compile(rf"\b{one_of(listed('of_people'))} of {_N}\b(?! [a-z]+s\b)"), _room_people),
     (
         re.compile(
-            rf" for (?:(?:each|every) {_N} (?:{_PEOPLE}|of (?:us|them))|each(?: (?:one|of them|{_PEOPLE}))?|every {_PEOPLE}"
-            r"|everyone|everybody)(?=\s*(?:$|[.,)]))"
+            rf" for (?:(?:each|every) {_N} (?:{_PEOPLE}|of (?:us|them))|each(?: (?:one|of them|{_PEOPLE}))?"
+            rf"|every {_PEOPLE}|everyone|everybody)(?=\s*(?:$|[.,)]))"
         ),
         _for_each,
     ),
