@@ -73,7 +73,7 @@ def _worst(
             turned = Measurement("turned from it", math.degrees(turn_to(seat, point)), low, high, "deg")
             found.append((turned.excess, turned, seat.id))
         if said.kind == "see" and targets and (covered := _covered(survey, said, seat, targets[0])) is not None:
-            hidden = Measurement(f"{covered} in the way, its height", limits["eye"] + 0.01, 0.0, limits["eye"], "m")
+            hidden = Measurement(f"{covered.id} in the way, its height", covered.z[1], 0.0, limits["eye"], "m")
             found.append((1.0, hidden, seat.id))
     wrong = list(dict.fromkeys(name for _, m, name in found if not m.ok()))
     return max(found, key=lambda row: row[0])[1], wrong
@@ -83,8 +83,8 @@ def _middle(bodies: Sequence[Body]) -> tuple[float, float]:
     return (sum(b.centre[0] for b in bodies) / len(bodies), sum(b.centre[1] for b in bodies) / len(bodies))
 
 
-def _covered(survey: Survey, said: View, seat: Body, point: tuple[float, float]) -> str | None:
-    """What stands between the eyes of who sits there and what is to be seen, by id; None where nothing does."""
+def _covered(survey: Survey, said: View, seat: Body, point: tuple[float, float]) -> Body | None:
+    """What stands between the eyes of who sits there and what is to be seen; None where nothing does."""
     import shapely
 
     limits = fault_kind("not_seen").limits
@@ -97,7 +97,7 @@ def _covered(survey: Survey, said: View, seat: Body, point: tuple[float, float])
             continue
         box = shapely.Polygon(body.corners)
         if shapely.length(shapely.intersection(line, box)) > limits["wide"] / 2:
-            return body.id
+            return body
     return None
 
 
