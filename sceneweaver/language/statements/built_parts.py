@@ -27,7 +27,7 @@ _DIVIDES = re.compile(
     r"(?:[a-z]+\s){1,3}?(?P<from>from)\s(?:the|a|my|our|its)\s"
 )
 _HEIGHT = re.compile(
-    r"^(?:,?\s(?:is|of|at|down|to|about|only|just|on|the|one|both|left|right|far|side|sides|end|back|towards|wall|high|"
+    r"^(?:\s(?:is|of|at|down|to|about|only|just|on|the|one|both|left|right|far|side|sides|end|back|towards|wall|high|"
     r"low|as|tall|\d+(?:[.,]\d+)?\s?(?:metres?|meters?|cm|m|ft|feet)\b))*"
 )
 

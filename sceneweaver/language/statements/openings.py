@@ -186,6 +186,10 @@ def read_openings(source: Source, parsed: Parsed) -> None:
     source.text = _blanked(text, blanks)
 
 
+_ALONG = {"full width", "wall to wall", "full length"}
+"""Kinds that run along their wall."""
+
+
 def _is_another(one: StatedOpening) -> bool:
     """Whether a door is told as one beside that by which one comes in."""
     return any(f.startswith("to the ") or f in _KNOWN["another"] for f in one.features)
@@ -206,6 +210,8 @@ def _stated(
     if determiner.endswith(("second", "third", "further", "other", "another", "additional", "extra")):
         kinds = (*kinds, "another") if part == "door" else kinds
     way_in = match["part"] in _KNOWN["ways_in"]
+    if _ALONG & set(kinds):
+        told.fields.setdefault("at", "along")
     goes_on = part in ("door", "window") and bool(match["count"]) and _AND_ONE.match(text, match.end()) is not None
     if (
         not (told.fields or goes_on)
