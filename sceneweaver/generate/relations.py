@@ -93,7 +93,7 @@ def of_items(wanted: Sequence[Wanted], room: Room, but: Mapping[str, frozenset[s
             [
                 *found,
                 *of_usual(wanted, by_category, room, but),
-                *seat_relations(wanted),
+                *(r for r in seat_relations(wanted) if r.type not in but.get(r.subject, ())),
                 *_beside(wanted),
                 *_off_doors(wanted, room),
             ]

@@ -157,7 +157,8 @@ class StatedRelation(FrozenModel):
 class Exclusion(FrozenModel):
     """What must not be there: nowhere in the room or, with a ``relation``, not there ("no shelf above the bed").
 
-    Beside the ``categories`` it may be whatever is of some ``materials`` or hangs where a ``mount`` says.
+    Beside the ``categories`` it may be whatever is of some ``materials``, ``colors`` or ``styles``, or hangs where a
+    ``mount`` says; ``within`` are the things of which alone that is said ("no black chairs").
 
     An entity that must not stand somewhere ("the wardrobe may not be in front of the window") is named by ``subject``.
     """
@@ -170,6 +171,14 @@ class Exclusion(FrozenModel):
     subject: str = Field(default="", description="The entity that it is said of, by id; else all of the categories")
     materials: tuple[str, ...] = Field(
         default=(), description="Names of materials; nothing may be of one that the request does not name"
+    )
+    colors: tuple[str, ...] = Field(
+        default=(), description="Basic colours that nothing may have, unless the request says so of it"
+    )
+    styles: tuple[str, ...] = Field(default=(), description="Styles that nothing may have")
+    within: tuple[str, ...] = Field(
+        default=(),
+        description="Categories, or groups, of which alone materials and colours are unwanted; empty: of the room too",
     )
     mount: Literal["", "wall", "ceiling"] = Field(
         default="", description="Where nothing may hang that the request does not name"
@@ -265,6 +274,8 @@ class Arrangement(FrozenModel):
     groups: int | None = Field(default=None, description="Groups, or stacks")
     sides: tuple[int, ...] = Field(default=(), description="How many are on one side, and on the other")
     spacing: float | None = Field(default=None, description="Clear between neighbours, or rows of one column [m]")
+    pitch: float | None = Field(default=None, description="Between the middles of neighbours [m]")
+    at_least: bool = Field(default=False, description="Whether the pitch may be more")
     aisle: float | None = Field(default=None, description="Way through the middle, from front to back [m]")
     upright: bool = Field(default=False, description="Whether rows are one above the other, at a wall")
     height: float | None = Field(default=None, description="Up to which a stack reaches [m]")
@@ -287,13 +298,19 @@ class Amount(FrozenModel):
 
 
 class StatedFinish(FrozenModel):
-    """What a part of the room is finished in. Of walls in two colours the lower one is ``lower``."""
+    """What a part of the room is finished in. Of walls in two colours the lower one is ``lower``, a band of tiles
+    ``tiled``."""
 
     id: str = ""
-    part: Literal["walls", "accent", "lower", "panels", "floor", "ceiling", "beams", "furniture"]
+    part: Literal["walls", "accent", "lower", "tiled", "panels", "floor", "ceiling", "beams", "doors", "furniture"]
     material: str | None = Field(default=None, description="As `scene.RoomFinish` names it")
     color: str | None = Field(default=None, description="A colour, or a finish of wood")
+    second: str | None = Field(default=None, description="The other colour of checks or stripes")
+    pattern: str | None = Field(default=None, description="As `scene.FloorFinish` and `scene.RoomFinish` name it")
     high: float | None = Field(default=None, description="Up to which height [m]")
+    where: Literal["any", "left", "right", "far", "near", "long", "short"] = Field(
+        default="any", description="Which wall an accent is on, as seen from the door"
+    )
     words: str = ""
     span: Span | None = None
 

@@ -383,7 +383,8 @@ def owned_kind(mention: Mention, owner: Mention, small: bool) -> str | None:
         return support_kind("on", owner)
     if mention.mount != "floor" or owner.mount != "floor":
         return "above" if mention.mount == "wall" else None
-    if mention.family == "seat" and owner.family == "table":
+    seat = mention.family == "seat" or has_role(mention.category, "upright_seat")
+    if seat and (owner.family == "table" or has_role(owner.category, "seated_at", "pulled_up_to", "dressing_place")):
         return "at"
     if mention.category == "nightstand":
         beds = owner.count[0] if mention.per is owner and owner.count is not None else 1

@@ -126,7 +126,7 @@ def unknown_room(state: State, phrase: NounPhrase) -> None:
 def describe_room(state: State, phrase: NounPhrase, room: bool = True) -> None:
     """Colours, styles, sizes and shapes of the room."""
     if phrase.sides is not None:
-        state.out.sides.append(phrase.sides)
+        state.leave_sides(phrase)
     for word in phrase.qualities:
         room_quality(state, word, room)
 
