@@ -105,6 +105,11 @@ def test_a_statement_goes_on_with_one_more_of_the_same() -> None:
     ]
 
 
+def test_two_openings_look_at_each_other() -> None:
+    graph = read_request("a corridor with two doors opposite each other")
+    assert [(one.part, one.opposite) for one in graph.openings] == [("door", ""), ("door", "opening-0")]
+
+
 def test_no_window_says_nothing_of_the_door_after_it() -> None:
     graph = read_request("a darkroom, no window, door on the short wall")
     assert (graph.windows, graph.doors) == (0, 1)

@@ -186,6 +186,11 @@ def read_openings(source: Source, parsed: Parsed) -> None:
     source.text = _blanked(text, blanks)
 
 
+_EACH_OTHER = re.compile(
+    r"\b(?:opposite|facing|across from)\s(?:each other|one another)\b|\b(?:at|on|in) opposite (?:ends|walls|sides)\b"
+)
+"""What puts two openings in walls that look at each other."""
+
 _ALONG = {"full width", "wall to wall", "full length"}
 """Kinds that run along their wall."""
 
@@ -212,7 +217,10 @@ def _stated(
     way_in = match["part"] in _KNOWN["ways_in"]
     if _ALONG & set(kinds):
         told.fields.setdefault("at", "along")
-    goes_on = part in ("door", "window") and bool(match["count"]) and _AND_ONE.match(text, match.end()) is not None
+    rest = re.match(r"[^.,;()]*", text[match.end() :])
+    mutual = determiner == "two" and rest is not None and _EACH_OTHER.search(rest[0]) is not None
+    counted = part in ("door", "window") and bool(match["count"])
+    goes_on = mutual or (counted and _AND_ONE.match(text, match.end()) is not None)
     if (
         not (told.fields or goes_on)
         and (not kinds or (kinds == ("another",) and part == "window"))
@@ -242,6 +250,13 @@ def _stated(
         one = StatedOpening(part=cast(Any, part), count=count, features=features, words=said, span=span, **fields)
         found.append(one)
 
+    if mutual and rest is not None and (m := _EACH_OTHER.search(rest[0])) is not None:
+        start, end = match.end() + m.start(), max(end, match.end() + m.end())
+        taken.append((start, match.end() + m.end()))
+        told.fields.pop("opposite", None)
+        add(1, told, last, end)
+        add(1, _Told({"opposite": f"opening-{len(before)}"}, []), last, end)
+        return found, taken
     add(count, told, last, end)
     several = _on_the_others(text[match.end() : end], [*before, *found])
     while not several and (more := _AND_ONE.match(text, end)) is not None:
