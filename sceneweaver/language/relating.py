@@ -196,7 +196,7 @@ def relate_to_place(state: State, said: Said) -> None:
         return
     part = place.partition(":")[2]
     name = part.replace("_", " ") if part in PARTS else place.split(":")[0]
-    spoken = said.words if said.words.endswith((place, "each")) else f"{said.words} the {name}"
+    spoken = said.words if said.words.endswith((place, "each", "side of")) else f"{said.words} the {name}"
     say(state, replace(said, type=kind, subjects=subjects, targets=(place,), words=spoken))
 
 

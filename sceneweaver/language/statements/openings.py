@@ -24,6 +24,9 @@ _COUNT = (
 )
 _KNOWN = words("openings")
 _KINDS = one_of([*_KNOWN["kinds"], *_KNOWN["plain"]]).replace(r"\ ", r"[\s-]")
+_LISTED = one_of(["tall", "narrow", "small", "large", "big", "little", "slim", "old", "new", "round", "bright", "huge"])
+"""Kinds that a comma may follow: any other is a place or the end of a measure, "at the back, double doors"."""
+
 _HEAD = (
     r"(?P<part>doors?|doorways?|windows?|niches?|alcoves?|recess(?:es)?|chimney breasts?|chimneybreast|"
     rf"{one_of(_KNOWN['ways_in'])})"
@@ -35,7 +38,7 @@ _ODD = (
 )
 _PHRASE = re.compile(
     rf"(?<![a-z-])(?:(?P<count>{_COUNT}){_ODD})?(?:(?P<size>{PLAIN})\s?-?(?:wide|broad|big|large)?[\s-])?"
-    rf"(?P<kinds>(?:{_KINDS},?[\s-]){{0,4}}){_HEAD}"
+    rf"(?P<kinds>(?:(?:{_LISTED},|{_KINDS})[\s-]){{0,4}}){_HEAD}"
 )
 _BEFORE = re.compile(rf"\b(?P<word>{one_of(_KNOWN['before'])})\s$")
 _AND_ONE = re.compile(
@@ -61,6 +64,9 @@ _MIDDLE = re.compile(
 _CORNER = re.compile(
     r"\b(?:in|near|close to|at|by)\s(?:the|a|its|one)\s(?:(?P<side>left|right|far|near)\s)?corner\b"
     rf"(?:\s(?:of|in|on)\s(?:the|a|one|its)\s(?P<of>{_SIDES_WORD})\s(?:wall|side|end))?"
+)
+_WHOLE = re.compile(
+    r"\b(?:from\s)?(?:wall to wall|end to end|the (?:full|whole|entire) (?:width|length)|(?:full|whole) width)\b"
 )
 _UP = re.compile(
     r"\b(?:set\s|placed\s|very\s|quite\s|fairly\s)?(?:high up(?:\sin\sthe\swall)?|up high|high (?=on the|in the)|"
@@ -207,7 +213,7 @@ def _stated(
     text, determiner = source.text, (match["count"] or "").strip()
     kinds, part = _kinds(match["kinds"]), _part(match["part"])
     told = _told(text, match.end(), len(before))
-    if _is_reference(text, match, kinds, part, before):
+    if _is_reference(text, match, kinds, part, before, told.fields):
         return [], []
     if match["size"]:
         told.fields.setdefault("width", plain_length(match["size"]))
@@ -275,7 +281,12 @@ def _stated(
 
 
 def _is_reference(
-    text: str, match: re.Match[str], kinds: tuple[str, ...], part: str, before: list[StatedOpening]
+    text: str,
+    match: re.Match[str],
+    kinds: tuple[str, ...],
+    part: str,
+    before: list[StatedOpening],
+    fields: dict[str, Any],
 ) -> bool:
     """Whether a noun only names an opening that something else is at: "a bench under the long window"."""
     determiner = (match["count"] or "").strip()
@@ -283,6 +294,10 @@ def _is_reference(
     sentence = re.split(r"[.;(]", text[: match.start()])[-1]
     joined = sentence.rstrip().endswith(" and") and re.search(r"\bbetween\b[^,]*$", sentence) is not None
     if preposition is None and not joined:
+        return False
+    if part in ("niche", "breast") and fields:
+        return False  # "a bench in the recess opposite the door"
+    if not joined and fields.keys() & {"width", "height", "sill"} and determiner in ("a", "an", "one", "two", "three"):
         return False
     told = set(kinds) - set(_KNOWN["usual"])
     if joined or not told or preposition is not None and preposition["word"] in ("to", "of", "from", "no", "without"):
@@ -334,6 +349,9 @@ def _fields(clause: str, number: int, fields: dict[str, Any]) -> list[tuple[int,
     if "width" not in fields and (m := re.search(rf"^\s*(?:of\s|about\s|at least\s|is\s)*({PLAIN})\s*$", clause)):
         fields["width"] = plain_length(m[1])
         spans.append(m.span(1))
+    if m := _WHOLE.search(clause):
+        fields.setdefault("at", "along")
+        spans.append(m.span())
     if m := _CORNER.search(clause):
         fields.setdefault("at", m["side"] if m["side"] in ("left", "right") else "corner")
         for word in (m["of"],) if m["of"] else ():
