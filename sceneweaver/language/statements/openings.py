@@ -68,6 +68,7 @@ _CORNER = re.compile(
 _WHOLE = re.compile(
     r"\b(?:from\s)?(?:wall to wall|end to end|the (?:full|whole|entire) (?:width|length)|(?:full|whole) width)\b"
 )
+_PAIR = re.compile(r"\s(?:of\s|about\s|only\s|is\s|measuring\s){0,2}(?P<sides>§\s*)")
 _UP = re.compile(
     r"\b(?:set\s|placed\s|very\s|quite\s|fairly\s)?(?:high up(?:\sin\sthe\swall)?|up high|high (?=on the|in the)|"
     r"(?:just\s)?(?:near|under|below) the ceiling|at the top of the wall|above (?:eye|head) (?:level|height))\b"
@@ -213,8 +214,13 @@ def _stated(
     text, determiner = source.text, (match["count"] or "").strip()
     kinds, part = _kinds(match["kinds"]), _part(match["part"])
     told = _told(text, match.end(), len(before))
+    pair = _PAIR.match(text, match.end())
+    if pair is not None and part in ("niche", "breast"):
+        _take_sides(source, pair.span("sides"), part, told)
     if _is_reference(text, match, kinds, part, before, told.fields):
         return [], []
+    if pair is not None:
+        _take_sides(source, pair.span("sides"), part, told)
     if match["size"]:
         told.fields.setdefault("width", plain_length(match["size"]))
         told.taken.append(match.span("size"))
@@ -252,7 +258,9 @@ def _stated(
         if part == "door" and "wall" not in fields and not fields.get("opposite"):
             side = next((wall for word, wall in _SIDE_DOORS.items() if word in features), None)
             fields |= {"wall": side} if side is not None else {}
-        span, said = source.span(start, end), text[max(start, match.start("kinds")) : end].strip()
+        span, said = source.span(start, end), " ".join(text[max(start, match.start("kinds")) : end].split())
+        if pair is not None and "width" in fields:
+            said = said.replace("§", f"{fields['width']:g} x {fields.get('height', fields.get('depth', 0)):g} m")
         one = StatedOpening(part=cast(Any, part), count=count, features=features, words=said, span=span, **fields)
         found.append(one)
 
@@ -278,6 +286,15 @@ def _stated(
         shift = {f"opening-{len(before) + k}": f"opening-{len(before) + k - 1}" for k in range(1, len(found))}
         found = [one.model_copy(update={"opposite": shift.get(one.opposite, one.opposite)}) for one in found[1:]]
     return [*found, *several], taken
+
+
+def _take_sides(source: Source, span: tuple[int, int], part: str, told: _Told) -> None:
+    """The two sides that stand behind a noun: width and height of an opening, width and depth of a niche."""
+    sides = source.sides.pop(span[0], None)
+    if sides is not None:
+        told.fields.setdefault("width", sides[0])
+        told.fields.setdefault("height" if part in ("door", "window") else "depth", sides[1])
+        told.taken.append(span)
 
 
 def _is_reference(
