@@ -19,14 +19,14 @@ from .phrases import Edits, number_of, one_of
 
 _COUNTED = r"(?:(?P<count>two|three|four|five|six|\d)\s(?:[a-z]+\s){0,2}?)?"
 _PLACED = (
-    r"(?:(?P<at>under|underneath|below|beneath|in|into|inside|within|on|at|against|along|around|over|above|by|near|beside|"
-    r"from|of|with|has|and)\s)?(?P<det>(?:the|a|an|its|one|both|each)\s)?(?:(?:low|small|large|big|old|deep|round|square|"
-    r"brick|exposed|steep|central|sunken|sunk|two|three|four|\d)\s){0,2}"
+    r"(?:(?P<at>under|underneath|below|beneath|in|into|inside|within|on|at|against|along|around|over|above|by|near|"
+    r"beside|from|of|with|has|and)\s)?(?P<det>(?:the|a|an|its|one|both|each)\s)?(?:(?:low|small|"
+    r"large|big|old|deep|round|square|brick|exposed|steep|central|sunken|sunk|two|three|four|\d)\s){0,2}"
 )
 _IN_BAY = re.compile(r"\b(?:in|into|inside|within|flanking)\s(?:the|a)\s(?P<bay>bay)\b(?!\s[a-z]*(?:of|no|number)\b)")
 _DIVIDES = re.compile(
-    r"(?P<verb>\b(?:(?:that|which|to)\s)?(?:divides?|dividing|separates?|separating)\b)\s(?:off\s)?(?:the|a|my|our|one)\s"
-    r"(?:[a-z]+\s){1,3}?(?P<from>from)\s(?:the|a|my|our|its)\s"
+    r"(?P<verb>\b(?:(?:that|which|to)\s)?(?:divides?|dividing|separates?|separating)\b)\s(?:off\s)?"
+    r"(?:the|a|my|our|one)\s(?:[a-z]+\s){1,3}?(?P<from>from)\s(?:the|a|my|our|its)\s"
 )
 _HEIGHT = re.compile(
     r"^(?:\s(?:is|of|at|down|to|about|only|just|on|the|one|both|left|right|far|side|sides|end|back|towards|wall|high|"

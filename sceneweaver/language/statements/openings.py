@@ -54,7 +54,8 @@ _PLACE = re.compile(
     rf"(?P<middle>(?:the\s|exact\s)*(?:middle|centre|center)\sof\s)?"
     rf"(?:the|one|a|an|its|each|both|either|that|two|three|all)?\s?(?:of\sthe\s)?"
     rf"(?P<side>{_SIDES_WORD}|{PLAIN})(?:[\s-]hand)?(?:\s(?P<more>{_SIDES_WORD}))?"
-    r"(?:\s(?P<what>wall|walls|side|sides|end|ends|corner))?\b(?!\sof\s(?:the|a|an|my|our|his|her|their|each)\s(?!room|hall))"
+    r"(?:\s(?P<what>wall|walls|side|sides|end|ends|corner))?\b"
+    r"(?!\sof\s(?:the|a|an|my|our|his|her|their|each)\s(?!room|hall))"
 )
 _EACH_SIDE = re.compile(r"\b(?:each|both|either)\s(?:of\sthe\s)?(?:two\s)?(?:long|short|narrow)")
 _EACH_WALL = re.compile(r"\b(?:each|every|all(?:\sfour)?|all\sof\sthe)\s(?:walls?|sides?)\b")
@@ -93,7 +94,8 @@ _LEADS = r"(?:(?:that\s|which\s)?(?:leading|leads|going|goes|giving|opening|open
 _TO = re.compile(
     rf"\b(?:{_LEADS}?(?:to|into|onto|leading to)\s(?:the|a|an|our|his|her)\s"
     rf"(?P<where>{one_of([*_KNOWN['outside'], *_KNOWN['rooms']])})"
-    rf"|{_LEADS}(?:to|onto)\s(?:the|a|an)\s(?P<any>(?!left|right|inside)[a-z]+(?:\s(?:room|store|shop|hall|area|yard))?))\b"
+    rf"|{_LEADS}(?:to|onto)\s(?:the|a|an)\s"
+    r"(?P<any>(?!left|right|inside)[a-z]+(?:\s(?:room|store|shop|hall|area|yard))?))\b"
 )
 _GLASS = re.compile(
     r"\b(?P<kind>coloured|colored|stained|leaded|frosted|painted)[\s-]glass\s(?:in|for|on)\s(?:the\s|all\s|its\s)*"
@@ -107,7 +109,8 @@ _STOP = re.compile(
     r"who|whose)\b"
 )
 _PANES = re.compile(
-    r"\b(?:glass|glazing|glazed|windows)\s(?:on|along|at)\s(?P<many>two|three|four|all|both)\s(?:of\sits\s)?(?:sides|walls)\b"
+    r"\b(?:glass|glazing|glazed|windows)\s(?:on|along|at)\s(?P<many>two|three|four|all|both)\s(?:of\sits\s)?"
+    r"(?:sides|walls)\b"
 )
 _FRONT = re.compile(
     r"\b(?:(?:a|the|one|its)\s)?(?:(?:fully|all|big|large|full)\s)?(?:glass|glazed)\s(?:shop\s)?"
