@@ -200,6 +200,7 @@ class ObjectHandle:
         overlap: float = ...,
         degrees: float = ...,
         door_walls: Literal["allowed", "avoided"] = ...,
+        middle: float = ...,
     ) -> ObjectHandle:
         """The back face is toward the wall and close to it, with nearly all of its width along the wall; without a
         target, any wall will do.

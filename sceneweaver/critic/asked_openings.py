@@ -9,6 +9,7 @@ from sceneweaver.geometry.seen import ahead_of, are_opposite, is_wall
 from sceneweaver.geometry.walls import Point, Wall
 from sceneweaver.language.model import StatedOpening
 from sceneweaver.language.told_openings import entry_stated, is_bay, is_high_up, leads_on
+from sceneweaver.language.vocabulary import words
 from sceneweaver.language.wall_names import PARTS
 from sceneweaver.rules.faults import fault_kind
 from sceneweaver.scene import Door, Window
@@ -19,7 +20,7 @@ from .verdict import Asked, counted, met, partly, unmet
 UNDRAWN = (
     *("coloured glass", "stained glass", "painted glass", "leaded glass", "frosted glass", "frosted", "leaded"),
     *("garage", "roller", "barred", "arched", "arch", "pointed arch", "round", "pointed", "lockable", "locking"),
-    *("glass panel", "stable", "barn", "folding", "revolving", "sash", "casement", "dormer"),
+    *("glass panel", "internal", "stable", "barn", "folding", "revolving", "sash", "casement", "dormer"),
 )
 """Kinds that are drawn like any other: an opening that is right else is so in part."""
 
@@ -53,7 +54,7 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
         taken.update(opening.id for opening in good)
         used[one.id] = good or list(free[:1])
         number = counted(f"such {one.part}s", len(good), one.count)
-        undrawn = [feature for feature in one.features if feature in UNDRAWN]
+        undrawn = [feature for feature in one.features if feature in UNDRAWN or _leads_to_room(feature)]
         apart = "same wall" in one.features and len({opening.wall for opening in good}) > 1
         if len(good) >= one.count and not apart:
             if undrawn:
@@ -73,6 +74,12 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
             fault=f"wrong_{one.part}s",
             suggestion=BEGIN,
         )
+
+
+def _leads_to_room(feature: str) -> bool:
+    """Whether a feature names a room behind a door, of which nothing is seen."""
+    where = feature.removeprefix("to the ")
+    return where != feature and where not in (*words("openings")["outside"], *words("openings")["in_the_open"])
 
 
 def _fault(

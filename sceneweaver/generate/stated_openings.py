@@ -12,6 +12,7 @@ from sceneweaver.geometry.walls import Point, Wall
 from sceneweaver.language import SceneGraph
 from sceneweaver.language.model import StatedOpening
 from sceneweaver.language.told_openings import entry_stated, is_high_up
+from sceneweaver.scene.room import Swing
 
 SAME_LENGTH = 0.15
 """Length [m] by which a wall may differ from what was said of it."""
@@ -134,7 +135,7 @@ def door_height(one: StatedOpening, usual: float) -> float:
     return CRAWL if kinds & CRAWLED else LOW_DOOR if kinds & {"low", "tiny"} else usual
 
 
-def door_swing(one: StatedOpening, usual: str) -> str:
+def door_swing(one: StatedOpening, usual: Swing) -> Swing:
     """How a door that is described opens, where that is said; else as is usual."""
     kinds = set(one.features)
     if kinds & {"sliding", "pocket"}:

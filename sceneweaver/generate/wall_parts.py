@@ -34,6 +34,9 @@ SLANT = 0.3
 PLAY = 0.1
 """Width [m] that is left beside what stands in a niche, or by which a breast is wider than what is at it."""
 
+LONG, BESIDE = 1.3, 0.6
+"""Depth [m] from which on a thing has only its back in a niche, and the width [m] that is left on both sides of it."""
+
 PIER = 0.3
 """Width [m] of a breast on both sides of what is in it."""
 
@@ -74,7 +77,7 @@ def _at(brief: SceneGraph, part: str) -> list[tuple[float, float, float]]:
         category = category_named(entity.category)
         if category.size is None or "floor" not in category.mount or {"wall", "surface"} & set(category.mount):
             continue
-        usual = (sum(category.size.depth) / 2, sum(category.size.width) / 2, category.size.height[1])
+        usual = (category.size.depth[1], category.size.width[1], category.size.height[1])
         depth, width, tall = (told or size for told, size in zip(entity.size, usual, strict=True))
         found += [(depth, width, tall)] * (entity.count[0] if entity.count else 1)
     return found
@@ -93,6 +96,8 @@ def _sizes(one: StatedOpening, brief: SceneGraph) -> tuple[float, float]:
         return one.width or min(max(width, 1.0), WIDEST), one.depth or BREAST[1]
     width = sum(w for _, w, _ in share) + PLAY if share else WIDTH
     depth = max((d for d, *_ in share), default=DEPTH)
+    if depth > LONG:  # a bed has its head in it, and its sides stay free
+        width, depth = width + 2 * BESIDE, DEPTH
     return one.width or min(max(width, 0.6), WIDEST), one.depth or min(max(depth + 0.02, 0.35), DEEPEST)
 
 

@@ -83,7 +83,8 @@ def _leave_out(state: State, phrase: NounPhrase) -> None:
     if phrase.what in ("group", "abstract", "collective", "matter") and is_class(phrase.text):
         state.out.without.append((phrase.text, kinds_unwanted(phrase.text), span))
     elif phrase.what == "place":
-        state.out.openings[str(phrase.value)] = 0
+        if not any(one.part == phrase.value for one in state.out.stated_openings):
+            state.out.openings[str(phrase.value)] = 0
     elif phrase.what == "group":
         things = group_rows()[phrase.value]["things"]
         state.out.without += [(phrase.text, (category_of(name),), span) for name in things]

@@ -168,6 +168,8 @@ def _of_room(state: State, phrase: NounPhrase, waiting: Waiting, owner: str) -> 
             subject.count = (phrase.count or (4, 4)) if subject.count == (1, 1) else subject.count
     if place in ("corner", "middle"):
         waiting = replace(waiting, place=Place("at", words=waiting.place.words))
+    if place.startswith("wall") and phrase.value == "center":  # "in the middle of the far wall"
+        waiting = replace(waiting, place=Place("centered_on", words=f"{waiting.place.words} the middle of"))
     bind_target(state, waiting, (place,))
 
 

@@ -174,6 +174,8 @@ def relate_to_place(state: State, said: Said) -> None:
         subjects[0].count = (2, 2)  # "a plant on either side of the door"
     if place.startswith("wall") and kind in ("on", "against", "inside") and said.words.startswith("hang"):
         kind = "hanging_from"
+    if place.startswith("wall") and kind == "opposite" and said.words.startswith("across"):
+        kind = "against"  # "a stage across the far end"
     if place == "wall:breast" and kind in _BESIDE:
         kind, place = "against", "wall:beside_breast"
     if place == "wall:breast" and kind == "inside":
@@ -194,7 +196,7 @@ def relate_to_place(state: State, said: Said) -> None:
         return
     part = place.partition(":")[2]
     name = part.replace("_", " ") if part in PARTS else place.split(":")[0]
-    spoken = said.words if said.words.endswith((place, "each")) else f"{said.words} the {name}"
+    spoken = said.words if said.words.endswith((place, "each", "side of")) else f"{said.words} the {name}"
     say(state, replace(said, type=kind, subjects=subjects, targets=(place,), words=spoken))
 
 
@@ -241,9 +243,7 @@ def _is_less(thing: Mention, other: Mention) -> bool:
 def _kind_at(kind: str, place: str, subjects: list[Mention]) -> str:
     """The type of relation to a part of the room."""
     if place.startswith("wall"):
-        if kind == "centered_on" and place.partition(":")[2] in PARTS:
-            return kind
-        if kind in ("inside", "at", "occupying", "covering", "centered_on", "around", "flanking"):
+        if kind in ("inside", "at", "occupying", "covering", "around", "flanking"):
             return "against"
         stand = bool(subjects) and all(s.mount == "floor" for s in subjects)
         return "against" if kind == "on" and stand else kind

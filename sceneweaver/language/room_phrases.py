@@ -164,7 +164,7 @@ def place_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         state.fronted, state.glue = [(where, (place,), chunk)], "start"  # "each corner gets a lamp"
         state.at += 1
         return
-    if place.partition(":")[2] in PARTS:
+    if ":" in place:
         state.refer(phrase)
     if place == "room":
         _the_room(state, phrase, waiting)

@@ -23,6 +23,9 @@ def _said(text: str) -> list[tuple[str, str, tuple[str, ...]]]:
         ("a lounge with an armchair in the bay window", ("armchair", "against", ("wall:bay",))),
         ("a hall with a window seat", ("window_seat", "at", ("window",))),
         ("a chapel with a dais at the far wall", ("stage_platform", "against", ("wall:far",))),
+        ("a bakehouse with a window over the sink", ("sink_cabinet", "below", ("window",))),
+        ("a bedroom, a window opposite the bed", ("bed", "opposite", ("window",))),
+        ("a chapel, an altar in the middle of the far wall", ("altar", "centered_on", ("wall:far",))),
         ("a loft, a half-height wall divides the bed from the sofa", ("low_wall", "between", ("bed", "sofa"))),
     ],
 )

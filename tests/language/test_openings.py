@@ -87,6 +87,7 @@ def test_a_length_on_a_length_is_no_room_where_it_is_short() -> None:
         ("a booth with a window high up in the end wall", {"wall": "short", "features": ("high up",)}),
         ("a clinic, door with a lock on the left wall", {"wall": "left", "features": ("lockable",)}),
         ("a pantry with a door in the corner of the long wall", {"wall": "long", "at": "corner"}),
+        ("a bathroom, window 40 x 60 cm in the left wall", {"wall": "left", "width": 0.4, "height": 0.6}),
         ("a bakery with a door leading to the flour loft", {"features": ("to the flour",)}),
     ],
 )
@@ -103,6 +104,17 @@ def test_a_statement_goes_on_with_one_more_of_the_same() -> None:
         (1, "left", ""),
         (1, "any", "opening-0"),
     ]
+
+
+def test_a_comma_ends_the_place_of_the_opening_before() -> None:
+    graph = read_request("a foyer, emergency door at the back, glass double doors at the front")
+    told = [(one.wall, one.features) for one in graph.openings]
+    assert told == [("far", ("emergency",)), ("near", ("glass", "double"))]
+
+
+def test_two_openings_look_at_each_other() -> None:
+    graph = read_request("a corridor with two doors opposite each other")
+    assert [(one.part, one.opposite) for one in graph.openings] == [("door", ""), ("door", "opening-0")]
 
 
 def test_no_window_says_nothing_of_the_door_after_it() -> None:

@@ -84,6 +84,7 @@ PARAMS: dict[str, Scene] = {
     "a faced middle": scene([OTHER, BOX], [relation("front_to_front", "box", "other", gap=[0.9, 1.4], offset=0.05)]),
     "on its axis": scene([OTHER, BOX], [relation("facing", "box", "other", degrees=5, offset=0.05)]),
     "backs in line": scene([BED, BOX], [relation("leftright_to_leftright", "box", "bed", gap=[0.0, 0.2], backs=0.05)]),
+    "middle of a wall": scene([BED, BOX], [relation("against_wall", "bed", "wall:3", middle=0.2)]),
     "no door's wall": scene([BED, BOX], [relation("against_wall", i, door_walls="avoided") for i in ("bed", "box")]),
 }
 """Relations with parameters that make other rows of them."""

@@ -31,7 +31,7 @@ ALL, LRF, LR, B, F = (
 
 # type: target, subject's sides, target's sides, degrees, gap, overlap, other numbers, exempt from zones
 TABLE = {
-    "against_wall": ("wall?", B, (), 5, (0, 0.07), 0.9, {"door_walls": "allowed"}, False),
+    "against_wall": ("wall?", B, (), 5, (0, 0.07), 0.9, {"door_walls": "allowed", "middle": None}, False),
     "side_against_wall": ("wall?", LRF, (), 5, (0, 0.05), 0.9, {"side": "any"}, False),
     "front_against": ("object", F, ALL, 15, "tucked", 0.5, {}, True),
     "front_to_front": ("object", F, F, 15, "tucked", 0.5, {"offset": None}, True),

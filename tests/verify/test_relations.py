@@ -139,6 +139,14 @@ def test_against_a_wall_without_a_door(wall, expected):
     assert holds([thing], relation("against_wall", "s", door_walls="avoided"), doors=doors) is expected
 
 
+@pytest.mark.parametrize(("off", "expected"), [(0.15, True), (-0.15, True), (0.25, False)])
+def test_against_the_middle_of_a_wall(off, expected):
+    """Wall 3 is 8 m long."""
+    thing = box("s", (0.4, 1.0, 1.0), 0.2, 4.0 + off)
+    assert holds([thing], relation("against_wall", "s"))
+    assert holds([thing], relation("against_wall", "s", "wall:3", middle=0.2)) is expected
+
+
 @pytest.mark.parametrize(
     ("along", "aside", "expected"),
     [

@@ -27,6 +27,7 @@ from .openings import read_openings
 from .roles import roles
 from .room_kind import furnish_zones, read_room_kind
 from .room_sides import room_sides
+from .seen_from import seen_from
 from .spacings import spacings
 from .states import read_states
 from .surfaces import read_surfaces
@@ -51,6 +52,7 @@ STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     wings,
     room_sides,
     read_openings,
+    seen_from,
     built_parts,
     read_unlooked,
     read_surfaces,

@@ -13,21 +13,23 @@ from typing import Any, cast
 from ..model import StatedOpening
 from ..parsed import Parsed
 from ..source import Source
+from ..told_openings import is_bay
 from ..vocabulary import words
 from .phrases import Edits, number_of, one_of
 
 _COUNTED = r"(?:(?P<count>two|three|four|five|six|\d)\s(?:[a-z]+\s){0,2}?)?"
 _PLACED = (
-    r"(?:(?P<at>under|underneath|below|beneath|in|into|inside|within|on|at|against|along|around|over|above|by|near|beside|"
-    r"from|of|with|has|and)\s)?(?P<det>(?:the|a|an|its|one|both|each)\s)?(?:(?:low|small|large|big|old|deep|round|square|"
-    r"brick|exposed|steep|central|sunken|sunk|two|three|four|\d)\s){0,2}"
+    r"(?:(?P<at>under|underneath|below|beneath|in|into|inside|within|on|at|against|along|around|over|above|by|near|"
+    r"beside|from|of|with|has|and)\s)?(?P<det>(?:the|a|an|its|one|both|each)\s)?(?:(?:low|small|"
+    r"large|big|old|deep|round|square|brick|exposed|steep|central|sunken|sunk|two|three|four|\d)\s){0,2}"
 )
+_IN_BAY = re.compile(r"\b(?:in|into|inside|within|flanking)\s(?:the|a)\s(?P<bay>bay)\b(?!\s[a-z]*(?:of|no|number)\b)")
 _DIVIDES = re.compile(
-    r"(?P<verb>\b(?:(?:that|which|to)\s)?(?:divides?|dividing|separates?|separating)\b)\s(?:off\s)?(?:the|a|my|our|one)\s"
-    r"(?:[a-z]+\s){1,3}?(?P<from>from)\s(?:the|a|my|our|its)\s"
+    r"(?P<verb>\b(?:(?:that|which|to)\s)?(?:divides?|dividing|separates?|separating)\b)\s(?:off\s)?"
+    r"(?:the|a|my|our|one)\s(?:[a-z]+\s){1,3}?(?P<from>from)\s(?:the|a|my|our|its)\s"
 )
 _HEIGHT = re.compile(
-    r"^(?:,?\s(?:is|of|at|down|to|about|only|just|on|the|one|both|left|right|far|side|sides|end|back|towards|wall|high|"
+    r"^(?:\s(?:is|of|at|down|to|about|only|just|on|the|one|both|left|right|far|side|sides|end|back|towards|wall|high|"
     r"low|as|tall|\d+(?:[.,]\d+)?\s?(?:metres?|meters?|cm|m|ft|feet)\b))*"
 )
 
@@ -40,6 +42,11 @@ def built_parts(source: Source, parsed: Parsed) -> None:
     _not_built(source, parsed)
     _meant_for(source)
     _dividing(source)
+    bay = _IN_BAY.search(source.text)
+    if bay is not None and not any(map(is_bay, parsed.stated_openings)):
+        span = source.span(*bay.span("bay"))
+        parsed.stated_openings.append(StatedOpening(part="window", features=("bay",), words=bay["bay"], span=span))
+        parsed.openings["window"] = max(1, parsed.openings.get("window", 0))
     for part in ("breast", "niche"):
         if any(one.part == part for one in parsed.stated_openings):
             continue

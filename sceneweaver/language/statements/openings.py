@@ -24,6 +24,9 @@ _COUNT = (
 )
 _KNOWN = words("openings")
 _KINDS = one_of([*_KNOWN["kinds"], *_KNOWN["plain"]]).replace(r"\ ", r"[\s-]")
+_LISTED = one_of(["tall", "narrow", "small", "large", "big", "little", "slim", "old", "new", "round", "bright", "huge"])
+"""Kinds that a comma may follow: any other is a place or the end of a measure, "at the back, double doors"."""
+
 _HEAD = (
     r"(?P<part>doors?|doorways?|windows?|niches?|alcoves?|recess(?:es)?|chimney breasts?|chimneybreast|"
     rf"{one_of(_KNOWN['ways_in'])})"
@@ -35,7 +38,7 @@ _ODD = (
 )
 _PHRASE = re.compile(
     rf"(?<![a-z-])(?:(?P<count>{_COUNT}){_ODD})?(?:(?P<size>{PLAIN})\s?-?(?:wide|broad|big|large)?[\s-])?"
-    rf"(?P<kinds>(?:{_KINDS},?[\s-]){{0,4}}){_HEAD}"
+    rf"(?P<kinds>(?:(?:{_LISTED},|{_KINDS})[\s-]){{0,4}}){_HEAD}"
 )
 _BEFORE = re.compile(rf"\b(?P<word>{one_of(_KNOWN['before'])})\s$")
 _AND_ONE = re.compile(
@@ -51,7 +54,8 @@ _PLACE = re.compile(
     rf"(?P<middle>(?:the\s|exact\s)*(?:middle|centre|center)\sof\s)?"
     rf"(?:the|one|a|an|its|each|both|either|that|two|three|all)?\s?(?:of\sthe\s)?"
     rf"(?P<side>{_SIDES_WORD}|{PLAIN})(?:[\s-]hand)?(?:\s(?P<more>{_SIDES_WORD}))?"
-    r"(?:\s(?P<what>wall|walls|side|sides|end|ends|corner))?\b(?!\sof\s(?:the|a|an|my|our|his|her|their|each)\s(?!room|hall))"
+    r"(?:\s(?P<what>wall|walls|side|sides|end|ends|corner))?\b"
+    r"(?!\sof\s(?:the|a|an|my|our|his|her|their|each)\s(?!room|hall))"
 )
 _EACH_SIDE = re.compile(r"\b(?:each|both|either)\s(?:of\sthe\s)?(?:two\s)?(?:long|short|narrow)")
 _EACH_WALL = re.compile(r"\b(?:each|every|all(?:\sfour)?|all\sof\sthe)\s(?:walls?|sides?)\b")
@@ -62,6 +66,10 @@ _CORNER = re.compile(
     r"\b(?:in|near|close to|at|by)\s(?:the|a|its|one)\s(?:(?P<side>left|right|far|near)\s)?corner\b"
     rf"(?:\s(?:of|in|on)\s(?:the|a|one|its)\s(?P<of>{_SIDES_WORD})\s(?:wall|side|end))?"
 )
+_WHOLE = re.compile(
+    r"\b(?:from\s)?(?:wall to wall|end to end|the (?:full|whole|entire) (?:width|length)|(?:full|whole) width)\b"
+)
+_PAIR = re.compile(r"\s(?:of\s|about\s|only\s|is\s|measuring\s){0,2}(?P<sides>§\s*)")
 _UP = re.compile(
     r"\b(?:set\s|placed\s|very\s|quite\s|fairly\s)?(?:high up(?:\sin\sthe\swall)?|up high|high (?=on the|in the)|"
     r"(?:just\s)?(?:near|under|below) the ceiling|at the top of the wall|above (?:eye|head) (?:level|height))\b"
@@ -86,7 +94,8 @@ _LEADS = r"(?:(?:that\s|which\s)?(?:leading|leads|going|goes|giving|opening|open
 _TO = re.compile(
     rf"\b(?:{_LEADS}?(?:to|into|onto|leading to)\s(?:the|a|an|our|his|her)\s"
     rf"(?P<where>{one_of([*_KNOWN['outside'], *_KNOWN['rooms']])})"
-    rf"|{_LEADS}(?:to|onto)\s(?:the|a|an)\s(?P<any>(?!left|right|inside)[a-z]+(?:\s(?:room|store|shop|hall|area|yard))?))\b"
+    rf"|{_LEADS}(?:to|onto)\s(?:the|a|an)\s"
+    r"(?P<any>(?!left|right|inside)[a-z]+(?:\s(?:room|store|shop|hall|area|yard))?))\b"
 )
 _GLASS = re.compile(
     r"\b(?P<kind>coloured|colored|stained|leaded|frosted|painted)[\s-]glass\s(?:in|for|on)\s(?:the\s|all\s|its\s)*"
@@ -100,7 +109,8 @@ _STOP = re.compile(
     r"who|whose)\b"
 )
 _PANES = re.compile(
-    r"\b(?:glass|glazing|glazed|windows)\s(?:on|along|at)\s(?P<many>two|three|four|all|both)\s(?:of\sits\s)?(?:sides|walls)\b"
+    r"\b(?:glass|glazing|glazed|windows)\s(?:on|along|at)\s(?P<many>two|three|four|all|both)\s(?:of\sits\s)?"
+    r"(?:sides|walls)\b"
 )
 _FRONT = re.compile(
     r"\b(?:(?:a|the|one|its)\s)?(?:(?:fully|all|big|large|full)\s)?(?:glass|glazed)\s(?:shop\s)?"
@@ -186,6 +196,15 @@ def read_openings(source: Source, parsed: Parsed) -> None:
     source.text = _blanked(text, blanks)
 
 
+_EACH_OTHER = re.compile(
+    r"\b(?:opposite|facing|across from)\s(?:each other|one another)\b|\b(?:at|on|in) opposite (?:ends|walls|sides)\b"
+)
+"""What puts two openings in walls that look at each other."""
+
+_ALONG = {"full width", "wall to wall", "full length"}
+"""Kinds that run along their wall."""
+
+
 def _is_another(one: StatedOpening) -> bool:
     """Whether a door is told as one beside that by which one comes in."""
     return any(f.startswith("to the ") or f in _KNOWN["another"] for f in one.features)
@@ -198,15 +217,25 @@ def _stated(
     text, determiner = source.text, (match["count"] or "").strip()
     kinds, part = _kinds(match["kinds"]), _part(match["part"])
     told = _told(text, match.end(), len(before))
-    if _is_reference(text, match, kinds, part, before):
+    pair = _PAIR.match(text, match.end())
+    if pair is not None and part in ("niche", "breast"):
+        _take_sides(source, pair.span("sides"), part, told)
+    if _is_reference(text, match, kinds, part, before, told.fields):
         return [], []
+    if pair is not None:
+        _take_sides(source, pair.span("sides"), part, told)
     if match["size"]:
         told.fields.setdefault("width", plain_length(match["size"]))
         told.taken.append(match.span("size"))
     if determiner.endswith(("second", "third", "further", "other", "another", "additional", "extra")):
         kinds = (*kinds, "another") if part == "door" else kinds
     way_in = match["part"] in _KNOWN["ways_in"]
-    goes_on = part in ("door", "window") and bool(match["count"]) and _AND_ONE.match(text, match.end()) is not None
+    if _ALONG & set(kinds):
+        told.fields.setdefault("at", "along")
+    rest = re.match(r"[^.,;()]*", text[match.end() :])
+    mutual = determiner == "two" and rest is not None and _EACH_OTHER.search(rest[0]) is not None
+    counted = part in ("door", "window") and bool(match["count"])
+    goes_on = mutual or (counted and _AND_ONE.match(text, match.end()) is not None)
     if (
         not (told.fields or goes_on)
         and (not kinds or (kinds == ("another",) and part == "window"))
@@ -232,10 +261,19 @@ def _stated(
         if part == "door" and "wall" not in fields and not fields.get("opposite"):
             side = next((wall for word, wall in _SIDE_DOORS.items() if word in features), None)
             fields |= {"wall": side} if side is not None else {}
-        span, said = source.span(start, end), text[max(start, match.start("kinds")) : end].strip()
+        span, said = source.span(start, end), " ".join(text[max(start, match.start("kinds")) : end].split())
+        if pair is not None and "width" in fields:
+            said = said.replace("§", f"{fields['width']:g} x {fields.get('height', fields.get('depth', 0)):g} m")
         one = StatedOpening(part=cast(Any, part), count=count, features=features, words=said, span=span, **fields)
         found.append(one)
 
+    if mutual and rest is not None and (m := _EACH_OTHER.search(rest[0])) is not None:
+        start, end = match.end() + m.start(), max(end, match.end() + m.end())
+        taken.append((start, match.end() + m.end()))
+        told.fields.pop("opposite", None)
+        add(1, told, last, end)
+        add(1, _Told({"opposite": f"opening-{len(before)}"}, []), last, end)
+        return found, taken
     add(count, told, last, end)
     several = _on_the_others(text[match.end() : end], [*before, *found])
     while not several and (more := _AND_ONE.match(text, end)) is not None:
@@ -253,8 +291,22 @@ def _stated(
     return [*found, *several], taken
 
 
+def _take_sides(source: Source, span: tuple[int, int], part: str, told: _Told) -> None:
+    """The two sides that stand behind a noun: width and height of an opening, width and depth of a niche."""
+    sides = source.sides.pop(span[0], None)
+    if sides is not None:
+        told.fields.setdefault("width", sides[0])
+        told.fields.setdefault("height" if part in ("door", "window") else "depth", sides[1])
+        told.taken.append(span)
+
+
 def _is_reference(
-    text: str, match: re.Match[str], kinds: tuple[str, ...], part: str, before: list[StatedOpening]
+    text: str,
+    match: re.Match[str],
+    kinds: tuple[str, ...],
+    part: str,
+    before: list[StatedOpening],
+    fields: dict[str, Any],
 ) -> bool:
     """Whether a noun only names an opening that something else is at: "a bench under the long window"."""
     determiner = (match["count"] or "").strip()
@@ -262,6 +314,10 @@ def _is_reference(
     sentence = re.split(r"[.;(]", text[: match.start()])[-1]
     joined = sentence.rstrip().endswith(" and") and re.search(r"\bbetween\b[^,]*$", sentence) is not None
     if preposition is None and not joined:
+        return False
+    if part in ("niche", "breast") and fields:
+        return False  # "a bench in the recess opposite the door"
+    if not joined and fields.keys() & {"width", "height", "sill"} and determiner in ("a", "an", "one", "two", "three"):
         return False
     told = set(kinds) - set(_KNOWN["usual"])
     if joined or not told or preposition is not None and preposition["word"] in ("to", "of", "from", "no", "without"):
@@ -313,6 +369,9 @@ def _fields(clause: str, number: int, fields: dict[str, Any]) -> list[tuple[int,
     if "width" not in fields and (m := re.search(rf"^\s*(?:of\s|about\s|at least\s|is\s)*({PLAIN})\s*$", clause)):
         fields["width"] = plain_length(m[1])
         spans.append(m.span(1))
+    if m := _WHOLE.search(clause):
+        fields.setdefault("at", "along")
+        spans.append(m.span())
     if m := _CORNER.search(clause):
         fields.setdefault("at", m["side"] if m["side"] in ("left", "right") else "corner")
         for word in (m["of"],) if m["of"] else ():
