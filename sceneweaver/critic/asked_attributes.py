@@ -55,7 +55,7 @@ def outcomes(
             continue  # of seats and tables together, see `asked_states`
         item = attribute.id or f"{asked.id}.{attribute.kind}" + (f"-{k}" if attribute.kind in ("other", "part") else "")
         yield _outcome(asked, attribute, item, bodies, windows)
-    if sum(size is not None for size in asked.size) > lengths and bodies:
+    if sum(size is not None for size in asked.size) > lengths and bodies and not asked.sized_for_people:
         yield _measured_size(asked, bodies)
 
 

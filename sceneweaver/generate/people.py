@@ -64,6 +64,8 @@ class _Draft:
     def change(self, entity: Entity, **changed: object) -> None:
         """Something that the request names, with what follows of it."""
         at = next(k for k, one in enumerate(self.entities) if one.id == entity.id)
+        if "size" in changed and not any(entity.size):
+            changed["sized_for_people"] = True
         self.entities[at] = entity.model_copy(update=changed)
 
     def now(self, name: str) -> Entity:
