@@ -12,6 +12,9 @@ from .model import Attribute
 
 _DETAIL = re.compile(r"(?P<look>.+) (?P<part>[a-z]+)")
 
+_CONTENT = re.compile(r"(?: of| with)? (?:of|with) .*$")
+"""What is in a vessel, behind how full it is."""
+
 PULLED_OUT = "pulled out by"
 """What an attribute says of seats that are not pushed in, before how far [m] they are."""
 
@@ -24,7 +27,7 @@ def state_as_told(category: str, told: Attribute) -> State | None:
     part, _, rest = told.value.partition(" ")
     if part.rstrip("s") in PARTS:
         return state_of(category, rest, part.rstrip("s"))
-    return state_of(category, told.value)
+    return state_of(category, told.value) or state_of(category, _CONTENT.sub("", told.value))
 
 
 def posture_as_told(state: State, told: Attribute) -> str | None:
