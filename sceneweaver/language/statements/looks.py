@@ -34,6 +34,7 @@ _NEXT = re.compile(r"[ -]*([a-z][a-z'-]*)")
 
 def read_looks(source: Source, parsed: Parsed) -> None:
     """Read what a request says of the look of its room; what names nothing else goes out of the source."""
+    _schemes(source, parsed)
     latest = _limit(source, parsed)
     _years(source, parsed)
     _glow(source, parsed)
@@ -64,6 +65,21 @@ def add(parsed: Parsed, source: Source, name: str, match: re.Match[str], years: 
     if not row_years(match) and any(one.name == name for one in parsed.room_looks):
         years = None  # said again: the year that was named counts
     parsed.room_looks.append(StatedLook(name=name, years=years, words=match[0].strip(" ,."), span=span))
+
+
+def _schemes(source: Source, parsed: Parsed) -> None:
+    """Colours that are said of somebody, and are the room's: "in the team colours navy and orange"."""
+    hue = rf"\b(?:{one_of(list(color_words()))})\b"
+    whose = one_of(words("looks")["whose_colors"])
+    listed = rf"(?P<list>{hue}(?:\s*(?:,\s*and\s|,|and|&|/)\s*{hue}){{0,4}})"
+    own = r"(?:\bin )?(?:\b(?:the|our|his|her|my|their|its) )*"
+    pattern = re.compile(rf"{own}\b{whose} colou?rs?(?: (?:are|is|of|being)|\s*:|,)?\s+{listed}")
+
+    def take(match: re.Match[str]) -> str:
+        parsed.colors += re.findall(hue, match["list"])
+        return " "
+
+    source.blank(pattern, take)
 
 
 def row_years(match: re.Match[str]) -> bool:
