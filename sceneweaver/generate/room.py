@@ -366,6 +366,7 @@ def _object(one: Wanted, space: Room, over: float, clear: bool, places: Places) 
     top = places.tops.get(one.id)
     added = top is not None and top.name not in {s.name for s in obj.surfaces}
     surfaces = (*obj.surfaces, top) if top is not None and added else obj.surfaces
+    surfaces = (*surfaces, *places.hooks.get(one.id, ()))
     return obj.model_copy(update={"intent": intent, "surfaces": surfaces, "zones": zones})
 
 

@@ -85,7 +85,9 @@ Activity = Literal["sit", "sleep", "work", "eat", "stand", "wait", "use"]
 PLACES = ("wall", "window", "door", "corner", "middle", "ceiling", "floor", "room")
 """Targets that are parts of the room. ``wall:left`` (right, far, near, north ...) is as seen from the door, or by
 compass with y north; ``wall:long``, ``wall:short`` (an end of the room), ``wall:side`` (left or right), ``wall:window``
-and ``wall:door`` are any such wall; ``corner:far+left`` is the corner of these two, ``corner:far`` one of two."""
+and ``wall:door`` are any such wall, ``wall:niche``, ``wall:bay`` and ``wall:breast`` parts of walls that stand back or
+forward, ``wall:beside_breast`` and ``wall:breast_opening`` what is beside a breast and open in it; ``corner:far+left``
+is the corner of these two, ``corner:far`` one of two."""
 
 
 class Span(NamedTuple):
@@ -188,13 +190,19 @@ class StatedOpening(FrozenModel):
     """Doors, windows or parts of the shell of one kind that a request describes.
 
     ``wall`` is as seen from the first door (left, right, far, near), by compass, by length (long, short), or opposite
-    another opening; ``at`` is where along it.
+    another opening; ``at`` is where along it. Slopes, sunken floors, windows in roofs and shapes of ceilings
+    are told and not built.
     """
 
     id: str = ""
-    part: Literal["door", "window", "niche", "column"]
+    part: Literal["door", "window", "niche", "breast", "roof_window", "slope", "sunk_floor", "ceiling_shape"]
     count: int = 1
-    wall: Literal["left", "right", "far", "near", "north", "south", "east", "west", "long", "short", "any"] = "any"
+    wall: Literal["left", "right", "side", "far", "near", "north", "south", "east", "west", "long", "short", "any"] = (
+        "any"
+    )
+    run: Literal["long", "short", "any"] = Field(
+        default="any", description="Whether its wall is a long or a short one, where a side is said as well"
+    )
     at: Literal["middle", "left", "right", "corner", "along", "any"] = Field(
         default="any", description="'along' runs over the length of the wall; left and right as seen from the room"
     )
@@ -205,6 +213,7 @@ class StatedOpening(FrozenModel):
     width: float | None = Field(default=None, description="[m]")
     height: float | None = Field(default=None, description="[m]")
     sill: float | None = Field(default=None, description="[m]")
+    depth: float | None = Field(default=None, description="Of a niche or a breast [m]")
     features: tuple[str, ...] = Field(default=(), description="Double, sliding, to a bathroom, stained glass, ...")
     words: str = ""
     span: Span | None = None
@@ -265,6 +274,8 @@ class Arrangement(FrozenModel):
     groups: int | None = Field(default=None, description="Groups, or stacks")
     sides: tuple[int, ...] = Field(default=(), description="How many are on one side, and on the other")
     spacing: float | None = Field(default=None, description="Clear between neighbours, or rows of one column [m]")
+    pitch: float | None = Field(default=None, description="Between the middles of neighbours [m]")
+    at_least: bool = Field(default=False, description="Whether the pitch may be more")
     aisle: float | None = Field(default=None, description="Way through the middle, from front to back [m]")
     upright: bool = Field(default=False, description="Whether rows are one above the other, at a wall")
     height: float | None = Field(default=None, description="Up to which a stack reaches [m]")

@@ -45,9 +45,7 @@ class FloorFinish(FrozenModel):
 
     material: FloorMaterial = Field(default="wood", description="What it is laid of")
     tone: Name | None = Field(default=None, description="A finish of wood, else a colour; null: the usual one")
-    pattern: FloorPattern | None = Field(
-        default=None, description="How it is laid, or which stone; null: as usual"
-    )
+    pattern: FloorPattern | None = Field(default=None, description="How it is laid, or which stone; null: as usual")
     second: Name | None = Field(default=None, description="The other colour of a pattern of two")
 
 

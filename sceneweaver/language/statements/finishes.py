@@ -129,6 +129,8 @@ def _floor(words: Sequence[str], before: bool) -> tuple[dict[str, Any] | None, i
 
 def _surface(words: Sequence[str], before: bool) -> tuple[dict[str, Any] | None, int]:
     """What walls or a ceiling are of, and how many of the words say it."""
+    if not words:
+        return None, 0
     color, used = _color(words, before)
     if color is not None:
         rest = words[: len(words) - used] if before else words[used:]
