@@ -12,10 +12,12 @@ from functools import cache
 from typing import Any
 
 from sceneweaver.assets.materials import color_words
+from sceneweaver.assets.roles import groups_above
 
 from ..model import Attribute, AttributeKind
 from ..parsed import Parsed, Told
 from ..source import Source
+from ..things import match_of
 from ..told_states import EACH_OF
 from ..vocabulary import vocabulary, words
 from .phrases import NUMBER, Edits, noun_before, number_of, one_of
@@ -74,10 +76,17 @@ def _add(source: Source, parsed: Parsed, edits: Edits, found: re.Match[str], sai
     noun = noun if is_thing(noun) else thing_before(text, start)
     if not said or not is_thing(noun) or _goes_on(text, found.end()):
         return
+    if any(one["value"].endswith(" fronts") for one in said) and not _has_fronts(noun):
+        return  # "cushions and green doors"
     span = edits.take(start, found.end())
     for one in said:
         attribute = Attribute(span=span, **one)
         parsed.appearances.append(Told(attribute, noun, after=False, named=True))
+
+
+def _has_fronts(noun: str) -> bool:
+    """Whether a thing has doors or drawers."""
+    return bool(groups_above(match_of(noun).category) & {"storage", "appliance", "table_group", "bed_group"})
 
 
 def _goes_on(text: str, end: int) -> bool:

@@ -67,7 +67,8 @@ def _add(source: Source, parsed: Parsed, edits: Edits, found: re.Match[str]) -> 
     if not after and apart and _meant(noun, found["state"], part) is None:
         noun = _able_before(text, start, found["state"], part) or noun
     state = _meant(noun, found["state"], part)
-    for opened in ("door", "lid"):  # "the wardrobe open" is its doors, "open shelves" have none
+    # "The wardrobe open" is its doors, "open shelves" have none.
+    for opened in ("drawer",) if singular(spoken).endswith("drawer") else ("door", "lid"):
         if state is None and not groups.get("part") and not after:
             part = opened
             state = _meant(noun, found["state"], part)
