@@ -78,6 +78,7 @@ def _schemes(source: Source, parsed: Parsed) -> None:
 
     def take(match: re.Match[str]) -> str:
         parsed.colors += re.findall(hue, match["list"])
+        parsed.referred.append(source.span(*match.span()))
         return " "
 
     source.blank(pattern, take)

@@ -71,7 +71,7 @@ def _add(source: Source, parsed: Parsed, edits: Edits, found: re.Match[str]) -> 
     for opened in ("drawer",) if singular(spoken).endswith("drawer") else ("door", "lid"):
         if state is None and not groups.get("part") and not after:
             part = opened
-            state = _meant(noun, found["state"], part)
+            state = _meant(noun, found["state"], part) if opened != "lid" or _has_lid(noun) else None
     if state is None:
         return
     if found["state"] in state.after and (after or not re.search(r"[a-z]\s+$", text[:start] + " ")):
@@ -161,6 +161,11 @@ def _meant(noun: str, word: str, part: str) -> State | None:
         if state is not None:
             return state
     return None
+
+
+def _has_lid(noun: str) -> bool:
+    """Whether something that is open has its lid open: a box has, a book has none."""
+    return bool(groups_above(match_of(noun).category) & {"container", "storage", "cookware", "appliance", "sanitary"})
 
 
 @cache
