@@ -155,7 +155,7 @@ def _able_before(text: str, start: int, word: str, part: str) -> str:
 def _meant(noun: str, word: str, part: str) -> State | None:
     if not noun:
         return None
-    for name in dict.fromkeys((noun, singular(noun))):  # "glasses" may be spectacles, a glass is not
+    for name in filter(None, dict.fromkeys((noun, singular(noun)))):  # "glasses" may be spectacles, a glass is not
         match = match_of(name)
         state = None if match.how == "generic" else state_of(match.category, word, part)
         if state is not None:
@@ -165,7 +165,9 @@ def _meant(noun: str, word: str, part: str) -> State | None:
 
 def _has_lid(noun: str) -> bool:
     """Whether something that is open has its lid open: a box has, a book has none."""
-    return bool(groups_above(match_of(noun).category) & {"container", "storage", "cookware", "appliance", "sanitary"})
+    return bool(noun) and bool(
+        groups_above(match_of(noun).category) & {"container", "storage", "cookware", "appliance", "sanitary"}
+    )
 
 
 @cache
