@@ -164,6 +164,12 @@ def shades_of(name: str) -> tuple[str, ...]:
     return tuple(_colors()["hues"][name])
 
 
+def contents_of(category: str) -> str:
+    """The finish of what is in a vessel of a category."""
+    rows: dict[str, list[str]] = _materials()["contents"]
+    return next((name for name, of in rows.items() if category in of), "amber glass")
+
+
 @cache
 def own_look() -> frozenset[str]:
     """The categories whose colours are their own in any room."""

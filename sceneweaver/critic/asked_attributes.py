@@ -12,7 +12,13 @@ from sceneweaver.assets.looks import Words, read_words
 from sceneweaver.assets.materials import STYLES, color_named, color_words, finishes_named
 from sceneweaver.assets.roles import has_role
 from sceneweaver.language import Attribute, Entity
-from sceneweaver.language.told_states import detail_as_told, posture_as_told, pulled_as_told, state_as_told
+from sceneweaver.language.told_states import (
+    colors_as_told,
+    detail_as_told,
+    posture_as_told,
+    pulled_as_told,
+    state_as_told,
+)
 from sceneweaver.language.vocabulary import words
 from sceneweaver.rules.faults import fault_kind
 from sceneweaver.scene import InputError, Window
@@ -79,6 +85,8 @@ def _outcome(
     if not bodies:
         reason = f"no '{asked.noun}' is there to be {words}"
         return unmet("attribute", item, (), reason, fault="missing_attribute")
+    if colors := colors_as_told(attribute):
+        return _varied(attribute, item, bodies, colors)
     test = _test(attribute, asked, windows)
     answers = [(b, answer) for b in bodies if test is not None and (answer := test.of(b)) is not None]
     ids = [b.id for b in bodies]
@@ -109,6 +117,18 @@ def _outcome(
         suggestion=f"replace {names} by {words} {kinds.words(asked.category)}",
         call=_resized(attribute, asked, body, number) if attribute.kind == "size" else None,
     )
+
+
+def _varied(attribute: Attribute, item: str, bodies: Sequence[Body], colors: Sequence[str]) -> Asked:
+    """Whether things have the colours between them that are listed, or so many of them as there are things."""
+    wanted = {_color(color) for color in colors}
+    there = {_color(str(b.item.attributes.get("color"))) for b in bodies}
+    good, least = len(there & wanted), min(len(wanted), len(bodies))
+    ids, number = [b.id for b in bodies], counted("different colours", good, least, len(wanted))
+    words = attribute.words or attribute.value
+    if good >= least:
+        return met("attribute", item, ids, f"'{words}': {', '.join(sorted(there))}", number)
+    return unmet("attribute", item, ids, f"'{words}': only {', '.join(sorted(there))}", number, fault="wrong_color")
 
 
 def _test(attribute: Attribute, asked: Entity, windows: Sequence[Window]) -> _Test | None:

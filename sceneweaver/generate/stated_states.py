@@ -9,7 +9,13 @@ from typing import Any
 from sceneweaver.assets import Library
 from sceneweaver.assets.states import State
 from sceneweaver.language import Attribute, SceneGraph
-from sceneweaver.language.told_states import detail_as_told, posture_as_told, pulled_as_told, state_as_told
+from sceneweaver.language.told_states import (
+    colors_as_told,
+    detail_as_told,
+    posture_as_told,
+    pulled_as_told,
+    state_as_told,
+)
 from sceneweaver.scene import CATALOGUE, Relation, Window
 
 from .program import Wanted
@@ -58,6 +64,10 @@ def with_stated_looks(wanted: Sequence[Wanted], brief: SceneGraph, library: Libr
         parts = tuple(detail for told in asked.attributes if (detail := detail_as_told(told)) is not None)
         for one in things if parts else ():
             _drawn(one, library, details=parts)
+        for told in asked.attributes:
+            colors = colors_as_told(told)
+            for k, one in enumerate(things if colors else ()):
+                _drawn(one, library, color=colors[k % len(colors)])
         start = 0
         counted = [told for told in asked.attributes if told.count is not None and told.kind in ("color", "material")]
         for k, told in enumerate(counted):

@@ -12,8 +12,14 @@ from .model import Attribute
 
 _DETAIL = re.compile(r"(?P<look>.+) (?P<part>[a-z]+)")
 
+_CONTENT = re.compile(r"(?: of| with)? (?:of|with) .*$")
+"""What is in a vessel, behind how full it is."""
+
 PULLED_OUT = "pulled out by"
 """What an attribute says of seats that are not pushed in, before how far [m] they are."""
+
+EACH_OF = "each of"
+"""What an attribute says of things that have several colours between them, before these."""
 
 PARTS = ("drawer", "door", "lid")
 """Parts that words about a state may begin with: "drawer pulled out"."""
@@ -24,7 +30,7 @@ def state_as_told(category: str, told: Attribute) -> State | None:
     part, _, rest = told.value.partition(" ")
     if part.rstrip("s") in PARTS:
         return state_of(category, rest, part.rstrip("s"))
-    return state_of(category, told.value)
+    return state_of(category, told.value) or state_of(category, _CONTENT.sub("", told.value))
 
 
 def posture_as_told(state: State, told: Attribute) -> str | None:
@@ -38,6 +44,11 @@ def pulled_as_told(told: Attribute) -> float | None:
     return float(far) if told.kind == "state" and words == PULLED_OUT else None
 
 
+def colors_as_told(told: Attribute) -> tuple[str, ...]:
+    """The colours that things have between them, each its own; none where nothing of that is said."""
+    return tuple(told.value.removeprefix(f"{EACH_OF} ").split(", ")) if told.value.startswith(EACH_OF) else ()
+
+
 def detail_as_told(told: Attribute) -> tuple[str, str] | None:
     """The part, by the name that drawings know, and the look that an attribute says it has: ("top", "black marble")."""
     found = _DETAIL.fullmatch(told.value) if told.kind == "part" else None
@@ -49,8 +60,17 @@ def words_of_whole(attributes: Iterable[Attribute]) -> str:
     return " ".join(
         told.words
         for told in attributes
-        if told.kind != "state" and told.count is None and detail_as_told(told) is None
+        if told.kind != "state" and told.count is None and detail_as_told(told) is None and not colors_as_told(told)
     )
 
 
-__all__ = ["PULLED_OUT", "detail_as_told", "posture_as_told", "pulled_as_told", "state_as_told", "words_of_whole"]
+__all__ = [
+    "EACH_OF",
+    "PULLED_OUT",
+    "colors_as_told",
+    "detail_as_told",
+    "posture_as_told",
+    "pulled_as_told",
+    "state_as_told",
+    "words_of_whole",
+]

@@ -3,6 +3,7 @@
 import pytest
 
 from sceneweaver.language import read_request
+from sceneweaver.language.told_states import colors_as_told
 
 SAID = [
     (
@@ -33,3 +34,23 @@ def test_a_look_is_of_its_thing(text, category, wanted):
 @pytest.mark.parametrize("text", ["a den with walls in pale blue", "a den, blue, white and airy"])
 def test_colours_of_rooms_are_of_no_thing(text):
     assert not read_request(text).entities
+
+
+@pytest.mark.parametrize(
+    ("text", "category", "colors"),
+    [
+        ("a changing room with six lockers, each in another colour", "locker", ("red", "orange", "yellow")),
+        ("a playroom, four stools all in different colours", "stool", ("red", "orange", "yellow")),
+        ("a hall with three armchairs in red, white and navy", "armchair", ("red", "white", "navy")),
+    ],
+)
+def test_things_have_several_colors_between_them(text, category, colors):
+    entity = read_request(text).entity(category)
+    assert entity is not None and entity.color is None
+    (told,) = [found for one in entity.attributes if (found := colors_as_told(one))]
+    assert told[:3] == colors
+
+
+def test_the_colors_of_a_team_are_the_rooms():
+    brief = read_request("a den in the club colours orange and navy, a sofa")
+    assert brief.colors == ("orange", "navy") and [e.category for e in brief.entities] == ["sofa"]

@@ -45,3 +45,10 @@ def test_many(text: str, said: set[tuple[str, str]]) -> None:
     graph = read_request(text)
     by_id = {entity.id: entity.category for entity in graph.entities}
     assert {(by_id[amount.entity], amount.spread) for amount in graph.amounts} == said
+
+
+def test_what_was_said_of_things_before_makes_no_list():
+    brief = read_request("a student's room, bed unmade, clothes all over the floor")
+    assert [brief.entity(one.entity).category for one in brief.amounts] == ["folded_clothes"]
+    brief = read_request("an office, paper around the bin, mugs everywhere")
+    assert [brief.entity(one.entity).category for one in brief.amounts] == ["mug"]

@@ -88,3 +88,8 @@ def test_things_have_their_time() -> None:
     assert form_of("tv", out_of_time(1962)) == "tube_television" and form_of("tv", out_of_time(1890)) is None
     assert stand_in(("laptop",), out_of_time(1935))[0] == "typewriter"
     assert "typewriter" not in stand_in(("laptop",), out_of_time(1780))
+
+
+def test_the_side_of_the_sun_is_that_of_a_window():
+    (found,) = read_request("a library, late sun from the left").openings
+    assert (found.part, found.wall) == ("window", "left")

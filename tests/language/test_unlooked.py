@@ -51,3 +51,8 @@ def test_a_thing_that_is_not_wanted_is_no_look():
 def test_a_style_that_is_not_wanted_is_not_taken():
     brief = read_request("a parlour, nothing modern")
     assert brief.style is None and brief.exclusions[0].styles == ("modern",)
+
+
+def test_nothing_with_a_thing_wants_none_of_it():
+    brief = read_request("a boy's bedroom, nothing with dinosaurs")
+    assert not brief.entities and "toy_dinosaur" in brief.without

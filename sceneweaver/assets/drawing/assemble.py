@@ -18,6 +18,7 @@ from ..prisms import prisms_of
 from ..zones import access_zones, opening_zones
 from .bare import Bare, Slot
 from .box import Interval
+from .contents import filled
 from .drawing import Drawing
 from .layout import texture_coordinates
 from .masses import bulk_of
@@ -36,8 +37,10 @@ def bare_of(drawing: Drawing) -> Bare:
     """All that was drawn, without its finishes."""
     drawn, category, request = drawing.drawn, drawing.category, drawing.request
     slots: dict[Slot, int] = {}
-    slot = np.array([slots.setdefault(_slot(piece), len(slots)) for piece in drawn.pieces], dtype=np.int32)
-    mesh = _mesh(drawn.pieces, slot)
+    inside = filled(drawn.pieces, drawn.interiors, request.posture, category.name)
+    pieces = [*drawn.pieces, *inside]
+    slot = np.array([slots.setdefault(_slot(piece), len(slots)) for piece in pieces], dtype=np.int32)
+    mesh = _mesh(pieces, slot)
     low, high = mesh.bounds
     shift = np.array([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]])
     mesh.vertices[:] -= shift
@@ -79,15 +82,15 @@ def bare_of(drawing: Drawing) -> Bare:
     asset = mirrored(asset) if request.mirrored else asset
     if request.posture is not None:
         placed = postured(asset, request.posture, drawn.groups)
-        if placed is not asset or drawing.posed:
+        if placed is not asset or drawing.posed or inside:
             shown["posture"] = request.posture
         asset = placed
     return Bare(
         asset=asset,
         slots=tuple(slots),
         slot=slot,
-        faces=np.array([len(piece.faces) for piece in drawn.pieces], dtype=np.int32),
-        bulk=bulk_of(drawn.pieces, len(drawn.links)),
+        faces=np.array([len(piece.faces) for piece in pieces], dtype=np.int32),
+        bulk=bulk_of(pieces, len(drawn.links)),
         mass=category.mass,
         shown=shown,
     )

@@ -11,9 +11,14 @@ from collections.abc import Iterator
 from functools import cache
 from typing import Any
 
+from sceneweaver.assets.materials import color_words
+from sceneweaver.assets.roles import groups_above
+
 from ..model import Attribute, AttributeKind
 from ..parsed import Parsed, Told
 from ..source import Source
+from ..things import match_of
+from ..told_states import EACH_OF
 from ..vocabulary import vocabulary, words
 from .phrases import NUMBER, Edits, noun_before, number_of, one_of
 from .resolve import is_thing, thing_before
@@ -28,11 +33,39 @@ _ENDS = (
 def read_appearances(source: Source, parsed: Parsed) -> None:
     """Adds what is said so of things, and takes its words out."""
     edits = Edits(source)
+    for found in list(_varied().finditer(source.text)):
+        _vary(source, parsed, edits, found)
     shared, behind, trailing, part = _patterns()
     for pattern, read in ((shared, _shared), (part, _part), (behind, _whole), (trailing, _whole)):
         for found in list(pattern.finditer(source.text)):
             if edits.free(*found.span()):
                 _add(source, parsed, edits, found, list(read(found)))
+
+
+def _vary(source: Source, parsed: Parsed, edits: Edits, found: re.Match[str]) -> None:
+    """Things that have several colours between them: those that are listed, or as many as there are."""
+    noun = noun_before(source.text, found.start())
+    noun = noun if is_thing(noun) else thing_before(source.text, found.start())
+    if not is_thing(noun) or _goes_on(source.text, found.end()):
+        return
+    listed = re.findall(one_of(list(color_words())), found["list"] or "") or words("states")["rainbow"]
+    said = " ".join(found[0].split()).strip(" ,:(")
+    span = edits.take(*found.span())
+    what = Attribute(kind="other", value=f"{EACH_OF} {', '.join(listed)}", words=said, span=span)
+    parsed.appearances.append(Told(what, noun, after=False, named=True))
+
+
+@cache
+def _varied() -> re.Pattern[str]:
+    """ "Each a different colour", "all in different colours", "in red, yellow, green and blue"."""
+    color, hue = r"colou?rs?", rf"\b{one_of(list(color_words()))}\b"
+    other = r"(?:a\s|an\s)?(?:different|another|other|separate|unique|own)(?:\sone)?"
+    has, many = r"(?:(?:in|is|has|with|painted|of)\s)*(?:its\s)?", "different|various|mixed|assorted|many|several|all"
+    each = rf"(?:each|every)(?:\sone)?(?:\sof\s(?:them|these))?\s{has}{other}\s{color}"
+    mixed = rf"(?:(?:are|is|come|all)\s)*(?:in|of)\s(?:all\s)?(?:{many})\s{color}"
+    bow = rf"(?:in\s)?(?:(?:the\s)?rainbow\s{color}|(?:all\s)?(?:the\s)?{color}\sof\sthe\srainbow)"
+    some = rf"in\s(?P<list>{hue}(?:\s*,\s*{hue}){{1,6}}\s*,?\s+and\s+{hue})"
+    return re.compile(rf"(?:,\s*)?\b(?:{each}|{mixed}|{bow}|{some})\b{_ENDS}")
 
 
 def _add(source: Source, parsed: Parsed, edits: Edits, found: re.Match[str], said: list[dict[str, Any]]) -> None:
@@ -43,10 +76,17 @@ def _add(source: Source, parsed: Parsed, edits: Edits, found: re.Match[str], sai
     noun = noun if is_thing(noun) else thing_before(text, start)
     if not said or not is_thing(noun) or _goes_on(text, found.end()):
         return
+    if any(one["value"].endswith(" fronts") for one in said) and not _has_fronts(noun):
+        return  # "cushions and green doors"
     span = edits.take(start, found.end())
     for one in said:
         attribute = Attribute(span=span, **one)
         parsed.appearances.append(Told(attribute, noun, after=False, named=True))
+
+
+def _has_fronts(noun: str) -> bool:
+    """Whether a thing has doors or drawers."""
+    return bool(groups_above(match_of(noun).category) & {"storage", "appliance", "table_group", "bed_group"})
 
 
 def _goes_on(text: str, end: int) -> bool:

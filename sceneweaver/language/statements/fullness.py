@@ -10,6 +10,7 @@ from ..model import Amount
 from ..parsed import Parsed
 from ..source import Source
 from ..vocabulary import words
+from .phrases import listed
 
 _CLAUSE = re.compile(r"[.;:!?\n(]|,\s*(?=\w+\s+\w+\s+(?:is|are)\b)")
 _AND = re.compile(r"\s*(?:,|/|&|\band\b|\bor\b|\bplus\b)\s*")
@@ -17,6 +18,9 @@ _WORD = re.compile(r"[a-z][a-z'-]*")
 
 LONGEST = 3
 """Words of a noun before its spread that are looked at."""
+
+
+_DEFINITE = ("the", "its", "her", "his", "my", "our", "their")
 
 
 def fullness(source: Source, parsed: Parsed) -> None:
@@ -51,7 +55,8 @@ def _before(text: str) -> Iterator[str]:
     """The nouns at the end of a text: of its last clause, as far as they are listed."""
     no_noun = words("fullness")["no_noun"]
     clause = _CLAUSE.split(text)[-1]
-    for part in reversed(_AND.split(clause.rstrip(" ,"))):
+    clause = re.split(r"\s{2,},", clause)[-1]  # what was said of a thing before has been read: it is no list
+    for k, part in enumerate(reversed(_AND.split(clause.rstrip(" ,")))):
         spoken = _WORD.findall(part)
         noun: list[str] = []
         for word in reversed(spoken):
@@ -59,8 +64,9 @@ def _before(text: str) -> Iterator[str]:
                 break
             if word not in no_noun:
                 noun.insert(0, word)
-        if not noun:
-            return
+        before = spoken[-len(noun) - 1 : len(spoken) - len(noun)]
+        if not noun or (k and before and before[0] in (*_DEFINITE, *listed("prepositions"))):
+            return  # "paper around the bin, cups everywhere": no list
         yield " ".join(noun[-LONGEST:])
         if len(noun) < len(spoken):  # what comes before is no list any more
             return

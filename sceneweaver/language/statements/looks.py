@@ -14,7 +14,7 @@ from sceneweaver.assets.materials import color_named, color_words
 from sceneweaver.assets.materials import hue as hue_of
 from sceneweaver.knowledge.looks import Years, look_words, looks, time_of
 
-from ..model import StatedLook
+from ..model import StatedLook, StatedOpening
 from ..parsed import Parsed
 from ..source import Source
 from ..vocabulary import vocabulary, words
@@ -34,6 +34,8 @@ _NEXT = re.compile(r"[ -]*([a-z][a-z'-]*)")
 
 def read_looks(source: Source, parsed: Parsed) -> None:
     """Read what a request says of the look of its room; what names nothing else goes out of the source."""
+    _schemes(source, parsed)
+    _sun_side(source, parsed)
     latest = _limit(source, parsed)
     _years(source, parsed)
     _glow(source, parsed)
@@ -64,6 +66,39 @@ def add(parsed: Parsed, source: Source, name: str, match: re.Match[str], years: 
     if not row_years(match) and any(one.name == name for one in parsed.room_looks):
         years = None  # said again: the year that was named counts
     parsed.room_looks.append(StatedLook(name=name, years=years, words=match[0].strip(" ,."), span=span))
+
+
+def _schemes(source: Source, parsed: Parsed) -> None:
+    """Colours that are said of somebody, and are the room's: "in the team colours navy and orange"."""
+    hue = rf"\b(?:{one_of(list(color_words()))})\b"
+    whose = one_of(words("looks")["whose_colors"])
+    listed = rf"(?P<list>{hue}(?:\s*(?:,\s*and\s|,|and|&|/)\s*{hue}){{0,4}})"
+    own = r"(?:\bin )?(?:\b(?:the|our|his|her|my|their|its) )*"
+    pattern = re.compile(rf"{own}\b{whose} colou?rs?(?: (?:are|is|of|being)|\s*:|,)?\s+{listed}")
+
+    def take(match: re.Match[str]) -> str:
+        parsed.colors += re.findall(hue, match["list"])
+        parsed.referred.append(source.span(*match.span()))
+        return " "
+
+    source.blank(pattern, take)
+
+
+def _sun_side(source: Source, parsed: Parsed) -> None:
+    """ "Late sun from the left": there is a window on that side."""
+    pattern = re.compile(
+        r"(?:\bsun(?:light|shine)?|\blight|\bdaylight)(?P<from> (?:\w+ ){0,2}?from the (?P<side>left|right))\b"
+    )
+
+    def take(match: re.Match[str]) -> str:
+        start, end = match.start("from") + 1, match.end()
+        if not any(one.part == "window" for one in parsed.stated_openings):
+            side = "left" if match["side"] == "left" else "right"
+            span = source.span(start, end)
+            parsed.stated_openings.append(StatedOpening(part="window", wall=side, words=match[0], span=span))
+        return match[0][: start - match.start()]
+
+    source.blank(pattern, take)
 
 
 def row_years(match: re.Match[str]) -> bool:

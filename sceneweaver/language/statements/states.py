@@ -67,9 +67,11 @@ def _add(source: Source, parsed: Parsed, edits: Edits, found: re.Match[str]) -> 
     if not after and apart and _meant(noun, found["state"], part) is None:
         noun = _able_before(text, start, found["state"], part) or noun
     state = _meant(noun, found["state"], part)
-    if state is None and not part and not after:  # "the wardrobe open" is its doors, "open shelves" have none
-        part = "door"
-        state = _meant(noun, found["state"], part)
+    # "The wardrobe open" is its doors, "open shelves" have none.
+    for opened in ("drawer",) if singular(spoken).endswith("drawer") else ("door", "lid"):
+        if state is None and not groups.get("part") and not after:
+            part = opened
+            state = _meant(noun, found["state"], part) if opened != "lid" or _has_lid(noun) else None
     if state is None:
         return
     if found["state"] in state.after and (after or not re.search(r"[a-z]\s+$", text[:start] + " ")):
@@ -154,8 +156,19 @@ def _able_before(text: str, start: int, word: str, part: str) -> str:
 def _meant(noun: str, word: str, part: str) -> State | None:
     if not noun:
         return None
-    match = match_of(noun)
-    return None if match.how == "generic" else state_of(match.category, word, part)
+    for name in filter(None, dict.fromkeys((noun, singular(noun)))):  # "glasses" may be spectacles, a glass is not
+        match = match_of(name)
+        state = None if match.how == "generic" else state_of(match.category, word, part)
+        if state is not None:
+            return state
+    return None
+
+
+def _has_lid(noun: str) -> bool:
+    """Whether something that is open has its lid open: a box has, a book has none."""
+    return bool(noun) and bool(
+        groups_above(match_of(noun).category) & {"container", "storage", "cookware", "appliance", "sanitary"}
+    )
 
 
 @cache
@@ -163,6 +176,7 @@ def _patterns() -> tuple[re.Pattern[str], ...]:
     spoken = one_of(list({word for row in states() for word in row.words if not row.part}))
     behind = one_of(list({word for row in states() for word in row.after}))
     opened = one_of(list({word for row in states() for word in row.words if row.part}))
+    alone = one_of(["ajar", "open", "opened", "half open", "wide open", "slightly open"])
     part = r"(?P<part>drawers?|doors?|lids?)"
     return tuple(
         re.compile(pattern)
@@ -170,6 +184,7 @@ def _patterns() -> tuple[re.Pattern[str], ...]:
             r"\b(?:(?:one|a|an|the|its|top|bottom|both|all|two|every|with|and)\s){0,3}"
             rf"(?:(?P<noun>[a-z]+)\s)?{part}\s{_BE}(?P<state>{opened})\b",
             rf"\b{_MANY}{_BE}(?P<state>{spoken})\b",
+            rf"\b{_BE}(?P<state>{alone}){_END}",
             rf"\b{_BE}(?P<state>{behind}){_END}",
         )
     )

@@ -40,6 +40,7 @@ _LINK = rf"(?:\s*,?\s*(?:and|or|nor)\s+{_MORE}|\s*,\s*(?:(?:no|nothing|without)\
 
 def read_unlooked(source: Source, parsed: Parsed) -> None:
     """Read which looks are not wanted; the words go out of the source."""
+    _motifs(source, parsed)
     taken = list[tuple[int, int]]()
     for pattern in _patterns():
         for found in list(pattern.finditer(source.text)):
@@ -49,6 +50,21 @@ def read_unlooked(source: Source, parsed: Parsed) -> None:
             if end is not None:
                 taken.append((found.start(), end))
                 source.text = source.text[: found.start()] + " " * (end - found.start()) + source.text[end:]
+
+
+def _motifs(source: Source, parsed: Parsed) -> None:
+    """ "Nothing with dinosaurs": things that must not be there."""
+    for found in list(_motif().finditer(source.text)):
+        noun, end = noun_after(source.text, found.end())
+        if names := _things(noun):
+            said = source.text[found.start() : end].strip()
+            parsed.unwanted.append(Exclusion(words=said, categories=names, span=source.span(found.start(), end)))
+            source.text = source.text[: found.start()] + " " * (end - found.start()) + source.text[end:]
+
+
+@cache
+def _motif() -> re.Pattern[str]:
+    return re.compile(r"\bnothing\s+(?:with|about|to do with|that has|showing)\s+(?:any\s+|a\s+)?(?=[a-z])")
 
 
 def _add(source: Source, parsed: Parsed, found: re.Match[str]) -> int | None:
