@@ -273,7 +273,7 @@ def _entity(mention: Mention, notes: list[str]) -> Entity:
     seen: dict[tuple[str, str], Attribute] = {}
     for attribute in mention.attributes:
         seen.setdefault((attribute.kind, f"{attribute.words}{attribute.count or ''}"), attribute)
-    given: dict[str, Any] = {name: getattr(mention, name) for name in Entity.model_fields}
+    given: dict[str, Any] = {name: getattr(mention, name) for name in Entity.model_fields if hasattr(mention, name)}
     given["attributes"] = [a.model_copy(update={"id": f"{mention.id}/{k}"}) for k, a in enumerate(seen.values())]
     given |= {"count": count, "words": tuple(dict.fromkeys(mention.words)), "unnamed": tuple(mention.unnamed)}
     return Entity(**given)
