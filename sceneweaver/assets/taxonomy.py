@@ -223,9 +223,18 @@ def _compound(noun: str, asked: str) -> Match | None:
             return replace(found, modifiers=tuple(rest))
         if found.how == "like" or end in _lexicon()["not_heads"]:
             return None
-        note = f"'{noun}' is not known; a {categories()[found.category].words} stands for it"
-        return Match(found.category, "head", note, modifiers=tuple(rest))
+        name = _holder(end, strange[-1]) or found.category
+        note = f"'{noun}' is not known; a {categories()[name].words} stands for it"
+        return Match(name, "head", note, modifiers=tuple(rest))
     return None
+
+
+def _holder(end: str, held: str) -> str | None:
+    """What a rack is by the kind of thing that is on it: a "kimono rack" is one for clothes; None: as any rack."""
+    meant = noun_named(singular(held))
+    if meant is None or meant.sure < CERTAIN:
+        return None
+    return _lexicon()["holders"].get(end, {}).get(meant.kind)
 
 
 def _narrowed(found: Match, rest: list[str]) -> tuple[Match, list[str]]:
