@@ -22,7 +22,7 @@ from sceneweaver.language import read_request
         ("a sleeper carriage with two berths", "berth"),
         ("a gate lounge with a flight information display", "departure_board"),
         ("a theatre with a lighting rig", "lighting_truss"),
-        ("a locker room with a duckboard in front of the bench", "foot_grating"),
+        ("a locker room with a duckboard in front of the bench", "duckboard"),
         ("a clubhouse with a tactics board on the wall", "tactics_board"),
         ("a plant room with two circulation pumps", "pump"),
         ("a classroom with a laptop trolley", "laptop_cart"),
