@@ -14,6 +14,7 @@ from . import (
     asked_relations,
     asked_room,
     asked_states,
+    asked_views,
 )
 from .asked_clauses import doubted
 from .grade import Finding, finding
@@ -31,6 +32,7 @@ PARTS = (
     asked_relations.outcomes,
     asked_capacity.outcomes,
     asked_arrangements.outcomes,
+    asked_views.outcomes,
     asked_free.outcomes,
     asked_room.outcomes,
 )

@@ -30,8 +30,8 @@ DOES = {
     "use": "are there",
 }
 
-LONG = frozenset(("bench", "storage_bench", "waiting_bench", "booth_seat"))
-"""Seats for several beside sofas."""
+LONG = ("bench", "booth_seat", "banquette", "pew", "jury_box", "theater_seat")
+"""What the names of seats for several end with, beside sofas."""
 
 
 def outcomes(survey: Survey) -> Iterator[Asked]:
@@ -188,7 +188,9 @@ def _seats_at(survey: Survey, table: Body) -> list[Body]:
 
 
 def _is_seat(body: Body) -> bool:
-    return body.item.mount == "floor" and has_role(body.item.category, "sits_at_table", "lounge_seat", "backless_seat")
+    category = body.item.category
+    seat = has_role(category, "sits_at_table", "lounge_seat", "backless_seat") or "seating" in groups_above(category)
+    return body.item.mount == "floor" and seat
 
 
 def _is_covered(survey: Survey, seat: Body) -> bool:
@@ -210,16 +212,21 @@ def _is_table(body: Body) -> bool:
 
 def _on_all(seats: Sequence[Body]) -> int:
     """The people that sit on some seats; benches beside each other are as one that is so long."""
-    benches = [s for s in seats if s.item.category in LONG]
+    benches = [s for s in seats if _is_long(s)]
     return sum(_on(s) for s in seats if s not in benches) + (
         seat_places(sum(max(s.size[:2]) for s in benches)) if benches else 0
     )
 
 
+def _is_long(seat: Body) -> bool:
+    """Whether several people sit beside each other on a seat that is no sofa."""
+    return seat.item.category.endswith(LONG) and not seat.item.category.startswith("piano")
+
+
 def _on(seat: Body) -> int:
     """The people that sit on a seat."""
     limits, (depth, width, _) = fault_kind("too_few_places").limits, seat.size
-    if not has_role(seat.item.category, "sofa") and seat.item.category not in LONG:
+    if not has_role(seat.item.category, "sofa") and not _is_long(seat):
         return 1
     if seat.item.category == "sectional_sofa":
         return seat_places(width - limits["arms"]) + max(0, int((depth - limits["corner"]) / number("seat_width")))

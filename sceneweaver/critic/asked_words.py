@@ -75,6 +75,7 @@ def _read(graph: SceneGraph, span: Span) -> bool:
         *graph.free_areas,
         *graph.capacities,
         *graph.arrangements,
+        *graph.views,
         *graph.amounts,
         *graph.unread,
         *graph.relations,

@@ -200,7 +200,12 @@ def at_sides(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Check
     if not hosts:
         yield counted("things that they are around", 0, 1)
         return
-    host = hosts[0]
+    for host in hosts:  # each of several has its own
+        own = [b for b in bodies if min(hosts, key=lambda h: apart(b, h)) is host]
+        yield from _at_sides_of(host, said, own)
+
+
+def _at_sides_of(host: Body, said: Arrangement, bodies: Sequence[Body]) -> Checks:
     have: Counter[str] = Counter()
     for b in bodies:
         x, y = host.local(b.centre)

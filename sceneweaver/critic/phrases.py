@@ -63,7 +63,7 @@ def _words(graph: SceneGraph) -> dict[str, tuple[str, Span | None]]:
     found |= {f"room.{one.id}": (one.words, one.span) for one in graph.openings}
     for name in ("area", "height"):
         found[f"room.{name}"] = name, _of_length(graph, getattr(graph, name))
-    for name in ("free_area", "capacity", "arrangement", "amount"):
+    for name in ("free_area", "capacity", "arrangement", "amount", "view"):
         several = getattr(graph, {"capacity": "capacities"}.get(name, f"{name}s"))
         found |= {one.id or f"{name}-{k}": (one.words, one.span) for k, one in enumerate(several)}
     found |= {one.id: (one.words, one.span) for one in graph.measures}

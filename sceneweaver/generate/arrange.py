@@ -35,6 +35,7 @@ from .patterns import (
 )
 from .places import SEATED, seats_at_tables
 from .program import Wanted
+from .sights import turned_to_views
 from .stacks import rows_for
 from .stations import of_their_own, rows_before_walls
 from .units import Unit, composed, front_way, side_way, told_between
@@ -353,7 +354,9 @@ def patterned(rows: Iterable[Grounded], brief: SceneGraph, wanted: Sequence[Want
     patterns = laid_out(brief, wanted)
     followers = frozenset[str]().union(*(p.followers for p in patterns))
     seated = {(seat.subject, seat.target) for seat in _at_sides(brief, wanted)}
-    kept = [r for r in seats_at_tables(rows, brief, wanted) if not (r.subject in followers and r.type in DROPPED)]
+    kept = [
+        r for r in seats_at_tables(tuple(rows), brief, wanted) if not (r.subject in followers and r.type in DROPPED)
+    ]
     kept = [r for r in kept if (r.subject, r.target) not in seated]
     for one in patterns:
         kept = [r for r in kept if not _led_astray(r, one)]
@@ -368,7 +371,7 @@ def patterned(rows: Iterable[Grounded], brief: SceneGraph, wanted: Sequence[Want
         kept.append(row)
     for unit in units_of(brief, wanted, patterns):
         kept = _as_unit(kept, unit)
-    return kept
+    return [*kept, *turned_to_views(kept, brief, wanted)]
 
 
 def units_of(brief: SceneGraph, wanted: Sequence[Wanted], patterns: Sequence[Laid] | None = None) -> list[Unit]:
@@ -475,15 +478,15 @@ def _at_sides(brief: SceneGraph, wanted: Sequence[Wanted]) -> Iterator[Grounded]
         tables = [w for w in wanted if said.around and w.asked == said.around]
         if said.pattern != "sides" or not tables:
             continue
-        d, w, _ = tables[0].asset.size
         seats = iter([one for one in wanted if one.asked == said.entity])
-        order = ("front", "back", "left", "right") if w >= d else ("left", "right", "front", "back")
-        for side, count in zip(order, said.sides, strict=False):
-            for k in range(count):
-                seat = next(seats, None)
-                if seat is not None:
-                    params = {"side": side, "k": k, "n": count}
-                    yield Grounded(said.id, "seated_at", seat.id, tables[0].id, params)
+        for table in tables:
+            d, w, _ = table.asset.size
+            order = ("front", "back", "left", "right") if w >= d else ("left", "right", "front", "back")
+            for side, count in zip(order, said.sides, strict=False):
+                for k in range(count):
+                    seat = next(seats, None)
+                    if seat is not None:
+                        yield Grounded(said.id, "seated_at", seat.id, table.id, {"side": side, "k": k, "n": count})
 
 
 def _about_a_u(brief: SceneGraph, wanted: Sequence[Wanted]) -> Iterator[Grounded]:

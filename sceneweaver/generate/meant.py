@@ -101,6 +101,40 @@ def desks_spared(room_type: RoomType, brief: SceneGraph, roles: Mapping[str, Seq
     return frozenset(spared | {item.id for item in room_type.items if item.with_ in spared})
 
 
+SET_OUT = ("u", "rows", "circle", "semicircle", "cluster", "grid", "sides", "back_to_back")
+"""Arrangements of seats or tables that are the places of all people in a room."""
+
+AUDIENCE = 6
+"""Seats that a request counts from which on they are those of the room."""
+
+
+def places_spared(
+    room_type: RoomType, brief: SceneGraph, roles: Mapping[str, Sequence[str]], area: float, people: int
+) -> frozenset[str]:
+    """The desks and tables of a room at which several people have their places, with their seats: none where the
+    request sets out places of its own, such as tables in a U or seats in rows. What one person is at stays."""
+    if room_type.for_request:
+        return frozenset()
+    set_out = {a.entity for a in brief.arrangements if a.pattern in SET_OUT}
+    own = [e for e in brief.entities if "seating" in groups_of(e.category) or has_role(e.category, "seated_at")]
+    many = sum(e.count[0] for e in own if e.count and "seating" in groups_of(e.category))
+    if not any(e.id in set_out for e in own) and many < max(AUDIENCE, brief.people or 0):
+        return frozenset()
+    taken = {name for items in roles.values() for name in items}
+    hosts = {item.with_ for item in room_type.items if item.with_ and "seating" in groups_of(item.what[0])}
+    spared = {
+        item.id
+        for item in room_type.items
+        if item.id not in taken
+        and item.id in hosts
+        and any(has_role(name, "seated_at") for name in item.what)
+        and item.count.of(area, max(people, 2), 0.5) > 1
+    }
+    kept = {room_type.item(name).with_ for one, items in roles.items() if one not in set_out for name in items}
+    spared -= {name for name in kept if name}
+    return frozenset(spared | {item.id for item in room_type.items if item.with_ in spared})
+
+
 BEFORE = ("in_front_of", "facing", "at", "opposite")
 """Stated relations of a seat to what hangs on the wall before it."""
 

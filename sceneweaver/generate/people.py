@@ -37,6 +37,12 @@ SIZE_FOR_TWO = (0.7, 0.75, None)
 EDGE, SPARE = 0.6, 0.2
 """Length [m] of table edge for each of those who sit beside each other, and what a table has beyond that."""
 
+LOW_SET = ("playroom", "kindergarten", "childrens_room", "nursery", "nursery_school", "tea_house")
+"""Kinds of rooms where people sit at low tables on chairs or cushions."""
+
+BESIDE, ABOUT = 2, 4
+"""People at each of several tables in a row, and at each that stands by itself."""
+
 COVERED = 0.85
 """Share of a wall that things cover which are said to be a whole wall of it."""
 
@@ -89,8 +95,11 @@ def with_people(brief: SceneGraph, room_type: RoomType) -> SceneGraph:
         if one.own or not one.people:
             continue
         bench = _only_long_seat(draft) if target is None and not named else None
+        table = _only_table(draft) if target is None and not named and one.activity == "use" else None
         if one.activity == "sleep":
             _beds(draft, one, target)
+        elif table is not None:
+            _seats_at(draft, one, table)
         elif bench is not None:
             _long_seat(draft, one, bench)
         elif target is not None and family(target.category) == "seat" and not _is_worked_at(draft, target):
@@ -99,6 +108,7 @@ def with_people(brief: SceneGraph, room_type: RoomType) -> SceneGraph:
             _seats_at(draft, one, target)
         elif not named and one.activity != "use":
             _seats(draft, one)
+    _seats_of_the_table(draft)
     for said in brief.arrangements:
         _stacks(draft, said)
         _full_wall(draft, said)
@@ -124,6 +134,19 @@ def _work_benches(draft: _Draft) -> None:
             continue
         known = (c for item in draft.room.items for c in item.what if c.endswith("bench") and family(c) != "seat")
         draft.change(bench, category=next(known, "workbench"))
+
+
+def _seats_of_the_table(draft: _Draft) -> None:
+    """Chairs of which nothing is said, and the only table to sit at, of which nothing else is: they belong together."""
+    tables = [e for e in draft.entities if has_role(e.category, "dining_table", "coffee_table")]
+    low = bool(tables) and has_role(tables[0].category, "coffee_table")
+    set_out = {a.entity for a in draft.brief.arrangements} | {r.subject for r in draft.relations if r.targets}
+    seats = [e for e in draft.entities if has_role(e.category, "table_seat") and e.id not in set_out]
+    seats = [e for e in seats if e.count and e.count[0] == e.count[1] > 1]
+    alone = len(tables) == len(seats) == 1 and (tables[0].count or (1, 1))[1] == 1
+    if not alone or (low and draft.room.name not in LOW_SET):
+        return
+    _told(draft, seats[0], tables[0], "around", seats[0].count[0] if seats[0].count else 1, False)
 
 
 def _stacks(draft: _Draft, said: Arrangement) -> None:
@@ -192,6 +215,13 @@ def _beds(draft: _Draft, said: Capacity, target: Entity | None) -> None:
     draft.add(category, math.ceil(said.people / max(1, sleeping_places(category))))
 
 
+def _only_table(draft: _Draft) -> Entity | None:
+    """The table of a request that names one to sit at, and neither beds nor other seats: all sit there."""
+    tables = [e for e in draft.entities if has_role(e.category, "dining_table")]
+    other = any(has_role(e.category, "any_bed", "lounge_seat") for e in draft.entities)
+    return tables[0] if len(tables) == 1 and not other else None
+
+
 def _only_long_seat(draft: _Draft) -> Entity | None:
     """The benches or pews of a request that names no other seats and no table to sit at: all sit there."""
     seats = [e for e in draft.entities if family(e.category) == "seat"]
@@ -236,6 +266,11 @@ def _long_seat(draft: _Draft, said: Capacity, seat: Entity) -> None:
 
 def _seats_at(draft: _Draft, said: Capacity, table: Entity) -> None:
     """Seats for so many at a table, or at each of several."""
+    if _vague(table) and not said.each:
+        in_line = any(a.entity == table.id for a in draft.brief.arrangements)
+        tables = max(2, math.ceil(said.people / (BESIDE if in_line else ABOUT)))
+        draft.change(table, count=(tables, tables))
+        table = draft.now(table.id)
     tables = table.count[0] if table.count else 1
     people = said.people * (tables if said.each else 1)
     table = _of_their_size(draft, table, math.ceil(people / tables))
@@ -328,13 +363,17 @@ def _seats(draft: _Draft, said: Capacity) -> None:
     """Seats for the people of a room, with the tables that such a room has for them."""
     tables = [e for e in draft.entities if has_role(e.category, "pulled_up_to")]
     elsewhere = [e for e in draft.entities if e.id in {a.entity for a in draft.brief.arrangements} and e not in tables]
+    set_out = list[Entity]()
+    if len(tables) > 1:  # those that are set out for many, else the one that is no desk
+        set_out = [e for e in tables if any(a.entity == e.id for a in draft.brief.arrangements)]
+        tables = set_out or [e for e in tables if has_role(e.category, "dining_table")] or tables
     desks = any("desk" in e.category for e in draft.entities)
     seated = [e for e in draft.entities if family(e.category) == "seat" and e.count and e.count[0] == e.count[1]]
     rest = said.people - sum(e.count[0] for e in seated if e.count)
     if len(tables) == 1 and seated and rest > 0 and not any(_at(draft, e, tables[0]) for e in seated):
         _seats_more(draft, said, tables[0], rest)
         return
-    if len(tables) == 1 and (said.activity == "eat" or elsewhere or (said.activity == "work" and not desks)):
+    if len(tables) == 1 and (said.activity == "eat" or elsewhere or set_out or (said.activity == "work" and not desks)):
         rest = said.people - sum(e.count[0] for e in elsewhere if e.count and family(e.category) != "seat")
         if rest == said.people or _seats_named(draft, tables[0]) is None:
             _seats_at(draft, said.model_copy(update={"people": max(1, rest)}), tables[0])

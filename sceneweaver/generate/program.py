@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from sceneweaver.assets import Asset, Library, Look, Wish, categories, drawable
-from sceneweaver.assets.roles import has_role, with_role
+from sceneweaver.assets.roles import groups_above, has_role, with_role
 from sceneweaver.assets.taxonomy import category_named, narrower
 from sceneweaver.assets.zones import cleared, hung_at
 from sceneweaver.knowledge import Item, Place, RoomType
@@ -28,6 +28,7 @@ from .meant import (
     matches,
     may_mean,
     meant_by,
+    places_spared,
     roles_of,
     sat_elsewhere,
     stations_spared,
@@ -185,8 +186,10 @@ def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, wi
     holders = {i.with_ for i in room_type.items if any(i.id in items for items in roles.values())}
     sat_at = _sat_at_items(brief, roles)
     spared = desks_spared(room_type, brief, roles) | stations_spared(room_type, brief, roles)
+    spared |= places_spared(room_type, brief, roles, area, people)
     skipped, spare = set[str](), set[str]()
     cramped = not room_type.for_request and (brief.scale < 1.0 or area < CRAMPED * room_type.area[1])
+    stated = cramped and (brief.area is not None or brief.size is not None) and len(asked) >= SOME
     found: list[Demand] = []
     for item in room_type.items:
         draw, pick, keep = rng.random(), rng.random(), rng.random()
@@ -211,6 +214,8 @@ def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, wi
         names = tuple(c for c in item.what if c not in banned)
         if names and cramped and any(serves(a.category, names) for a in brief.entities):
             continue  # in a small bathroom a shower that is asked for takes the place of the tub
+        if stated and item.need != "needed" and names and _takes_floor(item):
+            continue  # a small room that is told in detail has no floor for more
         if item.with_ in sat_at and "seating" in groups_of(item.what[0]):
             continue  # the request says what is sat on there
         if item.id in spared or _seated_already(item, room_type, brief):
@@ -234,6 +239,12 @@ def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, wi
     found = [d for d in found if d.asked or d.item is None or d.item.id not in spare]
     found += [_asked_demand(one, None, area, people, rng.random(), brief) for one in asked.values()]
     return [_at_all_windows(demand, windows) for demand in found]
+
+
+def _takes_floor(item: Item) -> bool:
+    """Whether an item stands on the floor and is no light."""
+    held = item.mount or category_named(item.what[0]).mount[0]
+    return held == "floor" and "lighting" not in groups_above(item.what[0])
 
 
 def _at_all_windows(demand: Demand, windows: int) -> Demand:

@@ -88,6 +88,7 @@ def _acts(tokens: list[Token], k: int, has_subject: bool, modal: bool, of_people
 
 def _end(tokens: list[Token], k: int, has_subject: bool) -> int:
     """The end of what belongs to the verb before ``k``: particles, pronouns, "their coffee"."""
+    stops = ("break", "with", "and") if has_subject else ("break",)
     while k < len(tokens):
         token, after = tokens[k], tokens[k + 1] if k + 1 < len(tokens) else None
         plain = token.has("adverbs") and not token.has("noun", "preposition")
@@ -97,8 +98,8 @@ def _end(tokens: list[Token], k: int, has_subject: bool) -> int:
             k += 2
         elif token.has("and") and after is not None and after.get("action") == "base":
             k += 2  # "where you can sit and read"
-        elif has_subject and token.has("preposition") and (after is None or after.has("break", "with", "and")):
-            k += 1  # "I must go around with ease"
+        elif token.has("preposition") and (after is None or after.has(*stops)):
+            k += 1  # "I must go around with ease", "a chair to read in"
         elif not token.kinds and token.text.isalpha():
             k += 1
         else:

@@ -93,6 +93,7 @@ def _spans(graph: SceneGraph) -> Iterable[Span]:
         graph.openings,
         graph.free_areas,
         graph.capacities,
+        graph.views,
         graph.amounts,
         graph.looks,
         graph.finishes,

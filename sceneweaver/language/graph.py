@@ -74,9 +74,8 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         parsed.room_type,
     )
     free = resolved(parsed.free_areas, entities, "free_area")
-    arrangements, said = audiences(
-        {e.id: e for e in people.entities}, people.relations, arrangements, people.capacities, free, people.people
-    )
+    by_id = {e.id: e for e in people.entities}
+    arrangements, said = audiences(by_id, people.relations, people.arrangements, people.capacities, free, people.people)
     graph = SceneGraph(
         text=text,
         **{name: getattr(parsed, name) for name in _SAME},
@@ -97,6 +96,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         free_areas=free,
         capacities=people.capacities,
         arrangements=arrangements,
+        views=resolved(parsed.views, entities, "view"),
         amounts=amounts,
         measures=tuple(
             measure.model_copy(update={"id": f"measure-{k}", "entity": mention.id if mention is not None else ""})

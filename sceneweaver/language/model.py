@@ -286,6 +286,20 @@ class Arrangement(FrozenModel):
     more: tuple[Span, ...] = Field(default=(), description="Further words of it, elsewhere in the request")
 
 
+class View(FrozenModel):
+    """What people see from their seats, or have at their backs.
+
+    They ``see`` what is not behind them, ``face`` what is before them; what is ``not_back_to`` them may be at a side.
+    """
+
+    id: str = ""
+    entity: str = Field(default="", description="The seats, by id; empty: all of the room")
+    target: str = Field(description="An entity, by id, one of `PLACES`, or 'each other'")
+    kind: Literal["see", "face", "not_back_to", "back_to"]
+    words: str = ""
+    span: Span | None = None
+
+
 class Amount(FrozenModel):
     """Things of which there are many: ``many`` of them, or so that they are all over the room or a part of it."""
 
@@ -403,6 +417,7 @@ class SceneGraph(FrozenModel):
     free_areas: tuple[FreeArea, ...] = ()
     capacities: tuple[Capacity, ...] = ()
     arrangements: tuple[Arrangement, ...] = ()
+    views: tuple[View, ...] = ()
     amounts: tuple[Amount, ...] = ()
     measures: tuple[StatedMeasure, ...] = ()
     only: bool = Field(default=False, description="Nothing but what is named: 'only', 'just', 'nothing else'")

@@ -86,6 +86,9 @@ def _is_quality(scan: Scan, k: int) -> bool:
     token, before = scan.tokens[k], scan.token(k - 1)
     if not token.has("adjective", "scale") or token.text not in ("double", "twin", "single", "dual"):
         return False
+    after = scan.token(k + 1)
+    if token.text == "single" and after is not None and after.has("plural"):
+        return True  # "four single desks"
     return before is not None and before.has("det", "adjective", "color", "each", "material", "scale")
 
 

@@ -20,6 +20,7 @@ from .model import (
     StatedLook,
     StatedMeasure,
     StatedOpening,
+    View,
 )
 from .vocabulary import family, mounts
 
@@ -177,6 +178,7 @@ class Parsed:
     free_areas: list[FreeArea] = field(default_factory=list)
     capacities: list[Capacity] = field(default_factory=list)
     arrangements: list[Arrangement] = field(default_factory=list)
+    views: list[View] = field(default_factory=list)
     amounts: list[Amount] = field(default_factory=list)
     appearances: list[Told] = field(default_factory=list)
     states: list[Told] = field(default_factory=list)

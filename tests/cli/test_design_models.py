@@ -30,7 +30,7 @@ def key(monkeypatch):
     monkeypatch.setattr(attempts, "FIRST_WAIT", 0.01)
 
 
-@pytest.mark.parametrize("stream", ["--stream", "--no-stream"])
+@pytest.mark.parametrize("stream", ["--stream", pytest.param("--no-stream", marks=pytest.mark.slow)])
 def test_a_model_on_a_server_plans_and_what_it_did_is_told(run, tmp_path, stream):
     prices = tmp_path / "prices.yaml"
     prices.write_text("currency: EUR\nmodels:\n  scripted-1: {input: 1.0, output: 2.0}\n")

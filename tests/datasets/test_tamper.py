@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+from unittest import mock
 
 import pytest
 
@@ -16,7 +17,15 @@ from sceneweaver.datasets.checking import verify_dataset
 from sceneweaver.datasets.engines import begin, merge, open_dataset
 from sceneweaver.datasets.engines.run import run_lock
 from sceneweaver.datasets.reading import extract, spans_of
-from sceneweaver.datasets.seals import SEAL, DamagedError, folder_fault, read_seal, require_inside, seal_folder
+from sceneweaver.datasets.seals import (
+    SEAL,
+    DamagedError,
+    folder_fault,
+    read_seal,
+    require_inside,
+    seal_folder,
+    sealed_row,
+)
 from sceneweaver.io import InputError
 from sceneweaver.io.tars import header
 from tests.datasets import tamper, torture
@@ -76,6 +85,27 @@ CASES = [
 def test_damage_is_noticed_and_made_anew_to_the_same_bytes(stages, expected, stage, kind, way):
     found = attempt(stages, expected, stage, kind, way)
     assert found.noticed and found.equal, found.detail
+
+
+def test_a_record_counts_where_no_other_file_holds_it_and_packing_has_not_begun(stages, expected, tmp_path):
+    """Each process writes the records that it meets; one that another wrote as well may go without a word."""
+    copies = tmp_path / "stages"
+    for stage in ("made", "one shard"):
+        folder = shutil.copytree(stages / stage, copies / stage) / "work" / "assets"
+        folder.mkdir()
+        for name, assets in (("0", "ab"), ("1", "bc"), ("2", "c")):
+            rows = [json.dumps(sealed_row({"asset": asset, "files": []})) + "\n" for asset in assets]
+            (folder / f"{name}.jsonl").write_text("".join(rows))
+
+    def needed(stage: str, name: str) -> bool:
+        case = tamper.Case(stage, f"work/assets/{name}.jsonl", "gone")
+        with mock.patch.object(tamper, "RECORDS", case.kind):
+            found = tamper.tried(case, copies, stages / "spec.yaml", expected, easy=True, seed=0)
+        assert found is not None and found.equal
+        return found.needed
+
+    assert [needed("made", name) for name in "012"] == [True, False, False]
+    assert not needed("one shard", "0")
 
 
 def test_the_beginning_of_a_shard_counts_as_far_as_it_is_what_was_planned(stages, expected):

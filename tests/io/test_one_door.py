@@ -49,12 +49,16 @@ def doors(source: str) -> list[str]:
         if isinstance(node, ast.Import | ast.ImportFrom):
             names = [a.name for a in node.names] if isinstance(node, ast.Import) else [node.module or ""]
             found += [f"line {node.lineno}: import {name}" for name in names if name.partition(".")[0] in MODULES]
-        elif isinstance(node, ast.Call) and not _of_a_stream(node):
-            name = ast.unparse(node.func)
-            last = name.rpartition(".")[2]
-            if name == "open" or ".".join(name.split(".")[-2:]) in READERS or ("." in name and last in METHODS):
-                found.append(f"line {node.lineno}: {name}")
+        elif isinstance(node, ast.Call) and _opens(node.func) and not _of_a_stream(node):
+            found.append(f"line {node.lineno}: {ast.unparse(node.func)}")
     return found
+
+
+def _opens(func: ast.expr) -> bool:
+    if isinstance(func, ast.Attribute):
+        of = func.value.attr if isinstance(func.value, ast.Attribute) else getattr(func.value, "id", "")
+        return func.attr in METHODS or f"{of}.{func.attr}" in READERS
+    return isinstance(func, ast.Name) and func.id == "open"
 
 
 def _of_a_stream(call: ast.Call) -> bool:

@@ -190,6 +190,7 @@ CRASHED = [
     "bed inside. is the",
     "beside each full of on",
     "accent wall smaller shelf , another",
+    "some lit paper 0.4 m deep string lights",
 ]
 """Each raised something once, or gave a graph that says what cannot be."""
 

@@ -47,3 +47,19 @@ def test_a_second_function_brings_its_furniture() -> None:
     assert things["spin_bike"].implied and not things["treadmill"].implied
     corner = read_request("bedroom with a sewing corner")
     assert "sewing_machine_table" in {entity.category for entity in corner.entities}
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("i use the garage as a gym now, rack and mats", "gym"),
+        ("An empty storage room turned into a home cinema", "home_theatre"),
+        ("need laundry room ideas", "laundry_room"),
+        ("please make the guest room upstairs nicer: bed, wardrobe", "guest_room"),
+        ("workshop of my uncle, bench in the middle", "workshop"),
+        ("Turkish salon, cushions and tea set", "living_room"),
+        ("we use the sofa as a bed in our living room", "living_room"),
+    ],
+)
+def test_rooms_that_become_others_and_whose_they_are(text: str, kind: str) -> None:
+    assert read_request(text).room_type == kind

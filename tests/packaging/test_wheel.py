@@ -95,6 +95,7 @@ def test_source_archive_builds_the_same_wheel(archives, tmp_path):
         }
 
 
+@pytest.mark.slow  # that all modules are in it is quick to see; that they can be imported, the other tests show
 def test_every_module_imports_away_from_the_repository(python, tmp_path):
     program = (
         "import importlib, pkgutil, sceneweaver\n"

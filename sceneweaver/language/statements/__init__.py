@@ -32,6 +32,7 @@ from .states import read_states
 from .surfaces import read_surfaces
 from .unlooked import read_unlooked
 from .unwanted import unwanted
+from .views import views
 from .wings import wings
 
 
@@ -62,6 +63,7 @@ STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     measures,
     read_states,
     read_appearances,
+    views,
     capacities,
     read_looks,
     fullness,

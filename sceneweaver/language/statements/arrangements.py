@@ -20,7 +20,7 @@ from .lengths import LENGTH, length_of
 from .phrases import NUMBER, Edits, noun_after, noun_before, number_of, table_before
 
 _N, _M = rf"(?P<n>{NUMBER})", rf"(?P<m>{NUMBER})"
-PLACED = r"(?:,? ?(?:all |neatly )?(?:laid out|set out|set up|arranged|laid|placed|lined up|standing|put) )?"
+PLACED = r"(?:,? ?(?:all |neatly )?(?:laid out|set out|set up|arranged|laid|placed|lined up|standing|put|grouped) )?"
 """What may stand before the words of a pattern."""
 
 _AREA = r"(?:grid|array|matrix|pattern|formation|raster)"
@@ -193,7 +193,10 @@ def _curve_of(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "A circle of eight chairs"."""
     noun, end = noun_after(edits.source.text, m.end())
     pattern: Pattern = "circle" if m["shape"] in ("circle", "ring") else "semicircle"
-    add(edits, parsed, m, pattern, noun, end=end, instead=m["n"])
+    if m["shape"].startswith(("u", "horse")):
+        pattern = "u"
+    if m["n"] or (noun and match_of(singular(noun)).how != "generic"):
+        add(edits, parsed, m, pattern, noun, end=end, instead=m["n"] or "")
 
 
 def _backs(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -298,7 +301,7 @@ def _two_sides(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
 
 _NOUN = r"(?P<noun>[a-z][a-z'-]*(?: [a-z][a-z'-]*){0,2}?)"
 _LINES = r"(?P<kind>rows|lines|ranks|columns)"
-_STRAIGHT = r"(?:straight |parallel |long |equal |neat |staggered )?"
+_STRAIGHT = r"(?:curved |tiered |raked |stepped |straight |parallel |long |equal |neat |staggered )?"
 
 _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed], None]], ...] = (
     (
@@ -349,7 +352,14 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
         ),
         _curve,
     ),
-    (re.compile(rf"\ban? (?P<shape>semi-?circle|half[ -]circle|circle|ring) of {_N} (?=[a-z])"), _curve_of),
+    (
+        re.compile(
+            r"\b(?:an? |the )?(?:[a-z]+ )?"
+            r"(?P<shape>semi-?circle|half[ -]circle|circle|ring|u(?:[ -]shape)?|horseshoe) of "
+            rf"(?:{_N} )?(?=[a-z])"
+        ),
+        _curve_of,
+    ),
     (
         re.compile(
             rf",? ?\b(?:(?:{NUMBER} and {NUMBER}|in pairs|in twos|in two pairs|pairwise),? )?"

@@ -22,7 +22,10 @@ from .phrases import NUMBER, Edits, listed, noun_after, noun_before, number_of, 
 _N = rf"(?P<n>{NUMBER})"
 _ABOUT = r"(?:about |around |roughly |some |up to |at least |max(?:imum)? |approx(?:imately)? )?"
 _PEOPLE = rf"(?:(?:[a-z-]+ ){{0,2}}{one_of(listed('people'))}\b)"
-_ENDS = r"(?=\s*(?:$|[.,()]|(?:with|and|in|at|but|by|under|near|on|along|that|which|in|from|next|to|or|against|plus|facing|looking|so|around|without|arranged|opposite|across|beside|behind)\b))"
+_ENDS = (
+    r"(?=\s*(?:$|[.,()]|(?:with|and|in|at|but|by|under|near|on|along|that|which|in|from|next|to|or|against|plus|facing"
+    r"|looking|so|around|without|arranged|opposite|across|beside|behind)\b))"
+)
 
 
 def activity_at(noun: str) -> Activity | None:
@@ -310,6 +313,10 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
         _verb,
     ),
     (
+        re.compile(rf"\b(?P<noun>tables|booths|desks|benches) of (?P<n>{NUMBER})(?! [a-z]+s\b){_ENDS}"),
+        _thing_for,
+    ),
+    (
         re.compile(
             rf"\b(?P<noun>[a-z]+)(?: (?:that is |that's )?(?:big|wide|large|long|roomy))?(?: enough)? for {_ABOUT}"
             rf"(?:{_N}(?: {_PEOPLE})?|both(?: of them)?|all(?: of (?:us|them))?"
@@ -345,6 +352,7 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
         _places,
     ),
     (re.compile(rf"\b(?:each|every|both)(?: of (?:these|those|the))? {_PLACE} (?:with|{_HAS}) "), _own_list),
+    (re.compile(rf",? ?\b(?:and )?{_EACH_ONE} {_HAS} (?=an? |one |their |his |her )"), _own_list),
     (
         re.compile(
             rf"\b{_N}(?:[\s-](?:seater|seat|(?P<person>person|man|child|pupil|guest))|-(?P<people>people))\b(?! each)"
@@ -364,8 +372,8 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
     (re.compile(rf"\b{one_of(listed('of_people'))} of {_N}\b(?! [a-z]+s\b)"), _room_people),
     (
         re.compile(
-            rf" for (?:(?:each|every) {_N} (?:{_PEOPLE}|of (?:us|them))|each(?: (?:one|of them|{_PEOPLE}))?|every {_PEOPLE}"
-            r"|everyone|everybody)(?=\s*(?:$|[.,)]))"
+            rf" for (?:(?:each|every) {_N} (?:{_PEOPLE}|of (?:us|them))|each(?: (?:one|of them|{_PEOPLE}))?"
+            rf"|every {_PEOPLE}|everyone|everybody)(?=\s*(?:$|[.,)]))"
         ),
         _for_each,
     ),

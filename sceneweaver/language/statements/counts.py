@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from sceneweaver.assets.roles import has_role
+
 from ..model import Activity, Arrangement, Capacity, Entity, StatedRelation
 from ..things import singular
 from ..vocabulary import family, words
@@ -12,6 +14,12 @@ from .resolve import entity_named
 
 SHARED = 2
 """People beside each other at each table of a U."""
+
+OF_EACH = ("row", "rows", "circle", "semicircle", "u")
+"""Patterns of seats of which each person has one."""
+
+FOR_ONE = ("upright_seat", "armchair", "desk")
+"""Roles of things that are for one person each."""
 
 VAGUE, FEW = (2, 6), 4
 """Count of a bare plural, and how many of it stand along two walls."""
@@ -25,6 +33,7 @@ class Peopled:
     relations: list[StatedRelation]
     capacities: tuple[Capacity, ...]
     people: int | None
+    arrangements: tuple[Arrangement, ...]
 
 
 def bounded_counts(
@@ -60,7 +69,8 @@ def peopled(
     """Make one statement of the people of a request, and bring counts in line with it."""
     by_id = {entity.id: entity for entity in entities}
     if people is None:
-        people = sum(_total(c, by_id) for c in capacities) or None
+        free = sum(c.people for c in capacities if not c.target and not c.own)
+        people = free or sum(_total(c, by_id) for c in capacities) or None
     known = [_known(c, people, by_id) for c in capacities]
     rooms = words("people")["in_rooms"]
     does: Activity = next((name for name in rooms if room_type in rooms[name]), "use")
@@ -71,10 +81,16 @@ def peopled(
     if people is not None and not any(c.people == people and not c.own for c in known):
         known.append(Capacity(id=f"capacity-{len(known)}", people=people, activity=does, words=f"{people} people"))
     for one in known:
+        host = by_id.get(one.target)
+        if one.each and one.people and people and host is not None and host.count == VAGUE:  # "tables of four"
+            count = max(2, -(-people // one.people))
+            by_id[host.id] = host.model_copy(update={"count": (count, count)})
+    for one in known:
         for name, count in one.own:
             if name in by_id and one.people:
                 by_id[name] = _counted(by_id[name], one.people * count)
     found = list(relations)
+    arrangements = [_for_people(one, by_id.get(one.entity), people) for one in arrangements]
     for one in arrangements:
         if one.entity in by_id:
             known_as = by_id[one.entity]
@@ -95,8 +111,15 @@ def peopled(
                 found.append(_grouped(said, one))
     for one in arrangements:
         entity, host = by_id.get(one.entity), by_id.get(one.around)
+        if one.pattern == "sides" and entity is not None and host is not None and host.count and host.count[0] > 1:
+            total = sum(one.sides) * host.count[0]  # at each of several tables
+            by_id[one.entity] = entity = entity.model_copy(update={"count": (total, total)})
         if one.pattern == "walls" and entity is not None and entity.count == VAGUE:
             by_id[one.entity] = entity.model_copy(update={"count": (FEW, FEW)})  # two at each
+        several = entity is not None and entity.count == VAGUE and not (one.columns or one.sides)
+        if entity is not None and several and people and one.pattern in OF_EACH and has_role(entity.category, *FOR_ONE):
+            at_others = sum(_total(c, by_id) for c in known if c.target not in ("", one.entity))
+            entity = by_id[one.entity] = entity.model_copy(update={"count": (max(2, people - at_others),) * 2})
         if one.pattern == "u" and entity is not None and entity.count == VAGUE:
             told = sum(c.people for c in known if not c.own and not c.each and c.target in ("", one.entity))
             table = family(entity.category) == "table"
@@ -111,7 +134,18 @@ def peopled(
             by_id[one.entity] = by_id[one.entity].model_copy(update={"count": (max(1, gaps), max(1, gaps))})
     for said in relations:
         _with_seats(said, by_id)
-    return Peopled(tuple(by_id[e.id] for e in entities), found, tuple(known), people)
+    return Peopled(tuple(by_id[e.id] for e in entities), found, tuple(known), people, tuple(arrangements))
+
+
+def _for_people(one: Arrangement, entity: Entity | None, people: int | None) -> Arrangement:
+    """What faces each other in two rows of which no number is said: a place for each of the people that are told of;
+    two and two where nothing is."""
+    if entity is None or one.facing != "each other" or one.rows != 2 or one.columns is not None:
+        return one
+    if entity.count not in (None, VAGUE):
+        return one
+    pairs = people // 2 if people and people % 2 == 0 and has_role(entity.category, *FOR_ONE) else 2
+    return one.model_copy(update={"columns": pairs})
 
 
 def _rows_of(name: str, arrangements: Sequence[Arrangement]) -> int:
@@ -187,7 +221,7 @@ def _things(one: Arrangement) -> int | None:
 
 def _counted(entity: Entity, count: int | None) -> Entity:
     """An entity with a number that follows; what the request says of its number itself stays."""
-    if count is None or (entity.count is not None and entity.count[0] >= count):
+    if count is None or (entity.count is not None and entity.count != VAGUE and entity.count[0] >= count):
         return entity
     return entity.model_copy(update={"count": (count, count)})
 

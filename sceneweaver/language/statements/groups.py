@@ -158,7 +158,7 @@ def _mutual(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     count = _count_of(noun, text, m.start()) if noun else 2
     if others or not noun or count == 2 or singular(noun) == noun or count % 2:
         return
-    columns = None if count else 1 if m["what"] else 2
+    columns = 1 if m["what"] and not count else None
     if m["what"]:
         span, words = parsed.arrangements[-1].span, parsed.arrangements[-1].words
     else:
@@ -430,7 +430,7 @@ def _patterns() -> tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, 
     return tuple((re.compile(pattern), read) for pattern, read in rows)
 
 
-_STRAIGHT = r"straight |long |single |neat |whole "
+_STRAIGHT = r"curved |tiered |raked |stepped |straight |long |single |neat |whole "
 
 
 def aisles(source: Source, parsed: Parsed) -> None:

@@ -90,6 +90,8 @@ def _behind(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     known = "noun" in vocabulary().get(last, {}) and match_of(singular(noun)).how != "generic"
     if not known or not count or not edits.free(m.end("noun"), m.end()) or len(noun.split()[0]) < 2:
         return
+    if any(noun.split()[-1] in verbs for verbs in words("people")["verbs"].values()):
+        return  # "table seats eight"
     parsed.bounds.append(((noun,), *bounded((count, count), "least" if m["more"] else None)))
     parsed.referred.append(edits.take(m.end("noun"), m.end()))
 

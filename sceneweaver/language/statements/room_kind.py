@@ -135,6 +135,8 @@ def _decided(source: Source, parsed: Parsed, parts: list[_Part], headline: bool)
         if alone
         else _best(source.spoken, headless, bare) or (_best(source.spoken, parts, bare) if not named else None)
     )
+    if found is not None and named and all(_is_person(told) for told in found.told):
+        found = None  # the workshop of my uncle
     if found is not None and named and found.kind == room_words()[named]:
         return True
     if found is None and named:
@@ -149,6 +151,16 @@ def _decided(source: Source, parsed: Parsed, parts: list[_Part], headline: bool)
         return False
     _set(source, parsed, found.kind, core, parts, parts, exact=found.named and not found.told - _told(parts[:1]))
     return True
+
+
+def _is_person(told: str) -> bool:
+    """Whether what told a kind of room is whose it is, as a stem."""
+    return any(stem(word) == told for word in _whose())
+
+
+@cache
+def _whose() -> frozenset[str]:
+    return frozenset(words("room_kind")["kin"])
 
 
 def _without_head(parts: list[_Part]) -> list[_Part]:

@@ -14,6 +14,10 @@ from .phrases import Edits, noun_before
 LINED = ("row", "rows", "grid", "walls", "sides", "cluster", "back_to_back")
 """Patterns whose neighbours are so far apart."""
 
+BACK = 14
+"""Characters before a distance in which "at least" stands."""
+
+_AT_LEAST = re.compile(r"\b(?:at least|no less than|not less than|minimum|min\b)")
 _LEAST = r"(?P<least>at least |no less than |minimum |min\.? |not less than )?(?:about |around |roughly |exactly )?"
 _MIDDLES = r"(?:cent(?:re|er)s?|middles|axes|axis)"
 _FORMS = (
@@ -42,7 +46,8 @@ def _read(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     named = named if named and match_of(singular(named)).how != "generic" else ""
     told = [a for a in parsed.arrangements if a.pattern in LINED]
     alike = [a for a in told if not named or singular(a.entity).split()[-1] == singular(named)]
-    pitch, least = length_of(m)[0], bool(groups["least"])
+    spoken = edits.source.spoken[max(0, m.start() - BACK) : m.end()]  # a reader before may have taken "at least" out
+    pitch, least = length_of(m)[0], bool(groups["least"] or _AT_LEAST.search(spoken))
     if alike:
         k = parsed.arrangements.index(alike[-1])
         more = (*alike[-1].more, edits.take(m.start(), m.end()))

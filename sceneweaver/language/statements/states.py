@@ -82,11 +82,12 @@ def _add(source: Source, parsed: Parsed, edits: Edits, found: re.Match[str]) -> 
     count = (number_of(many), number_of(many)) if many and not part else None
     said = " ".join(text[start:end].split())
     value = f"{groups.get('part') or part} {found['state']}".strip()
-    if after and noun != spoken:  # "rumpled linen bedding": the noun goes, what else is said of it is told
-        rest = text[end : text.index(spoken, end) + len(spoken)]
-        between = rest[: -len(spoken.split()[-1])].strip()
-        end += len(rest)
-        parsed.unread += [Left(between, span=source.span(end - len(rest), end))] if between else []
+    behind = re.compile(r"\s+".join(map(re.escape, spoken.split()))).search(text, end)
+    if after and noun != spoken and behind is not None:
+        # "rumpled linen bedding": the noun goes, what else is said of it is told
+        between = " ".join(text[end : behind.end() - len(spoken.split()[-1])].split())
+        parsed.unread += [Left(between, span=source.span(end, behind.end()))] if between else []
+        end = behind.end()
     span = edits.take(start, end)
     attribute = Attribute(kind="state", value=value, words=said, count=count, span=span)
     parsed.states.append(Told(attribute, noun, after, named=True))

@@ -1,0 +1,63 @@
+"""Every seat that a request has at a table, in a row or before a mirror has its place there in a first draft."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from sceneweaver.assets import Library
+from sceneweaver.generate.people import with_people
+from sceneweaver.generate.room import first_draft
+from sceneweaver.generate.setup import Setup
+from sceneweaver.knowledge import room_type
+from sceneweaver.language import read_request
+from sceneweaver.scene import Room, Scene
+
+EMPTY = Scene(id="empty", room=Room(outline=((0, 0), (4, 0), (4, 3), (0, 3))))
+
+
+def draft(text: str, kind: str) -> Scene:
+    room = room_type(kind)
+    brief = with_people(read_request(text), room)
+    scene = first_draft(Setup(brief=brief, room_type=room, scene=EMPTY, library=Library(), seed=2)).scene
+    assert scene is not None
+    return scene
+
+
+def test_each_table_has_its_own_chairs_on_free_sides():
+    scene = draft("a bistro with four tables for two at the window and a table for six in the middle", "restaurant")
+    at = [r for r in scene.relations if r.type == "seated_at" and r.hard]
+    assert sorted(Counter(r.target for r in at).values()) == [2, 2, 2, 2, 6]
+    small = {t for t, n in Counter(r.target for r in at).items() if n == 2}
+    assert {r.params["side"] for r in at if r.target in small} == {"left", "right"}
+
+
+def test_a_u_of_tables_is_sat_at_from_outside_and_takes_the_place_of_desks():
+    scene = draft("a training room for 12 people, tables in a U open to the whiteboard", "classroom")
+    at = [r for r in scene.relations if r.type == "seated_at" and r.hard]
+    assert len(at) == 12
+    assert {r.params["side"] for r in at} == {"back"}
+    assert not [o.id for o in scene.objects if o.category == "school_desk"]
+
+
+def test_guests_sit_before_a_counter():
+    scene = draft("a bar with a counter and six bar stools at the counter", "bar")
+    at = [r for r in scene.relations if r.type == "seated_at" and r.hard and str(r.target).startswith("bar_counter")]
+    assert len(at) == 6
+    assert {r.params["side"] for r in at} == {"front"}
+
+
+def test_stations_are_in_line_each_with_its_own_mirror():
+    scene = draft("a salon with three barber chairs, 1.7 m between centres, each facing its own mirror", "hair_salon")
+    arranged = {r.subject: r for r in scene.relations if r.type == "arranged"}
+    chairs = [o.id for o in scene.objects if o.category == "barber_chair"]
+    mirrors = [o.id for o in scene.objects if o.category == "wall_mirror"]
+    steps = sorted(abs(float(arranged[c].params["left"])) for c in chairs if c in arranged)
+    assert [round(s, 2) for s in steps] == [1.7, 1.7]
+    assert sorted(str(arranged[m].target) for m in mirrors) == sorted(chairs)
+    assert not [o.id for o in scene.objects if o.category == "barber_station"]
+
+
+def test_benches_are_long_enough_for_their_people():
+    scene = draft("a changing room for 16 players, benches along the two long walls", "changing_room")
+    benches = [o for o in scene.objects if o.category == "changing_bench"]
+    assert sum(int(max(o.size[:2]) / 0.55) for o in benches) >= 16
