@@ -13,7 +13,7 @@ from .source import Source, metres
 from .spelling import mended
 from .vocabulary import LONGEST, NUMBERS, Verb, vocabulary, words
 
-_WORD = re.compile(r"§|\d+(?:[.,]\d+)?|[a-z][a-z'&/]*|[^\W\d_]+|[.,()&\"{}\[\]<>\\/=]")
+_WORD = re.compile(r"§|[23]d(?![a-z])|\d+(?:[.,]\d+)?|[a-z][a-z'&/]*|[^\W\d_]+|[.,()&\"{}\[\]<>\\/=]")
 _LIST = re.compile(r"[a-z]+(?:/[a-z]+){2,}")
 _UNIT = re.compile(r"^(meters?|metres?|m|cm|centimeters?|centimetres?|ft|feet|foot|inch(?:es)?|in)$")
 _MEASURES = re.compile(
@@ -71,7 +71,7 @@ def tokens(source: Source, notes: list[str]) -> list[Token]:
         elif not word.text[0].isalnum() and word.text != "&":
             at += 1
         else:
-            token, at = _number(raw, at) if word.text[0].isdigit() else _phrase(raw, at, notes, learned)
+            token, at = _number(raw, at) if _is_figure(word.text) else _phrase(raw, at, notes, learned)
             found.append(token)
     return list(_either(list(_tens(_cut(found)))))
 
@@ -168,6 +168,11 @@ def _phrase(raw: list[_Raw], at: int, notes: list[str], learned: Mapping[str, st
         return _compound(raw, at)
     kinds = {"adverbs": raw[at].text} if _is_adverb(raw[at].text) else {}
     return Token(raw[at].text, raw[at].start, raw[at].end, kinds), at + 1
+
+
+def _is_figure(word: str) -> bool:
+    """Whether a word is written in digits; "3d" is none: what it begins is a name."""
+    return word[0].isdigit() and not word[-1].isalpha()
 
 
 def _is_number(word: str) -> bool:
