@@ -73,7 +73,10 @@ def peopled(
     found = list(relations)
     for one in arrangements:
         if one.entity in by_id:
-            by_id[one.entity] = _hung(_counted(by_id[one.entity], _things(one)), one)
+            things = _things(one)
+            if _together(by_id[one.entity], entities) < (things or 0):
+                by_id[one.entity] = _counted(by_id[one.entity], things)
+            by_id[one.entity] = _hung(by_id[one.entity], one)
         # What all look at is said of the arrangement; none of a row looks straight at it but the middle one.
         found = [
             r
@@ -103,6 +106,12 @@ def peopled(
     for said in relations:
         _with_seats(said, by_id)
     return Peopled(tuple(by_id[e.id] for e in entities), found, tuple(known), people)
+
+
+def _together(entity: Entity, entities: Sequence[Entity]) -> int:
+    """How many there are of what is called so, some of which are told apart: "24 desks, one of them broken"."""
+    alike = [e for e in entities if e.category == entity.category and e.noun == entity.noun and e.count is not None]
+    return sum(e.count[0] for e in alike if e.count is not None) if len(alike) > 1 else 0
 
 
 def _rows_of(name: str, arrangements: Sequence[Arrangement]) -> int:

@@ -22,7 +22,7 @@ _DET = r"(?:(?:an?|the|our|my|his|her|their|one|some) )?"
 
 def roles(source: Source, parsed: Parsed) -> None:
     """Read what things serve as, what they are in other words, what they are there for in place of, and totals."""
-    _name_both(source)
+    _name_both(source, parsed)
     edits = Edits(source)
     for m in _serving().finditer(source.text):
         _serves(m, edits, parsed)
@@ -30,6 +30,8 @@ def roles(source: Source, parsed: Parsed) -> None:
         _serves_ahead(m, edits, parsed)
     for m in _instead().finditer(source.text):
         _in_place_of(m, edits, parsed)
+    for m in _made_of().finditer(source.text):
+        _built(m, edits, parsed)
     for m in _TOTAL.finditer(source.text):
         _in_all(m, edits, parsed)
     for m in _TIMES.finditer(source.text):
@@ -62,6 +64,12 @@ def _instead() -> re.Pattern[str]:
     return re.compile(rf",? ?\b{one_of(words('roles')['instead'])} (?:an? |the |any |some |normal |usual |ordinary )*")
 
 
+@cache
+def _made_of() -> re.Pattern[str]:
+    made = one_of(words("roles")["made"])
+    return re.compile(rf"\b{made} (?:of|from|out of|with) (?:[a-z-]+ ){{0,2}}?(?P<noun>[a-z]+s)\b")
+
+
 _TOTAL = re.compile(
     rf",? ?(?:\b(?:so|thus|therefore|makes|making|that is|that makes|which makes|i\.e\.) )?\b(?P<n>{NUMBER}) "
     r"(?P<noun>[a-z-]+(?: [a-z-]+)??) (?:in total|in all|all together|altogether|overall|total)\b"
@@ -78,7 +86,9 @@ _BEHIND = re.compile(
     rf"(?:(?<=^)|(?<=[,.:])|(?<=[,.:] )|(?<=\band ))(?P<noun>[a-z]+(?: [a-z]+)?),? "
     rf"(?P<n>{NUMBER})(?:(?P<more> or more| and up| at least| min\.?| minimum)|(?=\s*(?:[,.]|$)))"
 )
-_BY_SO_MANY = re.compile(r"\b(?:stacked|piled)(?: up)? (?:by|in) (?P<n>twos|threes|fours|fives|sixes|sevens|eights|tens)\b")
+_BY_SO_MANY = re.compile(
+    r"\b(?:stacked|piled)(?: up)? (?:by|in) (?P<n>twos|threes|fours|fives|sixes|sevens|eights|tens)\b"
+)
 
 
 def _behind(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -97,13 +107,29 @@ def _stacked(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     edits.take(m.start(), m.end(), f"in stacks of {number_of(m['n'].removesuffix('s').replace('sixe', 'six'))}")
 
 
-def _name_both(source: Source) -> None:
-    """ "Two upper and two lower bunks" are upper bunks and lower bunks: the noun is said once for both."""
+_EACH_SIDE = re.compile(r"(?<=[a-z0-9])(?<!\bon)(?<!\bat)(?<!\balong)(?<!\bfrom) (?=(?:each|either) side of\b)")
+_IN_EACH_ROW = re.compile(
+    rf"\brows of (?P<noun>[a-z]+),? (?P<n>{NUMBER}) (?:(?P=noun) )?(?:in|to|per|a) ?(?:(?:each|every|a|the) )?row\b"
+)
+_OF_TWO = re.compile(r"\bhis (?:and|&) hers?\b")
+
+
+def _name_both(source: Source, parsed: Parsed) -> None:
+    """ "Two upper and two lower bunks" are upper bunks and lower bunks: the noun is said once for both. The number of a
+    row goes before its things, and what is "each side of" something is on each side."""
     for m in reversed([*_TWO_KINDS.finditer(source.text)]):
         noun = m["noun"]
         plain = all(_is_quality(m[name]) for name in ("one", "two"))
         if plain and "noun" in vocabulary().get(noun, {}) and not _is_quality(noun):
             source.insert(m.end("one"), f" {noun}", m.start("noun"))
+    source.blank(_OF_TWO, lambda m: "two")
+    for m in reversed([*_EACH_SIDE.finditer(source.text)]):
+        source.insert(m.end(), "on ", m.end())
+    for m in reversed([*_IN_EACH_ROW.finditer(source.text)]):  # "three rows of tables, two in each row"
+        at, number = m.start("noun"), source.text[m.start("n") : m.end("n")]
+        parsed.referred.append(source.span(m.end("noun"), m.end()))
+        source.text = source.text[: m.end("noun")].ljust(m.end()) + source.text[m.end() :]
+        source.insert(at, f"{number} ", m.start("n"))
 
 
 def _is_quality(word: str) -> bool:
@@ -194,6 +220,14 @@ def _in_place_of(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
             end = last
     span = edits.take(m.start(), end, "," if ahead and m.start() else "")
     parsed.without.append((noun, names, span))
+
+
+def _built(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "A shelf made from crates": no crates beside the shelf."""
+    if _thing_at(edits.source.text, m.start("noun"))[0] != m["noun"] or not edits.free(m.start(), m.end()):
+        return
+    spoken = edits.source.text[m.start() : m.end()]
+    parsed.unread.append(Left(spoken, span=edits.take(m.start(), m.end())))
 
 
 def _qualified(noun: str) -> bool:
