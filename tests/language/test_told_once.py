@@ -119,3 +119,11 @@ def test_no_thing_where_it_stands(text: str, never: str) -> None:
 )
 def test_senses_by_the_words_around(text: str, category: str) -> None:
     assert category in _counts(text)
+
+
+def test_bounds_before_their_numbers() -> None:
+    """A bound is no exclusion, and its words make no thing."""
+    graph = read_request("at least ten plants and no more than one mirror, max 2 tables")
+    counts = {e.category: e.count for e in graph.entities}
+    assert counts == {"potted_plant": (10, 14), "wall_mirror": (1, 1), "dining_table": (1, 2)}
+    assert not graph.exclusions and not graph.unread
