@@ -20,7 +20,18 @@ from sceneweaver.scene import PRIORITIES, InputError, Palette, SceneObject, Zone
 
 from .draft import CRAMMED, groups_of
 from .hanging import OVER, before_window, hanging_height, is_lit_table
-from .meant import decided_kinds, desks_spared, is_plural, loose, matches, may_mean, roles_of, sat_elsewhere
+from .meant import (
+    decided_kinds,
+    desks_spared,
+    is_plural,
+    loose,
+    matches,
+    may_mean,
+    meant_by,
+    roles_of,
+    sat_elsewhere,
+    stations_spared,
+)
 from .quantity import SOME, is_detailed, is_plain, is_plain_item, least_of, small_kind
 
 PLENTY = 5
@@ -52,9 +63,8 @@ class Wanted:
     """One object to be.
 
     ``parent`` is the instance that it goes with, ``support`` the one that it stands on (``inside``: on a board in it;
-    ``share``: where, as depth and side),
-    ``held`` what holds it where the request has it otherwise than usual, ``hung`` between which heights [m] its bottom
-    is then, ``wish`` what its body was chosen by.
+    ``hangs``: it hangs from it; ``share``: where, as depth and side), ``held`` what holds it where the request has it
+    otherwise than usual, ``hung`` between which heights [m] its bottom is then, ``wish`` what its body was chosen by.
     """
 
     item: Item | None
@@ -67,6 +77,7 @@ class Wanted:
     asked: str | None = None
     id: str = ""
     inside: bool = False
+    hangs: bool = False
     share: tuple[float, float] | None = None
     held: str | None = None
     hung: tuple[float, float] | None = None
@@ -173,7 +184,7 @@ def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, wi
     shares = _shares(room_type, brief, area, people, roles)
     holders = {i.with_ for i in room_type.items if any(i.id in items for items in roles.values())}
     sat_at = _sat_at_items(brief, roles)
-    spared = desks_spared(room_type, brief, roles)
+    spared = desks_spared(room_type, brief, roles) | stations_spared(room_type, brief, roles)
     skipped, spare = set[str](), set[str]()
     cramped = not room_type.for_request and (brief.scale < 1.0 or area < CRAMPED * room_type.area[1])
     found: list[Demand] = []
@@ -332,7 +343,7 @@ def _asked_demand(asked: Entity, item: Item | None, area: float, people: int, dr
         count = item.count.of(area, people, draw) if item and is_plural(asked) else 1
     count = max(count, least_of(asked, brief))
     names = (asked.category,)
-    if item is not None and asked.category not in item.what and loose(asked, brief):
+    if item is not None and asked.category not in item.what and loose(asked, brief) and meant_by(asked, item, brief):
         words = " ".join(a.words for a in asked.attributes)
         meant = [name for name in item.what if may_mean(asked, name, brief)] or [asked.category]
         names = tuple(narrower(name, words) for name in meant)

@@ -16,6 +16,7 @@ from sceneweaver.language import Grounded, SceneGraph, StatedRelation, carrier_o
 from sceneweaver.scene import InputError, Palette, SceneObject, Surface
 
 from .draft import groups_of
+from .hooks import hang_on
 from .program import LeftOut, Program, Wanted
 from .quantity import lies_on_floor, spread_of
 from .surface_bodies import Shelf
@@ -102,13 +103,17 @@ def _stated_supports(program: Program, brief: SceneGraph, by_asked: dict[str, li
     things = {name: [one.thing for one in several] for name, several in by_asked.items()}
     by_id = {one.id: one for one in program.wanted}
     for said in brief.relations:
-        if said.type not in ("on", "inside", "centered_on"):
+        if said.type not in ("on", "inside", "centered_on", "hanging_from"):
             continue
         for k, one in enumerate(by_asked.get(said.subject, [])):
             carrier = carrier_of(said, things, k)
             target = by_id.get(carrier.id) if carrier is not None else None
             # The first that is said counts, and nothing stands on what stands on it.
             if target is None or target is one or one.support is not None or _carried(target, one):
+                continue
+            if said.type == "hanging_from":
+                if one.asset.mount != "ceiling" and not target.thing.is_flat:
+                    one.support, one.hangs, one.inside = target, True, False
                 continue
             # What has the floor may be said to be in the middle of a rug or a room.
             if said.type == "centered_on" and one.mount != "surface":
@@ -243,6 +248,10 @@ def _may_carry(target: Wanted, one: Wanted) -> bool:
     if "chair_group" in groups_of(one.category) and "chair_group" in groups_of(target.category):
         return False  # "one on the other side" puts no chair on a chair
     (short, long), (depth, width) = (sorted(w.asset.size[:2]) for w in (one, target))
+    known = category_named(target.category).size
+    if has_role(target.category, "walked_on") and known is not None:  # a stage grows to hold what stands on it
+        (least, most) = sorted(end for _, end in known.reach[:2])
+        return "floor" in category_named(one.category).mount and short <= least and long <= most
     small = long <= width and short <= REACH[1] * depth and one.asset.size[2] < 1.0
     at_table = one.thing.is_seat and target.thing.is_table
     return small and one.asset.mount == "floor" and target.mount != "ceiling" and not at_table
@@ -265,11 +274,13 @@ def _ground(support: Wanted) -> float:
 
 @dataclass
 class Places:
-    """Where small things stand: their objects by id, the tops that others got, rows that do not hold, and what has no
-    room where it was asked for."""
+    """Where small things stand: their objects by id, the tops and hooks that others got, what things are called in the
+    request, rows that do not hold, and what has no room where it was asked for."""
 
     objects: dict[str, SceneObject] = field(default_factory=dict)
     tops: dict[str, Surface] = field(default_factory=dict)
+    hooks: dict[str, tuple[Surface, ...]] = field(default_factory=dict)
+    nouns: dict[str, str] = field(default_factory=dict)
     failed: list[Grounded] = field(default_factory=list)
     unmet: list[str] = field(default_factory=list)
 
@@ -283,10 +294,10 @@ def laid(
     smallest of its kind, unless their size was asked for. What has no room then goes out of the program.
     """
     shelf = Shelf(library, palette, seed)
-    places = Places()
+    places = Places(nouns={entity.id: entity.noun for entity in brief.entities})
     sized = {entity.id for entity in brief.entities if any(entity.size)}
     for support in sorted(program.wanted, key=_depth, reverse=True):
-        riders = [w for w in program.wanted if w.support is support]
+        riders = [w for w in program.wanted if w.support is support and not w.hangs]
         if support.support is not None and riders:  # a tray is as large as its cups need it before it is put down
             _fitted(support, riders, rows, shelf, Places(), library, sized)
     done: set[str] = set()
@@ -300,6 +311,13 @@ def laid(
             if not riders:
                 continue
             usual = {w.id: w.asset for w in riders}
+            hung = [w for w in riders if w.hangs]
+            if hung:
+                dropped = hang_on(support, hung, library, places, support.asked in sized)
+                _put_aside(program, dropped, support, places)
+                riders = [w for w in riders if not w.hangs]
+                if not riders:
+                    continue
             found, lost = _fitted(support, riders, rows, shelf, places, library, sized)
             lost = _not_stacked(lost, [w for w in riders if w not in lost])
             for one in lost:
@@ -439,7 +457,7 @@ def _put_aside(program: Program, lost: Sequence[Wanted], support: Wanted, places
     gone = [one for one in lost if one.asked is None or one.asset.size[2] >= TALLEST]
     for one in lost:
         if one not in gone:
-            one.support, one.held = None, "floor"
+            one.support, one.held, one.hangs = None, "floor", False
             places.unmet.append(f"{one.id}: there is no room for it on {support.id}; it stands beside it")
     while more := [w for w in program.wanted if w.support in gone and w not in gone]:
         gone += more

@@ -65,7 +65,9 @@ _LOW_CEILING = re.compile(
     rf"ceilings?{_GAP},?{_GAP}(?:(?:is|of|only|about|at|most|max|maximum|under|no|more|than){_GAP}){{0,4}}"
     rf"{_NUMBER}{_GAP}{_LENGTH}(?:{_GAP}(?:at{_GAP}most|at{_GAP}least|max(?:imum)?|high))?(?![a-z])"
 )
-_WALLS_HIGH = re.compile(rf"walls?{_GAP}(?:of{_GAP})?{_NUMBER}{_GAP}{_LENGTH}{_GAP}(?:high|tall)(?![a-z])")
+_PARTIAL = ("low", "half", "knee", "height", "high", "partition", "dividing", "pony", "a")
+_OF_ROOM = "".join(rf"(?<!{word} )" for word in _PARTIAL)  # a low wall is none of the room's
+_WALLS_HIGH = re.compile(rf"{_OF_ROOM}\bwalls?{_GAP}(?:of{_GAP})?{_NUMBER}{_GAP}{_LENGTH}{_GAP}(?:high|tall)(?![a-z])")
 _AND_HIGH = re.compile(rf"§\s{{0,40}}(?:and|,){_GAP}{_NUMBER}{_GAP}{_LENGTH}{_GAP}(?:high|tall)(?![a-z])")
 _PARTS = re.compile(r"(?<![\w.])(\d{1,2})\s?(?:m|meters?|metres?)\s(\d\d)(?![\w.]|\s?(?:cm|mm|m|inch))")
 """Metres and centimetres in two numbers: "2 metres 10"."""
@@ -79,6 +81,12 @@ _SPELT = re.compile(
 )
 _FAR = re.compile(rf"{_NUMBER}{_GAP}(?:km|kilomet(?:er|re)s?|miles?)\b")
 _ENDLESS = re.compile(r"\d{10,}")
+_ENDLESS_WORD = re.compile(r"[^\W\d_]{81,}")
+"""No language with spaces has such a word; what looks for its end at each of its letters would take long."""
+
+_ENDLESS_JOINED = re.compile(r"[a-z'/_-]{81,}")
+"""Words with hyphens between them, too many for one: they are read as words of their own."""
+
 _WRAPPED = re.compile(r"(?<=[^\n]{60})(?<!\s)\s*\n(?=[a-z])")
 """The end of a long line that was wrapped. It begins with the first white space, so that its time is linear."""
 
@@ -175,6 +183,8 @@ def read_source(text: str) -> Source:
     found = Source(spoken, origin, notes=notes, language=language)
     found.blank(_TAG, lambda m: " ")
     found.blank(_ENDLESS, lambda m: _endless(m, found))
+    found.blank(_ENDLESS_WORD, lambda m: _endless_word(m, found))
+    found.blank(_ENDLESS_JOINED, lambda m: re.sub("[^a-z]", " ", m[0]))
     found.blank(_WRAPPED, lambda m: " ")
     found.blank(_SHORTENED, lambda m: m[1])
     found.blank(_LISTED, lambda m: " & ")
@@ -272,6 +282,11 @@ def _sides(m: re.Match[str], found: Source) -> str | None:
 
 def _endless(m: re.Match[str], found: Source) -> str:
     found.notes.append(f"'{m[0][:10]}...' is no number that a room has; it was left out")
+    return " "
+
+
+def _endless_word(m: re.Match[str], found: Source) -> str:
+    found.notes.append(f"'{m[0][:10]}...' is no word, with its {len(m[0])} letters; it was left out")
     return " "
 
 

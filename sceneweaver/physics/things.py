@@ -13,6 +13,7 @@ from typing import Literal
 import numpy as np
 
 from sceneweaver.assets import Asset, Link, categories
+from sceneweaver.assets.carrying import is_hook
 from sceneweaver.assets.placed import Load, loader, scaled_asset
 from sceneweaver.assets.roles import with_role
 from sceneweaver.scene import Scene, SceneObject
@@ -216,9 +217,10 @@ def moving_links(asset: Asset) -> frozenset[int]:
 
 
 def is_fixture(thing: SceneObject) -> bool:
-    """Whether it stands still: it is fixed, hangs on a wall or ceiling, or is built in."""
+    """Whether it stands still: it is fixed, hangs on a wall or ceiling or from a hook, or is built in."""
     named = thing.category.strip().lower().replace(" ", "_") in with_role("built_in")
-    return thing.fixed or thing.mount in ("wall", "ceiling") or named
+    hangs = thing.support is not None and is_hook(thing.support.surface)
+    return thing.fixed or thing.mount in ("wall", "ceiling") or hangs or named
 
 
 def _thing(index: int, thing: SceneObject, load: Load, bodies: dict[str, tuple[Solid, ...]]) -> Thing:

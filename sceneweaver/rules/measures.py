@@ -67,7 +67,7 @@ _ALL = (
     _asked("centred", "m", "how far the middle of the outline lies off the target's, along an axis or the nearer one"),
     _asked("share_over", "", "share of the subject's outline within the target's, as seen from above; of either"),
     _asked("share_within", "", "share of the subject's height and outline within the target's"),
-    _asked("held", "", "1 where the target carries the subject, with anything between; of: inner or outer surfaces"),
+    _asked("held", "", "1 where the target carries the subject, with anything between; of: inner, outer, hook"),
     _asked("top_over_seat", "m", "height of the target's worktop over the top of the subject"),
     _asked("top_over_top", "m", "top of the subject over the top of the target"),
     _asked("top_over_middle", "m", "top of the subject over the middle of the target's height"),

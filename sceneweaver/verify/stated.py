@@ -12,6 +12,7 @@ from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
+from sceneweaver.assets.carrying import is_hook
 from sceneweaver.assets.roles import has_role
 from sceneweaver.geometry.angles import cross, dot, wrap_angle
 from sceneweaver.geometry.walls import Wall
@@ -228,12 +229,17 @@ def _held(q: Asked) -> Reading | None:
     if q.row.of == "outer":
         support = found.item.support
         return Reading(float(support is not None and support.surface not in _inner(q.t)), "")
+    if q.row.of == "hook":
+        support = found.item.support
+        return Reading(float(support is not None and is_hook(support.surface)), "")
     return Reading(float(q.row.of != "inner" or _is_within(found, q.t)), "")
 
 
 def _inner(target: Body) -> set[str]:
     """The surfaces of a thing that are within it."""
-    return {s.name for s in target.item.surfaces if s.headroom is not None or s.name == INSIDE}
+    return {
+        s.name for s in target.item.surfaces if (s.headroom is not None and not is_hook(s.name)) or s.name == INSIDE
+    }
 
 
 def _is_within(held: Body, target: Body) -> bool:

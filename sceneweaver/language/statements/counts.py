@@ -6,8 +6,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from ..model import Activity, Arrangement, Capacity, Entity, StatedRelation
+from ..things import singular
 from ..vocabulary import family, words
 from .resolve import entity_named
+
+SHARED = 2
+"""People beside each other at each table of a U."""
 
 VAGUE, FEW = (2, 6), 4
 """Count of a bare plural, and how many of it stand along two walls."""
@@ -73,10 +77,11 @@ def peopled(
     found = list(relations)
     for one in arrangements:
         if one.entity in by_id:
-            things = _things(one)
-            if _together(by_id[one.entity], entities) < (things or 0):
-                by_id[one.entity] = _counted(by_id[one.entity], things)
-            by_id[one.entity] = _hung(by_id[one.entity], one)
+            known_as, things = by_id[one.entity], _things(one)
+            several = known_as.count != (1, 1) or singular(known_as.noun) != known_as.noun
+            if several and _together(known_as, entities) < (things or 0):
+                known_as = _counted(known_as, things)
+            by_id[one.entity] = _hung(known_as, one)
         # What all look at is said of the arrangement; none of a row looks straight at it but the middle one.
         found = [
             r
@@ -95,7 +100,10 @@ def peopled(
         if one.pattern == "walls" and entity is not None and entity.count == VAGUE:
             by_id[one.entity] = entity.model_copy(update={"count": (FEW, FEW)})  # two at each
         if one.pattern == "u" and entity is not None and entity.count == VAGUE:
-            by_id[one.entity] = entity.model_copy(update={"count": (VAGUE[1], VAGUE[1])})
+            told = sum(c.people for c in known if not c.own and not c.each and c.target in ("", one.entity))
+            table = family(entity.category) == "table"
+            count = -(-told // SHARED) if told and table else told or VAGUE[1]
+            by_id[one.entity] = entity.model_copy(update={"count": (max(3, count), max(3, count))})
         if one.pattern in ("outside", "inside") and entity is not None and host is not None and entity.count == VAGUE:
             by_id[one.entity] = entity.model_copy(update={"count": host.count})  # a seat at each table
     for one in arrangements:

@@ -234,7 +234,8 @@ def _in_place_of(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
 
 def _built(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "A shelf made from crates": no crates beside the shelf."""
-    if _thing_at(edits.source.text, m.start("noun"))[0] != m["noun"] or not edits.free(m.start(), m.end()):
+    one, known = singular(m["noun"]), _thing_at(edits.source.text, m.start("noun"))[0]
+    if known != m["noun"] or one == known or not edits.free(m.start(), m.end()):
         return
     spoken = edits.source.text[m.start() : m.end()]
     parsed.unread.append(Left(spoken, span=edits.take(m.start(), m.end())))

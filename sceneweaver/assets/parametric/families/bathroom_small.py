@@ -9,6 +9,7 @@ import numpy as np
 from ... import shapes
 from ...drawing import Box, Drawing, Look, Vec3, draws
 from ...drawing.components import carcass, compartments, lip, open_box, oval, perimeter, walls
+from .small_parts import BARE
 
 _METALS = "chrome, black steel, brass, brushed steel"
 _TERRY = ", ".join(f"{tone} fabric" for tone in ["white", "blue", "green", "rose", "grey", "mustard", "beige", "navy"])
@@ -73,7 +74,7 @@ def towel_radiator(d: Drawing) -> None:
             d.bar((box.x[0], reach, z), (x - 0.008, reach, z), 0.01, look, 8)
             _rosette(d, (box.x[0], reach, z), 0.02, look)
     d.cylinder(Box.around((x + 0.01, y, 0.03), 0.05, 0.028, 0.028), "white plastic", "x", segments=14)
-    if d.chance("towel", 0.5):
+    if d.request.shape != BARE and d.chance("towel", 0.5):
         _hung_towel(d, (x + 0.006, 0.0, levels[gaps[-1] - 1]), 0.011, 0.6 * box.width, 0.42, 0.3)
 
 

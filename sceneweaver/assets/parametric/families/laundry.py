@@ -22,6 +22,7 @@ from ...drawing.components import (
     vessel,
     wheel,
 )
+from .small_parts import BARE
 
 _CLOTHS = [f"{tone} fabric" for tone in ("white", "blue", "rose", "grey", "green", "mustard")]
 _BRIGHT = "red plastic, blue plastic, black plastic, green plastic, orange plastic, grey plastic"
@@ -155,7 +156,7 @@ def drying_rack(d: Drawing) -> None:
                 d.bar((x, *start), (x, *end), 0.009, metal, 8)
             rods(start, end, count)
     fall = np.array([(-9, -1.0), (-8, -0.5), (-7, 0.0), (0, 0.02), (7, 0.0), (8, -0.5), (9, -0.85)]) * (0.001, 1.0)
-    for k in range(d.integer("pieces", 2, 4) if d.chance("washing", 0.7) else 0):
+    for k in range(d.integer("pieces", 2, 4) if d.request.shape != BARE and d.chance("washing", 0.7) else 0):
         across = np.linspace(-1, 1, 9)
         sway = 0.005 * np.sin(4.7 * across + k) * np.abs(fall[:, 1:]) * np.sign(fall[:, :1])
         y = (2 * k + 1) * half / 4 - half + fall[:, :1] + sway

@@ -27,9 +27,12 @@ from ...category import read_yaml
 from ...drawing import MAKERS, PROUD, Axis, Box, Drawing, Look, Maker
 from ...drawing.components import tub
 from ...drawing.tree import pose
-from .small_parts import filling, open_vessel, wrap
+from .small_parts import BARE, filling, open_vessel, wrap
 
 Numbers = Sequence[float]
+
+LOOSE = "contents"
+"""The part of a drawing that is left out where other things are asked for in its place."""
 
 
 def _place(whole: Box, n: Numbers) -> Box:
@@ -199,6 +202,8 @@ def draw(d: Drawing, text: str) -> None:
         words, drawn = line.split(), True
         if words[0][0] == "+":
             group = words[0][1:]
+            continue
+        if group == LOOSE and d.request.shape == BARE:
             continue
         if words[0][0] == "@":
             item.close()

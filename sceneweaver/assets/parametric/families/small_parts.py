@@ -11,6 +11,9 @@ from ...drawing import PROUD, Box, Drawing, Look
 OPEN = "open"
 """The shape asked of a box that things are put into: without a lid, with a surface inside."""
 
+BARE = "bare"
+"""The shape asked of what others hang from: without what usually hangs there."""
+
 CERAMICS = "white ceramic, cream ceramic, blue ceramic, grey ceramic, terracotta"
 PLASTICS = "white plastic, pink plastic, mint plastic, lilac plastic, blue plastic, clear plastic, orange plastic"
 CLOTHS = "navy fabric, grey fabric, charcoal fabric, green fabric, mustard fabric, rust fabric, red fabric, blue fabric"

@@ -9,6 +9,7 @@ import numpy as np
 from ...drawing import Box, Drawing, draws
 from ...drawing.components import leg, walls
 from ...drawing.drawing import Look
+from .small_parts import BARE
 
 WOODS = ("oak", "walnut", "white paint", "black paint", "beech", "light oak")
 COVERS = ("paper", "red plastic", "blue plastic", "yellow plastic", "sea pigment", "blush pigment")
@@ -61,7 +62,7 @@ def clothes_rack(d: Drawing) -> None:
             d.bar((0, side, foot.z[0]), (0, side, rail), radius, metal, 12)
     with d.part("rail"):
         d.bar((0, bounds.y[0], rail), (0, bounds.y[1], rail), radius, metal, 12)
-        if d.chance("clothes", 0.65):
+        if d.request.shape != BARE and d.chance("clothes", 0.65):
             _clothes(d, min(bounds.depth / 2 - 0.005, 0.21), y, rail)
     d.surface("shelf", board, 0.25, inset=0.03)
 

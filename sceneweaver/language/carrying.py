@@ -1,0 +1,82 @@
+"""Which word of place means which way of carrying for a pair of things: coats "on" a coat rack hang from it.
+
+What is said of two things is told by how the one carries the other (`assets.carrying`): from hooks, in a cavity, on
+top.
+"""
+
+from __future__ import annotations
+
+import re
+
+from sceneweaver.assets.carrying import carrier, hangs_from, hung_words
+
+from .parsed import Mention, Parsed, Said
+
+CARRYING = ("on", "inside", "against", "leaning_on", "hanging_from", "below", "behind", "near", "at", "next_to")
+"""Types of relations that may tell that one thing carries another."""
+
+_WORD = re.compile(r"[a-z]+")
+
+ROW_OF = "coat_hooks"
+"""What several of a plural noun are one board of."""
+
+
+def told_by_carriers(parsed: Parsed, mentions: list[Mention]) -> None:
+    """Give what is said of a thing and its carrier the type that is meant of these two."""
+    hung = [one for one in parsed.said if one.type in CARRYING and _of_things(one)]
+    parsed.said = [piece for one in parsed.said for piece in (_split(one) if one in hung else [one])]
+    for mention in mentions:
+        if (
+            mention.category == ROW_OF
+            and mention.plural
+            and (mention.count is None or mention.count[0] < mention.count[1])
+        ):
+            mention.count = (1, 1)  # a row of hooks is one board
+
+
+def _of_things(said: Said) -> bool:
+    return len(said.targets) == 1 and isinstance(said.targets[0], Mention)
+
+
+def _split(said: Said) -> list[Said]:
+    """A relation as it is meant of each of its subjects, of those with the same meaning together."""
+    target = said.targets[0]
+    assert isinstance(target, Mention)
+    meant: dict[str, list[Mention]] = {}
+    for subject in said.subjects:
+        meant.setdefault(_meant(said, subject, target), []).append(subject)
+    if list(meant) == [said.type]:
+        return [said]
+    return [_typed(said, kind, subjects) for kind, subjects in meant.items()]
+
+
+def _typed(said: Said, kind: str, subjects: list[Mention]) -> Said:
+    given = {name: getattr(said, name) for name in ("targets", "words", "count", "each", "side", "implied", "span")}
+    return Said(kind, subjects, **given, params=dict(said.params))
+
+
+def _meant(said: Said, thing: Mention, target: Mention) -> str:
+    """The type of relation that is meant of a thing and what is to carry it."""
+    spoken = set(_WORD.findall(said.words.lower()))
+    kind = carrier(target.category, target.noun)
+    on_top = "top" in spoken or "atop" in spoken
+    if not spoken.isdisjoint(hung_words()):
+        if said.type == "inside" and not kind.pure:
+            return said.type  # jackets that hang in a locker
+        flat = "ceiling" in (thing.mount, target.mount) and thing.mount != "surface"
+        return said.type if on_top or flat or thing.is_rug or target.is_rug else _hung(said, thing)
+    if said.type in ("on", "inside") and not on_top and hangs_from(thing.category, thing.noun, kind):
+        return "hanging_from" if thing.mount != "ceiling" else said.type
+    if said.type == "on" and kind.ways == ("inside",) and not on_top and thing.is_small and target is not thing:
+        return "inside"
+    return said.type
+
+
+def _hung(said: Said, thing: Mention) -> str:
+    """What "hung" and a word of place say: over a table it hangs above it, elsewhere from the thing."""
+    if said.type in ("near", "at", "next_to") or (said.type == "below" and not thing.is_small):
+        return said.type
+    return "hanging_from"
+
+
+__all__ = ["told_by_carriers"]
