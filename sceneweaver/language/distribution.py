@@ -16,7 +16,7 @@ from .state import State
 from .things import MANY, singular
 from .vocabulary import Place, words
 
-_TOGETHER = ("between", "around", "along", "below")
+_TOGETHER = ("between", "around", "along", "below", "near")
 """Relations that one thing may have to two at once: a rug between both, or under both."""
 
 
@@ -25,9 +25,11 @@ def is_each(phrase: NounPhrase) -> bool:
     return phrase.determiner in EACH or (phrase.what == "pronoun" and phrase.value == "each")
 
 
-def speaks_of_both(phrase: NounPhrase, kind: str) -> bool:
-    """Whether "both" means each of two: a lamp "on both", but not a rug "between both"."""
-    return phrase.what == "pronoun" and phrase.value == "both" and kind not in _TOGETHER
+def speaks_of_both(phrase: NounPhrase, kind: str, subjects: list[Mention] | None = None) -> bool:
+    """Whether "both" means each of two: a lamp "on both", but no rug "between both", no "one mirror over both"."""
+    if phrase.what != "pronoun" or phrase.value != "both" or kind in _TOGETHER:
+        return False
+    return not (kind == "above" and any(m.numbered and m.count == (1, 1) for m in subjects or ()))
 
 
 def each_next(state: State, at: int) -> bool:

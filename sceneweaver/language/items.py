@@ -223,7 +223,8 @@ def give_target(state: State, waiting: Waiting, mentions: list[Mention], phrase:
         _on_each_of(state, waiting, targets)
         return
     _on_both(waiting, mentions, phrase)
-    bind_target(state, waiting, targets, is_each(phrase) or speaks_of_both(phrase, waiting.place.type))
+    each = is_each(phrase) or speaks_of_both(phrase, waiting.place.type, waiting.subjects)
+    bind_target(state, waiting, targets, each)
     if waiting.subjects is not None and new and not waiting.lost:
         state.head = list(mentions)
     elif waiting.subjects is None:

@@ -47,6 +47,8 @@ class Mention:
     """Other nouns by which the request calls it: a crate that is used as a table is a table."""
     span: Span | None = None
     id: str = ""
+    numbered: bool = False
+    """Whether its number is told as one: "one mirror", and not "a mirror"."""
     uncounted: bool = False
     """Whether it was named by "each" alone, before its number is told."""
     per_place: str = ""

@@ -55,6 +55,10 @@ def number_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
             near[-1].count = (low + count[0] * by[0], high + count[1] * by[1])
             state.out.referred.append(state.span_of(phrase))
             return
+    if chunk.text == "one" and after is not None and after.kind == "purpose":
+        state.out.referred.append(state.span_of(phrase))
+        state.glue = ""
+        return
     if group is None and state.glue == "bracket" and near and near[-1].count is None:
         group = near[-1]  # "toy chest (2)"
     total = phrase.bound is not None or phrase.value == "grouped" or state.glue == "bracket"
@@ -178,8 +182,14 @@ def _part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
             state.leave_unread(f"{before.text} {chunk.text}", before.start, chunk.end)
         return
     near = nearest(state, waiting.subjects or []) if waiting is not None else _at_hand(state)
-    if phrase.text == "one" and waiting is None and one_for_each(state, near):
-        return
+    if phrase.text == "one" and waiting is None:
+        if one_for_each(state, near):
+            return
+        after = state.chunk(state.at)
+        if after is not None and (after.kind == "purpose" or (after.kind == "word" and after.text == "for")):
+            state.out.referred.append(state.span_of(phrase))  # "two chairs, one for the teacher, one for the pupil"
+            state.glue = ""
+            return
     if partial and part_of_each(state, state.chunk(state.at)):
         more = _more_of_the_same(state, near, (1, 1), phrase)
         group = state.refs.several(near)

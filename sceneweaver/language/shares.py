@@ -19,7 +19,7 @@ _ENDS = ("stop", "comma", "bracket", "and")
 def ends_here(state: State) -> bool:
     """Whether a list or the sentence ends with the chunk in hand."""
     after = state.chunk(state.at)
-    return after is None or after.kind in _ENDS
+    return after is None or after.kind in _ENDS or (after.kind == "noun" and after.text == "one")
 
 
 def multiply(mentions: list[Mention], by: tuple[int, int]) -> None:
@@ -47,6 +47,10 @@ def last_items(state: State) -> list[Mention]:
 def _bound_list(state: State) -> list[Mention] | None:
     """All that a sentence names, where that is one list of single things that "and" binds: "a cabinet, a drip stand and
     a chair per bed"; but of "a sofa and one chair per bed" the chair alone."""
+    frame = state.frames[-1] if state.frames else None
+    if frame is not None and frame.kind == "with" and frame.closed and len(frame.items) > 1:
+        tied = {m for said in state.out.said for m in said.subjects if not said.implied}
+        return [m for m in reversed(frame.items) if m.per is None and (m not in tied or m is frame.items[-1])]
     fresh = [m for m in state.out.mentions[state.begun :] if not m.implied]
     related = {m for said in state.out.said for m in said.subjects if not said.implied}
     single = all(m.count in (None, (1, 1)) and not m.plural and m.per is None and m not in related for m in fresh)
@@ -61,6 +65,9 @@ def _bound_list(state: State) -> list[Mention] | None:
 
 def owners_of(state: State, items: list[Mention]) -> Mention | None:
     """The things of which each has the items: the last of which there are several."""
+    owner = state.frames[-1].owner[-1:] if state.frames else []
+    if owner and owner[0] in state.out.stations:
+        return owner[0]  # "two stations with a couch and a lamp each"
     for mention in reversed(state.out.mentions[-12:]):
         if mention not in items and mention.count is not None and mention.count[0] == mention.count[1] > 1:
             return mention

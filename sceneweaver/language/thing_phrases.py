@@ -36,6 +36,8 @@ def named_thing(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         state.glue = ""
         return
     waiting = state.waiting
+    if state.glue == "or" and waiting is None and _is_alternative(state, phrase):
+        return
     if phrase.of_group:
         _name_group(state, phrase)
     if waiting is None and phrase.determiner in ("each", "every"):  # "each bowl next to a spoon"
@@ -95,6 +97,20 @@ def named_thing(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         state.waiting = None
     else:
         name_nothing(state)
+
+
+def _is_alternative(state: State, phrase: NounPhrase) -> bool:
+    """ "A desk or a table by the window": one of the two is enough, and the first is made."""
+    before = (state.head or state.subject or state.out.mentions)[-1:]
+    if not before or match_of(name_of(phrase)).how == "generic":
+        return False
+    if phrase.definite and state.refs.known(phrase, True, []) is None:
+        return False  # "next to the bed or the sofa" names a sofa
+    if not phrase.definite and state.last_target is None:
+        before[0].also.append(name_of(phrase))
+    state.out.referred.append(state.span_of(phrase))
+    state.glue = ""
+    return True
 
 
 def _name_group(state: State, phrase: NounPhrase) -> None:

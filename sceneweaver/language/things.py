@@ -80,6 +80,7 @@ def new_mention(phrase: NounPhrase, source: Source) -> Mention:
         noun = f"{noun} of {of}"
     mention = Mention(noun, match.category, phrase.count, generic=match.how == "generic", plural=phrase.plural)
     mention.span = source.span(phrase.start, phrase.end)
+    mention.numbered = phrase.count is not None
     if mention.count is None:
         head = phrase.text.split(" of ")[0]
         several = phrase.plural and head.split()[-1] not in words("nouns")["paired"] and plural(_single(head)) == head

@@ -370,6 +370,10 @@ def test_what_was_only_implied_is_assumed_and_the_unknown_is_said() -> None:
         ({"kind": "part", "value": "3 drawers"}, {"drawers": 2}, "unmet"),
         ({"kind": "part", "value": "3 drawers"}, {}, "not_understood"),
         ({"kind": "other", "value": "cheerful"}, {}, "not_understood"),
+        ({"kind": "other", "value": "as desk"}, {}, "met"),
+        ({"kind": "other", "value": "as bar stool"}, {}, "met"),
+        ({"kind": "other", "value": "as coffee table"}, {}, "unmet"),
+        ({"kind": "other", "value": "as whatsit"}, {}, "not_understood"),
     ],
 )
 def test_attributes(attribute: dict[str, Any], given: dict[str, Any], status: str) -> None:

@@ -73,6 +73,13 @@ def test_what_is_each_ones_own_is_counted():
     assert of(lockers[:5], said, "locker").measured == 5.0
 
 
+def test_own_things_of_nobody_knows_how_many_are_not_met():
+    said = Capacity(id="capacity-0", people=0, activity="use", own=(("locker", 1),))
+    lockers = [box(f"locker-{k}", (0.5, 0.4, 1.8), 0.5 + 0.5 * k, 0.5) for k in range(2)]
+    assert of(lockers, said, "locker").status == "not_understood"
+    assert of(lockers, Capacity(id="capacity-0", people=0, activity="sit")).status == "not_understood"
+
+
 def arranged(pattern: Any, name: str = "locker", **more: Any) -> Arrangement:
     return Arrangement(id="arrangement-0", entity=name, pattern=pattern, words=pattern, **more)
 

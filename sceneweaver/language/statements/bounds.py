@@ -16,22 +16,25 @@ _BOUND = re.compile(
     rf"|,? (?:{_LEAST.replace('least>', 'low>')}|{_MOST.replace('most>', 'high>')}|about|around) "
     rf"(?P<m>{NUMBER}) of them\b)"
 )
+_NO_MORE = re.compile(r"\b(?:and|but|or) no more than\b")
 _AHEAD = re.compile(rf"\b(?P<word>min|max)(?:imum)?\.? (?={NUMBER} [a-z])")
 
 
 def bounds(source: Source, parsed: Parsed) -> None:
     """Reads the least and most of what is named before or right behind them."""
     edits = Edits(source)
+    source.blank(_NO_MORE, lambda m: "and at most")
     for m in _AHEAD.finditer(source.text):
-        edits.take(m.start(), m.end(), "over" if m["word"] == "min" and len(m[0]) < 9 else "up to")
-        if m["word"] == "min":
-            number = re.compile(NUMBER).match(source.text, m.end())
-            assert number is not None
-            noun = source.text[number.end() :].split(",")[0].split(".")[0]
-            first = re.match(r"\s*((?:[a-z'-]+ ){0,2}?[a-z'-]+s)\b", noun)
-            if first is not None:
-                edits.take(m.start(), m.start() + len(m[0]))
-                parsed.bounds.append(((first[1],), *_bounds(number_of(number[0]), "least")))
+        number = re.compile(NUMBER).match(source.text, m.end())
+        assert number is not None
+        noun = source.text[number.end() :].split(",")[0].split(".")[0]
+        first = re.match(r"\s*((?:[a-z'-]+ ){0,2}?[a-z'-]+s)\b", noun)
+        if first is not None:
+            parsed.referred.append(edits.take(m.start(), m.end()))
+            bound = "least" if m["word"] == "min" else "most"
+            parsed.bounds.append(((first[1],), *_bounds(number_of(number[0]), bound)))
+        elif m["word"] == "min":
+            edits.take(m.start(), m.end(), "over" if len(m[0]) < 9 else "at least")
     for m in _BOUND.finditer(source.text):
         if not edits.free(m.start(), m.end()):
             continue

@@ -167,7 +167,7 @@ def _seater(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
 
 def _seats(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "A sofa 2 seats", "40 seats ... the benches face the altar": seats of what is named, and no chairs beside it."""
-    seats = one_of([noun for noun in words("people")["at"]["sit"] if noun.endswith("s")])
+    seats = one_of([noun for noun in words("people")["at"]["sit"] if noun.endswith("s") and noun != "tables"])
     others = edits.source.text[: m.start()] + edits.source.text[m.end() :]
     if m["noun"] or re.search(rf"\b{seats}\b", others):
         start = m.end("noun") if m["noun"] else m.start()

@@ -93,9 +93,11 @@ def peopled(
     arrangements = [_for_people(one, by_id.get(one.entity), people) for one in arrangements]
     for one in arrangements:
         if one.entity in by_id:
-            known_as = by_id[one.entity]
+            known_as, things = by_id[one.entity], _things(one)
             several = known_as.count != (1, 1) or singular(known_as.noun) != known_as.noun
-            by_id[one.entity] = _hung(_counted(known_as, _things(one)) if several else known_as, one)
+            if several and _together(known_as, entities) < (things or 0):
+                known_as = _counted(known_as, things)
+            by_id[one.entity] = _hung(known_as, one)
         # What all look at is said of the arrangement; none of a row looks straight at it but the middle one.
         found = [
             r
@@ -146,6 +148,12 @@ def _for_people(one: Arrangement, entity: Entity | None, people: int | None) -> 
         return one
     pairs = people // 2 if people and people % 2 == 0 and has_role(entity.category, *FOR_ONE) else 2
     return one.model_copy(update={"columns": pairs})
+
+
+def _together(entity: Entity, entities: Sequence[Entity]) -> int:
+    """How many there are of what is called so, some of which are told apart: "24 desks, one of them broken"."""
+    alike = [e for e in entities if e.category == entity.category and e.noun == entity.noun and e.count is not None]
+    return sum(e.count[0] for e in alike if e.count is not None) if len(alike) > 1 else 0
 
 
 def _rows_of(name: str, arrangements: Sequence[Arrangement]) -> int:

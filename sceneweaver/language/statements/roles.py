@@ -17,12 +17,15 @@ from ..things import match_of, singular
 from ..vocabulary import vocabulary, words
 from .phrases import NUMBER, Edits, noun_after, noun_before, number_of, one_of
 
+REACH = 80
+"""Characters before a phrase in which the thing that it is about is named."""
+
 _DET = r"(?:(?:an?|the|our|my|his|her|their|one|some) )?"
 
 
 def roles(source: Source, parsed: Parsed) -> None:
     """Read what things serve as, what they are in other words, what they are there for in place of, and totals."""
-    _name_both(source)
+    _name_both(source, parsed)
     edits = Edits(source)
     for m in _serving().finditer(source.text):
         _serves(m, edits, parsed)
@@ -30,6 +33,8 @@ def roles(source: Source, parsed: Parsed) -> None:
         _serves_ahead(m, edits, parsed)
     for m in _instead().finditer(source.text):
         _in_place_of(m, edits, parsed)
+    for m in _made_of().finditer(source.text):
+        _built(m, edits, parsed)
     for m in _TOTAL.finditer(source.text):
         _in_all(m, edits, parsed)
     for m in _TIMES.finditer(source.text):
@@ -51,7 +56,7 @@ def _serving() -> re.Pattern[str]:
 @cache
 def _ahead() -> re.Pattern[str]:
     return re.compile(
-        rf"(?:^|[.,]|\band\b) ?(?P<role>as {_DET}(?=[a-z]))(?P<noun>[a-z -]+?) ?"
+        rf"(?:^|[.,]|\band\b) ?(?P<role>as {_DET}(?=[a-z]))(?P<noun>[a-z -]{{3,30}}?) ?"
         r"(?:,|there is|there's|there are|we have|we use|i use|use|i want) ?"
         r"(?P<thing>(?:an?|one|two|some|the|my|our) )"
     )
@@ -60,6 +65,12 @@ def _ahead() -> re.Pattern[str]:
 @cache
 def _instead() -> re.Pattern[str]:
     return re.compile(rf",? ?\b{one_of(words('roles')['instead'])} (?:an? |the |any |some |normal |usual |ordinary )*")
+
+
+@cache
+def _made_of() -> re.Pattern[str]:
+    made = one_of(words("roles")["made"])
+    return re.compile(rf"\b{made} (?:of|from|out of|with) (?:[a-z-]+ ){{0,2}}?(?P<noun>[a-z]+s)\b")
 
 
 _TOTAL = re.compile(
@@ -88,6 +99,7 @@ def _behind(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     noun, count = m["noun"], number_of(m["n"])
     last = singular(noun.split()[-1])
     known = "noun" in vocabulary().get(last, {}) and match_of(singular(noun)).how != "generic"
+    known = known and "people_words" not in vocabulary().get(noun.split()[-1], {})  # "a table seats eight"
     if not known or not count or not edits.free(m.end("noun"), m.end()) or len(noun.split()[0]) < 2:
         return
     if any(noun.split()[-1] in verbs for verbs in words("people")["verbs"].values()):
@@ -101,13 +113,28 @@ def _stacked(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     edits.take(m.start(), m.end(), f"in stacks of {number_of(m['n'].removesuffix('s').replace('sixe', 'six'))}")
 
 
-def _name_both(source: Source) -> None:
-    """ "Two upper and two lower bunks" are upper bunks and lower bunks: the noun is said once for both."""
+_EACH_SIDE = re.compile(r"(?<=[a-z0-9])(?<!\bon)(?<!\bat)(?<!\balong)(?<!\bfrom) (?=(?:each|either) side of\b)")
+_IN_EACH_ROW = re.compile(
+    rf"\brows of (?P<noun>[a-z]+),? (?P<n>{NUMBER}) (?:(?P=noun) )?(?:in|to|per|a) ?(?:(?:each|every|a|the) )?row\b"
+)
+_OF_TWO = re.compile(r"\bhis (?:and|&) hers?\b")
+
+
+def _name_both(source: Source, parsed: Parsed) -> None:
+    """ "Two upper and two lower bunks" are upper bunks and lower bunks: the noun is said once for both. The number of a
+    row goes before its things, and what is "each side of" something is on each side."""
     for m in reversed([*_TWO_KINDS.finditer(source.text)]):
-        noun = m["noun"]
-        plain = all(_is_quality(m[name]) for name in ("one", "two"))
-        if plain and "noun" in vocabulary().get(noun, {}) and not _is_quality(noun):
+        noun, _ = _thing_at(source.text, m.start("noun"))
+        if noun and not _is_quality(noun) and all(_is_quality(m[name]) for name in ("one", "two")):
             source.insert(m.end("one"), f" {noun}", m.start("noun"))
+    source.blank(_OF_TWO, lambda m: "two")
+    for m in reversed([*_EACH_SIDE.finditer(source.text)]):
+        source.insert(m.end(), "on ", m.end())
+    for m in reversed([*_IN_EACH_ROW.finditer(source.text)]):  # "three rows of tables, two in each row"
+        at, number = m.start("noun"), source.text[m.start("n") : m.end("n")]
+        parsed.referred.append(source.span(m.end("noun"), m.end()))
+        source.text = source.text[: m.end("noun")].ljust(m.end()) + source.text[m.end() :]
+        source.insert(at, f"{number} ", m.start("n"))
 
 
 def _is_quality(word: str) -> bool:
@@ -132,6 +159,13 @@ def _thing_at(text: str, at: int) -> tuple[str, int]:
     return "", at
 
 
+def _just_before(text: str, at: int) -> str:
+    """The noun that stands right before a place."""
+    start = max(0, at - REACH)
+    start = max(start, text.find(" ", start, at)) if start else 0
+    return noun_before(text[start:at], at - start)
+
+
 def _is_thing(noun: str) -> bool:
     """Whether a noun names a body that there is a drawing of, and no opening or building material."""
     last = singular(noun.split()[-1])
@@ -142,13 +176,13 @@ def _serves(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "A beer crate as a table": the crate is called a table, too. An old door as a desk is a desk."""
     text = edits.source.text
     role, end = _thing_at(text, m.end())
-    thing = noun_before(text, m.start())
-    before = re.search(r"([a-z'-]+)\W*$", text[: m.start()])
-    if not role or not thing or before is None or before[1] != thing.split()[-1] or not edits.free(m.start(), end):
+    thing = _just_before(text, m.start()) if role else ""
+    before = re.search(r"([a-z'-]+)\W*$", text[max(0, m.start() - REACH) : m.start()])
+    if not thing or before is None or before[1] != thing.split()[-1] or not edits.free(m.start(), end):
         return
     if before[1] in words("roles")["no_role_after"] or singular(thing) == singular(role):
         return
-    at, means = before.start(1), m["means"] is not None
+    at, means = before.start(1) + max(0, m.start() - REACH), m["means"] is not None
     if _is_thing(thing) and not means:
         span = edits.take(m.start(), end, " ")
         parsed.roles.append(Role(at, role, " ".join(text[m.start() : end].split()).strip(" ,"), span))
@@ -200,6 +234,15 @@ def _in_place_of(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     parsed.without.append((noun, names, span))
 
 
+def _built(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "A shelf made from crates": no crates beside the shelf."""
+    one, known = singular(m["noun"]), _thing_at(edits.source.text, m.start("noun"))[0]
+    if known != m["noun"] or one == known or not edits.free(m.start(), m.end()):
+        return
+    spoken = edits.source.text[m.start() : m.end()]
+    parsed.unread.append(Left(spoken, span=edits.take(m.start(), m.end())))
+
+
 def _qualified(noun: str) -> bool:
     """Whether only some of a kind are meant: "a second bed"."""
     first = vocabulary().get(noun.split()[0], {})
@@ -223,7 +266,7 @@ def _in_all(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
 
 def _times(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "Wig heads x3"."""
-    noun = noun_before(edits.source.text, m.start())
+    noun = _just_before(edits.source.text, m.start())
     if not noun or not edits.free(m.start(), m.end()) or match_of(singular(noun)).how == "generic":
         return
     count = int(m["n"])
