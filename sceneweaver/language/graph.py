@@ -48,11 +48,11 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     mean_in_room(mentions, parsed.room_type)
     lengths = measured(parsed, mentions, text)
     give_states(parsed, mentions, text)
+    told_by_carriers(parsed, mentions)
     _named(mentions)
     _shared_support(parsed)
     _by_attribute(parsed, mentions)
     _pairs_of_flanks(parsed)
-    told_by_carriers(parsed, mentions)
     relations = _once([r for said in parsed.said for r in _relations(said, mentions, notes)])
     exclusions = {(words, names): span for words, names, span in reversed(parsed.without)}
     barred = [found for said in parsed.barred if (found := _barred(said, mentions)) is not None]
