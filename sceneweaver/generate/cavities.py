@@ -8,6 +8,7 @@ import numpy as np
 
 from sceneweaver.assets import Asset, Library, Wish
 from sceneweaver.assets.body import Interior
+from sceneweaver.geometry.polygons import counter_clockwise
 from sceneweaver.scene import InputError, Part, Surface
 
 INSIDE = "inside"
@@ -80,7 +81,7 @@ def _around(part: Part, box: tuple[float, float, float, float], floor: float) ->
             continue
         piece = ground.intersection(shapely.box(*strip))
         if piece.geom_type == "Polygon" and piece.area > 1e-7:
-            ring = shapely.get_coordinates(shapely.geometry.polygon.orient(piece))[:-1]
+            ring = counter_clockwise(shapely.get_coordinates(piece)[:-1])
             z = (max(low, floor), high)
             found.append(part.model_copy(update={"polygon": tuple((float(u), float(v)) for u, v in ring), "z": z}))
     return found

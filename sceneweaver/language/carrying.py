@@ -44,15 +44,19 @@ def told_by_carriers(parsed: Parsed, mentions: list[Mention]) -> None:
     """Give what is said of a thing and its carrier the type that is meant of these two."""
     _listed(parsed)
     _told_by_contents(parsed)
+    _of_vessels(parsed)
+    own = {m for one in parsed.said if not one.implied and one.type in ("on", "inside") for m in one.subjects}
     hung = [one for one in parsed.said if one.type in CARRYING and _of_things(one)]
-    parsed.said = [piece for one in parsed.said for piece in (_split(one) if one in hung else [one])]
+    parsed.said = [piece for one in parsed.said for piece in (_split(one, own) if one in hung else [one])]
     for mention in mentions:
-        if (
-            mention.category == ROW_OF
-            and mention.plural
-            and (mention.count is None or mention.count[0] < mention.count[1])
-        ):
-            mention.count = (1, 1)  # a row of hooks is one board
+        if is_board(mention):
+            mention.count = (1, 1)
+
+
+def is_board(mention: Mention) -> bool:
+    """Whether a plural names one board of several: a row of hooks."""
+    open_ = mention.count is None or mention.count[0] < mention.count[1]
+    return mention.category == ROW_OF and mention.plural and open_
 
 
 def _listed(parsed: Parsed) -> None:
@@ -89,17 +93,32 @@ def _told_by_contents(parsed: Parsed) -> None:
             ]
 
 
+def _of_vessels(parsed: Parsed) -> None:
+    """ "A bowl with keys in it on the desk": what is said of contents after their small vessel is said of that."""
+    within: dict[Mention, Mention] = {}
+    placed = {m for one in parsed.said if not one.implied and one.type in ("on", "inside") for m in one.subjects}
+    for one in parsed.said:
+        target = one.targets[0] if one.targets else ""
+        vessels = [within.get(m) for m in one.subjects]
+        vessel = vessels[0] if vessels else None
+        if one.type == "inside" and isinstance(target, Mention):
+            within |= {m: target for m in one.subjects if target.is_small and target not in placed}
+        elif one.type == "on" and vessel is not None and vessel is not target and set(vessels) == {vessel}:
+            one.subjects = [vessel]
+
+
 def _of_things(said: Said) -> bool:
     return len(said.targets) == 1 and isinstance(said.targets[0], Mention)
 
 
-def _split(said: Said) -> list[Said]:
+def _split(said: Said, own: set[Mention]) -> list[Said]:
     """A relation as it is meant of each of its subjects, of those with the same meaning together."""
     target = said.targets[0]
     assert isinstance(target, Mention)
     meant: dict[str, list[Mention]] = {}
     for subject in said.subjects:
-        meant.setdefault(_meant(said, subject, target), []).append(subject)
+        kind = said.type if said.implied and subject in own else _meant(said, subject, target)
+        meant.setdefault(kind, []).append(subject)
     if list(meant) == [said.type]:
         return [said]
     return [_typed(said, kind, subjects) for kind, subjects in meant.items()]
@@ -139,4 +158,4 @@ def _hung(said: Said, thing: Mention) -> str:
     return "hanging_from"
 
 
-__all__ = ["told_by_carriers"]
+__all__ = ["is_board", "told_by_carriers"]
