@@ -40,7 +40,8 @@ def lived_in(outcome: Outcome, executor: Executor, context: Context) -> Outcome:
     for tools in TOUCHES[:1] if is_detailed(brief) else TOUCHES:
         outcome = _touched(outcome, executor, context, tools)
     provenance = {**outcome.scene.provenance, DONE: context.clutter}
-    scene = accented(outcome.scene)
+    told = brief.finish_of("accent")
+    scene = accented(outcome.scene) if told is None or told.where == "any" else outcome.scene
     return replace(outcome, scene=scene.model_copy(update={"provenance": provenance}))
 
 

@@ -159,6 +159,11 @@ def hue(color: str) -> str | None:
     return next((name for name, shades in _colors()["hues"].items() if color in shades), None)
 
 
+def shades_of(name: str) -> tuple[str, ...]:
+    """The basic colours of a hue, as `hue` names it."""
+    return tuple(_colors()["hues"][name])
+
+
 @cache
 def own_look() -> frozenset[str]:
     """The categories whose colours are their own in any room."""

@@ -5,10 +5,12 @@ from __future__ import annotations
 import colorsys
 from dataclasses import dataclass, replace
 
-from sceneweaver.scene import InputError, Room
+from sceneweaver.scene import FloorFinish, InputError, Room, WallAccent, WallTiles
+from sceneweaver.scene.finish import WallPattern
 
 from .body import Material
 from .materials import finishes, shade
+from .textures.patterns.two_colors import Color, mean_of, name_of
 
 FLOORS = ("wood", "tile", "carpet", "concrete", "stone")
 
@@ -49,6 +51,7 @@ class RoomLooks:
     ceiling: Material | None = None
     beams: Material | None = None
     trim: Material | None = None
+    doors: Material | None = None
 
 
 def room_looks(room: Room) -> RoomLooks:
@@ -61,27 +64,64 @@ def room_looks(room: Room) -> RoomLooks:
     if finish is None:
         kind = _floor_for(room.type)
         return RoomLooks(kind, _FLOOR_LOOKS[kind], PAINT)
-    kind, tone = finish.floor.material, finish.floor.tone
-    floor = _FLOOR_LOOKS[kind]
-    if tone is not None:
-        floor = replace(floor, name=f"{tone} floor", color=_floor_color(tone))
-    accent = finish.accent and _wall(
-        finish.accent.color, "accent.color", 0.3, "boards" if finish.accent.kind == "panelling" else "plaster"
-    )
-    above = finish.ceiling
-    tiles = finish.tiles and replace(
-        _painted(finish.tiles.color, "tiles.color", 0.3), name="wall tile", roughness=0.25, texture="wall tiles"
-    )
+    kind = finish.floor.material
+    accent, above, tiles = finish.accent, finish.ceiling, finish.tiles
     return RoomLooks(
         kind,
-        floor,
-        _wall(finish.walls, "walls", 0.5, finish.walls_of),
-        accent,
-        tiles,
+        _floor(finish.floor),
+        _patterned(
+            _wall(finish.walls, "walls", 0.5, finish.walls_of), finish.walls, finish.walls_pattern, finish.walls_second
+        ),
+        accent and _accent(accent),
+        tiles and _tiles(tiles),
         above and replace(_wall(above.color, "ceiling.color", 0.3, above.material), name="ceiling"),
         _of(above.beams, "ceiling.beams") if above is not None and above.beams else None,
         replace(_of(finish.trim, "trim"), name="trim") if finish.trim else None,
+        replace(_of(finish.doors, "doors"), name="door leaf") if finish.doors else None,
     )
+
+
+def _floor(floor: FloorFinish) -> Material:
+    """The material of a floor."""
+    look = _FLOOR_LOOKS[floor.material]
+    if floor.pattern is not None and floor.pattern != "checkered":
+        look = replace(look, texture=floor.pattern)
+    if floor.tone is not None:
+        look = replace(look, name=f"{floor.tone} floor", color=_floor_color(floor.tone))
+    if floor.pattern == "checkered":
+        first, second = _shade(floor.tone or "black", "floor.tone"), _shade(floor.second or "white", "floor.second")
+        look = _two_colored(replace(look, roughness=0.3), "checkered", first, second)
+    return look
+
+
+def _accent(accent: WallAccent) -> Material:
+    """The material of walls that are done otherwise."""
+    if accent.kind == "panelling":
+        return _wall(accent.color, "accent.color", 0.3, "boards")
+    pattern = accent.pattern or ("stripes" if accent.kind == "paper" else None)
+    made = _wall(accent.color, "accent.color", 0.3, accent.of or "plaster")
+    return _patterned(made, accent.color, pattern, accent.second)
+
+
+def _tiles(tiles: WallTiles) -> Material:
+    """The material of a band of tiles."""
+    made = replace(_painted(tiles.color, "tiles.color", 0.3), name="wall tile", roughness=0.25, texture="wall tiles")
+    return _patterned(made, tiles.color, tiles.pattern, tiles.second)
+
+
+def _patterned(made: Material, color: str, pattern: WallPattern | None, second: str | None) -> Material:
+    """A material with another pattern; checks and stripes may have a colour of their own."""
+    if pattern is None:
+        return made
+    if second is not None and pattern in ("stripes", "checkered"):
+        return _two_colored(made, pattern, _shade(color, "walls"), _shade(second, "walls_second"))
+    if pattern == "checkered":
+        return _two_colored(made, pattern, _shade(color, "walls"), _shade("white", "walls_second"))
+    return replace(made, texture=pattern)
+
+
+def _two_colored(made: Material, pattern: str, first: Color, second: Color) -> Material:
+    return replace(made, color=mean_of(first, second), texture=name_of(pattern, first, second))
 
 
 def wall_look(room: Room, wall: int) -> Material:
@@ -92,7 +132,9 @@ def wall_look(room: Room, wall: int) -> Material:
     tiles = finish.tiles
     if looks.tiles and tiles and tiles.high - tiles.low > 0.6 * room.height and wall in (tiles.walls or (wall,)):
         return looks.tiles
-    if looks.accent and finish.accent and wall in finish.accent.walls and finish.accent.kind != "panelling":
+    accent = finish.accent
+    whole = accent is not None and accent.kind != "panelling" and (accent.high or room.height) >= room.height
+    if looks.accent and accent and wall in accent.walls and whole:
         return looks.accent
     return looks.wall
 

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import math
 import zlib
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, replace
 from functools import cache
 
 from sceneweaver.scene import InputError
 
 from .body import Material
-from .materials import Finish, color_name, color_named, finish, hue, own_look, paint, tinted
+from .materials import Finish, color_name, color_named, finish, finishes, hue, own_look, paint, shade, tinted
+from .roles import groups_above
 
 LARGE_CLOTH = (0, 0, 1, 0, 2)
 """Which colours of cloth large things have, in proportion."""
@@ -30,6 +32,9 @@ class Scheme:
     seed: int
     hues: frozenset[str]
     avoid: frozenset[str] = frozenset()
+    """Finishes, families of them and basic colours of which nothing is; "seating:black" holds for seats alone."""
+    plain: bool = False
+    """Whether a thing has looks of its own, of which only what is avoided goes."""
 
     def replaced(self, options: Sequence[Finish], large: bool) -> list[Material]:
         """What some finishes become, one for each, of like families beside each other.
@@ -55,6 +60,8 @@ class Scheme:
         choice = len(options) > 1
         if self._avoids(one):
             return self._instead(one)
+        if self.plain:
+            return one.material
         if one.family == "wood":
             return self.woods[0 if large else k % len(self.woods)].material
         if one.family == "metal":
@@ -72,10 +79,13 @@ class Scheme:
         return tinted(one.material, colors[k % len(colors)])
 
     def _avoids(self, one: Finish) -> bool:
-        return one.family in self.avoid or one.material.name in self.avoid
+        return is_avoided(one, self.avoid)
 
     def _instead(self, one: Finish) -> Material:
-        """What takes the place of a finish that the room does not have: a metal, cloth or wood of it."""
+        """What takes the place of a finish that the room does not have: the like of it in another colour, else a metal,
+        cloth or wood of the room."""
+        if (other := _like(one, self.avoid)) is not None:
+            return other.material
         if one.family == "metal":
             return self.metals[0].material
         if one.family in ("fabric", "leather", "cloth"):
@@ -128,6 +138,58 @@ def scheme(code: str) -> Scheme:
     return Scheme(woods, paints, metals, groups[3], int(groups[4][0]), hues, frozenset(*groups[5:]))
 
 
+@cache
 def scheme_for(category: str, code: str | None) -> Scheme | None:
-    """The palette that a category follows; None for what has colours of its own, such as books."""
-    return None if code is None or category in own_look() else scheme(code)
+    """The palette that a category follows; None for what has colours of its own, such as books, and may have all."""
+    if code is None:
+        return None
+    whole, names = scheme(code), {category, *groups_above(category)}
+    avoid = frozenset(what for entry in whole.avoid for of, _, what in [entry.rpartition(":")] if not of or of in names)
+    plain = category in own_look()
+    if plain and not avoid:
+        return None
+    return replace(_cleaned(whole, avoid), avoid=avoid, plain=plain)
+
+
+def is_avoided(one: Finish, avoid: Collection[str]) -> bool:
+    """Whether a finish is one of some, of a family of them, or of one of these basic colours."""
+    return bool(avoid) and (
+        one.family in avoid or one.material.name in avoid or color_name(one.material.color) in avoid
+    )
+
+
+def _cleaned(whole: Scheme, avoid: frozenset[str]) -> Scheme:
+    """A palette in which nothing is of what is avoided, as far as there is something like it."""
+
+    def kept(group: Sequence[Finish]) -> tuple[Finish, ...]:
+        found = (one if not is_avoided(one, avoid) else _like(one, avoid) for one in group)
+        return tuple(dict.fromkeys(one for one in found if one is not None))
+
+    paints = kept(whole.paints) or whole.paints
+    woods = kept(whole.woods) or paints
+    metals = kept(whole.metals) or paints
+    cloth = tuple(dict.fromkeys(allowed_color(color, avoid) for color in whole.textiles))
+    return replace(whole, woods=woods, paints=paints, metals=metals, textiles=cloth)
+
+
+NEUTRAL = ("white", "cream", "light grey", "beige", "grey", "tan", "black", "sage", "light blue")
+"""What takes the place of a colour that is not wanted: the nearest of the first few that may be."""
+
+
+def allowed_color(color: str, avoid: Collection[str]) -> str:
+    """A colour, or a calm one in its place where it is of a basic colour that is avoided."""
+    if color_named(color) not in avoid:
+        return color
+    free = [name for name in NEUTRAL if name not in avoid] or [color]
+    light = sum(shade(color))
+    return min(free[:5], key=lambda name: abs(sum(shade(name)) - light))
+
+
+@cache
+def _like(one: Finish, avoid: frozenset[str]) -> Finish | None:
+    """The finish of the same family that is nearest in colour and not avoided; paint has any colour."""
+    near = [other for other in finishes().values() if other.family == one.family and not is_avoided(other, avoid)]
+    near = [other for other in near if other.asked <= one.asked] or near
+    if hue(color_name(one.material.color)) is None:  # grey, and not navy, for black
+        near = [other for other in near if hue(color_name(other.material.color)) is None] or near
+    return min(near, key=lambda other: math.dist(other.material.color, one.material.color), default=None)

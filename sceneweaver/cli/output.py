@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 Progress = Callable[[int, int, int, float], None]
 
 LONGEST = 1000
-"""Characters of a line about what is wrong."""
+"""Characters of a line about what is wrong, from "sceneweaver: " on."""
 
 MOST_LISTED = 20
 """Violations that are listed on a terminal; files and --json have them all."""
@@ -99,7 +99,7 @@ def progress_bar(text: str, total: int) -> Iterator[Progress | None]:
 
 def complain(text: str) -> str:
     """Say what is wrong as one printable line on stderr, whatever the file says that it quotes; gives the line."""
-    line = printable_line(text, LONGEST)
+    line = printable_line(text, LONGEST - len("sceneweaver: "))
     typer.echo(f"sceneweaver: {line}", err=True)
     return line
 

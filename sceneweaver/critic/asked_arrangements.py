@@ -152,7 +152,13 @@ def _in_lines(
     gaps = [gap for line in lines for gap in _in_line(said, bodies, line)]
     between = [min(apart(bodies[a], bodies[b]) for a in one for b in other) for one, other in pairwise(lines)]
     by_rows = said.spacing is not None and (columns == 1 or said.facing == "each other")
-    if said.sides or not (between if by_rows else gaps):
+    if said.pitch is not None:
+        steps = [math.dist(bodies[a].centre[:2], bodies[b].centre[:2]) for line in lines for a, b in pairwise(line)]
+        slack = limit("spacing") / 2
+        if steps:
+            yield Measurement("between middles", min(steps), said.pitch - slack, math.inf)
+            yield Measurement("between middles", max(steps), 0.0, math.inf if said.at_least else said.pitch + slack)
+    elif said.sides or not (between if by_rows else gaps):
         pass
     elif by_rows and said.spacing is not None:
         slack = limit("spacing")

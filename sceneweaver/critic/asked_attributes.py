@@ -20,6 +20,7 @@ from sceneweaver.verify.measure import Measurement
 from sceneweaver.verify.solids import Body
 
 from . import kinds
+from .asked_roles import AS, serves_as
 from .asked_states import measured_state
 from .grade import Call
 from .shape_measures import plan_shape
@@ -128,6 +129,8 @@ def _test(attribute: Attribute, asked: Entity, windows: Sequence[Window]) -> _Te
             return _Test(lambda b: _of_shape(b, words.shape or ""))
         case "size" if words.extents:
             return _Test(lambda b: _of_size(b, asked, words), lambda b: _extent(b, asked, words))
+        case "other" if attribute.value.startswith(AS):
+            return _Test(lambda b: serves_as(b, attribute.value.removeprefix(AS)))
         case _ if words.parts:
             return _Test(lambda b: _of_parts(b, dict(words.parts)))
         case "part" | "size" | "other" | "state" | "shape":

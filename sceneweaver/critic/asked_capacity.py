@@ -42,10 +42,14 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
             yield _own(survey, said, item)
         elif said.people:
             yield _places(survey, said, item)
+        else:
+            yield not_understood("capacity", item, (), f"'{said.words}': of how many people is not said")
 
 
 def _own(survey: Survey, said: Capacity, item: str) -> Asked:
     """Whether each of the people has so many of each thing; the scarcest tells."""
+    if not said.people:
+        return not_understood("capacity", item, (), f"'{said.words}': of how many people is not said")
     worst: tuple[float, int, int, str] = (math.inf, 0, 0, "")
     ids: list[str] = []
     for name, each in said.own:

@@ -16,6 +16,7 @@ from sceneweaver.verify.solids import Body
 from . import asked_attributes, kinds
 from .asked_calls import adding
 from .asked_relations import holding
+from .asked_unlooked import unwanted_look
 from .survey import FLAT, Survey
 from .verdict import Asked, counted, met, not_understood, substituted, unmet
 
@@ -109,6 +110,9 @@ def _exclusions(survey: Survey) -> Iterator[Asked]:
         if excluded.relation is not None:
             yield _elsewhere(survey, excluded, item)
             continue
+        if excluded.colors or excluded.styles or excluded.within:
+            yield unwanted_look(survey, excluded, item)
+            continue
         there = [b.id for b in survey.bodies if _is_unwanted(survey, excluded, b)]
         if not there:
             nothing = kinds.words(excluded.words)
@@ -137,8 +141,8 @@ def _is_unwanted(survey: Survey, excluded: Exclusion, body: Body) -> bool:
         return False
     if excluded.mount and body.item.mount == excluded.mount:
         return body.item.category not in belongs_there(excluded.mount)
-    material = str(body.item.attributes.get("material", "")).split()
-    return any(name in material for name in excluded.materials)
+    material = str(body.item.attributes.get("material", ""))
+    return any(name == material or name in material.split() for name in excluded.materials)
 
 
 def _elsewhere(survey: Survey, excluded: Exclusion, item: str) -> Asked:

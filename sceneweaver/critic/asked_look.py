@@ -11,6 +11,7 @@ from sceneweaver.assets.taxonomy import members
 from sceneweaver.knowledge.looks import Look, joined, looks
 from sceneweaver.knowledge.since import is_too_young, since
 from sceneweaver.language import StatedFinish, StatedLook
+from sceneweaver.language.wall_names import walls_meant
 from sceneweaver.rules.faults import fault_kind
 from sceneweaver.scene import InputError, RoomLight
 from sceneweaver.verify.solids import Body
@@ -229,7 +230,7 @@ def basic(name: str) -> str:
 def _finish(survey: Survey, said: StatedFinish) -> Asked:
     """One part of the room beside what was said of it."""
     holds, is_ = _part(survey, said)
-    item, what = f"room.{said.id}", said.part.replace("lower", "lower walls")
+    item, what = f"room.{said.id}", said.part.replace("lower", "lower walls").replace("tiled", "tiled walls")
     if holds:
         return met("room", item, (), f"'{said.words}': {what} {is_}")
     return unmet("room", item, (), f"'{said.words}': {what} {is_}", fault="wrong_room_finish", suggestion="paint it so")
@@ -237,25 +238,25 @@ def _finish(survey: Survey, said: StatedFinish) -> Asked:
 
 def _part(survey: Survey, said: StatedFinish) -> tuple[bool, str]:
     """Whether a part is as said, and what it is."""
-    finish = survey.scene.room.finish
+    room, finish = survey.scene.room, survey.scene.room.finish
     if finish is None:
         return False, "as usual"
     accent, above = finish.accent, finish.ceiling
-    slack = fault_kind("wrong_room_finish").limits["height"]
+    every = len(room.walls)
     match said.part:
         case "walls":
             same = said.color is None or _alike(finish.walls, said.color)
-            covered = (
-                accent is not None and len(accent.walls) > 1 and accent.kind != "panelling" and accent.high is None
-            )
-            return same and said.material in (
-                None,
-                finish.walls_of,
-            ) and not covered, f"{finish.walls} {finish.walls_of}"
+            whole = accent is not None and accent.kind != "panelling" and accent.high is None
+            covered = whole and accent is not None and len(accent.walls) > 1
+            of = said.material in (None, finish.walls_of)
+            printed = said.pattern in (None, finish.walls_pattern) and _alike_too(finish.walls_second, said.second)
+            shown = " ".join(filter(None, (finish.walls, finish.walls_pattern, finish.walls_of)))
+            return same and of and printed and not covered, shown
         case "floor":
-            tone = finish.floor.tone
+            tone, laid = finish.floor.tone, finish.floor.pattern
             right = said.material in (None, finish.floor.material) and (said.color is None or tone == said.color)
-            return right, f"{tone or ''} {finish.floor.material}".strip()
+            right = right and said.pattern in (None, laid) and _alike_too(finish.floor.second, said.second)
+            return right, " ".join(filter(None, (tone, finish.floor.second, laid, finish.floor.material)))
         case "ceiling":
             if above is None:
                 return said.color in ("white", None) and said.material in (None, "plaster"), "white plaster"
@@ -265,20 +266,42 @@ def _part(survey: Survey, said: StatedFinish) -> tuple[bool, str]:
             there = above is not None and above.beams is not None
             return there, f"of {above.beams}" if there and above is not None else "missing"
         case "panels":
-            if accent is None or accent.kind != "panelling" or len(accent.walls) < len(survey.scene.room.walls):
+            if accent is None or accent.kind != "panelling" or len(accent.walls) < every:
                 return False, "missing"
-            high, want = accent.high or LIMITS["panels"], min(said.high or 0.0, survey.scene.room.height)
-            return abs(high - want) <= slack and said.color in (
-                None,
-                accent.color,
-            ), f"{accent.color}, {high:.2f} m high"
+            high = _as_high(accent.high or LIMITS["panels"], said, room.height)
+            return high and said.color in (None, accent.color), f"{accent.color}, {accent.high or 0.0:.2f} m high"
+        case "tiled":
+            tiles = finish.tiles
+            if tiles is None or tiles.low > 0.0 or (tiles.walls is not None and len(tiles.walls) < every):
+                return False, "missing"
+            right = _alike(tiles.color, said.color or tiles.color) and said.pattern in (None, tiles.pattern)
+            return right and _as_high(tiles.high, said, room.height), f"{tiles.color}, {tiles.high:.2f} m high"
+        case "doors":
+            return finish.doors is not None and _alike(finish.doors, said.color or ""), finish.doors or "as usual"
         case "lower" | "accent":
-            if accent is None:
+            if accent is None or accent.kind == "panelling":
                 return False, "missing"
-            high = said.high is None or (accent.high is not None and abs(accent.high - said.high) <= slack)
-            return high and _alike(accent.color, said.color or accent.color), f"{accent.color}"
+            if said.part == "lower":
+                placed = len(accent.walls) == every and _as_high(accent.high or room.height, said, room.height)
+            else:
+                placed = len(accent.walls) == 1 and (
+                    said.where == "any" or accent.walls[0] in walls_meant(said.where, room)
+                )
+            of = said.material in (None, "plaster", "paper", accent.of) and said.pattern in (None, accent.pattern)
+            shown = " ".join(filter(None, (accent.color, accent.pattern, accent.of)))
+            return placed and of and _alike(accent.color, said.color or accent.color), shown
         case "furniture":
             return _of_wood(survey.bodies, said.color or "")
+
+
+def _as_high(is_: float, said: StatedFinish, ceiling: float) -> bool:
+    """Whether something ends at the height that is told, or at the ceiling below it."""
+    slack = fault_kind("wrong_room_finish").limits["height"]
+    return said.high is None or abs(is_ - min(said.high, ceiling)) <= slack
+
+
+def _alike_too(is_: str | None, want: str | None) -> bool:
+    return want is None or (is_ is not None and _alike(is_, want))
 
 
 def _of_wood(bodies: Sequence[Body], wood: str) -> tuple[bool, str]:

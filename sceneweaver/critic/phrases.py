@@ -57,7 +57,8 @@ def _words(graph: SceneGraph) -> dict[str, tuple[str, Span | None]]:
         words = f"{said.subject} {said.words or said.type} {' and '.join(said.targets)}".replace("_", " ")
         found[said.id or f"relation-{k}"] = words, said.span
     for k, excluded in enumerate(graph.exclusions):
-        words = excluded.words if excluded.relation else f"no {excluded.words}"
+        whole = excluded.relation or excluded.colors or excluded.materials or excluded.styles
+        words = excluded.words if whole else f"no {excluded.words}"
         found[excluded.id or f"exclusion-{k}"] = words.replace("_", " "), excluded.span
     found |= {f"room.{one.id}": (one.words, one.span) for one in graph.openings}
     for name in ("area", "height"):

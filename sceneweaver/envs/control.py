@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from importlib import import_module
 from typing import Any, Literal
 
 import numpy as np
 
+from sceneweaver.runtime.mujoco_module import load_mujoco
 from sceneweaver.scene import InputError
 
 from .predicates import rotate, turned
@@ -81,7 +81,7 @@ class Controller:
         """Speeds of the arm's joints for a velocity of the tool."""
         world = self.world
         linear, angular = np.zeros((3, world.model.nv)), np.zeros((3, world.model.nv))
-        import_module("mujoco").mj_jacSite(world.model, data, linear, angular, world.indices.tool)
+        load_mujoco().mj_jacSite(world.model, data, linear, angular, world.indices.tool)
         matrix = np.vstack([linear, angular])[:, world.indices.drive_dof[self.bases :]]
         yaw = world.base(data)[2]
         turn = np.array([np.cos(yaw / 2), 0.0, 0.0, np.sin(yaw / 2)])

@@ -5,12 +5,12 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
-from importlib import import_module
 from typing import Any
 
 import numpy as np
 
 from sceneweaver.assets.placed import Load, loader
+from sceneweaver.runtime.mujoco_module import load_mujoco
 from sceneweaver.runtime.package import missing_extra
 from sceneweaver.scene import InputError, MissingDependencyError, Scene
 
@@ -165,7 +165,7 @@ class RoomEnv(gymnasium.Env):
     def step(self, action: Array) -> tuple[dict, float, bool, bool, dict]:
         """Go on by `PERIOD` with one action; see `Controller`."""
         self._controller.apply(self.data, np.asarray(action))
-        mujoco = import_module("mujoco")
+        mujoco = load_mujoco()
         mujoco.mj_step(self.world.model, self.data, self._substeps)
         mujoco.mj_kinematics(self.world.model, self.data)
         state = self.world.state(self.data)

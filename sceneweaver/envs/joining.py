@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from importlib import import_module
 from typing import Any
 
 import numpy as np
 
 from sceneweaver.io import read_spec
+from sceneweaver.runtime.mujoco_module import load_mujoco
 from sceneweaver.scene import InputError
 
 from .robots import Robot
@@ -55,7 +55,7 @@ def attach(spec: Any, robot: Robot, touching: int = 0) -> None:
     Raises:
         InputError: its MJCF cannot be read, or does not fit.
     """
-    mujoco: Any = import_module("mujoco")  # its types are not to be seen from outside
+    mujoco = load_mujoco()
     try:
         if robot.folder is None:
             own = mujoco.MjSpec.from_string(robot.xml)
@@ -80,7 +80,7 @@ def indices_of(model: Any, robot: Robot) -> RobotIndices:
     driven = [*robot.base, *robot.arm]
     joints = [_named(model.joint, name, "base or arm") for name in driven]
     fingers = np.array([_named(model.actuator, name, "gripper") for name in robot.gripper], dtype=int)
-    jointed = model.actuator_trntype[fingers] == import_module("mujoco").mjtTrn.mjTRN_JOINT
+    jointed = model.actuator_trntype[fingers] == load_mujoco().mjtTrn.mjTRN_JOINT
     addresses = model.jnt_qposadr.astype(int)
     return RobotIndices(
         next(k for k in range(model.nbody) if model.body(k).name.startswith(PREFIX)),

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from importlib import import_module
 from typing import Any
 
 import numpy as np
 
+from sceneweaver.runtime.mujoco_module import load_mujoco
 from sceneweaver.scene import MissingDependencyError
 
 from .world import World
@@ -41,7 +41,7 @@ class Pictures:
             self._renderer = None
 
     def _picture(self, data: Any, size: tuple[int, int], middle: Any, far: float, azimuth: float, up: float) -> Array:
-        mujoco: Any = import_module("mujoco")
+        mujoco = load_mujoco()
         if self._renderer is None or (self._renderer.height, self._renderer.width) != tuple(size):
             self.close()
             try:

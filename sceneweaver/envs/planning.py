@@ -10,11 +10,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from importlib import import_module
 from itertools import islice
 from typing import Any
 
 import numpy as np
+
+from sceneweaver.runtime.mujoco_module import load_mujoco
 
 from .geometry import Articulation, GraspFrame
 from .joining import PREFIX
@@ -101,7 +102,7 @@ class Planner:
 
     def __init__(self, world: World, data: Any) -> None:
         """Copy the state and lay the map of the floor."""
-        mujoco: Any = import_module("mujoco")
+        mujoco = load_mujoco()
         self.world = world
         self.data = mujoco.MjData(world.model)
         self.data.qpos[:] = data.qpos
@@ -128,7 +129,7 @@ class Planner:
             touching: Names of bodies that it may touch.
             doors: Positions of doors and drawers that are not as now.
         """
-        mujoco: Any = import_module("mujoco")
+        mujoco = load_mujoco()
         model, data = self.world.model, self.data
         kept = data.qpos.copy()
         data.qpos[self.world.indices.drive_position] = joints
@@ -228,7 +229,7 @@ def tool_of(grasp: GraspFrame, pose: Array) -> ToolPose:
 
 def link_pose(door: Articulation, pose: Array, position: float) -> Array:
     """The pose [7] of a door's body, opened by ``position`` [rad] or [m], of an object at ``pose`` [7]."""
-    mujoco: Any = import_module("mujoco")
+    mujoco = load_mujoco()
     if door.slides:
         return np.concatenate([to_world(pose, position * door.joint.axis), pose[3:]])
     turn, total = np.empty(4), np.empty(4)

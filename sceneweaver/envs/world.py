@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -13,6 +12,7 @@ import numpy as np
 from sceneweaver.assets.placed import Load, loader, welded_assets
 from sceneweaver.export.mjcf_clients import SLEEP_TOLERANCE
 from sceneweaver.physics import build
+from sceneweaver.runtime.mujoco_module import load_mujoco
 from sceneweaver.scene import InputError, Scene
 
 from .geometry import SceneGeometry
@@ -93,7 +93,7 @@ class World:
 
     def new_data(self) -> Any:
         """A fresh ``mujoco.MjData``."""
-        return import_module("mujoco").MjData(self.model)
+        return load_mujoco().MjData(self.model)
 
     def place(self, data: Any, layout: Array, base: Array, joints: Mapping[str, float] | None = None) -> None:
         """Put everything where it starts: nothing of what went before is left.
@@ -104,7 +104,7 @@ class World:
             base: Where the robot stands: x, y [m], yaw [rad].
             joints: Positions of doors and drawers by name; all others are closed.
         """
-        mujoco = import_module("mujoco")
+        mujoco = load_mujoco()
         mujoco.mj_resetData(self.model, data)
         for thing, pose in zip(self.geometry.things, layout, strict=True):
             for body in thing.bodies:
@@ -119,7 +119,7 @@ class World:
 
     def forward(self, data: Any) -> None:
         """Bring poses of bodies and contacts up to date after positions were set."""
-        import_module("mujoco").mj_forward(self.model, data)
+        load_mujoco().mj_forward(self.model, data)
 
     def set_pose(self, data: Any, name: str, pose: Array) -> None:
         """Put a body [7] somewhere; one that stands still is moved in the model."""
@@ -160,7 +160,7 @@ class World:
     def tool(self, data: Any) -> Array:
         """The pose [7] of the tool's site."""
         turn = np.empty(4)
-        import_module("mujoco").mju_mat2Quat(turn, data.site_xmat[self.indices.tool])
+        load_mujoco().mju_mat2Quat(turn, data.site_xmat[self.indices.tool])
         return np.concatenate([data.site_xpos[self.indices.tool], turn])
 
     def gripper_opening(self, data: Any) -> float:
@@ -180,7 +180,7 @@ class World:
 
 
 def _compile(scene: Scene, robot: Robot, load: Load, visual: bool) -> Any:
-    mujoco: Any = import_module("mujoco")
+    mujoco = load_mujoco()
     if visual:
         from sceneweaver.export.mjcf import mjcf
 

@@ -33,8 +33,10 @@ from .patterns import (
     u_shape,
     upright,
 )
+from .places import SEATED, seats_at_tables
 from .program import Wanted
 from .stacks import rows_for
+from .stations import of_their_own, rows_before_walls
 from .units import Unit, composed, front_way, side_way, told_between
 
 OFFSET = 0.03
@@ -81,9 +83,6 @@ FILLED = 0.9
 LED_ASTRAY = CATALOGUE.with_role("edge", "wall", "formation", "seat") | {"side_by_side", "aligned", "parallel"}
 """Types of relations of a room's own that the first thing of a pattern has no more."""
 
-SEATED = ("around", "along", "at")
-"""Stated relations of seats to what they are at."""
-
 DROPPED = CATALOGUE.with_role("placing", "turning", "edge", "wall", "seat") | {"distance", "near_window", "near_door"}
 """Types of relations that a thing with a place in a pattern has no more."""
 
@@ -108,7 +107,7 @@ class Laid:
 def laid_out(brief: SceneGraph, wanted: Sequence[Wanted]) -> list[Laid]:
     """The arrangements of a request of which there are two things at least that stand or hang."""
     found = []
-    for said in brief.arrangements:
+    for said in (*brief.arrangements, *rows_before_walls(brief, wanted)):
         things = [w for w in wanted if w.asked == said.entity and w.support is None and w.mount in ("floor", "wall")]
         if said.pattern == "stack":
             found += _beside_each_other(said, [w for w in wanted if w.asked == said.entity])
@@ -252,7 +251,9 @@ def _spots(
         turn = (
             180.0 if has_role(one.category, "desk") and not inside else 0.0
         )  # who sits at a desk is before its front, outside
-        spots = u_shape(count, pitch._replace(depth=one.asset.size[0]) if turn else pitch)
+        if one.thing.is_table and not inside:  # its seats are outside
+            pitch = Pitch(one.asset.size[0], one.asset.size[1], TOUCHING, pitch.between)
+        spots = u_shape(count, pitch)
         return [seen_from(Spot(0.0, 0.0, turn), Spot(s.ahead, s.left, s.turn + turn)) for s in spots]
     if said.pattern in ("back_to_back", "head_to_head"):
         near = pitch._replace(depth=one.asset.size[0], beside=max(pitch.beside, side_way(one)))
@@ -279,12 +280,25 @@ def shape_of(said: Arrangement, count: int) -> tuple[int, int]:
     if said.aisle and rows == 2 and said.facing != "each other":
         return max(columns or 0, math.ceil(count / 2)), 2  # a row at either hand of the aisle
     if rows is None and columns is None:
-        rows = 1 if said.pattern == "islands" and count <= 2 else max(1, int(math.sqrt(count)))
+        if said.pattern == "islands" and count <= 2:
+            return 1, count
+        return _even(count, 2 if said.aisle else 1)
     if rows is None:
         assert columns is not None
         return math.ceil(count / columns), columns
     columns = columns or math.ceil(count / rows)
     return max(rows, math.ceil(count / columns)), columns
+
+
+def _even(count: int, by: int) -> tuple[int, int]:
+    """Rows and columns of so many things, whole rows if that is nearly a square; columns by so many."""
+    root = math.sqrt(count)
+    shapes = [(math.ceil(count / c), c) for c in range(by, count + 1, by) if c <= 2 * root + by]
+
+    def off(shape: tuple[int, int]) -> float:
+        return (shape[0] * shape[1] - count) / count + abs(math.log(shape[1] / root)) / 2
+
+    return min(shapes, key=off, default=(1, count))
 
 
 def _pitch(
@@ -316,6 +330,8 @@ def _pitch(
         column = said.pattern == "rows" and (said.columns == 1 or said.facing == "each other")
         beside = beside if column or said.pattern == "sides" else spacing
         between = spacing if said.pattern != "row" and said.pattern != "sides" else between
+    if said.pitch is not None:
+        beside = max(TOUCHING, said.pitch - width + (2 * OFFSET if said.at_least else 0.0))
     return Pitch(depth, width, beside, between)
 
 
@@ -337,12 +353,16 @@ def patterned(rows: Iterable[Grounded], brief: SceneGraph, wanted: Sequence[Want
     patterns = laid_out(brief, wanted)
     followers = frozenset[str]().union(*(p.followers for p in patterns))
     seated = {(seat.subject, seat.target) for seat in _at_sides(brief, wanted)}
-    kept = [r for r in rows if not (r.subject in followers and r.type in DROPPED)]
+    kept = [r for r in seats_at_tables(rows, brief, wanted) if not (r.subject in followers and r.type in DROPPED)]
     kept = [r for r in kept if (r.subject, r.target) not in seated]
     for one in patterns:
         kept = [r for r in kept if not _led_astray(r, one)]
         kept += _of_pattern(one, wanted, brief)
     kept += list(_at_sides(brief, wanted))
+    for row in of_their_own(brief, wanted, [(one.said.entity, [t for t, _ in one.spots]) for one in patterns]):
+        kept = [r for r in kept if not (r.subject == row.subject and r.type in DROPPED)]
+        kept = [r for r in kept if not (r.subject == row.target and r.target == row.subject)]
+        kept.append(row)
     for row in _about_a_u(brief, wanted):
         kept = [r for r in kept if not (r.subject == row.subject and r.type in DROPPED)]
         kept.append(row)

@@ -13,9 +13,11 @@ from sceneweaver.knowledge.palettes import Palette, accent_for, floor_for
 from sceneweaver.language import SceneGraph
 from sceneweaver.language.model import StatedFinish
 from sceneweaver.scene import CeilingFinish, Room, RoomFinish, RoomLight, Scene, WallAccent, WallTiles
-from sceneweaver.scene.finish import FloorFinish, FloorMaterial, WallMaterial
+from sceneweaver.scene.finish import FloorFinish, FloorMaterial, FloorPattern, WallMaterial, WallPattern
 
 from .look import is_electric, look_of
+from .relations import wall_named
+from .unlooked import cleaned
 
 PANELS = "walnut"
 """Finish of wooden panels where nothing is said of their wood."""
@@ -37,20 +39,34 @@ def finished(room: Room, room_type: RoomType, palette: Palette, seed: int, brief
     look = look_of(brief) or Look(name="", kind="style")
     said = brief.finish_of
     walls, every = _walls(said("walls"), look, palette), tuple(wall.index for wall in room.walls)
-    tiles = room_type.tiles if said("panels") is None and walls["walls_of"] in ("plaster", "paper") else None
+    usual = room_type.tiles if said("panels") is None and walls["walls_of"] in ("plaster", "paper") else None
+    usual = usual if said("lower") is None else None
+    tiles = _tiles(said("tiled"), usual, palette, room)
     finish = RoomFinish(
         **walls,
         floor=_floor(said("floor"), look, palette, room_type, seed, _woods(brief)),
         accent=_accent(brief, look, palette, room, room_type, seed, every, tiles is not None),
-        tiles=None if tiles is None else WallTiles(color=tile_color(palette), low=tiles[0], high=tiles[1]),
+        tiles=tiles,
         ceiling=_ceiling(said("ceiling"), said("beams"), look),
         trim=look.trim,
+        doors=doors.color if (doors := said("doors")) is not None else None,
         electric=is_electric(brief),
     )
-    update: dict[str, object] = {"finish": finish}
+    update: dict[str, object] = {"finish": cleaned(finish, brief)}
     if (light := light_of(look)) is not None:
         update["light"] = light
     return room.model_copy(update=update)
+
+
+def _tiles(
+    said: StatedFinish | None, usual: tuple[float, float] | None, palette: Palette, room: Room
+) -> WallTiles | None:
+    """The band of tiles that is asked for, else the one that such rooms have."""
+    if said is not None:
+        high = min(said.high or room.height, room.height)
+        pattern = cast("WallPattern | None", said.pattern)
+        return WallTiles(color=said.color or tile_color(palette), high=high, pattern=pattern, second=said.second)
+    return None if usual is None else WallTiles(color=tile_color(palette), low=usual[0], high=usual[1])
 
 
 def light_of(look: Look) -> RoomLight | None:
@@ -66,14 +82,22 @@ def _walls(said: StatedFinish | None, look: Look, palette: Palette) -> dict[str,
     if said is None:
         return {"walls": palette.walls, "walls_of": of}
     painted = "paper" if of == "paper" else "plaster"
-    return {"walls": said.color or palette.walls, "walls_of": said.material or (painted if said.color else of)}
+    printed = {"walls_pattern": said.pattern, "walls_second": said.second} if said.pattern is not None else {}
+    return {
+        "walls": said.color or palette.walls,
+        "walls_of": said.material or (painted if said.color else of),
+        **printed,
+    }
 
 
 def _floor(
     said: StatedFinish | None, look: Look, palette: Palette, room_type: RoomType, seed: int, woods: Sequence[str]
 ) -> FloorFinish:
     if said is not None:
-        return FloorFinish(material=cast("FloorMaterial", said.material or "tile"), tone=said.color)
+        material = cast("FloorMaterial", said.material or "tile")
+        pattern = cast("FloorPattern | None", said.pattern)
+        tone = said.color or (None if pattern is None else palette.floors.get(material))
+        return FloorFinish(material=material, tone=tone, pattern=pattern, second=said.second)
     usual = floor_for(room_type.name, room_type.floor, seed)
     if look.floor is not None and not (room_type.tiles and look.floor.material in ("carpet", "wood")):
         usual = look.floor.material
@@ -100,10 +124,14 @@ def _accent(
         wood = panels.color or next(iter(_woods(brief)), None) or next(iter(look.woods), PANELS)
         return WallAccent(kind="panelling", color=wood, walls=every, high=min(panels.high or PANELLED, room.height))
     if lower is not None and lower.color is not None:
-        return WallAccent(kind="paint", color=lower.color, walls=every, high=lower.high)
+        return _stated(lower, every, min(lower.high or room.height, room.height))
     wall = accent_wall(room)
-    if said is not None and said.color is not None and wall is not None:
-        return WallAccent(kind="paint", color=said.color, walls=(wall,))
+    if said is not None and said.color is not None:
+        if said.where != "any":
+            wall = wall_named(said.where, room)
+        if wall is None:
+            wall = max(room.walls, key=lambda one: one.length).index
+        return _stated(said, (wall,), None)
     if brief.finish_of("walls") is not None or tiled:
         return None
     if look.panels is not None:
@@ -122,6 +150,16 @@ def _accent(
     if kind != "plain" and look.walls is None:
         return WallAccent(kind=kind, color=palette.accent, walls=(wall,))
     return None
+
+
+def _stated(said: StatedFinish, walls: tuple[int, ...], high: float | None) -> WallAccent:
+    """Walls, or a band of all, as the request has them."""
+    of = cast("WallMaterial | None", said.material if said.material not in ("plaster", "paper") else None)
+    kind = "paper" if said.material == "paper" else "paint"
+    pattern = cast("WallPattern | None", said.pattern)
+    return WallAccent(
+        kind=kind, color=said.color or "white", walls=walls, high=high, of=of, pattern=pattern, second=said.second
+    )
 
 
 def _ceiling(said: StatedFinish | None, beams: StatedFinish | None, look: Look) -> CeilingFinish | None:

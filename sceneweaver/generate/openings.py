@@ -15,11 +15,20 @@ from sceneweaver.knowledge import RoomType
 from sceneweaver.knowledge.shells import first_group, shells
 from sceneweaver.language import SceneGraph
 from sceneweaver.language.model import StatedOpening
+from sceneweaver.language.told_openings import doors_stated, leads_on
 from sceneweaver.scene import Door, InputError, Room, Window
 
 from .outline import Plan
 from .relations import wall_named
-from .stated_openings import Opened, Told, door_width, doors_stated, leads_on, place, window_shape
+from .stated_openings import (
+    Opened,
+    Told,
+    door_height,
+    door_swing,
+    door_width,
+    place,
+    window_shape,
+)
 
 FROM_CORNER = (((0.12, 0.3), 6.0), ((0.65, 1.0), 3.0), ((9.0, 9.0), 1.0))
 """Distances [m] of a door from a corner, and how often: close to it, a place beside it, in the middle of its wall."""
@@ -130,10 +139,10 @@ def _stated_doors(
             continue
         taken.append(Opened(wall.index, offset, width))
         near = offset < (wall.length - width) / 2
-        swing = "slide" if "sliding" in one.features or "pocket" in one.features else room_type.doors.swing
+        swing = door_swing(one, room_type.doors.swing)
         if swing == "in-left" and not near:
             swing = "in-right"
-        tall = one.height if one.height is not None else rng.uniform(*room_type.doors.height)
+        tall = door_height(one, rng.uniform(*room_type.doors.height))
         doors.append(
             Door(
                 id=f"door-{len(doors)}",
@@ -251,8 +260,10 @@ def _stated_windows(
                 else rng.uniform(BESIDE, max(BESIDE, on.length - width - BESIDE))
             )
             offset = place(one, on, width, taken, usual, number, many) if width >= 0.3 else None
-            if offset is None and one.at == "along":  # beside the door of that wall
+            if offset is None and (one.at == "along" or (one.at == "any" and one.width is None)):
+                most = width  # beside the door of that wall
                 width, offset = _beside_doors(on, taken)
+                width = width if one.at == "along" else min(width, most)
             if offset is None:
                 notes.append(f"a window does not fit in wall {on.index}")
                 continue

@@ -27,6 +27,16 @@ USUAL_SEATS = {"desk": "office_chair", "bar": "bar_stool", "work": "stool"}
 LOW = {"dining_table": "coffee_table", "round_dining_table": "round_coffee_table"}
 """What a plain table is that has armchairs around it."""
 
+ARMS = 0.4
+"""Width [m] of both arms of a sofa."""
+
+FOR_TWO = "cafe_table"
+SIZE_FOR_TWO = (0.7, 0.75, None)
+"""What a plain table for two is, and its depth and width [m]."""
+
+EDGE, SPARE = 0.6, 0.2
+"""Length [m] of table edge for each of those who sit beside each other, and what a table has beyond that."""
+
 COVERED = 0.85
 """Share of a wall that things cover which are said to be a whole wall of it."""
 
@@ -49,6 +59,10 @@ class _Draft:
         """Something that the request names, with what follows of it."""
         at = next(k for k, one in enumerate(self.entities) if one.id == entity.id)
         self.entities[at] = entity.model_copy(update=changed)
+
+    def now(self, name: str) -> Entity:
+        """A thing as it has become."""
+        return next(one for one in self.entities if one.id == name)
 
     def add(self, category: str, count: int) -> Entity | None:
         """A thing that the request implies; None where it wants no such thing."""
@@ -74,9 +88,12 @@ def with_people(brief: SceneGraph, room_type: RoomType) -> SceneGraph:
             _set_out(draft, one)
         if one.own or not one.people:
             continue
+        bench = _only_long_seat(draft) if target is None and not named else None
         if one.activity == "sleep":
             _beds(draft, one, target)
-        elif target is not None and family(target.category) == "seat" and target.category != "bench":
+        elif bench is not None:
+            _long_seat(draft, one, bench)
+        elif target is not None and family(target.category) == "seat" and not _is_worked_at(draft, target):
             _long_seat(draft, one, target)
         elif target is not None:
             _seats_at(draft, one, target)
@@ -175,6 +192,25 @@ def _beds(draft: _Draft, said: Capacity, target: Entity | None) -> None:
     draft.add(category, math.ceil(said.people / max(1, sleeping_places(category))))
 
 
+def _only_long_seat(draft: _Draft) -> Entity | None:
+    """The benches or pews of a request that names no other seats and no table to sit at: all sit there."""
+    seats = [e for e in draft.entities if family(e.category) == "seat"]
+    at_table = any(has_role(e.category, "pulled_up_to", "any_bed") for e in draft.entities)
+    size = category_named(seats[0].category).size if len(seats) == 1 and not at_table else None
+    long = size is not None and size.width[1] >= 2 * long_enough(1) and not has_role(seats[0].category, "sofa")
+    return seats[0] if long and not _is_worked_at(draft, seats[0]) else None
+
+
+def _is_worked_at(draft: _Draft, seat: Entity) -> bool:
+    """Whether a bench is one to work at: in a room with benches to work at, or one that seats are named for."""
+    if seat.category != "bench":
+        return False
+    names = {name for item in draft.room.items for name in item.what}
+    works = any(name.endswith("bench") and family(name) != "seat" for name in names)
+    waits = any(has_role(name, "waiting_seat") for name in names)
+    return (works and not waits) or _seats_named(draft, seat) is not None
+
+
 def _long_seat(draft: _Draft, said: Capacity, seat: Entity) -> None:
     """A sofa as long as so many need; seats for one are as many as people."""
     known = category_named(seat.category).size
@@ -183,17 +219,26 @@ def _long_seat(draft: _Draft, said: Capacity, seat: Entity) -> None:
     if known.width[1] < 2 * long_enough(1):
         if seat.count is None or _vague(seat):
             draft.change(seat, count=(said.people, said.people))
-    elif seat.size[1] is None and (seat.count is None or seat.count[1] == 1):
+    elif seat.size[1] is None:
         corner = has_role(seat.category, "sofa") and "sectional" in seat.category
-        width = min(long_enough(said.people - (1 if corner else 0)) + 0.4, known.reach[1][1])
+        longest = known.reach[1][1]
+        count = 1 if seat.count is None and not _vague(seat) else seat.count[0] if seat.count else 1
+        if _vague(seat):  # as many as hold them at a usual length
+            usual = (known.width[0] + known.width[1]) / 2
+            count = max(2, math.ceil(said.people / max(1, seat_places(usual))))
+            draft.change(seat, count=(count, count))
+        people = said.people if said.each else math.ceil(said.people / count)
+        arms = ARMS if has_role(seat.category, "sofa") else 0.0
+        width = min(long_enough(people - (1 if corner else 0)) + arms, longest)
         if width > known.width[0]:
-            draft.change(seat, size=(seat.size[0], round(max(width, known.width[0]), 3), seat.size[2]))
+            draft.change(draft.now(seat.id), size=(seat.size[0], round(max(width, known.width[0]), 3), seat.size[2]))
 
 
 def _seats_at(draft: _Draft, said: Capacity, table: Entity) -> None:
     """Seats for so many at a table, or at each of several."""
     tables = table.count[0] if table.count else 1
     people = said.people * (tables if said.each else 1)
+    table = _of_their_size(draft, table, math.ceil(people / tables))
     named = _seats_named(draft, table)
     if named is not None:
         if _vague(named):
@@ -209,7 +254,7 @@ def _seats_at(draft: _Draft, said: Capacity, table: Entity) -> None:
                 _told(draft, named, table, "along", math.ceil(count / tables), tables > 1)
                 return
             draft.change(named, count=(count, count))
-            _told(draft, named, table, _place_at(table, said), math.ceil(count / tables), tables > 1)
+            _told(draft, named, table, _place_at(draft, table, said), math.ceil(count / tables), tables > 1)
         return
     seat = draft.add(_seat_for(draft.room, table), people)
     if seat is not None:
@@ -217,17 +262,36 @@ def _seats_at(draft: _Draft, said: Capacity, table: Entity) -> None:
             draft,
             seat,
             table,
-            _place_at(table, said),
+            _place_at(draft, table, said),
             said.people if said.each else math.ceil(people / tables),
             tables > 1,
         )
 
 
-def _place_at(table: Entity, said: Capacity) -> RelationType:
+def _of_their_size(draft: _Draft, table: Entity, people: int) -> Entity:
+    """A plain table as long as so many need, and a small one for two; what the request says of its size stays."""
+    known = category_named(table.category).size
+    plain = table.category == "dining_table" and table.noun.rstrip("s").split()[-1:] == ["table"]
+    if not plain or known is None or any(table.size) or table.scale != 1.0:
+        return table
+    if any(a.entity == table.id for a in draft.brief.arrangements):  # they sit beside each other at each of a row
+        length = min(max(people * EDGE + SPARE / 2, known.reach[1][0]), known.reach[1][1])
+        draft.change(table, size=(None, round(length, 3), None))
+    elif people <= 2 and table.style is None:
+        draft.change(table, category=FOR_TWO, size=SIZE_FOR_TWO)
+    elif people > 2:
+        side = max(1, math.ceil((people - 2) / 2)) if people > 4 else 2
+        length = min(max(side * EDGE + SPARE, known.reach[1][0]), known.reach[1][1])
+        draft.change(table, size=(None, round(length, 3), None))
+    return draft.now(table.id)
+
+
+def _place_at(draft: _Draft, table: Entity, said: Capacity) -> RelationType:
     """Where seats are at a table: around one to eat at, along the long sides of a bench, at a desk."""
     if table.category.endswith("bench"):
         return "along"
-    return "at" if said.activity == "work" else "around"
+    in_line = any(a.entity == table.id and a.pattern != "cluster" for a in draft.brief.arrangements)
+    return "at" if said.activity == "work" or in_line else "around"
 
 
 def _told(draft: _Draft, seat: Entity, table: Entity, kind: RelationType, count: int, each: bool) -> None:
@@ -246,6 +310,7 @@ def _seats_named(draft: _Draft, table: Entity) -> Entity | None:
     seats = [e for e in draft.entities if family(e.category) == "seat" and e.id != table.id]
     at = {r.subject for r in draft.relations if table.id in r.targets}
     placed = {r.subject for r in draft.relations if r.targets and table.id not in r.targets and not r.implied}
+    placed |= {e.id for e in seats if e.implied and e.id not in at}  # those that another table was given
     upright = [e for e in seats if has_role(e.category, "sits_at_table") and e.category != "wheelchair"]
     return next((e for e in upright if e.id in at), None) or next((e for e in upright if e.id not in placed), None)
 
@@ -312,7 +377,7 @@ def _seats_more(draft: _Draft, said: Capacity, table: Entity, people: int) -> No
     """Seats at a table for those of whom the request names no seats: two of eight potters work at the table."""
     seat = draft.add(_seat_for(draft.room, table), people)
     if seat is not None:
-        _told(draft, seat, table, _place_at(table, said), people, False)
+        _told(draft, seat, table, _place_at(draft, table, said), people, False)
 
 
 def _counted(draft: _Draft, named: Entity | None, item: Item, count: int) -> None:

@@ -20,7 +20,18 @@ from sceneweaver.scene import PRIORITIES, InputError, Palette, SceneObject, Zone
 
 from .draft import CRAMMED, groups_of
 from .hanging import OVER, before_window, hanging_height, is_lit_table
-from .meant import decided_kinds, desks_spared, is_plural, loose, matches, may_mean, roles_of, sat_elsewhere
+from .meant import (
+    decided_kinds,
+    desks_spared,
+    is_plural,
+    loose,
+    matches,
+    may_mean,
+    meant_by,
+    roles_of,
+    sat_elsewhere,
+    stations_spared,
+)
 from .quantity import SOME, is_detailed, is_plain, is_plain_item, least_of, small_kind
 
 PLENTY = 5
@@ -176,7 +187,7 @@ def demands(room_type: RoomType, brief: SceneGraph, area: float, people: int, wi
     shares = _shares(room_type, brief, area, people, roles)
     holders = {i.with_ for i in room_type.items if any(i.id in items for items in roles.values())}
     sat_at = _sat_at_items(brief, roles)
-    spared = desks_spared(room_type, brief, roles)
+    spared = desks_spared(room_type, brief, roles) | stations_spared(room_type, brief, roles)
     skipped, spare = set[str](), set[str]()
     cramped = not room_type.for_request and (brief.scale < 1.0 or area < CRAMPED * room_type.area[1])
     found: list[Demand] = []
@@ -335,7 +346,7 @@ def _asked_demand(asked: Entity, item: Item | None, area: float, people: int, dr
         count = item.count.of(area, people, draw) if item and is_plural(asked) else 1
     count = max(count, least_of(asked, brief))
     names = (asked.category,)
-    if item is not None and asked.category not in item.what and loose(asked, brief):
+    if item is not None and asked.category not in item.what and loose(asked, brief) and meant_by(asked, item, brief):
         words = " ".join(a.words for a in asked.attributes)
         meant = [name for name in item.what if may_mean(asked, name, brief)] or [asked.category]
         names = tuple(narrower(name, words) for name in meant)

@@ -11,7 +11,7 @@ from sceneweaver.geometry.angles import cross, dot
 from sceneweaver.knowledge import Place
 from sceneweaver.language import Grounded, SceneGraph, StatedRelation, Thing, grounded
 from sceneweaver.language.model import PLACES
-from sceneweaver.language.wall_names import direction_of, walls_meant
+from sceneweaver.language.wall_names import PARTS, direction_of, walls_meant
 from sceneweaver.scene import CATALOGUE, InputError, Relation, Room, Window
 
 from .arrange import DROPPED, led, patterned
@@ -93,7 +93,7 @@ def of_items(wanted: Sequence[Wanted], room: Room, but: Mapping[str, frozenset[s
             [
                 *found,
                 *of_usual(wanted, by_category, room, but),
-                *seat_relations(wanted),
+                *(r for r in seat_relations(wanted) if r.type not in but.get(r.subject, ())),
                 *_beside(wanted),
                 *_off_doors(wanted, room),
             ]
@@ -348,6 +348,8 @@ def of_brief(
         replaced = CONFLICTS.get(relation.type, frozenset())
         if relation.type in TOGETHER:
             replaced |= TOGETHER
+        if isinstance(row.target, str) and row.target.partition(":")[2] in PARTS:  # an alcove has room for it alone
+            replaced |= CONFLICTS["arranged"] | TOGETHER
         placed[row.subject] = placed.get(row.subject, frozenset()) | replaced
         if relation.type in BEHIND_IT:
             for target in relation.targets:

@@ -34,6 +34,7 @@ from .stated_lengths import with_stated_lengths
 from .stated_states import pulled_out, with_stated_looks, with_stated_states
 from .supports import Places, laid, supported
 from .under import below_windows, with_room_below, without_company
+from .unlooked import avoided, of_room, styles_unwanted
 
 FILL = {"sparse": 0.73, "normal": 1.0, "full": 1.21}
 """Share of what a kind of room usually has under furniture up to which more is put in."""
@@ -121,14 +122,16 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
     if people_of(brief) is not None and room.area_per_person:
         least = max(least, room.area_per_person * people)
     floor = _Floor(area if given else min(area * roomier, most), people, given, shrinks, least)
-    style = brief.style or style or random.Random(seed ^ 0x57).choice(room.styles)
+    styles = [one for one in room.styles if one not in styles_unwanted(brief)] or room.styles
+    style = brief.style or style or random.Random(seed ^ 0x57).choice(styles)
     wanted = look_of(brief)
     style = (wanted and wanted.style) or style
-    look = palette_for(room.name, style, brief.colors, seed, wanted)
+    unwanted = avoided(brief)
+    look = palette_for(room.name, style, brief.colors, seed, wanted, of_room(unwanted))
     woods = [said.color for said in brief.finishes if said.part == "furniture" and said.color]
     if woods:
         look = look.model_copy(update={"woods": tuple(woods[:2])})
-    avoid = (*(wanted.avoid if wanted is not None else ()), *unnamed(brief.colors))
+    avoid = (*(wanted.avoid if wanted is not None else ()), *unnamed(brief.colors), *unwanted)
     palette = kept(look, style, seed, tuple(dict.fromkeys(avoid)))
 
     made = _shelled(setup, floor, palette, roomier, hurried)

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from sceneweaver.geometry.angles import cross
 from sceneweaver.knowledge import RoomType
 from sceneweaver.language import Grounded, SceneGraph
-from sceneweaver.language.wall_names import walls_meant
+from sceneweaver.language.wall_names import PARTS, walls_meant
 from sceneweaver.scene import Relation, Room
 
 from .program import Wanted
@@ -95,7 +95,8 @@ def same_walls(room: Room, base: Room, relations: Iterable[Relation]) -> bool:
     named = {r.target for r in relations if isinstance(r.target, str) and r.target.startswith("wall:")}
     alike = all(wall_named(side, room) == wall_named(side, base) for side in SEEN)
     turned = bool(_only_long(base)) and _only_long(base).isdisjoint(_only_long(room)) and bool(_only_long(room))
-    return not named or (alike and not turned)
+    parts = all(walls_meant(part, room) == walls_meant(part, base) for part in PARTS)
+    return not named or (alike and parts and not turned)
 
 
 def _only_long(room: Room) -> set[int]:

@@ -77,7 +77,7 @@ def _item_places(one: Wanted):
 def _places(table: Wanted, seats: Sequence[Wanted]) -> Iterator[tuple[Wanted, str, int, int]]:
     """Each seat with its side of the table, its place there and the number of places: the long sides in turn, the
     ends when those are full. What belongs to a side shares that side, and nothing else sits between table and wall."""
-    own = {s.id: side for s in seats if (side := _own_side(s)) is not None}
+    own = {s.id: side for s in seats if (side := own_side(s)) is not None}
     others = [s for s in seats if s.id not in own]
     d, w, _ = table.asset.size
     wide = max(s.asset.size[1] for s in seats) + ELBOW
@@ -102,7 +102,7 @@ def _places(table: Wanted, seats: Sequence[Wanted]) -> Iterator[tuple[Wanted, st
             yield seat, side, k, len(row)
 
 
-def _own_side(seat: Wanted) -> str | None:
+def own_side(seat: Wanted) -> str | None:
     """The side of its table that a seat's kind of room gives it: a clerk's chair stands behind the counter."""
     with_ = seat.item.with_ if seat.item else None
     return next((_SIDES[p.type] for p in _item_places(seat) if p.type in _SIDES and p.to == with_), None)

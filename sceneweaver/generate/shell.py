@@ -10,10 +10,10 @@ from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Room
 
 from .free_floor import kept_free, people_of
-from .niches import with_niches
 from .openings import ENTRY, doors_of, windows_of
 from .outline import LARGEST, SMALLEST, Plan, asked_outline, drawn_shape, mirrored, outline, sides_of, turned, winged
 from .stated_openings import walls_stated
+from .wall_parts import with_wall_parts
 
 NARROW = 0.25
 """How much longer some rooms are than is usual, in widths."""
@@ -74,7 +74,7 @@ def shell(
     doors, lost = doors_of(room_type, brief, plan, walls, height, rng, told)
     bare = Room(type=room_type.name, outline=corners, height=height, doors=tuple(doors))
     windows, unfit = windows_of(room_type, brief, plan, bare, rng, like, told)
-    made, narrow = with_niches(bare.model_copy(update={"windows": windows}), brief)
+    made, narrow = with_wall_parts(bare.model_copy(update={"windows": windows}), brief)
     return made, [*notes, *lost, *unfit, *narrow]
 
 

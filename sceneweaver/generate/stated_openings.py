@@ -7,11 +7,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product
 
-from sceneweaver.geometry.seen import are_opposite, is_wall
-from sceneweaver.geometry.walls import Wall
+from sceneweaver.geometry.seen import ahead_of, are_opposite, is_wall
+from sceneweaver.geometry.walls import Point, Wall
 from sceneweaver.language import SceneGraph
 from sceneweaver.language.model import StatedOpening
-from sceneweaver.language.vocabulary import words
+from sceneweaver.language.told_openings import entry_stated, is_high_up
 
 SAME_LENGTH = 0.15
 """Length [m] by which a wall may differ from what was said of it."""
@@ -24,6 +24,15 @@ ASSIGNMENTS = 2000
 
 CORNER = 0.15
 """Distance [m] from the corner of what is said to be in it."""
+
+LOW_DOOR, CRAWL = 1.2, 0.75
+"""Heights [m] of a low door, and of a way in to crawl through, which is as wide."""
+
+SLIT = 0.25, 0.9
+"""Sides [m] of a small slit."""
+
+UP, LOW = 1.6, 0.4
+"""Sills [m] of windows that are said to be high up, at least, and of low ones."""
 
 DOUBLE, WIDE, LARGE, SMALL = 1.5, 1.2, 1.8, 0.6
 """Widths [m]: of a double door, of a wide one, of a large window and of a small one."""
@@ -46,18 +55,6 @@ class Told:
     where: Mapping[str, int]
 
 
-def doors_stated(brief: SceneGraph) -> list[StatedOpening]:
-    """The doors that are described, one by one, that which one comes in by first."""
-    doors = [one for one in brief.openings if one.part == "door" for _ in range(one.count)]
-    return sorted(doors, key=leads_on)
-
-
-def leads_on(one: StatedOpening) -> bool:
-    """Whether a door leads from the room to another one, so that one does not come in by it."""
-    targets = [feature.removeprefix("to the ") for feature in one.features if feature.startswith("to the ")]
-    return any(target not in words("openings")["outside"] for target in targets)
-
-
 def walls_stated(brief: SceneGraph, walls: Sequence[Wall], entries: Sequence[int], rng: random.Random) -> Told:
     """The wall of the first door, and that of each opening that is described.
 
@@ -65,17 +62,19 @@ def walls_stated(brief: SceneGraph, walls: Sequence[Wall], entries: Sequence[int
     was said last is left out, one by one.
     """
     stated = [one for one in brief.openings if one.part in ("door", "window")]
-    first = next((one for one in doors_stated(brief) if not leads_on(one)), None)
+    first = entry_stated(brief)
     names = [one.id for one in stated]
     for many in range(len(stated), -1, -1):
         kept = stated[:many]
         found: list[tuple[float, int, dict[str, int]]] = []
-        for entry in range(len(walls)) if first in kept else entries:
-            alone = [_walls_for(one, walls, entry, kept, one is first) for one in stated]
+        for entry in range(len(walls)) if first in kept or kept else entries:
+            ahead = ahead_of(walls[entry], first.wall if first is not None and first in kept else "any")
+            alone = [_walls_for(one, walls, entry, ahead, kept, one is first) for one in stated]
             for chosen in product(*(_longest(several, walls, len(stated)) for several in alone)):
                 where = dict(zip(names, chosen, strict=True))
                 if all(_faces(one, where, walls, entry) for one in kept):
-                    found.append((_score(stated, where, walls, entry, rng), entry, where))
+                    beside = 2.0 * (first not in kept and entry not in entries)
+                    found.append((_score(stated, where, walls, entry, rng) - beside, entry, where))
         if found:
             _, entry, where = max(found, key=lambda row: row[0])
             return Told(entry, where)
@@ -102,7 +101,7 @@ def place(
         gap = (wall.length - many * width) / (many + 1)
         first = gap + number * (width + gap)
     else:
-        first = wanted.get(one.at, usual)
+        first = wanted.get(one.at, min(max(usual, min(EDGE, play / 2)), play - min(EDGE, play / 2)))
     others = [(row.offset - EDGE, row.offset + row.width + EDGE) for row in taken if row.wall == wall.index]
     steps = [first + sign * 0.05 * k for k in range(int(wall.length / 0.05) + 1) for sign in (1, -1)]
     for start in steps if one.at == "any" or many > 1 else steps[:9]:
@@ -118,7 +117,31 @@ def door_width(one: StatedOpening, usual: float) -> float:
         return one.width
     if {"double", "french", "patio"} & set(one.features) or {"sliding", "glass"} <= set(one.features):
         return DOUBLE
+    if CRAWLED & set(one.features):
+        return CRAWL
     return WIDE if "wide" in one.features else 2.4 if "garage" in one.features else usual
+
+
+CRAWLED = frozenset(("crawl in", "crawl through"))
+"""Kinds of doors that one crawls through."""
+
+
+def door_height(one: StatedOpening, usual: float) -> float:
+    """The height [m] of a door that is described."""
+    if one.height is not None:
+        return one.height
+    kinds = set(one.features)
+    return CRAWL if kinds & CRAWLED else LOW_DOOR if kinds & {"low", "tiny"} else usual
+
+
+def door_swing(one: StatedOpening, usual: str) -> str:
+    """How a door that is described opens, where that is said; else as is usual."""
+    kinds = set(one.features)
+    if kinds & {"sliding", "pocket"}:
+        return "slide"
+    if kinds & {"outward", "outward opening"}:
+        return "out"
+    return "in-left" if kinds & {"inward", "inward opening"} else usual
 
 
 def window_shape(
@@ -132,35 +155,39 @@ def window_shape(
         sill, tall = 0.0 if "glass" not in kinds else 0.3, height
     if kinds & {"tall", "high", "sash", "arched", "pointed"}:
         sill, tall = 0.4, height
-    if kinds & {"clerestory"}:
-        sill, tall = height - 0.75, 0.5
+    if kinds & {"slit"} and kinds & {"vertical", "tall", "narrow"}:
+        width, sill, tall = SLIT[0], 0.6, height
+    if is_high_up(one):
+        sill, tall = max(UP, height - 0.75), 0.5
+    elif kinds & {"low"}:
+        sill = LOW
     if kinds & {"shop", "picture", "panoramic", "display", "bay", "bow"}:
         width, sill, tall = max(width, 2.0), min(sill, 0.5), max(tall, 1.6)
     if kinds & {"large", "big", "huge", "wide"}:
         width = max(1.25 * width, LARGE)
     if kinds & {"small", "little", "tiny", "narrow", "slim"}:
-        width = min(width, SMALL)
+        width, tall = (SLIT[1], SLIT[0]) if kinds & {"slit", "slot"} and width > SLIT[0] else (min(width, SMALL), tall)
     width = one.width if one.width is not None else width
     sill = one.sill if one.sill is not None else sill
-    sill = round(max(0.0, min(sill, height - 0.6)), 2)
+    sill = round(max(0.0, min(sill, height - (0.45 if one.sill is not None else 0.6))), 2)
     tall = one.height if one.height is not None else tall
     return round(width, 2), sill, round(max(0.3, min(tall, height - 0.15 - sill)), 2)
 
 
 def _walls_for(
-    one: StatedOpening, walls: Sequence[Wall], entry: int, kept: Sequence[StatedOpening], first: bool
+    one: StatedOpening, walls: Sequence[Wall], entry: int, ahead: Point, kept: Sequence[StatedOpening], first: bool
 ) -> list[int]:
     """The walls that suit what is said of an opening by itself; all where nothing of it is kept."""
     if first:
         # Left, right, far and near are seen from this very door.
-        seen = "any" if one.wall in ("left", "right", "far", "near") else one.wall
-        return [entry] if one not in kept or _is_told(one, seen, walls[entry], walls, entry) else []
-    return [w.index for w in walls if one not in kept or _is_told(one, one.wall, w, walls, entry)]
+        seen = "any" if one.wall in ("left", "right", "side", "far", "near") else one.wall
+        return [entry] if one not in kept or _is_told(one, seen, walls[entry], walls, entry, ahead) else []
+    return [w.index for w in walls if one not in kept or _is_told(one, one.wall, w, walls, entry, ahead)]
 
 
-def _is_told(one: StatedOpening, seen: str, wall: Wall, walls: Sequence[Wall], entry: int) -> bool:
-    length = one.wall_length
-    return is_wall(seen, wall, walls, walls[entry]) and (length is None or abs(wall.length - length) <= SAME_LENGTH)
+def _is_told(one: StatedOpening, seen: str, wall: Wall, walls: Sequence[Wall], entry: int, ahead: Point) -> bool:
+    suits = is_wall(seen, wall, walls, walls[entry], ahead, one.run)
+    return suits and (one.wall_length is None or abs(wall.length - one.wall_length) <= SAME_LENGTH)
 
 
 def _longest(several: Sequence[int], walls: Sequence[Wall], many: int) -> list[int]:
@@ -190,4 +217,13 @@ def _score(
     return 3.0 * apart + lengths / longest - 4.0 * beside - 5.0 * narrow + rng.random()
 
 
-__all__ = ["Opened", "Told", "door_width", "doors_stated", "leads_on", "place", "walls_stated", "window_shape"]
+__all__ = [
+    "Opened",
+    "Told",
+    "door_height",
+    "door_swing",
+    "door_width",
+    "place",
+    "walls_stated",
+    "window_shape",
+]

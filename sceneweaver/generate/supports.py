@@ -258,6 +258,10 @@ def _may_carry(target: Wanted, one: Wanted) -> bool:
     if "chair_group" in groups_of(one.category) and "chair_group" in groups_of(target.category):
         return False  # "one on the other side" puts no chair on a chair
     (short, long), (depth, width) = (sorted(w.asset.size[:2]) for w in (one, target))
+    known = category_named(target.category).size
+    if has_role(target.category, "walked_on") and known is not None:  # a stage grows to hold what stands on it
+        (least, most) = sorted(end for _, end in known.reach[:2])
+        return "floor" in category_named(one.category).mount and short <= least and long <= most
     small = long <= width and short <= REACH[1] * depth and one.asset.size[2] < 1.0
     at_table = one.thing.is_seat and target.thing.is_table
     return small and one.asset.mount == "floor" and target.mount != "ceiling" and not at_table

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import os
-from importlib import import_module
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
+
+from sceneweaver.runtime.mujoco_module import load_mujoco
 
 from .errors import InputError
 from .messages import clean
@@ -65,7 +66,7 @@ def read_spec(path: Place) -> Any:
     Raises:
         InputError: as `load_mjcf`, and when MuJoCo refuses it.
     """
-    mujoco: Any = import_module("mujoco")  # its types are not to be seen from outside
+    mujoco = load_mujoco()
     load_mjcf(path)
     try:
         return mujoco.MjSpec.from_file(os.fspath(path))

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import colorsys
 import random
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from functools import cache
 from types import MappingProxyType
 from typing import Annotated, Literal
 
 from pydantic import Field
 
-from sceneweaver.assets.materials import color_named, hue, shade
+from sceneweaver.assets.materials import color_named, finishes, hue, shade
+from sceneweaver.assets.scheme import allowed_color, is_avoided
 from sceneweaver.scene.base import FrozenModel
 
 from .load import data_of, room_types
@@ -63,7 +64,12 @@ def groups_of(room: str) -> tuple[str, ...]:
 
 
 def palette_for(
-    room: str, style: str | None = None, colors: Sequence[str] = (), seed: int = 0, look: Look | None = None
+    room: str,
+    style: str | None = None,
+    colors: Sequence[str] = (),
+    seed: int = 0,
+    look: Look | None = None,
+    avoid: Collection[str] = (),
 ) -> Palette:
     """The palette of a room.
 
@@ -74,6 +80,7 @@ def palette_for(
             ones are painted on the walls, others on the accent wall, and textiles have all of them.
         seed: draws among the palettes that suit.
         look: what the request says of the look of the room; it outranks all but ``colors``.
+        avoid: basic colours, finishes and families of them that are not wanted.
     """
     known = palettes().values()
     groups = set(groups_of(room))
@@ -86,8 +93,47 @@ def palette_for(
         basics = {color_named(c) for c in wanted}
         most = max(len(basics & _basics(p)) for p in fitting)
         fitting = [p for p in fitting if len(basics & _basics(p)) == most]
+    if avoid:
+        least = min(len(_basics(p) & {*avoid}) for p in fitting)
+        fitting = [p for p in fitting if len(_basics(p) & {*avoid}) == least]
     chosen = random.Random(f"palette {room} {seed}").choice(fitting)
-    return _with(chosen if look is None else dressed(chosen, look), wanted, metals)
+    return without(_with(chosen if look is None else dressed(chosen, look), wanted, metals), avoid)
+
+
+def without(palette: Palette, avoid: Collection[str]) -> Palette:
+    """The palette with calm colours in the place of those that are not wanted, and other woods for such woods."""
+    if not avoid:
+        return palette
+    floors = {
+        of: tone if is_allowed(tone, avoid) else _floor_instead(tone, avoid) for of, tone in palette.floors.items()
+    }
+    paints = (paint.removesuffix(" paint") for paint in palette.paints)
+    return palette.model_copy(
+        update={
+            "walls": allowed_color(palette.walls, avoid),
+            "accent": allowed_color(palette.accent, avoid),
+            "floors": floors,
+            "paints": tuple(dict.fromkeys(f"{allowed_color(color, avoid)} paint" for color in paints)),
+            "textiles": tuple(dict.fromkeys(allowed_color(color, avoid) for color in palette.textiles)),
+        }
+    )
+
+
+def is_allowed(name: str, avoid: Collection[str]) -> bool:
+    """Whether a colour, or a finish by its name, is none of what is not wanted."""
+    known = finishes().get(name)
+    if known is not None and (known.family == "wood" or not _is_color(name)):
+        return not is_avoided(known, avoid)
+    return color_named(name) not in avoid
+
+
+def _floor_instead(tone: str, avoid: Collection[str]) -> str:
+    """Another tone of a floor: a wood for a wood, a calm colour for a colour."""
+    known = finishes().get(tone)
+    if known is None or known.family != "wood":
+        return allowed_color(tone, avoid)
+    free = (name for name, one in finishes().items() if one.family == "wood" and not is_avoided(one, avoid))
+    return next(free, tone)
 
 
 def dressed(palette: Palette, look: Look) -> Palette:

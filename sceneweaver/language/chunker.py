@@ -150,12 +150,19 @@ def _pronoun(scan: Scan, token: Token, after: Token | None) -> bool:
         return False
     opens = (
         after is not None
-        and (after.has(*OPEN) or (not after.kinds and not after.text.endswith("ed")))
+        and (after.has(*OPEN, "length", "sides") or (not after.kinds and not after.text.endswith("ed")))
         and not after.has(*CLOSED)
         and not (after.has("verb") and is_verb(scan, scan.at + 1, seen_noun=True))
     )
     if token.text == "each of":
         return False
+    if token.text in EACH and after is not None and after.text in words("nouns")["every"]:
+        third = scan.peek(2)
+        if third is not None and third.text == "one":  # "every second one with a lamp"
+            value = NounPhrase("pronoun", "each", token.start, third.end, value="each", determiner="every")
+            value.qualities = [after]
+            scan.add("noun", 3, value=value)
+            return True
     if token.text in EACH and after is not None and _one_of_several(scan, token, after):
         return False
     of_station = token.text in EACH and after is not None and singular(after.text) in words("nouns")["stations"]

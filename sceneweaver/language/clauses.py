@@ -112,11 +112,11 @@ def _adjective(state: State, chunk: Chunk) -> None:
     who = who or _said_at_last(state, phrase)
     last = (state.head or state.subject)[-1:]
     if phrase.sides is not None:
-        sides, phrase.sides = phrase.sides, None
-        if last and not state.waiting and _may_have(last[0], sides):
-            give_sides(last[0], sides)
+        if last and not state.waiting and _may_have(last[0], phrase.sides):
+            give_sides(last[0], phrase.sides)
         else:
-            state.out.sides.append(sides)
+            state.leave_sides(phrase)
+        phrase.sides = None
     if last:
         give_length(last[0], phrase)
     for mention in who:

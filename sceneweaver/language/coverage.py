@@ -16,9 +16,12 @@ from .translation import unknown_words
 from .vocabulary import vocabulary, words
 
 _WORD = re.compile(r"[^\W\d_]+(?:['’&-][^\W\d_]+)*|\d+(?:[.,]\d+)?", re.UNICODE)
+_NUMERAL = re.compile(r"\d+(?:\.\d+)?")
 UNITS = (1.0, 0.01, 0.001, 0.3048, 0.0254, 0.092903)
 """What the units are in metres and square metres that numbers are given in."""
 
+_PART = re.compile(r"[\s-]+")
+"""What stands between the words of a compound, which a name has without hyphens: an "x-ray viewer"."""
 _JOIN = re.compile(r"[\s'’\"-]*")
 
 
@@ -47,7 +50,7 @@ def silent_words(
         if any(covered[match.start() : match.end()]):
             continue
         meant = (slips or {}).get(word, word)
-        if meant in known or all(part in function_words() or part in known for part in meant.split()):
+        if meant in known or all(part in function_words() or part in known for part in _PART.split(meant)):
             continue
         if any(named[match.start() : match.end()]) and (word[0].isdecimal() or word in vocabulary()):
             continue  # of what stands before a noun, only words that nobody knows are lost
@@ -123,10 +126,12 @@ def _is_measure(graph: SceneGraph, match: re.Match[str]) -> bool:
     value = float(match[0].replace(",", "."))
     have = [*(graph.size or ()), graph.area or 0.0, graph.height or 0.0, float(graph.people or 0)]
     have += [*(graph.wing or ())]
+    have += [side for area in graph.free_areas for side in area.size]
+    have += [float(number) for left in graph.unread for number in _NUMERAL.findall(left.words)]
     have += [float(n) for entity in graph.entities for n in entity.count or ()]
     have += [float(s) for entity in graph.entities for s in entity.size if s is not None]
     have += [float(value) for relation in graph.relations for value in relation.params.values() if value is not None]
-    have += [value for one in graph.arrangements for value in (one.spacing, one.height, one.aisle) if value]
+    have += [value for one in graph.arrangements for value in (one.spacing, one.pitch, one.height, one.aisle) if value]
     return any(abs(value * unit - other) <= 0.006 * max(1.0, other) for unit in UNITS for other in have if other)
 
 

@@ -74,7 +74,9 @@ def at_each_place(mentions: list[Mention], place: str) -> None:
 
 def count_out_again(state: State, owner: Mention, count: tuple[int, int]) -> None:
     """ "One chair per desk, six desks": how many there are of what was named by "each" alone."""
-    owner.count, owner.uncounted = count, False
+    known, owner.count, owner.uncounted = owner.count, count, False
+    if known == count:
+        return
     for mention in state.out.mentions:
         if mention.per is owner:
             low, high = mention.count or (1, 1)
@@ -178,6 +180,8 @@ def owner_told_of(state: State, subjects: list[Mention], on: bool = False) -> Me
 def _rather(subjects: list[Mention], one: Mention, other: Mention) -> bool:
     """Whether things usually stand on one thing rather than on another."""
     ranks = [likeliness(subjects[0].category, m.category) for m in (one, other)] if subjects else [None, None]
+    if ranks == [None, None] and other.family == "seat":
+        return one.family in ("table", "storage")
     return ranks[0] is not None and (ranks[1] is None or ranks[0] < ranks[1])
 
 

@@ -14,7 +14,7 @@ from .region_phrases import thing_phrase
 from .state import State
 from .things import match_of, name_of
 from .unwanted import is_class, kinds_unwanted
-from .vocabulary import category_of, group_rows, words
+from .vocabulary import category_of, group_rows, vocabulary, words
 
 FEW = 12
 """Kinds of a known thing that are ruled out with it."""
@@ -133,6 +133,11 @@ def excluded_names(phrase: NounPhrase) -> tuple[str, ...]:
         return (str(phrase.value),)
     below = kinds_unwanted(noun)
     return tuple(dict.fromkeys((match.category, *_namesakes(singular(noun), match.category), *below[:FEW])))
+
+
+def names_of(noun: str) -> tuple[str, ...]:
+    """As `excluded_names` for a noun by itself."""
+    return excluded_names(NounPhrase("thing", noun, value=vocabulary().get(noun, {}).get("noun")))
 
 
 @cache

@@ -9,6 +9,7 @@ from typing import Any
 from sceneweaver.assets.plurals import singular
 from sceneweaver.assets.taxonomy import category_named, narrower
 
+from .built_in import by_their_names
 from .carrying import told_by_carriers
 from .coverage import silent_words
 from .distribution import tell_each
@@ -19,7 +20,8 @@ from .model import Amount, Attribute, Entity, Exclusion, SceneGraph, StatedRelat
 from .mutual import split_mutual
 from .parsed import Barred, Left, Mention, Parsed, Said
 from .source import Source
-from .statements.counts import bounded_counts, peopled, told_apart
+from .statements.audiences import audiences
+from .statements.counts import bounded_counts, peopled, shared_counts, told_apart
 from .statements.resolve import resolved
 from .stations import settle_stations
 from .vocabulary import words
@@ -61,14 +63,19 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     named = {entity.id for entity in entities}
     amounts = tuple(a for a in resolved(parsed.amounts, entities, "amount") if a.entity in named)
     entities = tuple(_many(entity, amounts) for entity in entities)
+    relations = [*relations, *by_their_names(entities, relations, parsed.stated_openings)]
     relations, arrangements = told_apart(relations, resolved(parsed.arrangements, entities, "arrangement"))
     people = peopled(
-        bounded_counts(entities, parsed.bounds),
+        bounded_counts(entities, [*parsed.bounds, *shared_counts(entities, parsed.shared, parsed.people)]),
         relations,
         resolved(parsed.capacities, entities, "capacity"),
         arrangements,
         parsed.people,
         parsed.room_type,
+    )
+    free = resolved(parsed.free_areas, entities, "free_area")
+    arrangements, said = audiences(
+        {e.id: e for e in people.entities}, people.relations, arrangements, people.capacities, free, people.people
     )
     graph = SceneGraph(
         text=text,
@@ -87,7 +94,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         people=people.people,
         entities=people.entities,
         openings=resolved(parsed.stated_openings, entities, "opening"),
-        free_areas=resolved(parsed.free_areas, entities, "free_area"),
+        free_areas=free,
         capacities=people.capacities,
         arrangements=arrangements,
         amounts=amounts,
@@ -96,7 +103,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
             for k, (measure, mention) in enumerate(lengths)
             if mention is None or mention in mentions
         ),
-        relations=tuple(r.model_copy(update={"id": f"relation-{k}"}) for k, r in enumerate(people.relations)),
+        relations=tuple(r.model_copy(update={"id": f"relation-{k}"}) for k, r in enumerate(said)),
         exclusions=_numbered(
             [Exclusion(words=w, categories=c, span=span) for (w, c), span in reversed(exclusions.items())]
             + [_but_for(one, entities) for one in parsed.unwanted]

@@ -219,6 +219,9 @@ def give_target(state: State, waiting: Waiting, mentions: list[Mention], phrase:
         targets = (waiting.first, mentions[0]) if waiting.first is not None else (mentions[0], mentions[-1])
     elif waiting.place.type != "around" and phrase.what != "pronoun":
         targets = targets[:1]
+    if is_each(phrase) and len(targets) > 1 and waiting.subjects:
+        _on_each_of(state, waiting, targets)
+        return
     _on_both(waiting, mentions, phrase)
     bind_target(state, waiting, targets, is_each(phrase) or speaks_of_both(phrase, waiting.place.type))
     if waiting.subjects is not None and new and not waiting.lost:
@@ -234,6 +237,19 @@ def give_target(state: State, waiting: Waiting, mentions: list[Mention], phrase:
             say(state, Said("near", mentions, ("window",), "through the window", span=span, implied=True))
         state.lit = False
     state.last_target = None if between else (waiting, targets)
+
+
+def _on_each_of(state: State, waiting: Waiting, targets: tuple[Any, ...]) -> None:
+    """ "A sofa and two armchairs, a cushion on each": so many for each thing of each kind."""
+    subjects = list(waiting.subjects or [])
+    for k, target in enumerate(targets):
+        own = subjects if k == 0 else [m.copied(id="") for m in subjects]
+        if k:
+            state.out.mentions += own
+        place = over_each(waiting.place) if target.many else waiting.place
+        own = distributed(state, own, target) if target.many else own
+        relate(state, place, own, (target,), state.span_of(waiting.chunk))
+    state.head, state.glue, state.last_target = subjects, "", None
 
 
 def _on_both(waiting: Waiting, mentions: list[Mention], phrase: NounPhrase) -> None:

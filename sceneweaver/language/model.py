@@ -85,7 +85,9 @@ Activity = Literal["sit", "sleep", "work", "eat", "stand", "wait", "use"]
 PLACES = ("wall", "window", "door", "corner", "middle", "ceiling", "floor", "room")
 """Targets that are parts of the room. ``wall:left`` (right, far, near, north ...) is as seen from the door, or by
 compass with y north; ``wall:long``, ``wall:short`` (an end of the room), ``wall:side`` (left or right), ``wall:window``
-and ``wall:door`` are any such wall; ``corner:far+left`` is the corner of these two, ``corner:far`` one of two."""
+and ``wall:door`` are any such wall, ``wall:niche``, ``wall:bay`` and ``wall:breast`` parts of walls that stand back or
+forward, ``wall:beside_breast`` and ``wall:breast_opening`` what is beside a breast and open in it; ``corner:far+left``
+is the corner of these two, ``corner:far`` one of two."""
 
 
 class Span(NamedTuple):
@@ -155,7 +157,8 @@ class StatedRelation(FrozenModel):
 class Exclusion(FrozenModel):
     """What must not be there: nowhere in the room or, with a ``relation``, not there ("no shelf above the bed").
 
-    Beside the ``categories`` it may be whatever is of some ``materials`` or hangs where a ``mount`` says.
+    Beside the ``categories`` it may be whatever is of some ``materials``, ``colors`` or ``styles``, or hangs where a
+    ``mount`` says; ``within`` are the things of which alone that is said ("no black chairs").
 
     An entity that must not stand somewhere ("the wardrobe may not be in front of the window") is named by ``subject``.
     """
@@ -169,6 +172,14 @@ class Exclusion(FrozenModel):
     materials: tuple[str, ...] = Field(
         default=(), description="Names of materials; nothing may be of one that the request does not name"
     )
+    colors: tuple[str, ...] = Field(
+        default=(), description="Basic colours that nothing may have, unless the request says so of it"
+    )
+    styles: tuple[str, ...] = Field(default=(), description="Styles that nothing may have")
+    within: tuple[str, ...] = Field(
+        default=(),
+        description="Categories, or groups, of which alone materials and colours are unwanted; empty: of the room too",
+    )
     mount: Literal["", "wall", "ceiling"] = Field(
         default="", description="Where nothing may hang that the request does not name"
     )
@@ -179,13 +190,19 @@ class StatedOpening(FrozenModel):
     """Doors, windows or parts of the shell of one kind that a request describes.
 
     ``wall`` is as seen from the first door (left, right, far, near), by compass, by length (long, short), or opposite
-    another opening; ``at`` is where along it.
+    another opening; ``at`` is where along it. Slopes, sunken floors, windows in roofs and shapes of ceilings
+    are told and not built.
     """
 
     id: str = ""
-    part: Literal["door", "window", "niche", "column"]
+    part: Literal["door", "window", "niche", "breast", "roof_window", "slope", "sunk_floor", "ceiling_shape"]
     count: int = 1
-    wall: Literal["left", "right", "far", "near", "north", "south", "east", "west", "long", "short", "any"] = "any"
+    wall: Literal["left", "right", "side", "far", "near", "north", "south", "east", "west", "long", "short", "any"] = (
+        "any"
+    )
+    run: Literal["long", "short", "any"] = Field(
+        default="any", description="Whether its wall is a long or a short one, where a side is said as well"
+    )
     at: Literal["middle", "left", "right", "corner", "along", "any"] = Field(
         default="any", description="'along' runs over the length of the wall; left and right as seen from the room"
     )
@@ -196,6 +213,7 @@ class StatedOpening(FrozenModel):
     width: float | None = Field(default=None, description="[m]")
     height: float | None = Field(default=None, description="[m]")
     sill: float | None = Field(default=None, description="[m]")
+    depth: float | None = Field(default=None, description="Of a niche or a breast [m]")
     features: tuple[str, ...] = Field(default=(), description="Double, sliding, to a bathroom, stained glass, ...")
     words: str = ""
     span: Span | None = None
@@ -256,6 +274,8 @@ class Arrangement(FrozenModel):
     groups: int | None = Field(default=None, description="Groups, or stacks")
     sides: tuple[int, ...] = Field(default=(), description="How many are on one side, and on the other")
     spacing: float | None = Field(default=None, description="Clear between neighbours, or rows of one column [m]")
+    pitch: float | None = Field(default=None, description="Between the middles of neighbours [m]")
+    at_least: bool = Field(default=False, description="Whether the pitch may be more")
     aisle: float | None = Field(default=None, description="Way through the middle, from front to back [m]")
     upright: bool = Field(default=False, description="Whether rows are one above the other, at a wall")
     height: float | None = Field(default=None, description="Up to which a stack reaches [m]")
@@ -278,13 +298,19 @@ class Amount(FrozenModel):
 
 
 class StatedFinish(FrozenModel):
-    """What a part of the room is finished in. Of walls in two colours the lower one is ``lower``."""
+    """What a part of the room is finished in. Of walls in two colours the lower one is ``lower``, a band of tiles
+    ``tiled``."""
 
     id: str = ""
-    part: Literal["walls", "accent", "lower", "panels", "floor", "ceiling", "beams", "furniture"]
+    part: Literal["walls", "accent", "lower", "tiled", "panels", "floor", "ceiling", "beams", "doors", "furniture"]
     material: str | None = Field(default=None, description="As `scene.RoomFinish` names it")
     color: str | None = Field(default=None, description="A colour, or a finish of wood")
+    second: str | None = Field(default=None, description="The other colour of checks or stripes")
+    pattern: str | None = Field(default=None, description="As `scene.FloorFinish` and `scene.RoomFinish` name it")
     high: float | None = Field(default=None, description="Up to which height [m]")
+    where: Literal["any", "left", "right", "far", "near", "long", "short"] = Field(
+        default="any", description="Which wall an accent is on, as seen from the door"
+    )
     words: str = ""
     span: Span | None = None
 

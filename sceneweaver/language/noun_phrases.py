@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from .chunks import CLOSED, OPEN, QUALITIES, NounPhrase, bounded, nominal
+from .chunks import CLOSED, EACH, OPEN, QUALITIES, NounPhrase, bounded, nominal
 from .nothings import is_word
 from .scan import Scan, is_name_of_one, is_verb
 from .tokens import Token, looks_adjective
@@ -276,6 +276,11 @@ def _kind(scan: Scan, head: Token, phrase: NounPhrase, start: int) -> tuple[str,
     holds = last in ("on", "from", "of", ",") and head.text in words("nouns")["holders"]
     if head.has("parts") and not (noun and (holds or before is None or before.text == ".")):
         return "part", head.text
+    aimed = before is not None and bool(scan.out) and scan.out[-1].kind == "purpose" and scan.out[-1].value == "people"
+    if phrase.determiner in EACH and not head.kinds and f"{head.text}s" in words()["people_words"]:
+        return "people", head.text  # "every pupil"
+    if noun and aimed and head.has("people_words"):
+        return "people", head.text  # "a chair for staff"
     if noun and not (head.has("abstract") and not phrase.determiner and phrase.count is None):
         return "thing", head.get("noun")
     if head.has("people_words", "whom"):

@@ -42,6 +42,8 @@ class Mention:
     attributes: list[Attribute] = field(default_factory=list)
     plural: bool = False
     implied: bool = False
+    also: list[str] = field(default_factory=list)
+    """Other nouns by which the request calls it: a crate that is used as a table is a table."""
     span: Span | None = None
     id: str = ""
     uncounted: bool = False
@@ -79,7 +81,7 @@ class Mention:
     def copied(self, **changed: Any) -> Self:
         """Another mention of which the same is said, but for what is ``changed``."""
         own = {"attributes": list(self.attributes), "words": list(self.words), "size": list(self.size)}
-        own["unnamed"] = list(self.unnamed)
+        own |= {"unnamed": list(self.unnamed), "also": list(self.also)}
         return replace(self, **own | changed)
 
 
@@ -133,6 +135,16 @@ class Told:
 
 
 @dataclass(frozen=True)
+class Role:
+    """What the thing whose name has the character ``at`` of the source serves as, or is called, in so many words."""
+
+    at: int
+    noun: str
+    words: str
+    span: Span
+
+
+@dataclass(frozen=True)
 class Zone:
     """A part of the room, or a use of all of it, that is a kind of room by itself."""
 
@@ -169,7 +181,10 @@ class Parsed:
     appearances: list[Told] = field(default_factory=list)
     states: list[Told] = field(default_factory=list)
     measures: list[Told] = field(default_factory=list)
+    roles: list[Role] = field(default_factory=list[Role])
     bounds: list[tuple[tuple[str, ...], int, int]] = field(default_factory=list)
+    shared: list[tuple[str, int]] = field(default_factory=list[tuple[str, int]])
+    """What so many people share one of: "a lamp for every three guests"."""
     room_type: str | None = None
     room_words: str = ""
     setting: str = ""

@@ -8,7 +8,7 @@ from .items import begin_clause, continue_with, give_target, name_things
 from .nearness import carrier_root, carrying, nearest
 from .parsed import Mention, Said
 from .relating import relate_to_place
-from .shares import ends_here, give_total, share_out
+from .shares import ends_here, give_total, one_for_each, share_out
 from .state import State, Waiting
 from .stations import station_group
 from .vocabulary import shows
@@ -48,6 +48,13 @@ def number_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     near = _at_hand(state)
     group = state.refs.several(near)
     count = phrase.count or (1, 1)
+    if near and state.glue in ("and", "comma", "comma and") and after is not None and after.kind == "purpose":
+        by = near[-1].per.count if near[-1].per is not None else None
+        if by is not None and near[-1].count is not None and phrase.bound is None:
+            low, high = near[-1].count  # "each with two chairs for customers and one for the clerk"
+            near[-1].count = (low + count[0] * by[0], high + count[1] * by[1])
+            state.out.referred.append(state.span_of(phrase))
+            return
     if group is None and state.glue == "bracket" and near and near[-1].count is None:
         group = near[-1]  # "toy chest (2)"
     total = phrase.bound is not None or phrase.value == "grouped" or state.glue == "bracket"
@@ -84,6 +91,8 @@ def pronoun_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         state.glue = ""
     elif kind == "each":
         group = state.refs.several(_at_hand(state))
+        if group is not None and state.every > 1 and group.count is not None and group.count[0] > state.every:
+            group, state.every = state.refs.part([group], group.count[0] // state.every), 1
         if group is not None:
             state.head, state.each, state.glue = [group], group, ""
             state.subject, state.subject_open = [group], True
@@ -169,6 +178,8 @@ def _part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
             state.leave_unread(f"{before.text} {chunk.text}", before.start, chunk.end)
         return
     near = nearest(state, waiting.subjects or []) if waiting is not None else _at_hand(state)
+    if phrase.text == "one" and waiting is None and one_for_each(state, near):
+        return
     if partial and part_of_each(state, state.chunk(state.at)):
         more = _more_of_the_same(state, near, (1, 1), phrase)
         group = state.refs.several(near)

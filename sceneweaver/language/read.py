@@ -75,12 +75,9 @@ def _leave_out_unknown(parsed: Parsed) -> None:
 
 
 def _sides(parsed: Parsed, source: Source) -> None:
-    """The sides that are of no thing are those of the room; the first count."""
-    for sides in parsed.sides:
-        if source.size is None:
-            source.size = (max(sides[:2]), min(sides[:2]))
-            if len(sides) > 2 and source.height is None:
-                source.height = sides[2]
-        elif set(sides[:2]) != set(source.size):
-            source.notes.append(f"{sides[0]:g} x {sides[1]:g} m: the room has other sides already; it was left out")
+    """Sides of the main part of a floor are those of the room."""
+    for sides in parsed.sides[:1]:
+        source.size = (max(sides[:2]), min(sides[:2]))
+        if len(sides) > 2 and source.height is None:
+            source.height = sides[2]
     check_measures(source)

@@ -61,9 +61,9 @@ class References:
             lambda m, name: m.category == category and not m.generic,
             lambda m, name: " " in head and name.split(" of ")[0].endswith(last),
             lambda m, name: head in name.split() or name == last,
-            lambda m, name: m.category in kinds,
+            lambda m, name: m.category in kinds or m.category.rpartition("_")[2] == last,
         )
-        found = (([m for m in fitting if test(m, singular(m.noun))]) for test in tests)
+        found = (([m for m in fitting if any(test(m, name) for name in _names(m))]) for test in tests)
         meant = next((group for group in found if group), [])
         ranks = words("nouns")["usual"].get(last, ()) if whole in (head, last) else ()
         meant.sort(key=lambda m: next((k for k, names in enumerate(ranks) if m.category in names), len(ranks)))
@@ -159,6 +159,11 @@ class References:
             return next(iter(tops if kind == "top" else choices), None)
         floor = (m for m in choices if category_named(m.category).holds or "floor" in category_named(m.category).mount)
         return next(floor, None)
+
+
+def _names(mention: Mention) -> list[str]:
+    """The nouns by which the request calls a mention, in the singular."""
+    return [singular(noun) for noun in (mention.noun, *mention.also)]
 
 
 def _described(mention: Mention) -> set[str]:

@@ -16,6 +16,7 @@ from .nearness import SIDED, anchor, beside_those, carrier_root, chained, main_t
 from .parsed import Barred, Left, Mention, Said, Target, without
 from .state import Frame, State
 from .vocabulary import Place, mounts, words
+from .wall_names import PARTS
 
 FLAT = 0.05
 """Height [m] up to which what lies on floors is kept on shelves."""
@@ -173,6 +174,12 @@ def relate_to_place(state: State, said: Said) -> None:
         subjects[0].count = (2, 2)  # "a plant on either side of the door"
     if place.startswith("wall") and kind in ("on", "against", "inside") and said.words.startswith("hang"):
         kind = "hanging_from"
+    if place == "wall:breast" and kind in _BESIDE:
+        kind, place = "against", "wall:beside_breast"
+    if place == "wall:breast" and kind == "inside":
+        kind, place = "against", "wall:breast_opening"
+    if place == "wall:bay" and kind in _BESIDE:
+        place = "window"
     kind = close_kind(kind, said.words, subjects, place)
     stated, kind = kind, _kind_at(kind, place, subjects)
     subjects = _carriers_of(state, kind, subjects)
@@ -185,8 +192,14 @@ def relate_to_place(state: State, said: Said) -> None:
     if kind == "far_from" and place not in ("door", "window"):
         state.out.note(f"'away from the {place}' cannot be said as a relation and was left out")
         return
-    spoken = said.words if said.words.endswith((place, "each")) else f"{said.words} the {place.split(':')[0]}"
+    part = place.partition(":")[2]
+    name = part.replace("_", " ") if part in PARTS else place.split(":")[0]
+    spoken = said.words if said.words.endswith((place, "each")) else f"{said.words} the {name}"
     say(state, replace(said, type=kind, subjects=subjects, targets=(place,), words=spoken))
+
+
+_BESIDE = ("flanking", "next_to", "side_by_side", "left_of", "right_of")
+"""What puts things at the wall beside a chimney breast."""
 
 
 def _carriers_of(state: State, kind: str, subjects: list[Mention]) -> list[Mention]:
@@ -228,6 +241,8 @@ def _is_less(thing: Mention, other: Mention) -> bool:
 def _kind_at(kind: str, place: str, subjects: list[Mention]) -> str:
     """The type of relation to a part of the room."""
     if place.startswith("wall"):
+        if kind == "centered_on" and place.partition(":")[2] in PARTS:
+            return kind
         if kind in ("inside", "at", "occupying", "covering", "centered_on", "around", "flanking"):
             return "against"
         stand = bool(subjects) and all(s.mount == "floor" for s in subjects)
@@ -368,7 +383,8 @@ def owned_kind(mention: Mention, owner: Mention, small: bool) -> str | None:
         return support_kind("on", owner)
     if mention.mount != "floor" or owner.mount != "floor":
         return "above" if mention.mount == "wall" else None
-    if mention.family == "seat" and owner.family == "table":
+    seat = mention.family == "seat" or has_role(mention.category, "upright_seat")
+    if seat and (owner.family == "table" or has_role(owner.category, "seated_at", "pulled_up_to", "dressing_place")):
         return "at"
     if mention.category == "nightstand":
         beds = owner.count[0] if mention.per is owner and owner.count is not None else 1

@@ -15,6 +15,7 @@ from .shares import ends_here, share_out
 from .state import State, Waiting
 from .tokens import Token
 from .vocabulary import Place, category_of, family, group_rows, shows, words
+from .wall_names import PARTS
 
 _SAID_OF_ROOMS = (
     *("room_scale", "styles", "moods", "density", "color", "shape", "adjective", "scale", "material"),
@@ -125,7 +126,7 @@ def unknown_room(state: State, phrase: NounPhrase) -> None:
 def describe_room(state: State, phrase: NounPhrase, room: bool = True) -> None:
     """Colours, styles, sizes and shapes of the room."""
     if phrase.sides is not None:
-        state.out.sides.append(phrase.sides)
+        state.leave_sides(phrase)
     for word in phrase.qualities:
         room_quality(state, word, room)
 
@@ -163,8 +164,14 @@ def place_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         state.fronted, state.glue = [(where, (place,), chunk)], "start"  # "each corner gets a lamp"
         state.at += 1
         return
+    if place.partition(":")[2] in PARTS:
+        state.refer(phrase)
     if place == "room":
         _the_room(state, phrase, waiting)
+    if waiting is None and place.partition(":")[2] in PARTS and _holds_next(state):
+        state.fronted, state.glue = [(Place("inside", words="in"), (place,), chunk)], "start"  # "an alcove with a desk"
+        state.at += 1
+        return
     if waiting is None:
         if place != "room":
             name_nothing(state)
@@ -212,6 +219,12 @@ def _has_next(state: State) -> bool:
     return after is not None and after.kind == "verb" and shows(after.value.lemma)
 
 
+def _holds_next(state: State) -> bool:
+    """Whether it is told next what is there: "a recess with a desk", "an alcove where a bed stands"."""
+    after = state.chunk(state.at)
+    return after is not None and (after.kind == "with" or after.text in ("where", "in which") or _has_next(state))
+
+
 def _the_room(state: State, phrase: NounPhrase, waiting: Waiting | None) -> None:
     """The word "room" and its like, which name no kind of room unless a word before them does."""
     out, strange = state.out, _strange(phrase)
@@ -232,7 +245,8 @@ def _count_openings(state: State, place: str, phrase: NounPhrase) -> None:
     """Windows and doors as parts of the room: "two windows", "with a window"."""
     openings = state.out.openings
     if phrase.count is not None:
-        openings[place] = phrase.count[0]
+        told = any(one.part == place for one in state.out.stated_openings)
+        openings[place] = max(phrase.count[0], openings.get(place, 0) if told else 0)
     elif phrase.determiner in ("a", "an", "another"):
         openings[place] = max(1, openings.get(place, 0))
     name_nothing(state)

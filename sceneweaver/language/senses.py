@@ -17,8 +17,13 @@ BESIDE = 32
 """Characters before and after a noun within which words stand beside it."""
 
 
-def sense_of(noun: str, source: Source, start: int, end: int, scale: float) -> str | None:
-    """The category that a noun at characters [start, end) means; None where it has its usual sense.
+NOTHING = ""
+"""What a noun means that is no thing where it stands: the glass of a window."""
+
+
+def sense_of(noun: str, source: Source, start: int, end: int, scale: float, bare: bool = False) -> str | None:
+    """The category that a noun at characters [start, end) means; None where it has its usual sense, `NOTHING` where
+    it is no thing. ``bare``: whether it has no "a", no number and no plural.
 
     A compound that is known by itself has no other sense.
     """
@@ -28,9 +33,9 @@ def sense_of(noun: str, source: Source, start: int, end: int, scale: float) -> s
         return None
     around = source.spoken[max(0, start - BESIDE) : end + BESIDE]
     for row in rows:
-        if _fits(row, source.spoken, around, scale):
+        if row.get("bare", bare) == bare and _fits(row, source.spoken, around, scale):
             known = categories()
-            return next((name for name in row["means"] if name in known), None)
+            return next((name for name in row["means"] if name in known), None if row["means"] else NOTHING)
     return None
 
 
@@ -44,6 +49,8 @@ def _fits(row: Mapping[str, Any], text: str, around: str, scale: float) -> bool:
     if scale < row.get("scale", 0.0):
         return False
     if "unless" in row and _any_of(tuple(row["unless"])).search(text):
+        return False
+    if "apart" in row and _any_of(tuple(row["apart"])).search(around):
         return False
     near = "near" not in row or _any_of(tuple(row["near"])).search(text)
     return bool(near and ("beside" not in row or _any_of(tuple(row["beside"])).search(around)))

@@ -19,6 +19,9 @@ LONGEST = 20_000
 """Characters that are read; a longer request is cut there, with a note."""
 
 FOOT, INCH = 0.3048, 0.0254
+TATAMI = 1.653
+"""Floor [m2] under one mat."""
+
 SQUARE_FOOT = FOOT**2
 
 _GAP = r"\s{0,9}"
@@ -32,6 +35,11 @@ _SQUARE = re.compile(
     rf"{_NUMBER}{_GAP}-?{_GAP}(m2|m²|sqm|sq\.?{_GAP}m(?:et(?:er|re)s?)?|square[\s-]?met(?:er|re)s?|square[\s-]?m|"
     rf"sq\.?{_GAP}ft\.?|sqft|square[\s-]?f(?:ee|oo)t|ft2|ft²)(?![a-z])"
 )
+_MATS = re.compile(
+    rf"{_NUMBER}{_GAP}-?{_GAP}(?:tatami|jo|jō|mat)(?:\s{{1,9}}mats?)?(?=\s{{0,9}}(?:room|tea|floor|in size|[.,;)]|$))"
+)
+"""A floor of so many mats, as Japanese rooms are measured."""
+
 _FREE = r"(?:free|clear|open|empty|unobstructed|uncluttered|unoccupied|spare)"
 _FREE_BEHIND = re.compile(
     rf"{_GAP}(?:of{_GAP})?(?:(?:must|should|has|have|to|is|are|be|stay|stays|remain|kept|left|completely|totally|at all"
@@ -57,7 +65,9 @@ _LOW_CEILING = re.compile(
     rf"ceilings?{_GAP},?{_GAP}(?:(?:is|of|only|about|at|most|max|maximum|under|no|more|than){_GAP}){{0,4}}"
     rf"{_NUMBER}{_GAP}{_LENGTH}(?:{_GAP}(?:at{_GAP}most|at{_GAP}least|max(?:imum)?|high))?(?![a-z])"
 )
-_WALLS_HIGH = re.compile(rf"walls?{_GAP}(?:of{_GAP})?{_NUMBER}{_GAP}{_LENGTH}{_GAP}(?:high|tall)(?![a-z])")
+_PARTIAL = ("low", "half", "knee", "height", "high", "partition", "dividing", "pony", "a")
+_OF_ROOM = "".join(rf"(?<!{word} )" for word in _PARTIAL)  # a low wall is none of the room's
+_WALLS_HIGH = re.compile(rf"{_OF_ROOM}\bwalls?{_GAP}(?:of{_GAP})?{_NUMBER}{_GAP}{_LENGTH}{_GAP}(?:high|tall)(?![a-z])")
 _AND_HIGH = re.compile(rf"§\s{{0,40}}(?:and|,){_GAP}{_NUMBER}{_GAP}{_LENGTH}{_GAP}(?:high|tall)(?![a-z])")
 _PARTS = re.compile(r"(?<![\w.])(\d{1,2})\s?(?:m|meters?|metres?)\s(\d\d)(?![\w.]|\s?(?:cm|mm|m|inch))")
 """Metres and centimetres in two numbers: "2 metres 10"."""
@@ -70,11 +80,13 @@ _SPELT = re.compile(
     r"\b(" + "|".join(_DIGITS) + rf")\b(?={_GAP}-?{_GAP}(?:by|x|square|sq|m|met(?:er|re)s?|feet|foot|ft|cm)\b)"
 )
 _FAR = re.compile(rf"{_NUMBER}{_GAP}(?:km|kilomet(?:er|re)s?|miles?)\b")
-_BARE = re.compile(
-    rf"(?<![\w.])(?<!grid of )(?<!array of ){_NUMBER}{_BY}{_NUMBER}"
-    rf"(?![\w.]|{_GAP}(?:cm|mm|in|grid|array|matrix|pattern|formation|raster|rows?|block|layout)\b)"
-)
 _ENDLESS = re.compile(r"\d{10,}")
+_ENDLESS_WORD = re.compile(r"[^\W\d_]{81,}")
+"""No language with spaces has such a word; what looks for its end at each of its letters would take long."""
+
+_ENDLESS_JOINED = re.compile(r"[a-z'/_-]{81,}")
+"""Words with hyphens between them, too many for one: they are read as words of their own."""
+
 _WRAPPED = re.compile(r"(?<=[^\n]{60})(?<!\s)\s*\n(?=[a-z])")
 """The end of a long line that was wrapped. It begins with the first white space, so that its time is linear."""
 
@@ -116,6 +128,17 @@ class Source:
         last = min(end, len(self.origin)) - 1
         return Span(self.origin[start], self.origin[max(last, start)] + 1)
 
+    def insert(self, at: int, text: str, like: int) -> None:
+        """Puts words in before character ``at``, which stand in the request where those from ``like`` on do."""
+        n = len(text)
+        self.text = self.text[:at] + text + self.text[at:]
+        self.spoken = self.spoken[:at] + text + self.spoken[at:]
+        own = [self.origin[min(max(like, like + k - n + len(text.lstrip())), len(self.origin) - 1)] for k in range(n)]
+        self.origin = self.origin[:at] + own + self.origin[at:]
+        self.sides = {k + n * (k >= at): sides for k, sides in self.sides.items()}
+        self.free = {k + n * (k >= at) for k in self.free}
+        self.colons = {k + n * (k >= at) for k in self.colons}
+
     def blank(self, pattern: re.Pattern[str], read: object) -> None:
         """Measures of a pattern are taken out when ``read`` understands them; the length stays the same."""
 
@@ -155,11 +178,13 @@ def read_source(text: str) -> Source:
     spoken = "".join(letters).replace("§", " ")
     language = language_of(spoken)
     if language != "en":
-        spoken, origin = translated(spoken, origin, language)
+        spoken, origin = translated(spoken, origin, language, text)
         notes.append(f"read as {NAMES[language]}, word by word")
     found = Source(spoken, origin, notes=notes, language=language)
     found.blank(_TAG, lambda m: " ")
     found.blank(_ENDLESS, lambda m: _endless(m, found))
+    found.blank(_ENDLESS_WORD, lambda m: _endless_word(m, found))
+    found.blank(_ENDLESS_JOINED, lambda m: re.sub("[^a-z]", " ", m[0]))
     found.blank(_WRAPPED, lambda m: " ")
     found.blank(_SHORTENED, lambda m: m[1])
     found.blank(_LISTED, lambda m: " & ")
@@ -173,13 +198,12 @@ def read_source(text: str) -> Source:
     found.blank(_CEILING, lambda m: _ceiling(m, found))
     found.blank(_LOW_CEILING, lambda m: _ceiling(m, found))
     found.blank(_SQUARE, lambda m: _free_square(m, found) or _square(m, found))
+    found.blank(_MATS, lambda m: _mats(m, found))
     found.blank(_LONG_WIDE, lambda m: _sides(m, found))
     found.blank(_SIDES, lambda m: _sides(m, found))
     found.blank(_ON, lambda m: _on(m, found))
     found.blank(_AND_HIGH, lambda m: "§" if _ceiling(m, found) else None)
     found.blank(_WALLS_HIGH, lambda m: _walls(m, found))
-    if not found.sides:
-        found.blank(_BARE, lambda m: _bare(m, found))
     return found
 
 
@@ -225,6 +249,15 @@ def _square(m: re.Match[str], found: Source) -> str:
     return " "
 
 
+def _mats(m: re.Match[str], found: Source) -> str | None:
+    """A floor of 3 mats and more; mats lie on it, so they stay as words where they are named."""
+    count = float(m[1].replace(",", "."))
+    if count < 3 or found.area is not None or ("mat" in m[0] and "tatami" not in m[0] and count % 0.5):
+        return None
+    found.area = round(count * TATAMI, 2)
+    return " tatami" if "tatami" in m[0] else " "
+
+
 def _free_square(m: re.Match[str], found: Source) -> str | None:
     """Square metres that are to stay free are no floor of a room: a square of that area stands for them."""
     before, behind = m.string[max(0, m.start() - 60) : m.start()], m.string[m.end() :]
@@ -240,7 +273,7 @@ def _free_square(m: re.Match[str], found: Source) -> str | None:
 def _sides(m: re.Match[str], found: Source) -> str | None:
     groups = [*m.groups(), None, None][:6]
     unit = groups[5] or groups[3] or groups[1]
-    if unit is None:  # two bare numbers are sides only when a room may have them
+    if unit is None:  # whose they may be tells the unit of bare numbers (`statements.room_sides`)
         return None
     values = [metres(n, u or unit) for n, u in zip(groups[::2], groups[1::2], strict=True) if n]
     found.sides[m.start()] = tuple(round(v, 4) for v in values)
@@ -252,18 +285,13 @@ def _endless(m: re.Match[str], found: Source) -> str:
     return " "
 
 
-def _too_far(m: re.Match[str], found: Source) -> str:
-    found.notes.append(f"'{m[0]}' is no measure of a room; it was left open")
+def _endless_word(m: re.Match[str], found: Source) -> str:
+    found.notes.append(f"'{m[0][:10]}...' is no word, with its {len(m[0])} letters; it was left out")
     return " "
 
 
-def _bare(m: re.Match[str], found: Source) -> str | None:
-    """Sides without a unit are metres when a room may have them."""
-    a, b = metres(m[1], None), metres(m[2], None)
-    if not (min(a, b) >= 1.5 and max(a, b) <= 40):
-        return None
-    found.size = (max(a, b), min(a, b))
-    found.notes.append(f"'{m[0].strip()}' was read as metres")
+def _too_far(m: re.Match[str], found: Source) -> str:
+    found.notes.append(f"'{m[0]}' is no measure of a room; it was left open")
     return " "
 
 

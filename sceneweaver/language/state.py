@@ -188,6 +188,14 @@ class State:
         """Words at characters [start, end) of the source are not understood."""
         self.out.unread.append(Left(" ".join(text.split()), start, end))
 
+    def leave_sides(self, phrase: NounPhrase) -> None:
+        """The sides of a phrase are of nothing that can have them."""
+        assert phrase.sides is not None
+        end = phrase.end
+        while self.source.text[end : end + 1] == " ":  # they were longer than their mark
+            end += 1
+        self.leave_unread(" x ".join(f"{side:g}" for side in phrase.sides) + " m", phrase.start, end)
+
     def refer(self, phrase: NounPhrase) -> None:
         """The noun of a phrase names again what was named before; what else it says is accounted for elsewhere."""
         start = phrase.end - len(phrase.text)

@@ -7,13 +7,14 @@ from dataclasses import replace
 from .chunks import Chunk, NounPhrase
 from .distribution import count_out_again
 from .items import begin_clause, name_nothing, name_things
+from .model import Attribute
 from .nothings import is_animal, is_certain, is_large, may_name
 from .parsed import Mention, without
 from .room_phrases import abstract_phrase, describe_room, people_phrase, unknown_room
 from .shares import ends_here, last_items, multiply, share_out
 from .state import Frame, State
 from .things import MANY, describe, match_of, name_of, new_mention, note_on, singular
-from .vocabulary import words
+from .vocabulary import family, words
 
 MOST_NEW = 400
 """Mentions that are made at most."""
@@ -81,11 +82,12 @@ def named_thing(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         abstract_phrase(state, phrase, chunk)  # "a basement cinema"
         state.lost = False
         return
-    if _is_of_the_room(state, phrase):
+    if _is_of_the_room(state, phrase) or _is_kind_of(state, phrase):
         return
     made = new_thing(state, phrase)
-    if made is not None and waiting is None and phrase.determiner in ("each", "every"):
-        made.uncounted, state.each = True, made  # "every bookcase has a lamp, there are three bookcases"
+    if made is not None and phrase.determiner in ("each", "every"):
+        made.uncounted = True  # "every bookcase has a lamp, there are three bookcases"
+        state.each = made if waiting is None else state.each
     if made is not None:
         name_things(state, [made], phrase, True)
     elif waiting is not None:
@@ -137,8 +139,12 @@ def _told_of_again(state: State, phrase: NounPhrase) -> Mention | None:
     if not (told or placed):
         return None
     noun, related = singular(name_of(phrase)), {m for said in state.out.said for m in said.subjects if not said.implied}
-    for mention in reversed(state.out.mentions[-20:]):
-        if singular(mention.noun) == noun and (phrase.plural or not mention.many) and (told or mention not in related):
+    named = [m for m in state.out.mentions[-20:] if singular(m.noun) == noun]
+    if not named and told:  # "a cast iron stove ... stove is black"
+        named = [m for m in state.out.mentions[-20:] if singular(m.noun).endswith(f" {noun}") or noun in m.also]
+        named = named if len(named) == 1 else []
+    for mention in reversed(named):
+        if (phrase.plural or not mention.many) and (told or mention not in related):
             return mention
     return None
 
@@ -169,6 +175,24 @@ def _some_of(state: State, phrase: NounPhrase) -> Mention | None:
             phrase.count = None
             return mention
     return None
+
+
+def _is_kind_of(state: State, phrase: NounPhrase) -> bool:
+    """ "One of the chairs is a rocking chair": whether a noun says what kind of thing something is."""
+    verb, who = state.chunk(state.at - 2), state.predicate
+    told = verb is not None and verb.kind == "verb" and verb.value.lemma == "be"
+    if not told or len(who) != 1 or state.waiting is not None or phrase.definite or phrase.value is None:
+        return False
+    (one,) = who
+    match = match_of(name_of(phrase))
+    many = one.count[1] > 1 if one.count is not None else one.plural
+    if many != phrase.plural or match.how == "generic" or family(match.category) != one.family:
+        return False
+    one.noun, one.category, one.generic = name_of(phrase), match.category, False
+    describe(one, phrase, state.source)
+    state.out.referred.append(state.span_of(phrase))
+    state.head, state.glue, state.predicate = [one], "", []
+    return True
 
 
 def _is_of_the_room(state: State, phrase: NounPhrase) -> bool:
@@ -210,7 +234,7 @@ def new_thing(state: State, phrase: NounPhrase) -> Mention | None:
         state.leave_unread(phrase.text, phrase.start, phrase.end)
         return None
     mention = new_mention(phrase, state.source)
-    if mention.generic and not _is_concrete(state, phrase):
+    if not mention.category or (mention.generic and not _is_concrete(state, phrase)):
         spoken = state.source.text[phrase.start : phrase.end].removeprefix(f"{phrase.determiner} ")
         state.leave_unread(spoken, phrase.start, phrase.end)
         if is_large(name_of(phrase)):
@@ -224,6 +248,12 @@ def new_thing(state: State, phrase: NounPhrase) -> Mention | None:
         alike = ("color", "material", "style", "other", "finish")
         mention.attributes += [a for a in other.attributes if a.kind in alike]
     note_on(mention, state.out)
+    for role in state.out.roles:
+        if phrase.start <= role.at < phrase.end:
+            mention.also.append(role.noun)
+            mention.attributes.append(
+                Attribute(kind="other", value=f"as {role.noun}", words=role.words, span=role.span)
+            )
     state.out.mentions.append(mention)
     if state.per_person and state.out.people and mention.count in (None, (1, 1)):
         multiply([mention], (state.out.people, state.out.people))

@@ -12,7 +12,7 @@ from sceneweaver.assets.wordnet import noun_named
 from .chunks import NounPhrase
 from .model import Attribute, AttributeKind
 from .parsed import Mention, Parsed
-from .senses import sense_of
+from .senses import NOTHING, sense_of
 from .source import Source
 from .tokens import Token
 from .vocabulary import category_of, plural, vocabulary, words
@@ -97,7 +97,10 @@ def new_mention(phrase: NounPhrase, source: Source) -> Mention:
         mention.count = phrase.count or (2, 2)
     describe(mention, phrase, source)
     mention.category = narrower(mention.category, " ".join(a.words for a in mention.attributes), mention.noun)
-    meant = sense_of(mention.noun, source, phrase.start, phrase.end, mention.scale)
+    meant = sense_of(mention.noun, source, phrase.start, phrase.end, mention.scale, _is_bare(phrase))
+    if meant == NOTHING:
+        mention.category, mention.generic = "", True
+        return mention
     if meant is not None:
         mention.category, mention.generic = meant, False
         return mention
@@ -105,6 +108,11 @@ def new_mention(phrase: NounPhrase, source: Source) -> Mention:
     spoken = set(mention.category.split("_"))
     mention.unnamed = [word for word in match.modifiers if word not in described | spoken and not _is_quality(word)]
     return mention
+
+
+def _is_bare(phrase: NounPhrase) -> bool:
+    """Whether a noun has no "a", no number and no plural, as the names of materials have none."""
+    return phrase.count is None and not phrase.plural and phrase.determiner in ("", "the", "its", "their", "some")
 
 
 def _is_quality(word: str) -> bool:

@@ -22,6 +22,9 @@ NAMES = {"de": "German", "es": "Spanish", "fr": "French", "zh": "Chinese"}
 LONGEST = 4
 """Words of the longest phrase in the tables; characters, in Chinese twice as many."""
 
+SHORTEST_HEAD = 5
+"""Letters of the last part of a word, and of what stands before it, for it to be one of two."""
+
 _KINDS = ("nouns", "adjectives", "numbers", "words", "postpositions")
 _WORD = re.compile(r"(?:[ldjnsc]|qu)['’](?=\w)|[^\W\d_]+(?:-[^\W\d_]+)*|\d+(?:[.,]\d+)?|\S", re.UNICODE)
 _CHINESE = re.compile(r"[\u4e00-\u9fff]")
@@ -83,9 +86,10 @@ def language_of(text: str) -> str:
     return best if scores[best] >= 2 and scores[best] > 2 * english else "en"
 
 
-def translated(text: str, origin: Sequence[int], language: str) -> tuple[str, list[int]]:
+def translated(text: str, origin: Sequence[int], language: str, request: str) -> tuple[str, list[int]]:
     """A text in lower case as English, with the place of each of its characters in the request."""
-    told = _chinese(text) if language == "zh" else _spaced(text, language)
+    names = _capitals(text, origin, request) if language == "de" else frozenset[int]()
+    told = _chinese(text) if language == "zh" else _spaced(text, language, names)
     ordered = _postposed(told) if language == "zh" else _adjectives_first(told) if language in ("es", "fr") else told
     letters: list[str] = []
     places: list[int] = []
@@ -111,8 +115,19 @@ def unknown_words(text: str, language: str) -> list[tuple[int, int]]:
     ]
 
 
-def _spaced(text: str, language: str) -> list[Told]:
-    """The words of a language that sets them apart, the longest known phrases first."""
+def _capitals(text: str, origin: Sequence[int], request: str) -> frozenset[int]:
+    """Where words of a text begin with a capital letter within a sentence: nouns, in German."""
+    found: set[int] = set()
+    before = "."
+    for m in _WORD.finditer(text):
+        if before not in (".", "!", "?") and request[origin[m.start()]].isupper():
+            found.add(m.start())
+        before = m[0]
+    return frozenset(found)
+
+
+def _spaced(text: str, language: str, names: frozenset[int] = frozenset()) -> list[Told]:
+    """The words of a language that sets them apart, the longest known phrases first; those at ``names`` are nouns."""
     found = list(_WORD.finditer(text))
     table, told, at = tables(language), list[Told](), 0
     while at < len(found):
@@ -120,6 +135,8 @@ def _spaced(text: str, language: str) -> list[Told]:
             start, end = found[at].start(), found[at + many - 1].end()
             phrase = re.sub(r"\s+", " ", text[start:end]).replace("’", "'")
             known = table.phrases.get(phrase) or (_inflected(phrase, table) if many == 1 else _plural(phrase, table))
+            if many == 1 and start in names and known is not None and known[1] == "words":
+                known = _inflected(phrase, table) or known  # "die Liegen" are things, "sie liegen" is none
             if known is None and many == 1 and language == "de":
                 known = _compound(phrase, table)
             if known is not None:
@@ -138,7 +155,9 @@ def _inflected(word: str, table: Tables) -> tuple[str, str] | None:
         if not word.endswith(ending) or len(word) - len(ending) < 3:
             continue
         stem = word[: -len(ending)]
-        for form in (stem, stem.translate(_UMLAUTS), f"{stem}e"):
+        last = max(map(stem.rfind, "äöü"))
+        plain = stem[:last] + stem[last:].translate(_UMLAUTS) if last >= 0 else stem
+        for form in (stem, plain, f"{stem}e"):
             known = table.phrases.get(form)
             if known is not None and known[1] != "words":
                 return (plural(known[0]), "nouns") if known[1] == "nouns" else known
@@ -159,16 +178,19 @@ def _plural(phrase: str, table: Tables) -> tuple[str, str] | None:
 
 
 def _compound(word: str, table: Tables) -> tuple[str, str] | None:
-    """Two nouns in one word, the second of which is the thing."""
+    """Two nouns in one word, the second of which is the thing; a long word by that one where the first is not known."""
+    last: tuple[str, str] | None = None
     for cut in range(3, len(word) - 2):
         head = table.phrases.get(word[cut:]) or _inflected(word[cut:], table)
         if head is None or head[1] != "nouns":
             continue
+        if last is None and min(cut, len(word) - cut) >= SHORTEST_HEAD:
+            last = head
         for first in (word[:cut], word[:cut].rstrip("s"), word[:cut].removesuffix("en"), word[:cut].removesuffix("n")):
             known = table.phrases.get(first)
             if known is not None and known[1] in ("nouns", "adjectives"):
                 return f"{known[0]} {head[0]}", "nouns"
-    return None
+    return last
 
 
 def _adjectives_first(told: Sequence[Told]) -> list[Told]:
@@ -216,7 +238,7 @@ def _postposed(told: Sequence[Told]) -> list[Told]:
         if one.kind == "postpositions":
             while at and found[at - 1].kind in ("nouns", "adjectives", "numbers"):
                 at -= 1
-        if one.kind == "nouns" and found and found[-1].kind == "numbers" and found[-1].text not in ("one", "1"):
+        if one.kind == "nouns" and found and found[-1].kind == "numbers" and found[-1].text not in ("a", "one", "1"):
             one = one._replace(text=plural(one.text))
         found.insert(at, one)
     return found

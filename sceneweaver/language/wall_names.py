@@ -2,11 +2,36 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from sceneweaver.geometry.angles import dot
+from sceneweaver.geometry.recesses import beside_forward, between_forward, set_back, set_forward, sides_of
 from sceneweaver.rules.stated import number
 from sceneweaver.scene import Room
 
 COMPASS = {"north": (0.0, 1.0), "south": (0.0, -1.0), "east": (1.0, 0.0), "west": (-1.0, 0.0)}
+
+
+def _bays(room: Room) -> list[int]:
+    """The backs of bays: of what stands back and has a window in one of its walls."""
+    walls, lit = room.walls, {window.wall for window in room.windows}
+    return [k for k in set_back(walls) if lit & {k, *(side.index for side in sides_of(k, walls))}]
+
+
+def _niches(room: Room) -> list[int]:
+    """The backs of niches, and the walls beside a chimney breast."""
+    bays = _bays(room)
+    return [k for k in (*set_back(room.walls), *beside_forward(room.walls)) if k not in bays]
+
+
+PARTS: dict[str, Callable[[Room], list[int]]] = {
+    "niche": _niches,
+    "bay": _bays,
+    "breast": lambda room: set_forward(room.walls),
+    "beside_breast": lambda room: beside_forward(room.walls),
+    "breast_opening": lambda room: between_forward(room.walls),
+}
+"""Parts of walls that are made by the outline, and which walls are theirs."""
 
 
 def direction_of(name: str, room: Room) -> tuple[float, float] | None:
@@ -25,7 +50,8 @@ def direction_of(name: str, room: Room) -> tuple[float, float] | None:
 
 def walls_meant(name: str, room: Room) -> list[int]:
     """The walls that a name means, by their numbers: a side as seen from the door or by compass, "side" (left and
-    right), "long" and "short" (the ends), "window" and "door" (walls with one), a number; every wall for "".
+    right), "long" and "short" (the ends), "window" and "door" (walls with one), one of `PARTS`, a number; every wall
+    for "".
 
     "left+far" are the two walls of a corner. A name that is unknown means no wall.
     """
@@ -41,6 +67,8 @@ def walls_meant(name: str, room: Room) -> list[int]:
         return [wall.index for wall in walls if wall.index in there]
     if name in ("long", "short"):
         return _by_length(name, room)
+    if name in PARTS:
+        return PARTS[name](room)
     if name == "side":
         return [*walls_meant("left", room), *walls_meant("right", room)]
     way = direction_of(name, room)

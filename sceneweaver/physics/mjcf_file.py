@@ -8,11 +8,12 @@ report the share of their range by which they moved.
 import json
 import sys
 import time
-from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+
+from sceneweaver.runtime.mujoco_module import load_mujoco
 
 
 def simulate(path: str | Path, seconds: float) -> dict[str, Any]:
@@ -27,7 +28,7 @@ def simulate(path: str | Path, seconds: float) -> dict[str, Any]:
         of a range that one moved by; ``parts`` that collide, most ``contacts``; ``warnings`` of MuJoCo by name;
         ``finite``: whether it did not diverge; ``load_s`` and ``run_s``: wall time.
     """
-    mujoco: Any = import_module("mujoco")  # its types are not to be seen from outside
+    mujoco = load_mujoco()
     began = time.perf_counter()
     model = mujoco.MjModel.from_xml_path(str(path))
     data = mujoco.MjData(model)

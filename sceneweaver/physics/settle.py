@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from importlib import import_module
 from typing import Any
 
 import numpy as np
 
 from sceneweaver.assets.placed import Load
 from sceneweaver.geometry.rotations import transform, xyzw
+from sceneweaver.runtime.mujoco_module import load_mujoco
 from sceneweaver.scene import InputError, Pose, Scene
 
 from .model import build
@@ -79,7 +79,7 @@ def _run(template: Template, seconds: float) -> dict[str, Pose]:
     Raises:
         InputError: there was no room for all contacts, or the simulation diverged: no pose would mean anything.
     """
-    mujoco: Any = import_module("mujoco")  # its types are not to be seen from outside
+    mujoco = load_mujoco()
     data = mujoco.MjData(template.model)
     went = stepped(template.model, data, steps_of(seconds))
     if went.full:

@@ -10,13 +10,13 @@ import time
 from collections.abc import Sequence
 from copy import copy
 from dataclasses import dataclass, field
-from importlib import import_module
 from typing import Any
 
 import numpy as np
 
 from sceneweaver.geometry.rotations import transform
 from sceneweaver.runtime.deadline import checkpoint
+from sceneweaver.runtime.mujoco_module import load_mujoco
 from sceneweaver.runtime.threads import map_threads
 from sceneweaver.scene import InputError, Scene
 
@@ -44,7 +44,7 @@ class Template:
     @classmethod
     def of(cls, model: Model, scene: Scene) -> Template:
         """Compile the model of a scene."""
-        mujoco: Any = import_module("mujoco")  # its types are not to be seen from outside
+        mujoco = load_mujoco()
         middle = [scene.object(name).size[2] / 2 for name in (*model.free, *model.fixed)]
         compiled = mujoco.MjModel.from_xml_string(model.xml, model.files)
         return cls(compiled, model.free, model.fixed, np.asarray(middle, dtype=float))
@@ -200,7 +200,7 @@ class Stepped:
 
 def stepped(model: Any, data: Any, steps: int) -> Stepped:
     """Step a simulation by MuJoCo C, looking now and then whether all is well; it ends early where that is not so."""
-    mujoco: Any = import_module("mujoco")  # its types are not to be seen from outside
+    mujoco = load_mujoco()
     kinds = mujoco.mjtWarning
     full, astray, contacts, rows = False, None, 0, 0
     for done in range(0, steps, CHUNK):
@@ -226,7 +226,7 @@ def _some(
     model: Any, worlds: np.ndarray, qpos: np.ndarray, placed: tuple[np.ndarray, np.ndarray] | None, steps: int
 ) -> list[tuple[np.ndarray, Stepped]]:
     """The positions [nq] of some worlds at the end, and how it went, one after the other."""
-    mujoco: Any = import_module("mujoco")
+    mujoco = load_mujoco()
     model = copy(model) if placed is not None else model
     data, found = mujoco.MjData(model), []
     for k in worlds:

@@ -14,6 +14,7 @@ import warp as wp
 
 from sceneweaver.geometry.rotations import matrix, xyzw
 from sceneweaver.runtime.compiling import start_warp
+from sceneweaver.runtime.mujoco_module import load_mujoco
 from sceneweaver.scene import InputError
 
 from .worlds import CHUNK, SimulationResult, Template, merged
@@ -194,7 +195,7 @@ def _trial(template: Template, start: np.ndarray, placed: Any) -> Room:
     worlds = len(start)
     known = _known.get(_sizes(template))
     if known is None:
-        mujoco: Any = import_module("mujoco")
+        mujoco = load_mujoco()
         model, contacts, rows = template.model.__copy__(), 1, 1
         data = mujoco.MjData(model)
         for k in np.unique(np.linspace(0, worlds - 1, min(_TRIED, worlds)).astype(int)):

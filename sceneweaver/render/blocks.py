@@ -101,9 +101,10 @@ class Finishes:
         return tiles.low, tiles.high
 
     def wall(self, wall: int) -> Material:
-        """The paint of a wall."""
-        whole = self.accented(wall) in ("paint", "paper") and self.looks.accent
-        return whole or self.looks.wall
+        """The paint of a wall; of one in two colours the upper one."""
+        accent = self.plan.accent
+        whole = accent is not None and accent.high is None and self.accented(wall) in ("paint", "paper")
+        return (self.looks.accent if whole else None) or self.looks.wall
 
 
 _PANES = {
@@ -130,6 +131,8 @@ def finishes_of(scene: Scene, cut: tuple[float, float, float] | None = None) -> 
         more["ceiling"] = looks.ceiling
     if looks.trim is not None:
         more |= {"trim": looks.trim, "leaf": looks.trim}
+    if looks.doors is not None:
+        more["leaf"] = looks.doors
     return Finishes(looks, scene.room.finish or RoomFinish(), **more)
 
 

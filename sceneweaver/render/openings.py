@@ -60,7 +60,7 @@ def add_door(builder: Builder, wall: Wall, door: Door, look: Finishes, panelled:
         wall = _turned(wall, span[1] if at_end else span[0], -ajar if at_end else ajar)
     faces = (Plane.on_wall(wall, far - _LEAF), Plane.on_wall(wall, far))
     front = Plane(faces[0].origin, faces[0].u, faces[0].v, -faces[0].w)
-    leaf = look.trim if panelled else look.leaf
+    leaf = look.trim if panelled and look.plan.doors is None else look.leaf
     builder.prism(wall_block(wall, span, (far - _LEAF, far)), (0.008, top - _LINING - 0.003), leaf)
     for plane in (front, faces[1]):
         if panelled:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -116,11 +116,13 @@ def add_wall_finish(builder: Builder, room: Room, wall: Wall, look: Finishes, he
     kind, band, accent = look.accented(wall.index), look.tiled(wall.index), look.looks.accent
     high = look.plan.accent.high if look.plan.accent is not None else None
     if kind == "paper" and accent is not None:
-        _facing(builder, room, wall, (0.0, height), _PAPER, replace(accent, texture="stripes"))
+        _facing(builder, room, wall, (0.0, min(high or height, height)), _PAPER, accent)
     elif kind == "panelling" and accent is not None:
         _panels(builder, room, wall, accent, height, high or PANELS)
     elif kind == "paint" and accent is not None and high is not None:
         _facing(builder, room, wall, (0.0, min(high, height)), _PAPER, accent)
+    elif kind == "paint" and accent is not None and (of := look.plan.accent and look.plan.accent.of) in _CLAD:
+        _clad(builder, room, wall, accent, height, *_CLAD[of or ""])
     if look.plan.walls_of in _CLAD and kind is None:
         _clad(builder, room, wall, look.looks.wall, height, *_CLAD[look.plan.walls_of])
     if band is not None and look.looks.tiles is not None:

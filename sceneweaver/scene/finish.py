@@ -14,6 +14,27 @@ FloorMaterial = Literal["wood", "tile", "carpet", "concrete", "stone"]
 WallMaterial = Literal[
     "plaster", "rough plaster", "paper", "concrete", "brick", "stone", "boards", "logs", "metal", "tiles"
 ]
+FloorPattern = Literal[
+    "checkered",
+    "herringbone",
+    "basket weave",
+    "strip parquet",
+    "hexagon tiles",
+    "square tiles",
+    "large tiles",
+    "terrazzo",
+    "marble",
+    "slate",
+    "granite",
+    "travertine",
+    "limestone",
+    "brick",
+    "rubber",
+    "shaggy",
+]
+WallPattern = Literal[
+    "stripes", "dots", "damask", "botanical", "checkered", "wall tiles", "metro tiles", "hexagon tiles", "square tiles"
+]
 Outside = Literal["garden", "snow", "city", "sea", "forest", "mountains", "space", "rain"]
 Daylight = Literal["day", "overcast", "dusk", "night"]
 Level = Literal["bright", "normal", "dim", "dark"]
@@ -24,6 +45,8 @@ class FloorFinish(FrozenModel):
 
     material: FloorMaterial = Field(default="wood", description="What it is laid of")
     tone: Name | None = Field(default=None, description="A finish of wood, else a colour; null: the usual one")
+    pattern: FloorPattern | None = Field(default=None, description="How it is laid, or which stone; null: as usual")
+    second: Name | None = Field(default=None, description="The other colour of a pattern of two")
 
 
 class WallAccent(FrozenModel):
@@ -31,6 +54,9 @@ class WallAccent(FrozenModel):
 
     kind: Literal["paint", "paper", "panelling"] = "paint"
     color: Name = Field(description="Its colour")
+    of: WallMaterial | None = Field(default=None, description="What is seen of it instead of paint: brick, stone")
+    pattern: WallPattern | None = Field(default=None, description="Of paper, or of tiles; null: paper is striped")
+    second: Name | None = Field(default=None, description="The other colour of stripes or checks")
     walls: Annotated[tuple[Index, ...], Field(min_length=1)] = Field(description="Numbers of the walls")
     high: Length | None = Field(default=None, description="Height of panels [m]; null: 1.15")
 
@@ -57,6 +83,8 @@ class WallTiles(FrozenModel):
     """A band of tiles on walls."""
 
     color: Name = Field(description="Colour of the tiles")
+    pattern: WallPattern | None = Field(default=None, description="Their shape; null: squares")
+    second: Name | None = Field(default=None, description="The other colour of checks")
     low: Offset = Field(default=0.0, description="Height at which it begins [m]")
     high: Length = Field(description="Height at which it ends [m]")
     walls: tuple[Index, ...] | None = Field(default=None, description="Numbers of the walls; null: all")
@@ -73,8 +101,11 @@ class RoomFinish(FrozenModel):
 
     walls: Name = Field(default="white", description="Colour of the walls, or a finish of wood")
     walls_of: WallMaterial = Field(default="plaster", description="What the walls show")
+    walls_pattern: WallPattern | None = Field(default=None, description="Of paper or tiles; null: the usual one")
+    walls_second: Name | None = Field(default=None, description="The other colour of stripes or checks")
     ceiling: CeilingFinish | None = Field(default=None, description="Null: white plaster")
     trim: Name | None = Field(default=None, description="Colour or wood of skirting, frames and doors; null: white")
+    doors: Name | None = Field(default=None, description="Colour or wood of the leaves of doors; null: as the trim")
     electric: bool = Field(default=True, description="Whether there are switches, sockets and radiators")
     floor: FloorFinish = FloorFinish()
     accent: WallAccent | None = None

@@ -32,7 +32,9 @@ class Palette(FrozenModel):
         description="Colours of cloth, that of large things first"
     )
     avoid: tuple[Name, ...] = Field(
-        default=(), description="Finishes and families of them that nothing is of: plastic long ago"
+        default=(),
+        description="Finishes, families of them and basic colours that nothing is of: plastic long ago; "
+        "'seating:black' holds for seats alone",
     )
     seed: Index = Field(default=0, description="Decides what the names leave open, for the whole room alike")
 

@@ -7,6 +7,7 @@ import math
 
 import pytest
 
+from sceneweaver.cli.output import LONGEST, complain
 from tests.cli import engine
 
 
@@ -226,3 +227,9 @@ def test_a_folder_without_permission(run, bedroom, tmp_path, monkeypatch):
     ended = run("refine", bedroom, "-o", tmp_path / "out")
     assert ended.code == 2 and not calls
     assert_one_line(ended.err, "Permission denied")
+
+
+def test_a_line_has_an_end_whatever_it_quotes(capsys) -> None:
+    complain("x" * 5000)
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.startswith("sceneweaver: xxx") and len(line) == LONGEST

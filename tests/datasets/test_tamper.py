@@ -295,3 +295,14 @@ def test_a_folder_of_a_set_that_is_a_link_is_not_written_through(stages, tmp_pat
     with pytest.raises(InputError, match="this is a link to another place"):
         tamper.make(out, easy=True)
     assert not list(away.iterdir())
+
+
+@pytest.mark.parametrize("name", ["work", "inputs"])
+def test_no_set_begins_through_a_link(tmp_path, name):
+    out, away, spec = tmp_path / "set", tmp_path / "away", tmp_path / "spec.yaml"
+    out.mkdir(), away.mkdir()
+    (out / name).symlink_to(away)
+    spec.write_text(tamper.LAYOUTS.format(seed=0, count=2, zoo=tamper.ZOO))
+    with pytest.raises(InputError, match=f"{out} is not empty"):
+        begin(spec, out, "cpu")
+    assert not list(away.iterdir()) and [path.name for path in out.iterdir()] == [name]

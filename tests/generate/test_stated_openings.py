@@ -16,6 +16,11 @@ REQUESTS = [
     "a dining room with double doors in the left wall and a window opposite the door",
     "a sunroom of 3 x 5 m, glass on three sides",
     "a study with a niche in the wall opposite the door",
+    "an office, the window on the far short wall",
+    "a kitchen with a side door and a back door",
+    "a classroom with four windows on the left wall, door on the right wall opening outwards",
+    "a bathroom with a small high window opposite the door",
+    "a study with two windows on the same wall",
 ]
 
 
@@ -49,3 +54,20 @@ def test_more_than_a_wall_holds_is_said() -> None:
     brief = read_request("a pantry of 2 x 2 m with six windows 1 m wide in the left wall")
     room, notes = shell(room_types()["pantry"], brief, 4.0, 0)
     assert notes or len(room.windows) == 6 and all(window.width < 1.0 for window in room.windows)
+
+
+def test_what_is_not_so_is_told() -> None:
+    """Each property of an opening is measured in the finished walls: those of another room fail."""
+    plain, _ = shell(room_types()["study"], read_request("a study, one window on the right wall"), 16.0, 1)
+    for text in (
+        "a study with a side door",
+        "a study with a window on the left wall",
+        "a study, the door opens outwards",
+        "a study with a window with a sill at 1.6 m",
+        "a study with a window high up",
+        "a study with a low door",
+        "a study with two windows on the same wall",
+    ):
+        brief = read_request(text)
+        found = [row.outcome.status for row in outcomes(_Survey(brief, plain))]
+        assert found == ["unmet"], (text, found)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 import sys
+import time
 
 import pytest
 from hypothesis import given, settings
@@ -123,11 +124,22 @@ def test_hostile_text_is_read_and_said_so(text: str) -> None:
     assert graph.notes or graph.unread
 
 
-@pytest.mark.parametrize("unit", ["bed ", "a bed with ", "next to ", "no ", "x", "🙂", "9", ",", "\ufdfa"])
-def test_a_hundred_kilobytes(unit: str) -> None:
+@pytest.mark.parametrize("unit", ["a bed with ", "next to ", "no ", "x", "é", "x-", "🙂", "9", ",", "\ufdfa"])
+def test_a_hundred_kilobytes(unit: str, seconds_of_beds: float) -> None:
+    began = time.process_time()
     graph = read_request(unit * (100_000 // len(unit)))
+    assert time.process_time() - began < 6 * seconds_of_beds  # x and 9 took ten times this: squares of the length
     consistent(graph)
     assert any("characters" in note for note in graph.notes)
+
+
+@pytest.fixture(scope="module")
+def seconds_of_beds() -> float:
+    """What it takes to read as many characters of plain words, on this machine as busy as it is."""
+    read_request("a bed")
+    began = time.process_time()
+    read_request("bed " * 25_000)
+    return time.process_time() - began
 
 
 WORDS = """
@@ -177,6 +189,7 @@ CRASHED = [
     "about another metres beside : is",
     "bed inside. is the",
     "beside each full of on",
+    "accent wall smaller shelf , another",
 ]
 """Each raised something once, or gave a graph that says what cannot be."""
 

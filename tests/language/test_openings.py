@@ -75,3 +75,36 @@ def test_sizes_as_people_write_them(text: str, size: tuple[float, float] | None,
 
 def test_a_length_on_a_length_is_no_room_where_it_is_short() -> None:
     assert read_request("a 1.2 m table on a 2 m rug").size is None
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("an archive, the window is on the far short wall", {"wall": "far", "run": "short"}),
+        ("a wet room whose door is on the short wall, opening outwards", {"wall": "short", "features": ("outward",)}),
+        ("a bistro with a side door", {"wall": "side", "features": ("side",)}),
+        ("a den with a little hatch 60 cm high", {"height": 0.6, "features": ("little",)}),
+        ("a booth with a window high up in the end wall", {"wall": "short", "features": ("high up",)}),
+        ("a clinic, door with a lock on the left wall", {"wall": "left", "features": ("lockable",)}),
+        ("a pantry with a door in the corner of the long wall", {"wall": "long", "at": "corner"}),
+        ("a bakery with a door leading to the flour loft", {"features": ("to the flour",)}),
+    ],
+)
+def test_more_that_is_said_of_an_opening(text: str, told: dict[str, object]) -> None:
+    (one,) = read_request(text).openings
+    assert {name: getattr(one, name) for name in told} == told
+
+
+def test_a_statement_goes_on_with_one_more_of_the_same() -> None:
+    graph = read_request("a loft with two windows in the long wall and one in the short wall")
+    assert [(one.count, one.wall) for one in graph.openings] == [(2, "long"), (1, "short")]
+    graph = read_request("a hall with two doors, one on the left wall, the other opposite")
+    assert [(one.count, one.wall, one.opposite) for one in graph.openings] == [
+        (1, "left", ""),
+        (1, "any", "opening-0"),
+    ]
+
+
+def test_no_window_says_nothing_of_the_door_after_it() -> None:
+    graph = read_request("a darkroom, no window, door on the short wall")
+    assert (graph.windows, graph.doors) == (0, 1)

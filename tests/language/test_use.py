@@ -41,3 +41,12 @@ def test_lamps_and_photos_over_furniture_hang() -> None:
     assert "wall_sconce" in categories("a bedroom with a lamp above the bed")
     assert "photo_frames" in categories("a bedroom with family photos above the dresser")
     assert "table_lamp" in categories("a bedroom with a lamp on the dresser")
+
+
+def test_what_goes_with_a_seat_is_where_it_serves() -> None:
+    before = rows("an armchair with a footstool")
+    assert {row.type for row in before} == {"in_front_of", "near"}
+    (lamp,) = rows("a sofa with a floor lamp")
+    assert (lamp.type, lamp.params) == ("near", {"max": 0.3})
+    stool = rows("a dressing table with a stool")
+    assert {row.type for row in stool} == {row.type for row in rows("a stool at a desk")}

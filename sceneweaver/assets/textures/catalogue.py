@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from . import patterns as _modules  # noqa: F401  (its modules enter their patterns)
+from .patterns.two_colors import two_colored
 from .registry import ENTRIES, Kind, Pattern
 
 OLD_NAMES = {"wood": "oak", "fabric": "weave", "stone": "granite", "metal": "brushed"}
@@ -19,7 +20,7 @@ def patterns() -> dict[str, Pattern]:
 
 def found(texture: str) -> Pattern | None:
     """The pattern that a texture's name stands for, or None."""
-    return patterns().get(OLD_NAMES.get(texture, texture))
+    return patterns().get(OLD_NAMES.get(texture, texture)) or two_colored(texture)
 
 
 def kind_of(texture: str) -> Kind:

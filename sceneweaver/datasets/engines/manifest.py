@@ -230,7 +230,7 @@ def restore(folder: Folder, spec: Spec, inputs: dict[str, bytes], given: bytes |
         if begun.get(name) == entry and fault_of(path, entry):
             remove(path)
             path.parent.mkdir(parents=True, exist_ok=True)
-            write_atomic(path, content)
+            write_atomic(path, content, within=folder.path)
 
 
 def load_source(source: Path) -> tuple[Spec, dict[str, bytes]]:
@@ -285,7 +285,7 @@ def create(
         _require_empty(folder.path, files)
         for name, content in files.items():
             (folder.path / name).parent.mkdir(parents=True, exist_ok=True)
-            write_atomic(folder.path / name, content)
+            write_atomic(folder.path / name, content, within=folder.path)
         write_atomic(folder.manifest, text)
     return dataset
 
@@ -332,7 +332,7 @@ def _require_empty(path: Path, files: dict[str, bytes]) -> None:
         name = place.relative_to(path).as_posix()
         passing = any(part.startswith(TEMPORARY) for part in place.relative_to(path).parts)
         ours = name in files and not fault_of(place, entry_of_bytes(files[name]))
-        if not (passing or ours or place.is_dir()):
+        if not (passing or ours or (place.is_dir() and not place.is_symlink())):
             raise InputError(f"--out: {path} is not empty and holds no data set; choose another folder")
 
 

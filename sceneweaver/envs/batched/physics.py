@@ -15,6 +15,7 @@ import numpy as np
 import warp as wp
 
 from sceneweaver.runtime.compiling import start_warp
+from sceneweaver.runtime.mujoco_module import load_mujoco
 from sceneweaver.runtime.threads import cores, map_threads
 
 from .bank import UNUSED
@@ -88,7 +89,7 @@ class ThreadPhysics:
 
     def __init__(self, template: Any, worlds: int, threads: int | None = None) -> None:
         """A model and a state for each world."""
-        mujoco: Any = import_module("mujoco")
+        mujoco = load_mujoco()
         self._mujoco = mujoco
         self._models = [copy(template) for _ in range(worlds)]
         for model in self._models:  # boxes of a slot differ by world, so that no tree of bounds within a body is true

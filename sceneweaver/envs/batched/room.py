@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
-from importlib import import_module
 from typing import Any
 from xml.etree import ElementTree as Xml
 
@@ -22,6 +21,7 @@ from sceneweaver.io import parse_xml
 from sceneweaver.physics.batch import model_of
 from sceneweaver.physics.boxes import boxed
 from sceneweaver.physics.model import COVERING
+from sceneweaver.runtime.mujoco_module import load_mujoco
 from sceneweaver.scene import Scene
 
 ANCHORED = 15.0
@@ -113,7 +113,7 @@ def bodies_of(scene: Scene, load: Load | None = None, anchored: float = ANCHORED
         load: From asset id to asset; None: the library of this user.
         anchored: Mass [kg] from which things stand still.
     """
-    mujoco: Any = import_module("mujoco")  # its types are not to be seen from outside
+    mujoco = load_mujoco()
     whole = model_of(scene, load)
     boxes = boxed(replace(whole, xml=_anchored(whole.xml, anchored)), MOST_PARTS)
     model = mujoco.MjModel.from_xml_string(boxes.xml, boxes.files)

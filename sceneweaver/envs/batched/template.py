@@ -9,7 +9,6 @@ not touch each other nor what stands still. Their ranges end where something is 
 
 from __future__ import annotations
 
-from importlib import import_module
 from typing import Any
 from xml.etree import ElementTree as Xml
 
@@ -17,6 +16,7 @@ from sceneweaver.envs.joining import PREFIX, attach
 from sceneweaver.envs.robots import Robot
 from sceneweaver.physics.model import ARMATURE, STEP, STOP, add_options
 from sceneweaver.physics.xml import child
+from sceneweaver.runtime.mujoco_module import load_mujoco
 
 from .bank import PARKED, Slots
 
@@ -36,7 +36,7 @@ def template_of(slots: Slots, robot: Robot, timestep: float = STEP) -> Any:
     Raises:
         InputError: the robot's MJCF cannot be read.
     """
-    mujoco: Any = import_module("mujoco")  # its types are not to be seen from outside
+    mujoco = load_mujoco()
     spec = mujoco.MjSpec.from_string(_xml(slots, timestep))
     attach(spec, robot, touching=STILL | LINK | LOOSE)
     model = spec.compile()

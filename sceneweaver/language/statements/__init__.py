@@ -14,6 +14,7 @@ from ..source import Source
 from .appearances import read_appearances
 from .arrangements import arrangements
 from .bounds import bounds
+from .built_parts import built_parts
 from .capacities import capacities
 from .entering import entering
 from .finishes import read_finishes
@@ -23,24 +24,35 @@ from .groups import aisles, facing_rows, groups, horseshoes, merged
 from .looks import read_looks
 from .measures import measures
 from .openings import read_openings
+from .roles import roles
 from .room_kind import furnish_zones, read_room_kind
+from .room_sides import room_sides
+from .spacings import spacings
 from .states import read_states
+from .surfaces import read_surfaces
+from .unlooked import read_unlooked
 from .unwanted import unwanted
 from .wings import wings
 
 
 def _told_of_rows(source: Source, parsed: Parsed) -> None:
-    """What is said of rows beside their number: aisles, backs together."""
+    """What is said of rows beside their number: aisles, backs together, how far apart their things are."""
     facing_rows(source, parsed)
     aisles(source, parsed)
     horseshoes(source, parsed)
+    spacings(source, parsed)
     merged(parsed)
 
 
 STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     entering,
+    roles,
     wings,
+    room_sides,
     read_openings,
+    built_parts,
+    read_unlooked,
+    read_surfaces,
     read_finishes,
     bounds,
     groups,

@@ -103,7 +103,7 @@ def _patterns() -> tuple[re.Pattern[str], ...]:
     item = rf"(?:{NUMBER}|a)\s(?:of\sthem\s)?(?:(?:is|are|in)\s)?{look}(?:\sone)?"
     parts = one_of([noun for nouns in words("states")["part_nouns"].values() for noun in nouns])
     return (
-        re.compile(rf"[,:(]?\s*\b{item}(?:\s*(?:,\s*and|,|and)\s+{item}){{1,5}}{_ENDS}"),
+        re.compile(rf"[,:(]?\s{{0,3}}\b{item}(?:\s*(?:,\s*and|,|and)\s+{item}){{1,5}}{_ENDS}"),
         re.compile(rf"\bin\s(?P<look>{look}){_ENDS}"),
         re.compile(rf",\s(?:all\s)?(?:in\s|of\s)?(?P<look>{look})(?=\s*(?:[,.;)]|$))"),
         re.compile(rf"\b(?P<look>{look})\s(?P<of_part>{parts})\b"),

@@ -16,21 +16,27 @@ from ..model import Activity, Capacity
 from ..parsed import Parsed
 from ..source import Source
 from ..things import match_of
-from ..vocabulary import vocabulary, words
+from ..vocabulary import family, vocabulary, words
 from .phrases import NUMBER, Edits, listed, noun_after, noun_before, number_of, one_of
 
 _N = rf"(?P<n>{NUMBER})"
 _ABOUT = r"(?:about |around |roughly |some |up to |at least |max(?:imum)? |approx(?:imately)? )?"
 _PEOPLE = rf"(?:(?:[a-z-]+ ){{0,2}}{one_of(listed('people'))}\b)"
-_ENDS = (
-    r"(?=\s*(?:$|[.,()]|(?:with|and|in|at|but|by|under|near|on|along|that|which|in|from|next|to|or|against|plus)\b))"
-)
+_ENDS = r"(?=\s*(?:$|[.,()]|(?:with|and|in|at|but|by|under|near|on|along|that|which|in|from|next|to|or|against|plus|facing|looking|so|around|without|arranged|opposite|across|beside|behind)\b))"
 
 
 def activity_at(noun: str) -> Activity | None:
     """What people do at a thing, by the last word of its noun; None where nobody does anything at such things."""
     last = noun.split()[-1] if noun else ""
-    return next((name for name, nouns in words("people")["at"].items() if last in nouns), None)
+    told = next((name for name, nouns in words("people")["at"].items() if last in nouns), None)
+    if told is not None or not last:
+        return told
+    match = match_of(singular(noun))
+    return _AT.get(family(match.category)) if match.how != "generic" else None
+
+
+_AT: dict[str, Activity] = {"seat": "sit", "bed_group": "sleep", "table": "sit"}
+"""What people do at things of a family."""
 
 
 def capacities(source: Source, parsed: Parsed) -> None:
@@ -61,7 +67,16 @@ def _verb(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
         return  # "a dormitory room for four"
     activity: Activity = (activity_at(at) or "use") if does == "use" else does
     instead = "beds" if verb == "beds for" else ""
+    if does == "sit" and not at and verb.startswith("seat") and _AT_PLACE.match(text, m.end()):
+        instead = f"{number_of(m['n'])} seats"
     _add(edits, parsed, m.start(), m.end(), Capacity(people=number_of(m["n"]), activity=activity, target=at), instead)
+
+
+_AT_PLACE = re.compile(
+    r",? ?(?:all |placed |arranged |set )?(?:along|against|around|round|on|at|by|near|in (?:two |three |\d )?rows?|"
+    r"facing|looking|in an? (?:circle|ring|u|row|semi-?circle|horseshoe))\b"
+)
+"""Where seats are of which only the number of people was told."""
 
 
 def _thing_for(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -72,10 +87,33 @@ def _thing_for(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     if activity is None:
         return
     many = re.search(rf"({NUMBER}) (?:[a-z-]+ ){{0,2}}{re.escape(m['noun'])}$", edits.source.text[: m.end("noun")])
-    each = activity == "sit" and many is not None and number_of(many[1]) > 1
     people = number_of(m["n"]) if m["n"] else 0
+    each = activity == "sit" and many is not None and number_of(many[1]) > 1
+    plural = many is None and singular(m["noun"]) != m["noun"] and not _is_long(m["noun"])
+    each = each or (activity == "sit" and plural and 0 < people <= PARTY)
     said = Capacity(people=people, activity=activity, target=noun, each=each)
     _add(edits, parsed, m.end("noun"), m.end(), said)
+    more = _AND_FOR.match(edits.source.text, m.end())
+    if more is not None:  # "and one for six"
+        count, one = number_of(more["m"]), singular(m["noun"])
+        instead = f"a {one}" if count == 1 else f"{count} {m['noun']}"
+        if len(instead) <= more.end() - more.start("m"):
+            said = Capacity(people=number_of(more["k"]), activity=activity, target=one, each=count > 1)
+            _add(edits, parsed, more.start("m"), more.end(), said, instead)
+
+
+PARTY = 8
+"""People at one of several tables, at most."""
+
+_AND_FOR = re.compile(
+    rf"\s*,?\s*(?:and |plus |, )(?P<m>{NUMBER})(?: of them)? for (?P<k>{NUMBER})(?![\w-])(?! [a-z]+s\b)"
+)
+
+
+def _is_long(noun: str) -> bool:
+    """Whether several people sit beside each other on a thing without a table: benches for twenty."""
+    category = match_of(singular(noun)).category
+    return family(category) == "seat" and not category.startswith("booth")
 
 
 def _at_thing(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -122,6 +160,16 @@ def _seater(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
         return
     said = Capacity(people=number_of(m["n"]), activity=activity or "use", target=noun if activity else "")
     _add(edits, parsed, m.start(), m.end(), said)
+
+
+def _seats(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "A sofa 2 seats", "40 seats ... the benches face the altar": seats of what is named, and no chairs beside it."""
+    seats = one_of([noun for noun in words("people")["at"]["sit"] if noun.endswith("s")])
+    others = edits.source.text[: m.start()] + edits.source.text[m.end() :]
+    if m["noun"] or re.search(rf"\b{seats}\b", others):
+        start = m.end("noun") if m["noun"] else m.start()
+        said = Capacity(people=number_of(m["n"]), activity="sit", target=m["noun"] or "")
+        _add(edits, parsed, start, m.end(), said)
 
 
 def _places(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -195,18 +243,28 @@ def _for_each(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     parts = text[start : m.start()].split(",")
     tied = rf"\b{one_of(listed('prepositions'))}\b"
     nouns: list[str] = []
-    end = m.start()
+    end = begin = m.start()
+    if len(parts) > 1 and parts[-1].strip() in ("one", "1"):  # "five hooks, one for everybody"
+        end = begin = m.start() - len(parts.pop()) - 1
+        if re.search(rf"\b{NUMBER} (?:[a-z-]+ )?[a-z-]+$", parts[-1]):
+            parsed.referred.append(edits.take(begin, m.end()))
+            return
     for k, part in enumerate(reversed(parts)):
         told = not edits.free(end - len(part), end)  # "four people at a table, a cup for each": the table is not each's
         end -= len(part) + 1
         if k and (told or re.search(tied, part) or len(part.split()) > 4):
             break
         for piece in re.split(rf"\band\b|{tied}", part):
+            if re.match(r"\s*the\b", piece) and piece is not part:
+                continue  # "a jug on the counter for every three guests": one counter
             noun = noun_before(piece, len(piece))
             nouns += [noun] if noun else []
-    if nouns:
+    if nouns and m["n"]:
+        parsed.shared += [(noun, number_of(m["n"])) for noun in dict.fromkeys(nouns)]
+        parsed.referred.append(edits.take(begin, m.end()))
+    elif nouns:
         said = Capacity(people=0, activity="use", own=tuple((noun, 1) for noun in dict.fromkeys(nouns)))
-        _add(edits, parsed, m.start(), m.end(), said)
+        _add(edits, parsed, begin, m.end(), said)
 
 
 def _per_person(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -277,6 +335,10 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
         _they_do,
     ),
     (
+        re.compile(rf"\b(?:(?P<noun>sofa|couch|settee|bench|booth),? )?{_ABOUT}{_N} seats\b(?! (?:each|per|at))"),
+        _seats,
+    ),
+    (
         re.compile(
             rf"\b{_N} (?P<place>{'|'.join(p for found in words('people')['places'].values() for p in found)})\b"
         ),
@@ -302,7 +364,8 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
     (re.compile(rf"\b{one_of(listed('of_people'))} of {_N}\b(?! [a-z]+s\b)"), _room_people),
     (
         re.compile(
-            rf" for (?:each(?: (?:one|of them|{_PEOPLE}))?|every {_PEOPLE}|everyone|everybody)(?=\s*(?:$|[.,)]))"
+            rf" for (?:(?:each|every) {_N} (?:{_PEOPLE}|of (?:us|them))|each(?: (?:one|of them|{_PEOPLE}))?|every {_PEOPLE}"
+            r"|everyone|everybody)(?=\s*(?:$|[.,)]))"
         ),
         _for_each,
     ),

@@ -6,8 +6,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from ..model import Activity, Arrangement, Capacity, Entity, StatedRelation
+from ..things import singular
 from ..vocabulary import family, words
 from .resolve import entity_named
+
+SHARED = 2
+"""People beside each other at each table of a U."""
 
 VAGUE, FEW = (2, 6), 4
 """Count of a bare plural, and how many of it stand along two walls."""
@@ -34,6 +38,15 @@ def bounded_counts(
             share = (least + k) // len(names), max(1, (most + k) // len(names))
             by_id[name] = by_id[name].model_copy(update={"count": share})
     return tuple(by_id.values())
+
+
+def shared_counts(
+    entities: Sequence[Entity], shared: Sequence[tuple[str, int]], people: int | None
+) -> list[tuple[tuple[str, ...], int, int]]:
+    """How many there are of what so many people share one of; who sits there counts where no number was told."""
+    exact = [e.count[0] for e in entities if e.count and e.count[0] == e.count[1] and family(e.category) == "seat"]
+    many = people or sum(exact)
+    return [((noun,), -(-many // by), -(-many // by)) for noun, by in shared if many]
 
 
 def peopled(
@@ -64,7 +77,9 @@ def peopled(
     found = list(relations)
     for one in arrangements:
         if one.entity in by_id:
-            by_id[one.entity] = _hung(_counted(by_id[one.entity], _things(one)), one)
+            known_as = by_id[one.entity]
+            several = known_as.count != (1, 1) or singular(known_as.noun) != known_as.noun
+            by_id[one.entity] = _hung(_counted(known_as, _things(one)) if several else known_as, one)
         # What all look at is said of the arrangement; none of a row looks straight at it but the middle one.
         found = [
             r
@@ -83,7 +98,10 @@ def peopled(
         if one.pattern == "walls" and entity is not None and entity.count == VAGUE:
             by_id[one.entity] = entity.model_copy(update={"count": (FEW, FEW)})  # two at each
         if one.pattern == "u" and entity is not None and entity.count == VAGUE:
-            by_id[one.entity] = entity.model_copy(update={"count": (VAGUE[1], VAGUE[1])})
+            told = sum(c.people for c in known if not c.own and not c.each and c.target in ("", one.entity))
+            table = family(entity.category) == "table"
+            count = -(-told // SHARED) if told and table else told or VAGUE[1]
+            by_id[one.entity] = entity.model_copy(update={"count": (max(3, count), max(3, count))})
         if one.pattern in ("outside", "inside") and entity is not None and host is not None and entity.count == VAGUE:
             by_id[one.entity] = entity.model_copy(update={"count": host.count})  # a seat at each table
     for one in arrangements:
@@ -192,4 +210,4 @@ def _holds_off(said: StatedRelation, one: Arrangement) -> bool:
     return said.type in ("on", "inside", "hanging_from") or said.targets == (one.entity,)
 
 
-__all__ = ["Peopled", "bounded_counts", "peopled", "told_apart"]
+__all__ = ["Peopled", "bounded_counts", "peopled", "shared_counts", "told_apart"]

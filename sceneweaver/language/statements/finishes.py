@@ -23,6 +23,9 @@ from .phrases import one_of
 LONGEST = 3
 """Words of a colour or a material at most."""
 
+_APART = frozenset(("on", "the", "a", "of", "in", "to", "at", "over", "across", "under", "from", "with", "onto", "all"))
+"""Words behind which the look of a part begins that stands after them."""
+
 _PART = r"(?P<part>walls?|floor(?:ing|boards?|s)?|ceilings?|plaster|wallpaper)"
 _BEFORE = re.compile(rf"(?P<words>(?:[a-z-]+ ){{0,3}}[a-z-]+) {_PART}\b")
 _LINK = r"(?:(?:are|is|be|in|of|all|should|must|have|has|painted|clad|a|an|the|covered|covering|with|made|both|to) )*"
@@ -64,6 +67,8 @@ def _said(match: re.Match[str], source: Source, parsed: Parsed) -> str | None:
         word for word in re.sub(r"[-,]", " ", spoken).split() if word not in ("painted", "and", "coloured", "colored")
     ]
     before = match.start("words") < match.start("part")
+    if before:  # "wood shavings on the floor" are no floor of wood
+        words = words[max((k + 1 for k, word in enumerate(words) if word in _APART), default=0) :]
     if not words:
         return None
     if part.startswith("floor"):
@@ -124,6 +129,8 @@ def _floor(words: Sequence[str], before: bool) -> tuple[dict[str, Any] | None, i
 
 def _surface(words: Sequence[str], before: bool) -> tuple[dict[str, Any] | None, int]:
     """What walls or a ceiling are of, and how many of the words say it."""
+    if not words:
+        return None, 0
     color, used = _color(words, before)
     if color is not None:
         rest = words[: len(words) - used] if before else words[used:]

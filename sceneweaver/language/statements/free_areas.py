@@ -39,6 +39,7 @@ def read_free_areas(source: Source, parsed: Parsed) -> None:
     """Adds every free area that a source asks for to what is parsed, and takes its words out."""
     _take_sides(source)
     marked, lengths = _marked(source.text)
+    assumed: dict[int, FreeArea] = {}
     for phrase in phrases():
         at = 0
         while (found := phrase.pattern.search(marked, at)) is not None:
@@ -48,15 +49,24 @@ def read_free_areas(source: Source, parsed: Parsed) -> None:
                 continue
             start, end = widened(marked, found.start(), found.end())
             end = start + len(source.text[start:end].rstrip())
-            parsed.free_areas += [one.model_copy(update={"span": source.span(start, end)}) for one in area]
+            area = [one.model_copy(update={"span": source.span(start, end)}) for one in area]
+            if len(area) == 1 and not {"¤", "§"} & set(found[0]):
+                assumed[start] = area[0]
+            parsed.free_areas += area
             filler = _filler(source.text, start, end, found)
             source.text = source.text[:start] + filler + source.text[end:]
             marked = marked[:start] + filler + marked[end:]
     for at in source.free:  # no other words of the phrase are understood
         if source.text[at : at + 1] == "§":
             said = source.spoken[at : at + 12].split(",")[0].strip()
-            size = source.sides[at][:2]
-            parsed.free_areas.append(FreeArea(kind="rectangle", size=size, words=said, span=source.span(at, at + 1)))  # type: ignore[arg-type]
+            width, depth = source.sides[at][:2]
+            own = FreeArea(kind="rectangle", size=(width, depth), words=said, span=source.span(at, at + 1))
+            known = next((k for k in assumed if "." not in source.text[min(k, at) : max(k, at)]), None)
+            if known is not None:  # "keep the middle empty so that they can dance there, 2 x 2 m"
+                area = assumed.pop(known)
+                parsed.free_areas.remove(area)
+                own = area.model_copy(update={"kind": own.kind, "size": own.size})
+            parsed.free_areas.append(own)
             source.text = source.text[:at] + " " + source.text[at + 1 :]
     parsed.free_areas.sort(key=lambda area: area.span or (0, 0))
 

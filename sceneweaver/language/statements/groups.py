@@ -468,7 +468,8 @@ _OUTSIDE = re.compile(
     r"(?: of (?:the |this )?(?:u|horseshoe|tables|desks|it))?\b"
 )
 _OPEN = re.compile(
-    r",? ?(?:and |with )?\b(?:the |its )?open (?:end|side|part)(?: of (?:the u|it))? ?(?:is )?"
+    r",? ?(?:and |with |that is |which is )?\b(?:(?:the |its )?open (?:end|side|part)(?: of (?:the u|it))? ?(?:is )?"
+    r"|open(?:ing|s|ed)? (?=to\b|towards?\b|facing\b))"
     r"(?:to|towards?|facing|pointing (?:to|at|towards?)|points (?:to|at|towards?)|faces|looking at) (?:the |an? )?"
 )
 

@@ -17,54 +17,88 @@ from ..vocabulary import words
 from .lengths import PLAIN, plain_length
 from .phrases import one_of
 
-_NUMBERS = {"one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "a pair of": 2, "a row of": 3}
-_COUNT = r"(?:a pair of|a row of|row of|a single|single|one|two|three|four|five|six|\d{1,2}|an?|the|another|its)\s"
+_NUMBERS = {"one": 1, "two": 2, "three": 3, "four": 4, "five": 5, "six": 6, "a pair of": 2, "a row of": 3, "both": 2}
+_COUNT = (
+    r"(?:a pair of|a row of|row of|a single|single|one|two|three|four|five|six|\d{1,2}|an?\sadditional|an?\sextra|"
+    r"(?:a|the)\s(?:second|third|further|other)|second|both|an?|the|another|its)\s"
+)
 _KNOWN = words("openings")
 _KINDS = one_of([*_KNOWN["kinds"], *_KNOWN["plain"]]).replace(r"\ ", r"[\s-]")
 _HEAD = (
-    r"(?P<part>doors?|doorways?|windows?|niches?|alcoves?)"
+    r"(?P<part>doors?|doorways?|windows?|niches?|alcoves?|recess(?:es)?|chimney breasts?|chimneybreast|"
+    rf"{one_of(_KNOWN['ways_in'])})"
     rf"(?!\s?-?{one_of(_KNOWN['not_behind'])}\b)"
 )
+_ODD = (
+    rf"(?P<odd>(?!{one_of([*_KNOWN['before'], 'and', 'or', 'with'])}\s|{_KINDS}[\s,-]|{one_of(_KNOWN['ways_in'])}\b)"
+    r"[a-z]+\s)?"
+)
 _PHRASE = re.compile(
-    rf"(?P<lead>^|[.,(]\s*|\b(?:and|with|has|have|plus|there is|there are|is there|want|need|by its)\s)"
-    rf"(?P<count>{_COUNT})?(?:(?P<size>{PLAIN})\s?-?(?:wide|broad|big|large)?[\s-])?(?P<kinds>(?:{_KINDS},?[\s-]){{0,4}}){_HEAD}"
+    rf"(?<![a-z-])(?:(?P<count>{_COUNT}){_ODD})?(?:(?P<size>{PLAIN})\s?-?(?:wide|broad|big|large)?[\s-])?"
+    rf"(?P<kinds>(?:{_KINDS},?[\s-]){{0,4}}){_HEAD}"
+)
+_BEFORE = re.compile(rf"\b(?P<word>{one_of(_KNOWN['before'])})\s$")
+_AND_ONE = re.compile(
+    r"\s?,?\s?(?:and\s|plus\s)?(?P<count>one|two|three|four|another(?:\sone)?|a second(?:\sone)?|the second(?:\sone)?|"
+    r"the other(?:\sone)?)\s(?P<kinds>)(?=(?:is\s)?(?:in|on|at|opposite|across|facing|high|near)\b)"
 )
 _SIDES_WORD = (
-    "left|right|far|back|rear|end|near|opposite|facing|other|long|longer|longest|short|shorter|shortest|narrow|north|"
-    "south|east|west|same|second|outer|outside|street"
+    "left|right|lhs|rhs|far|back|rear|front|end|near|opposite|facing|other|long|longer|longest|short|shorter|shortest|"
+    "narrow|north|south|east|west|same|second|outer|outside|street"
 )
 _PLACE = re.compile(
     rf"\b(?:in|on|at|along|across|near|close to|by|into|to|set in|through)\s"
     rf"(?P<middle>(?:the\s|exact\s)*(?:middle|centre|center)\sof\s)?"
     rf"(?:the|one|a|an|its|each|both|either|that|two|three|all)?\s?(?:of\sthe\s)?"
-    rf"(?P<side>{_SIDES_WORD}|{PLAIN})(?:[\s-]hand)?(?:\s(?P<what>wall|walls|side|sides|end|ends|corner))?\b"
+    rf"(?P<side>{_SIDES_WORD}|{PLAIN})(?:[\s-]hand)?(?:\s(?P<more>{_SIDES_WORD}))?"
+    r"(?:\s(?P<what>wall|walls|side|sides|end|ends|corner))?\b(?!\sof\s(?:the|a|an|my|our|his|her|their|each)\s(?!room|hall))"
 )
 _EACH_SIDE = re.compile(r"\b(?:each|both|either)\s(?:of\sthe\s)?(?:two\s)?(?:long|short|narrow)")
 _EACH_WALL = re.compile(r"\b(?:each|every|all(?:\sfour)?|all\sof\sthe)\s(?:walls?|sides?)\b")
 _MIDDLE = re.compile(
     r"\b(?:in|at|on)\s(?:the\s)?(?:exact\s)?(?:middle|centre|center)(?:\sline)?\b|\bcent(?:red|ered)\b"
 )
-_CORNER = re.compile(r"\b(?:in|near|close to|at|by)\s(?:the|a|its)\s(?:(?P<side>left|right|far|near)\s)?corner\b")
+_CORNER = re.compile(
+    r"\b(?:in|near|close to|at|by)\s(?:the|a|its|one)\s(?:(?P<side>left|right|far|near)\s)?corner\b"
+    rf"(?:\s(?:of|in|on)\s(?:the|a|one|its)\s(?P<of>{_SIDES_WORD})\s(?:wall|side|end))?"
+)
+_UP = re.compile(
+    r"\b(?:set\s|placed\s|very\s|quite\s|fairly\s)?(?:high up(?:\sin\sthe\swall)?|up high|high (?=on the|in the)|"
+    r"(?:just\s)?(?:near|under|below) the ceiling|at the top of the wall|above (?:eye|head) (?:level|height))\b"
+)
+_OPENS = re.compile(
+    r"\b(?:(?:that|which|it|and|must|should|has to|to)\s){0,3}(?:opens?|opening|swings?|swinging)\s(?:to the\s)?"
+    r"(?P<way>outwards?|out|outside|inwards?|into the room|in)\b"
+)
+_SLIDES = re.compile(r"\b(?:(?:that|which)\s)?(?:slides|slides? (?:open|aside)|sliding)\b")
+_TAIL = re.compile(rf"\bwith\s(?:an?\s)?(?:[a-z]+\s)?(?P<tail>{one_of(_KNOWN['tails'])})\b(?!\s(?:at|of)\s\d)")
 _OPPOSITE = re.compile(
     r"\b(?:(?:in|on)\sthe\swall\s)?(?:directly\s|right\s)?(?:opposite|across from|across)\b(?:\s(?:of|to|from))?"
     r"(?:\s(?:it|each other|(?:the\s)?(?P<what>door|window|entrance)))?(?!\s[a-z])"
 )
 _WIDE = re.compile(rf"(?P<width>{PLAIN})\s?(?:wide|broad|across|in width)|wide,?\s(?:at least\s)?(?P<after>{PLAIN})")
 _HIGH = re.compile(rf"(?P<height>{PLAIN})\s?(?:high|tall|in height)")
+_DEEP = re.compile(rf"(?P<depth>{PLAIN})\s?(?:deep|in depth)")
 _SILL = re.compile(
     rf"\bsill\s(?:at|of|height|is)?\s?(?P<sill>{PLAIN})|(?P<above>{PLAIN})\s(?:above|off|from) the floor"
 )
+_LEADS = r"(?:(?:that\s|which\s)?(?:leading|leads|going|goes|giving|opening|opens)\s(?:out\s|through\s)?)"
 _TO = re.compile(
-    r"\b(?:to|into|onto|leading to)\s(?:the|a|an|our|his|her)\s"
-    rf"(?P<where>{one_of([*_KNOWN['outside'], *_KNOWN['rooms']])})\b"
+    rf"\b(?:{_LEADS}?(?:to|into|onto|leading to)\s(?:the|a|an|our|his|her)\s"
+    rf"(?P<where>{one_of([*_KNOWN['outside'], *_KNOWN['rooms']])})"
+    rf"|{_LEADS}(?:to|onto)\s(?:the|a|an)\s(?P<any>(?!left|right|inside)[a-z]+(?:\s(?:room|store|shop|hall|area|yard))?))\b"
 )
 _GLASS = re.compile(
     r"\b(?P<kind>coloured|colored|stained|leaded|frosted|painted)[\s-]glass\s(?:in|for|on)\s(?:the\s|all\s|its\s)*"
     r"(?:side\s|big\s|front\s)?windows?\b"
 )
-_DOOR_TO = re.compile(rf"\bdoors?\s{_TO.pattern[2:]}")
+_DOOR_TO = re.compile(rf"\bdoors?\s{_TO.pattern}")
 _REST = re.compile(r"^(?:[^.,()]|[.,](?=\d)){0,120}")
-_STOP = re.compile(r"\b(?:and|with|for|so that|so|that|which|where|but|because|while|who|whose)\b")
+_STOP = re.compile(
+    rf"\b(?:and|with(?!\s(?:an?\s)?(?:[a-z]+\s)?{one_of([*_KNOWN['tails'], 'sill'])}\b)|for|so that|so|"
+    r"(?:that|which)(?!\s(?:must\s|should\s|has to\s)?(?:opens?|swings?|slides?)\b)|where|but|because|while|"
+    r"who|whose)\b"
+)
 _PANES = re.compile(
     r"\b(?:glass|glazing|glazed|windows)\s(?:on|along|at)\s(?P<many>two|three|four|all|both)\s(?:of\sits\s)?(?:sides|walls)\b"
 )
@@ -80,12 +114,16 @@ _WALLS_OF = {"long": "long", "short": "short", "far": "far", "back": "far", "lef
     side: side for side in ("south", "north", "east", "west")
 }
 _WINDOWLESS = re.compile(
-    r"\b(?:windowless|(?:has|have|had|with)\s(?:got\s)?no\swindows?\b(?!\s[a-z]+\s)|there(?:'s| is| are)\sno\swindows?)"
+    r"\b(?:windowless|(?:has|have|had|with)\s(?:got\s)?no\swindows?\b(?!\s[a-z]+\s)|there(?:'s| is| are)\sno\swindows?|"
+    r"(?:no|without(?:\sany)?)\swindows?(?:\s(?:at all|anywhere|please))?(?=\s?(?:[.,;)]|$|\band\b|\bbut\b)))"
 )
 _LONG = {"long": "long", "longer": "long", "longest": "long"}
 _SHORT = {"short": "short", "shorter": "short", "shortest": "short", "narrow": "short", "end": "short"}
-_SEEN = {"left": "left", "right": "right", "far": "far", "back": "far", "rear": "far", "near": "near"}
+_SEEN = {"left": "left", "right": "right", "lhs": "left", "rhs": "right", "far": "far", "back": "far", "rear": "far"}
+_SEEN |= {"near": "near", "front": "near"}
 _COMPASS = ("north", "south", "east", "west")
+_SIDE_DOORS = {"side": "side", "back": "far", "rear": "far"}
+"""Walls of doors that are named so, as seen by who comes in by another."""
 
 
 @dataclass
@@ -100,32 +138,18 @@ def read_openings(source: Source, parsed: Parsed) -> None:
     """Reads statements about parts of the shell; the words about them are blanked, their nouns stay."""
     text = source.text
     blanks: list[tuple[int, int]] = []
+    if (found := _WINDOWLESS.search(text)) is not None:
+        parsed.openings["window"] = 0
+        parsed.referred.append(source.span(*found.span()))
+        blanks.append(found.span())
     for match in _PHRASE.finditer(text):
-        if match["count"] == "the " and match["lead"].strip() in ("and", "with"):
-            continue  # "between the bed and the door, 90 cm wide" is about what lies between
-        told = _told(text, match, len(parsed.stated_openings))
-        if match["size"]:
-            told.fields.setdefault("width", plain_length(match["size"]))
-            told.taken.append(match.span("size"))
-        kinds = _kinds(match["kinds"])
-        if not told.fields and not kinds:
+        if any(a < match.end() and match.start() < b for a, b in blanks):
             continue
-        part = _part(match["part"])
-        count = _count(match["count"], match["part"])
-        if match["part"] == "doors" and not match["count"] and {"double", "sliding", "french", "patio"} & set(kinds):
-            count = 1
-        if match["count"] and match["count"].strip() == "row of":
-            count = 3
-        end = max([end for _, end in told.taken], default=match.end())
-        span = source.span(match.start("count") if match["count"] else match.start("kinds"), end)
-        said = text[match.start("kinds") : end].strip()
-        parsed.stated_openings.append(
-            StatedOpening(part=cast(Any, part), count=count, features=kinds, words=said, span=span, **told.fields)
-        )
-        parsed.stated_openings += _on_the_others(text[match.end() : end], parsed.stated_openings)
-        parsed.openings.setdefault(part, 0)
-        noun = match.span("part") if part == "niche" else match.span("kinds")
-        blanks += [(match.start("kinds"), noun[1]), *told.taken]
+        stated, taken = _stated(source, match, parsed.stated_openings)
+        parsed.stated_openings += stated
+        if stated:
+            parsed.openings.setdefault(stated[0].part, 0)
+        blanks += taken
     for match in _PANES.finditer(text):
         many = {"two": 2, "both": 2, "three": 3}.get(match["many"], 4)
         span = source.span(match.start(), match.end())
@@ -146,9 +170,6 @@ def read_openings(source: Source, parsed: Parsed) -> None:
             )
         )
         blanks.append((match.start(), match.end()))
-    if (found := _WINDOWLESS.search(text)) is not None:
-        parsed.openings["window"] = 0
-        blanks.append((found.start(), found.end()))
     for match in _GLASS.finditer(text):
         span, kind = source.span(match.start(), match.end()), match["kind"].replace("colored", "coloured")
         parsed.stated_openings.append(
@@ -159,10 +180,93 @@ def read_openings(source: Source, parsed: Parsed) -> None:
     for part in ("door", "window"):
         stated = [s for s in parsed.stated_openings if s.part == part]
         if stated:
-            beyond = part == "door" and all(any(f.startswith("to the ") for f in s.features) for s in stated)
+            beyond = part == "door" and all(map(_is_another, stated))
             count = sum(s.count for s in stated) + beyond  # one comes in by a door of which nothing is said
             parsed.openings[part] = max(parsed.openings.get(part, 0), count)
     source.text = _blanked(text, blanks)
+
+
+def _is_another(one: StatedOpening) -> bool:
+    """Whether a door is told as one beside that by which one comes in."""
+    return any(f.startswith("to the ") or f in _KNOWN["another"] for f in one.features)
+
+
+def _stated(
+    source: Source, match: re.Match[str], before: list[StatedOpening]
+) -> tuple[list[StatedOpening], list[tuple[int, int]]]:
+    """What a noun and what goes on from it say of openings, and the characters to blank; none where that is nothing."""
+    text, determiner = source.text, (match["count"] or "").strip()
+    kinds, part = _kinds(match["kinds"]), _part(match["part"])
+    told = _told(text, match.end(), len(before))
+    if _is_reference(text, match, kinds, part, before):
+        return [], []
+    if match["size"]:
+        told.fields.setdefault("width", plain_length(match["size"]))
+        told.taken.append(match.span("size"))
+    if determiner.endswith(("second", "third", "further", "other", "another", "additional", "extra")):
+        kinds = (*kinds, "another") if part == "door" else kinds
+    way_in = match["part"] in _KNOWN["ways_in"]
+    goes_on = part in ("door", "window") and bool(match["count"]) and _AND_ONE.match(text, match.end()) is not None
+    if (
+        not (told.fields or goes_on)
+        and (not kinds or (kinds == ("another",) and part == "window"))
+        or (way_in and not {"height", "width"} & told.fields.keys() and not kinds)
+    ):
+        return [], []
+    count = _count(match["count"], match["part"])
+    if (
+        match["part"] == "doors"
+        and determiner in ("", "the", "its")
+        and {"double", "sliding", "french", "patio"} & set(kinds)
+    ):
+        count, kinds = 1, tuple(dict.fromkeys((*kinds, "double")))  # two leaves
+    found: list[StatedOpening] = []
+    last = match.start("count") if match["count"] else match.start("kinds")
+    end = max([end for _, end in told.taken], default=match.end())
+    bay = {"bay", "bow"} & set(kinds)  # "the bay window" is a place with a name of its own
+    taken = [*([] if bay or part in ("niche", "breast") else [match.span("kinds")]), *told.taken]
+
+    def add(count: int, told: _Told, start: int, end: int) -> None:
+        fields = dict(told.fields)
+        features = tuple(dict.fromkeys((*kinds, *fields.pop("features", ()))))
+        if part == "door" and "wall" not in fields and not fields.get("opposite"):
+            side = next((wall for word, wall in _SIDE_DOORS.items() if word in features), None)
+            fields |= {"wall": side} if side is not None else {}
+        span, said = source.span(start, end), text[max(start, match.start("kinds")) : end].strip()
+        one = StatedOpening(part=cast(Any, part), count=count, features=features, words=said, span=span, **fields)
+        found.append(one)
+
+    add(count, told, last, end)
+    several = _on_the_others(text[match.end() : end], [*before, *found])
+    while not several and (more := _AND_ONE.match(text, end)) is not None:
+        next_told = _told(text, more.end(), len(before) + len(found))
+        if not next_told.fields:
+            break
+        end = max(b for _, b in next_told.taken)
+        add(_NUMBERS.get(more["count"], 1), next_told, more.start("count"), end)
+        taken += [more.span(), *next_told.taken]
+    if len(found) > 1 and not told.fields and sum(one.count for one in found[1:]) == count:
+        if found[1].opposite.startswith("opening-"):
+            found[1] = found[1].model_copy(update={"opposite": ""})
+        shift = {f"opening-{len(before) + k}": f"opening-{len(before) + k - 1}" for k in range(1, len(found))}
+        found = [one.model_copy(update={"opposite": shift.get(one.opposite, one.opposite)}) for one in found[1:]]
+    return [*found, *several], taken
+
+
+def _is_reference(
+    text: str, match: re.Match[str], kinds: tuple[str, ...], part: str, before: list[StatedOpening]
+) -> bool:
+    """Whether a noun only names an opening that something else is at: "a bench under the long window"."""
+    determiner = (match["count"] or "").strip()
+    preposition = _BEFORE.search(text[: match.start()])
+    sentence = re.split(r"[.;(]", text[: match.start()])[-1]
+    joined = sentence.rstrip().endswith(" and") and re.search(r"\bbetween\b[^,]*$", sentence) is not None
+    if preposition is None and not joined:
+        return False
+    told = set(kinds) - set(_KNOWN["usual"])
+    if joined or not told or preposition is not None and preposition["word"] in ("to", "of", "from", "no", "without"):
+        return determiner in ("the", "its", "both", "") or joined or not kinds
+    return any(one.part == part and told <= set(one.features) for one in before)
 
 
 def _on_the_others(said: str, stated: list[StatedOpening]) -> list[StatedOpening]:
@@ -176,10 +280,9 @@ def _on_the_others(said: str, stated: list[StatedOpening]) -> list[StatedOpening
     return []
 
 
-def _told(text: str, match: re.Match[str], number: int) -> _Told:
+def _told(text: str, at: int, number: int) -> _Told:
     """What stands after a noun: its own clause up to a word that begins another, and clauses that only go on."""
-    told = _Told({}, [])
-    at, first = match.end(), True
+    told, first = _Told({}, []), True
     while True:
         rest = _REST.match(text[at:])
         clause = rest[0] if rest else ""
@@ -189,7 +292,7 @@ def _told(text: str, match: re.Match[str], number: int) -> _Told:
         spans = _fields(clause, number, fields)
         # A clause after a comma goes on only where nothing but places and measures is in it.
         left = _blanked(clause, spans)
-        if not first and re.sub(r"\b(?:at|least|the|a|just|about|wide|must|be|is)\b|\W", "", left):
+        if not first and re.sub(r"\b(?:at|least|the|a|just|about|wide|must|be|is|set|with)\b|\W", "", left):
             break
         told.fields = fields
         told.taken += [(at + a, at + b) for a, b in spans]
@@ -202,7 +305,7 @@ def _told(text: str, match: re.Match[str], number: int) -> _Told:
 
 def _fields(clause: str, number: int, fields: dict[str, Any]) -> list[tuple[int, int]]:
     spans: list[tuple[int, int]] = []
-    for pattern, name in ((_WIDE, "width"), (_HIGH, "height"), (_SILL, "sill")):
+    for pattern, name in ((_WIDE, "width"), (_HIGH, "height"), (_SILL, "sill"), (_DEEP, "depth")):
         if (m := pattern.search(clause)) and name not in fields:
             value = next(g for g in m.groups() if g)
             fields[name] = plain_length(value)
@@ -212,7 +315,16 @@ def _fields(clause: str, number: int, fields: dict[str, Any]) -> list[tuple[int,
         spans.append(m.span(1))
     if m := _CORNER.search(clause):
         fields.setdefault("at", m["side"] if m["side"] in ("left", "right") else "corner")
+        for word in (m["of"],) if m["of"] else ():
+            _wall_of(word, "wall", fields)
         spans.append(m.span())
+    features: list[str] = []
+    for pattern, feature in ((_UP, "high up"), (_OPENS, ""), (_SLIDES, "sliding"), (_TAIL, "")):
+        if m := pattern.search(clause):
+            told = m.groupdict()
+            way = "outward" if str(told.get("way")).startswith("out") else "inward"
+            features.append(feature or _KNOWN["tails"].get(told.get("tail"), "") or way)
+            spans.append(m.span())
     for m in _PLACE.finditer(clause):
         if any(a < m.end() and m.start() < b for a, b in spans):
             continue
@@ -230,34 +342,50 @@ def _fields(clause: str, number: int, fields: dict[str, Any]) -> list[tuple[int,
         fields["opposite"] = {"entrance": "door"}.get(m["what"] or "", m["what"] or f"opening-{number - 1}")
         spans.append(m.span())
     if m := _TO.search(clause):
+        features.append(f"to the {m['where'] or m['any']}")
         spans.append(m.span())
+    if features:
+        fields["features"] = tuple(dict.fromkeys((*fields.get("features", ()), *features)))
     return spans
 
 
 def _placed(m: re.Match[str], number: int, fields: dict[str, Any]) -> bool:
     """Takes one place: a wall by its length or side, the wall across from another opening, or a corner."""
-    side, what = m["side"], m["what"] or ""
+    side, more = m["side"], m["more"]
+    what = m["what"] or ("end" if more == "end" else "")
     if m["middle"]:
         fields.setdefault("at", "middle")
     if what == "corner":
         fields.setdefault("at", side if side in ("left", "right") else "corner")
     elif side in ("opposite", "other", "facing", "second") and number:
         fields.setdefault("opposite", f"opening-{number - 1}")
-    elif side in _LONG:
-        fields.setdefault("wall", "long")
-    elif side in _SHORT and (what or side != "end"):
-        fields.setdefault("wall", "short")
-    elif side in _SEEN:
-        fields.setdefault("wall", _SEEN[side])
-        if "across" in m[0].split()[:1]:
+    elif _wall_of(side, what, fields):
+        if side in _SEEN and "across" in m[0].split()[:1]:
             fields.setdefault("at", "along")
-    elif side in _COMPASS:
-        fields.setdefault("wall", side)
+        if more:
+            _wall_of(more, what or "wall", fields)
     elif re.fullmatch(PLAIN, side) and what in ("wall", "walls", "side", "sides"):
         fields.setdefault("wall_length", plain_length(side))
+    elif side == "same" and what:
+        fields["features"] = (*fields.get("features", ()), "same wall")
     else:
-        return bool(m["middle"]) or (side in ("outer", "outside", "street", "same") and bool(what))
+        return bool(m["middle"]) or (side in ("outer", "outside", "street") and bool(what))
     return True
+
+
+def _wall_of(side: str, what: str, fields: dict[str, Any]) -> bool:
+    """Takes a wall by its length, its side or both ("the far short wall"); whether the word names one."""
+    if side == "end" and not what:  # "at the end": of the way that one comes in
+        fields.setdefault("wall", "far")
+    length = "long" if side in _LONG else "short" if side in _SHORT else None
+    name = _SEEN.get(side) or (side if side in _COMPASS else None)
+    if length is not None:
+        fields.setdefault("wall" if "wall" not in fields else "run", length)
+    elif name is not None:
+        if fields.get("wall") in ("long", "short") and "run" not in fields:
+            fields["run"] = fields.pop("wall")
+        fields.setdefault("wall", name)
+    return length is not None or name is not None
 
 
 def _doors_to(source: Source, parsed: Parsed) -> None:
@@ -265,7 +393,7 @@ def _doors_to(source: Source, parsed: Parsed) -> None:
     for m in _DOOR_TO.finditer(source.text):
         span = source.span(m.start(), m.end())
         known = next((s for s in parsed.stated_openings if s.span and s.span.start <= span.start < s.span.end), None)
-        feature = f"to the {m['where']}"
+        feature = f"to the {m['where'] or m['any']}"
         if known is None:
             if any(feature in s.features for s in parsed.stated_openings):
                 continue
@@ -285,15 +413,20 @@ def _kinds(words_before: str) -> tuple[str, ...]:
 
 
 def _part(word: str) -> str:
-    word = word.rstrip("s")
-    return {"doorway": "door", "alcove": "niche"}.get(word, word)
+    if word.startswith(("niche", "alcove", "recess")):
+        return "niche"
+    if word.startswith("chimney"):
+        return "breast"
+    return "window" if word.startswith("window") else "door"
 
 
 def _count(determiner: str | None, noun: str) -> int:
     said = (determiner or "").strip()
     if said.isdigit():
         return max(1, min(int(said), 20))
-    return _NUMBERS.get(said, 2 if noun.endswith("s") and not said.startswith("a ") else 1)
+    if said.endswith(("second", "third", "further", "other", "additional", "extra")):
+        return 1
+    return _NUMBERS.get(said, 2 if noun.endswith("s") and noun != "recess" and not said.startswith("a ") else 1)
 
 
 def _blanked(text: str, spans: list[tuple[int, int]]) -> str:

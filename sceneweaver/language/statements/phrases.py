@@ -69,10 +69,17 @@ def _heights() -> re.Pattern[str]:
     return re.compile(rf"\b(?:{'|'.join(sorted(words('measures')['ceiling'], key=len, reverse=True))})\b")
 
 
+_FOR_SO_MANY = re.compile(
+    rf" for (?:about |up to |at least )?{NUMBER}(?: (?:people|persons|guests|kids|children|of us))?,?\s*$"
+)
+"""For how many a thing is, between it and what is said of it: "a jury box for twelve in two rows"."""
+
+
 def noun_before(text: str, at: int) -> str:
     """The noun of the sentence that something at a place is said of: the last one before it that no preposition ties
     to another ("four benches from wood" are benches). How high it is, "from floor to ceiling", names nothing."""
     text = _heights().sub(lambda m: " " * len(m[0]), text[:at])
+    text = _FOR_SO_MANY.sub(lambda m: " " * len(m[0]), text)
     start = max(text.rfind(".", 0, at), text.rfind("(", 0, at)) + 1
     chunks: list[tuple[str, list[str]]] = [("", [])]
     for m in re.finditer(r"[a-z][a-z'/-]*|\d+|[,)]", text[start:at]):

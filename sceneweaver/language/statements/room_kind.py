@@ -39,6 +39,10 @@ CLOSE = 0.8
 
 _WEIGHTS = {"core": 1.0, "purpose": 0.95, "whole": 0.75, "setting": 0.4}
 _ARTICLE = r"(?:an? |the |our |my |your |their |his |her |its |some |one )?"
+_CLAUSE_ENDS = r"(?=\s*(?:[.,:;!?\n(]|$))"
+_WAYS = (("verbs", "into"), ("uses", "as"))
+"""What tells that a room became another one, and what stands before the name of the latter."""
+
 _WORD = re.compile(r"[^\W\d_]+(?:['-][^\W\d_]+)*")
 
 
@@ -55,8 +59,16 @@ class _Part:
 def read_room_kind(source: Source, parsed: Parsed) -> None:
     """Reads the kind of the room, and what else it is; see above. Words that are accounted for leave the source."""
     _zones(source, parsed)
+    for m in list(_tail().finditer(source.text)):
+        if _named(_WORD.findall(m["name"])):
+            _leave_out(source, parsed, *m.span("tail"))
     if any(re.search(rf"(?<!\w){re.escape(name)}(?!\w)", source.spoken) for name in learned_words()):
         return  # the clauses know the kinds of rooms that the user has learned
+    for m in _becomes().finditer(source.spoken):
+        parts = _parts(source.spoken, m.end(), _end(source.spoken, m.end()))
+        if _before(m, source.spoken) and _decided(source, parsed, parts, headline=False):
+            _leave_out(source, parsed, m.start(), m.end())
+            return
     for start, end, headline in _phrases_about_room(source.spoken):
         parts = _parts(source.spoken, start, end)
         if _decided(source, parsed, parts, headline):
@@ -70,6 +82,16 @@ def _phrases_about_room(text: str) -> list[tuple[int, int, bool]]:
     found = [(start, _end(text, start), True)]
     found += [(m.end(), _end(text, m.end()), False) for m in _statement().finditer(text)]
     return [one for one in found if one[1] > one[0]]
+
+
+def _before(m: re.Match[str], text: str) -> bool:
+    """Whether what became another room is one itself: a garage that is used as a gym, not a sofa used as a bed."""
+    spoken = _WORD.findall(m["verbs"] or m["uses"] or "") or _WORD.findall(re.split(r"[.;!?]", text[: m.start()])[-1])
+    return not spoken or any(
+        "room" in kinds or kinds.get("place") == "room" or word in words("room_kind")["heads"]
+        for word in spoken
+        for kinds in (_kinds(word),)
+    )
 
 
 def _end(text: str, start: int) -> int:
@@ -336,6 +358,12 @@ def _names_room(part: _Part) -> bool:
     return bool(spoken) and len(spoken) <= 5 and bool(_named(spoken)) and spoken[-1] == _named(spoken).split()[-1]
 
 
+def _leave_out(source: Source, parsed: Parsed, start: int, end: int) -> None:
+    """Words that are accounted for and say nothing more."""
+    parsed.referred.append(source.span(start, end))
+    _put(source, start, end)
+
+
 def _put(source: Source, start: int, end: int, instead: str = "") -> None:
     source.text = source.text[:start] + instead.ljust(end - start) + source.text[end:]
 
@@ -416,7 +444,9 @@ def _statement() -> re.Pattern[str]:
 
 @cache
 def _ending() -> re.Pattern[str]:
-    return re.compile(rf"[.,;:!?\n()§\d]|(?<![\w'])(?:{'|'.join(map(re.escape, words('room_kind')['ends']))})(?![\w'])")
+    data = words("room_kind")
+    stops = rf"(?<![\w'])(?:{one_of(data['ends'])}(?![\w'])|{one_of(data['tails'])}{_CLAUSE_ENDS})"
+    return re.compile(rf"[.,;:!?\n()§\d]|{stops}")
 
 
 @cache
@@ -424,6 +454,19 @@ def _tie() -> re.Pattern[str]:
     data = words("room_kind")
     groups = "|".join(rf"(?P<{name}>{one_of(data[name])})" for name in ("purpose", "whole", "setting"))
     return re.compile(rf"(?<![\w'-])(?:{groups})(?![\w'-])\s*(?:{_ARTICLE})")
+
+
+@cache
+def _tail() -> re.Pattern[str]:
+    tails = one_of(words("room_kind")["tails"])
+    return re.compile(rf"(?P<name>[a-z]+(?: [a-z]+)?) (?P<tail>{tails}(?: {tails})*){_CLAUSE_ENDS}")
+
+
+@cache
+def _becomes() -> re.Pattern[str]:
+    data = words("room_kind")["becomes"]
+    ways = "|".join(rf"{one_of(data[a])}\b(?P<{a}>[^.;:!?\n]{{0,40}}?)\b{one_of(data[b])}" for a, b in _WAYS)
+    return re.compile(rf"(?<![\w'-])(?:{ways}) {_ARTICLE}")
 
 
 @cache
