@@ -117,7 +117,7 @@ def _split(said: Said, own: set[Mention]) -> list[Said]:
     assert isinstance(target, Mention)
     meant: dict[str, list[Mention]] = {}
     for subject in said.subjects:
-        kind = said.type if said.implied and subject in own else _meant(said, subject, target)
+        kind = said.type if said.implied and " with " in said.words and subject in own else _meant(said, subject, target)
         meant.setdefault(kind, []).append(subject)
     if list(meant) == [said.type]:
         return [said]
