@@ -53,6 +53,11 @@ def told_by_carriers(parsed: Parsed, mentions: list[Mention]) -> None:
             mention.count = (1, 1)
 
 
+def is_vessel(mention: Mention) -> bool:
+    """Whether things are in it and never on it."""
+    return carrier(mention.category, mention.noun).ways == ("inside",)
+
+
 def is_board(mention: Mention) -> bool:
     """Whether a plural names one board of several: a row of hooks."""
     open_ = mention.count is None or mention.count[0] < mention.count[1]
@@ -117,7 +122,9 @@ def _split(said: Said, own: set[Mention]) -> list[Said]:
     assert isinstance(target, Mention)
     meant: dict[str, list[Mention]] = {}
     for subject in said.subjects:
-        kind = said.type if said.implied and " with " in said.words and subject in own else _meant(said, subject, target)
+        kind = (
+            said.type if said.implied and " with " in said.words and subject in own else _meant(said, subject, target)
+        )
         meant.setdefault(kind, []).append(subject)
     if list(meant) == [said.type]:
         return [said]
@@ -158,4 +165,4 @@ def _hung(said: Said, thing: Mention) -> str:
     return "hanging_from"
 
 
-__all__ = ["is_board", "told_by_carriers"]
+__all__ = ["is_board", "is_vessel", "told_by_carriers"]
