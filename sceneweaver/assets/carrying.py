@@ -84,6 +84,24 @@ def bare_body(category: str) -> str | None:
     return _file()["bare"].get(category)
 
 
+def kind_for(noun: str, contents: str) -> str | None:
+    """The category of a rack, stand or holder that only its contents tell; None where they tell none."""
+    row = _file()["kinds"]
+    if not _plain(noun, tuple(row["words"])):
+        return None
+    return next((kind for kind, names in row["of"].items() if contents in names), None)
+
+
+def vessel_body(category: str) -> str | None:
+    """The category whose body stands for a vessel that things are put into, where its own has no cavity."""
+    return _file()["vessels"].get(category)
+
+
+def body_within(category: str) -> str | None:
+    """The category of the body that a thing has within something, where that is not its own."""
+    return _file()["within"].get(category)
+
+
 def is_hook(surface: str) -> bool:
     """Whether what is on a surface of this name hangs."""
     return surface.startswith(HOOK)
@@ -94,10 +112,20 @@ def hung_words() -> frozenset[str]:
     return frozenset(_file()["hung_words"])
 
 
+def draped_words() -> frozenset[str]:
+    """Words that say that something lies over another which has nothing to hang it from."""
+    return frozenset(_file()["draped_words"])
+
+
 def _called(noun: str, words: tuple[str, ...]) -> bool:
     """Whether one of some words is the head of a noun."""
     said = f" {noun.lower()}"
     return any(form.endswith(f" {word}") for form in (said, f" {singular(noun.lower())}") for word in words)
+
+
+def _plain(noun: str, words: tuple[str, ...]) -> bool:
+    """Whether a noun is one of some words and no more."""
+    return noun.lower() in words or singular(noun.lower()) in words
 
 
 @cache
@@ -131,4 +159,18 @@ def _known(names: list[str]) -> frozenset[str]:
     return frozenset(names)
 
 
-__all__ = ["HOOK", "Carrier", "Hung", "bare_body", "carrier", "hangs_from", "hung", "hung_words", "is_hook"]
+__all__ = [
+    "HOOK",
+    "Carrier",
+    "Hung",
+    "bare_body",
+    "body_within",
+    "carrier",
+    "draped_words",
+    "hangs_from",
+    "hung",
+    "hung_words",
+    "is_hook",
+    "kind_for",
+    "vessel_body",
+]

@@ -15,12 +15,12 @@ import numpy as np
 
 from sceneweaver.assets import Asset, Library, Wish
 from sceneweaver.assets.carrying import HOOK, Carrier, bare_body, carrier, hung
-from sceneweaver.assets.postures import postured
 from sceneweaver.assets.taxonomy import category_named
 from sceneweaver.geometry.polygons import rectangle
 from sceneweaver.scene import InputError, Pose, SceneObject, Support, Surface
 
 from .carry import world
+from .cavities import upright
 from .program import Wanted
 
 BARE = "bare"
@@ -95,8 +95,7 @@ def hung_body(asset: Asset, category: str, noun: str, wish: Wish | None, library
         return replace(made, category=asset.category)
     depth, width, height = asset.size
     if height <= FLAT * max(depth, width) and "hung" not in category:
-        groups = [None] * len(asset.hulls)
-        return postured(asset, "on_back" if depth >= width else "on_side", groups)
+        return upright(asset, category, wish, library)
     return asset
 
 

@@ -64,8 +64,9 @@ class Wanted:
     """One object to be.
 
     ``parent`` is the instance that it goes with, ``support`` the one that it stands on (``inside``: on a board in it;
-    ``hangs``: it hangs from it; ``share``: where, as depth and side), ``held`` what holds it where the request has it
-    otherwise than usual, ``hung`` between which heights [m] its bottom is then, ``wish`` what its body was chosen by.
+    ``on_top``: above all of it; ``hangs``: from it; ``share``: where, as depth and side), ``held`` what holds it where
+    the request has it otherwise than usual, ``hung`` between which heights [m] its bottom is then, ``wish`` what its
+    body was chosen by, ``drawn_as`` the category of its body where that is another one.
     """
 
     item: Item | None
@@ -79,9 +80,11 @@ class Wanted:
     id: str = ""
     inside: bool = False
     hangs: bool = False
+    on_top: bool = False
     share: tuple[float, float] | None = None
     held: str | None = None
     hung: tuple[float, float] | None = None
+    drawn_as: str | None = None
     wish: Wish | None = None
 
     @property

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from sceneweaver.assets import Asset, Library, categories
+from sceneweaver.assets.carrying import body_within, carrier, vessel_body
 from sceneweaver.assets.category import REACH
 from sceneweaver.assets.roles import has_role
 from sceneweaver.assets.taxonomy import category_named, likeliness
@@ -15,6 +17,7 @@ from sceneweaver.knowledge.surfaces import usual_arrangement
 from sceneweaver.language import Grounded, SceneGraph, StatedRelation, carrier_of
 from sceneweaver.scene import InputError, Palette, SceneObject, Surface
 
+from .cavities import INSIDE, hollow, upright
 from .draft import groups_of
 from .hooks import hang_on
 from .program import LeftOut, Program, Wanted
@@ -24,6 +27,8 @@ from .surface_scene import Frame
 from .surface_setting import Standing
 from .surface_spots import fits_on
 from .surface_stated import EXACT, Rider, StatedLayer, holds
+
+_TOP = re.compile(r"\b(?:top|atop)\b")
 
 FULL = 0.5
 """Share of a support's surfaces from which on what was asked for stands elsewhere."""
@@ -38,8 +43,8 @@ GROWN = (0.5, 1.0, 2.0)
 """Shares of the way to the largest of its kind by which a support grows when what is to stand on it has no room; from 1
 to 2 it goes on to the largest that words may ask for."""
 
-OPEN, INSIDE = "open", "inside"
-"""The shape of a box or bin that things are put into, without its lid, and the surface that it then has."""
+OPEN = "open"
+"""The shape of a box or bin that things are put into, without its lid."""
 
 SHRUNK = (0.0, -1.0)
 """Where in the range of its kind what has no room is drawn anew: the least usual, then the least that there is."""
@@ -102,26 +107,31 @@ def _stated_supports(program: Program, brief: SceneGraph, by_asked: dict[str, li
     """Supports as the request says them: on, in, or in the middle of something."""
     things = {name: [one.thing for one in several] for name, several in by_asked.items()}
     by_id = {one.id: one for one in program.wanted}
+    done = set[str]()
     for said in brief.relations:
         if said.type not in ("on", "inside", "centered_on", "hanging_from"):
             continue
         for k, one in enumerate(by_asked.get(said.subject, [])):
-            carrier = carrier_of(said, things, k)
-            target = by_id.get(carrier.id) if carrier is not None else None
-            # The first that is said counts, and nothing stands on what stands on it.
-            if target is None or target is one or one.support is not None or _carried(target, one):
+            holder = carrier_of(said, things, k)
+            target = by_id.get(holder.id) if holder is not None else None
+            # The first that is said counts, before what is usual, and nothing stands on what stands on it.
+            if target is None or target is one or one.id in done or _carried(target, one):
                 continue
             if said.type == "hanging_from":
                 if one.asset.mount != "ceiling" and not target.thing.is_flat:
                     one.support, one.hangs, one.inside = target, True, False
+                    done.add(one.id)
                 continue
             # What has the floor may be said to be in the middle of a rug or a room.
             if said.type == "centered_on" and one.mount != "surface":
                 continue
             if not target.thing.is_flat and _may_carry(target, one):
                 one.support, one.inside = target, said.type == "inside"
+                one.on_top = said.type == "on" and _TOP.search(said.words) is not None
+                done.add(one.id)
             elif "floor" in category_named(one.category).mount or one.mount == "surface":
                 one.held = "floor"
+                done.add(one.id)
 
 
 def _likely_supports(
@@ -344,7 +354,21 @@ def _fitted(
     """Where things stand on a support, and those without room; for these it grows, and they shrink."""
     if any(one.inside for one in riders) and support.id not in places.objects:
         _open(support, library)
+    for one in riders:
+        if one.inside and carrier(support.category).ways == ("inside",):
+            _put_within(one, library)
     found, lost = _on_one(support, riders, rows, shelf, places)
+    on_end = [one for one in lost if one.inside and one.asset.size[2] < max(one.asset.size[:2])]
+    if on_end:  # brushes stand in a jar
+        lying = {one.id: one.asset for one in on_end}
+        for one in on_end:
+            one.asset = upright(one.asset, one.drawn_as or one.category, one.wish, library)
+        again, missing = _on_one(support, riders, rows, shelf, places)
+        if len(missing) < len(lost):
+            found, lost = again, missing
+        else:
+            for one in on_end:
+                one.asset = lying[one.id]
     grows = support.id not in places.objects and support.asked not in sized
     for step in (*GROWN, *SHRUNK, GROWN[-1]):
         astray = _astray(found, rows)
@@ -367,16 +391,39 @@ def _fitted(
 
 
 def _open(support: Wanted, library: Library) -> None:
-    """Take the lid off a box or bin that things are put into, where there is such a body."""
+    """Give a box, bin or vessel that things are put into room for them: without a lid, or with its cavity kept free."""
     has_inside = any(s.headroom is not None or s.name == INSIDE for s in support.asset.surfaces)
     if has_inside or support.wish is None or support.wish.shape is not None:
         return
+    open_ = hollow(support.asset)
+    if open_ is not support.asset:
+        support.asset, support.drawn_as = open_, support.category
+        return
+    support.drawn_as = vessel_body(support.category)
+    if support.drawn_as is not None:
+        made = _drawn_anew(support, support.asset.size, True, library)
+        if made is not None and any(s.name == INSIDE for s in made.surfaces):
+            support.asset = made
+            return
+        support.drawn_as = None
     wish, support.wish = support.wish, replace(support.wish, shape=OPEN)
     opened = _drawn_anew(support, support.asset.size, True, library)
     if opened is not None and any(s.name == INSIDE for s in opened.surfaces):
         support.asset = opened
     else:
         support.wish = wish
+
+
+def _put_within(one: Wanted, library: Library) -> None:
+    """Give a thing the body that it has within another: flowers are without their vase."""
+    body = body_within(one.category)
+    if body is None or one.wish is None or one.drawn_as is not None:
+        return
+    try:
+        made = library.choose(body, 1, replace(one.wish, size=(None, None, None), shape=None))[0]
+    except InputError:
+        return
+    one.asset, one.drawn_as = replace(made, category=one.asset.category), body
 
 
 def _not_stacked(lost: Sequence[Wanted], placed: Sequence[Wanted]) -> list[Wanted]:
@@ -410,15 +457,15 @@ def _on_one(
     if not obj.surfaces:
         return [], list(riders)
     layer = StatedLayer(obj, plan, shelf)
-    found, lost = layer.run([Rider(w.id, w.asset, w.inside, w.share) for w in riders], rows)
+    found, lost = layer.run([Rider(w.id, w.asset, w.inside, w.share, w.on_top) for w in riders], rows)
     names = {rider.id for rider in lost}
     return found, [w for w in riders if w.id in names]
 
 
 def _bare_top(obj: SceneObject, riders: Sequence[Wanted]) -> bool:
     """Whether something goes on top of a thing with doors, whose surfaces are all behind them: a kettle on a fridge."""
-    outside = any(not one.inside for one in riders)
-    return outside and has_role(obj.category, "opened") and all(s.headroom is not None for s in obj.surfaces)
+    outside = any(one.on_top or (not one.inside and has_role(obj.category, "opened")) for one in riders)
+    return outside and all(s.headroom is not None for s in obj.surfaces)
 
 
 def _over_edge(top: Surface) -> Surface:
@@ -479,7 +526,7 @@ def _larger(support: Wanted, share: float, library: Library) -> Asset | None:
 
 def _smaller(one: Wanted, share: float, library: Library) -> Asset | None:
     """A small body of the same kind; None where there is none."""
-    known = category_named(one.category).size
+    known = category_named(one.drawn_as or one.category).size
     if known is None:
         return None
     size = [_at_share(usual, reach, share) for usual, reach in zip(known.ranges, known.reach, strict=True)]
@@ -502,9 +549,10 @@ def _drawn_anew(one: Wanted, size: Sequence[float | None], beyond: bool, library
     depth, width, height = (None if side is None else round(side, 3) for side in size)
     wish = replace(one.wish, size=(depth, width, height), beyond=beyond or one.wish.beyond)
     try:
-        return library.choose(one.category, 1, wish)[0]
+        made = library.choose(one.drawn_as or one.category, 1, wish)[0]
     except InputError:
         return None
+    return made if one.drawn_as is None else hollow(replace(made, category=one.asset.category))
 
 
 def _top(obj: SceneObject) -> Surface | None:

@@ -62,14 +62,15 @@ TALL = 0.22
 class Rider:
     """Something to stand on a support.
 
-    ``inside`` asks for a board or a floor within it, not for its top; ``share`` is where on it, as depth (0 back to 1
-    front) and side (-1 left to 1 right).
+    ``inside`` asks for a board or a floor within it, ``on_top`` for nothing above it; ``share`` is where on it, as
+    depth (0 back to 1 front) and side (-1 left to 1 right).
     """
 
     id: str
     asset: Asset
     inside: bool = False
     share: tuple[float, float] | None = None
+    on_top: bool = False
 
 
 @dataclass(frozen=True)
@@ -146,6 +147,9 @@ class StatedLayer:
         inside = any(r.inside for r in group)
         tall = max(r.asset.size[2] for r in group)
         fits = [s for s in self._support.surfaces if s.headroom is None or s.headroom > tall + 0.002]
+        if any(r.on_top for r in group):
+            open_ = [s for s in fits if s.headroom is None]
+            return sorted(open_ or fits, key=lambda s: -s.z)
         middle = 0.5 * self._support.size[2]
         if not inside and sum(s.headroom is not None for s in self._support.surfaces) < BOARDS:
             upper = [s for s in fits if s.z >= middle - 0.01]  # on a table is on its top, not on the shelf under it

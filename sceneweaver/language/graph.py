@@ -10,7 +10,7 @@ from sceneweaver.assets.plurals import singular
 from sceneweaver.assets.taxonomy import category_named, narrower
 
 from .built_in import by_their_names
-from .carrying import told_by_carriers
+from .carrying import is_vessel, told_by_carriers
 from .coverage import silent_words
 from .distribution import tell_each
 from .in_room import mean_in_room
@@ -50,11 +50,11 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     mean_in_room(mentions, parsed.room_type)
     lengths = measured(parsed, mentions, text)
     give_states(parsed, mentions, text)
+    told_by_carriers(parsed, mentions)
     _named(mentions)
     _shared_support(parsed)
     _by_attribute(parsed, mentions)
     _pairs_of_flanks(parsed)
-    told_by_carriers(parsed, mentions)
     relations = _once([r for said in parsed.said for r in _relations(said, mentions, notes)])
     exclusions = {(words, names): span for words, names, span in reversed(parsed.without)}
     barred = [found for said in parsed.barred if (found := _barred(said, mentions)) is not None]
@@ -216,10 +216,12 @@ def _named(mentions: list[Mention]) -> None:
 def _shared_support(parsed: Parsed) -> None:
     """What is beside something that stands on a table stands on the table as well, when it is small."""
     carried: dict[Mention, Mention] = {}
+    kinds: dict[Mention, str] = {}
     for said in parsed.said:
         if said.type in ("on", "inside") and isinstance(said.targets[0], Mention):
             for subject in said.subjects:
-                carried.setdefault(subject, said.targets[0])
+                if carried.setdefault(subject, said.targets[0]) is said.targets[0] and is_vessel(said.targets[0]):
+                    kinds[subject] = said.type
     at_places = [s for s in parsed.said if isinstance(s.targets[0], str) and s.targets[0] != "each other"]
     placed = {m for said in at_places for m in said.subjects}
     for _ in range(2):  # a book beside a mug beside a lamp on the desk
@@ -231,7 +233,8 @@ def _shared_support(parsed: Parsed) -> None:
                 carrier, open_ = carried.get(two), one not in carried and one not in placed
                 if carrier is not None and carrier is not one and open_ and one.is_small and two.is_small:
                     carried[one] = carrier
-                    parsed.said.append(Said("on", [one], (carrier,), said.words, implied=True, span=said.span))
+                    kinds[one] = kinds.get(two, "on")
+                    parsed.said.append(Said(kinds[one], [one], (carrier,), said.words, implied=True, span=said.span))
 
 
 def _by_attribute(parsed: Parsed, mentions: list[Mention]) -> None:

@@ -275,7 +275,8 @@ def _kind(scan: Scan, head: Token, phrase: NounPhrase, start: int) -> tuple[str,
         placed = before is not None and before.has("preposition") and before.text not in ("in", "inside", "within")
         if not noun or not (placed or {"thing", "group"} & scan.named):
             return "room", head.get("room")
-    holds = before is not None and before.text in ("on", "from") and head.text in words("nouns")["holders"]
+    last = before.text.split()[-1] if before is not None else ""
+    holds = last in ("on", "from", "of", ",") and head.text in words("nouns")["holders"]
     if head.has("parts") and not (noun and (holds or before is None or before.text == ".")):
         return "part", head.text
     aimed = before is not None and bool(scan.out) and scan.out[-1].kind == "purpose" and scan.out[-1].value == "people"

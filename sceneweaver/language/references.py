@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from sceneweaver.assets.taxonomy import category_named
 
+from .carrying import is_board
 from .chunks import NounPhrase
 from .parsed import Mention, Parsed
 from .parsed import without as apart
@@ -92,7 +93,8 @@ class References:
                 continue
             if several and len(group) == 1 and not group[0].many:
                 continue
-            if not several and phrase.text == "it" and len(group) == 1 and group[0].many:
+            alone = len(group) == 1 and group[0].many and not is_board(group[0])
+            if not several and phrase.text == "it" and alone:
                 continue
             return group if several else group[-1:] if len(group) > 1 and phrase.text != "which" else group
         if several:  # "a shelf next to a desk, a sofa facing them"

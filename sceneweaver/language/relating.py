@@ -189,7 +189,7 @@ def relate_to_place(state: State, said: Said) -> None:
         call_by_place(subjects, "ceiling")
     elif place.startswith("wall") and kind != "against":
         call_by_place(subjects, "wall")
-    if "against" in (stated, kind) and not said.implied:
+    if {"against", "leaning_on"} & {stated, kind} and not said.implied:
         subjects = [*subjects, *beside_those(state, subjects)]
     if kind == "far_from" and place not in ("door", "window"):
         state.out.note(f"'away from the {place}' cannot be said as a relation and was left out")

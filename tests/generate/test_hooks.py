@@ -5,7 +5,9 @@ import shapely
 
 from sceneweaver.assets import Library, Wish
 from sceneweaver.assets.carrying import carrier, hangs_from, is_hook
+from sceneweaver.generate.cavities import hollow, upright
 from sceneweaver.generate.hooks import bare, hang, hooks_of, hung_body, lift_of
+from sceneweaver.language import read_request
 
 WISH = Wish(seed=3)
 
@@ -55,3 +57,38 @@ def test_a_thing_that_is_told_to_be_on_hooks_hangs_and_on_a_radiator_only_cloth_
     assert hangs_from("folded_towel", "towel", carrier("radiator"))
     assert not hangs_from("vase", "vase", carrier("radiator"))
     assert not hangs_from("handbag", "handbag", carrier("dining_table"))
+
+
+def test_a_vessel_keeps_its_cavity_free_for_what_is_put_into_it():
+    mug = Library().choose("mug", 1, WISH)[0]
+    opened = hollow(mug)
+    inner = shapely.Polygon(opened.surfaces[-1].polygon).buffer(-0.001)
+    floor = opened.surfaces[-1].z
+    assert not any(
+        part.z[1] > floor + 0.001 and shapely.Polygon(part.polygon).intersection(inner).area > 1e-7
+        for part in opened.parts
+    )
+    assert hollow(opened) is opened
+    pen = Library().choose("pen", 1, WISH)[0]
+    assert upright(pen, "pen", WISH, Library()).size[2] == pytest.approx(max(pen.size), abs=0.002)
+
+
+@pytest.mark.parametrize(
+    ("text", "subject", "kind", "target"),
+    [
+        ("A cloakroom with a coat stand and two coats on the coat stand", "apron", "hanging_from", "coat_rack"),
+        ("A porch with a backpack hanging from hooks on the wall", "backpack", "hanging_from", "coat_hooks"),
+        ("A scullery with pans hanging from a rack over the table", "frying_pan", "hanging_from", "pot_rack"),
+        ("A den with an armchair and a throw draped over the armchair", "blanket_throw", "on", "armchair"),
+        ("A gym with towels in a basket", "folded_towel", "inside", "basket"),
+        ("A porch, a bowl with keys in it on the console table", "bowl", "on", "console_table"),
+        ("A porch with hats on top of the wardrobe", "hat", "on", "wardrobe"),
+    ],
+)
+def test_a_word_of_place_means_how_the_one_carries_the_other(text, subject, kind, target):
+    assert (subject, kind, target) in {(r.subject, r.type, r.targets[0]) for r in read_request(text).relations}
+
+
+def test_what_ends_a_list_of_contents_and_has_its_own_place_is_no_content():
+    graph = read_request("A study with a bookcase full of books and a globe on the desk")
+    assert [r.targets[0] for r in graph.relations if r.subject == "desk_globe"] == ["desk"]

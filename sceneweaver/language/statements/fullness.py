@@ -16,6 +16,9 @@ _CLAUSE = re.compile(r"[.;:!?\n(]|,\s*(?=\w+\s+\w+\s+(?:is|are)\b)")
 _AND = re.compile(r"\s*(?:,|/|&|\band\b|\bor\b|\bplus\b)\s*")
 _WORD = re.compile(r"[a-z][a-z'-]*")
 
+_BEHIND = re.compile(r" (?:and|or|with|on|in|at|by|under|over|above|beside|near|from|for|to|that|which|the|is|are)$")
+"""A word behind a noun that is no part of its name."""
+
 LONGEST = 3
 """Words of a noun before its spread that are looked at."""
 
@@ -38,7 +41,9 @@ def fullness(source: Source, parsed: Parsed) -> None:
     source.blank(_any_of("little"), little)
     for pattern, least in _many():
         for match in pattern.finditer(source.text):
-            parsed.amounts += _amounts([match["noun"]], "many", least, match[0], source.span(*match.span()))
+            parsed.amounts += _amounts(
+                [_BEHIND.sub("", match["noun"])], "many", least, match[0], source.span(*match.span())
+            )
     for spread, pattern in _spread():
 
         def spread_out(match: re.Match[str], spread: str = spread) -> str | None:

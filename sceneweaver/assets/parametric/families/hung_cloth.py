@@ -89,3 +89,40 @@ def wall_rail(d: Drawing) -> None:
         with d.at(box.x[0], y, z - 0.2 * radius, pitch=math.pi / 2):
             side = min(0.05, 1.4 * box.height)
             d.cylinder(Box.sized(side, side, 0.008), metal, segments=18)
+
+
+@draws("cut_flowers", whole=True)
+def cut_flowers(d: Drawing) -> None:
+    """A bunch of stems that spread to their blossoms."""
+    petals = d.material("petals", "blush pigment, ochre pigment, terracotta pigment, sea pigment")
+    stem, box = d.material("stem", "moss pigment"), d.bounds
+    (x, y, _), low, high = box.center, box.z[0], box.z[1]
+    spread = 0.5 * min(box.depth, box.width) - 0.025
+    for k in range(9):
+        turn, far = 2.4 * k, spread * math.sqrt((k + 0.5) / 9)
+        top = high - 0.03 - 0.05 * d.uniform(f"low {k}", 0.0, 1.0) * (k > 0)
+        at = (x + far * math.cos(turn), y + far * math.sin(turn), top)
+        d.bar((x + 0.2 * (at[0] - x), y + 0.2 * (at[1] - y), low), at, 0.004, stem, 6)
+        d.ball(Box.around(at, 0.045, 0.045, 0.055), petals, 10)
+
+
+@draws("rolled_mat", whole=True)
+def rolled_mat(d: Drawing) -> None:
+    """A mat that is rolled up, with the spiral of its end."""
+    foam, box = d.material("foam", "blue plastic, green plastic, pink plastic, grey plastic"), d.bounds
+    roll = d.cylinder(box, foam, "y", bevel=0.004, segments=24)
+    _, y, z = roll.anchor("left")
+    turns = np.linspace(0, 8 * np.pi, 65)
+    radius = (0.1 + 0.8 * turns / turns[-1]) * 0.5 * min(box.depth, box.height)
+    with d.no_colliders():
+        line = np.c_[box.center[0] + radius * np.cos(turns), np.full(65, y - 0.001), z + radius * np.sin(turns)]
+        d.sweep(line, 0.0012, "charcoal fabric", 4)
+
+
+@draws("umbrella", whole=True)
+def umbrella(d: Drawing) -> None:
+    """A closed umbrella on its tip: furled cloth and a handle."""
+    cloth = d.material("cloth", "black fabric, navy fabric, red fabric, green fabric, charcoal fabric")
+    wood, box = d.material("handle", "walnut, oak, black plastic"), d.bounds
+    d.turned(box, [(0.12, 0.0), (0.3, 0.06), (0.55, 0.12), (1.0, 0.5), (0.8, 0.68), (0.3, 0.7)], cloth, 14)
+    d.turned(box, [(0.2, 0.68), (0.2, 0.9), (0.42, 0.92), (0.42, 0.99), (0.2, 1.0)], wood, 12)
