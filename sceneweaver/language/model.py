@@ -130,7 +130,8 @@ class Entity(FrozenModel):
     attributes: tuple[Attribute, ...] = Field(default=(), description="All that was said of what it is like, in order")
     implied: bool = Field(default=False, description="Whether only a part of the room ('dining area') called for it")
     sized_for_people: bool = Field(
-        default=False, description="Whether its size follows from the number of people alone, so that none was asked for"
+        default=False,
+        description="Whether its size follows from the number of people alone, so that none was asked for",
     )
     span: Span | None = None
 
