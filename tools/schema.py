@@ -62,7 +62,7 @@ def check_schema(schema: Any, where: str = "inputs") -> None:
         if key not in KEYWORDS:
             raise InputError(f"{where}: keyword {show(key)} is not understood{suggest(key, sorted(KEYWORDS))}")
     for name in _types(schema):
-        if name not in TYPES:
+        if not isinstance(name, str) or name not in TYPES:
             raise InputError(f"{where}.type is {show(name)}{suggest(name, TYPES)}")
     properties = schema.get("properties", {})
     if not isinstance(properties, Mapping):

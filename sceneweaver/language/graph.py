@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
-from typing import Any
+from typing import Any, get_args
 
 from sceneweaver.assets.plurals import singular
 from sceneweaver.assets.taxonomy import category_named, narrower
@@ -16,7 +16,7 @@ from .distribution import tell_each
 from .in_room import mean_in_room
 from .meaning import unsaid
 from .measured import give_states, measured
-from .model import Amount, Attribute, Entity, Exclusion, SceneGraph, StatedRelation, Unread
+from .model import Amount, Attribute, Entity, Exclusion, RelationType, SceneGraph, StatedRelation, Unread
 from .mutual import split_mutual
 from .parsed import Barred, Left, Mention, Parsed, Said
 from .source import Source
@@ -134,7 +134,7 @@ def _barred(said: Barred, mentions: list[Mention]) -> Exclusion | None:
     """What must not be somewhere; None where the request names nothing there."""
     (subject,) = said.subjects
     names = tuple(t if isinstance(t, str) else t.id if t in mentions else "" for t in said.targets)
-    if not all(names) or not (said.categories or subject in mentions):
+    if not all(names) or not (said.categories or subject in mentions) or said.type not in get_args(RelationType):
         return None
     return Exclusion(
         words=said.words,

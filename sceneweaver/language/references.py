@@ -116,6 +116,8 @@ class References:
             group = self.rest  # it was parted before: what is left of it
         if group is None or group.count is None or not count < group.count[1] <= 40 or group.count[0] <= count:
             return group
+        if group not in self.parsed.mentions:
+            return group  # places that are no things
         parted, self.rest = self.parsed.split(group, count)
         for topic in self.topics:
             topic[:] = [p for m in topic for p in ([parted, self.rest] if m is group else [m])]

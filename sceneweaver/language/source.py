@@ -15,6 +15,9 @@ from .translation import NAMES, language_of, translated
 MOST = 100_000
 """Characters that a request has at most."""
 
+LONGEST_RUN = 16
+"""Digits or blanks in a row that are read; the rest is left out."""
+
 LONGEST = 20_000
 """Characters that are read; a longer request is cut there, with a note."""
 
@@ -166,6 +169,7 @@ def read_source(text: str) -> Source:
     notes: list[str] = []
     letters: list[str] = []
     origin: list[int] = []
+    last, run = "", 0
     for index, letter in enumerate(text):
         if len(letters) >= LONGEST:  # one letter may stand for twenty
             notes.append(f"only the first {index} of {len(text)} characters were read")
@@ -173,8 +177,13 @@ def read_source(text: str) -> Source:
         for plain in unicodedata.normalize("NFKC", _PLAIN.get(letter, letter)).lower():
             if plain.isdigit() and not plain.isdecimal():  # in a circle, raised ...: no number that int() reads
                 plain = str(unicodedata.digit(plain))
-            letters.append(plain if plain.isprintable() or plain in "\n\t" else " ")
-            origin.append(index)
+            plain = plain if plain.isprintable() or plain in "\n\t" else " "
+            kind = "9" if plain.isdigit() else plain if plain.isspace() else ""
+            run = run + 1 if kind and kind == last else 1
+            last = kind
+            if run <= LONGEST_RUN:  # of digits or blanks more say no more, and patterns look at each from each
+                letters.append(plain)
+                origin.append(index)
     spoken = "".join(letters).replace("§", " ")
     language = language_of(spoken)
     if language != "en":

@@ -192,7 +192,7 @@ def over(subject: str, target: str) -> set[tuple[str, str, Any]]:
 RELATIONS: list[tuple[str, set[tuple[str, str, Any]]]] = [
     (
         "a reading nook with a big armchair and many books",
-        {("distance", "floor_lamp", "armchair"), ("distance", "bookcase", "armchair"), ("inside", "book", "bookcase")},
+        {("near", "floor_lamp", "armchair"), ("distance", "bookcase", "armchair"), ("inside", "book", "bookcase")},
     ),
     ("two nightstands beside the bed", {("leftright_to_leftright", "nightstand", "bed")}),
     ("two nightstands on either side of the bed", {("next_to", "nightstand", "bed")}),

@@ -51,7 +51,7 @@ def test_what_is_read(text: str, room: str, things: dict[str, str], relation: tu
 
 def test_what_is_excluded_stays_out() -> None:
     assert read_request("Eine Küche mit Herd und ohne Kühlschrank").exclusions[0].words == "fridge"
-    assert read_request("Un salon avec un canapé, pas de tapis").exclusions[0].categories[0] == "rug"
+    assert "rug" in read_request("Un salon avec un canapé, pas de tapis").exclusions[0].categories
 
 
 def test_words_of_no_table_are_told() -> None:

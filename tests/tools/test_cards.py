@@ -88,6 +88,8 @@ def test_wrong_cards():
 def test_bare_on_is_refused():
     with pytest.raises(InputError, match="quotes"):
         check_schema({"type": "object", "properties": {True: {"type": "string"}}})
+    with pytest.raises(InputError, match="type is"):
+        check_schema({"type": "object", "properties": {"many": {"type": [["string"]]}}})
 
 
 values = st.recursive(
