@@ -11,6 +11,8 @@ from functools import cache
 from itertools import pairwise
 from typing import NamedTuple
 
+from sceneweaver.assets.wordnet import noun_named
+
 from .load import check_known, data_of, room_types, room_words
 
 _WORD = re.compile(r"[^\W\d_]+(?:'s)?")
@@ -146,7 +148,7 @@ def _read(word: str, after: str) -> tuple[str, ...]:
     head = next((h for h in _listed("heads") if word.endswith(h) and len(word) > len(h) + 2), "")
     if one not in _rarity() and head and stem(word.removesuffix(head)) in _rarity():
         return (*found, stem(word.removesuffix(head)))
-    return (*found, _known(one))
+    return (*found, one if noun_named(word) is not None else _known(one))  # concrete is no slip of a concert
 
 
 @cache

@@ -63,3 +63,16 @@ def test_a_second_function_brings_its_furniture() -> None:
 )
 def test_rooms_that_become_others_and_whose_they_are(text: str, kind: str) -> None:
     assert read_request(text).room_type == kind
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("Concrete, concrete, and light. A dining room for ten", "dining_room"),
+        ("portrait photo studio, backdrop and two lights", "photo_studio"),
+        ("gaming cafe with ten PCs", "computer_lab"),
+        ("pottery studio with a wheel", "pottery_studio"),
+    ],
+)
+def test_whole_names_tell_and_real_words_are_no_slips(text: str, kind: str) -> None:
+    assert read_request(text).room_type == kind

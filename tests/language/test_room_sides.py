@@ -21,6 +21,7 @@ from sceneweaver.language import read_request
         ("Gym, small. Cage 5x5 m in the back corner, four heavy bags.", None),
         ("Restaurant with an open kitchen (3 x 4 m) behind glass, 8 tables", None),
         ("Bedroom with a king bed, dance floor 3 x 3 m in the corner", None),
+        ("Dance school. The centre, 3 x 3 m, stays free.", None),
         ("Nursery. There should be about 2x2 m where they can play", None),
     ],
 )

@@ -118,7 +118,8 @@ def _decided(source: Source, parsed: Parsed, parts: list[_Part], headline: bool)
     named = _named(spoken)
     if named and named not in words("room_kind")["loose"]:
         longer = _joined(named, parts[1:])
-        if headline and not longer and not _run_on(spoken, named):
+        things = any("noun" in _kinds(word) for word in spoken[: -len(named.split())])
+        if headline and not longer and not things and not _run_on(spoken, named):
             _blank_settings(source, parsed, parts[1:])
             return True  # the clauses read it
         _set(source, parsed, longer or room_words()[named], core, parts if longer else parts[:1], parts, exact=True)

@@ -46,6 +46,9 @@ _NEXT = re.compile(r"[ -]{1,40}([a-z][a-z'-]*)")
 """The next word of a clause; what was blanked out before it are spaces."""
 
 _CLAUSE = re.compile(r"[.,()§]")
+_GOES_ON = re.compile(r"\s*(?:is|are|be|stays?|remains?|must|should|has|have|needs?|to|kept|left|all|completely)\b")
+"""Where a clause goes on behind what was put between commas."""
+
 _FEET = re.compile(r"\d\s?(?:ft|feet|foot|')(?![a-z])")
 _METRES = re.compile(r"\d\s?(?:m|cm|meters?|metres?)(?![a-z])")
 
@@ -250,9 +253,12 @@ def _scaled(spoken: list[float], owner: Owner, noun: str, feet: bool, kind: str)
 
 
 def _is_free(text: str, start: int) -> bool:
-    """Whether the sentence up to the end of the clause with the sides speaks of floor to keep free."""
+    """Whether the sentence up to the end of the clause with the sides, or to where that clause goes on behind a comma,
+    speaks of floor to keep free."""
     begin = text.rfind(". ", 0, start) + 1
     stop = _CLAUSE.search(text, start + 1)
+    if stop is not None and stop[0] == "," and (on := _GOES_ON.match(text, stop.end())) is not None:
+        stop = _CLAUSE.search(text, on.end())
     return _free().search(text, begin, stop.start() if stop is not None else len(text)) is not None
 
 
