@@ -160,3 +160,10 @@ def test_a_list_of_each_ends_with_its_and():
 )
 def test_where_each_begins_and_ends(text, count):
     assert sorted(counts(read_request(text)).values()) == sorted(count.values())
+
+
+def test_what_each_has_ends_after_its_last_item() -> None:
+    graph = read_request("nail bar: 4 desks, each with a lamp and two chairs, 2 armchairs, a sofa")
+    counts = {entity.category: entity.count for entity in graph.entities}
+    assert (counts["table_lamp"], counts["chair"]) == ((4, 4), (8, 8))
+    assert (counts["armchair"], counts["sofa"]) == ((2, 2), (1, 1))

@@ -12,7 +12,7 @@ from functools import cache
 from sceneweaver.assets.taxonomy import category_named
 
 from ..model import Arrangement
-from ..parsed import Parsed
+from ..parsed import Left, Parsed
 from ..source import Source
 from ..things import match_of, singular
 from ..vocabulary import family, mounts
@@ -153,6 +153,9 @@ def _mutual(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "Chairs facing each other", more than two of them: in two rows; "across a table": with that between."""
     text = edits.source.text
     noun, others = _members(text, m.start())
+    if m["what"] and re.search(r"\beach\b[^.;]{0,60}$", text[: m.start()]):
+        parsed.unread.append(Left(m[0].strip(" ,"), span=edits.take(m.start(), m.end())))
+        return  # those of each have theirs between them already, as they are at it
     if m["what"]:
         add(edits, parsed, m, "between", m["what"], around=noun, instead=f"{m['how']}{m['a']}{m['what']}")
     count = _count_of(noun, text, m.start()) if noun else 2
