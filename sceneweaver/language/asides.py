@@ -99,7 +99,7 @@ def _end(tokens: list[Token], k: int, has_subject: bool) -> int:
         elif token.has("and") and after is not None and after.get("action") == "base":
             k += 2  # "where you can sit and read"
         elif token.has("preposition") and (after is None or after.has(*stops)):
-            k += 1  # "I must go around with ease", "a chair to read in"
+            k += 1  # "they have to get past with prams", "a chair to read in"
         elif not token.kinds and token.text.isalpha():
             k += 1
         else:

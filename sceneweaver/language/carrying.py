@@ -153,8 +153,10 @@ def _meant(said: Said, thing: Mention, target: Mention) -> str:
         return "hanging_from" if thing.mount != "ceiling" else said.type
     if with_it and said.type == "near" and thing.is_small and has_role(target.category, "shelves"):
         return "on"
-    if said.type == "on" and kind.ways == ("inside",) and not on_top and thing.is_small and target is not thing:
-        return "inside"
+    stands_in = any(a.value.startswith("as ") for a in target.attributes) or thing.family == "lighting"
+    goes_in = kind.ways == ("inside",) and thing.is_small and target is not thing and not stands_in
+    if said.type == "on" and goes_in and not on_top:
+        return "inside"  # fruit "on" a bowl; no lamp, and nothing on a crate that is used as a table
     return said.type
 
 

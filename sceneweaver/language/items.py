@@ -99,7 +99,7 @@ def _coordinate(state: State, mentions: list[Mention], phrase: NounPhrase, glue:
         if len(state.frames) > 1 and not _inner_list_goes_on(state, mentions, phrase):
             state.frames = state.frames[:1]
         elif (ends and placed) or (base.each and base.closed and glue == "comma"):
-            state.frames = []  # "each with a lamp and two chairs, a sofa"
+            state.frames = []  # "each has a phone and two chairs, a sofa"
     elif glue in ("and", "or") and state.frames and placed and state.frames[-1].is_fronting:
         state.frames.pop()
     if state.frames:

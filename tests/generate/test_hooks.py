@@ -78,7 +78,7 @@ def test_a_vessel_keeps_its_cavity_free_for_what_is_put_into_it():
     [
         ("A cloakroom with a coat stand and two coats on the coat stand", "apron", "hanging_from", "coat_rack"),
         ("A porch with a backpack hanging from hooks on the wall", "backpack", "hanging_from", "coat_hooks"),
-        ("A scullery with pans hanging from a rack over the table", "frying_pan", "hanging_from", "pot_rack"),
+        ("A galley with pans hung on a pan rack above the stove", "frying_pan", "hanging_from", "pot_rack"),
         ("A den with an armchair and a throw draped over the armchair", "blanket_throw", "on", "armchair"),
         ("A gym with towels in a basket", "folded_towel", "inside", "basket"),
         ("A porch, a bowl with keys in it on the console table", "bowl", "on", "console_table"),

@@ -32,7 +32,7 @@ def test_each_table_has_its_own_chairs_on_free_sides():
 
 
 def test_a_u_of_tables_is_sat_at_from_outside_and_takes_the_place_of_desks():
-    scene = draft("a training room for 12 people, tables in a U open to the whiteboard", "classroom")
+    scene = draft("a course room for 12 people, tables in a U that opens to the whiteboard", "classroom")
     at = [r for r in scene.relations if r.type == "seated_at" and r.hard]
     assert len(at) == 12
     assert {r.params["side"] for r in at} == {"back"}
@@ -47,7 +47,7 @@ def test_guests_sit_before_a_counter():
 
 
 def test_stations_are_in_line_each_with_its_own_mirror():
-    scene = draft("a salon with three barber chairs, 1.7 m between centres, each facing its own mirror", "hair_salon")
+    scene = draft("three barber chairs with centres 1.7 m apart, each in front of its own mirror", "hair_salon")
     arranged = {r.subject: r for r in scene.relations if r.type == "arranged"}
     chairs = [o.id for o in scene.objects if o.category == "barber_chair"]
     mirrors = [o.id for o in scene.objects if o.category == "wall_mirror"]

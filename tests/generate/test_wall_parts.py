@@ -25,7 +25,7 @@ class _Survey:
     [
         ("a study with a desk in an alcove", "niche"),
         ("a study with a recess 1.4 m wide in the left wall", "niche"),
-        ("a bedroom, the bed centred on the chimney breast", "breast"),
+        ("a parlour, a sideboard centred on its chimney breast", "breast"),
         ("a study with a chimney breast in the middle of the long wall", "breast"),
         ("a lounge with a bay window on the short wall", "bay"),
         ("a kitchen with the stove in the chimney breast", "breast_opening"),

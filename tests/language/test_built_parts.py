@@ -17,7 +17,7 @@ def _said(text: str) -> list[tuple[str, str, tuple[str, ...]]]:
         ("a den with a desk in the alcove", ("desk", "against", ("wall:niche",))),
         ("a den with an alcove with a bookcase", ("bookcase", "against", ("wall:niche",))),
         ("a hall with a recess where a bench stands", ("bench", "against", ("wall:niche",))),
-        ("a bedroom, the bed centred on the chimney breast", ("bed", "centered_on", ("wall:breast",))),
+        ("a parlour, a sideboard centred on its chimney breast", ("sideboard", "centered_on", ("wall:breast",))),
         ("a lounge, a bookcase on either side of the chimney breast", ("bookcase", "against", ("wall:beside_breast",))),
         ("a kitchen with the stove inside the chimney breast", ("stove", "against", ("wall:breast_opening",))),
         ("a lounge with an armchair in the bay window", ("armchair", "against", ("wall:bay",))),

@@ -163,7 +163,7 @@ def test_where_each_begins_and_ends(text, count):
 
 
 def test_what_each_has_ends_after_its_last_item() -> None:
-    graph = read_request("nail bar: 4 desks, each with a lamp and two chairs, 2 armchairs, a sofa")
+    graph = read_request("call centre: 5 desks, each has a phone and two chairs, 3 armchairs, a sofa")
     counts = {entity.category: entity.count for entity in graph.entities}
-    assert (counts["table_lamp"], counts["chair"]) == ((4, 4), (8, 8))
-    assert (counts["armchair"], counts["sofa"]) == ((2, 2), (1, 1))
+    assert (counts["phone"], counts["chair"]) == ((5, 5), (10, 10))
+    assert (counts["armchair"], counts["sofa"]) == ((3, 3), (1, 1))

@@ -84,7 +84,7 @@ def test_a_length_on_a_length_is_no_room_where_it_is_short() -> None:
         ("a wet room whose door is on the short wall, opening outwards", {"wall": "short", "features": ("outward",)}),
         ("a bistro with a side door", {"wall": "side", "features": ("side",)}),
         ("a den with a little hatch 60 cm high", {"height": 0.6, "features": ("little",)}),
-        ("a booth with a window high up in the end wall", {"wall": "short", "features": ("high up",)}),
+        ("a booth with a window up high on the end wall", {"wall": "short", "features": ("high up",)}),
         ("a clinic, door with a lock on the left wall", {"wall": "left", "features": ("lockable",)}),
         ("a pantry with a door in the corner of the long wall", {"wall": "long", "at": "corner"}),
         ("a bathroom, window 40 x 60 cm in the left wall", {"wall": "left", "width": 0.4, "height": 0.6}),
@@ -97,8 +97,8 @@ def test_more_that_is_said_of_an_opening(text: str, told: dict[str, object]) -> 
 
 
 def test_a_statement_goes_on_with_one_more_of_the_same() -> None:
-    graph = read_request("a loft with two windows in the long wall and one in the short wall")
-    assert [(one.count, one.wall) for one in graph.openings] == [(2, "long"), (1, "short")]
+    graph = read_request("a loft with three windows on a long wall and two on a short wall")
+    assert [(one.count, one.wall) for one in graph.openings] == [(3, "long"), (2, "short")]
     graph = read_request("a hall with two doors, one on the left wall, the other opposite")
     assert [(one.count, one.wall, one.opposite) for one in graph.openings] == [
         (1, "left", ""),

@@ -17,8 +17,8 @@ from sceneweaver.language import read_request
         ("pool room for a 9 ft table, 5 x 6.5", (6.5, 5.0)),
         ("Garage for one car 6x3, bikes", (6.0, 3.0)),
         ("hospital bed 1 x 2.1 m in a room of 3.6 x 4.2", (4.2, 3.6)),
-        ("Salon with sofas on two walls. Leave the middle empty so that they can dance there, 2 x 2 m.", None),
-        ("Gym, small. Cage 5x5 m in the back corner, four heavy bags.", None),
+        ("Hall with pews on two sides. Keep the centre clear for the dancers, 2.5 x 2.5 m.", None),
+        ("Zoo shop, cage 4x4 m at the rear, three perches.", None),
         ("Restaurant with an open kitchen (3 x 4 m) behind glass, 8 tables", None),
         ("Bedroom with a king bed, dance floor 3 x 3 m in the corner", None),
         ("Dance school. The centre, 3 x 3 m, stays free.", None),
@@ -30,8 +30,8 @@ def test_sides_of_the_room(text: str, size: tuple[float, float] | None) -> None:
 
 
 def test_what_is_not_the_rooms_is_of_something_else_or_told() -> None:
-    free = read_request("Salon with two sofas. Leave the middle empty so that they can dance there, 2 x 2 m.")
-    assert [(area.kind, area.size) for area in free.free_areas] == [("rectangle", (2.0, 2.0))]
+    free = read_request("Hall with two pews. Keep the centre clear so people may dance, 2.5 x 2.5 m.")
+    assert [(area.kind, area.size) for area in free.free_areas] == [("rectangle", (2.5, 2.5))]
     thing = read_request("Bathroom. 2.10 x 1.80. Shower 90 x 90.")
     assert thing.size == (2.1, 1.8)
     assert [e.size[:2] for e in thing.entities if e.category == "shower"] == [(0.9, 0.9)]
@@ -40,4 +40,4 @@ def test_what_is_not_the_rooms_is_of_something_else_or_told() -> None:
 
 
 def test_mats_are_a_floor() -> None:
-    assert read_request("a japanese tea room, 4.5 tatami, and nothing else").area == pytest.approx(7.44)
+    assert read_request("a washitsu, 6 tatami, with a low table").area == pytest.approx(9.92)

@@ -18,7 +18,7 @@ def _counts(text: str) -> dict[str, int]:
 @pytest.mark.parametrize(
     ("text", "counts"),
     [
-        ("a lab with four microscopes, one each, and a stool each", {"microscope": 4, "stool": 4}),
+        ("a sewing class with six sewing machines, one each, and a lamp each", {"sewing_machine": 6, "table_lamp": 6}),
         ("an art room with five easels, one for each pupil", {"easel": 5}),
         ("six desk lamps, one per desk, six desks", {"desk_lamp": 6, "desk": 6}),
         ("a sofa and three armchairs, a cushion on each", {"sofa": 1, "armchair": 3, "cushion": 4}),
@@ -26,7 +26,7 @@ def _counts(text: str) -> dict[str, int]:
         ("three beds, one of them is a bunk bed", {"bed": 2, "bunk_bed": 1}),
         ("two tables, each with 3 chairs for guests and 1 for the host", {"dining_table": 2, "chair": 8}),
         ("three beds. Locker + chair + rug per bed", {"bed": 3, "locker": 3, "chair": 3, "rug": 3}),
-        ("a jug on the counter for every four guests, eight stools", {"pitcher": 2, "kitchen_counter": 1, "stool": 8}),
+        ("a jug on the shelf for every four players, eight stools", {"pitcher": 2, "wall_shelf": 1, "stool": 8}),
         ("two round and three square stools", {"stool": 5}),
         ("four tanks, each with a lamp, one 2 m terrarium on the floor", {"tank": 4, "table_lamp": 4, "terrarium": 1}),
         ("four nail tables, two chairs per table one for the client one for the maker", {"nail_table": 4, "chair": 8}),
@@ -75,7 +75,7 @@ def _graph(text: str) -> SceneGraph:
 
 def test_what_is_said_of_the_role_is_said_of_the_thing() -> None:
     graph = _graph("a milk crate as a table, a lamp on the table")
-    (on,) = (r for r in graph.relations if r.type in ("on", "inside"))
+    (on,) = (r for r in graph.relations if r.type == "on")
     assert on.targets == ("wooden_crate",)
     (role,) = (a for e in graph.entities for a in e.attributes if a.kind == "other")
     assert role.value == "as table"
@@ -97,7 +97,7 @@ def test_instead_of_is_not_wanted() -> None:
 @pytest.mark.parametrize(
     ("text", "never"),
     [
-        ("tall windows with plain coloured glass", "drinking_glass"),
+        ("a window of blue glass", "drinking_glass"),
         ("a chisel rack with slots in oak", "slot_machine"),
         ("a canteen where the staff eat, lockers for the staff", "staff"),
         ("a bird bath by the door", "bathtub"),

@@ -78,7 +78,7 @@ def test_a_compound_is_its_last_part_and_what_stands_before_it() -> None:
         ("Spielzimmer mit drei Liegen nebeneinander unter dem Fenster", "loungers side by side under the window"),
         ("Café: an beiden Längswänden hohe Regale mit gefalteten Handtüchern", "high shelves with folded towels"),
         ("dormitorio con dos lámparas colgadas en la pared y un espejo encima", "lamps hung on the wall and a mirror"),
-        ("chambre avec un lit au milieu et un passage libre d'un mètre tout autour", "free passage of 1 m all"),
+        ("salle avec un billard au centre et d'un côté un passage libre d'un mètre", "free passage of 1 m"),
         ("一间书房，桌子正上方一盏吊灯，左边墙上是书架", "directly above table a pendant, on the left wall is"),
     ],
 )

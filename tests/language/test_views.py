@@ -23,9 +23,9 @@ def test_views_are_read(text: str, view: tuple[str, str]):
 
 
 def test_middles_of_neighbours_are_no_things():
-    graph = read_request("a gym with four spin bikes in a row, at least 1.2 m between the bike centres")
+    graph = read_request("a gym with four spin bikes in a row whose centres are at least 1.3 m apart")
     (row,) = graph.arrangements
-    assert (row.pitch, row.at_least, row.spacing) == (1.2, True, None)
+    assert (row.pitch, row.at_least, row.spacing) == (1.3, True, None)
     assert [e.category for e in graph.entities] == ["spin_bike"]
 
 

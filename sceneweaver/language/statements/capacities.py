@@ -259,7 +259,7 @@ def _for_each(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
             break
         for piece in re.split(rf"\band\b|{tied}", part):
             if re.match(r"\s*the\b", piece) and piece is not part:
-                continue  # "a jug on the counter for every three guests": one counter
+                continue  # "a jug on the shelf for every four players": one shelf
             noun = noun_before(piece, len(piece))
             nouns += [noun] if noun else []
     if nouns and m["n"]:

@@ -62,7 +62,7 @@ def read_free_areas(source: Source, parsed: Parsed) -> None:
             width, depth = source.sides[at][:2]
             own = FreeArea(kind="rectangle", size=(width, depth), words=said, span=source.span(at, at + 1))
             known = next((k for k in assumed if "." not in source.text[min(k, at) : max(k, at)]), None)
-            if known is not None:  # "keep the middle empty so that they can dance there, 2 x 2 m"
+            if known is not None:  # "keep the centre clear for the dancers, 2.5 x 2.5 m"
                 area = assumed.pop(known)
                 parsed.free_areas.remove(area)
                 own = area.model_copy(update={"kind": own.kind, "size": own.size})

@@ -472,7 +472,7 @@ def _tie() -> re.Pattern[str]:
 @cache
 def _tail() -> re.Pattern[str]:
     tails = one_of(words("room_kind")["tails"])
-    return re.compile(rf"(?P<name>[a-z]+(?: [a-z]+)?) (?P<tail>{tails}(?: {tails})*){_CLAUSE_ENDS}")
+    return re.compile(rf"(?P<name>[a-z]+(?: [a-z]+)??) (?P<tail>{tails}(?: {tails})*){_CLAUSE_ENDS}")
 
 
 @cache
