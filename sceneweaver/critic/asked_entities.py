@@ -16,7 +16,7 @@ from sceneweaver.verify.solids import Body
 from . import asked_attributes, kinds
 from .asked_calls import adding
 from .asked_relations import holding
-from .asked_unlooked import unwanted_look
+from .asked_unwanted_looks import unwanted_look
 from .survey import FLAT, Survey
 from .verdict import Asked, counted, met, not_understood, substituted, unmet
 

@@ -17,7 +17,7 @@ from sceneweaver.scene.finish import FloorFinish, FloorMaterial, FloorPattern, W
 
 from .look import is_electric, look_of
 from .relations import wall_named
-from .unlooked import cleaned
+from .unwanted_looks import cleaned
 
 PANELS = "walnut"
 """Finish of wooden panels where nothing is said of their wood."""

@@ -34,7 +34,7 @@ from .stated_lengths import with_stated_lengths
 from .stated_states import pulled_out, with_stated_looks, with_stated_states
 from .supports import Places, laid, supported
 from .under import below_windows, with_room_below, without_company
-from .unlooked import avoided, of_room, styles_unwanted
+from .unwanted_looks import avoided, of_room, styles_unwanted
 
 FILL = {"sparse": 0.73, "normal": 1.0, "full": 1.21}
 """Share of what a kind of room usually has under furniture up to which more is put in."""

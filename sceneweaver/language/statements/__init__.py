@@ -31,8 +31,8 @@ from .seen_from import seen_from
 from .spacings import spacings
 from .states import read_states
 from .surfaces import read_surfaces
-from .unlooked import read_unlooked
 from .unwanted import unwanted
+from .unwanted_looks import read_unwanted_looks
 from .views import views
 from .wings import wings
 
@@ -54,7 +54,7 @@ STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     read_openings,
     seen_from,
     built_parts,
-    read_unlooked,
+    read_unwanted_looks,
     read_surfaces,
     read_finishes,
     bounds,

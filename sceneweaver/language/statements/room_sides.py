@@ -69,10 +69,11 @@ class _Sides:
 
 def room_sides(source: Source, parsed: Parsed) -> None:
     """Gives the room its sides; those of floor to keep free are marked, those of things stay for the clauses."""
-    found = list(_found(source))
+    name = _own_name(source.spoken)
+    kind = room_words()[name] if name else ""
+    found = list(_found(source, name, kind))
     if not parsed.sides and source.size is None:
-        own = _own_room(source.spoken)
-        likely = [(score, -sides.start, sides) for sides in found if (score := _score(sides, own)) > 0]
+        likely = [(score, -sides.start, sides) for sides in found if (score := _score(sides, kind)) > 0]
         if likely:
             room = max(likely)[2]
             _give(room, source)
@@ -107,10 +108,9 @@ def _put(source: Source, sides: _Sides, filler: str) -> None:
     source.text = source.text[: sides.start] + filler.ljust(sides.end - sides.start) + source.text[sides.end :]
 
 
-def _found(source: Source) -> Iterator[_Sides]:
-    """All pairs of sides of a text."""
+def _found(source: Source, own: str, kind: str) -> Iterator[_Sides]:
+    """All pairs of sides of a text about a room of a name and a kind ("" where none is named)."""
     text = source.text
-    own = _own_name(source.spoken)
     feet = _FEET.search(source.spoken) is not None and _METRES.search(source.spoken) is None
     for m in _PAIR.finditer(text):
         owner, noun = _owner(text, m.start(), m.end(), own)
@@ -118,7 +118,7 @@ def _found(source: Source) -> Iterator[_Sides]:
             values = source.sides.get(m.start())
         else:
             spoken = [float(number.replace(",", ".")) for number in m.group("a", "b", "c") if number]
-            values = _scaled(spoken, owner, noun, feet, _own_room(source.spoken))
+            values = _scaled(spoken, owner, noun, feet, kind)
         if values is None or len(values) < 2:
             continue
         first = ". " not in text[: m.start()].strip() or not text[: m.start()].strip(" .")
@@ -142,12 +142,6 @@ def _score(sides: _Sides, kind: str) -> int:
     return 3 if sides.first else 2
 
 
-def _own_room(text: str) -> str:
-    """The kind of room that is named first; "" where none is."""
-    name = _own_name(text)
-    return room_words()[name] if name else ""
-
-
 @cache
 def _names() -> dict[str, list[str]]:
     """The names of kinds of rooms by their first words, the longest first."""
@@ -158,6 +152,7 @@ def _names() -> dict[str, list[str]]:
 
 
 def _own_name(text: str) -> str:
+    """The first name of a kind of room in a text; "" where there is none."""
     for m in _WORD.finditer(text):
         for name in _names().get(m[0], ()):
             if text.startswith(name, m.start()) and not text[m.start() + len(name) :][:1].isalpha():

@@ -56,3 +56,13 @@ def test_a_style_that_is_not_wanted_is_not_taken():
 def test_nothing_with_a_thing_wants_none_of_it():
     brief = read_request("a boy's bedroom, nothing with dinosaurs")
     assert not brief.entities and "toy_dinosaur" in brief.without
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["a den with a desk. NO green nothing green she keeps asking", "no red nothing red please, a sofa"],
+)
+def test_a_colour_that_is_ruled_out_twice_is_not_wanted(text: str) -> None:
+    graph = read_request(text)
+    assert not graph.colors
+    assert {shade for one in graph.exclusions for shade in one.colors} & {"green", "red"}

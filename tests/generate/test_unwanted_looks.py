@@ -3,7 +3,7 @@
 from sceneweaver.assets import Library, Wish
 from sceneweaver.assets.materials import color_name, color_named
 from sceneweaver.assets.scheme import scheme_for
-from sceneweaver.generate.unlooked import avoided, of_room
+from sceneweaver.generate.unwanted_looks import avoided, of_room
 from sceneweaver.knowledge.palettes import palette_for
 from sceneweaver.language import read_request
 

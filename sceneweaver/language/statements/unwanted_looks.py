@@ -30,7 +30,7 @@ from ..parsed import Parsed
 from ..source import Source
 from ..things import match_of
 from ..unwanted import is_class, kinds_unwanted, of_material
-from ..vocabulary import words
+from ..vocabulary import vocabulary, words
 from .phrases import noun_after, one_of
 
 _MORE = r"(?:(?:no|any|of|nothing|without)\s+)*"
@@ -38,7 +38,7 @@ _LINK = rf"(?:\s*,?\s*(?:and|or|nor)\s+{_MORE}|\s*,\s*(?:(?:no|nothing|without)\
 """Between looks of one list: a comma alone may begin something that is wanted."""
 
 
-def read_unlooked(source: Source, parsed: Parsed) -> None:
+def read_unwanted_looks(source: Source, parsed: Parsed) -> None:
     """Read which looks are not wanted; the words go out of the source."""
     _motifs(source, parsed)
     taken = list[tuple[int, int]]()
@@ -80,8 +80,9 @@ def _add(source: Source, parsed: Parsed, found: re.Match[str]) -> int | None:
         else:
             noun, end = noun_after(source.text, found.end("list"))
             within = _things(noun)
-            if not within:
+            if not within and not _begins_anew(noun):
                 return None
+            end = end if within else found.end("list")
     if found.groupdict().get("only"):
         named = frozenset(shade for look in looks for shade in look.get("colors", ()))
         looks = [{"colors": tuple(one for one in _hues() if one not in named)}]
@@ -94,6 +95,14 @@ def _add(source: Source, parsed: Parsed, found: re.Match[str]) -> int | None:
     row["categories"] = () if within else row["categories"]
     parsed.unwanted.append(Exclusion(words=said, within=within, span=source.span(found.start(), end), **row))
     return end
+
+
+def _begins_anew(spoken: str) -> bool:
+    """Whether words behind a look are no noun that it is said of, but another negation or a clause about somebody."""
+    kinds = vocabulary().get(spoken.split()[0] if spoken else "", {})
+    return not {"noun", "adjective", "color", "material"} & kinds.keys() and bool(
+        {"neg", "nothing", "det", "person"} & kinds.keys()
+    )
 
 
 def _split(listed: str) -> list[str]:
@@ -228,4 +237,4 @@ def colors_unwanted(exclusions: Iterable[Exclusion]) -> frozenset[str]:
     return frozenset(color for one in exclusions if not one.within for color in one.colors)
 
 
-__all__ = ["colors_unwanted", "read_unlooked"]
+__all__ = ["colors_unwanted", "read_unwanted_looks"]
