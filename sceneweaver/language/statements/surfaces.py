@@ -44,8 +44,15 @@ class Look(NamedTuple):
 
 def read_surfaces(source: Source, parsed: Parsed) -> None:
     """Read bands of walls, several parts in one look, patterns, single walls and doors; their words go out."""
-    for pattern, read in _readers():
-        source.blank(pattern, lambda found, read=read: read(found, source, parsed))
+    if not _compiled(_token()).search(source.text):
+        return
+    for needed, pattern, read in _readers():
+        if any(word in source.text for word in needed):
+            source.blank(_compiled(pattern), lambda found, read=read: read(found, source, parsed))
+
+
+_compiled = cache(re.compile)
+"""Kept however many patterns there are; `re` forgets all but the last 512."""
 
 
 def _add(parsed: Parsed, source: Source, found: re.Match[str], part: str, **said: Any) -> bool:
@@ -102,24 +109,38 @@ def _tints() -> dict[str, str]:
     return dict(_data()["tints"])
 
 
+_SHADES = ("light", "dark", "pale", "deep", "bright", "dusty", "soft", "pastel", "muted", "warm", "baby", "powder")
+
+
+@cache
+def _plain_colors() -> frozenset[str]:
+    return frozenset((*color_words(), *_tints()))
+
+
+@cache
+def _basic_colors() -> frozenset[str]:
+    """Colours of one word, which a shade may stand before."""
+    return frozenset(word for word in _plain_colors() if " " not in word)
+
+
 @cache
 def _colors() -> frozenset[str]:
-    shades = ("light", "dark", "pale", "deep", "bright", "dusty", "soft", "pastel", "muted", "warm", "baby", "powder")
-    plain = (*color_words(), *_tints())
-    basic = [word for word in plain if " " not in word]
-    return frozenset((*plain, *(f"{shade} {word}" for shade in shades for word in basic)))
+    return _plain_colors() | {f"{shade} {word}" for shade in _SHADES for word in _basic_colors()}
 
 
 @cache
 def _token() -> str:
     """One known word, or phrase, of a look."""
     data = _data()
-    known = {*_colors(), *_woods(), *data["walls"], *data["beside"]}
+    known = {*_plain_colors(), *_woods(), *data["walls"], *data["beside"]}
     known |= {word for words in data["clad"].values() for word in words}
     known |= {word for rows in data["patterns"].values() for row in rows.values() for word in row["words"]}
     known |= {word for row in data["floors"].values() for word in row["words"]}
     known |= {"wood", "wooden", "timber"}
-    return rf"(?<![\w-]){one_of([word for word in known if not word.startswith('half')])}(?![\w])"
+    known = {word for word in known if not word.startswith("half")}
+    phrases = one_of(word for word in known if " " in word)
+    shaded = f"{one_of(_SHADES)} {one_of(_basic_colors())}"
+    return rf"(?<![\w-])(?:{phrases}|{shaded}|{one_of(word for word in known if ' ' not in word)})(?![\w])"
 
 
 @cache
@@ -342,8 +363,12 @@ def _door(found: re.Match[str], source: Source, parsed: Parsed) -> str | None:
     return "door".rjust(len(found[0]))
 
 
+_Reader = Callable[[re.Match[str], Source, Parsed], str | None]
+
+
 @cache
-def _readers() -> tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Source, Parsed], str | None]], ...]:
+def _readers() -> tuple[tuple[tuple[str, ...], str, _Reader], ...]:
+    """Letters of which some stand in each text that a pattern fits (few patterns are compiled); it; what reads it."""
     run = _run()
     parts = rf"(?P<parts>{_PART}(?:\s*(?:,\s*and\s|,|and|&|\+)\s*(?:the\s+)?{_PART})+)"
     link = (
@@ -352,50 +377,55 @@ def _readers() -> tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Source, 
     end = r"(?=\s*(?:$|[.,;:!?)\n]|(?:and|with|but|to|please|throughout|everywhere|for|so)\b))"
     floor = r"(?:floor(?:ing|s)?)"
     print_ = one_of([word for row in _data()["patterns"]["walls"].values() for word in row["words"]])
-    rows: list[tuple[str, Callable[[re.Match[str], Source, Parsed], str | None]]] = [
-        *((pattern, _banded) for pattern in _bands()),
-        (rf"(?P<look>{run})\s+walls?\s+painted\s+(?:in\s+)?(?P<more>{run}){end}", _clad),
-        (rf"(?P<look>{run})\s+(?:all over |on |over |covering )(?:the |all |all the )?(?:four )?walls\b", _clad),
-        (rf"(?P<look>{run})\s+{parts}\b(?!(?:\s+(?:is|are|in|of))*\s+{run})", _parts),
-        (rf"\b{parts}{link}(?P<look>{run}){end}", _parts),
-        (rf"(?P<look>{run})\s+{floor}\b(?:\s+(?:in|of|with)\s+(?P<more>{run}){end})?", _floor),
-        (rf"\b{floor}{link}(?P<look>{run}){end}", _floor),
-        (rf"(?P<look>{run})\s+(?:all over |over |on |across )(?:the |its )?{floor}\b", _floor),
+    walls, floors, doors = ("wall",), ("floor",), ("door",)
+    return (
+        *((("",), pattern, _banded) for pattern in _bands()),
+        (walls, rf"(?P<look>{run})\s+walls?\s+painted\s+(?:in\s+)?(?P<more>{run}){end}", _clad),
+        (walls, rf"(?P<look>{run})\s+(?:all over |on |over |covering )(?:the |all |all the )?(?:four )?walls\b", _clad),
+        (("wall", "floor", "ceiling"), rf"(?P<look>{run})\s+{parts}\b(?!(?:\s+(?:is|are|in|of))*\s+{run})", _parts),
+        (("wall", "floor", "ceiling"), rf"\b{parts}{link}(?P<look>{run}){end}", _parts),
+        (floors, rf"(?P<look>{run})\s+{floor}\b(?:\s+(?:in|of|with)\s+(?P<more>{run}){end})?", _floor),
+        (floors, rf"\b{floor}{link}(?P<look>{run}){end}", _floor),
+        (floors, rf"(?P<look>{run})\s+(?:all over |over |on |across )(?:the |its )?{floor}\b", _floor),
         (
+            ("paper",),
             rf"(?P<look>(?:{run}\s+)?)(?:wall ?paper(?:s|ed walls)?|papered walls)\b"
             rf"(?:\s+(?:with|of|in)\s+(?:big |small |large |little )?(?P<more>(?:{run}\s+)?{print_}|{run}){end})?",
             _paper,
         ),
-        (rf"(?P<look>{run})\s+(?:accent|feature)\s+wall\b", _one_wall),
-        (rf"\b(?:accent|feature)\s+wall\s+(?:in|of|is|painted|with)\s+(?:in )?(?P<look>{run})", _one_wall),
-        (rf"(?P<look>{run})\s+on\s+(?:one|a single|just one|only one)(?: of the)?\s+walls?\b", _one_wall),
-        (rf"(?P<look>{run})\s+on\s+the\s+(?P<side>{_SIDES})\s+wall\b", _one_wall),
+        (walls, rf"(?P<look>{run})\s+(?:accent|feature)\s+wall\b", _one_wall),
+        (walls, rf"\b(?:accent|feature)\s+wall\s+(?:in|of|is|painted|with)\s+(?:in )?(?P<look>{run})", _one_wall),
+        (walls, rf"(?P<look>{run})\s+on\s+(?:one|a single|just one|only one)(?: of the)?\s+walls?\b", _one_wall),
+        (walls, rf"(?P<look>{run})\s+on\s+the\s+(?P<side>{_SIDES})\s+wall\b", _one_wall),
         (
+            walls,
             rf"\b(?:(?:the|a|one)\s+)?(?P<side>{_SIDES})\s+wall{link}(?:(?:painted|clad|covered)\s+)?(?:in\s+)?"
             rf"(?P<look>{run}){end}",
             _one_wall,
         ),
-        (rf"\b(?:one|a single)\s+wall{link}(?P<look>{run}){end}", _one_wall),
+        (walls, rf"\b(?:one|a single)\s+wall{link}(?P<look>{run}){end}", _one_wall),
         (
+            ("other", "remaining", "rest"),
             rf"\b(?:all\s+)?(?:the\s+)?(?:others?|other walls|other three(?: walls)?|remaining walls|rest)"
             rf"(?:\s+(?:of the walls|are|is|in|painted|stay|all))*\s+(?P<look>{run}){end}",
             _others,
         ),
         (
+            walls,
             rf"\b(?:a|one)\s+(?P<look>{run})\s+wall\b"
             r"(?=\s*(?:$|[.,;:!?)]|(?:behind|opposite|at|across|near|by|and|with|on|to|in|for|next|beside)\b))",
             _one_wall,
         ),
-        (rf"\bthe\s+(?P<look>{run})\s+(?P<side>{_SIDES})\s+wall\b", _one_wall),
-        (rf"\bwalls?{link}(?P<look>{run}){end}", _clad),
+        (walls, rf"\bthe\s+(?P<look>{run})\s+(?P<side>{_SIDES})\s+wall\b", _one_wall),
+        (walls, rf"\bwalls?{link}(?P<look>{run}){end}", _clad),
         (
+            doors,
             rf"\b(?:a|the|one)\s+(?P<look>{run})\s+(?:front\s+|entrance\s+|room\s+)?door\b"
             r"(?!\s*(?:mat|knob|handle|stop))",
             _door,
         ),
-        (rf"\bdoor{link}(?P<look>{run}){end}", _door),
-    ]
-    return tuple((re.compile(pattern), read) for pattern, read in rows)
+        (doors, rf"\bdoor{link}(?P<look>{run}){end}", _door),
+    )
 
 
 _SIDES = r"(?:left|right|far|back|end|opposite|front|long|short)"
