@@ -175,6 +175,26 @@ def test_hidden_walls_take_their_pictures_along(page: Browser) -> None:
     page.wait("sceneView.renderer.items.some(i => i.kind === 'wall' && i.cut > 2)")
 
 
+def test_a_click_opens_a_door_of_the_room_and_closes_it(page: Browser) -> None:
+    """It swings about its hinge as the scene says, and is drawn open."""
+    door = "sceneView.renderer.moving('door-0')[0]"
+    assert page.js(f"[{door}.kind, {door}.wall, {door}.share]") == ["leaf", 1, 0]
+    page.js("sceneView.orbit.yaw = Math.PI; document.getElementById('view').focus()")  # from the side away from it
+    page.key("ArrowRight")
+    page.wait(f"{door}.cut > 2")
+    page.click(*_spot(page, (4.0, 1.3, 1.0)))
+    page.wait(f"{door}.share === 1")
+    assert page.js("document.getElementById('announce').textContent") == "door-0 opened"
+    model = np.array(page.js(f"Array.from({door}.model)")).reshape(4, 4).T
+    assert model[:2, 3] == pytest.approx((4.0, 1.0), abs=0.02), "on the hinge, where it begins"
+    assert model[:2, 0] == pytest.approx((-1.0, 0.0), abs=1e-3), "square to the wall, into the room"
+    page.click(*_spot(page, (3.5, 1.02, 1.0)))
+    page.wait(f"{door}.share === 0")
+    assert page.js("document.getElementById('announce').textContent") == "door-0 closed"
+    page.js("document.getElementById('button-reset').click()")
+    page.wait("sceneView.orbit.goal === null")
+
+
 def test_hostile_text_does_not_run(tmp_path: Path) -> None:
     write_report(tmp_path / "report.html", full(HOSTILE))
     with Browser(400, 560) as browser:
@@ -209,6 +229,11 @@ def test_doors_and_drawers_open(tmp_path: Path) -> None:
         page.open(path.as_uri())
         page.wait("document.getElementById('stage').className === 'stage running'")
         moving = page.js("sceneView.renderer.moving().map(i => [i.id, i.joint.name])")
+        page.click(*_spot(page, (1.2, 1.7, 0.3)))  # the front of one of its drawers
+        page.wait(f"{TITLE} === 'chest' && sceneView.renderer.moving('chest').some(i => i.share === 1)")
+        assert "100" in page.js("[...document.querySelectorAll('.panel-doors input')].map(s => s.value)")
+        page.js("sceneView.renderer.open(sceneView.renderer.moving(), 0)")
+        page.key("Escape")
         wanted = {(k, link.name) for k, a in (("chest", chest), ("fridge", fridge)) for link in a.links}
         assert len(moving) >= 4 and {(k, name) for k, name in moving} <= wanted
         page.js("document.getElementById('room').scrollIntoView()")
