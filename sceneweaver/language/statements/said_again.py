@@ -15,7 +15,9 @@ from ..things import singular
 from ..vocabulary import vocabulary, words
 from .phrases import one_of
 
-_OF_WHOM = re.compile(r"\b(?P<det>the|each|every|this|that) (?P<noun>[a-z]+(?: [a-z]+)?)'s (?P<part>(?:[a-z]+ )?[a-z]+)\b")
+_OF_WHOM = re.compile(
+    r"\b(?P<det>the|each|every|this|that) (?P<noun>[a-z]+(?: [a-z]+)?)'s (?P<part>(?:[a-z]+ )?[a-z]+)\b"
+)
 
 _ONE_A = re.compile(r"(?:^|[,.(]|\band\b) ?one of (?:them|these|those|which) (?=an? [a-z])")
 
@@ -32,7 +34,9 @@ def said_again(source: Source, parsed: Parsed) -> None:
 @cache
 def _pointing() -> re.Pattern[str]:
     data = words("said_again")
-    return re.compile(rf"\b{one_of(data['places'])} (?P<that>that|this|those|these)(?= (?P<next>[a-z']+)|\s*(?:[,.)]|$))")
+    return re.compile(
+        rf"\b{one_of(data['places'])} (?P<that>that|this|those|these)(?= (?P<next>[a-z']+)|\s*(?:[,.)]|$))"
+    )
 
 
 def _plain(m: re.Match[str], text: str) -> str | None:
