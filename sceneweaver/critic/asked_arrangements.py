@@ -280,11 +280,10 @@ def _half_circle(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> C
     yield Measurement("difference of angles", others[-1] - others[0], -math.inf, limit("spread"), "deg")
     off = max(math.degrees(turn_to(b, middle)) for b in bodies)
     yield Measurement("off the middle", off, -math.inf, limit("faced"), "deg")
-    if inside := survey.standing_for(said.around)[:1]:
-        away = math.dist(middle, (inside[0].centre[0], inside[0].centre[1]))
-        yield Measurement("middle off what it is around", away, -math.inf, limit("near"))
     way = angles[steps.index(open_)] + open_ / 2
-    for target in survey.standing_for(said.facing)[:1]:
+    for target in survey.standing_for(said.facing or said.around)[:1]:
+        if not said.facing and math.dist(middle, (target.centre[0], target.centre[1])) <= limit("near"):
+            continue  # they are around it
         seen = bearing(middle, (target.centre[0], target.centre[1]))
         away = math.degrees(abs(wrap_angle(seen - way)))
         yield Measurement("off the open side", away, -math.inf, limit("faced"), "deg")

@@ -429,12 +429,12 @@ def _of_pattern(one: Laid, wanted: Sequence[Wanted], brief: SceneGraph) -> Itera
         params = {"side": "right"} if kind == "side_against_wall" else {}
         yield Grounded(one.said.id, kind, one.leader.id, wall or None, params)
     focus = [w for w in wanted if w.asked in (one.said.facing, one.said.around) and w.asked]
-    around = bool(focus) and focus[0].asked == one.said.around
+    around = bool(focus) and focus[0].asked == one.said.around and not focus[0].wall
     if focus and (one.said.pattern == "circle" or (one.said.pattern == "semicircle" and around)):
         ahead = _middle_of(one)
         at = {"ahead": round(ahead, 4), "left": 0.0, "turn": 180.0, "offset": 0.1, "degrees": 180.0}
         yield Grounded(one.said.id, "arranged", focus[0].id, one.leader.id, at)
-    elif focus and one.said.pattern == "semicircle" and _free(focus[0], brief):
+    elif focus and one.said.pattern == "semicircle" and (one.said.around or _free(focus[0], brief)):
         yield _over_the_open_side(one, focus[0])
     elif focus and _before(one, focus[0], brief):
         xs = [spot.ahead for _, spot in one.spots]
