@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import NamedTuple
 
+from sceneweaver.rules.faults import number
 from sceneweaver.scene import CATALOGUE, PRIORITIES, Dropped, FreeArea, Relation, Scene, SceneObject
 from sceneweaver.scene.edits import Remove, apply
 from sceneweaver.verify import Report, Violation, check
@@ -23,6 +24,9 @@ FEW = 3
 
 LIGHT = 0.02
 """Weight of a relation of what has no place otherwise: it no longer draws it where it cannot be."""
+
+FLAT = number("underfoot")
+"""Height [m] up to which what lies on the floor is in nobody's way."""
 
 PRUNINGS = 3
 """Times that small things are taken out of a scene that then shows more that are in the way."""
@@ -47,10 +51,12 @@ def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1) -> Rela
     soft, those that nobody asked for, one or with ``at_once`` above 1 all; then goes what a room of the kind needs and
     no asked relation or free area names. Where something asked for suffers, all of these give way at once but for
     the last. Then what was asked for may be elsewhere than is usual, the smallest first or with ``at_once`` above 1
-    all; then floor is no longer kept free; then relations that were asked for become soft, with ``at_once`` above 1 one
-    for each group of objects, above `FEW` all. Then go the other objects, by priority; of one that was asked for all
-    relations become soft and so light that it may be anywhere, before it goes. None when the faults are about nothing
-    that could give way.
+    all; then go all that nobody asked for and no asked relation or free area names, also where it is in nobody's way
+    now, which it may be in every other layout; then floor is no longer kept free; then relations that were asked for
+    become soft, with ``at_once`` above 1 one for each group of objects, above `FEW` all. Then go the other objects, by
+    priority, those last that most of what was asked for is told to be at; of one that was asked for all relations
+    become soft and so light that it may be anywhere, before it goes. None when the faults are about nothing that could
+    give way.
     """
     ours = max(at_once, len(scene.objects)) if _harms_asked(scene, faults) else at_once
     for priority in PRIORITIES[:2]:
@@ -76,20 +82,47 @@ def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1) -> Rela
         freed = [r for o in (bound[:1] if at_once == 1 else bound) for r in usual[o.id]]
         return _softened(scene, freed)._replace(late=True)
     floors = [a for a in scene.free_areas if a.id in trouble] or ([] if pool else list(scene.free_areas))
+    told = floors or any(r.asked for r in broken) or any(o.intent.priority == "asked" for o in pool)
+    if told and (spare := _spare(scene, pool, named)):
+        return _without(scene, spare)._replace(late=True)
     if floors:
         return _walked_over(scene, floors[:1] if at_once == 1 else floors)
     if broken:
         return _softened(scene, broken[:1] if at_once == 1 else broken if at_once > FEW else _apart(broken))
     if not pool:
         return None
-    first = min(pool, key=lambda o: (o.intent.rank, -trouble[o.id], o.id))
+    held = _held(scene)
+    first = min(pool, key=lambda o: (o.intent.rank, held[o.id], -trouble[o.id], o.id))
     ties = [r for r in scene.relations if first.id in (r.subject, *r.targets) and (r.hard or r.weight > LIGHT)]
     if first.intent.priority == "asked" and ties:
         return _softened(scene, ties, LIGHT)
     twins = [o for o in pool if o.category == first.category and o.intent.rank == first.intent.rank]
-    twins.sort(key=lambda o: (-trouble[o.id], o.id))
+    twins.sort(key=lambda o: (held[o.id], -trouble[o.id], o.id))
     alike = sum(o.category == first.category for o in scene.objects)
     return _without(scene, twins[: 1 + alike // ALIKE])
+
+
+def _spare(scene: Scene, pool: Sequence[SceneObject], named: Collection[str]) -> list[SceneObject]:
+    """What nobody asked for, no room of the kind needs and nothing asked refers to, of all that stands or hangs as the
+    objects in trouble do; of those whose trouble is with free floor what stands."""
+    mounts = {o.mount for o in pool} or {"floor"}
+    return [
+        o
+        for o in scene.objects
+        if o.mount in mounts
+        and o.mount != "surface"
+        and o.size[2] > FLAT
+        and o.intent.priority in PRIORITIES[:2]
+        and o.id not in named
+    ]
+
+
+def _held(scene: Scene) -> Counter[str]:
+    """How much of what was asked for is told to be at each object: a counter holds its stools in their places."""
+    asked = {o.id for o in scene.objects if o.intent.priority == "asked"}
+    return Counter(
+        target for r in scene.relations if r.asked and r.subject in asked for target in r.targets if target in asked
+    )
 
 
 def _harms_asked(scene: Scene, faults: Sequence[Violation]) -> bool:
@@ -175,10 +208,11 @@ def cleared(scene: Scene, report: Report) -> tuple[Relaxed, Report]:
             continue
         failing = {v.relation.index for v in faults if v.relation is not None}
         steps = [_softened(scene, [relation]) for k, relation in enumerate(scene.relations) if k in failing]
+        held = _held(scene)
         gone, clashes = [], [known.keys() & set(v.objects) for v in faults if v.relation is None]
         while clashes := [names for names in clashes if names]:
             trouble = Counter(name for names in clashes for name in names)
-            gone.append(min(trouble, key=lambda name: (known[name].intent.rank, -trouble[name], name)))
+            gone.append(min(trouble, key=lambda name: (known[name].intent.rank, held[name], -trouble[name], name)))
             clashes = [names for names in clashes if gone[-1] not in names]
         if not steps and not gone:
             break

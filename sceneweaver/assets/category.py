@@ -26,11 +26,15 @@ REACH = (0.72, 1.35)
 
 
 class Sizes(FrozenModel):
-    """Usual sizes [m]: depth along the front, width, height."""
+    """Usual sizes [m]: depth along the front, width, height.
+
+    ``longest`` is the width of what is built to the length of its place where those at it need it: counters.
+    """
 
     depth: Range
     width: Range
     height: Range
+    longest: float | None = None
 
     @property
     def ranges(self) -> tuple[Range, Range, Range]:
@@ -42,6 +46,12 @@ class Sizes(FrozenModel):
         """The ranges with what words may ask beyond them: a low table is lower than tables are."""
         d, w, h = ((low * REACH[0], high * REACH[1]) for low, high in self.ranges)
         return d, w, h
+
+    @property
+    def built(self) -> tuple[Range, Range, Range]:
+        """As `reach`, with the width up to which such a thing is built."""
+        d, w, h = self.reach
+        return d, (w[0], max(w[1], self.longest or 0.0)), h
 
     @model_validator(mode="after")
     def _check(self) -> Sizes:

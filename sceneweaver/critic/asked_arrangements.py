@@ -262,6 +262,43 @@ def _open_curve(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Ch
         yield Measurement("off what is looked at", off, -math.inf, limit("faced"), "deg")
 
 
+def _half_circle(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Checks:
+    """On one circle about a middle that all look at, over about half of it, what is looked at beyond the open side."""
+    if len(bodies) < 3:
+        yield from _open_curve(survey, said, bodies)
+        return
+    points = [(b.centre[0], b.centre[1]) for b in bodies]
+    middle = _circumcentre(points)
+    radii = [math.dist(middle, p) for p in points]
+    yield Measurement("difference of distances from the middle", max(radii) - min(radii), -math.inf, 2 * limit("even"))
+    angles = sorted(bearing(middle, p) % (2 * math.pi) for p in points)
+    steps = [(b - a) % (2 * math.pi) for a, b in zip(angles, [*angles[1:], angles[0]], strict=True)]
+    open_ = max(steps)
+    span = math.degrees(2 * math.pi - open_)
+    yield Measurement("angle of the half circle", span, limit("arc_least"), limit("arc_most"), "deg")
+    others = sorted(math.degrees(s) for s in steps)[:-1]
+    yield Measurement("difference of angles", others[-1] - others[0], -math.inf, limit("spread"), "deg")
+    off = max(math.degrees(turn_to(b, middle)) for b in bodies)
+    yield Measurement("off the middle", off, -math.inf, limit("faced"), "deg")
+    way = angles[steps.index(open_)] + open_ / 2
+    for target in survey.standing_for(said.facing or said.around)[:1]:
+        if not said.facing and math.dist(middle, (target.centre[0], target.centre[1])) <= limit("near"):
+            continue  # they are around it
+        seen = bearing(middle, (target.centre[0], target.centre[1]))
+        away = math.degrees(abs(wrap_angle(seen - way)))
+        yield Measurement("off the open side", away, -math.inf, limit("faced"), "deg")
+
+
+def _circumcentre(points: Sequence[tuple[float, float]]) -> tuple[float, float]:
+    """The middle of the circle that is nearest to some points, by least squares."""
+    import numpy as np
+
+    xy = np.asarray(points)
+    left = np.column_stack([2 * xy, np.ones(len(xy))])
+    x, y, _ = np.linalg.lstsq(left, (xy**2).sum(axis=1), rcond=None)[0]
+    return float(x), float(y)
+
+
 # ---- pairs, groups, stacks -------------------------------------------------------------------------------------------
 
 
@@ -348,7 +385,7 @@ _CHECKS: dict[str, Callable[[Survey, Arrangement, Sequence[Body]], Checks]] = {
     "rows": _rows,
     "grid": _rows,
     "circle": _circle,
-    "semicircle": _open_curve,
+    "semicircle": _half_circle,
     "u": opening,
     "back_to_back": _backs,
     "stack": _stacks,

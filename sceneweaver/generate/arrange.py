@@ -33,7 +33,7 @@ from .patterns import (
     u_shape,
     upright,
 )
-from .places import SEATED, seats_at_tables
+from .places import SEATED, kept_clear, lined_at, seats_at_tables
 from .program import Wanted
 from .sights import turned_to_views
 from .stacks import rows_for
@@ -60,6 +60,9 @@ LOUNGE, PULLED = 0.32, -0.1
 
 SEEN = 1.2
 """Way [m] between the front row and what all look at."""
+
+HALF, QUARTER = math.radians(165), math.radians(75)
+"""Angles that a half circle goes over from its first to its last thing, and one of two things."""
 
 MATS = 0.3
 """Gap [m] between what lies on the floor."""
@@ -107,8 +110,10 @@ class Laid:
 
 def laid_out(brief: SceneGraph, wanted: Sequence[Wanted]) -> list[Laid]:
     """The arrangements of a request of which there are two things at least that stand or hang."""
-    found = []
+    found, lined = [], lined_at(brief, wanted)
     for said in (*brief.arrangements, *rows_before_walls(brief, wanted)):
+        if said.pattern == "row" and said.entity in lined:
+            continue  # each has its place at the table
         things = [w for w in wanted if w.asked == said.entity and w.support is None and w.mount in ("floor", "wall")]
         if said.pattern == "stack":
             found += _beside_each_other(said, [w for w in wanted if w.asked == said.entity])
@@ -246,7 +251,7 @@ def _spots(
     if said.pattern == "circle":
         return circle(count, pitch, radius=_radius(said, wanted))
     if said.pattern == "semicircle":
-        return circle(count, pitch, arc=min(math.radians(180), math.pi / 6 * count) if count < 5 else math.radians(150))
+        return circle(count, pitch, arc=HALF if count > 2 else QUARTER, radius=_radius(said, wanted))
     if said.pattern == "u":
         inside = any(a.pattern == "inside" and a.around == said.entity for a in brief.arrangements)
         turn = (
@@ -424,10 +429,13 @@ def _of_pattern(one: Laid, wanted: Sequence[Wanted], brief: SceneGraph) -> Itera
         params = {"side": "right"} if kind == "side_against_wall" else {}
         yield Grounded(one.said.id, kind, one.leader.id, wall or None, params)
     focus = [w for w in wanted if w.asked in (one.said.facing, one.said.around) and w.asked]
-    if focus and one.said.pattern == "circle":
+    around = bool(focus) and focus[0].asked == one.said.around and not focus[0].wall
+    if focus and (one.said.pattern == "circle" or (one.said.pattern == "semicircle" and around)):
         ahead = _middle_of(one)
         at = {"ahead": round(ahead, 4), "left": 0.0, "turn": 180.0, "offset": 0.1, "degrees": 180.0}
         yield Grounded(one.said.id, "arranged", focus[0].id, one.leader.id, at)
+    elif focus and one.said.pattern == "semicircle" and (one.said.around or _free(focus[0], brief)):
+        yield _over_the_open_side(one, focus[0])
     elif focus and _before(one, focus[0], brief):
         xs = [spot.ahead for _, spot in one.spots]
         ys = [spot.left for _, spot in one.spots]
@@ -461,15 +469,40 @@ def _aheads(one: Laid) -> list[float]:
 
 def _before(one: Laid, focus: Wanted, brief: SceneGraph) -> bool:
     """Whether what rows look at has its place before them: it stands free, and nothing else says where."""
-    placed = any(r.subject == focus.asked and not r.implied for r in brief.relations)
     patterns = ("row", "rows", "grid", "sides")
     level = all(abs(spot.turn) < 1.0 for _, spot in one.spots)
-    return one.said.pattern in patterns and level and focus.mount == "floor" and not placed and focus.support is None
+    return one.said.pattern in patterns and level and _free(focus, brief)
+
+
+def _free(focus: Wanted, brief: SceneGraph) -> bool:
+    """Whether what is looked at stands on the floor and nothing that is asked says where."""
+    placed = any(r.subject == focus.asked and not r.implied for r in brief.relations)
+    return focus.mount == "floor" and not placed and focus.support is None
+
+
+def _over_the_open_side(one: Laid, focus: Wanted) -> Grounded:
+    """The place of what a half circle looks at: straight before its open side, with its front to it."""
+    turns = [math.radians(spot.turn) for _, spot in one.spots]
+    way = math.atan2(sum(map(math.sin, turns)), sum(map(math.cos, turns)))
+    middle = _middle_of(one)  # straight ahead of the leader
+    far = max(0.0, *(_along(spot, way) for _, spot in one.spots)) + SEEN / 2
+    far = max(far, middle * math.cos(way)) + (one.leader.asset.size[0] + focus.asset.size[0]) / 2
+    beyond = far - middle * math.cos(way)
+    ahead, left = middle + beyond * math.cos(way), beyond * math.sin(way)
+    turn = math.degrees(math.remainder(way + math.pi, 2 * math.pi))
+    at = {"ahead": round(ahead, 4), "left": round(left, 4), "turn": round(turn, 3), "offset": 0.3, "degrees": 10.0}
+    return Grounded(one.said.id, "arranged", focus.id, one.leader.id, at)
+
+
+def _along(spot: Spot, way: float) -> float:
+    """How far [m] a spot is along a direction [rad] of the leader's frame."""
+    return spot.ahead * math.cos(way) + spot.left * math.sin(way)
 
 
 def _middle_of(one: Laid) -> float:
-    """How far [m] the middle of a circle is ahead of its leader."""
-    return sum(spot.ahead for _, spot in one.spots) / len(one.spots)
+    """How far [m] the middle of a circle, of which all or an arc is there, is ahead of its leader."""
+    far = max((spot for _, spot in one.spots), key=lambda spot: math.hypot(spot.ahead, spot.left))
+    return (far.ahead**2 + far.left**2) / (2.0 * far.ahead)
 
 
 def _at_sides(brief: SceneGraph, wanted: Sequence[Wanted]) -> Iterator[Grounded]:
@@ -487,6 +520,8 @@ def _at_sides(brief: SceneGraph, wanted: Sequence[Wanted]) -> Iterator[Grounded]
                     seat = next(seats, None)
                     if seat is not None:
                         yield Grounded(said.id, "seated_at", seat.id, table.id, {"side": side, "k": k, "n": count})
+                        if kept_clear(table, side):
+                            yield Grounded(said.id, "front_against", seat.id, table.id, hard=False)
 
 
 def _about_a_u(brief: SceneGraph, wanted: Sequence[Wanted]) -> Iterator[Grounded]:
@@ -522,9 +557,11 @@ def arranged_ids(brief: SceneGraph, wanted: Sequence[Wanted]) -> Collection[str]
 
 
 def fits(brief: SceneGraph, wanted: Sequence[Wanted], room: Room) -> bool:
-    """Whether the floor of a room has a place for the box about each pattern."""
+    """Whether the floor of a room has a place for the box about each pattern, and for what is longer than usual."""
     xs, ys = [p[0] for p in room.outline], [p[1] for p in room.outline]
     short, long = sorted((max(xs) - min(xs), max(ys) - min(ys)))
+    if any(w.asked and w.mount == "floor" and max(w.asset.size[:2]) + WAY > long for w in wanted if _is_long(w)):
+        return False
     patterns = laid_out(brief, wanted)
     if not _units_fit(units_of(brief, wanted, patterns), short, long):
         return False
@@ -541,6 +578,12 @@ def fits(brief: SceneGraph, wanted: Sequence[Wanted], room: Room) -> bool:
         elif a + (margin if one.said.pattern != "row" else 0.0) > short or b + margin > long:
             return False
     return True
+
+
+def _is_long(one: Wanted) -> bool:
+    """Whether something was made longer than such things usually are, for those who sit at it."""
+    usual = category_named(one.category).size
+    return usual is not None and max(one.asset.size[:2]) > max(usual.depth[1], usual.width[1]) + OFFSET
 
 
 def _units_fit(units: Sequence[Unit], short: float, long: float) -> bool:

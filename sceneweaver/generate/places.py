@@ -25,6 +25,9 @@ BESIDE = ("near", "next_to", "in_front_of", "facing")
 END = 0.7
 """Length [m] of an end of a table that somebody sits at."""
 
+_OTHERS = ("back", "left", "right")
+"""Sides of a table at which nobody of one row sits."""
+
 RING = 4
 """Seats at a round table from which on they are evenly around it, at no sides."""
 
@@ -43,16 +46,43 @@ def seats_at_tables(rows: Sequence[Grounded], brief: SceneGraph, wanted: Sequenc
         brief: the request.
         wanted: the objects to be.
     """
-    kept = list(rows)
+    kept, lined = list(rows), lined_at(brief, wanted)
     for table, seats in _sets(rows, brief, wanted):
         ids = {seat.id: said for seat, said in seats}
         kept = [r for r in kept if not (r.subject in ids and r.target == table.id and r.type in TOLD)]
-        placed = list(shared_out(table, [seat for seat, _ in seats], _closed(table, rows, brief)))
+        closed = _closed(table, rows, brief)
+        if any(seat.asked in lined for seat, _ in seats):
+            closed = frozenset(_OTHERS)
+        placed = list(shared_out(table, [seat for seat, _ in seats], closed))
         kept += [
             Grounded(ids[seat.id], "seated_at", seat.id, table.id, {"side": side, "k": k, "n": n})
             for seat, side, k, n in placed
         ]
+        kept += [
+            Grounded(ids[seat.id], "front_against", seat.id, table.id, hard=False)
+            for seat, side, _, _ in placed
+            if kept_clear(table, side)
+        ]
     return kept
+
+
+def kept_clear(table: Wanted, side: str) -> bool:
+    """Whether a side of a table is kept clear, for others than its seats: the front of a bar, where guests stand."""
+    return any(zone.name == side and zone.hard for zone in table.asset.zones)
+
+
+def lined_at(brief: SceneGraph, wanted: Sequence[Wanted]) -> frozenset[str]:
+    """The entities of seats in one row that are told to be at one table or counter: the row is along its front."""
+    rows = {a.entity for a in brief.arrangements if a.pattern == "row" and not a.facing and a.spacing is None}
+    found = set[str]()
+    for said in brief.relations:
+        if said.subject not in rows or len(said.targets) != 1:
+            continue
+        seats = [one for one in wanted if one.asked == said.subject]
+        tables = [one for one in wanted if one.asked == said.targets[0]]
+        if len(tables) == 1 and len(seats) > 1 and all(_means_at(said, seat, tables[0]) for seat in seats):
+            found.add(said.subject)
+    return frozenset(found)
 
 
 def _sets(
@@ -61,14 +91,14 @@ def _sets(
     """Tables with the seats that are told to be at them, each seat with the statement behind it."""
     things = {one.id: one for one in wanted}
     told = {said.id or f"relation-{k}": said for k, said in enumerate(brief.relations)}
-    set_out = {a.entity for a in brief.arrangements}
+    set_out, lined = {a.entity for a in brief.arrangements}, lined_at(brief, wanted)
     found: dict[str, dict[str, str]] = {}
     for row in rows:
         seat, table = things.get(row.subject), things.get(row.target) if isinstance(row.target, str) else None
         said = told.get(row.said)
         if seat is None or table is None or said is None or not _means_at(said, seat, table):
             continue
-        if seat.asked in set_out or any(row.subject in seats for seats in found.values()):
+        if (seat.asked in set_out and seat.asked not in lined) or any(row.subject in seats for seats in found.values()):
             continue
         found.setdefault(table.id, {})[seat.id] = row.said
     for name, seats in found.items():
@@ -145,4 +175,4 @@ def _counts(table: Wanted, seats: Sequence[Wanted], count: int, closed: Collecti
     return {side: number for side, number in found.items() if number}
 
 
-__all__ = ["SEATED", "seats_at_tables", "shared_out"]
+__all__ = ["SEATED", "kept_clear", "lined_at", "seats_at_tables", "shared_out"]

@@ -56,6 +56,9 @@ WALL_BEHIND = 0.3
 FRAME = 0.15
 """Gap [m] that furniture keeps from the frame of a door."""
 
+STAFF = (0.7, 1.6)
+"""Gap [m] to the wall behind a counter for those who work there."""
+
 CENTRED = 0.03
 """Most distance [m] of a curtain from the middle of its window."""
 
@@ -75,6 +78,10 @@ def of_items(wanted: Sequence[Wanted], room: Room, but: Mapping[str, frozenset[s
     for one in wanted:
         for place in one.item.place if one.item else ():
             if place.type in but.get(one.id, ()):
+                continue
+            if place.type in _EDGE and _worked_behind(one):
+                params = {"gap": STAFF}
+                found.append(Relation(type="against_wall", subject=one.id, params=params, hard=False))
                 continue
             relation = _of_place(one, place, by_item, room) or _instead(one, place, by_category)
             if relation is None:
@@ -100,6 +107,13 @@ def of_items(wanted: Sequence[Wanted], room: Room, but: Mapping[str, frozenset[s
         ),
         room,
     )
+
+
+def _worked_behind(one: Wanted) -> bool:
+    """Whether something that takes the place of a thing of the room, which goes to a wall, is worked at from behind: a
+    bar where such a room has a kitchen counter."""
+    other = one.asked is not None and one.item is not None and one.category not in one.item.what
+    return other and any(zone.name == "back" and zone.hard for zone in one.asset.zones)
 
 
 def behind_it(above: Relation) -> Relation:

@@ -161,7 +161,7 @@ def _longer(table: Wanted, length: float) -> tuple[float, float] | None:
         return None
     depth, width, _ = table.asset.size
     at = 1 if width >= depth else 0
-    most = known.reach[at][1]
+    most = known.built[at][1]
     if _is_round(table):
         most = min(most, known.reach[0][1], known.reach[1][1])
     length = round(min(length, most), 3)

@@ -340,8 +340,8 @@ def _about(plan: _Plan, said: StatedRelation) -> None:
     if len(hosts) != 1 or len(seats) < 2 or family(seats[0].category) != "seat":
         return
     host = hosts[0]
-    if host.thing.is_table or not host.wall:
-        return
+    if host.thing.is_table or not host.wall or any(seat.id in plan.at for seat in seats):
+        return  # seats of a pattern have their places to it already
     d, w, _ = seats[0].asset.size
     n = len(seats)
     step = min(math.radians(140) / max(1, n - 1), math.radians(50))

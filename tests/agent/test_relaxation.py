@@ -204,3 +204,20 @@ def test_what_came_back_is_not_said_to_be_left_out():
 def test_all_that_nobody_asked_for_goes_at_once_where_it_is_in_the_way_of_what_was():
     found = relax(room(cube("a", "asked", 2.5), cube("b", "usual", 2.0), cube("c", "usual", 3.0)))
     assert found is not None and found.scene.ids == ("a",) and not found.unmet
+
+
+def test_what_others_were_asked_to_be_at_goes_after_them():
+    objects = (cube("bar", "asked", 2.0), cube("s", "asked", 2.5), cube("t", "asked", 1.5))
+    told = tuple(Relation(type="near", subject=n, target="bar", asked=True, hard=False, weight=0.01) for n in "st")
+    found = relax(room(*objects, relations=told))
+    assert found is not None and "bar" in found.scene.ids and len(found.scene.dropped) == 1
+
+
+def test_what_nobody_asked_for_goes_before_what_was_even_where_it_is_in_no_trouble():
+    objects = (cube("a", "asked", 2.0), cube("b", "asked", 2.5), cube("c", "usual", 6.0))
+    found = relax(room(*objects))
+    assert found is not None and found.scene.ids == ("a", "b") and found.late and not found.unmet
+    near = Relation(type="near", subject="a", target="c", asked=True)
+    objects = (*objects[:2], cube("c", "usual", 3.7))
+    held = relax(room(*objects, relations=(near,)))
+    assert held is not None and "c" in held.scene.ids

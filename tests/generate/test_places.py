@@ -61,3 +61,29 @@ def test_benches_are_long_enough_for_their_people():
     scene = draft("a changing room for 16 players, benches along the two long walls", "changing_room")
     benches = [o for o in scene.objects if o.category == "changing_bench"]
     assert sum(int(max(o.size[:2]) / 0.55) for o in benches) >= 16
+
+
+def test_a_row_of_stools_is_along_the_front_of_a_counter_that_is_long_enough():
+    scene = draft("a noodle shop with one counter and nine stools in a row along it", "sushi_bar")
+    at = [r for r in scene.relations if r.type == "seated_at" and r.hard]
+    counter = scene.object(at[0].targets[0])
+    assert len(at) == 9 and {r.targets[0] for r in at} == {counter.id} and {r.params["side"] for r in at} == {"front"}
+    assert counter.size[1] >= 9 * 0.6
+    # its front is kept clear for guests, and its back for who serves them: neither for these stools nor at a wall
+    tied = {r.subject for r in scene.relations if r.type == "front_against" and r.target == counter.id}
+    assert tied == {r.subject for r in at}
+    walled = [r for r in scene.relations if r.type == "against_wall" and r.subject == counter.id]
+    assert not any(r.hard for r in walled) and all(r.params["gap"][0] >= 0.7 for r in walled)
+
+
+def test_a_half_circle_goes_over_half_a_circle_with_what_it_looks_at_before_its_open_side():
+    for text in (
+        "seven chairs in a half circle facing a small stage",
+        "a half circle of six chairs around a fireplace",
+    ):
+        scene = draft(text, "living_room")
+        chairs = [r for r in scene.relations if r.type == "arranged" and r.subject.startswith("chair")]
+        focus = [r for r in scene.relations if r.type == "arranged" and not r.subject.startswith("chair")]
+        turns = [0.0, *(float(r.params["turn"]) for r in chairs)]
+        assert 140 <= max(turns) - min(turns) <= 200
+        assert len(focus) == 1 and focus[0].params["ahead"] > 1.0

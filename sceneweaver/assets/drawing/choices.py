@@ -80,7 +80,7 @@ class Choices:
         asked = self.request.size[axis]
         if asked is None:
             return low if low == high else round(self.uniform(f"size {name}", low, high), 3)
-        least, most = self.category.size.reach[axis]
+        least, most = self.category.size.built[axis]
         if not least - 1e-6 <= asked <= most + 1e-6:
             raise InputError(f"size: {self.category.words} has a {name} of {low:g} to {high:g} m, not {asked:g} m")
         return float(asked)

@@ -62,7 +62,7 @@ class ParametricSource:
         assert sizes is not None
         depth, width, height = (
             None if want is None else min(max(want, low), high)
-            for want, (low, high) in zip(wish.size, sizes.reach if wish.beyond else sizes.ranges, strict=True)
+            for want, (low, high) in zip(wish.size, sizes.built if wish.beyond else sizes.ranges, strict=True)
         )
         size = (depth, width, height)
         style = wish.style if wish.style in STYLES else None

@@ -65,7 +65,7 @@ def _usual_ranges(survey: Survey, o: Body) -> list[tuple[float, float]]:
             low, high = (min(low, wish), max(high, wish)) if wish is not None else (low, high)
             low, high = low * min(1.0, asked.scale), high * max(1.0, asked.scale)
             if any(a.kind in ("size", "other") for a in asked.attributes):
-                low, high = min(low, usual.reach[k][0]), max(high, usual.reach[k][1])
+                low, high = min(low, usual.built[k][0]), max(high, usual.built[k][1])
         found.append((low, high))
     return found
 

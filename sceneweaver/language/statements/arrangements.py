@@ -41,7 +41,7 @@ _FACING = re.compile(
     r"(?P<what>each other|one another)|\s*,?\s*face to face(?P<face>)"
 )
 _LOOKING = re.compile(
-    r"\s*,?\s*(?:and |all |both |that |which )*(?:facing|looking (?:out )?(?:at|over|onto|of|through|towards?)|"
+    r"\s*,?\s*(?:and |all |both |that |which )*(?:facing|looking (?:out )?(?:at|to|over|onto|of|through|towards?)|"
     r"(?:turned|oriented|pointed|pointing|directed) (?:to|towards?|at)|face|towards) (?:the |an? )?"
 )
 _LOOKING_OUT = re.compile(r"\s*,?\s*(?:and |all |both )*looking out(?:side|wards)?(?=\s*(?:$|[.,;)]|with\b|and\b))")
@@ -58,6 +58,7 @@ _AMID = re.compile(
     r"\s*,?\s*(?:with |and |around )?(?:an? |the )(?P<what>(?:[a-z-]+ ){0,2}?[a-z-]+)(?P<place> in (?:the|its) "
     r"(?:middle|centre|center)(?: of (?:it|them|the circle))?)"
 )
+_ABOUT = re.compile(r"\s*(?:around|round|about) (?:the |an? )?")
 EACH_AROUND = re.compile(
     rf"\s*,?\s*(?:with )?(?:each|every)(?: {GROUP}| one)?(?: arranged| set)?(?: around| round| about| at) "
     r"(?P<a>an? |its own )"
@@ -181,7 +182,7 @@ def _curve(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
         pattern = "u"
     text = edits.source.text
     noun, around = noun_before(text, m.start()), ""
-    if follows := re.compile(r"\s*(?:around|round|about) (?:the |an? )?").match(text, m.end()):
+    if follows := _ABOUT.match(text, m.end()):
         around, _ = noun_after(text, follows.end())
     elif amid := _AMID.match(text, m.end()):
         around = amid["what"]
@@ -195,8 +196,10 @@ def _curve_of(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     pattern: Pattern = "circle" if m["shape"] in ("circle", "ring") else "semicircle"
     if m["shape"].startswith(("u", "horse")):
         pattern = "u"
+    follows = _ABOUT.match(edits.source.text, end)
+    around = noun_after(edits.source.text, follows.end())[0] if follows else ""
     if m["n"] or (noun and match_of(singular(noun)).how != "generic"):
-        add(edits, parsed, m, pattern, noun, end=end, instead=m["n"] or "")
+        add(edits, parsed, m, pattern, noun, end=end, instead=m["n"] or "", around=around)
 
 
 def _backs(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -347,15 +350,15 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
     (
         re.compile(
             rf"{PLACED}\b(?:in|as) an? (?:loose |wide |open |large |small )?"
-            r"(?P<shape>semi-?circle|half[ -]circle|arc|circle|ring|"
+            r"(?P<shape>semi-?circle|half[ -](?:circle|ring|moon)|crescent|arc|circle|ring|"
             r"u(?:[ -]shape)?|horseshoe(?: shape)?)\b"
         ),
         _curve,
     ),
     (
         re.compile(
-            r"\b(?:an? |the )?(?:[a-z]+ )?"
-            r"(?P<shape>semi-?circle|half[ -]circle|circle|ring|u(?:[ -]shape)?|horseshoe) of "
+            r"\b(?:an? |the )?(?:(?!half )[a-z]+ )?"
+            r"(?P<shape>semi-?circle|half[ -](?:circle|ring|moon)|circle|ring|arc|u(?:[ -]shape)?|horseshoe) of "
             rf"(?:{_N} )?(?=[a-z])"
         ),
         _curve_of,

@@ -74,12 +74,18 @@ def _closed() -> frozenset[str]:
     return frozenset((*listed("closed"), *listed("prepositions"), *NUMBERS))
 
 
+_NEXT = re.compile(
+    r"\s*(?!(?:back|side|end|head|face)s? (?:to|by) |side-by-side|open(?:ing|ed)? (?:to|towards?)\b)([a-z][a-z'-]*)"
+)
+"""The next word of a noun, which what says how things are to each other is none of: "seats back to back"."""
+
+
 def noun_after(text: str, at: int) -> tuple[str, int]:
     """The words of a noun that begin at a place, and where they end; "" where there are none."""
     found: list[str] = []
     end = at
     while len(found) < MOST_WORDS:
-        m = re.compile(r"\s*([a-z][a-z'-]*)").match(text, end)
+        m = _NEXT.match(text, end)
         if m is None or m[1] in _closed():
             break
         found.append(m[1])
