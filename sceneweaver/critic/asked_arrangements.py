@@ -257,6 +257,11 @@ def _open_curve(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Ch
     yield Measurement(
         "depth of the curve", max(math.dist((x, y), (b.centre[0], b.centre[1])) for b in bodies), limit("deep"), ends
     )
+    if len(bodies) > 3:
+        angles = sorted(bearing((x, y), (b.centre[0], b.centre[1])) for b in bodies)
+        steps = [math.degrees((b - a) % (2 * math.pi)) for a, b in zip(angles, [*angles[1:], angles[0]], strict=True)]
+        others = (360.0 - max(steps)) / (len(steps) - 1)
+        yield Measurement("open side by the other steps", max(steps) / others, limit("open_side"), math.inf)
     for target in survey.standing_for(said.facing or said.around)[:1]:
         off = min(math.degrees(turn_to(b, (target.centre[0], target.centre[1]))) for b in bodies)
         yield Measurement("off what is looked at", off, -math.inf, limit("faced"), "deg")

@@ -16,6 +16,7 @@ from sceneweaver.verify.solids import Body
 from sceneweaver.verify.stated import worktop
 
 from . import kinds
+from .group_measures import nearest_point
 from .partners import own_partners
 from .survey import Survey, turn_to
 from .verdict import Asked, counted, met, not_understood, partly, unmet
@@ -127,8 +128,13 @@ def _found(survey: Survey, said: Capacity, targets: list[Body]) -> tuple[list[st
     seats = [b for b in survey.bodies if _is_seat(b) and not _is_covered(survey, b)]
     if said.activity in ("eat", "work"):
         tables = [b for b in survey.bodies if _is_table(b)]
-        at = {seat.id: seat for table in tables for seat in _seats_at(survey, table)}
-        return list(at), _on_all(list(at.values()))
+        left, ids, have = {seat.id for seat in seats}, list[str](), 0
+        for table in tables:
+            own = [seat for seat in _seats_at(survey, table) if seat.id in left]
+            left -= {seat.id for seat in own}
+            ids += [seat.id for seat in own]
+            have += min(_on_all(own), _edge(survey, table))
+        return ids, have
     beds = sum(sleeping_places(b.item.category) for b in survey.bodies)
     if said.activity == "use" and not seats and not beds:
         return None
@@ -140,7 +146,7 @@ def _in_room(survey: Survey, seats: Sequence[Body]) -> int:
     left, have = {seat.id: seat for seat in seats}, 0
     for table in (b for b in survey.bodies if _is_table(b) and b.item.category not in kinds.COFFEE):
         own = [left.pop(seat.id) for seat in _seats_at(survey, table) if seat.id in left]
-        have += min(_on_all(own), edge_places(table.size[0], table.size[1]))
+        have += min(_on_all(own), _edge(survey, table))
     return have + _on_all(list(left.values()))
 
 
@@ -149,7 +155,7 @@ def _at(survey: Survey, said: Capacity, target: Body) -> tuple[list[str], int]:
     if _is_seat(target) and not _seats_at(survey, target):
         return [target.id], _on(target)
     seats = _seats_at(survey, target)
-    edge = edge_places(target.size[0], target.size[1])
+    edge = _edge(survey, target)
     if said.activity == "work" and has_role(target.item.category, "desk"):
         edge = max(1, int(target.size[1] / number("edge") + 1e-6))
     named = [
@@ -162,6 +168,13 @@ def _at(survey: Survey, said: Capacity, target: Body) -> tuple[list[str], int]:
     return [target.id, *(s.id for s in seats)], have
 
 
+def _edge(survey: Survey, table: Body) -> int:
+    """The people that a table's edge has room for; a side that stands at a wall has none."""
+    room = number("behind_edge")
+    open_ = {side for side in ("front", "back", "left", "right") if survey.clear_ahead(table, side) >= room}
+    return edge_places(table.size[0], table.size[1], open_)
+
+
 def _seats_at(survey: Survey, table: Body) -> list[Body]:
     """The seats within reach of a table that look at it; what has no front counts however it is turned."""
     limits = fault_kind("too_few_places").limits
@@ -169,13 +182,7 @@ def _seats_at(survey: Survey, table: Body) -> list[Body]:
     for other, gap in survey.near(table, limits["reach"]):
         if not _is_seat(other) or _is_covered(survey, other) or not _fits_under(other, table):
             continue
-        ahead, aside = table.local(other.centre)
-        near = (
-            max(-table.size[0] / 2, min(table.size[0] / 2, ahead)),
-            max(-table.size[1] / 2, min(table.size[1] / 2, aside)),
-        )
-        c, s = math.cos(table.yaw), math.sin(table.yaw)
-        point = (table.centre[0] + c * near[0] - s * near[1], table.centre[1] + s * near[0] + c * near[1])
+        point = nearest_point(table, other.centre)
         inside = gap <= 1e-6 and point == other.centre
         backless = has_role(other.item.category, "backless_seat")
         if (
