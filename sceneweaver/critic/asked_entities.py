@@ -8,9 +8,10 @@ from dataclasses import replace
 from sceneweaver.assets import resolve
 from sceneweaver.assets.plurals import singular
 from sceneweaver.assets.taxonomy import members
-from sceneweaver.knowledge.kin import interchangeable, is_one
+from sceneweaver.knowledge.kin import interchangeable, is_one, is_several
 from sceneweaver.language import Entity, Exclusion
 from sceneweaver.language.coverage import idle_words
+from sceneweaver.language.statements.counts import VAGUE
 from sceneweaver.language.unwanted import belongs_there, kinds_unwanted
 from sceneweaver.rules.faults import fault_kind
 from sceneweaver.verify.solids import Body
@@ -21,7 +22,7 @@ from .asked_relations import holding
 from .asked_unwanted_looks import unwanted_look
 from .asked_words import of_its_own
 from .survey import FLAT, Survey
-from .verdict import Asked, counted, met, not_understood, substituted, unmet
+from .verdict import Asked, counted, met, not_understood, partly, substituted, unmet
 
 MANY = 10**6
 
@@ -109,6 +110,8 @@ def _entity(survey: Survey, asked: Entity, bodies: list[Body]) -> Asked:
         name = kinds.words(asked.category if other is None else other.item.category)
         made = f"a {name} stands for '{asked.noun}'"
         return substituted("entity", asked.id, ids, made, have)
+    if asked.count not in (None, VAGUE) and any(is_several(b.item.category, singular(asked.noun)) for b in bodies):
+        return partly("entity", asked.id, ids, f"{made}, each of which is several", have)
     return met("entity", asked.id, ids, made, have, assumed=asked.implied)
 
 

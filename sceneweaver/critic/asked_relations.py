@@ -11,6 +11,7 @@ from sceneweaver.assets.taxonomy import members
 from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.language import Exclusion, StatedRelation, Thing
+from sceneweaver.language.vocabulary import words
 from sceneweaver.rules.stated import Word, number, word_of_place, word_of_things
 from sceneweaver.verify.measure import Measurement, Measurements
 from sceneweaver.verify.solids import Body
@@ -18,6 +19,7 @@ from sceneweaver.verify.stated import Target, sides_named, stated
 
 from . import group_measures
 from .asked_calls import adding, relating
+from .asked_capacity import is_table, used_seats
 from .partners import own_partners, share_of
 from .places import corners, segments, whole
 from .survey import Survey
@@ -116,6 +118,11 @@ def _ruling(survey: Survey, said: StatedRelation, subjects: Sequence[Body]) -> R
     if "middle" in said.targets:
         m = group_measures.of_middle(survey, subjects)
         return Ruling(m.ok(), (), m)
+    if said.type == "facing" and _of_people(said) and all(is_table(b) for b in subjects):
+        seats = [seat for b in subjects for seat in used_seats(survey, b)]
+        if not seats:
+            return Ruling(False, tuple(subjects), counted("seats at it", 0, 1))
+        subjects = seats
     if said.type in GROUPS:
         return _of_group(survey, said, subjects)
     table = _table(survey, said, subjects)
@@ -127,6 +134,11 @@ def _ruling(survey: Survey, said: StatedRelation, subjects: Sequence[Body]) -> R
     if said.type == "between" and said.count is None and (alone := _left_out(survey, said, table)) is not None:
         return Ruling(False, tuple(subjects), alone)
     return _counted(survey, said, subjects, verdicts)
+
+
+def _of_people(said: StatedRelation) -> bool:
+    """Whether it is said of those who sit at a thing: a console looks at nothing."""
+    return not set(words("bearing_words")["looking"].split()).isdisjoint(said.words.lower().split())
 
 
 def _table(

@@ -44,6 +44,12 @@ def swallowed(graph: SceneGraph) -> Iterator[Doubt]:
             yield Doubt(match[0], span, OF_EACH, _sentence(graph, span)[1])
 
 
+def of_each(text: str) -> str:
+    """The word of some words that says that they hold of each of several; empty where none does."""
+    found = _distributive().search(text)
+    return found[0].lower() if found else ""
+
+
 def of_its_own(graph: SceneGraph, entity: Entity) -> str:
     """The first word within the noun phrase of a thing that nothing which was read speaks for: "crate" of "a crate
     table" that became a coffee table; empty where all are read, or the thing is named in another language."""
@@ -135,4 +141,4 @@ def _of_each(graph: SceneGraph, span: Span) -> bool:
     return any(r.span is not None and before < r.span.start < after for r in read)
 
 
-__all__ = ["Doubt", "is_so", "of_its_own", "swallowed"]
+__all__ = ["Doubt", "is_so", "of_each", "of_its_own", "swallowed"]

@@ -50,7 +50,9 @@ def silent_words(
         if any(covered[match.start() : match.end()]):
             continue
         meant = (slips or {}).get(word, word)
-        if meant in known or all(part in function_words() or part in known for part in _PART.split(meant)):
+        if meant in _telling() and meant not in known:
+            pass  # "the left wall stays empty": with nothing that was read of it, it is lost
+        elif meant in known or all(part in function_words() or part in known for part in _PART.split(meant)):
             continue
         if any(named[match.start() : match.end()]) and (word[0].isdecimal() or word in vocabulary()):
             continue  # of what stands before a noun, only words that nobody knows are lost
@@ -61,6 +63,12 @@ def silent_words(
         else:
             found.append([match.start(), match.end()])
     return tuple(Unread(words=graph.text[a:b].lower(), span=Span(a, b)) for a, b in found)
+
+
+@cache
+def _telling() -> frozenset[str]:
+    """Words of grammar that say where something is, or that nothing is there."""
+    return frozenset(words("bearing_words")["telling"].split())
 
 
 @cache
