@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from sceneweaver.rules.faults import number
 from sceneweaver.verify.measure import Measurement
 
-from .model import USE, Fault, ItemOutcome
+from .model import USE, Fault
 from .survey import Survey
 from .verdict import Asked, counted, met, partly
 
@@ -33,25 +33,23 @@ def outcomes(survey: Survey, told: Sequence[Asked], faults: Iterable[Fault]) -> 
         yield partly("room", USE, (), reason, m)
         return
     needed = [item.outcome for item in told if item.outcome.kind in NEEDED and item.outcome.status != "assumed"]
-    if (lacking := _lacking(needed)) is not None:
-        good = sum(item.status == "met" for item in needed)
-        share_met = counted("share of what it is for", good / len(needed), number("served"))
-        yield partly("room", USE, lacking.objects, lacking.reason, share_met)
+    whole = sum(
+        number("half_served") if item.status in ("partly", "substituted") else item.status == "met" for item in needed
+    )
+    served = counted("share of what it is for", whole / max(1, len(needed)), number("served"))
+    short = [item for item in needed if item.status != "met"]
+    lacking = next((item for item in short if item.status == "unmet"), None)
+    if lacking is None and needed and not served.ok():
+        lacking = short[0]
+    if lacking is not None:
+        reason = f"{len(short)} of {len(needed)} things that it is for are not quite so: {lacking.reason}"
+        yield partly("room", USE, lacking.objects, reason, served)
         return
     for fault in faults:
         if fault.kind in HINDER:
             yield partly("room", USE, fault.objects, fault.reason, m)
             return
     yield met("room", USE, (), "all that stands on the floor can be reached from the door", m)
-
-
-def _lacking(needed: Sequence[ItemOutcome]) -> ItemOutcome | None:
-    """What people are there for that is not there, or the first of those that are so in part where these are many."""
-    unmet = next((item for item in needed if item.status == "unmet"), None)
-    short = [item for item in needed if item.status != "met"]
-    if unmet is None and len(needed) - len(short) < number("served") * len(needed):
-        return short[0]
-    return unmet
 
 
 __all__ = ["outcomes"]
