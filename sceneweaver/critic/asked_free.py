@@ -17,9 +17,6 @@ from .places import segments
 from .survey import Survey
 from .verdict import Asked, met, not_understood, partly, text_of, unmet
 
-TOUCH = 0.05
-"""Distance [m] from the ends of a straight way within which nothing of it is measured."""
-
 
 def outcomes(survey: Survey) -> Iterator[Asked]:
     """Each free area that the request states.
@@ -87,12 +84,12 @@ def _in_line(survey: Survey, asked: FreeArea) -> str:
         return ""
     ends = [_shapes(survey, name) for name in asked.targets]
     own = {name for target in asked.targets for name in survey.ids_of(target)}
-    found = ""
+    found, touch = "", fault_kind("asked_free_floor").limits["touch"]
     for a, b in itertools.product(*ends):
         if shapely.intersects(a, b):
             return ""
         line = shapely.LineString([shapely.centroid(a), shapely.centroid(b)])
-        lane = line.difference(a.buffer(TOUCH) | b.buffer(TOUCH)).buffer(asked.size[0] / 2 - SLACK, cap_style="flat")
+        lane = line.difference(a.buffer(touch) | b.buffer(touch)).buffer(asked.size[0] / 2 - SLACK, cap_style="flat")
         things = [o for o in survey.reaching(lane) if o in survey.standing and o.id not in own]
         taken = [o.id for o, share in zip(things, survey.taken(lane, things), strict=True) if share > 0.0]
         if not taken:
