@@ -205,7 +205,9 @@ def _part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         found = state.refs.part(near) or _one_more(state, near)
     if found is None:
         state.leave_unread(phrase.text, chunk.start, chunk.end)
-    elif waiting is not None:
+        return
+    state.out.referred.append(state.span_of(phrase))
+    if waiting is not None:
         give_target(state, waiting, [found], phrase, False)
     elif state.glue == "open":
         name_things(state, [found], phrase, False)

@@ -132,6 +132,9 @@ def _named_before(state: State, phrase: NounPhrase) -> Mention | None:
     rest, waiting = state.refs.rest, state.waiting
     apart = (waiting.subjects or []) if waiting is not None else []
     target = waiting is not None and state.glue != "start"
+    if not phrase.plural and (one := _one_in_order(state, phrase)) is not None:
+        state.out.referred.append(state.span_of(phrase))
+        return one
     other = phrase.value in ("rest", "the other", "the others")
     if other and rest is not None and rest.noun.rstrip("s").endswith(phrase.text.rstrip("s")):
         return rest
@@ -143,6 +146,20 @@ def _named_before(state: State, phrase: NounPhrase) -> Mention | None:
         if several is not None and several.many:
             return state.refs.part([several])
     return found
+
+
+def _one_in_order(state: State, phrase: NounPhrase) -> Mention | None:
+    """ "The first desk", "her bed" after "two beds": one of those that were named, each time the next of them."""
+    owned = phrase.determiner in words("said_again")["owned"]
+    spoken = state.source.text[phrase.start : phrase.end].split()[:2]
+    order = " ".join(spoken) in words("said_again")["ordinals"]
+    if not (owned or order) or phrase.qualities:
+        return None
+    noun, rest = singular(name_of(phrase)), state.refs.rest
+    if rest is not None and singular(rest.noun) == noun and spoken[-1] != "first":
+        return state.refs.part([rest]) if rest.many else rest
+    group = next((m for m in reversed(state.out.mentions[-20:]) if m.many and singular(m.noun).endswith(noun)), None)
+    return state.refs.part([group]) if group is not None and group.count is not None else None
 
 
 def _told_of_again(state: State, phrase: NounPhrase) -> Mention | None:

@@ -57,6 +57,8 @@ def verb_chunk(state: State, chunk: Chunk) -> None:
         state.negated, state.done = "where", True  # "may not stand in front of the window"
         state.subject = list(state.subject or state.head)
         return
+    if state.negated == "first" and verb.form == "base" and shows(verb.lemma):
+        return  # "it should not have a bed"
     if state.negated and verb.form in ("base", "s") and state.glue != "":
         state.negated = ""
     if verb.lemma == "be" and (verb.form in ("s", "base") or chunk.passive):

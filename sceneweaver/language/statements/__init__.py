@@ -16,17 +16,20 @@ from .arrangements import arrangements
 from .bounds import bounds
 from .built_parts import built_parts
 from .capacities import capacities
+from .contrasts import contrasts
 from .entering import entering
 from .finishes import read_finishes
 from .free_areas import read_free_areas
 from .fullness import fullness
 from .groups import aisles, facing_rows, groups, horseshoes, merged
+from .labels import labels
 from .looks import read_looks
 from .measures import measures
 from .openings import read_openings
 from .roles import roles
 from .room_kind import furnish_zones, read_room_kind
 from .room_sides import room_sides
+from .said_again import said_again
 from .seen_from import seen_from
 from .spacings import spacings
 from .states import read_states
@@ -48,6 +51,9 @@ def _told_of_rows(source: Source, parsed: Parsed) -> None:
 
 STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     entering,
+    contrasts,
+    labels,
+    said_again,
     roles,
     wings,
     room_sides,

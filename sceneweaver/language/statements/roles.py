@@ -86,7 +86,7 @@ _TWO_KINDS = re.compile(
 
 
 _BEHIND = re.compile(
-    rf"(?:(?<=^)|(?<=[,.:])|(?<=[,.:] )|(?<=\band ))(?P<noun>[a-z]+(?: [a-z]+)?),? "
+    rf"(?:(?<=^)|(?<=[,.:])|(?<=[,.:] )|(?<=\band ))(?P<noun>[a-z]+(?: [a-z]+)?)[,.]? "
     rf"(?P<n>{NUMBER})(?:(?P<more> or more| and up| at least| min\.?| minimum)|(?=\s*(?:[,.]|$)))"
 )
 _BY_SO_MANY = re.compile(
