@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from . import (
@@ -14,16 +14,14 @@ from . import (
     asked_relations,
     asked_room,
     asked_states,
+    asked_use,
     asked_views,
 )
 from .asked_clauses import doubted
 from .grade import Finding, finding
-from .model import USE, Alignment
+from .model import USE, Alignment, Fault
 from .survey import Survey
 from .verdict import Asked
-
-NEEDED = ("entity", "capacity", "arrangement")
-"""Kinds of items without which a room is not what it was asked for."""
 
 PARTS = (
     asked_entities.outcomes,
@@ -38,11 +36,12 @@ PARTS = (
 )
 
 
-def measured(survey: Survey) -> tuple[Asked, ...]:
+def measured(survey: Survey, faults: Iterable[Fault] = ()) -> tuple[Asked, ...]:
     """Every item of the request: things and what they are like, exclusions, relations, people, arrangements, free
-    floor, the room, and words that are not known."""
+    floor, the room, words that are not known, and whether the room can be used, where ``faults`` are in the way."""
     found = [item for part in PARTS for item in part(survey)]
-    return doubted(_usable(_of_stand_ins(found, survey)), survey)
+    told = doubted(_of_stand_ins(found, survey), survey)
+    return (*told, *asked_use.outcomes(survey, told, faults))
 
 
 def _of_stand_ins(items: Sequence[Asked], survey: Survey) -> list[Asked]:
@@ -62,20 +61,6 @@ def _of_stand_ins(items: Sequence[Asked], survey: Survey) -> list[Asked]:
 def alignment(items: Sequence[Asked]) -> Alignment:
     """What became of the items."""
     return Alignment(items=tuple(item.outcome for item in items))
-
-
-def _usable(items: Sequence[Asked]) -> list[Asked]:
-    """The items; that the room can be used is so in part where what people are there for is not there."""
-    lacking = next((i.outcome.reason for i in items if i.outcome.kind in NEEDED and i.outcome.status == "unmet"), None)
-    if lacking is None:
-        return list(items)
-    told = {"status": "partly", "reason": lacking}
-    return [
-        replace(item, outcome=item.outcome.model_copy(update=told))
-        if item.outcome.item == USE and item.outcome.status == "met"
-        else item
-        for item in items
-    ]
 
 
 def findings(items: Sequence[Asked]) -> list[Finding]:

@@ -9,6 +9,8 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from itertools import pairwise
 
+import numpy as np
+
 from sceneweaver.assets.roles import has_role
 from sceneweaver.geometry.angles import bearing, wrap_angle
 from sceneweaver.language.model import Arrangement
@@ -257,6 +259,11 @@ def _open_curve(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> Ch
     yield Measurement(
         "depth of the curve", max(math.dist((x, y), (b.centre[0], b.centre[1])) for b in bodies), limit("deep"), ends
     )
+    if len(bodies) > 3:
+        angles = sorted(bearing((x, y), (b.centre[0], b.centre[1])) for b in bodies)
+        steps = [math.degrees((b - a) % (2 * math.pi)) for a, b in zip(angles, [*angles[1:], angles[0]], strict=True)]
+        others = (360.0 - max(steps)) / (len(steps) - 1)
+        yield Measurement("open side by the other steps", max(steps) / others, limit("open_side"), math.inf)
     for target in survey.standing_for(said.facing or said.around)[:1]:
         off = min(math.degrees(turn_to(b, (target.centre[0], target.centre[1]))) for b in bodies)
         yield Measurement("off what is looked at", off, -math.inf, limit("faced"), "deg")
@@ -291,8 +298,6 @@ def _half_circle(survey: Survey, said: Arrangement, bodies: Sequence[Body]) -> C
 
 def _circumcentre(points: Sequence[tuple[float, float]]) -> tuple[float, float]:
     """The middle of the circle that is nearest to some points, by least squares."""
-    import numpy as np
-
     xy = np.asarray(points)
     left = np.column_stack([2 * xy, np.ones(len(xy))])
     x, y, _ = np.linalg.lstsq(left, (xy**2).sum(axis=1), rcond=None)[0]

@@ -8,14 +8,17 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
+from sceneweaver.assets.levels import used_level
 from sceneweaver.assets.roles import groups_above, has_role
 from sceneweaver.knowledge.capacity import edge_places, number, seat_places, sleeping_places
 from sceneweaver.language.model import Capacity
+from sceneweaver.language.vocabulary import words
 from sceneweaver.rules.faults import fault_kind
 from sceneweaver.verify.solids import Body
 from sceneweaver.verify.stated import worktop
 
 from . import kinds
+from .group_measures import nearest_point
 from .partners import own_partners
 from .survey import Survey, turn_to
 from .verdict import Asked, counted, met, not_understood, partly, unmet
@@ -71,7 +74,7 @@ def _without_own(survey: Survey, said: Capacity) -> str:
     """Whose place has none of what each has for their own on it or beside it, in words; empty where all have. What
     stands on the floor, such as wardrobes, may be anywhere."""
     reach = fault_kind("too_few_places").limits["own"]
-    seats = [seat for table in survey.bodies if _is_table(table) for seat in _seats_at(survey, table)]
+    seats = [seat for table in survey.bodies if is_table(table) for seat in used_seats(survey, table)]
     places = seats or [b for b in survey.bodies if sleeping_places(b.item.category)]
     for name, each in said.own:
         things = {b.id for b in survey.standing_for(name) if b.item.mount == "surface"}
@@ -124,32 +127,44 @@ def _found(survey: Survey, said: Capacity, targets: list[Body]) -> tuple[list[st
         each = [_at(survey, said, target) for target in targets]
         ids = [i for found, _ in each for i in found]
         return ids, min(n for _, n in each) if said.each else sum(n for _, n in each)
-    seats = [b for b in survey.bodies if _is_seat(b) and not _is_covered(survey, b)]
+    seats = _of_size(survey, [b for b in survey.bodies if _is_seat(b) and not _is_covered(survey, b)])
     if said.activity in ("eat", "work"):
-        tables = [b for b in survey.bodies if _is_table(b)]
-        at = {seat.id: seat for table in tables for seat in _seats_at(survey, table)}
-        return list(at), _on_all(list(at.values()))
+        tables = [b for b in survey.bodies if is_table(b)]
+        left, ids, have = {seat.id for seat in seats}, list[str](), 0
+        for table in tables:
+            own = [seat for seat in used_seats(survey, table) if seat.id in left]
+            left -= {seat.id for seat in own}
+            ids += [seat.id for seat in own]
+            have += min(_on_all(own), _edge(survey, table))
+        return ids, have
     beds = sum(sleeping_places(b.item.category) for b in survey.bodies)
     if said.activity == "use" and not seats and not beds:
         return None
     return [b.id for b in seats], max(_in_room(survey, seats), beds if said.activity == "use" else 0)
 
 
+def _of_size(survey: Survey, seats: list[Body]) -> list[Body]:
+    """The seats of those that the room is for: children's chairs are none where it is for grown-ups."""
+    if not set(words("people")["grown_up"].split()).intersection(survey.brief.for_whom):
+        return seats
+    return [b for b in seats if (used_level(b.item.solids, b.item.surfaces) or b.size[2]) > number("grown_up")]
+
+
 def _in_room(survey: Survey, seats: Sequence[Body]) -> int:
     """The people that sit somewhere in the room: at each table as many as its edge has room for."""
     left, have = {seat.id: seat for seat in seats}, 0
-    for table in (b for b in survey.bodies if _is_table(b) and b.item.category not in kinds.COFFEE):
-        own = [left.pop(seat.id) for seat in _seats_at(survey, table) if seat.id in left]
-        have += min(_on_all(own), edge_places(table.size[0], table.size[1]))
+    for table in (b for b in survey.bodies if is_table(b) and b.item.category not in kinds.COFFEE):
+        own = [left.pop(seat.id) for seat in used_seats(survey, table) if seat.id in left]
+        have += min(_on_all(own), _edge(survey, table))
     return have + _on_all(list(left.values()))
 
 
 def _at(survey: Survey, said: Capacity, target: Body) -> tuple[list[str], int]:
     """The people at one thing: on a seat, or on the seats at a table, as far as its edge goes."""
-    if _is_seat(target) and not _seats_at(survey, target):
+    if _is_seat(target) and not used_seats(survey, target):
         return [target.id], _on(target)
-    seats = _seats_at(survey, target)
-    edge = edge_places(target.size[0], target.size[1])
+    seats = used_seats(survey, target)
+    edge = _edge(survey, target)
     if said.activity == "work" and has_role(target.item.category, "desk"):
         edge = max(1, int(target.size[1] / number("edge") + 1e-6))
     named = [
@@ -162,20 +177,21 @@ def _at(survey: Survey, said: Capacity, target: Body) -> tuple[list[str], int]:
     return [target.id, *(s.id for s in seats)], have
 
 
-def _seats_at(survey: Survey, table: Body) -> list[Body]:
+def _edge(survey: Survey, table: Body) -> int:
+    """The people that a table's edge has room for; a side that stands at a wall has none."""
+    room = number("behind_edge")
+    open_ = {side for side in ("front", "back", "left", "right") if survey.clear_ahead(table, side) >= room}
+    return edge_places(table.size[0], table.size[1], open_)
+
+
+def used_seats(survey: Survey, table: Body) -> list[Body]:
     """The seats within reach of a table that look at it; what has no front counts however it is turned."""
     limits = fault_kind("too_few_places").limits
     found = []
     for other, gap in survey.near(table, limits["reach"]):
         if not _is_seat(other) or _is_covered(survey, other) or not _fits_under(other, table):
             continue
-        ahead, aside = table.local(other.centre)
-        near = (
-            max(-table.size[0] / 2, min(table.size[0] / 2, ahead)),
-            max(-table.size[1] / 2, min(table.size[1] / 2, aside)),
-        )
-        c, s = math.cos(table.yaw), math.sin(table.yaw)
-        point = (table.centre[0] + c * near[0] - s * near[1], table.centre[1] + s * near[0] + c * near[1])
+        point = nearest_point(table, other.centre)
         inside = gap <= 1e-6 and point == other.centre
         backless = has_role(other.item.category, "backless_seat")
         if (
@@ -206,7 +222,8 @@ def _fits_under(seat: Body, table: Body) -> bool:
     return not has_role(seat.item.category, "backless_seat") or limits["knees"] <= rise <= limits["chest"]
 
 
-def _is_table(body: Body) -> bool:
+def is_table(body: Body) -> bool:
+    """Whether people sit at it."""
     return body.item.category in kinds.SEATED_AT or has_role(body.item.category, "pulled_up_to")
 
 

@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from sceneweaver.assets import resolve
+from sceneweaver.assets.plurals import singular
 from sceneweaver.assets.taxonomy import members
-from sceneweaver.knowledge.kin import interchangeable, is_one
+from sceneweaver.knowledge.kin import interchangeable, is_one, is_several
 from sceneweaver.language import Entity, Exclusion
 from sceneweaver.language.coverage import idle_words
+from sceneweaver.language.statements.counts import VAGUE
 from sceneweaver.language.unwanted import belongs_there, kinds_unwanted
 from sceneweaver.rules.faults import fault_kind
 from sceneweaver.verify.solids import Body
@@ -17,8 +20,9 @@ from . import asked_attributes, kinds
 from .asked_calls import adding
 from .asked_relations import holding
 from .asked_unwanted_looks import unwanted_look
+from .asked_words import of_its_own
 from .survey import FLAT, Survey
-from .verdict import Asked, counted, met, not_understood, substituted, unmet
+from .verdict import Asked, counted, met, not_understood, partly, substituted, unmet
 
 MANY = 10**6
 
@@ -32,25 +36,38 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
         bodies = survey.standing_for(asked.id)
         lengths = sum(EXTENTS.get(m.quantity, 0) for m in survey.brief.measures if m.entity == asked.id)
         like = list(asked_attributes.outcomes(asked, bodies, lengths, survey.scene.room.windows))
-        yield _whole(asked, _entity(survey, asked, bodies), like)
+        yield _whole(survey, asked, _entity(survey, asked, bodies), like)
         yield from like
     yield from _exclusions(survey)
     if survey.brief.only and survey.brief.entities:
         yield _only(survey)
 
 
-def _whole(asked: Entity, thing: Asked, like: Sequence[Asked]) -> Asked:
-    """A thing that is there, of which one cannot see all that was said of it, is so in part."""
+def _whole(survey: Survey, asked: Entity, thing: Asked, like: Sequence[Asked]) -> Asked:
+    """A thing that is there, of which not all that was said of it was read and can be seen, is so in part."""
     words = {a.id: (a.words or a.value).lower().split() for a in asked.attributes}
     unseen = [
         item.outcome.reason
         for item in like
         if item.outcome.status == "not_understood" and not idle_words().issuperset(words.get(item.outcome.item, ["?"]))
     ]
+    if thing.outcome.status == "met" and not unseen and (lost := _unread(survey, asked)):
+        unseen = [f"'{lost}' of it was not understood"]
     if thing.outcome.status != "met" or not unseen:
         return thing
     reason = f"{thing.outcome.reason}; {unseen[0]}"
     return replace(thing, outcome=thing.outcome.model_copy(update={"status": "partly", "reason": reason}))
+
+
+def _unread(survey: Survey, asked: Entity) -> str:
+    """A word of its noun phrase that says nothing of what stands there: a "washing table" that is a table alone."""
+    match = resolve(singular(asked.noun))
+    if match.how == "head" and match.category == asked.category:
+        own = {*asked.category.split("_"), *(word for a in asked.attributes for word in a.words.lower().split())}
+        lost = next((word for word in match.modifiers if word not in own), "")
+        if lost:
+            return lost
+    return of_its_own(survey.brief, asked)
 
 
 def _entity(survey: Survey, asked: Entity, bodies: list[Body]) -> Asked:
@@ -93,6 +110,8 @@ def _entity(survey: Survey, asked: Entity, bodies: list[Body]) -> Asked:
         name = kinds.words(asked.category if other is None else other.item.category)
         made = f"a {name} stands for '{asked.noun}'"
         return substituted("entity", asked.id, ids, made, have)
+    if asked.count not in (None, VAGUE) and any(is_several(b.item.category, singular(asked.noun)) for b in bodies):
+        return partly("entity", asked.id, ids, f"{made}, each of which is several", have)
     return met("entity", asked.id, ids, made, have, assumed=asked.implied)
 
 

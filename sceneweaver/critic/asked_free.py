@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator
+from typing import Any
 
 from sceneweaver.language.free_floor import scene_area
 from sceneweaver.language.model import PLACES, FreeArea
+from sceneweaver.language.vocabulary import words
 from sceneweaver.rules.faults import fault_kind
-from sceneweaver.verify.free_floor import measure
+from sceneweaver.verify.free_floor import SLACK, measure
 from sceneweaver.verify.solids import Body
 
+from .places import segments
 from .survey import Survey
 from .verdict import Asked, met, not_understood, partly, text_of, unmet
 
@@ -61,11 +65,44 @@ def _short_of(survey: Survey, asked: FreeArea, width: float) -> str:
         if name.partition(":")[0] not in PLACES and not survey.ids_of(name):
             return f"'{name}' of '{asked.words}' is not there"
     limits = fault_kind("asked_free_floor").limits
+    if asked.kind == "path" and (thing := _in_line(survey, asked)):
+        return f"{thing} stands in the straight way"
     if asked.most is not None and width > asked.most + limits["wider"]:
         return f"at most {asked.most:.2f} m were asked for"
     if asked.kind == "gap" and len(asked.targets) == 2 and not _face(survey, *asked.targets):
         return "they are not across from each other"
     return ""
+
+
+def _in_line(survey: Survey, asked: FreeArea) -> str:
+    """What stands in the straight way between the two ends of a path that is told to be one; empty where nothing does,
+    or one of several ways is free."""
+    import shapely
+
+    told = set(words("bearing_words")["straight"].split())
+    if len(asked.targets) != 2 or told.isdisjoint(asked.words.lower().split()):
+        return ""
+    ends = [_shapes(survey, name) for name in asked.targets]
+    own = {name for target in asked.targets for name in survey.ids_of(target)}
+    found, touch = "", fault_kind("asked_free_floor").limits["touch"]
+    for a, b in itertools.product(*ends):
+        if shapely.intersects(a, b):
+            return ""
+        line = shapely.LineString([shapely.centroid(a), shapely.centroid(b)])
+        lane = line.difference(a.buffer(touch) | b.buffer(touch)).buffer(asked.size[0] / 2 - SLACK, cap_style="flat")
+        things = [o for o in survey.reaching(lane) if o in survey.standing and o.id not in own]
+        taken = [o.id for o, share in zip(things, survey.taken(lane, things), strict=True) if share > 0.0]
+        if not taken:
+            return ""
+        found = found or taken[0]
+    return found
+
+
+def _shapes(survey: Survey, name: str) -> list[Any]:
+    """What is at an end of a path, in plan."""
+    if survey.brief.entity(name) is not None:
+        return [survey.footprint(b) for one in survey.ids_of(name) for b in survey.bodies if b.id == one]
+    return [segment.line for segment in segments(survey, name)]
 
 
 def _face(survey: Survey, one: str, other: str) -> bool:

@@ -13,8 +13,9 @@ from sceneweaver.verify.measure import Measurement
 from sceneweaver.verify.solids import Body
 
 from . import kinds
+from .asked_words import of_each
 from .survey import Survey
-from .verdict import Asked, met, not_understood, text_of, unmet
+from .verdict import Asked, met, not_understood, partly, text_of, unmet
 
 LIMITS = fault_kind("wrong_asked_length").limits
 
@@ -66,6 +67,9 @@ def _outcome(
     worst = max((m for _, m in found if not m.ok()), key=lambda m: m.excess, default=None)
     if worst is None or (any_ and good):
         body, number = next((body, m) for body, m in found if m.ok())
+        if len(found) == 1 and (each := of_each(measure.words)):
+            reason = f"{body.id}: {text_of(number)}, but '{each}' is said of several"
+            return partly("attribute", measure.id, ids, reason, number)
         return met("attribute", measure.id, ids, f"{body.id}: {text_of(number)}, as asked", number)
     wrong = [body for body, m in found if not m.ok()]
     body = next(body for body, m in found if m is worst)

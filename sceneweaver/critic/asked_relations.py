@@ -8,15 +8,18 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from sceneweaver.assets.taxonomy import members
+from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.language import Exclusion, StatedRelation, Thing
-from sceneweaver.rules.stated import Word, word_of_place, word_of_things
+from sceneweaver.language.vocabulary import words
+from sceneweaver.rules.stated import Word, number, word_of_place, word_of_things
 from sceneweaver.verify.measure import Measurement, Measurements
 from sceneweaver.verify.solids import Body
 from sceneweaver.verify.stated import Target, sides_named, stated
 
 from . import group_measures
 from .asked_calls import adding, relating
+from .asked_capacity import is_table, used_seats
 from .partners import own_partners, share_of
 from .places import corners, segments, whole
 from .survey import Survey
@@ -115,6 +118,11 @@ def _ruling(survey: Survey, said: StatedRelation, subjects: Sequence[Body]) -> R
     if "middle" in said.targets:
         m = group_measures.of_middle(survey, subjects)
         return Ruling(m.ok(), (), m)
+    if said.type == "facing" and _of_people(said) and all(is_table(b) for b in subjects):
+        seats = [seat for b in subjects for seat in used_seats(survey, b)]
+        if not seats:
+            return Ruling(False, tuple(subjects), counted("seats at it", 0, 1))
+        subjects = seats
     if said.type in GROUPS:
         return _of_group(survey, said, subjects)
     table = _table(survey, said, subjects)
@@ -126,6 +134,11 @@ def _ruling(survey: Survey, said: StatedRelation, subjects: Sequence[Body]) -> R
     if said.type == "between" and said.count is None and (alone := _left_out(survey, said, table)) is not None:
         return Ruling(False, tuple(subjects), alone)
     return _counted(survey, said, subjects, verdicts)
+
+
+def _of_people(said: StatedRelation) -> bool:
+    """Whether it is said of those who sit at a thing: a console looks at nothing."""
+    return not set(words("bearing_words")["looking"].split()).isdisjoint(said.words.lower().split())
 
 
 def _table(
@@ -161,7 +174,9 @@ def _verdicts(survey: Survey, said: StatedRelation, body: Body, name: str) -> di
             if other is body:
                 continue
             if said.side is None:
-                found[other.id] = _judged(survey, word, said, body, other)
+                verdict = _judged(survey, word, said, body, other)
+                walls = _across_the_room(survey, body, other) if said.type == "opposite" and verdict.holds else None
+                found[other.id] = Verdict(False, walls) if walls is not None and not walls.ok() else verdict
                 continue
             for side in sides_named(other, said.side):
                 found[f"{other.id} {side}"] = _judged(survey, word, said, body, other, side)
@@ -193,6 +208,26 @@ def _ways(
     other = _thing(target) if isinstance(target, Body) else None
     scope = {"a": _thing(body), "b": other, "diagonal": survey.diagonal, "area": survey.area}
     return stated(word, survey, body, target, scope, dict(said.params), side)
+
+
+def _walls_of(survey: Survey, body: Body) -> list[Wall]:
+    """The walls that a body stands or hangs at."""
+    close = number("at_wall")
+    return [
+        wall
+        for wall in survey.placed.walls
+        if -close <= wall.coordinates(body.centre)[0] <= wall.length + close
+        and min(abs(wall.coordinates(corner)[1]) for corner in body.corners) <= close
+    ]
+
+
+def _across_the_room(survey: Survey, body: Body, other: Body) -> Measurement | None:
+    """The angle between the walls that two things are at, where both are at walls."""
+    pairs = list(itertools.product(_walls_of(survey, body), _walls_of(survey, other)))
+    if not pairs:
+        return None
+    most = max(abs(math.degrees(wrap_angle(a.yaw - b.yaw))) for a, b in pairs)
+    return Measurement("between their walls", most, 180.0 - number("across"), 180.0, "deg", 1e-6)
 
 
 def _in_corner(survey: Survey, word: Word, said: StatedRelation, body: Body, walls: Sequence[Wall]) -> Verdict:
@@ -306,7 +341,8 @@ def _of_each(
 
 
 def _together(survey: Survey, said: StatedRelation) -> list[Body]:
-    """The subjects of all relations that flank the same: a sofa and a table flank a rug, each on one side."""
+    """The subjects of all relations that flank the same, or are around it: a sofa and a table flank a rug, each on one
+    side."""
     same = (o for o in survey.brief.relations if o.type == said.type and o.targets == said.targets)
     return [b for name in dict.fromkeys(o.subject for o in same) for b in survey.standing_for(name)]
 
@@ -325,7 +361,7 @@ def _of_group(survey: Survey, said: StatedRelation, subjects: Sequence[Body]) ->
             targets += segments(survey, name)
         else:
             return None
-    if said.type == "flanking" and not said.each:
+    if not said.each and (said.type == "flanking" or len(subjects) == 1):
         subjects = _together(survey, said)
     least, most = (share_of(survey, said) if said.each else 1), 10**6
     if said.count is not None:

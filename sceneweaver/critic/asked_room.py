@@ -12,7 +12,6 @@ from sceneweaver.scene import InputError
 from sceneweaver.verify.measure import Measurement
 
 from . import asked_look, asked_openings, kinds
-from .model import USE
 from .survey import Survey
 from .verdict import Asked, counted, met, not_understood, partly, unmet
 
@@ -60,7 +59,6 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
     yield from asked_openings.outcomes(survey)
     yield from _style(survey)
     yield from asked_look.outcomes(survey)
-    yield from _use(survey)
     for k, unread in enumerate(brief.unread):
         yield not_understood("unread", f"unread-{k}", (), f"'{unread.words}' was not understood")
 
@@ -80,19 +78,6 @@ def _fact(
     if holds:
         return met("room", f"room.{name}", ids, f"{name.replace('_', ' ')} as asked", m)
     return unmet("room", f"room.{name}", ids, reason, m, fault=fault, points=points, suggestion=suggestion, share=share)
-
-
-def _use(survey: Survey) -> Iterator[Asked]:
-    """That one can get at what stands in the room, which every request means."""
-    share = survey.report.reachable_share
-    if share is None or not any(b.item.mount == "floor" for b in survey.bodies):
-        return
-    m = Measurement("share within reach", share, number("within_reach"), 1.0)
-    if m.ok(1e-9):
-        yield met("room", USE, (), "all that stands on the floor can be reached from the door", m)
-    else:
-        reason = f"{1.0 - share:.0%} of what stands on the floor cannot be reached from the door"
-        yield partly("room", USE, (), reason, m)
 
 
 def _asked_area(survey: Survey) -> float | None:

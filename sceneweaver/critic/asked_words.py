@@ -7,12 +7,16 @@ from collections.abc import Iterator
 from functools import cache
 from typing import NamedTuple
 
-from sceneweaver.language import SceneGraph, Span
-from sceneweaver.language.vocabulary import words
+from sceneweaver.assets.plurals import singular
+from sceneweaver.language import Entity, SceneGraph, Span
+from sceneweaver.language.coverage import function_words
+from sceneweaver.language.vocabulary import NUMBERS, words
 from sceneweaver.rules.faults import number
 
 from .model import ItemOutcome
 from .survey import Survey
+
+_WORD = re.compile(r"[^\W\d_]{3,}")
 
 SIDED, OF_EACH = ("relation", "arrangement"), ("entity", "relation", "capacity", "arrangement")
 """Kinds of items that are doubted beside words of sides, and beside those that say for how many it holds."""
@@ -38,6 +42,33 @@ def swallowed(graph: SceneGraph) -> Iterator[Doubt]:
         span = Span(*match.span())
         if not _read(graph, span) and not _of_each(graph, span):
             yield Doubt(match[0], span, OF_EACH, _sentence(graph, span)[1])
+
+
+def of_each(text: str) -> str:
+    """The word of some words that says that they hold of each of several; empty where none does."""
+    found = _distributive().search(text)
+    return found[0].lower() if found else ""
+
+
+def of_its_own(graph: SceneGraph, entity: Entity) -> str:
+    """The first word within the noun phrase of a thing that nothing which was read speaks for: "crate" of "a crate
+    table" that became a coffee table; empty where all are read, or the thing is named in another language."""
+    if entity.span is None or entity.implied:
+        return ""
+    phrase, start = graph.text[entity.span.start : entity.span.end], entity.span.start
+    told = " ".join((entity.noun, *entity.words, *(f"{a.words} {a.value}" for a in entity.attributes)))
+    told += " ".join(("", *(one.words for one in (*graph.arrangements, *graph.looks))))
+    told += f" {entity.category} {entity.color} {entity.material} {entity.style}"
+    known = {form for word in _WORD.findall(told.lower()) for form in (word, singular(word))}
+    spoken = [(m[0].lower(), Span(start + m.start(), start + m.end())) for m in _WORD.finditer(phrase)]
+    if not any(word in known or singular(word) in known for word, _ in spoken):
+        return ""
+    for word, span in spoken:
+        if word in known or singular(word) in known or word in function_words() or word in NUMBERS:
+            continue
+        if not _read(graph, span):
+            return word
+    return ""
 
 
 def is_so(survey: Survey, doubt: Doubt, outcome: ItemOutcome) -> bool:
@@ -110,4 +141,4 @@ def _of_each(graph: SceneGraph, span: Span) -> bool:
     return any(r.span is not None and before < r.span.start < after for r in read)
 
 
-__all__ = ["Doubt", "is_so", "swallowed"]
+__all__ = ["Doubt", "is_so", "of_each", "of_its_own", "swallowed"]

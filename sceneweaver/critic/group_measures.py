@@ -42,6 +42,13 @@ def apart(one: Body, other: Body) -> float:
     return float(shapely.distance(shapely.Polygon(one.corners), shapely.Polygon(other.corners)))
 
 
+def nearest_point(body: Body, point: tuple[float, float]) -> tuple[float, float]:
+    """The point of the box of a body that is nearest to another, seen from above."""
+    ahead, aside = (max(-side / 2, min(side / 2, v)) for side, v in zip(body.size, body.local(point), strict=False))
+    c, s = math.cos(body.yaw), math.sin(body.yaw)
+    return body.centre[0] + c * ahead - s * aside, body.centre[1] + s * ahead + c * aside
+
+
 def of_between(survey: Survey, body: Body, shapes: Sequence[Any], bodies: Sequence[Body | None] = ()) -> Measurements:
     """For the most part within the hull of some things, and of two on the middle of the way from one to the other.
 
@@ -116,6 +123,20 @@ def of_flanking(survey: Survey, subjects: Sequence[Body], target: Target) -> Ver
     return decide(ways)
 
 
+def _taken_about(survey: Survey, body: Body, target: Body) -> float:
+    """The angle [deg] that a body takes up, seen from the middle of another; all of it where it holds that."""
+    import shapely
+
+    shape = shapely.convex_hull(survey.footprint(body))
+    x, y = target.centre
+    if shapely.intersects(shape, shapely.points(x, y)):
+        return 360.0
+    bearings = [math.degrees(math.atan2(b - y, a - x)) for a, b in shapely.get_coordinates(shape)]
+    bearings.sort()
+    steps = np.diff(bearings, append=bearings[0] + 360.0)
+    return 360.0 - float(steps.max())
+
+
 def _across(survey: Survey, body: Body, target: Target, axis: int) -> tuple[float, float]:
     """Where the middle of a subject is along an axis of a target, and half the extent of that [m]."""
     low, high = spans(survey, body, target)[axis]
@@ -127,8 +148,21 @@ def of_around(survey: Survey, subjects: Sequence[Body], target: Target) -> Verdi
     to both sides of it."""
     if not subjects:
         return Verdict(False)
-    if len(subjects) == 1 or not isinstance(target, Body):
+    if not isinstance(target, Body):
         return Verdict(True)
+    if len(subjects) == 1:
+        return decide(
+            [
+                (
+                    at_least(
+                        "angle that it takes around it",
+                        _taken_about(survey, subjects[0], target),
+                        number("least_around"),
+                        "deg",
+                    ),
+                )
+            ]
+        )
     if target.item.mount == "wall":
         return of_flanking(survey, subjects, target)
     (x, y), n = target.centre, len(subjects)

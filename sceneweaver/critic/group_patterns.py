@@ -16,7 +16,7 @@ from sceneweaver.rules.faults import fault_kind
 from sceneweaver.verify.measure import Measurement
 from sceneweaver.verify.solids import Body
 
-from .group_measures import apart, of_between, outline
+from .group_measures import apart, nearest_point, of_between, outline
 from .survey import FLAT, Survey, turn_to
 from .verdict import counted
 
@@ -214,8 +214,10 @@ def _at_sides_of(host: Body, said: Arrangement, bodies: Sequence[Body]) -> Check
         have[side] += 1
         yield Measurement("gap to it", apart(b, host), -math.inf, limit("near"))
         off = math.degrees(turn_to(b, host.centre))
-        away = off if len(said.sides) == 4 and max(said.sides) == 1 else min(off, limit("faced"))
-        yield Measurement("off the middle of it", away, -math.inf, limit("faced"), "deg")
+        if len(said.sides) != 4 or max(said.sides) > 1:  # at a long side each looks at its own place
+            off = min(off, math.degrees(turn_to(b, nearest_point(host, b.centre))))
+        if not has_role(b.item.category, "backless_seat"):
+            yield Measurement("off its side of it", off, -math.inf, limit("faced"), "deg")
     long = ("front", "back") if host.size[1] >= host.size[0] else ("left", "right")
     short = ("left", "right") if long[0] == "front" else ("front", "back")
     numbers = [have[side] for side in (*long, *short)]
@@ -224,7 +226,8 @@ def _at_sides_of(host: Body, said: Arrangement, bodies: Sequence[Body]) -> Check
             yield counted("on a side", count, asked, asked)
     else:
         low, high = sorted(said.sides[:2]) if len(said.sides) > 1 else (0, sum(said.sides))
-        ways = [sorted(numbers[:2]), sorted(numbers[2:])]
+        oblong = max(host.size[:2]) > limit("oblong") * min(host.size[:2]) and high > 1
+        ways = [sorted(numbers[:2])] if oblong else [sorted(numbers[:2]), sorted(numbers[2:])]
         best = min(ways, key=lambda way: abs(way[0] - low) + abs(way[1] - high))
         yield counted("on the fuller side", best[1], high, high)
         yield counted("on the other side", best[0], low, low)

@@ -39,10 +39,11 @@ def review_scene(scene: Scene, report: Report, room_type: RoomType, brief: Scene
         where one can mend it, a call of a tool; what was measured; and what became of each item of the request.
     """
     survey = Survey.of(scene, report, room_type, brief)
-    items = asked.measured(survey)
     carried_out = [check for check in CHECKS if rules or check is not design.faults][: None if scene.objects else 1]
     found = [f for check in carried_out for f in check(survey)]
-    found = [f for f in found if not _turned_as_asked(survey, f)] + asked.findings(items)
+    found = [f for f in found if not _turned_as_asked(survey, f)]
+    items = asked.measured(survey, [f.fault for f in found])
+    found += asked.findings(items)
     ranked = sorted(found, key=lambda f: (f.cap is None, -f.fault.points))
     faults = _short([f.fault for f in ranked])
     told = asked.alignment(items)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Set
 from functools import cache
 from typing import Any
 
@@ -39,10 +40,27 @@ def long_enough(people: int) -> float:
     return round(people * number("seat_width") + 0.01, 3)
 
 
-def edge_places(depth: float, width: float) -> int:
-    """The people that sit at a free-standing table of two sides [m], one at each end where that is wide enough."""
+SIDES = frozenset(("front", "back", "left", "right"))
+
+
+def edge_places(depth: float, width: float, free: Set[str] = SIDES) -> int:
+    """The people that sit at a table of two sides [m], one at each end where that is wide enough.
+
+    Args:
+        depth, width: its extents, from front to back and from left to right.
+        free: its sides that one can sit at; all of a table that stands free.
+    """
     short, long = sorted((depth, width))
-    sides = 2 if short >= number("two_sided") else 1
-    ends = 2 if sides == 2 and short >= number("end") and long > 1.12 * short else 0
-    round_ = 4 if long <= 1.12 * short and long < 1.2 else 0
-    return max(round_, sides * int(long / number("edge") + 1e-6) + ends)
+    if free >= SIDES and long <= number("square") * short and long < 1.2:
+        return max(4, _along(short, long, 2, 0))
+    lengthwise, across = (("front", "back"), ("left", "right"))
+    if depth > width:
+        lengthwise, across = across, lengthwise
+    ends = sum(side in free for side in across) if long > number("square") * short else 0
+    return _along(short, long, sum(side in free for side in lengthwise), ends)
+
+
+def _along(short: float, long: float, sides: int, ends: int) -> int:
+    sides = min(sides, 2 if short >= number("two_sided") else 1)
+    ends = ends if short >= max(number("end"), number("two_sided")) else 0
+    return sides * int(long / number("edge") + 1e-6) + ends

@@ -34,6 +34,7 @@ def _file() -> Mapping[str, Any]:
         *data["interchangeable"],
         *data["anywhere"].values(),
         *data["other_meanings"].values(),
+        data["sets"],
     ]
     check_known("kin.yaml", (c for names in lists for c in names), categories())
     check_known("kin.yaml", data["only_for"], data["families"], "family")
@@ -76,6 +77,11 @@ def may_stand_in(category: str) -> frozenset[str]:
 def interchangeable(category: str) -> frozenset[str]:
     """The categories that are one more of what a person names by this one, itself included."""
     return frozenset((category,)).union(*(names for names in _file()["interchangeable"] if category in names))
+
+
+def is_several(category: str, noun: str) -> bool:
+    """Whether one thing of a category is several of what a noun names: a rail of hooks, no "coat rack"."""
+    return category in _file()["sets"] and noun.lower().split()[-1] not in ("rack", "rail", "stack", "bunch", "set")
 
 
 def other_meanings(noun: str) -> frozenset[str]:

@@ -50,7 +50,9 @@ def silent_words(
         if any(covered[match.start() : match.end()]):
             continue
         meant = (slips or {}).get(word, word)
-        if meant in known or all(part in function_words() or part in known for part in _PART.split(meant)):
+        if _tells(graph, match, meant, known):
+            pass  # "the left wall stays empty": with nothing that was read of it, it is lost
+        elif meant in known or all(part in function_words() or part in known for part in _PART.split(meant)):
             continue
         if any(named[match.start() : match.end()]) and (word[0].isdecimal() or word in vocabulary()):
             continue  # of what stands before a noun, only words that nobody knows are lost
@@ -61,6 +63,27 @@ def silent_words(
         else:
             found.append([match.start(), match.end()])
     return tuple(Unread(words=graph.text[a:b].lower(), span=Span(a, b)) for a, b in found)
+
+
+def _tells(graph: SceneGraph, match: re.Match[str], word: str, known: frozenset[str]) -> bool:
+    """Whether a word of grammar says where something is, or that nothing is there, with nothing read of it."""
+    rows = words("bearing_words")
+    if word not in rows["telling"].split():
+        return False
+    bare = word in rows["nothing_there"].split()
+    if word in known and not bare:
+        return False
+    follows = graph.text[match.end() :].lower().split()[:1]
+    if follows and follows[0].strip(".,;:!?") in rows["telling_not_before"].split():
+        return False
+    return not bare or not (graph.only or graph.density != "normal" or _said_of(graph, word))
+
+
+def _said_of(graph: SceneGraph, word: str) -> bool:
+    """Whether something that was read has the word, wherever that stands."""
+    said = [one.words for one in (*graph.relations, *graph.exclusions, *graph.looks, *graph.free_areas)]
+    said += [a.words for entity in graph.entities for a in entity.attributes]
+    return any(word in text.lower().split() for text in said)
 
 
 @cache
@@ -112,6 +135,9 @@ def _known_elsewhere(graph: SceneGraph) -> frozenset[str]:
     said = [graph.room_words, graph.style or "", graph.shape or "", *graph.colors, *graph.for_whom]
     said += [name.replace("_", " ") for name in graph.other_rooms]
     said += [said.words for said in (*graph.relations, *graph.exclusions)]
+    said += [target.replace(":", " ") for one in (*graph.relations, *graph.free_areas) for target in one.targets]
+    said += ["center centre"] if any("middle" in one.targets for one in (*graph.relations, *graph.free_areas)) else []
+    said += [f"{target}s" for one in graph.relations for target in one.targets if target == "corner"]
     said += [word for entity in graph.entities for word in (entity.noun, *entity.words)]
     said += [a.words for entity in graph.entities for a in entity.attributes]
     if graph.wing is not None:

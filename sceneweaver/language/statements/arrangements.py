@@ -357,7 +357,7 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
     ),
     (
         re.compile(
-            r"\b(?:an? |the )?(?:(?!half )[a-z]+ )?"
+            r"\b(?:an? |the )?(?:(?!half\b)[a-z]+ )?"
             r"(?P<shape>semi-?circle|half[ -](?:circle|ring|moon)|circle|ring|arc|u(?:[ -]shape)?|horseshoe) of "
             rf"(?:{_N} )?(?=[a-z])"
         ),
