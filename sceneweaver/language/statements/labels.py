@@ -18,7 +18,9 @@ _LABEL = re.compile(
     r"(?<![\w'-])(?P<noun>[a-z]{3,})(?P<mark> (?:no\.?|nr\.?|number|#) ?| #| )(?P<n>\d{1,3}(?![\d.,]\d))"
     r"(?P<after>[a-d](?!\w))?(?=\s*(?P<next>(?:by \d|[a-z§%\"'×]*)))"
 )
-_COUNTED = re.compile(r"(?:^|[,.] ?|\band )(?P<noun>[a-z]+(?: [a-z]+)?)[:.]? (?:[x×] ?)?(?P<n>\d{1,3})\s*(?=[,.]|and\b|$)")
+_COUNTED = re.compile(
+    r"(?:^|[,.] ?|\band )(?P<noun>[a-z]+(?: [a-z]+)?)[:.]? (?:[x×] ?)?(?P<n>\d{1,3})\s*(?=[,.]|and\b|$)"
+)
 
 
 def labels(source: Source, parsed: Parsed) -> None:
