@@ -135,7 +135,8 @@ def meant_of_list(state: State, place: Place, listed: list[Mention]) -> list[Men
     if state.manner == "hang" and len(listed) == 2 and listed[0] not in related:
         return listed  # "a spade and a rake hanging on the wall"
     if kind in ("flanking", "along", "around") and len(listed) == 2 and listed[0].mount == listed[1].mount:
-        return listed
+        told = {m for s in state.out.said if not s.implied for m in s.subjects}
+        return listed if listed[0] not in told else listed[1:]
     pair = all(m.mount == "surface" for m in listed[-2:])
     if kind in SIDED and len(listed) > 1 and pair and related.isdisjoint(listed[-2:]):
         return listed[-2:]  # "a keyboard and a mouse in front"

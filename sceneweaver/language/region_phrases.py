@@ -125,7 +125,8 @@ def _owner_meant(state: State, phrase: NounPhrase, waiting: Waiting) -> Mention 
         beds = [m for m in state.out.mentions if m.family == "bed_group" and m not in subjects]
         if beds:
             return beds[-1]
-    near = nearest(state, subjects)
+    stand = region in ("side", "end") and bool(subjects) and all(s.mount == "floor" for s in subjects)
+    near = nearest(state, subjects, apart=stand)  # stools are along no pan that hangs over the island
     if phrase.determiner == "its" and near and near[-1].many:
         pronoun = NounPhrase("pronoun", "it", phrase.start, phrase.end, value="pron")
         near = state.refs.pronoun(pronoun, [], [*subjects, *near]) or near

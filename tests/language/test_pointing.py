@@ -113,3 +113,21 @@ def test_what_turns_its_back_to_a_door_is_not_against_it():
 @pytest.mark.parametrize("word", ["thicker", "twice", "rinses", "sharper", "prevents", "raking"])
 def test_words_of_all_kinds_are_no_slips(word):
     assert mended(word, []) is None
+
+
+def test_what_stands_before_a_colon_is_where_the_list_is():
+    text = "A ward. On the left: two beds and a chair. On the desk: a lamp."
+    assert {("hospital_bed", "against", "wall:left"), ("table_lamp", "on", "desk")} <= related(text)
+
+
+@pytest.mark.parametrize(
+    ("text", "relation"),
+    [
+        ("Two shelves, the first holds books, the second a radio.", ("radio", "on", "wall_shelf-2")),
+        ("A stove next to the sink, then a fridge.", ("fridge", "next_to", "stove")),
+        ("A desk with two monitors opposite the bed.", ("desk", "opposite", "bed")),
+        ("A lamp, a clock and a phone on the nightstand.", ("table_clock", "on", "nightstand")),
+    ],
+)
+def test_lists_and_chains_go_on(text, relation):
+    assert relation in related(text)

@@ -29,6 +29,9 @@ _FIRST = re.compile(
     r"\b(?:the first(?: one)?|one(?: of them)?) "
     r"(?P<verb>holds|has|carries|contains|gets|shows|displays|with) (?P<rest>[^.]+)"
 )
+_THEN = re.compile(
+    r"(?<=next to )[^.]{2,60}?, ?(?:and )?(?P<then>then)(?= (?:an? |the )[a-z]+(?: [a-z]+)?\s*(?:[,.]|and\b|$))"
+)
 _NEXT = re.compile(r"\bthe (?:second|third|fourth|other|last)(?: one)? (?=(?P<word>[a-z]+))")
 
 _EACH_A = re.compile(r"(?:^|[,.] ?|\band )each (?P<noun>[a-z]+) (?=(?:an?|two|three|four) [a-z])")
@@ -46,9 +49,12 @@ def said_again(source: Source, parsed: Parsed) -> None:
     for m in reversed([*_DOWN.finditer(source.text)]):
         source.text = source.text[: m.start()] + "     " + source.text[m.end() :]
         source.insert(m.start(), "along ", m.start())  # "lockers down the left side"
+    for m in reversed([*_THEN.finditer(source.text)]):
+        source.text = source.text[: m.start("then")] + "    " + source.text[m.end("then") :]
+        source.insert(m.end("then"), " next to that", m.start("then"))  # "a fridge, next to it a sink, then a stove"
     for m in reversed([*_FIRST.finditer(source.text)]):
         _gapped(m, source)
-    for k in sorted(source.colons):
+    for k in sorted(source.colons, reverse=True):
         _heads_list(k, source)
     for m in reversed([*_EACH_A.finditer(source.text)]):
         kinds = vocabulary().get(m["noun"], {}).keys()
@@ -90,6 +96,8 @@ def _heads_list(at: int, source: Source) -> None:
     if any({"verb", "and", "with"} & vocabulary().get(word, {}).keys() - {"noun"} for word in spoken[1:]):
         return
     source.text = source.text[:at] + " " + source.text[at + 1 :]
+    if spoken[-1] in ("left", "right") and len(spoken) == 3:
+        source.insert(at, " wall", at)  # "on the left: three beds" is of the room
 
 
 @cache
