@@ -10,6 +10,8 @@ from concurrent.futures import ThreadPoolExecutor, wait
 import numpy as np
 import warp as wp
 
+from sceneweaver.kernels import load
+
 from .base import OPTIMIZERS, Monitor, OptimizerResult, Start
 from .batch import Batch
 from .verdict import Verdict, judge
@@ -54,11 +56,12 @@ def run(batch: Batch, optimizer: str, start: Start, budget: int | None, monitor:
     energy = np.full(batch.size, np.inf, dtype=np.float32)
 
     def piece(rows: tuple[int, int]) -> None:
-        if rows[0] and monitor.broken_off:  # late or not, the first begins
+        if rows[0] and monitor.broken_off:  # late or not, the first piece begins
             monitor.add(rows[1] - rows[0], 0, float("inf"))
             return
         energy[slice(*rows)] = solve(batch.part(*rows), start, budget, monitor).energy
 
+    load(batch.device, *OPTIMIZERS[optimizer].modules_on(batch.device), "bookkeeping")
     on_threads(piece, _cuts(batch), monitor)
     return OptimizerResult(energy)
 
@@ -67,6 +70,7 @@ def judge_in_time(batch: Batch, monitor: Monitor) -> Verdict:
     """Verdict on every candidate, as by `judge`; those that there is no time for count as at fault."""
     if batch.device != "cpu" or batch.size <= PIECE or not batch.objects:
         return judge(batch)
+    load(batch.device, "verdict")
     status = np.full(batch.size, BROKEN, dtype=np.int8)
     fault = np.zeros((batch.size, batch.objects), dtype=np.int8)
     holds = np.zeros((batch.size, max(batch.relations, 1)), dtype=bool)
@@ -82,22 +86,21 @@ def judge_in_time(batch: Batch, monitor: Monitor) -> Verdict:
 
 
 def on_threads(work: Callable[[tuple[int, int]], None], cuts: Sequence[tuple[int, int]], monitor: Monitor) -> None:
-    """Do the first piece, which compiles what is not compiled yet, then the others, on the threads of a CPU.
+    """Do pieces of work on the threads of a CPU, side by side: on two cores there are two.
 
-    After an exception of the caller the pieces that are under way end at once, and no other begins.
+    Their kernels have to be loaded. After an exception of the caller the pieces that are under way end at once, and no
+    other begins.
     """
     if not cuts:
         return
     began = time.monotonic()
     with ThreadPoolExecutor(min(cpu_threads(), len(cuts))) as pool:
         try:
-            for some in (cuts[:1], cuts[1:]):
-                futures = [pool.submit(work, rows) for rows in some]
-                for future in futures:
-                    while not future.done():
-                        wait([future], TICK)
-                        monitor.watch(began)
-                    future.result()
+            for future in [pool.submit(work, rows) for rows in cuts]:
+                while not future.done():
+                    wait([future], TICK)
+                    monitor.watch(began)
+                future.result()
         except BaseException:
             monitor.break_off()
             pool.shutdown(wait=False, cancel_futures=True)

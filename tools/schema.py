@@ -18,23 +18,24 @@ TYPES: Mapping[str, tuple[type, ...]] = {
     "null": (type(None),),
 }
 
-KEYWORDS = frozenset(
-    (
-        "type",
-        "description",
-        "default",
-        "properties",
-        "required",
-        "items",
-        "enum",
-        "minimum",
-        "maximum",
-        "exclusiveMinimum",
-        "minItems",
-        "maxItems",
-        "additionalProperties",
-    )
-)
+_NUMBER, _COUNT = {"type": "number"}, {"type": "integer", "minimum": 0}
+
+KEYWORDS: Mapping[str, Mapping[str, Any]] = {
+    "type": {"type": ["string", "array"], "items": {"type": "string"}, "minItems": 1},
+    "description": {"type": "string"},
+    "default": {},
+    "properties": {},
+    "required": {"type": "array", "items": {"type": "string"}},
+    "items": {},
+    "enum": {"type": "array", "minItems": 1},
+    "minimum": _NUMBER,
+    "maximum": _NUMBER,
+    "exclusiveMinimum": _NUMBER,
+    "minItems": _COUNT,
+    "maxItems": _COUNT,
+    "additionalProperties": {},
+}
+"""Keywords that are understood, with the schema of what each may be; {}: anything, or it is looked at by itself."""
 
 _NAMES = {
     "object": "an object {...}",
@@ -60,9 +61,10 @@ def check_schema(schema: Any, where: str = "inputs") -> None:
         raise InputError(f"{where} is {show(schema)}; give a schema {{type: ...}}")
     for key in schema:
         if key not in KEYWORDS:
-            raise InputError(f"{where}: keyword {show(key)} is not understood{suggest(key, sorted(KEYWORDS))}")
+            raise InputError(f"{where}: keyword {show(key)} is not understood{suggest(str(key), sorted(KEYWORDS))}")
+        check_inputs(KEYWORDS[key], schema[key], f"{where}.{key}")
     for name in _types(schema):
-        if not isinstance(name, str) or name not in TYPES:
+        if name not in TYPES:
             raise InputError(f"{where}.type is {show(name)}{suggest(name, TYPES)}")
     properties = schema.get("properties", {})
     if not isinstance(properties, Mapping):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from dataclasses import dataclass
 
+from sceneweaver.assets.roles import has_role
 from sceneweaver.knowledge import Item, RoomType
 from sceneweaver.knowledge.kin import excluded_kinds, serves
 from sceneweaver.language import Entity, SceneGraph
@@ -124,6 +125,9 @@ def _need(
     core = min(least, max(1, item.count.least))
     if item.with_ is not None:
         hosts = _hosts(item, by_item, scene)
+        if has_role(item.what[0], "table_seat"):
+            standing = {e.id for e in brief.entities if e.standing and has_role(e.category, "counter")}
+            hosts -= sum(scene.object(name).intent.request in standing for name in by_item.get(item.with_, ()))
         least, core = least * hosts, core * hosts
     if "at_window" in {p.type for p in item.place if not p.soft} and not scene.room.windows:
         least = 0

@@ -1,4 +1,4 @@
-"""What doors and windows look like: frames, a closed leaf, panes of glass."""
+"""What doors and windows look like: frames and panes of glass, and the leaves that open."""
 
 from __future__ import annotations
 
@@ -10,25 +10,34 @@ from sceneweaver.assets import Material, Mesh
 from sceneweaver.geometry.prisms import prism_mesh
 from sceneweaver.geometry.shell import WALL_THICKNESS
 from sceneweaver.geometry.walls import Wall
-from sceneweaver.scene import Room, Window
+from sceneweaver.physics.leaves import Leaf, leaves
+from sceneweaver.scene import Door, Room, Window
+
+from .room import leaf_mesh
 
 _FRAME = Material("window frame", (0.96, 0.955, 0.94), roughness=0.5)
-_LEAF = Material("door leaf", (0.80, 0.69, 0.55), roughness=0.55, texture="oak")
-_HANDLE = Material("door handle", (0.72, 0.73, 0.74), roughness=0.3, metallic=1.0)
 _GLASS = Material("pane", (0.80, 0.90, 0.95), roughness=0.05, opacity=0.28)
 
 Range = tuple[float, float]
 Block = tuple[Range, Range, Range, Material]  # along the wall, outward from its inner face, up [m]
 
 _BAR = 0.05
+_TRIM = 0.009  # by which a door's frame stands before the wall: a leaf that slides passes at 0.01
 
 
 def opening_meshes(room: Room) -> Iterator[tuple[int, str, Mesh]]:
-    """Wall, a name and the mesh in the world's frame of each door and window."""
+    """Wall, a name and the mesh in the world's frame of what stands still of each door and window."""
     for k, door in enumerate(room.doors):
-        yield door.wall, f"door:{k}", _built(room.walls[door.wall], _door(door.offset, door.width, door.height))
+        wall = room.walls[door.wall]
+        yield door.wall, f"door:{k}", _built(wall, _door(wall, door, room.height))
     for k, window in enumerate(room.windows):
         yield window.wall, f"window:{k}", window_mesh(room, window)
+
+
+def door_leaves(room: Room) -> Iterator[tuple[int, Leaf, Mesh]]:
+    """Wall, the leaf and its mesh, closed and in the leaf's frame, of each door."""
+    for door, leaf in zip(room.doors, leaves(room), strict=True):
+        yield door.wall, leaf, leaf_mesh(leaf)
 
 
 def window_mesh(room: Room, window: Window) -> Mesh:
@@ -37,35 +46,33 @@ def window_mesh(room: Room, window: Window) -> Mesh:
     return _built(room.walls[window.wall], blocks)
 
 
-def _border(offset: float, width: float, low: float, high: float, deep: Range, bottom: bool) -> list[Block]:
+def _border(offset: float, width: float, low: float, high: float, deep: Range) -> list[Block]:
     bar = min(_BAR, width / 4, (high - low) / 4)
     end = offset + width
-    blocks: list[Block] = [
+    return [
         ((offset, offset + bar), deep, (low, high), _FRAME),
         ((end - bar, end), deep, (low, high), _FRAME),
         ((offset + bar, end - bar), deep, (high - bar, high), _FRAME),
+        ((offset + bar, end - bar), deep, (low, low + bar), _FRAME),
     ]
-    if bottom:
-        blocks.append(((offset + bar, end - bar), deep, (low, low + bar), _FRAME))
-    return blocks
 
 
-def _door(offset: float, width: float, height: float) -> list[Block]:
-    bar = min(_BAR, width / 4, height / 4)
-    middle = WALL_THICKNESS / 2
-    blocks = _border(offset, width, 0.0, height, (-0.012, WALL_THICKNESS + 0.012), False)
-    inner, end = offset + bar, offset + width - bar
-    blocks.append(((inner, end), (middle - 0.02, middle + 0.02), (0.005, height - bar), _LEAF))
-    if height > 1.3 and width > 0.5:
-        blocks.append(((end - 0.16, end - 0.04), (middle - 0.065, middle - 0.05), (1.0, 1.02), _HANDLE))
-        blocks.append(((end - 0.06, end - 0.04), (middle - 0.065, middle - 0.015), (1.0, 1.02), _HANDLE))
+def _door(wall: Wall, door: Door, ceiling: float) -> list[Block]:
+    """A frame on both faces of the wall around the opening, which the leaf fills when it is closed."""
+    start, end = door.offset, door.offset + door.width
+    left, right = max(start - _BAR, min(start, 0.0)), min(end + _BAR, max(end, wall.length))
+    top = min(door.height + _BAR, max(ceiling, door.height))
+    blocks: list[Block] = []
+    for deep in ((-_TRIM, 0.0), (WALL_THICKNESS, WALL_THICKNESS + _TRIM)):
+        bars = (((left, start), (0.0, top)), ((end, right), (0.0, top)), ((start, end), (door.height, top)))
+        blocks += [(along, deep, up, _FRAME) for along, up in bars if min(along[1] - along[0], up[1] - up[0]) > 1e-6]
     return blocks
 
 
 def _window(offset: float, width: float, sill: float, height: float) -> list[Block]:
     top = sill + height
     bar = min(_BAR, width / 4, height / 4)
-    blocks = _border(offset, width, sill, top, (0.02, WALL_THICKNESS - 0.01), True)
+    blocks = _border(offset, width, sill, top, (0.02, WALL_THICKNESS - 0.01))
     blocks.append(((offset - 0.03, offset + width + 0.03), (-0.05, 0.02), (sill - 0.025, sill), _FRAME))
     panes = max(1, round(width / 0.9))
     for k in range(1, panes):

@@ -292,7 +292,7 @@ def _shares(
 
 
 def _sat_at_items(brief: SceneGraph, roles: Mapping[str, Sequence[str]]) -> frozenset[str]:
-    """The items of the room at whose things the request has seats of its own."""
+    """The items of the room at whose things the request has seats of its own, or people stand."""
     seats = {e.id for e in brief.entities if "seating" in groups_of(e.category)}
     placed = {r.subject for r in brief.relations if r.targets and not r.implied}
     tables = [e for e in brief.entities if has_role(e.category, "seated_at")]
@@ -309,7 +309,10 @@ def _sat_at_items(brief: SceneGraph, roles: Mapping[str, Sequence[str]]) -> froz
             for name in r.targets
         }
     )
-    return frozenset(item for name in at for item in roles.get(name, ()))
+    stood_at = {
+        e.id for e in tables if has_role(e.category, "counter") and any(a.value == "standing" for a in e.attributes)
+    }
+    return frozenset(item for name in at | stood_at for item in roles.get(name, ()))
 
 
 ENOUGH_SEATS, ENOUGH_FOR_SOFA = 3, 4
@@ -414,6 +417,7 @@ def build(
     for number, demand in enumerate(sorted(wishes, key=_order(room_type))):
         item, own = demand.item, seed + 101 * number
         parents = _parents(demand, by_item)
+        demand = _high_seats(demand, parents)
         # A count that the request gives is that of all together, one of the room's file is for each parent; one thing
         # that is named is not there for each of what the room has by itself.
         ours = item is not None and all(parent is not None and parent.asked is None for parent in parents)
@@ -453,6 +457,13 @@ def _parents(demand: Demand, by_item: Mapping[str, Sequence[Wanted]]) -> Sequenc
         return [None]
     found = [w for w in by_item.get(item.with_, ()) if not item.when or w.category in item.when]
     return found or ([None] if demand.asked is not None else [])
+
+
+def _high_seats(demand: Demand, parents: Sequence[Wanted | None]) -> Demand:
+    """Seats of the room's own at tables that take bar stools, as a high table that is asked for in a bakery."""
+    seats = demand.asked is None and "seating" in groups_of(demand.categories[0])
+    high = seats and parents and all(p is not None and has_role(p.category, "counter") for p in parents)
+    return replace(demand, categories=("bar_stool",)) if high else demand
 
 
 def _sized(

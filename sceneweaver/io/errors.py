@@ -1,5 +1,7 @@
 """Exceptions of the public API. Each message is one line that names the field and the fix."""
 
+from .messages import clean
+
 
 class SceneWeaverError(Exception):
     """Base of every error that the library raises on purpose.
@@ -16,6 +18,10 @@ class SceneWeaverError(Exception):
     """
 
     exit_code = 1
+
+    def __init__(self, message: object = "") -> None:
+        """``message`` may quote what a file holds: it becomes one line of what a terminal can print."""
+        super().__init__(clean(str(message)))
 
 
 class InputError(SceneWeaverError, ValueError):

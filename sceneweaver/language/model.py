@@ -135,6 +135,11 @@ class Entity(FrozenModel):
     )
     span: Span | None = None
 
+    @property
+    def standing(self) -> bool:
+        """Whether it is said to be for people who stand, as a standing table."""
+        return any(one.value == "standing" for one in self.attributes)
+
 
 class StatedRelation(FrozenModel):
     """A relation that a request names.

@@ -12,10 +12,11 @@ from typing import Any
 
 import numpy as np
 
-from sceneweaver.assets import Asset, Material, Mesh
+from sceneweaver.assets import Asset, Hull, Link, Material, Mesh
 from sceneweaver.assets.asset import Origin
 from sceneweaver.assets.placed import Load
 from sceneweaver.assets.textures import maps
+from sceneweaver.geometry.prisms import prism_mesh
 from sceneweaver.io import parse_json, read_bytes, read_meshes
 from sceneweaver.io.meshes import MAX_BYTES
 from sceneweaver.scene import InputError, MissingDependencyError, Pose, Room, Scene, SceneObject
@@ -36,7 +37,7 @@ def read_glb(path: str | os.PathLike[str]) -> tuple[Scene, Load]:
         found: Any = read_meshes(name)  # looks whether all that the document describes is in the file
         own = OwnFile(data)
         ours = own.document.get("asset", {}).get("generator") == "sceneweaver"
-        bodies = list(_own_bodies(own) if ours else _other_bodies(found))
+        bodies = list(_own_bodies(own) if ours else ((*body, ()) for body in _other_bodies(found)))
     except (InputError, MissingDependencyError):
         raise
     except Exception as error:  # a broken file fails in many ways inside the reader
@@ -44,13 +45,13 @@ def read_glb(path: str | os.PathLike[str]) -> tuple[Scene, Load]:
     objects: list[SceneObject] = []
     assets: dict[str, Asset] = {}
     corners: list[np.ndarray] = []
-    for thing, mesh in bodies:
+    for thing, mesh, links in bodies:
         if not np.isfinite(mesh.vertices).all():
             raise InputError(f"{name}: node '{thing.id}' has numbers that are not finite; export it anew")
         corners += list(mesh.bounds + np.asarray(thing.pose.position))
         asset = f"{len(assets)}"
         objects.append(thing.model_copy(update={"asset": asset}))
-        assets[asset] = _asset(asset, thing.category, mesh)
+        assets[asset] = _asset(asset, thing.category, mesh, links)
     if not objects:
         raise InputError(f"{name}: shows no mesh; export it anew")
     scene = own.document["scenes"][0] if ours else {}
@@ -62,8 +63,8 @@ def read_glb(path: str | os.PathLike[str]) -> tuple[Scene, Load]:
     )
 
 
-def _own_bodies(own: OwnFile) -> Iterator[tuple[SceneObject, Mesh]]:
-    """The objects of a file that we wrote, and their meshes in their frames."""
+def _own_bodies(own: OwnFile) -> Iterator[tuple[SceneObject, Mesh, tuple[Link, ...]]]:
+    """The objects of a file that we wrote, their meshes in their frames and what of these moves."""
     for node in own.document["nodes"]:
         extras = node.get("extras", {})
         if "category" not in extras:
@@ -78,14 +79,16 @@ def _own_bodies(own: OwnFile) -> Iterator[tuple[SceneObject, Mesh]]:
         )
         mesh = _whole(own, node)
         scale = np.abs(own.vector(node.get("scale", (1.0, 1.0, 1.0))))
-        yield thing, replace(mesh, vertices=mesh.vertices * scale)
+        yield thing, replace(mesh, vertices=mesh.vertices * scale), tuple(own.links(node))
 
 
 def _whole(own: OwnFile, node: dict[str, Any]) -> Mesh:
-    """The mesh of an object with those of its doors, drawers and things to take, all as they are in the file."""
+    """The mesh of an object with those of its doors, drawers and things to take, all as they are in the file; faces
+    say which of the nodes below they are of, from 1."""
     nodes = [(node, np.zeros(3))]
     nodes += [(below, np.asarray(own.vector(below["translation"]))) for below in own.below(node)]
-    meshes = [(own.mesh(one["mesh"]), off) for one, off in nodes if "mesh" in one]
+    numbers = [number for number, (one, _) in enumerate(nodes) if "mesh" in one]
+    meshes = [(own.mesh(nodes[number][0]["mesh"]), nodes[number][1]) for number in numbers]
     points = np.concatenate([mesh.vertices + off for mesh, off in meshes])
     starts = np.cumsum([0, *(len(mesh.vertices) for mesh, _ in meshes)])
     kinds = np.cumsum([0, *(len(mesh.materials) for mesh, _ in meshes)])
@@ -93,7 +96,7 @@ def _whole(own: OwnFile, node: dict[str, Any]) -> Mesh:
         points,
         np.concatenate([mesh.faces + start for (mesh, _), start in zip(meshes, starts, strict=False)]),
         np.concatenate([mesh.face_material + kind for (mesh, _), kind in zip(meshes, kinds, strict=False)]),
-        np.concatenate([mesh.face_link for mesh, _ in meshes]),
+        np.repeat(np.asarray(numbers, dtype=np.int32), [len(mesh.faces) for mesh, _ in meshes]),
         tuple(material for mesh, _ in meshes for material in mesh.materials),
         np.concatenate([mesh.uv for mesh, _ in meshes if mesh.uv is not None]),
     )
@@ -135,18 +138,28 @@ def _around(corners: list[np.ndarray]) -> Room:
     return Room(outline=((x0, y0), (x1, y0), (x1, y1), (x0, y1)), height=max(0.5, z1))
 
 
-def _asset(object_id: str, category: str, mesh: Mesh) -> Asset:
+def _asset(object_id: str, category: str, mesh: Mesh, links: Sequence[Link] = ()) -> Asset:
+    """An asset to look at; boxes stand for the collision parts of what moves, as the file has none."""
+    boxes = tuple(_box(mesh, number) for number in np.unique(mesh.face_link).tolist()) if links else ()
     return Asset(
         id=object_id,
         category=category,
         mesh=mesh,
-        hulls=(),
+        hulls=boxes,
         parts=(),
         mount="floor",
         mass=1.0,
         friction=0.5,
         origin=Origin("glb", "unknown"),
+        links=tuple(links),
     )
+
+
+def _box(mesh: Mesh, link: int) -> Hull:
+    """What is around the faces of one link."""
+    corners = mesh.vertices[mesh.faces[mesh.face_link == link]].reshape(-1, 3)
+    (x0, y0, z0), (x1, y1, z1) = corners.min(axis=0).tolist(), corners.max(axis=0).tolist()
+    return Hull(*prism_mesh(((x0, y0), (x1, y0), (x1, y1), (x0, y1)), (z0, z1)), link)
 
 
 def _colors(shape: Any, faces: np.ndarray) -> tuple[list[tuple[float, float, float]], np.ndarray]:
@@ -215,6 +228,18 @@ class OwnFile:
     def below(self, node: dict[str, Any]) -> list[dict[str, Any]]:
         """The nodes below one."""
         return [self.document["nodes"][k] for k in node.get("children", ())]
+
+    def links(self, node: dict[str, Any]) -> Iterator[Link]:
+        """How each of the nodes below one moves in its frame."""
+        for below in self.below(node):
+            joint: dict[str, Any] = below.get("extras", {}).get("joint", {"type": "free"})
+            name = below["name"].removeprefix(f"{node['name']}.")
+            if joint["type"] == "free":
+                yield Link(name, "free", role="item", category=joint.get("category", ""))
+                continue
+            axis = self.vector(joint["axis"])
+            low, high = joint["limits"]
+            yield Link(name, joint["type"], axis, self.vector(below["translation"]), (low, high), joint["role"])
 
     def _values(self, number: int) -> np.ndarray:
         accessor = self.document["accessors"][number]

@@ -22,8 +22,9 @@ from sceneweaver.export.bodies import bodies_of, moving_parts
 from sceneweaver.export.corners import texture_coordinates
 from sceneweaver.export.glb import room_meshes
 from sceneweaver.export.images import has_relief, square
-from sceneweaver.export.openings import opening_meshes
+from sceneweaver.export.openings import door_leaves, opening_meshes
 from sceneweaver.geometry.angles import heading
+from sceneweaver.geometry.rotations import from_yaw
 from sceneweaver.geometry.walls import wall_behind
 from sceneweaver.scene import Room, Scene, SceneObject
 
@@ -106,6 +107,11 @@ def pack(scene: Scene, rows: list[RelationRow], faults: list[ViolationRow], load
         items.append({"id": None, "kind": kind, "wall": wall, "mesh": store.add(f"\0{name}", mesh), **_FLAT})
     for wall, name, mesh in opening_meshes(scene.room):
         items.append({"id": None, "kind": "opening", "wall": wall, "mesh": store.add(f"\0{name}", mesh), **_FLAT})
+    for wall, leaf, mesh in door_leaves(scene.room):
+        item = {"id": leaf.door, "kind": "leaf", "wall": wall, "mesh": store.add(f"\0{leaf.name}", mesh), **_FLAT}
+        moves = {"name": leaf.door, "kind": leaf.joint, "axis": leaf.axis, "anchor": (0.0, 0.0, 0.0)}
+        place = {"position": leaf.position, "quaternion": from_yaw(leaf.yaw)}
+        items.append({**item, **place, "joint": {**moves, "limits": leaf.limits}})
     bodies = bodies_of(scene, load, missing="parts")
     for body in bodies:
         thing = body.object

@@ -119,6 +119,29 @@ def test_our_own_glb_comes_back(tmp_path: Path) -> None:
     assert b"crate" in show(tmp_path)[0]()
 
 
+def test_what_moves_in_our_own_glb_moves_when_it_comes_back(tmp_path: Path) -> None:
+    from sceneweaver.assets import make
+    from sceneweaver.report.from_glb import read_glb
+    from sceneweaver.report.view3d import pack
+
+    fridge = make("fridge", 1)
+    scene = Scene(
+        id="s",
+        room=SCENE.room,
+        objects=(fridge.object("fridge", pose=Pose.from_yaw(1.5, 1.5, 0.0, 0.5)),),
+    )
+    write_glb(scene, tmp_path / "scene.glb", load=lambda _: fridge)
+    before, after = (
+        [item["joint"] for item in pack(one, [], [], load).data["items"] if "joint" in item]
+        for one, load in ((scene, lambda _: fridge), read_glb(tmp_path / "scene.glb"))
+    )
+    assert len(after) == len(before) >= 2
+    for was, now in zip(before, after, strict=True):
+        assert (now["name"], now["kind"]) == (was["name"], was["kind"])
+        for key in ("axis", "limits") + (("anchor",) if was["kind"] == "hinge" else ()):
+            assert now[key] == pytest.approx(was[key], abs=1e-6), key
+
+
 def test_anybodys_glb_is_shown(tmp_path: Path) -> None:
     import trimesh
 

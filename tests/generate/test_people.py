@@ -5,6 +5,9 @@ from __future__ import annotations
 import pytest
 
 from sceneweaver.assets import Library
+from sceneweaver.assets.roles import has_role
+from sceneweaver.critic.program import Program
+from sceneweaver.knowledge import room_types
 from sceneweaver.language import read_request
 from sceneweaver.layout.engine import refine
 from tests.generate.drafts import brief_of, drawn
@@ -38,6 +41,15 @@ def test_a_table_for_ten_is_long_enough(library: Library) -> None:
     (table,) = [o for o in scene.objects if o.intent.request == "dining_table"]
     assert len(seats) == 10
     assert max(table.size[:2]) >= 4 * max(o.size[1] for o in seats)
+
+
+@pytest.mark.parametrize(("table", "seats"), [("high table", {"bar_stool"}), ("high standing table", set())])
+def test_seats_are_as_high_as_their_table_asks(library: Library, table: str, seats: set[str]) -> None:
+    scene = drawn(f"a bakery with a {table} and a counter", library)
+    assert {o.category for o in scene.objects if has_role(o.category, "table_seat")} == seats
+    (high,) = [o for o in scene.objects if o.category == "bar_table"]
+    needs = Program.of(scene, room_types()["bakery"], read_request(f"a bakery with a {table}"), 30.0).needs
+    assert (high.intent.request == "bar_table") and bool(seats) == any(n.item.id == "chair" for n in needs)
 
 
 def test_a_pattern_is_laid_out_about_its_first(library: Library) -> None:

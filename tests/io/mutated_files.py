@@ -105,12 +105,12 @@ class Fuzzer:
         """Make the good files of all kinds, each in a process of its own, and import what commands need."""
         os.environ.setdefault("WARP_CACHE_PATH", _warp_cache())
         os.environ["XDG_CACHE_HOME"] = str(self.root / "cache")
+        _import()  # first, as each of the processes would have to do it
         for name in self.kinds:
             folder = self.root / "good" / name
             folder.mkdir(parents=True)
             _apart(KINDS[name], folder)
             self._good[name] = folder
-        _import()
 
     def case(self, number: int) -> Case | None:
         """The case of a number; None where its kind is not wanted. Equal seeds and numbers make equal cases."""

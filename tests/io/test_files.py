@@ -24,7 +24,7 @@ from sceneweaver.io import (
     whole,
     write_atomic,
 )
-from sceneweaver.scene import InputError
+from sceneweaver.scene import InputError, MissingDependencyError
 
 
 @pytest.fixture
@@ -224,3 +224,9 @@ def test_a_lock_file_is_a_file_of_ours(elsewhere, tmp_path, kind):
         locked(tmp_path / "own" / "scene.json", "--out: own"),
     ):
         pass
+
+
+def test_an_error_is_one_line_whatever_it_quotes():
+    for kind in (InputError, MissingDependencyError):
+        line = str(kind("models.a\x00b: is \x1b[2J\r\nbad"))
+        assert line.isprintable() and "models.a" in line and "bad" in line

@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import math
 import signal
+import sys
 import threading
 import time
 from functools import partial
@@ -18,8 +19,8 @@ from sceneweaver.layout import engine
 from sceneweaver.layout.batch import make_batch
 from sceneweaver.layout.compile import compile_scene
 from sceneweaver.optimizers import OPTIMIZERS, Monitor, load_poses, run
-from sceneweaver.optimizers.base import GRACE
-from sceneweaver.optimizers.run import PIECE, judge_in_time, on_threads
+from sceneweaver.optimizers.base import GRACE, FunctionOptimizer
+from sceneweaver.optimizers.run import PIECE, cpu_threads, judge_in_time, on_threads
 from sceneweaver.optimizers.search import search_blocks
 from sceneweaver.runtime.deadline import Deadline, Stop, TimeUp, ending, stoppable
 
@@ -82,16 +83,15 @@ def test_who_waits_looks_at_the_clock_while_a_piece_works(monkeypatch):
 
 
 def test_pieces_that_there_is_no_time_for_are_not_begun(bedroom, monkeypatch):
-    begun = []
-    monkeypatch.setitem(OPTIMIZERS, "search", lambda batch, *_: begun.append(batch) or pytest.fail("not begun"))
-    kept = OPTIMIZERS["projection"]
+    begun, kept = [], OPTIMIZERS["projection"]
 
     def first(batch, start, budget, monitor):
         begun.append(batch.size)
         monitor.break_off()
         return kept(batch, start, 1, Monitor(batch.size))
 
-    monkeypatch.setitem(OPTIMIZERS, "search", first)
+    monkeypatch.setenv("OMP_NUM_THREADS", "1")
+    monkeypatch.setitem(OPTIMIZERS, "search", FunctionOptimizer(first, ("search",), ()))
     batch = batch_of(bedroom, 40 * PIECE)
     energy = run(batch, "search", "given", None, Monitor(batch.size)).energy
     assert begun == [PIECE]
@@ -120,8 +120,14 @@ def test_an_error_of_the_caller_ends_the_pieces(monkeypatch):
 
     monkeypatch.setattr(Monitor, "watch", interrupted)
     with pytest.raises(KeyboardInterrupt):
-        on_threads(work, [(k, k + 1) for k in range(8)], monitor)
-    assert begun == [(0, 1)]
+        on_threads(work, [(k, k + 1) for k in range(2 * cpu_threads())], monitor)
+    assert 1 <= len(begun) <= cpu_threads()
+
+
+def test_pieces_are_done_side_by_side(monkeypatch):
+    monkeypatch.setattr(sys.modules["sceneweaver.optimizers.run"], "cpu_threads", lambda: 2)
+    both = threading.Barrier(2)
+    on_threads(lambda _: both.wait(60), [(0, 1), (1, 2)], Monitor(2))  # one alone would wait for the other
 
 
 def test_a_search_hears_of_a_stop_that_is_asked_for_later():

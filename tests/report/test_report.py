@@ -9,18 +9,18 @@ import re
 import zlib
 from dataclasses import replace
 from html.parser import HTMLParser
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import pytest
 
 from sceneweaver.assets.textures import maps
 from sceneweaver.export.corners import texture_coordinates
-from sceneweaver.export.openings import opening_meshes
+from sceneweaver.export.openings import door_leaves, opening_meshes
 from sceneweaver.report import ReportData, report_html, write_report
 from sceneweaver.report.facts import faults_of, relation_rows
 from sceneweaver.report.view3d import pack
-from sceneweaver.scene import InputError, Pose, Relation, SceneObject
+from sceneweaver.scene import Door, InputError, Pose, Relation, Room, SceneObject
 from sceneweaver.verify import check
 from tests.report.scenes import HOSTILE, asked, asset, full, furnished, load
 
@@ -272,6 +272,38 @@ def test_doors_and_windows_are_closed_bodies() -> None:
         body = trimesh.Trimesh(mesh.vertices, mesh.faces, process=False)
         assert body.is_watertight and body.volume > 0
         assert all(piece.volume > 0 for piece in body.split(only_watertight=False))
+
+
+@pytest.mark.parametrize("swing", ["in-left", "in-right", "out", "slide"])
+def test_the_frame_of_a_door_lets_its_leaf_pass(swing: Literal["in-left", "in-right", "out", "slide"]) -> None:
+    """The leaf is that of simulators, and at no angle or place of its way does it go through the frame around it."""
+    import manifold3d
+    import trimesh
+
+    def solid(mesh, matrix=None):
+        body = trimesh.Trimesh(mesh.vertices, mesh.faces).apply_transform(np.eye(4) if matrix is None else matrix)
+        return manifold3d.Manifold.batch_boolean(
+            [
+                manifold3d.Manifold(manifold3d.Mesh64(np.asarray(p.vertices), np.asarray(p.faces, dtype=np.uint64)))
+                for p in body.split()
+            ],
+            manifold3d.OpType.Add,
+        )
+
+    door = Door(id="d", wall=1, offset=0.0, width=0.9, height=2.0, swing=swing)
+    room = Room(outline=((0, 0), (4, 0), (4, 4), (0, 4)), doors=(door,))
+    [(_, _, frame)], [(wall, leaf, mesh)] = opening_meshes(room), door_leaves(room)
+    assert wall == 1 and leaf.door == "d" and leaf.limits[1] > 0.5
+    still = trimesh.transformations.translation_matrix(leaf.position)
+    still = still @ trimesh.transformations.rotation_matrix(leaf.yaw, (0, 0, 1))
+    for share in np.linspace(0, 1, 12):
+        far = share * leaf.limits[1]
+        moved = (
+            trimesh.transformations.rotation_matrix(far, leaf.axis)
+            if leaf.joint == "hinge"
+            else trimesh.transformations.translation_matrix(far * np.asarray(leaf.axis))
+        )
+        assert (solid(frame) ^ solid(mesh, still @ moved)).volume() < 1e-7, share
 
 
 def test_a_missing_asset_is_shown_as_parts_and_said() -> None:

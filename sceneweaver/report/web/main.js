@@ -53,6 +53,12 @@ async function start() {
     byId("button-open").setAttribute("aria-pressed", String(all.length > 0 && all.every((item) => item.share > 0)));
     changed();
   };
+  // What a click on it does: a door or drawer opens or closes, an object is selected.
+  const touch = (item) => {
+    if (item && item.joint) open([item], item.share > 0 ? 0 : 1);
+    if (!item || item.kind === "object") select(item && item.id);
+    else byId("announce").textContent = `${item.id} ${item.share > 0 ? "opened" : "closed"}`;
+  };
   const panel = new Panel(data, select, (id) => renderer.moving(id), open);
   const labels = new Labels(data, select);
   const pixel = (x, y) => {
@@ -104,14 +110,14 @@ async function start() {
   let hovering = 0;
   listen(canvas, orbit, {
     changed,
-    clicked: (x, y) => select(pick(x, y)),
+    clicked: (x, y) => touch(pick(x, y)),
     hovered: (x, y) => {
       const now = performance.now();
       if (x >= 0 && now - hovering < 60) return;
       hovering = now;
-      const id = x < 0 || slow > 3 ? null : pick(x, y);
-      canvas.style.cursor = id === null ? "grab" : "pointer";
-      canvas.title = id === null ? "" : id;
+      const item = x < 0 || slow > 3 ? null : pick(x, y);
+      canvas.style.cursor = item ? "pointer" : "grab";
+      canvas.title = item ? item.id : "";
     },
     cleared: () => select(null),
   });

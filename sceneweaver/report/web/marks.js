@@ -44,7 +44,8 @@ Object.assign(Renderer.prototype, {
     gl.disable(gl.BLEND);
   },
 
-  // The object at a pixel of the canvas, counted from its lower left corner; null for none.
+  // What is at a pixel of the canvas, counted from its lower left corner: an object or a part of it that moves, or the
+  // leaf of a door; null for none.
   pick(camera, x, y) {
     const gl = this.gl;
     this.targets();
@@ -68,6 +69,6 @@ Object.assign(Renderer.prototype, {
     gl.disable(gl.SCISSOR_TEST);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     const item = this.items[pixel[0] + 256 * pixel[1] + 65536 * pixel[2] - 1];
-    return item && item.kind === "object" ? item.id : null;
+    return item && item.id !== null ? item : null;
   },
 });

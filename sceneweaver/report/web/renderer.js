@@ -48,7 +48,7 @@ class Renderer {
     this.renderSun(this.sun);
   }
 
-  // The doors, drawers and lids of an object, or of all.
+  // The doors, drawers and lids of an object, or of all and of the room.
   moving(id) {
     return this.items.filter((item) => item.joint && (id === undefined || item.id === id));
   }
@@ -168,7 +168,8 @@ class Renderer {
     const program = this.use("depth", { view: map.view });
     for (const item of this.items) {
       // The sun shines over the walls, as if into a doll's house; the sky is dimmed by the walls that are shown.
-      if (item.kind === "object" || item.kind === "floor" || walls) this.drawItem(program, item, 0, item.mesh.opaque);
+      const inside = item.kind === "object" || item.kind === "floor" || item.share > 0;
+      if (inside || walls) this.drawItem(program, item, 0, item.mesh.opaque);
     }
     gl.disable(gl.POLYGON_OFFSET_FILL);
   }
