@@ -166,11 +166,8 @@ def _pronoun(scan: Scan, token: Token, after: Token | None) -> bool:
     if token.text in EACH and after is not None and _one_of_several(scan, token, after):
         return False
     of_station = token.text in EACH and after is not None and singular(after.text) in words("nouns")["stations"]
-    if (
-        of_station
-        or opens
-        and (token.has("each", "both", "det", "number", "rest") or token.text in ("another", "the first"))
-    ):
+    belongs = token.has("each", "both", "det", "number", "rest") or token.text in ("another", "the first")
+    if of_station or (opens and belongs):
         return False
     targeted = bool(scan.out) and scan.out[-1].kind == "place"  # "on each a vase"
     if token.text in (*EACH, "both") and not targeted and after is not None and after.has("det", "number"):

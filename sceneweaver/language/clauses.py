@@ -11,7 +11,7 @@ from .chunks import Chunk, NounPhrase
 from .distribution import each_next, every_so_many, group_used_by_people, listed_before, stands_for_each
 from .exclusions import excluded, only_chunk, without_chunk
 from .items import begin_clause, close_surface, give_target, name_nothing, name_things, open_surface
-from .nearness import meant_of_list
+from .nearness import meant_of_list, nearest
 from .parsed import Mention, Parsed
 from .pronouns import is_one_of_quality, number_phrase, pronoun_phrase
 from .region_phrases import part_phrase, region_phrase, thing_phrase
@@ -108,7 +108,8 @@ def _adjective(state: State, chunk: Chunk) -> None:
         return  # "the larger one": the pronoun after it says which
     if state.glue == "open" and state.frames and state.frames[-1].owner and not state.frames[-1].items:
         state.head, state.glue = state.frames.pop().owner, ""  # "covered in red felt"
-    who = state.predicate or (state.head if state.glue == "" and not state.waiting else [])
+    within = state.bracketed is not None and state.glue in ("bracket", "comma")  # "a table (round, 80 cm wide)"
+    who = state.predicate or (state.head if (state.glue == "" or within) and not state.waiting else [])
     who = who or _said_at_last(state, phrase)
     last = (state.head or state.subject)[-1:]
     if phrase.sides is not None:
@@ -294,6 +295,14 @@ def _place(state: State, chunk: Chunk) -> None:
     glue, state.glue = state.glue, ""
     subjects = _subjects_of(state, place, glue)
     place = _mannered(state, place)
+    if subjects and glue in ("comma", "comma and") and noun_next and _tells_of_next(state, chunk, subjects):
+        state.close_frames()
+        state.previous = list(subjects)
+        state.subject, state.subject_open, state.done = [], True, False
+        before, subjects = nearest(state, []), None
+        state.fronted.append((place, tuple(before[-1:]), chunk))
+        state.glue, state.subset = "comma", None
+        return
     fronts = chunk.bare and subjects is None and not state.target_next()
     if noun_next and not (chunk.passive or fronts):
         state.waiting = Waiting(place, subjects, chunk, state.subset, lost=state.lost and not subjects)
@@ -301,6 +310,19 @@ def _place(state: State, chunk: Chunk) -> None:
     else:
         relate_to_nearest(state, place, subjects, chunk)
     state.subset = None
+
+
+def _tells_of_next(state: State, chunk: Chunk, subjects: list[Mention]) -> bool:
+    """Whether a word of place that may stand alone is said of the noun after it: "a shelf on the wall, underneath a
+    desk", "a dresser by the door, on top a vase"."""
+    phrase: NounPhrase = state.chunks[state.at].value
+    new = phrase.determiner in ("a", "an", "") and phrase.what == "thing"
+    if not (new and chunk.bare and state.head_related):
+        return False
+    kind, mounts = chunk.value.type, {m.mount for m in subjects}
+    if kind == "below":
+        return (mounts | {m.mount for m in state.subject}) & {"wall", "ceiling"} != set()
+    return (kind == "above" and mounts == {"floor"}) or chunk.text in ("on top", "in front")
 
 
 def _subjects_of(state: State, place: Place, glue: str) -> list[Mention] | None:

@@ -15,6 +15,9 @@ from .vocabulary import Place
 
 _FULL = ("full of", "filled with")
 
+_BESIDE = ("next_to", "near", "left_of", "right_of", "in_front_of", "behind", "opposite", "between")
+"""Relations that a thing has to one of its own size."""
+
 
 def name_things(state: State, mentions: list[Mention], phrase: NounPhrase, new: bool) -> None:
     """Things that were named take their place: target, item of a list, or subject."""
@@ -98,7 +101,7 @@ def _coordinate(state: State, mentions: list[Mention], phrase: NounPhrase, glue:
         ends = base.is_fronting or (base.kind in ("with", "verb") and not base.finite and state.subject_open)
         if len(state.frames) > 1 and not _inner_list_goes_on(state, mentions, phrase):
             state.frames = state.frames[:1]
-        elif (ends and placed) or (base.each and base.closed and glue == "comma"):
+        elif (ends and (placed or _is_apart(state, base, mentions))) or (base.each and base.closed and glue == "comma"):
             state.frames = []  # "each has a phone and two chairs, a sofa"
     elif glue in ("and", "or") and state.frames and placed and state.frames[-1].is_fronting:
         state.frames.pop()
@@ -115,6 +118,12 @@ def _coordinate(state: State, mentions: list[Mention], phrase: NounPhrase, glue:
     state.head = list(mentions)
     state.name_first(mentions)
     state.head_related = False
+
+
+def _is_apart(state: State, base: Frame, mentions: list[Mention]) -> bool:
+    """ "A stove with a kettle on, a table": whether furniture is none of a list of small things with their places."""
+    stands = all(m.mount == "floor" and not m.is_small and m.family != "seat" and not m.is_rug for m in mentions)
+    return stands and bool(base.items) and state.head_related and all(m.is_small for m in base.items)
 
 
 def _inner_list_goes_on(state: State, mentions: list[Mention], phrase: NounPhrase) -> bool:
@@ -268,6 +277,8 @@ def bind_target(state: State, waiting: Waiting, targets: tuple[Any, ...], each: 
     subjects, place = waiting.subjects, waiting.place
     if waiting.lost and not subjects:
         return
+    if subjects and place.type in _BESIDE:
+        subjects = _carried_beside(state, subjects, targets)
     if waiting.barred and subjects:
         state.barred = True
         for target in [targets] if place.type == "between" else [(target,) for target in targets]:
@@ -287,6 +298,22 @@ def bind_target(state: State, waiting: Waiting, targets: tuple[Any, ...], each: 
     groups = [targets] if len(targets) < 2 or place.type == "between" else [(target,) for target in targets]
     for group in groups:
         relate(state, place, subjects, group, state.span_of(waiting.chunk), count=waiting.count)
+
+
+def _carried_beside(state: State, subjects: list[Mention], targets: tuple[Any, ...]) -> list[Mention]:
+    """ "A press on the bench next to the vise": what is beside a small thing is what the bench carries; "a desk with a
+    lamp next to the bed": what is beside furniture is what carries the lamp."""
+    frame = state.frames[-1] if state.frames else None
+    stands = all(isinstance(t, Mention) and t.mount == "floor" and not t.is_small and not t.is_rug for t in targets)
+    if stands and frame is not None and frame.kind == "with" and len(frame.owner) == 1 and not frame.each:
+        owner, listed = frame.owner[0], all(s in frame.items and s.mount == "surface" for s in subjects)
+        if listed and owner.mount in ("floor", "wall") and owner not in targets and not owner.is_small:
+            return [owner]
+    last = state.out.said[-1] if state.out.said else None
+    small = all(isinstance(t, Mention) and t.mount == "surface" for t in targets)
+    if last is None or last.type not in ("on", "inside") or not small or [*last.targets] != subjects:
+        return subjects
+    return list(last.subjects) if all(s.mount == "floor" for s in subjects) else subjects
 
 
 def _each_with_its_own(

@@ -8,7 +8,7 @@ from sceneweaver.assets.taxonomy import likeliness
 
 from .parsed import Mention
 from .state import State
-from .vocabulary import Place
+from .vocabulary import Place, words
 
 _TIES = ("next_to", "near", "facing", "at", "in_front_of", "behind", "on", "inside", "around", "flanking")
 """Relations to what a thing belongs to."""
@@ -128,12 +128,15 @@ def meant_of_list(state: State, place: Place, listed: list[Mention]) -> list[Men
     if kind == "between":
         return listed[-1:]
     if kind in ("on", "inside"):
-        small = list(takewhile(lambda m: m.is_small and not m.implied, reversed(listed)))[::-1]
-        return [m for m in small if m not in related or m is listed[-1]] or listed[-1:]
+        on_top = words("nouns")["hung"]["surface"]  # a clock among small things is one that stands
+        small = [*takewhile(lambda m: not m.implied and (m.is_small or m.category in on_top), reversed(listed))][::-1]
+        told = {m for s in state.out.said if not s.implied for m in s.subjects}
+        return [m for m in small if m not in told or m is listed[-1]] or listed[-1:]
     if state.manner == "hang" and len(listed) == 2 and listed[0] not in related:
         return listed  # "a spade and a rake hanging on the wall"
-    if kind in ("flanking", "along", "around") and len(listed) == 2:
-        return listed
+    if kind in ("flanking", "along", "around") and len(listed) == 2 and listed[0].mount == listed[1].mount:
+        told = {m for s in state.out.said if not s.implied for m in s.subjects}
+        return listed if listed[0] not in told else listed[1:]
     pair = all(m.mount == "surface" for m in listed[-2:])
     if kind in SIDED and len(listed) > 1 and pair and related.isdisjoint(listed[-2:]):
         return listed[-2:]  # "a keyboard and a mouse in front"

@@ -14,7 +14,7 @@ from sceneweaver.assets.plurals import singular as _singular
 
 from .chunks import EACH, OPEN, QUALITIES
 from .tokens import Token
-from .vocabulary import Verb, words
+from .vocabulary import Verb, vocabulary, words
 
 _SAID_OF_THINGS = ("color", "material", "finish", "shape")
 _OF_ROOMS = ("room", "place")
@@ -51,6 +51,9 @@ def _fitting(tokens: list[Token], at: int) -> Token:
     token, before, after = tokens[at], _token(tokens, at - 1), _token(tokens, at + 1)
     if token.has("preposition") and token.has("shape"):
         target = after is not None and after.has("det", "pron", "number", "amount", "each", "both")
+        things = before is not None and before.has("plural", "noun") and before.text.endswith("s")
+        if token.text in ("round", "all round") and things and _ends(after):
+            return replace(token, text="around", kinds=dict(vocabulary()["around"]))  # "six chairs round"
         if not target:
             return _without(token, "preposition", "place_adverb")
     counted = before is not None and before.has("number") and _singular(token.text) in words("nouns")["places"]

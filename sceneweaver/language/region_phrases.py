@@ -49,6 +49,7 @@ def region_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     if owner is None:
         owner = _owner_meant(state, phrase, waiting)
     if owner is None:
+        state.leave_unread(state.source.text[phrase.start : phrase.end], phrase.start, phrase.end)
         name_nothing(state)
         return
     if isinstance(owner, str):
@@ -117,11 +118,15 @@ def _owner_meant(state: State, phrase: NounPhrase, waiting: Waiting) -> Mention 
         return _center_meant(state, own, subjects)
     if region == "end" and not own and _is_end_of_room(state, phrase, subjects):
         return "room"
+    sides = {t.text for t in phrase.qualities} & {"left", "right", "far", "near"}
+    if region == "side" and len(sides) == 1 and not own and waiting.place.type == "along":
+        return f"wall:{sides.pop()}"  # "lockers down the left side"
     if region in ("head", "foot"):  # these are of beds, whatever was named last
         beds = [m for m in state.out.mentions if m.family == "bed_group" and m not in subjects]
         if beds:
             return beds[-1]
-    near = nearest(state, subjects)
+    stand = region in ("side", "end") and bool(subjects) and all(s.mount == "floor" for s in subjects)
+    near = nearest(state, subjects, apart=stand)  # stools are along no pan that hangs over the island
     if phrase.determiner == "its" and near and near[-1].many:
         pronoun = NounPhrase("pronoun", "it", phrase.start, phrase.end, value="pron")
         near = state.refs.pronoun(pronoun, [], [*subjects, *near]) or near
@@ -197,7 +202,9 @@ def part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         phrase.what, phrase.value = "place", opening
         place_phrase(state, phrase, chunk)
         return
-    if phrase.count is not None and state.waiting is None and _stands_apart(state, phrase):
+    after = state.chunk(state.at)
+    over = phrase.plural and after is not None and after.kind == "place" and after.value.type == "above"
+    if (phrase.count is not None or over) and state.waiting is None and _stands_apart(state, phrase):
         named_thing(state, phrase, chunk)  # "five hooks above it"
         return
     waiting, state.waiting = state.waiting, None

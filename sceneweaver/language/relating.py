@@ -80,11 +80,20 @@ def relate(
         said.subjects = list(dict.fromkeys(roots))
     if kind == "centered_on" and (target.is_rug or all(s.is_small for s in subjects)):
         say(state, replace(said, type="on", targets=(target,)))
+    if kind in _SIDES_OF_ROOM and target.mount == "floor" and not target.is_rug and not said.implied:
+        _apart_from_owner(state, said, target)
     said.side = place.side
     if kind in ("along", "flanking") and count is None and len(subjects) == 1 and not alone:
         on_each_side(said, place.words.split(), one, target)
     said.each = place.each and (said.count is not None or said.type not in ("flanking", "along"))
     say(state, said)
+
+
+def _apart_from_owner(state: State, said: Said, target: Mention) -> None:
+    """ "A bookcase with a chair in front and a lamp beside that": the lamp is not on the bookcase."""
+    for one in [s for s in state.out.said[-6:] if s.implied and s.type in ("on", "inside")]:
+        if one.subjects == said.subjects and target not in one.targets and " with " in one.words:
+            state.out.said.remove(one)
 
 
 def _bar(state: State, said: Said) -> None:
@@ -152,6 +161,9 @@ def relate_to_place(state: State, said: Said) -> None:
     kind, subjects, place = said.type, said.subjects, str(said.targets[0])
     if kind == "through":
         return
+    if place in ("door", "window") and "back" in said.words.split():
+        state.out.unread.append(Left(f"{said.words} the {place}", span=said.span or state.chunk_span()))
+        return  # turned away from it, and not against it
     if place == "room" and kind in ENDS_OF_ROOM:
         kind, place = "against", ENDS_OF_ROOM[kind]
     if place == "room" and kind == "opposite":
@@ -184,7 +196,11 @@ def relate_to_place(state: State, said: Said) -> None:
         place = "window"
     kind = close_kind(kind, said.words, subjects, place)
     stated, kind = kind, _kind_at(kind, place, subjects)
-    subjects = _carriers_of(state, kind, subjects)
+    subjects = _carriers_of(state, kind, subjects, place)
+    if place in ("wall", "ceiling") and kind in ("on", "hanging_from"):
+        for one in state.out.said[-8:]:
+            if one.implied and one.type == "on" and one.subjects == subjects:
+                one.type = "above"  # "each bed has a lamp on the wall"
     if place == "ceiling":
         call_by_place(subjects, "ceiling")
     elif place.startswith("wall") and kind != "against":
@@ -204,13 +220,15 @@ _BESIDE = ("flanking", "next_to", "side_by_side", "left_of", "right_of")
 """What puts things at the wall beside a chimney breast."""
 
 
-def _carriers_of(state: State, kind: str, subjects: list[Mention]) -> list[Mention]:
+def _carriers_of(state: State, kind: str, subjects: list[Mention], place: str) -> list[Mention]:
     """What is at a wall, in a corner or by a window where small things were named last: "a rack with jars on the left
     wall" is about the rack."""
     frame = state.frames[-1] if state.frames else None
     if frame is None or frame.kind not in ("with", "verb") or not frame.owner or kind in ("facing", "below"):
         return subjects
     owner = frame.owner[-1]
+    if place == "wall" and kind == "on" and all(s.category in words("nouns")["hung"]["wall"] for s in subjects):
+        return subjects  # "each bed has a lamp on the wall"
     carried = all(
         s.is_small
         and s in frame.items

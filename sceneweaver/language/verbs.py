@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
+from sceneweaver.assets.taxonomy import likeliness
+
 from .chunks import Chunk
 from .parsed import Mention, Said
 from .relating import relate_to_nearest, relate_to_place
 from .state import Frame, State, Waiting
+from .things import match_of, name_of
 from .vocabulary import Place, Verb, frame, shows, words
 
 _CENTERING = ("center", "centre", "anchor", "focus")
@@ -28,6 +31,7 @@ def with_chunk(state: State, chunk: Chunk) -> None:
     state.negated, state.unwanted = "", []
     open_ends(state)
     owner = state.head if state.glue in ("", "and") else (state.subject or state.first_items)[-1:]
+    owner = _rather_carries(state, owner)
     if state.each and state.subject:
         owner = state.subject
     begins = state.glue == "start" and not state.out.mentions
@@ -43,6 +47,20 @@ def with_chunk(state: State, chunk: Chunk) -> None:
     state.manner = ""
 
 
+def _rather_carries(state: State, owner: list[Mention]) -> list[Mention]:
+    """ "A nightstand beside the bed with a lamp": of what was placed and what it was placed by, what rather carries the
+    first thing of the list."""
+    last, item = state.out.said[-1] if state.out.said else None, state.chunk(state.at)
+    if last is None or last.implied or len(owner) != 1 or [*last.targets[-1:]] != owner or item is None:
+        return owner
+    if item.kind != "noun" or item.value.what != "thing" or last.type in ("on", "inside"):
+        return owner
+    thing = match_of(name_of(item.value)).category
+    ranks = [likeliness(thing, m.category) for m in (owner[0], last.subjects[-1])]
+    nearer = ranks[1] is not None and (ranks[0] is None or ranks[1] < ranks[0])
+    return list(last.subjects) if nearer else owner
+
+
 def verb_chunk(state: State, chunk: Chunk) -> None:
     """A verb ends its subject, places it, or opens a list of what it has, holds or is flanked by."""
     verb: Verb = chunk.value
@@ -50,6 +68,7 @@ def verb_chunk(state: State, chunk: Chunk) -> None:
         state.relative = False
         if verb.lemma == "be":
             return
+        state.head = _rather_carries(state, state.head)
         verb = Verb(verb.lemma, "ed" if chunk.passive else "ing")
     finite = verb.form in ("s", "base") or (verb.form == "ed" and chunk.passive and state.after_be)
     after_be, state.after_be = state.after_be, False

@@ -12,7 +12,8 @@ from .phrases import NUMBER, Edits, noun_before, number_of
 _LEAST = r"(?P<least>min(?:imum)?(?: of)?\.?|at least|no fewer than|not less than)"
 _MOST = r"(?P<most>max(?:imum)?(?: of)?\.?|at most|up to|no more than)"
 _BOUND = re.compile(
-    rf"(?:(?P<open>\() ?(?:{_LEAST}|{_MOST}|about|around|roughly) (?P<n>{NUMBER})(?P<close> ?\))?"
+    rf"(?:(?P<open>\() ?(?:{_LEAST}|{_MOST}|about|around|roughly) (?P<n>{NUMBER})"
+    rf"(?! ?(?:m|cm|mm|ft|feet|foot|inch(?:es)?|met(?:er|re)s?)\b)(?P<close> ?\))?"
     rf"|,? (?:{_LEAST.replace('least>', 'low>')}|{_MOST.replace('most>', 'high>')}|about|around) "
     rf"(?P<m>{NUMBER}) of them\b)"
 )

@@ -113,7 +113,9 @@ def _stacked(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     edits.take(m.start(), m.end(), f"in stacks of {number_of(m['n'].removesuffix('s').replace('sixe', 'six'))}")
 
 
-_EACH_SIDE = re.compile(r"(?<=[a-z0-9])(?<!\bon)(?<!\bat)(?<!\balong)(?<!\bfrom) (?=(?:each|either) side of\b)")
+_EACH_SIDE = re.compile(
+    r"(?<=[a-z0-9])(?<!\bon)(?<!\bat)(?<!\balong)(?<!\bfrom) (?=(?:each|either) side(?: of\b|\s*(?:[,.)]|$)))"
+)
 _IN_EACH_ROW = re.compile(
     rf"\brows of (?P<noun>[a-z]+),? (?P<n>{NUMBER}) (?:(?P=noun) )?(?:in|to|per|a) ?(?:(?:each|every|a|the) )?row\b"
 )
