@@ -9,8 +9,10 @@ from typing import ClassVar, Literal
 from pydantic import Field
 
 from sceneweaver.critic import ItemOutcome, Review
-from sceneweaver.io import parse_json, read_bytes, write_atomic
+from sceneweaver.io import load_json, write_atomic
+from sceneweaver.io.messages import path_name
 from sceneweaver.language import SceneGraph
+from sceneweaver.scene import InputError
 from sceneweaver.scene.base import FrozenModel
 
 NAME = "request.json"
@@ -50,9 +52,13 @@ class RequestFile(FrozenModel):
         """Read a file.
 
         Raises:
-            InputError: when it cannot be read or is no such file.
+            InputError: when it cannot be read or is no such file; it names the file.
         """
-        return cls.model_validate(parse_json(read_bytes(path, max_bytes=MAX_BYTES)))
+        data = load_json(path, max_bytes=MAX_BYTES)
+        try:
+            return cls.model_validate(data)
+        except InputError as error:
+            raise InputError(f"{path_name(path)}: {error}") from None
 
     def save(self, path: Path) -> None:
         """Write it under a temporary name beside the path and rename it."""

@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 
 from sceneweaver.io import (
+    load_json,
     own_folder,
     parse_json,
     read_arrays,
@@ -93,7 +94,7 @@ class Store:
         """An asset by id; InputError when the store has none of that id."""
         tail = asset_id.rpartition("-")[2]
         for path in self.root.glob(f"objects/{tail[:2]}/{tail}*/row.json") if len(tail) >= 8 else ():
-            row = parse_json(read_bytes(path))
+            row = load_json(path)
             if isinstance(row, dict) and row.get("id") == asset_id:
                 try:
                     return _read(path.parent, row)

@@ -116,9 +116,10 @@ def test_scene_and_metrics_alone(result, tmp_path):
 
 
 def test_a_damaged_request_file_is_one_line(tmp_path):
-    (tmp_path / "request.json").write_text('{"schema": "sceneweaver.request/2"}')
-    with pytest.raises(InputError, match="schema"):
-        RequestFile.load(tmp_path / "request.json")
+    for damaged, named in ((b'{"schema": "sceneweaver.request/2"}', "schema"), (b'{"schema": "\xff"}', "UTF-8")):
+        (tmp_path / "request.json").write_bytes(damaged)
+        with pytest.raises(InputError, match=f"request.json: .*{named}"):
+            RequestFile.load(tmp_path / "request.json")
 
 
 def test_pictures_report_and_model(result, tmp_path, monkeypatch):
