@@ -26,11 +26,23 @@ def without_chunk(state: State, chunk: Chunk) -> None:
     if state.negated and chunk.value in words("unwanted")["except"]:
         state.negated, state.glue = "", "start"  # "no appliances except a stove"
         return
+    if _rules_out_no_thing(state, chunk):
+        state.negated, state.glue = "", "start"
+        return
     if chunk.value != "nothing":
         state.negated, state.negation, state.glue = "first", str(chunk.value), "neg"
         return
     if state.at < len(state.chunks) and state.chunks[state.at].text.split()[0] in ("else", "more"):
         state.out.only = True
+
+
+def _rules_out_no_thing(state: State, chunk: Chunk) -> bool:
+    """Whether what is denied is something that happens, "without bumping into each other", or a case, "if not"."""
+    before, after = state.source.text[: chunk.start].split()[-1:], state.source.text[chunk.end :].split()[:1]
+    if str(chunk.value).startswith("not"):
+        return before in (["if"], ["or"])
+    word = after[0].strip(",.;:") if after else ""
+    return chunk.value == "without" and word.endswith("ing") and word not in words("unwanted")["things_in_ing"]
 
 
 def excluded(state: State, phrase: NounPhrase, chunk: Chunk) -> bool:

@@ -131,3 +131,17 @@ def test_what_stands_before_a_colon_is_where_the_list_is():
 )
 def test_lists_and_chains_go_on(text, relation):
     assert relation in related(text)
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted", "unwanted"),
+    [
+        ("a workshop where two can pass without touching, a bench and a vise", {"bench", "vise"}, set()),
+        ("an attic with a daybed if there is floor for it, if not an armchair", {"daybed", "armchair"}, set()),
+        ("a cellar without carpeting or a mirror, a wine rack", {"wine_rack"}, {"wall_mirror"}),
+    ],
+)
+def test_what_does_not_happen_rules_out_nothing(text: str, wanted: set[str], unwanted: set[str]) -> None:
+    graph = read_request(text)
+    assert {e.category for e in graph.entities} >= wanted
+    assert set(graph.without) >= unwanted and not set(graph.without) & wanted
