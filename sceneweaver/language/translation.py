@@ -43,11 +43,13 @@ class Told(NamedTuple):
 
 @dataclass(frozen=True)
 class Tables:
-    """The words of a language: phrase to English and kind; endings of inflected words; words between count and noun."""
+    """The words of a language: phrase to English and kind; endings of inflected words; words between count and noun;
+    beginnings of words that make no compound of two nouns."""
 
     phrases: Mapping[str, tuple[str, str]]
     endings: tuple[str, ...]
     measures: frozenset[str]
+    prefixes: frozenset[str]
 
 
 @cache
@@ -62,7 +64,7 @@ def tables(language: str) -> Tables:
             found[name.lower()] = (room.replace("_", " "), "nouns")
     for kind in _KINDS:
         found |= {phrase: (english, kind) for phrase, english in (data.get(kind) or {}).items()}
-    return Tables(found, tuple(data.get("endings", ())), frozenset(data.get("measures", ())))
+    return Tables(found, tuple(data.get("endings", ())), frozenset(data.get("measures", ())), frozenset(data.get("prefixes", ())))
 
 
 def language_of(text: str) -> str:
@@ -138,7 +140,7 @@ def _spaced(text: str, language: str, names: frozenset[int] = frozenset()) -> li
             if many == 1 and start in names and known is not None and known[1] == "words":
                 known = _inflected(phrase, table) or known  # "die Liegen" are things, "sie liegen" is none
             if known is None and many == 1 and language == "de":
-                known = _compound(phrase, table)
+                known = _compound(phrase, table) or _diminutive(phrase, table)
             if known is not None:
                 told.append(Told(known[0], known[1], start, end))
                 at += many
@@ -155,13 +157,17 @@ def _inflected(word: str, table: Tables) -> tuple[str, str] | None:
         if not word.endswith(ending) or len(word) - len(ending) < 3:
             continue
         stem = word[: -len(ending)]
-        last = max(map(stem.rfind, "äöü"))
-        plain = stem[:last] + stem[last:].translate(_UMLAUTS) if last >= 0 else stem
-        for form in (stem, plain, f"{stem}e"):
+        for form in (stem, _plain(stem), f"{stem}e"):
             known = table.phrases.get(form)
             if known is not None and known[1] != "words":
                 return (plural(known[0]), "nouns") if known[1] == "nouns" else known
     return None
+
+
+def _plain(stem: str) -> str:
+    """A stem of German without its last umlaut, as it is before an ending."""
+    last = max(map(stem.rfind, "äöü"))
+    return stem[:last] + stem[last:].translate(_UMLAUTS) if last >= 0 else stem
 
 
 def _plural(phrase: str, table: Tables) -> tuple[str, str] | None:
@@ -184,6 +190,8 @@ def _compound(word: str, table: Tables) -> tuple[str, str] | None:
         head = table.phrases.get(word[cut:]) or _inflected(word[cut:], table)
         if head is None or head[1] != "nouns":
             continue
+        if word[:cut] in table.prefixes:
+            return None  # "Durchmesser" is no knife
         if last is None and min(cut, len(word) - cut) >= SHORTEST_HEAD:
             last = head
         for first in (word[:cut], word[:cut].rstrip("s"), word[:cut].removesuffix("en"), word[:cut].removesuffix("n")):
@@ -191,6 +199,19 @@ def _compound(word: str, table: Tables) -> tuple[str, str] | None:
             if known is not None and known[1] in ("nouns", "adjectives"):
                 return f"{known[0]} {head[0]}", "nouns"
     return last
+
+
+def _diminutive(word: str, table: Tables) -> tuple[str, str] | None:
+    """A small one of a noun, of German: "Schränkchen"."""
+    for ending in ("chen", "lein"):
+        stem = word.removesuffix(ending)
+        if stem == word or len(stem) < 3:
+            continue
+        for form in (stem, _plain(stem), f"{stem}e", f"{_plain(stem)}e"):
+            known = table.phrases.get(form) or _compound(form, table)
+            if known is not None and known[1] == "nouns":
+                return f"small {known[0]}", "nouns"
+    return None
 
 
 def _adjectives_first(told: Sequence[Told]) -> list[Told]:

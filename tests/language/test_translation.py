@@ -72,6 +72,11 @@ def test_a_compound_is_its_last_part_and_what_stands_before_it() -> None:
     assert {entity.category for entity in graph.entities} == {"desk_lamp", "office_chair"}
 
 
+def test_a_part_of_a_word_is_no_thing_and_small_things_are_things() -> None:
+    graph = read_request("Ein Café mit vier runden Tischen, 70 cm Durchmesser, und einem Kühlschränkchen")
+    assert {entity.category for entity in graph.entities} == {"round_dining_table", "minibar"}
+
+
 @pytest.mark.parametrize(
     ("text", "said"),
     [
