@@ -364,10 +364,18 @@ def _asked_demand(asked: Entity, item: Item | None, area: float, people: int, dr
         words = " ".join(a.words for a in asked.attributes)
         meant = [name for name in item.what if may_mean(asked, name, brief)] or [asked.category]
         names = tuple(narrower(name, words) for name in meant)
+    if asked.category == "stool" and _is_at_counter(asked, brief):
+        names = ("bar_stool",)
     small = small_kind(asked.category)
     if count >= PLENTY and small is not None and least_of(asked, brief):  # many plants are not all tubs on the floor
         return Demand(item, (asked.category, small), count, 0, asked, count, mixed=True)
     return Demand(item, names, count, 0, asked, count)
+
+
+def _is_at_counter(seat: Entity, brief: SceneGraph) -> bool:
+    """Whether seats are told to be at something that is sat at on bar stools."""
+    high = {e.id for e in brief.entities if has_role(e.category, "counter")}
+    return any(r.subject == seat.id and high & set(r.targets) for r in brief.relations)
 
 
 @dataclass(frozen=True)

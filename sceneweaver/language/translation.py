@@ -64,7 +64,9 @@ def tables(language: str) -> Tables:
             found[name.lower()] = (room.replace("_", " "), "nouns")
     for kind in _KINDS:
         found |= {phrase: (english, kind) for phrase, english in (data.get(kind) or {}).items()}
-    return Tables(found, tuple(data.get("endings", ())), frozenset(data.get("measures", ())), frozenset(data.get("prefixes", ())))
+    return Tables(
+        found, tuple(data.get("endings", ())), frozenset(data.get("measures", ())), frozenset(data.get("prefixes", ()))
+    )
 
 
 def language_of(text: str) -> str:

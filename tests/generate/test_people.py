@@ -52,6 +52,11 @@ def test_seats_are_as_high_as_their_table_asks(library: Library, table: str, sea
     assert (high.intent.request == "bar_table") and bool(seats) == any(n.item.id == "chair" for n in needs)
 
 
+def test_stools_at_a_high_table_are_high(library: Library) -> None:
+    scene = drawn("a hallway with a bar table and two stools at it", library)
+    assert [o.category for o in scene.objects if o.intent.request == "stool"] == ["bar_stool"] * 2
+
+
 def test_a_pattern_is_laid_out_about_its_first(library: Library) -> None:
     scene = drawn("a server room, 8 x 6 m, with 2 rows of 4 racks, fronts facing each other, 1.4 m apart", library)
     racks = [o for o in scene.objects if o.category == "server_rack"]
