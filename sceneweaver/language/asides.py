@@ -32,6 +32,8 @@ _SELDOM = ("can", "will", "may", "might", "must")
 """Modal verbs that are nouns as well: a can is one after an article, a number or a word of quality."""
 
 _BEFORE_NOUNS = ("det", "number", "amount", "color", "material", "adjective", "scale", "shape", "each", "bound")
+_MOST_OPEN = 12
+"""Words between who does something and what: "people who will then also still have to sit"."""
 _POSSESSIVE = ("my", "our", "your", "their", "his", "her", "its")
 _SIMILES = ("like", "as in", "as if", "as though")
 _WISHES = ("person", "modal")
@@ -63,7 +65,7 @@ def _aside(tokens: list[Token], at: int) -> tuple[int, str]:
     if of_people:  # "walkers need", "both groups can see"
         first = at + 1
     k = first
-    while k < len(tokens) and tokens[k].has(*_OPEN) and not _is_noun(tokens, k):
+    while k < min(first + _MOST_OPEN, len(tokens)) and tokens[k].has(*_OPEN) and not _is_noun(tokens, k):
         k += 1
     modal = any(t.has("modal") for t in tokens[first:k])
     if k >= len(tokens) or not _acts(tokens, k, first > at, modal, of_people):

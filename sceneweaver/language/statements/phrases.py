@@ -25,6 +25,9 @@ _DETERMINERS = frozenset(
 _BEFORE = frozenset(("with", "a", "an", "the", "each", "every", "his", "her", "our", "my", "their", "some"))
 """Words behind which a noun phrase begins."""
 
+REACH = 600
+"""Characters before a place that are looked at for what is said there; no sentence is longer, an endless text is."""
+
 MOST_WORDS = 4
 """Words that a noun with what stands before it has at most."""
 
@@ -108,11 +111,11 @@ _FOR_SO_MANY = re.compile(
 def noun_before(text: str, at: int) -> str:
     """The noun of the sentence that something at a place is said of: the last one before it that no preposition ties
     to another ("four benches from wood" are benches). How high it is, "from floor to ceiling", names nothing."""
-    text = _heights().sub(lambda m: " " * len(m[0]), text[:at])
+    text = _heights().sub(lambda m: " " * len(m[0]), text[max(0, at - REACH) : at])
     text = _FOR_SO_MANY.sub(lambda m: " " * len(m[0]), text)
-    start = max(text.rfind(".", 0, at), text.rfind("(", 0, at)) + 1
+    start = max(text.rfind("."), text.rfind("(")) + 1
     chunks: list[tuple[str, list[str]]] = [("", [])]
-    for m in re.finditer(r"[a-z][a-z'/-]*|\d+|[,)]", text[start:at]):
+    for m in re.finditer(r"[a-z][a-z'/-]*|\d+|[,)]", text[start:]):
         tied = not chunks[-1][1] and chunks[-1][0] in listed("prepositions")
         if tied and m[0] in _DETERMINERS:
             continue  # "on every surface": the preposition ties the noun behind the article
@@ -130,7 +133,7 @@ def noun_before(text: str, at: int) -> str:
 
 def noun_at(text: str, start: int, end: int) -> tuple[str, bool]:
     """The noun that something between two places is said of, and whether it comes after."""
-    before = re.search(r"([a-z0-9']+|[,.(])[\s-]*$", text[:start])
+    before = re.search(r"([a-z0-9']+|[,.(])[\s-]*$", text[max(0, start - REACH) : start])
     said = before[1] if before is not None else "."
     follows = re.match(r"[\s,-]*([a-z]+)", text[end:])
     plain = follows is not None and follows[1] not in listed("closed") and follows[1] not in listed("prepositions")
@@ -146,8 +149,9 @@ def noun_at(text: str, start: int, end: int) -> tuple[str, bool]:
 
 def noun_behind(text: str, start: int) -> str:
     """As `noun_before`; where a place is at the beginning of a bracket the noun before that."""
-    bracket = re.search(r"\([^()]{0,40}$", text[:start])
-    return noun_before(text, start) or (noun_before(text, bracket.start()) if bracket is not None else "")
+    near = max(0, start - 41)
+    bracket = re.search(r"\([^()]{0,40}$", text[near:start])
+    return noun_before(text, start) or (noun_before(text, near + bracket.start()) if bracket is not None else "")
 
 
 def table_before(text: str, at: int) -> str:
