@@ -198,9 +198,11 @@ def _as_many(tokens: list[Token], at: int, found: list[Token]) -> int:
     if token.text not in ("as many", "as") or after is None:
         return 0
     taken = 1 if token.text == "as many" else 2 if after.text == "many" else 0
+    if not taken:
+        return 0
     number = next((t for t in reversed(found) if t.has("number")), None)
     noun = _token(tokens, at + taken)
-    if not taken or number is None or noun is None or not noun.has(*OPEN):
+    if number is None or noun is None or not noun.has(*OPEN):
         return 0
     found.append(Token("as many", token.start, tokens[at + taken - 1].end, {"number": number.get("number")}))
     return taken

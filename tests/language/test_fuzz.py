@@ -74,6 +74,14 @@ def fresh_seed() -> int:
     return int(os.environ.get("SCENEWEAVER_FUZZ_SEED") or int.from_bytes(os.urandom(4), "big"))
 
 
+AGAIN = ("and so on ", "of ", "from floor to ceiling ", "as X ", "a desk, ", "without a ", "(a chair ", "3 x 4 m ")
+"""What some readers looked for in all that stands before it, each time that it was said."""
+
+
+def test_a_phrase_said_again_and_again_is_read() -> None:
+    assert read_all(("a room with a bed and " + phrase * 6_000)[:6_000] for phrase in AGAIN).faults == []
+
+
 def test_texts_at_random_are_read() -> None:
     assert read_all(islice(OddTexts(1), 500)).faults == []
 

@@ -10,7 +10,7 @@ from ..model import Amount
 from ..parsed import Parsed
 from ..source import Source
 from ..vocabulary import words
-from .phrases import listed
+from .phrases import REACH, listed
 
 _CLAUSE = re.compile(r"[.;:!?\n(]|,\s*(?=\w+\s+\w+\s+(?:is|are)\b)")
 _AND = re.compile(r"\s*(?:,|/|&|\band\b|\bor\b|\bplus\b)\s*")
@@ -59,8 +59,8 @@ def fullness(source: Source, parsed: Parsed) -> None:
 def _before(text: str) -> Iterator[str]:
     """The nouns at the end of a text: of its last clause, as far as they are listed."""
     no_noun = words("fullness")["no_noun"]
-    clause = _CLAUSE.split(text)[-1]
-    clause = re.split(r"\s{2,},", clause)[-1]  # what was said of a thing before has been read: it is no list
+    clause = _CLAUSE.split(text[-REACH:])[-1]
+    clause = re.split(r"(?<!\s)\s{2,},", clause)[-1]  # what was said of a thing before has been read: it is no list
     for k, part in enumerate(reversed(_AND.split(clause.rstrip(" ,")))):
         spoken = _WORD.findall(part)
         noun: list[str] = []

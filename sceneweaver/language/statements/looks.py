@@ -203,9 +203,9 @@ def _years(source: Source, parsed: Parsed) -> None:
     """Years, decades and centuries, in digits or words."""
     rows = words("looks")
     decades, numbers, hundred = rows["decades"], rows["ordinals"], one_of(list(rows["hundreds"]))
-    about = rf"(?:(?:{one_of(rows['about'])})[ ,]*)*"
+    about = rf"(?:(?:{one_of(rows['about'])})[ ,]*){{0,5}}"
     part = rf"(?:(?P<part>{one_of(list(rows['parts']))})[ -]+)?"
-    after = rf"(?:[ -]+(?:{one_of(rows['after'])})\b)*"
+    after = rf"(?:[ -]+(?:{one_of(rows['after'])})\b){{0,4}}"
     forms = (
         rf"\b{about}{part}(?P<year>[12]\d{{3}})(?P<s>'?s)?(?![\d,.]\d|\w){after}",
         rf"(?<!\d)(?<!\d[.,])\b{about}{part}'?(?P<short>[2-9]0)(?P<s>'?s)(?!\w){after}",
@@ -278,7 +278,7 @@ def _patterns() -> tuple[tuple[re.Pattern[str], bool], ...]:
     """Patterns of looks: with words such as "style" or "mood" behind them, which make them the room's, then bare."""
     rows = words("looks")
     either = one_of(list(look_words()))
-    before = rf"(?:\b(?:{one_of(rows['before'])})[ ]+)*"
+    before = rf"(?:\b(?:{one_of(rows['before'])})[ ]+){{0,5}}"
     after = rf"(?:[ -]+(?:{one_of(rows['after'])})\b)"
     look = rf"(?<![\w-])(?P<look>{either})(?![\w])"
     return (
