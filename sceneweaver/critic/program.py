@@ -9,6 +9,7 @@ from sceneweaver.assets.roles import has_role
 from sceneweaver.knowledge import Item, RoomType
 from sceneweaver.knowledge.kin import excluded_kinds, serves
 from sceneweaver.language import Entity, SceneGraph
+from sceneweaver.language.standing import stood_at
 from sceneweaver.rules.faults import number
 from sceneweaver.scene import Scene, SceneObject
 
@@ -126,7 +127,7 @@ def _need(
     if item.with_ is not None:
         hosts = _hosts(item, by_item, scene)
         if has_role(item.what[0], "table_seat"):
-            standing = {e.id for e in brief.entities if e.standing and has_role(e.category, "counter")}
+            standing = stood_at(brief)
             hosts -= sum(scene.object(name).intent.request in standing for name in by_item.get(item.with_, ()))
         least, core = least * hosts, core * hosts
     if "at_window" in {p.type for p in item.place if not p.soft} and not scene.room.windows:

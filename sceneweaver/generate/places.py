@@ -47,7 +47,7 @@ def seats_at_tables(rows: Sequence[Grounded], brief: SceneGraph, wanted: Sequenc
         wanted: the objects to be.
     """
     kept, lined = list(rows), lined_at(brief, wanted)
-    for table, seats in _sets(rows, brief, wanted):
+    for table, seats in _sets(rows, brief, wanted, lined):
         ids = {seat.id: said for seat, said in seats}
         kept = [r for r in kept if not (r.subject in ids and r.target == table.id and r.type in TOLD)]
         closed = _closed(table, rows, brief)
@@ -86,12 +86,12 @@ def lined_at(brief: SceneGraph, wanted: Sequence[Wanted]) -> frozenset[str]:
 
 
 def _sets(
-    rows: Sequence[Grounded], brief: SceneGraph, wanted: Sequence[Wanted]
+    rows: Sequence[Grounded], brief: SceneGraph, wanted: Sequence[Wanted], lined: Collection[str]
 ) -> Iterator[tuple[Wanted, list[tuple[Wanted, str]]]]:
     """Tables with the seats that are told to be at them, each seat with the statement behind it."""
     things = {one.id: one for one in wanted}
     told = {said.id or f"relation-{k}": said for k, said in enumerate(brief.relations)}
-    set_out, lined = {a.entity for a in brief.arrangements}, lined_at(brief, wanted)
+    set_out = {a.entity for a in brief.arrangements}
     found: dict[str, dict[str, str]] = {}
     for row in rows:
         seat, table = things.get(row.subject), things.get(row.target) if isinstance(row.target, str) else None

@@ -15,6 +15,7 @@ from sceneweaver.knowledge import Item, Place, RoomType
 from sceneweaver.knowledge.kin import excluded_kinds, serves
 from sceneweaver.knowledge.usual_places import usual_places_of
 from sceneweaver.language import Entity, SceneGraph, Thing
+from sceneweaver.language.standing import stood_at
 from sceneweaver.language.told_states import words_of_whole
 from sceneweaver.scene import PRIORITIES, InputError, Palette, SceneObject, Zone
 
@@ -309,10 +310,7 @@ def _sat_at_items(brief: SceneGraph, roles: Mapping[str, Sequence[str]]) -> froz
             for name in r.targets
         }
     )
-    stood_at = {
-        e.id for e in tables if has_role(e.category, "counter") and any(a.value == "standing" for a in e.attributes)
-    }
-    return frozenset(item for name in at | stood_at for item in roles.get(name, ()))
+    return frozenset(item for name in at | stood_at(brief) for item in roles.get(name, ()))
 
 
 ENOUGH_SEATS, ENOUGH_FOR_SOFA = 3, 4

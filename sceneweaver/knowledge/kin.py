@@ -81,7 +81,7 @@ def interchangeable(category: str) -> frozenset[str]:
 
 def is_several(category: str, noun: str) -> bool:
     """Whether one thing of a category is several of what a noun names: a rail of hooks, no "coat rack"."""
-    return category in _file()["sets"] and noun.lower().split()[-1] not in ("rack", "rail", "stack", "bunch", "set")
+    return category in _file()["sets"] and noun.lower().split()[-1] not in _file()["words_of_sets"]
 
 
 def other_meanings(noun: str) -> frozenset[str]:

@@ -166,7 +166,7 @@ def _pronoun(scan: Scan, token: Token, after: Token | None) -> bool:
     if token.text in EACH and after is not None and _one_of_several(scan, token, after):
         return False
     of_station = token.text in EACH and after is not None and singular(after.text) in words("nouns")["stations"]
-    belongs = token.has("each", "both", "det", "number", "rest") or token.text in ("another", "the first")
+    belongs = token.has("each", "both", "det", "number", "rest", "ordinal") or token.text == "another"
     if of_station or (opens and belongs):
         return False
     targeted = bool(scan.out) and scan.out[-1].kind == "place"  # "on each a vase"

@@ -51,7 +51,7 @@ def silent_words(
             continue
         meant = (slips or {}).get(word, word)
         if _tells(graph, match, meant, known):
-            pass  # "the left wall stays empty": with nothing that was read of it, it is lost
+            pass  # "nothing between the two": with nothing that was read of it, it is lost
         elif meant in known or all(part in function_words() or part in known for part in _PART.split(meant)):
             continue
         if any(named[match.start() : match.end()]) and (word[0].isdecimal() or word in vocabulary()):

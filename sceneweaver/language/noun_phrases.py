@@ -67,9 +67,9 @@ def _determine(phrase: NounPhrase, token: Token) -> None:
     phrase.determiner = token.text
     if token.has("each") and not token.has("det"):
         phrase.determiner = "each"
-    elif token.has("rest", "both") or token.text == "the first":
+    elif token.has("rest", "both", "ordinal"):
         phrase.determiner = "the"
-    if token.has("both", "rest") or token.text == "the first":
+    if token.has("both", "rest", "ordinal"):
         phrase.value = token.text
     if token.text == "each of":
         phrase.of_group = True

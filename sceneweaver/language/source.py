@@ -142,6 +142,12 @@ class Source:
         self.free = {k + n * (k >= at) for k in self.free}
         self.colons = {k + n * (k >= at) for k in self.colons}
 
+    def replace(self, start: int, end: int, instead: str = "") -> None:
+        """Blanks characters [start, end) and puts words behind them, which stand in the request where these did."""
+        self.text = self.text[:start] + " " * (end - start) + self.text[end:]
+        if instead:
+            self.insert(end, instead, start)
+
     def blank(self, pattern: re.Pattern[str], read: object) -> None:
         """Measures of a pattern are taken out when ``read`` understands them; the length stays the same."""
 

@@ -32,7 +32,7 @@ def test_a_word_of_a_noun_phrase_that_nothing_speaks_for_is_found():
 
 
 def test_a_half_circle_is_no_circle():
-    found = read_request("a hall with a half circle of eight chairs").arrangements
+    found = read_request("a hall with a half circle of seven stools").arrangements
     assert [one.pattern for one in found] == ["semicircle"]
 
 
@@ -74,6 +74,6 @@ def test_a_length_of_each_is_not_that_of_one():
     measure = {"id": "m", "entity": "bench", "quantity": "width", "low": 1.2, "high": 1.2}
     bench = box("bench-0", (0.4, 1.2, 0.45), 3.0, 2.5)
     entity = {"id": "bench", "noun": "bench", "category": "bench"}
-    for words, status in (("1.2 m wide", "met"), ("each 1.2 m wide", "partly")):
+    for words, status in (("1.2 m wide", "met"), ("1.2 m wide each", "partly")):
         data = {"text": "", "entities": [entity], "measures": [{**measure, "words": words}]}
         assert aligned((bench,), SceneGraph.model_validate(data)).of("m").status == status

@@ -34,7 +34,7 @@ def labels(source: Source, parsed: Parsed) -> None:
         if not _may_be_named(noun) or _is_measure(m["next"]) or (m["mark"] == " " and m.start() in counts):
             continue
         parsed.referred.append(source.span(m.end("noun"), m.end()))
-        source.text = source.text[: m.end("noun")] + " " * (m.end() - m.end("noun")) + source.text[m.end() :]
+        source.replace(m.end("noun"), m.end())
         if _is_room(noun) or _has_article(source.text, m.start()):
             continue
         article = "the " if (noun, number) in named else "a "

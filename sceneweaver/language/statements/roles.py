@@ -135,7 +135,7 @@ def _name_both(source: Source, parsed: Parsed) -> None:
     for m in reversed([*_IN_EACH_ROW.finditer(source.text)]):  # "three rows of tables, two in each row"
         at, number = m.start("noun"), source.text[m.start("n") : m.end("n")]
         parsed.referred.append(source.span(m.end("noun"), m.end()))
-        source.text = source.text[: m.end("noun")].ljust(m.end()) + source.text[m.end() :]
+        source.replace(m.end("noun"), m.end())
         source.insert(at, f"{number} ", m.start("n"))
 
 

@@ -47,11 +47,9 @@ def said_again(source: Source, parsed: Parsed) -> None:
     for m in reversed([*_BARE_LENGTH.finditer(source.text)]):
         source.insert(m.end(), " wide", m.end() - 1)  # "a sofa (about 2 m, grey)"
     for m in reversed([*_DOWN.finditer(source.text)]):
-        source.text = source.text[: m.start()] + "     " + source.text[m.end() :]
-        source.insert(m.start(), "along ", m.start())  # "lockers down the left side"
+        source.replace(*m.span(), "along ")  # "lockers down the left side"
     for m in reversed([*_THEN.finditer(source.text)]):
-        source.text = source.text[: m.start("then")] + "    " + source.text[m.end("then") :]
-        source.insert(m.end("then"), " next to that", m.start("then"))  # "a fridge, next to it a sink, then a stove"
+        source.replace(*m.span("then"), " next to that")  # "a fridge, next to it a sink, then a stove"
     for m in reversed([*_FIRST.finditer(source.text)]):
         _gapped(m, source)
     for k in sorted(source.colons, reverse=True):
@@ -134,11 +132,10 @@ def _of_whom(m: re.Match[str], source: Source) -> None:
     spoken = " ".join(part)
     if re.match(r" (?:to|against|turned|facing|is)\b", source.text[m.end("noun") + 3 + len(spoken) :]):
         at = m.end("noun")  # "the sofa's back to the door"
-        source.text = source.text[:at] + "  " + source.text[at + 2 :]
-        source.insert(at, " with its", at)
+        source.replace(at, at + len("'s"), " with its")
         return
     end = m.end("noun") + len("'s ") + len(spoken)
-    source.text = source.text[: m.end("noun")] + " " * (end - m.end("noun")) + source.text[end:]
+    source.replace(m.end("noun"), end)
     source.insert(m.start(), f"the {spoken} of ", m.start())
 
 
