@@ -1,233 +1,188 @@
-"""How much each design rule costs: points fitted to the grades of strict eyes, and tried on scenes that were left out.
+"""The weights of grades: fitted to what strict eyes gave rooms of sixty kinds, tried on rooms of twenty others.
 
-A grade is ``10 exp(-lost / 10)``. Lost points are a baseline for what only eyes can tell, those of the older checks,
-and for each rule its points times its breaches up to a most, times how much the criterion feels breaches of its own
-rules (`weights`) or of the others' (`others`): who sees one thing wrong marks down the rest. In ``-10 ln(grade / 10)``
-that is linear in the points, so they come from a non-negative least squares problem that is held at the drafted points
-by a ridge; how much each criterion feels comes from another, with two unknowns for a criterion, that is held at 1; both
-in turn. Rows are weighted by the grade, so that errors count as errors of grades. The baseline is a share of all that
-strict eyes took off: that of the faults that only eyes can tell, or a few times as much, as not all that they see is
-named. This and the strengths of the two ridges are those with the best mean rank correlation on scenes that were left
-out, as grades are there to tell better from worse.
+A grade is ``10 exp(-lost / 10)``, and ``lost`` a sum of what faults and missing traits take off, each with a weight of
+at least 0 (`sceneweaver.rules.grades`), so that no grade rises with a fault. The weights are those with the least
+square error of the grades, held a little toward 0. A trait is enough where a tenth of the rooms have more of it. How
+well this holds is measured twice: by leaving out a ninth of the kinds of rooms at a time, and on rooms that had no part
+in any choice, each with two judges.
 
-    python -m benchmarks.critic_fit [--write]
+    python -m benchmarks.critic_fit [--write] [--processes N]
 """
 
 from __future__ import annotations
 
 import argparse
-from collections import defaultdict
 from collections.abc import Sequence
-from dataclasses import dataclass
-from itertools import product
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import nnls
+from scipy.optimize import least_squares
 from scipy.stats import spearmanr
 
 from benchmarks.console import say
-from benchmarks.strict_eyes import GRADED, Comparison, comparisons, labels
-from sceneweaver.critic.grade import FULL, older_lost
-from sceneweaver.rules import design as knowledge
+from benchmarks.judged_rooms import DESIGNED, GRADED, JudgedRoom, Measured, judged_rooms, measured
+from sceneweaver.critic.grade import FULL
+from sceneweaver.rules import grades as knowledge
+from sceneweaver.rules.grades import TRAITS, CriterionWeights, GradeWeights
 
 Array = NDArray[np.float64]
 
-RIDGES = (0.05, 0.1, 0.2, 1.0)
-"""Strengths of the pull toward the drafted points, in squared points of a grade for a point that is twice the
-draft; weaker ones let a rule cost ten times its draft for a single scene."""
+LID = 0.4
+"""Share of its points that a lid takes. What it is for, a room without what it is made of, is not among the rooms; in
+these, where it stood for less, a smaller share fitted as well and a whole one worse."""
 
-HOLDS = (0.1, 0.3, 1.0)
-"""Strengths of the pull of what a criterion feels toward 1, in shares of what its breaches say."""
+LEAST_OWN, LEAST = 0.3, 0.1
+"""Least weight of a check for its own grade, and of all else that is wrong: nothing is free."""
 
-UNNAMED = (1.0, 2.0, 3.0, 4.0)
-"""How much eyes alone take off, in shares of the faults that they name."""
+RIDGE = 0.005
+"""Pull of the weights toward 0, in squared grades for a weight that takes a standard deviation off."""
 
-LEAST = 0.25
-"""Share of its drafted points that a rule costs at least: no breach is free."""
+ENOUGH = 0.9
+"""Quantile of a trait from which on more of it is no better."""
 
-ROUNDS = 8
-"""Times that points and weights of the criteria are fitted in turn."""
+FOLDS, ROUNDS = 9, 3
+"""Parts into which the kinds are dealt, and how often they are dealt anew."""
 
-FILE = Path(knowledge.__file__).with_name("design_points.yaml")
-
-
-@dataclass(frozen=True)
-class Counted:
-    """Graded scenes in numbers: breaches [n, rules] up to the most, points of older checks [n, 4], grades [n, 4].
-
-    ``drafted`` [rules] are the points before the fit, ``own`` [rules] the index of each rule's criterion, ``eyes`` the
-    share of faults that only eyes can tell.
-    """
-
-    rules: tuple[str, ...]
-    drafted: Array
-    own: NDArray[np.intp]
-    breaches: Array
-    older: Array
-    grades: Array
-    eyes: float
-
-    @property
-    def lost(self) -> Array:
-        """Points that strict eyes took off [n, 4]."""
-        return -FULL * np.log(self.grades / FULL)
+FILE = Path(knowledge.__file__).with_name("grade_weights.yaml")
 
 
-@dataclass(frozen=True)
-class Fit:
-    """Points of each rule [rules], how much each criterion feels those of its own rules and of the others' [4, 2], its
-    baseline [4], and the common scale of the draft."""
-
-    points: Array
-    felt: Array
-    baseline: Array
-    scale: float
+def enough_of(rows: Sequence[Measured]) -> dict[str, float]:
+    """By trait, how much of it is as good as more."""
+    return {name: float(np.quantile([getattr(row.traits, name) for row in rows], ENOUGH)) for name in TRAITS}
 
 
-def counted(found: Sequence[Comparison]) -> Counted:
-    """The numbers of graded scenes."""
-    fitted = knowledge.design_rules()
-    rules = [r for r in knowledge.drafted_rules().values() if r.drafted > 0.0]
-    breaches, older = np.zeros((len(found), len(rules))), np.zeros((len(found), len(GRADED)))
-    for n, comparison in enumerate(found):
-        points: dict[tuple[str, str], float] = defaultdict(float)
-        for fault in comparison.review.faults:
-            points[fault.criterion, fault.kind] += fault.points
-        for k, rule in enumerate(rules):
-            times = points[rule.criterion, rule.id] / max(fitted[rule.id].points, 1e-9)
-            breaches[n, k] = min(times, rule.most / rule.drafted)
-        for c, name in enumerate(GRADED):
-            older[n, c] = older_lost(f for f in comparison.review.faults if f.criterion == name)
-    every = [label for c in found for label in c.graded.labels]
-    return Counted(
-        rules=tuple(r.id for r in rules),
-        drafted=np.array([r.drafted for r in rules]),
-        own=np.array([GRADED.index(r.criterion) for r in rules]),
-        breaches=breaches,
-        older=older,
-        grades=np.array([[c.graded.grades[name] for name in GRADED] for c in found]),
-        eyes=sum(bool(label.eyes) for label in every) / max(1, len(every)),
+def columns(rows: Sequence[Measured], criterion: int, enough: dict[str, float]) -> tuple[Array, Array]:
+    """What takes points off one grade [n, 5 + traits], as `CriterionWeights` has it, and the points of lids [n]."""
+    checks, rules, lids = (
+        np.array([[getattr(one, name) for one in row.lost] for row in rows]) for name in ("checks", "rules", "lid")
     )
+    short = [np.maximum(0.0, enough[name] - np.array([getattr(row.traits, name) for row in rows])) for name in TRAITS]
+    own = (checks[:, criterion], checks.sum(axis=1) - checks[:, criterion])
+    own += (rules[:, criterion], rules.sum(axis=1) - rules[:, criterion])
+    return np.stack([np.ones(len(rows)), *own, *short], axis=1), LID * lids[:, criterion]
 
 
-class Options(NamedTuple):
-    """What is chosen by scenes that were left out: see `RIDGES`, `HOLDS`, `UNNAMED`."""
+def fit(rows: Sequence[Measured], grades: Array) -> GradeWeights:
+    """The weights that explain grades [n, 4] of rooms best."""
+    enough, criteria = enough_of(rows), {}
+    for c, name in enumerate(GRADED):
+        matrix, lids = columns(rows, c, enough)
+        scale = np.maximum(matrix.std(axis=0), 1e-6)
+        scale[0] = 1.0
+        low = np.array([0.0, LEAST_OWN, LEAST, LEAST, LEAST, *(0.0 for _ in TRAITS)]) * scale
+        held = np.sqrt(RIDGE * len(rows)) * np.array([0.0, *np.ones(len(low) - 1)])
+        plain, wanted = matrix / scale, grades[:, c]
 
-    ridge: float
-    hold: float
-    unnamed: float
+        def errors(
+            weights: Array, plain: Array = plain, lids: Array = lids, wanted: Array = wanted, held: Array = held
+        ) -> Array:
+            return np.concatenate([graded(plain @ weights + lids) - wanted, 0.5 * held * weights])
 
-
-def fit(data: Counted, rows: NDArray[np.intp], options: Options) -> Fit:
-    """The points that explain the grades of some scenes best, and how much each criterion feels them."""
-    lost, weight = data.lost[rows], data.grades[rows] / FULL
-    baseline = options.unnamed * data.eyes * lost.mean(axis=0)
-    target = (lost - data.older[rows] - baseline) * weight
-    blocks = [_split(data, rows, c) * weight[:, c, None, None] for c in range(len(GRADED))]
-    felt = np.ones((len(GRADED), 2))
-    points, scale = data.drafted, 1.0
-    for _ in range(ROUNDS):
-        matrix = np.vstack([np.einsum("nrk,k->nr", block, w) for w, block in zip(felt, blocks, strict=True)])
-        right = target.T.reshape(-1)
-        scale = max(1e-3, float(nnls((matrix @ data.drafted)[:, None], right)[0][0]))
-        draft = scale * data.drafted
-        low, held = LEAST * draft, np.sqrt(options.ridge)
-        # points = low + x with x >= 0, and held * (points / draft - 1) small
-        system = np.vstack([matrix, np.diag(held / draft)])
-        points = low + nnls(system, np.hstack([right, np.full(len(draft), held)]) - system @ low)[0]
-        felt = np.array([_felt(block, points, target[:, c], options.hold) for c, block in enumerate(blocks)])
-        felt /= felt.mean()
-    return Fit(points, felt, baseline, scale)
+        start = np.maximum(low + 1e-6, 0.3)
+        start[0] = 4.0
+        found = least_squares(errors, start, bounds=(low, np.inf)).x / scale
+        criteria[name] = CriterionWeights(*map(float, found[:5]), dict(zip(TRAITS, map(float, found[5:]), strict=True)))
+    return GradeWeights(LID, enough, criteria)
 
 
-def _split(data: Counted, rows: NDArray[np.intp], criterion: int) -> Array:
-    """Breaches [rows, rules, 2] of a criterion's own rules and of the others'."""
-    own = data.own == criterion
-    return data.breaches[rows][:, :, None] * np.stack([own, ~own], axis=1)
+def graded(lost: Array) -> Array:
+    """Grades after points lost."""
+    return FULL * np.exp(-np.clip(lost, 0.0, 20.0 * FULL) / FULL)
 
 
-def _felt(block: Array, points: Array, target: Array, hold: float) -> Array:
-    """How much a criterion feels the breaches of its own rules and of the others' [2], held at 1."""
-    lost = np.einsum("nrk,r->nk", block, points)
-    held = np.sqrt(hold) * np.linalg.norm(lost, axis=0)
-    return nnls(np.vstack([lost, np.diag(held)]), np.hstack([target, held]))[0]
+def predicted(rows: Sequence[Measured], weights: GradeWeights) -> Array:
+    """Grades [n, 4] by weights."""
+    found = []
+    for c, name in enumerate(GRADED):
+        row = weights.criteria[name]
+        matrix, lids = columns(rows, c, dict(weights.enough))
+        factors = [row.baseline, row.own_checks, row.other_checks, row.own_rules, row.other_rules]
+        found.append(graded(matrix @ np.array([*factors, *(row.short[name] for name in TRAITS)]) + lids))
+    return np.stack(found, axis=1)
 
 
-def predicted(data: Counted, rows: NDArray[np.intp], found: Fit) -> Array:
-    """Grades [rows, 4] by a fit."""
-    columns = []
-    for c in range(len(GRADED)):
-        breaches = np.einsum("nrk,r,k->n", _split(data, rows, c), found.points, found.felt[c])
-        columns.append(FULL * np.exp(-(found.baseline[c] + data.older[rows, c] + breaches) / FULL))
-    return np.stack(columns, axis=1)
+def left_out(rooms: Sequence[JudgedRoom], rows: Sequence[Measured]) -> Array:
+    """Grades [n, 4] of each room by fits to rooms of other kinds."""
+    wanted, found = means(rooms), np.zeros((len(rooms), len(GRADED)))
+    kinds = np.array([room.kind for room in rooms])
+    for seed in range(ROUNDS):
+        names = np.array(sorted(set(kinds)))
+        np.random.default_rng(seed).shuffle(names)
+        for k in range(FOLDS):
+            out = np.isin(kinds, names[k::FOLDS])
+            if out.any() and not out.all():
+                weights = fit([row for row, gone in zip(rows, out, strict=True) if not gone], wanted[~out])
+                found[out] += predicted([row for row, gone in zip(rows, out, strict=True) if gone], weights) / ROUNDS
+    return found
 
 
-def left_out(data: Counted, options: Options) -> Array:
-    """Grades [n, 4] of each scene by the fit to all others."""
-    rows = np.arange(len(data.grades))
-    return np.vstack([predicted(data, rows[[k]], fit(data, np.delete(rows, k), options)) for k in rows])
+def means(rooms: Sequence[JudgedRoom]) -> Array:
+    """Mean grades [n, 4] of the judges of each room."""
+    return np.array([room.grades.mean(axis=0) for room in rooms])
 
 
-def chosen(data: Counted) -> Options:
-    """The options with the best mean rank correlation on scenes that were left out."""
-
-    def ranks(options: Options) -> float:
-        return sum(rank for _, rank, _ in agreement(data.grades, left_out(data, options)))
-
-    return max((Options(*row) for row in product(RIDGES, HOLDS, UNNAMED)), key=ranks)
-
-
-def agreement(strict: Array, ours: Array) -> list[tuple[str, float, float]]:
-    """For each criterion and the mean of all: name, rank correlation and mean error of grades [n, 4]."""
+def agreement(strict: Array, ours: Array) -> list[tuple[str, float, float, float]]:
+    """For each criterion and the mean of all: name, rank correlation, mean error and bias of grades [n, 4]."""
     found = []
     for name, a, b in (
         *((name, strict[:, k], ours[:, k]) for k, name in enumerate(GRADED)),
         ("mean", strict.mean(axis=1), ours.mean(axis=1)),
     ):
         ranks: Any = spearmanr(a, b) if len(set(a)) > 1 and len(set(b)) > 1 else (0.0,)
-        rank = float(ranks[0])
-        found.append((name, rank, float(np.abs(a - b).mean())))
+        found.append((name, float(ranks[0]), float(np.abs(a - b).mean()), float((b - a).mean())))
     return found
 
 
-def text(data: Counted, found: Fit) -> str:
-    """The file of fitted points."""
+def text(weights: GradeWeights) -> str:
+    """The file of fitted weights."""
 
-    def row(name: str, values: Array) -> str:
-        return f"{name}: {{" + ", ".join(f"{c}: {v:.3f}" for c, v in zip(GRADED, values, strict=True)) + "}"
+    def row(values: dict[str, float]) -> str:
+        return "{" + ", ".join(f"{name}: {value:.3f}" for name, value in values.items()) + "}"
 
     lines = [
-        "# What a breach of each design rule costs. Written by `python -m benchmarks.critic_fit --write`; not by hand.",
-        row("baseline", found.baseline),
-        row("weights", found.felt[:, 0]),
-        row("others", found.felt[:, 1]),
-        f"scale: {found.scale:.3f}",
-        "points:",
-        *(f"  {name}: {value:.2f}" for name, value in zip(data.rules, found.points, strict=True)),
+        "# How grades follow from faults and traits. Written by `python -m benchmarks.critic_fit --write`.",
+        f"lid: {weights.lid:g}",
+        f"enough: {row(dict(weights.enough))}",
+        "criteria:",
     ]
+    for name, one in weights.criteria.items():
+        lines.append(f"  {name}:")
+        lines += [
+            f"    {key}: {getattr(one, key):.3f}"
+            for key in ("baseline", "own_checks", "other_checks", "own_rules", "other_rules")
+        ]
+        lines.append(f"    short: {row(dict(one.short))}")
     return "\n".join(lines) + "\n"
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Fit, say how well it holds on scenes that were left out, and write the points where asked."""
+    """Fit, say how well it holds on kinds of rooms that the fit has not seen, and write the weights where asked."""
     parser = argparse.ArgumentParser(
         prog="python -m benchmarks.critic_fit", description=(__doc__ or "").splitlines()[0]
     )
     parser.add_argument("--write", action="store_true", help=f"write {FILE.name}")
+    parser.add_argument("--processes", type=int, default=1)
     options = parser.parse_args(arguments)
-    data = counted(list(comparisons(labels())))
-    best = chosen(data)
-    found = fit(data, np.arange(len(data.grades)), best)
-    say(f"{best}, scale {found.scale:.3f}, baseline {np.round(found.baseline, 2)}")
-    inside = predicted(data, np.arange(len(data.grades)), found)
-    for what, ours in (("fitted", inside), ("left out", left_out(data, best))):
-        rows = ", ".join(f"{name} {rank:.2f} ({error:.2f})" for name, rank, error in agreement(data.grades, ours))
-        say(f"{what}: rank correlation (mean error): {rows}")
+    rooms, held = judged_rooms("fit"), judged_rooms("held_out")
+    rows, others = measured(rooms, options.processes), measured(held, options.processes)
+    weights = fit(rows, means(rooms))
+    _say("fitted", rooms, means(rooms), predicted(rows, weights))
+    _say("kinds left out", rooms, means(rooms), left_out(rooms, rows))
+    _say("held-out kinds", held, means(held), predicted(others, weights))
+    one, two = (np.array([room.grades[k] for room in held]) for k in (0, 1))
+    _say("their two judges", held, one, two)
     if options.write:
-        FILE.write_text(text(data, found), "utf-8")
+        FILE.write_text(text(weights), "utf-8")
+
+
+def _say(what: str, rooms: Sequence[JudgedRoom], strict: Array, ours: Array) -> None:
+    designed = np.array([room.made == DESIGNED for room in rooms])
+    for which, chosen in (("all", np.ones(len(rooms), bool)), ("as designed", designed)):
+        found = agreement(strict[chosen], ours[chosen])
+        parts = ", ".join(f"{name} {rank:.2f} ({error:.2f}, {bias:+.2f})" for name, rank, error, bias in found)
+        say(f"{what}, {int(chosen.sum())} {which}: rank correlation (mean error, bias): {parts}")
 
 
 if __name__ == "__main__":

@@ -7,7 +7,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from benchmarks.critic_fit import agreement, chosen, counted, left_out
+from benchmarks.critic_fit import agreement, means
+from benchmarks.judged_rooms import DESIGNED, judged_rooms, measured
 from benchmarks.judging import Judge
 from benchmarks.results import Column, Result
 from benchmarks.settings import Settings
@@ -16,13 +17,15 @@ from benchmarks.strict_eyes import GRADED, SCENES, Comparison, comparisons, labe
 QUICK = 3
 """Scenes to see that everything works."""
 
-AGREEMENT = (Column("spearman", "rank correlation", "number"), Column("error", "mean error", "number"))
+AGREEMENT = (
+    Column("spearman", "rank correlation", "number"),
+    Column("error", "mean error", "number"),
+    Column("bias", "bias", "number"),
+)
 SIDES = (Column("strict", "strict eyes", "number"), Column("critic", "critic", "number"))
 CRITERION = Column("criterion", "criterion")
-GRADES, LEFT_OUT = (CRITERION, *SIDES, *AGREEMENT), (CRITERION, *AGREEMENT)
-
-FEWEST = 10
-"""Scenes from which on the fit is tried on each of them."""
+GRADES = (CRITERION, *SIDES, *AGREEMENT)
+UNSEEN = (Column("rooms", "rooms"), CRITERION, *AGREEMENT)
 
 FOUND = (
     Column("labelled", "labelled", "count"),
@@ -48,7 +51,25 @@ def run(settings: Settings, judge: Judge) -> Result:
     )
     found = list(comparisons(labels()[: QUICK if settings.quick else None], SCENES))
     tabulate(result, found)
+    unseen(result, QUICK if settings.quick else None)
     return result
+
+
+def unseen(result: Result, most: int | None) -> None:
+    """Add how the critic grades rooms of kinds that its weights were not fitted to, beside two judges of each."""
+    rooms = judged_rooms("held_out")[:most]
+    ours, strict = np.array([row.grades for row in measured(rooms)]), means(rooms)
+    one, two = (np.array([room.grades[k] for room in rooms]) for k in (0, 1))
+    designed = np.array([room.made == DESIGNED for room in rooms])
+    table = result.add("unseen", "Rooms of kinds that the fit of the grades had not seen", UNSEEN, keys=2)
+    for name, a, b, chosen in (
+        ("critic, all", strict, ours, designed | True),
+        ("critic, as designed", strict, ours, designed),
+        ("the two judges, all", one, two, designed | True),
+        ("the two judges, as designed", one, two, designed),
+    ):
+        for criterion, rank, error, bias in agreement(a[chosen], b[chosen]) if chosen.any() else ():
+            table.rows.append({"rooms": name, "criterion": criterion, "spearman": rank, "error": error, "bias": bias})
 
 
 def tabulate(result: Result, found: Sequence[Comparison]) -> None:
@@ -56,14 +77,9 @@ def tabulate(result: Result, found: Sequence[Comparison]) -> None:
     grades = result.add("grades", "Grades", GRADES)
     strict, ours = (np.array([[side[name] for name in GRADED] for side in sides]) for sides in _sides(found))
     averages = [*zip(strict.mean(axis=0), ours.mean(axis=0), strict=True), (strict.mean(), ours.mean())]
-    for (name, rank, error), (theirs, mine) in zip(agreement(strict, ours), averages, strict=True):
-        row = {"strict": float(theirs), "critic": float(mine), "spearman": rank, "error": error}
+    for (name, rank, error, bias), (theirs, mine) in zip(agreement(strict, ours), averages, strict=True):
+        row = {"strict": float(theirs), "critic": float(mine), "spearman": rank, "error": error, "bias": bias}
         grades.rows.append({"criterion": name, **row})
-    if len(found) > FEWEST:
-        data = counted(found)
-        apart = result.add("left_out", "Grades of scenes that the fit of the points had not seen", LEFT_OUT)
-        for name, rank, error in agreement(strict, left_out(data, chosen(data))):
-            apart.rows.append({"criterion": name, "spearman": rank, "error": error})
     _kinds(result, found)
     scenes = result.add("scenes", "Scenes", ROOMS)
     for c in found:

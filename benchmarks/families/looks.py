@@ -23,7 +23,7 @@ from sceneweaver.critic import Fault
 from sceneweaver.knowledge import room_type
 from sceneweaver.language import read_request
 from sceneweaver.llm import ModelClient, ModelError, open_client
-from sceneweaver.rules.design import drafted_rules
+from sceneweaver.rules.design import design_rules
 from sceneweaver.scene import MissingDependencyError
 from sceneweaver.verify import check
 
@@ -86,7 +86,7 @@ def matched(labelled: Sequence[Label], faults: Sequence[Fault]) -> int:
 def _same(label: Label, fault: Fault) -> bool:
     if label.objects:
         return not label.objects.isdisjoint(fault.objects)
-    known = {drafted_rules()[name].criterion for name in label.rules if name in drafted_rules()}
+    known = {design_rules()[name].criterion for name in label.rules if name in design_rules()}
     return not fault.objects and (not known or fault.criterion in known)
 
 
@@ -155,13 +155,13 @@ def tabulate(result: Result, sides: Mapping[str, Sequence[Looked]]) -> None:
         ours = np.array([[one.grades[c] for c in GRADED] for one in looked])
         agrees = agreement(strict, ours)
         means = [*ours.mean(axis=0), ours.mean()]
-        for (criterion, rank, error), mean in zip(agrees, means, strict=True):
+        for (criterion, rank, error, _), mean in zip(agrees, means, strict=True):
             row = {"critic": name, "criterion": criterion, "mean": float(mean)}
             grades.rows.append({**row, "spearman": rank, "error": error})
         counts = [(len(one.showable), one.found(), len(one.faults)) for one in looked]
         labelled, hits, named = (sum(column) for column in zip(*counts, strict=True))
         spreads = [one.spread for one in looked if one.spread is not None]
-        _, rank, error = agrees[-1]
+        _, rank, error, _ = agrees[-1]
         critics.rows.append(
             {
                 "critic": name,

@@ -15,8 +15,9 @@ from typing import Any
 from sceneweaver.critic.design.query import cases
 from sceneweaver.knowledge import RoomType
 from sceneweaver.layout import QualityTerm
-from sceneweaver.rules.design import CRITERIA, Row, design_points, design_rules
+from sceneweaver.rules.design import Row, design_rules
 from sceneweaver.rules.faults import fault_kinds
+from sceneweaver.rules.grades import grade_weights
 from sceneweaver.scene import Scene
 
 from .planned import Planned
@@ -40,9 +41,11 @@ def choice_terms(scene: Scene, room_type: RoomType) -> list[QualityTerm]:
         if row.span is not None and rule.points > 0 and rule.applies(plan.room) and row.applies(plan.room)
         for term in _terms(plan, row, rule.id, {**rule.limits, "points": rule.points}, rule.most)
     ]
-    felt, others = design_points(), len(CRITERIA) - 1
-    # what a point off one criterion is worth beside one of a rule, which the others feel as well
-    share = len(CRITERIA) / (sum(felt.weights.values()) + others * sum(felt.others.values()))
+    felt = grade_weights().criteria.values()
+    others = len(felt) - 1
+    # what a point of a check is worth beside one of a rule, over all grades
+    share = sum(row.own_checks + others * row.other_checks for row in felt)
+    share /= sum(row.own_rules + others * row.other_rules for row in felt)
     for kind in fault_kinds().values():
         for row in kind.rows:
             if row.span is not None:

@@ -58,9 +58,9 @@ Said = Callable[[Step], None]
 Fill = Callable[[Registered, Context, Call], Call]
 """Has a model write the inputs of a call; InputError or ModelError when it does not."""
 
-GOOD = {"layout": 5.0, "functionality": 7.0}
-"""Grades from which on a first layout that lacks nothing is taken without another draw; what is needed and out of reach
-takes more off functionality than is left."""
+GOOD = {"layout": 0.85, "functionality": 0.87}
+"""Shares of the grades without a fault from which on a first layout that lacks nothing is taken without another draw;
+what is needed and out of reach takes more off functionality than is left."""
 
 
 @dataclass
@@ -228,7 +228,7 @@ class Run:
             return f"{vain} steps brought nothing" if self.best is not None and vain > s.replans else ""
         if memory.stale >= s.patience:
             return f"no progress in {memory.stale} steps"
-        if self.best is not None and self.best.report.valid and self.best.review.total >= s.grade:
+        if self.best is not None and self.best.report.valid and self.best.review.to_gain <= s.to_gain:
             open_calls = any(f.tool for f in self.best.review.faults if f.points >= 0.5)
             return "" if open_calls else f"grade {self.best.review.total:.1f}"
         return ""
@@ -391,7 +391,8 @@ def _left(outcome: Outcome) -> dict[str, list[str]]:
 
 def _complete(outcome: Outcome) -> bool:
     """Whether a first layout is valid, has all that it was meant to have, and is well laid out."""
-    if any(outcome.review.grades[name] < least for name, least in GOOD.items()):
+    review = outcome.review
+    if any(review.grades[name] < share * review.best(name) for name, share in GOOD.items()):
         return False
     return outcome.report.valid and not (
         outcome.unmet or outcome.scene.dropped or any(REASON in note for note in outcome.notes)

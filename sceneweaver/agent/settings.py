@@ -39,7 +39,9 @@ class Settings(FrozenModel):
         default=(2, 6), description="Times that a layout is begun anew when it fails, at first and at last"
     )
     work: int = Field(default=240, ge=1, description="Attempts at a layout after which no step begins")
-    grade: float = Field(default=7.4, description="Mean grade at which to stop; with no fault it is 7.8")
+    to_gain: float = Field(
+        default=0.3, ge=0.0, description="Stop where mending every fault would raise the mean grade by no more"
+    )
     patience: int = Field(default=2, ge=1, description="Steps without progress after which to stop")
     memory_length: int = Field(default=1, ge=0, le=100, description="Last steps that a model is told of")
     replans: int = Field(

@@ -6,12 +6,13 @@ import math
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
-from sceneweaver.rules.design import design_points, design_rules
-from sceneweaver.rules.faults import fault_kind, number
+from sceneweaver.rules.design import design_rules
+from sceneweaver.rules.faults import fault_kind, fault_kinds, number
+from sceneweaver.rules.grades import TRAITS, Traits, grade_weights
 
-from .model import CRITERIA, Alignment, Fault
+from .model import Alignment, Fault
 
 FULL = 10.0
 
@@ -84,48 +85,57 @@ def related(kind: str, subject: str, target: str | None = None) -> Call:
     return "add_relation", {"relations": [{"type": kind, "subject": subject, "target": target, "hard": True}]}
 
 
-def grades(found: Sequence[Finding], asked: Alignment | None = None) -> dict[str, float]:
+def grades(found: Sequence[Finding], asked: Alignment | None = None, traits: Traits | None = None) -> dict[str, float]:
     """The grade 0 to 10 of every criterion.
 
     ``asked`` is what became of the items of the request: where anything of it is not so, the grade for alignment is not
-    above 8, nor above the mean of what its faults leave and of ten times the share of items that is so.
+    above 8, nor above the mean of what its faults leave and of ten times the share of items that is so. ``traits`` are
+    those of the room; None: it lacks none of them.
 
-    Strict eyes that see one thing wrong mark down the rest as well, and see what no rule tells: a breach of a design
-    rule takes points off the other criteria too, and every grade begins a little below the full one
-    (`DesignPoints`). What was asked for is graded by itself.
+    Strict eyes that see one thing wrong mark down the rest as well, and see what no rule tells: a fault takes points
+    off the other criteria too, and every grade begins below the full one (`sceneweaver.rules.grades`). What was asked
+    for is graded by itself.
     """
-    fitted, graded = design_points(), {}
-    by_criterion: dict[str, list[Finding]] = {criterion: [] for criterion in CRITERIA}
-    for f in found:
-        by_criterion[f.fault.criterion].append(f)
-    breaches = {c: _lost([f for f in rows if f.fault.rule is not None]) for c, rows in by_criterion.items()}
-    for criterion, rows in by_criterion.items():
-        if criterion == "alignment":
-            left = _lidded(squash(_whole(rows)), rows)
-            if asked is not None and asked.share < 1.0:
-                left = min(number("faithful"), left, max(1.0, 0.5 * (left + FULL * asked.share)))
-            graded[criterion] = round(left, 3)
-            continue
-        others = sum(lost for c, lost in breaches.items() if c != criterion)
-        felt = fitted.weights[criterion] * breaches[criterion] + fitted.others[criterion] * others
-        lost = fitted.baseline[criterion] + older_lost([f.fault for f in rows]) + felt
-        graded[criterion] = round(eased(lost), 3)
-    return graded
+    weights, graded = grade_weights(), {}
+    lost = {c: Lost.of([f.fault for f in found if f.fault.criterion == c]) for c in weights.criteria}
+    for criterion, row in weights.criteria.items():
+        own = lost[criterion]
+        points = row.baseline + own.defined + weights.lid * own.lid
+        points += row.own_checks * own.checks + row.own_rules * own.rules
+        points += row.other_checks * (sum(one.checks for one in lost.values()) - own.checks)
+        points += row.other_rules * (sum(one.rules for one in lost.values()) - own.rules)
+        if traits is not None:
+            points += sum(row.short[name] * short for name, short in shortfalls(traits).items())
+        graded[criterion] = round(eased(points), 3)
+    rows = [f for f in found if f.fault.criterion == "alignment"]
+    left = _lidded(squash(_whole(rows)), rows)
+    if asked is not None and asked.share < 1.0:
+        left = min(number("faithful"), left, max(1.0, 0.5 * (left + FULL * asked.share)))
+    return {**graded, "alignment": round(left, 3)}
 
 
-def older_lost(faults: Iterable[Fault]) -> float:
-    """Points that faults of one criterion lose beside the design rules: their sum, or what the lowest lid says.
+def shortfalls(traits: Traits) -> dict[str, float]:
+    """By trait, how much less of it a room has than is enough; 0 where it has that."""
+    enough = grade_weights().enough
+    return {name: max(0.0, enough[name] - getattr(traits, name)) for name in TRAITS}
 
-    A lid of 5 halves the grade.
-    """
-    kinds: dict[str, float] = defaultdict(float)
-    most = 0.0
-    for fault in faults:
-        if fault.rule is None:
-            kinds[fault.kind] += fault.points
-            most = max(most, FULL * math.log(FULL / fault.lid) if fault.lid else 0.0)
-    total = sum(min(points, _most(kind)) for kind, points in kinds.items())
-    return max(total, most + SLOPE * total) if most else total
+
+class Lost(NamedTuple):
+    """Points that the faults of one criterion take off, those of one kind up to their limit: of our checks, of design
+    rules, and of a user's own checks, which count in full; and the most that a lid stands for: 6.9 for one of 5."""
+
+    checks: float
+    rules: float
+    defined: float
+    lid: float
+
+    @classmethod
+    def of(cls, faults: Sequence[Fault]) -> Lost:
+        """Those of the faults of one criterion."""
+        lids = [FULL * math.log(FULL / f.lid) for f in faults if f.rule is None and f.lid]
+        by_rule, others = ([f for f in faults if (f.rule is not None) == ruled] for ruled in (True, False))
+        checks, defined = ([f for f in others if (f.kind in fault_kinds()) == known] for known in (True, False))
+        return cls(_lost(checks), _lost(by_rule), _lost(defined), max(lids, default=0.0))
 
 
 def _lidded(grade: float, found: Sequence[Finding]) -> float:
@@ -141,11 +151,11 @@ def _whole(found: Sequence[Finding]) -> float:
     return sum(f.fault.points for f in found)
 
 
-def _lost(found: Sequence[Finding]) -> float:
+def _lost(faults: Sequence[Fault]) -> float:
     """Points lost: those of one kind add up to its limit."""
     kinds: dict[str, float] = defaultdict(float)
-    for f in found:
-        kinds[f.fault.kind] += f.fault.points
+    for fault in faults:
+        kinds[fault.kind] += fault.points
     return sum(min(points, _most(kind)) for kind, points in kinds.items())
 
 

@@ -161,6 +161,10 @@ class Review(FrozenModel):
 
     critic: Literal["symbolic", "vlm"] = "symbolic"
     grades: dict[str, float]
+    faultless: dict[str, float] = Field(
+        default={},
+        description="What the grades were without any fault: less for a kind of room of which less is known",
+    )
     faults: tuple[Fault, ...] = ()
     measures: dict[str, float] = Field(default={}, description="What was measured: shares, counts, metres")
     alignment: Alignment = Field(default=Alignment(), description="What became of each item of the request")
@@ -185,3 +189,13 @@ class Review(FrozenModel):
     def total(self) -> float:
         """Mean of the grades."""
         return sum(self.grades.values()) / max(1, len(self.grades))
+
+    @property
+    def to_gain(self) -> float:
+        """By how much the mean of the grades would rise if every fault were mended."""
+        best = sum(self.best(name) for name in self.grades)
+        return best / max(1, len(self.grades)) - self.total
+
+    def best(self, criterion: str) -> float:
+        """What a grade were without any fault; 10 where that is not known."""
+        return self.faultless.get(criterion, 10.0)

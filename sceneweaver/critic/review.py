@@ -16,6 +16,7 @@ from .grade import Finding, grades
 from .model import Fault, Review
 from .survey import Survey
 from .totals import measures
+from .traits import traits_of
 
 CHECKS: tuple[Callable[[Survey], Iterator[Finding]], ...] = (design.other_faults, design.faults, own.faults)
 """All checks but those of the request; each gives what it finds in a survey. Without objects only the first is done."""
@@ -47,7 +48,14 @@ def review_scene(scene: Scene, report: Report, room_type: RoomType, brief: Scene
     ranked = sorted(found, key=lambda f: (f.cap is None, -f.fault.points))
     faults = _short([f.fault for f in ranked])
     told = asked.alignment(items)
-    return Review(grades=grades(found, told), faults=faults, measures=measures(survey), alignment=told)
+    traits = traits_of(survey)
+    return Review(
+        grades=grades(found, told, traits),
+        faultless=grades((), None, traits),
+        faults=faults,
+        measures=measures(survey),
+        alignment=told,
+    )
 
 
 def _turned_as_asked(survey: Survey, found: Finding) -> bool:

@@ -278,6 +278,7 @@ def _entity(mention: Mention, notes: list[str]) -> Entity:
         seen.setdefault((attribute.kind, f"{attribute.words}{attribute.count or ''}"), attribute)
     given: dict[str, Any] = {name: getattr(mention, name) for name in Entity.model_fields if hasattr(mention, name)}
     given["attributes"] = [a.model_copy(update={"id": f"{mention.id}/{k}"}) for k, a in enumerate(seen.values())]
+    given["size"] = tuple(side if side is None or side > 0 else None for side in mention.size)
     given |= {"count": count, "words": tuple(dict.fromkeys(mention.words)), "unnamed": tuple(mention.unnamed)}
     return Entity(**given)
 

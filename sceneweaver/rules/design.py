@@ -2,15 +2,14 @@
 
 ``design/*.yaml`` has the rules, one file for each family of rooms or things; docs/design_rules.md says how rows are
 read. The critic makes findings of rows with a ``text`` (`sceneweaver.critic.design`), the choice among many layouts
-makes terms of the engine of rows with a ``span`` (`sceneweaver.agent.choice`). What a breach costs is drafted in the
-rule and fitted to the grades of strict eyes; the fitted points stand in ``design_points.yaml``, which
-``python -m benchmarks.critic_fit`` writes.
+makes terms of the engine of rows with a ``span`` (`sceneweaver.agent.choice`). Points tell what a breach costs beside
+others; how grades follow from them is in `sceneweaver.rules.grades`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, fields
 from functools import cache
 from importlib import resources
 from types import MappingProxyType
@@ -88,7 +87,6 @@ class DesignRule:
         criterion: the grade that a breach lowers.
         points: what one breach takes off the grade.
         most: what all breaches of it take off together.
-        drafted: the points that it was given before the fit.
         rooms: kinds of rooms that it is for; empty: all.
         limits: its numbers by name: metres, degrees, counts, shares.
         rows: what is looked at.
@@ -99,7 +97,6 @@ class DesignRule:
     criterion: str
     points: float
     most: float
-    drafted: float = 0.0
     rooms: frozenset[str] = frozenset()
     limits: Mapping[str, float] = field(default_factory=dict)
     rows: tuple[Row, ...] = ()
@@ -107,31 +104,6 @@ class DesignRule:
     def applies(self, room: str) -> bool:
         """Whether the rule is for a kind of room."""
         return not self.rooms or room in self.rooms
-
-
-@dataclass(frozen=True)
-class DesignPoints:
-    """What the fit found: the points of each rule, and how grades follow from them.
-
-    Attributes:
-        baseline: by criterion, points lost to what only eyes can tell.
-        weights: by criterion, how much it feels breaches of its own rules.
-        others: by criterion, how much it feels those of the other rules.
-        scale: by what drafted points are multiplied where a rule was not fitted.
-        points: what one breach of each rule takes off.
-    """
-
-    baseline: Mapping[str, float]
-    weights: Mapping[str, float]
-    others: Mapping[str, float]
-    scale: float
-    points: Mapping[str, float]
-
-
-@cache
-def design_points() -> DesignPoints:
-    """The fitted numbers."""
-    return DesignPoints(**read_yaml(resources.files(__package__ or "") / "design_points.yaml"))
 
 
 @cache
@@ -142,8 +114,8 @@ def room_groups() -> Mapping[str, frozenset[str]]:
 
 
 @cache
-def drafted_rules() -> Mapping[str, DesignRule]:
-    """All rules by id, file by file, with the points that they were given before the fit.
+def design_rules() -> Mapping[str, DesignRule]:
+    """All rules by id, file by file.
 
     Raises:
         ValueError: a rule or row has a field that is unknown, or an id is there twice.
@@ -161,17 +133,6 @@ def drafted_rules() -> Mapping[str, DesignRule]:
     return MappingProxyType(found)
 
 
-@cache
-def design_rules() -> Mapping[str, DesignRule]:
-    """All rules by id with their fitted points; ValueError as `drafted_rules`."""
-    fitted, found = design_points(), {}
-    for rule in drafted_rules().values():
-        points = fitted.points.get(rule.id, fitted.scale * rule.drafted)
-        most = rule.most / rule.drafted * points if rule.drafted else 0.0
-        found[rule.id] = replace(rule, points=round(points, 3), most=round(most, 3))
-    return MappingProxyType(found)
-
-
 def limit(rule: str, name: str) -> float:
     """A number of a rule; KeyError when there is none of that name."""
     return design_rules()[rule].limits[name]
@@ -186,7 +147,7 @@ def _rule(data: dict[str, Any]) -> DesignRule:
     name = data.get("id", "?")
     rows = tuple(read_row(name, row) for row in data.pop("rows", ()))
     known_keys(f"{name}", data, DesignRule)
-    return DesignRule(**{**data, "rooms": _rooms(data), "rows": rows, "drafted": data["points"]})
+    return DesignRule(**{**data, "rooms": _rooms(data), "rows": rows})
 
 
 def read_row(rule: str, data: dict[str, Any]) -> Row:

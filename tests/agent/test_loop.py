@@ -196,7 +196,7 @@ def test_a_call_is_told_what_it_has_to_beat(go, monkeypatch):
 
 @pytest.mark.parametrize(("grade", "drawn"), [(loop.GOOD["functionality"], 1), (loop.GOOD["functionality"] - 0.1, 2)])
 def test_a_room_is_drawn_again_unless_the_first_is_good(go, grade, drawn):
-    answers = {"init_prior": [adds("a", grade), adds("b", grade)]}
+    answers = {"init_prior": [adds("a", 10 * grade), adds("b", 10 * grade)]}
     run, *_ = go(answers, [calls("init_prior", "init_prior")])
     assert len(run.memory.steps[0].tried) == drawn
 
@@ -234,8 +234,13 @@ def test_only_what_an_initialiser_could_not_do_is_unmet(go):
         ({"steps": 2}, [5, 6, 7], 2, "2 steps"),
         ({"patience": 2}, [5, 4, 4, 8], 3, "no progress in 2 steps"),
         ({"patience": 1}, [5, 6, 4, 8], 3, "no progress in 1 steps"),
-        ({"grade": 9.95}, [9, 10], 2, "grade 10.0"),
-        ({"grade": 6.0}, [5, 7, 8], 3, "nothing is left that a tool can mend"),  # there are faults that a tool can mend
+        ({"to_gain": 0.05}, [9, 10], 2, "grade 10.0"),
+        (
+            {"to_gain": 4.0},
+            [5, 7, 8],
+            3,
+            "nothing is left that a tool can mend",
+        ),  # there are faults that a tool can mend
         ({"work": 5}, [5, 6], 1, "5 attempts"),
         ({"work": 6}, [5, 6, 7], 2, "6 attempts"),
     ],

@@ -31,7 +31,7 @@ def test_each_label_needs_a_fault_of_its_own() -> None:
 
 
 def test_faults_of_the_room_have_to_be_of_the_same_criterion() -> None:
-    (criterion,) = {looks.drafted_rules()[name].criterion for name in WALLS.rules}
+    (criterion,) = {looks.design_rules()[name].criterion for name in WALLS.rules}
     other = "realism" if criterion != "realism" else "layout"
     assert looks.matched([WALLS], [fault(criterion=criterion)]) == 1
     assert looks.matched([WALLS], [fault(criterion=other)]) == 0

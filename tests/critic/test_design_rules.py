@@ -10,7 +10,8 @@ import pytest
 
 from sceneweaver.critic.design.breach import breach
 from sceneweaver.critic.grade import Finding, grades
-from sceneweaver.rules.design import DesignRule, design_points, design_rules, drafted_rules, limit
+from sceneweaver.rules.design import CRITERIA, DesignRule, design_rules, limit
+from sceneweaver.rules.grades import TRAITS, Traits, grade_weights
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "design_rules.md"
 
@@ -54,8 +55,16 @@ def _lost(found: list[Finding], criterion: str) -> float:
     return 10.0 * math.log(grades([])[criterion] / grades(found)[criterion])
 
 
-def test_every_drafted_rule_has_fitted_points() -> None:
-    fitted = design_points()
-    assert set(fitted.points) <= set(drafted_rules())
-    for rule in design_rules().values():
-        assert rule.points > 0.0 or rule.drafted == 0.0, rule.id
+def test_every_grade_has_its_weights_and_none_rises_with_a_fault() -> None:
+    weights = grade_weights()
+    assert tuple(weights.criteria) == CRITERIA and set(weights.enough) == set(TRAITS)
+    for row in weights.criteria.values():
+        assert min(row.own_checks, row.other_checks, row.own_rules, row.other_rules) > 0.0
+        assert set(row.short) == set(TRAITS) and min(row.short.values()) >= 0.0
+
+
+def test_a_kind_of_room_of_which_less_is_known_is_graded_lower() -> None:
+    most = grade_weights().enough
+    full, bare = Traits(**most), Traits(**{name: 0.0 for name in TRAITS})
+    assert grades([], traits=full) == grades([])
+    assert all(grades([], traits=bare)[name] < 0.8 * grades([])[name] for name in CRITERIA)

@@ -20,7 +20,7 @@ def crowded(scene: sw.Scene):
     for thing in scene.objects[:2]:
         yield sw.Fault(
             criterion="layout",
-            kind="crowded",
+            kind="hemmed_in",
             objects=(thing.id,),
             reason=f"{thing.id} is hemmed in",
             points=1.5,
@@ -31,19 +31,19 @@ def crowded(scene: sw.Scene):
 
 @pytest.fixture
 def defined():
-    sw.define_check("crowded", crowded)
+    sw.define_check("hemmed_in", crowded)
     yield
-    sw.undefine_check("crowded")
+    sw.undefine_check("hemmed_in")
 
 
 def test_what_it_finds_lowers_its_grade_and_no_other_and_brings_its_call(defined):
     with_check = review()
-    sw.undefine_check("crowded")
+    sw.undefine_check("hemmed_in")
     before = review()
-    sw.define_check("crowded", crowded)
-    found = [fault for fault in with_check.faults if fault.kind == "crowded"]
+    sw.define_check("hemmed_in", crowded)
+    found = [fault for fault in with_check.faults if fault.kind == "hemmed_in"]
     assert [fault.objects for fault in found] == [(thing.id,) for thing in SCENE.objects[:2]]
-    assert found[0].tool == "update_layout" and not any(f.kind == "crowded" for f in before.faults)
+    assert found[0].tool == "update_layout" and not any(f.kind == "hemmed_in" for f in before.faults)
     assert with_check.grades["layout"] < before.grades["layout"]
     assert {k: v for k, v in with_check.grades.items() if k != "layout"} == {
         k: v for k, v in before.grades.items() if k != "layout"
@@ -72,6 +72,6 @@ def test_one_that_fails_is_named_in_one_line(check, says):
 
 def test_a_name_is_used_once(defined):
     with pytest.raises(sw.InputError, match="there already"):
-        sw.define_check("crowded", crowded)
+        sw.define_check("hemmed_in", crowded)
     with pytest.raises(sw.InputError, match="unknown"):
         sw.undefine_check("dim")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pytest
 
-from sceneweaver.agent.settings import Settings
 from sceneweaver.critic.design.breach import breach
 from sceneweaver.critic.grade import eased, finding, grades, squash
 from sceneweaver.language import SceneGraph
@@ -19,9 +18,7 @@ from tests.critic.test_layout import falls, only
 def test_no_bed_in_a_bedroom() -> None:
     good = rooms.bedroom()
     bad = good.but({"id": "bed-0", "gone": True})
-    fault = falls(
-        good, bad, "missing_needed", set(), criterion="functionality", least=4.0, also=("completion", "layout")
-    )
+    fault = falls(good, bad, "missing_needed", set(), criterion="functionality", least=3.2)
     assert bad.review().grades["functionality"] < 6.0
     assert fault.tool == "add_objects" and fault.inputs["objects"][0]["category"] == "bed"
     assert {"type": "against_wall"} in fault.inputs["objects"][0]["place"]
@@ -32,7 +29,7 @@ def test_one_nightstand_of_two_is_less_grave_than_none() -> None:
     two = good.review().grades["functionality"]
     one = good.but({"id": "nightstand-0", "gone": True}).review().grades["functionality"]
     none = good.but({"id": "nightstand-0", "gone": True}, {"id": "nightstand-1", "gone": True}).review()
-    assert 0.6 * two < one < 0.9 * two and none.grades["functionality"] < 0.6 * two
+    assert 0.8 * two < one < 0.95 * two and none.grades["functionality"] < 0.7 * two
 
 
 def test_fewer_than_the_floor_would_take_is_no_lack_of_the_needed() -> None:
@@ -80,7 +77,7 @@ def test_desk_without_chair() -> None:
 def test_table_with_too_few_chairs() -> None:
     good = rooms.restaurant()
     bad = good.but(*({"id": f"dining_chair-{k}", "gone": True} for k in range(4)))
-    fault = falls(good, bad, "missing_needed", set(), criterion="functionality", least=1.0)
+    fault = falls(good, bad, "missing_needed", set(), criterion="functionality", least=0.5)
     row = fault.inputs["objects"][0]
     assert row["count"] == 4 and row["place"] == [{"type": "front_against", "to": "dining_table-0"}]
     assert len(fault.inputs["objects"]) == 1
@@ -98,7 +95,7 @@ def test_chair_that_nobody_can_get_into() -> None:
 def test_toilet_in_a_bedroom() -> None:
     good = rooms.bedroom()
     bad = good.plus(put("toilet-0", 0.4, 0.36, 90))
-    fault = falls(good, bad, "foreign_object", {"toilet-0"}, criterion="realism", least=4.5, also=("layout",))
+    fault = falls(good, bad, "foreign_object", {"toilet-0"}, criterion="realism", least=3.5, also=("layout",))
     assert bad.review().grades["realism"] <= 5.0
     assert fault.tool == "remove_objects" and fault.inputs == {"ids": ["toilet-0"]}
 
@@ -129,7 +126,7 @@ def test_one_kind_dominates_unless_the_room_is_made_of_it() -> None:
         {"snake_plant-3"},
         criterion="realism",
         least=0.8,
-        also=("layout",),
+        also=("layout", "functionality"),
     )
     assert set(fault.inputs["ids"]) < {f"snake_plant-{k}" for k in range(10)}
 
@@ -152,7 +149,7 @@ def test_nothing_on_tables_and_shelves() -> None:
 def test_sparse_shelf() -> None:
     good = rooms.office()
     bad = good.but(*({"id": f"standing_books-{k}", "gone": True} for k in (1, 2, 3)))
-    falls(good, bad, "sparse_support", {"bookcase-0"}, criterion="completion", least=0.2)
+    falls(good, bad, "sparse_support", {"bookcase-0"}, criterion="completion", least=0.1, also=("functionality",))
 
 
 def test_bare_walls_and_no_light() -> None:
@@ -198,15 +195,16 @@ def test_grades_fall_with_every_fault_and_never_below_zero() -> None:
         assert all(a > b > 0.0 for a, b in zip(values, values[1:], strict=False)) and values[0] == 10.0
     found = [finding("layout", f"k{k}", (), "x", points=2.0, cap=5.0 if k == 0 else None) for k in range(8)]
     series = [grades(found[:k])["layout"] for k in range(9)]
-    assert series[1] < 0.5 * series[0] and all(a > b for a, b in zip(series, series[1:], strict=False))
-    assert grades(found)["realism"] == grades([])["realism"], "older checks lower their own grade alone"
+    assert series[1] < 0.75 * series[0] and all(a > b for a, b in zip(series, series[1:], strict=False))
+    assert grades(found)["realism"] == grades([])["realism"], "a user's own checks lower their own grade alone"
+    known = grades([finding("layout", "collision", (), "x", points=2.0)])
+    assert known["realism"] < grades([])["realism"], "who sees one thing wrong marks down the rest"
 
 
 def test_ten_is_rare_and_what_was_asked_for_is_graded_by_itself() -> None:
     nothing = grades([])
     assert all(6.0 < nothing[c] < 9.5 for c in ("realism", "functionality", "layout", "completion"))
     assert nothing["alignment"] == 10.0
-    assert sum(nothing.values()) / len(nothing) > Settings().grade, "a design ends when there is little left to mend"
     wrong = grades([breach("door_frame", ("bed-0",), "it is near")])
     assert all(wrong[c] < nothing[c] for c in ("realism", "functionality", "layout", "completion"))
     assert wrong["alignment"] == 10.0

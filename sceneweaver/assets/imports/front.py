@@ -79,9 +79,16 @@ def _picture(centred: np.ndarray, span: float) -> np.ndarray:
     return grid / max(float(np.linalg.norm(grid)), 1e-12)
 
 
+def areas(points: np.ndarray, faces: np.ndarray) -> np.ndarray:
+    """Areas [F] of triangles, from corners [V, 3] and indices [F, 3]."""
+    a, b, c = (points[faces[:, k]] for k in range(3))
+    found: np.ndarray = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    return found
+
+
 def _surface_samples(points: np.ndarray, faces: np.ndarray, count: int = 60_000) -> np.ndarray:
     a, b, c = (points[faces[:, k]] for k in range(3))
-    area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    area = areas(points, faces)
     rng = np.random.default_rng(0)
     pick = rng.choice(len(faces), size=count, p=area / area.sum())
     u, v = rng.random((2, count, 1))

@@ -11,7 +11,7 @@ from sceneweaver.scene import InputError
 
 from ..body import Mesh
 from ..category import Category
-from .front import front_of
+from .front import areas, front_of
 from .hints import AXES, Hints
 from .load import RawMesh
 from .orient import outward
@@ -50,6 +50,8 @@ def normalise(raw: RawMesh, hints: Hints, category: Category | None) -> Normalis
             raise InputError(f"{hints.name}: transform must be a 4x4 matrix of numbers")
         points = points @ matrix[:3, :3].T + matrix[:3, 3]
     used = np.unique(raw.faces)
+    if not 0 < areas(points, raw.faces).sum() < math.inf:
+        raise InputError(f"{hints.name}: it has no surface: all of its triangles are lines or points, or endless")
     up = hints.up or raw.up
     if up is None:
         up = _guess_up(points[used], category)
