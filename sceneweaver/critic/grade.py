@@ -12,9 +12,7 @@ from sceneweaver.rules.design import design_rules
 from sceneweaver.rules.faults import fault_kind, fault_kinds, number
 from sceneweaver.rules.grades import TRAITS, Traits, grade_weights
 
-from .model import Alignment, Fault
-
-FULL = 10.0
+from .model import FULL, Alignment, Fault
 
 LINEAR = 5.0
 """Points up to which every point of what was asked for counts in full; what comes after counts less and less, so that

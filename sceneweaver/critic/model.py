@@ -9,6 +9,9 @@ from pydantic import Field, SerializerFunctionWrapHandler, model_serializer
 
 from sceneweaver.scene.base import FrozenModel
 
+FULL = 10.0
+"""The best grade that there is."""
+
 CRITERIA = ("realism", "functionality", "layout", "completion", "alignment")
 
 ItemKind = Literal[
@@ -197,5 +200,5 @@ class Review(FrozenModel):
         return best / max(1, len(self.grades)) - self.total
 
     def best(self, criterion: str) -> float:
-        """What a grade were without any fault; 10 where that is not known."""
-        return self.faultless.get(criterion, 10.0)
+        """What a grade were without any fault; the full one where that is not known."""
+        return self.faultless.get(criterion, FULL)

@@ -76,3 +76,20 @@ def test_rooms_that_become_others_and_whose_they_are(text: str, kind: str) -> No
 )
 def test_whole_names_tell_and_real_words_are_no_slips(text: str, kind: str) -> None:
     assert read_request(text).room_type == kind
+
+
+def test_what_stands_somewhere_is_a_thing_and_no_name_of_the_room() -> None:
+    graph = read_request("An oak table sits at the room center. On its surface, a vase stands in the middle.")
+    assert [e.category for e in graph.entities] == ["dining_table", "vase"] and graph.room_words == ""
+    assert ("on", "vase", ("dining_table",)) in {(r.type, r.subject, r.targets) for r in graph.relations}
+
+
+def test_a_part_that_begins_another_noun_is_no_part() -> None:
+    graph = read_request("A worktable by the wall. On the worktable, a red stand mixer stands beside a bowl.")
+    said = {(r.type, r.subject, r.targets) for r in graph.relations}
+    assert ("on", "stand_mixer", ("workbench",)) in said and ("next_to", "stand_mixer", ("bowl",)) in said
+
+
+def test_a_two_seat_sofa_is_a_kind_of_its_own() -> None:
+    for text in ("a two-seat gray sofa", "a two-seater sofa"):
+        assert [e.category for e in read_request(text).entities] == ["loveseat"], text

@@ -22,7 +22,7 @@ from sceneweaver.rules.faults import FaultKind, fault_kinds
 ROOT = Path(sw.__file__).parent
 CHECKS = sorted((ROOT / "critic" / "checks").glob("*.py"))
 READERS = [*sorted((ROOT / "critic").glob("*.py")), *CHECKS, *sorted((ROOT / "agent").glob("choice*.py"))]
-SCALES = {"grade.py": {10.0, 5.0, 0.2}, "space.py": {0.06}, "totals.py": {0.75}}
+SCALES = {"grade.py": {5.0, 0.2}, "model.py": {10.0}, "space.py": {0.06}, "totals.py": {0.75}}
 """Numbers that are no fault's: how grades follow from points, cells of a grid, an exponent of a measure."""
 
 PLAIN = {0.0, 0.5, 1.0, 2.0, 90.0, 100.0}

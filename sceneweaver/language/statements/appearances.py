@@ -90,8 +90,11 @@ def _has_fronts(noun: str) -> bool:
 
 
 def _goes_on(text: str, end: int) -> bool:
-    """Whether a noun follows at once, of which the words would be said."""
+    """Whether a noun follows at once, of which the words would be said, or goes on: a red stand mixer has no stand."""
     follows = re.match(r"\s+([a-z]+)", text[end:])
+    last = re.search(r"[a-z]+$", text[:end])
+    if follows is not None and last is not None and "noun" in vocabulary().get(f"{last[0]} {follows[1]}", {}):
+        return True
     kinds = vocabulary().get(follows[1], {}).keys() if follows is not None else set[str]()
     return bool(kinds & {"noun", "plural"}) and not kinds & {"preposition", "verb"}
 

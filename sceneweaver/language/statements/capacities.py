@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
+from sceneweaver.assets import resolve
 from sceneweaver.assets.plurals import singular
 
 from ..model import Activity, Capacity
@@ -155,6 +156,8 @@ def _seater(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "A 6-seater dining table", "four-person booth", "a one person office"."""
     noun, _ = noun_after(edits.source.text, m.end())
     activity = activity_at(noun)
+    if noun and resolve(f"{m[0]} {noun.split()[-1]}").how in ("exact", "synonym"):
+        return  # a two-seat sofa is a kind of its own
     if activity is None and not (m["person"] or m["people"]):
         return
     if noun.split()[-1:] and "room" in vocabulary().get(noun.split()[-1], {}):

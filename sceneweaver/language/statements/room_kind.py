@@ -203,8 +203,16 @@ def _is_something_else(spoken: list[str], bare: bool) -> bool:
             return True
     if any(word in ("the", "each", "every", "a", "an", "this", "that") for word in spoken):
         return True
+    if len(spoken) > 1 and _is_verb_of_thing(spoken[-1]):
+        return True  # a low table sits somewhere
     open_ = [word for word in spoken[:-1] if not word.endswith("ing")]
     return any(_kinds(word).keys() & {*_NOT_IN_NAMES} for word in open_) or (not bare and len(spoken) > 3)
+
+
+def _is_verb_of_thing(word: str) -> bool:
+    """Whether a word is what one thing does ("stands"), and names nothing."""
+    kinds = _kinds(word)
+    return "verb" in kinds and kinds["verb"].form == "s" and not kinds.keys() & {"noun", "room", "group", "region"}
 
 
 def _unknown(source: Source, parsed: Parsed, spoken: list[str], parts: list[_Part]) -> bool:
