@@ -22,7 +22,7 @@ from ..model import Span
 from ..parsed import Left, Mention, Parsed, Said, Zone
 from ..source import Source
 from ..spelling import mended
-from ..vocabulary import category_of, family, vocabulary, words
+from ..vocabulary import Verb, category_of, family, vocabulary, words
 from .phrases import one_of
 
 ENOUGH = 3.2
@@ -212,7 +212,8 @@ def _is_something_else(spoken: list[str], bare: bool) -> bool:
 def _is_verb_of_thing(word: str) -> bool:
     """Whether a word is what one thing does ("stands"), and names nothing."""
     kinds = _kinds(word)
-    return "verb" in kinds and kinds["verb"].form == "s" and not kinds.keys() & {"noun", "room", "group", "region"}
+    verb = kinds.get("verb")
+    return isinstance(verb, Verb) and verb.form == "s" and not kinds.keys() & {"noun", "room", "group", "region"}
 
 
 def _unknown(source: Source, parsed: Parsed, spoken: list[str], parts: list[_Part]) -> bool:
