@@ -22,7 +22,8 @@ from scipy.optimize import least_squares
 from scipy.stats import spearmanr
 
 from benchmarks.console import say
-from benchmarks.judged_rooms import DESIGNED, GRADED, JudgedRoom, Measured, judged_rooms, measured
+from benchmarks.judged_rooms import DESIGNED, JudgedRoom, Measured, judged_rooms, measured
+from benchmarks.strict_eyes import GRADED
 from sceneweaver.critic.grade import FULL
 from sceneweaver.rules import grades as knowledge
 from sceneweaver.rules.grades import TRAITS, CriterionWeights, GradeWeights

@@ -18,6 +18,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from benchmarks.strict_eyes import GRADED
 from sceneweaver.critic import review_scene
 from sceneweaver.critic.grade import Lost
 from sceneweaver.critic.survey import Survey
@@ -29,9 +30,6 @@ from sceneweaver.scene import Scene
 from sceneweaver.verify import check
 
 FOLDER = Path(__file__).parent / "data" / "judged_rooms"
-
-GRADED = ("realism", "functionality", "layout", "completion")
-"""The criteria that are compared; the picture is no matter of the layout."""
 
 DESIGNED = "designed"
 """How rooms are made as they are delivered; others have their first layout, or are laid out anew without wishes."""

@@ -62,7 +62,7 @@ GOOD = {"layout": 0.85, "functionality": 0.87}
 """Shares of the grades without a fault from which on a first layout that lacks nothing is taken without another draw;
 what is needed and out of reach takes more off functionality than is left."""
 
-LABOURED = 5
+MANY_SEARCHES = 5
 """Searches of a first layout from which on the room is not drawn again: what it asks for has no place in another draw
 either, and that takes as long."""
 
@@ -293,8 +293,8 @@ class Run:
                 self.undone = (*self.undone, row["failed"])
             row["seconds"] = round(time.monotonic() - began, 3)
             tried.append(row)
-            laboured = executor.attempts >= LABOURED * self.settings.attempts[0]
-            if self.best is None and k in outcomes and (laboured or _complete(outcomes[k])):
+            hard = executor.attempts >= MANY_SEARCHES * self.settings.attempts[0]
+            if self.best is None and k in outcomes and (hard or _complete(outcomes[k])):
                 break  # another draw of the room costs as much again
         return outcomes, tried
 

@@ -235,12 +235,8 @@ def test_only_what_an_initialiser_could_not_do_is_unmet(go):
         ({"patience": 2}, [5, 4, 4, 8], 3, "no progress in 2 steps"),
         ({"patience": 1}, [5, 6, 4, 8], 3, "no progress in 1 steps"),
         ({"to_gain": 0.05}, [9, 10], 2, "grade 10.0"),
-        (
-            {"to_gain": 4.0},
-            [5, 7, 8],
-            3,
-            "nothing is left that a tool can mend",
-        ),  # there are faults that a tool can mend
+        # there are faults that a tool can mend
+        ({"to_gain": 4.0}, [5, 7, 8], 3, "nothing is left that a tool can mend"),
         ({"work": 5}, [5, 6], 1, "5 attempts"),
         ({"work": 6}, [5, 6, 7], 2, "6 attempts"),
     ],
