@@ -137,7 +137,7 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
     made = _shelled(setup, floor, palette, roomier, hurried)
     smallest: tuple[float, _Attempt] | None = None
     for attempt in range(1, GROWTHS + 1):
-        _furnished(setup, made, palette)
+        _furnished(setup, made, palette, hurried)
         # Where a grid or a line fits no shell of this size, or all is crowded, only more floor helps.
         crowded = made.program.footprint > FILL["full"] * room.fill * max(
             floor.area - kept_free(brief), 0.5 * floor.area
@@ -201,7 +201,7 @@ def _shelled(setup: Setup, floor: _Floor, palette: Palette, roomier: float, hurr
         drawn += 1
 
 
-def _furnished(setup: Setup, made: _Attempt, palette: Palette) -> None:
+def _furnished(setup: Setup, made: _Attempt, palette: Palette, hurried: Callable[[], bool]) -> None:
     """Decide what stands on what, how long tables are and how rows may go; changes the program of an attempt."""
     program, brief = made.program, setup.brief
     supported(program, brief)
@@ -217,7 +217,7 @@ def _furnished(setup: Setup, made: _Attempt, palette: Palette) -> None:
         rows = rows_of(brief, program.wanted)  # more seats may be told of a longer table
     made.rows = rows
     # Small things are laid out now, in the frame of what carries them: the search moves both as one.
-    made.places = laid(program, rows, setup.library, brief, palette, setup.seed)
+    made.places = laid(program, rows, setup.library, brief, palette, setup.seed, hurried)
     loose = _free_of_rows(program.wanted, rows)
     made.variants = row_variants(loose, made.space, _strip(program.wanted), made.corners)
 

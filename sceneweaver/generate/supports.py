@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from sceneweaver.assets import Asset, Library, categories
@@ -48,6 +48,9 @@ OPEN = "open"
 
 SHRUNK = (0.0, -1.0)
 """Where in the range of its kind what has no room is drawn anew: the least usual, then the least that there is."""
+
+MANY_LOST = 10
+"""Things without room from which on a support goes to its largest at once, and they to their smallest."""
 
 OVERHANG = 0.01
 """How far [m] a flat thing may lie over the edge of another like it."""
@@ -296,12 +299,19 @@ class Places:
 
 
 def laid(
-    program: Program, rows: Sequence[Grounded], library: Library, brief: SceneGraph, palette: Palette, seed: int
+    program: Program,
+    rows: Sequence[Grounded],
+    library: Library,
+    brief: SceneGraph,
+    palette: Palette,
+    seed: int,
+    hurried: Callable[[], bool] = bool,
 ) -> Places:
     """Lay out all that stands on something, supports before what they carry.
 
     A support that is too small for it is exchanged for a larger one of its kind, and what still finds no room for the
-    smallest of its kind, unless their size was asked for. What has no room then goes out of the program.
+    smallest of its kind, unless their size was asked for or time is short (``hurried``). What has no room then goes
+    out of the program.
     """
     shelf = Shelf(library, palette, seed)
     places = Places(nouns={entity.id: entity.noun for entity in brief.entities})
@@ -309,7 +319,7 @@ def laid(
     for support in sorted(program.wanted, key=_depth, reverse=True):
         riders = [w for w in program.wanted if w.support is support and not w.hangs]
         if support.support is not None and riders:  # a tray is as large as its cups need it before it is put down
-            _fitted(support, riders, rows, shelf, Places(), library, sized)
+            _fitted(support, riders, rows, shelf, Places(), library, sized, hurried)
     done: set[str] = set()
     while True:
         ready = [w for w in program.wanted if w.id not in done and (w.support is None or w.support.id in done)]
@@ -328,7 +338,7 @@ def laid(
                 riders = [w for w in riders if not w.hangs]
                 if not riders:
                     continue
-            found, lost = _fitted(support, riders, rows, shelf, places, library, sized)
+            found, lost = _fitted(support, riders, rows, shelf, places, library, sized, hurried)
             lost = _not_stacked(lost, [w for w in riders if w not in lost])
             for one in lost:
                 one.asset = usual[one.id]
@@ -350,8 +360,10 @@ def _fitted(
     places: Places,
     library: Library,
     sized: set[str],
+    hurried: Callable[[], bool],
 ) -> tuple[list[Standing], list[Wanted]]:
-    """Where things stand on a support, and those without room; for these it grows, and they shrink."""
+    """Where things stand on a support, and those without room; for these it grows, and they shrink, while there is
+    time."""
     if any(one.inside for one in riders) and support.id not in places.objects:
         _open(support, library)
     for one in riders:
@@ -370,13 +382,15 @@ def _fitted(
             for one in on_end:
                 one.asset = lying[one.id]
     grows = support.id not in places.objects and support.asked not in sized
-    for step in (*GROWN, *SHRUNK, GROWN[-1]):
+    for step in (*GROWN, *SHRUNK, GROWN[-1]) if len(lost) < MANY_LOST else (GROWN[-1], SHRUNK[-1]):
         astray = _astray(found, rows)
-        if not lost and not astray:
+        if (not lost and not astray) or hurried():
             break
         if step in SHRUNK:
-            for one in [w for w in lost if w.asked not in sized]:
-                one.asset = _smaller(one, step, library) or one.asset
+            for category in dict.fromkeys(w.category for w in lost if w.asked not in sized):
+                for one in lost:
+                    if one.category == category and one.asked not in sized:
+                        one.asset = _smaller(one, step, library) or one.asset
                 found, lost = _on_one(support, riders, rows, shelf, places)
             continue
         larger = _larger(support, step, library) if grows else None

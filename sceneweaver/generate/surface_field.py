@@ -30,6 +30,9 @@ GAP = 0.006
 EDGE = 0.004
 """Free space [m] kept to the edge of a surface."""
 
+FIRST = 128
+"""Candidates of a batch that are tested first, all at once."""
+
 
 @dataclass(frozen=True, eq=False)
 class Prism:
@@ -176,13 +179,18 @@ class Field:
         first, last = (at[0], at[0]) if len(at) == 1 else (at.min(axis=0), at.max(axis=0))
         low, high = placed.low + first - gap, placed.high + last + gap
         box = (*low.tolist(), *high.tolist())
+        left = np.flatnonzero(good)  # only these are looked at further
+        ways = at[left].T
         for prism in placed.prisms:
             near = [(other, gap) for other in self.taken if other.meets(box, prism)]
             near += [(notch, 0.0) for notch in self._notches]
-            along = at @ prism.normals.T if near else at
+            along = prism.normals @ ways if near else ways
             for other, least in near:
-                good &= _apart(prism, other, at, along) >= least
-                if not good.any():
+                apart = _apart(prism, other, ways, along) >= least
+                if not apart.all():
+                    good[left[~apart]] = False
+                    left, ways, along = left[apart], ways[:, apart], along[:, apart]
+                if not len(left):
                     return good
         return good
 
@@ -201,12 +209,13 @@ class Field:
             gap: free space [m] kept to what is there.
         """
         for batch in candidates:
-            for piece in pieces:
-                batch = batch[self.free(piece.shape, piece.yaw, batch + piece.at, gap)]
-                if not len(batch):
-                    break
-            else:
-                return batch[0]
+            for part in _parts(batch):
+                for piece in pieces:
+                    part = part[self.free(piece.shape, piece.yaw, part + piece.at, gap)]
+                    if not len(part):
+                        break
+                else:
+                    return part[0]
         return None
 
     def near(self, goal: Sequence[float] | Array, reach: float) -> Iterator[Array]:
@@ -233,12 +242,20 @@ class Field:
         return way if length < 0.3 else way * (0.3 / length)
 
 
-def _apart(a: Prism, b: Prism, at: Array, along: Array) -> Array:
-    """Largest separation [k] of ``a`` moved by each offset and ``b``, over the normals of both; ``along`` [k, m] are
-    the offsets along those of ``a``."""
-    one = (a.polygon @ b.normals.T).min(axis=0) - b.reach + at @ b.normals.T
-    two = (b.polygon @ a.normals.T).min(axis=0) - a.reach - along
-    return np.maximum(one.max(axis=1), two.max(axis=1))
+def _parts(batch: Array) -> Iterator[Array]:
+    """A batch [k, 2] in parts, each twice as long as the one before: mostly the first ones hold a free place."""
+    start, length = 0, FIRST
+    while start < len(batch):
+        yield batch[start : start + length]
+        start, length = start + length, 2 * length
+
+
+def _apart(a: Prism, b: Prism, ways: Array, along: Array) -> Array:
+    """Largest separation [k] of ``a`` moved by each of the offsets ``ways`` [2, k] and ``b``, over the normals of both;
+    ``along`` [m, k] are the offsets along those of ``a``."""
+    one = ((a.polygon @ b.normals.T).min(axis=0) - b.reach)[:, None] + b.normals @ ways
+    two = ((b.polygon @ a.normals.T).min(axis=0) - a.reach)[:, None] - along
+    return np.maximum(one.max(axis=0), two.max(axis=0))
 
 
 _DISCS: dict[float, Array] = {}

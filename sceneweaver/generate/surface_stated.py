@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -50,6 +51,9 @@ ALIKE = -5e-4
 
 MOST_ALIKE = 0.3
 """Distance [m] beyond which it does not matter how far apart things stand."""
+
+MISSES = 6
+"""Things of a category without room after which no more of it are tried on a support."""
 
 BOARDS = 3
 """Boards from which on a piece of furniture is a shelf: what is on it may be on any."""
@@ -122,14 +126,19 @@ class StatedLayer:
         groups.sort(key=lambda g: (-len(g) if len(g) > 1 else 0, -max(r.asset.size[0] * r.asset.size[1] for r in g)))
         if self._end != 0.5:  # where room is short the largest comes first
             groups.sort(key=lambda g: -sum(r.asset.size[0] * r.asset.size[1] for r in g))
+        misses: Counter[str] = Counter()
         for group in groups:
-            found = self._cluster(group, rows)
+            full = len(group) == 1 and misses[group[0].asset.category] >= MISSES
+            found = [] if full else self._cluster(group, rows)
             laid += found
             missing = [r for r in group if all(r.id != one.id for one in found)]
             for rider in missing:
-                alone = self._cluster([rider], ())
+                full = len(group) == 1 or misses[rider.asset.category] >= MISSES
+                alone = [] if full else self._cluster([rider], ())
                 laid += alone
-                lost += [] if alone else [rider]
+                if not alone:
+                    misses[rider.asset.category] += 1
+                    lost.append(rider)
         return laid, lost
 
     def _cluster(self, group: Sequence[Rider], rows: Sequence[Grounded]) -> list[Standing]:

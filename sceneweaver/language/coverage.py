@@ -8,7 +8,7 @@ told to the user as not understood. Words of grammar and of politeness need no a
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 
 from .model import SceneGraph, Span, Unread
@@ -22,6 +22,7 @@ UNITS = (1.0, 0.01, 0.001, 0.3048, 0.0254, 0.092903)
 
 _PART = re.compile(r"[\s-]+")
 """What stands between the words of a compound, which a name has without hyphens: an "x-ray viewer"."""
+_STOP = re.compile(r"[.;:!?\n]")
 _JOIN = re.compile(r"[\s'’\"-]*")
 
 
@@ -58,11 +59,23 @@ def silent_words(
             continue  # of what stands before a noun, only words that nobody knows are lost
         if word[0].isdecimal() and _is_measure(graph, match):
             continue
+        if meant in postures() and _says_where(graph.text, covered, match.end()):
+            continue
         if found and _JOIN.fullmatch(graph.text, found[-1][1], match.start()):
             found[-1][1] = match.end()
         else:
             found.append([match.start(), match.end()])
     return tuple(Unread(words=graph.text[a:b].lower(), span=Span(a, b)) for a, b in found)
+
+
+def _says_where(text: str, covered: Sequence[int], start: int) -> bool:
+    """Whether the words from a character on are, but for those of grammar, words that were read: "sits right on it"."""
+    for match in _WORD.finditer(text, start):
+        if any(covered[match.start() : match.end()]):
+            return _STOP.search(text, start, match.start()) is None
+        if match[0].lower() not in function_words():
+            return False
+    return False
 
 
 def _tells(graph: SceneGraph, match: re.Match[str], word: str, known: frozenset[str]) -> bool:
@@ -90,6 +103,12 @@ def _said_of(graph: SceneGraph, word: str) -> bool:
 def function_words() -> frozenset[str]:
     """Words that say nothing of what is in a room: articles, pronouns, auxiliaries, politeness."""
     return frozenset(word for group in words("function_words").values() for word in group.split())
+
+
+@cache
+def postures() -> frozenset[str]:
+    """Words for how a thing is somewhere: it sits, hangs, is placed."""
+    return frozenset(words("bearing_words")["postures"].split())
 
 
 @cache

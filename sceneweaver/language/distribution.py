@@ -54,6 +54,9 @@ def _counted_out(state: State, mention: Mention, owner: Mention) -> Mention:
     by = owner.count or ((1, 1) if not owner.plural else MANY)
     if state.every > 1:
         by = (max(1, by[0] // state.every), max(1, by[1] // state.every))
+    if low == high > 1 and by[0] == by[1] > 1 and low % by[0] == 0 and _is_placed(state, mention):
+        mention.per = owner  # "five mats lie around the bowl, aligned with each chair"
+        return mention
     count = (low * by[0], high * by[1])
     named = _named_before(state, mention, count, owner) if by[0] > 1 else None
     if named is not None:
@@ -83,6 +86,11 @@ def count_out_again(state: State, owner: Mention, count: tuple[int, int]) -> Non
         if mention.per is owner:
             low, high = mention.count or (1, 1)
             mention.count = (low * count[0], high * count[1])
+
+
+def _is_placed(state: State, mention: Mention) -> bool:
+    """Whether something was placed before "each" is said of it, so that its number is that of all."""
+    return any(mention in said.subjects and not said.implied for said in state.out.said)
 
 
 def _named_before(state: State, mention: Mention, count: tuple[int, int], owner: Mention) -> Mention | None:

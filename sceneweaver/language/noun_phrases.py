@@ -7,7 +7,7 @@ from typing import Any
 
 from .chunks import CLOSED, EACH, OPEN, QUALITIES, NounPhrase, bounded, nominal
 from .nothings import is_word
-from .scan import Scan, is_name_of_one, is_verb
+from .scan import Scan, has_article, is_name_of_one, is_verb
 from .tokens import Token, looks_adjective
 from .vocabulary import words
 
@@ -97,7 +97,7 @@ def _run_ends(scan: Scan, k: int, run: list[Token], phrase: NounPhrase, named: b
     token, after = scan.tokens[k], scan.token(k + 1)
     seen = named or (bool(run) and nominal(run[-1]))
     more = after is not None and bool(run) and after.has(*QUALITIES) and run[-1].has(*QUALITIES)
-    if token.text in ("to", "for"):
+    if token.text in ("to", "for") or (run and has_article(token)):
         return True
     if seen and is_name_of_one(scan, k):
         return False
@@ -126,7 +126,7 @@ def _run_ends(scan: Scan, k: int, run: list[Token], phrase: NounPhrase, named: b
     strange = (
         not token.kinds.keys() - {"matter", "plural"} and token.text.endswith("s") and not token.text.endswith("ss")
     )
-    follows = after is not None and after.has("det", "number", "preposition", "adverbs")
+    follows = after is not None and (after.has("det", "number", "preposition", "adverbs") or has_article(after))
     if strange and seen and phrase.determiner in _ONE and follows:  # a verb that is not known
         return True
     if token.has("verb") and is_verb(scan, k, seen or bool(run and run[-1].has("noun"))):

@@ -104,6 +104,11 @@ def is_name_of_one(scan: Scan, k: int) -> bool:
     return False
 
 
+def has_article(token: Token) -> bool:
+    """Whether a name has its own article, so that nothing stands before it that is said of it: "the room"."""
+    return token.text.startswith("the ")
+
+
 def is_verb(scan: Scan, k: int, seen_noun: bool) -> bool:
     """Whether a token that can be a verb is one: after a noun, and not followed by the noun that it would name."""
     token = scan.tokens[k]
@@ -115,6 +120,7 @@ def is_verb(scan: Scan, k: int, seen_noun: bool) -> bool:
         after is None
         or after.has(*CLOSED)
         or after.has("number", "amount", "adverbs", "partial")
+        or has_article(after)
         or (after.has("stop") and not after.has("noun", *QUALITIES))
     )
     other = token.has("noun", "abstract", "collective", "region", "parts", *QUALITIES)

@@ -1,4 +1,4 @@
-"""Exports land in their own folder: no link in it leads what they write elsewhere."""
+"""Exports land in the folder that was chosen: no link in it leads what they write elsewhere."""
 
 from __future__ import annotations
 
@@ -48,3 +48,11 @@ def test_a_link_for_a_file_is_replaced_with_all_that_lies_beside_it(scene, tmp_p
         ("scene.usdc", "scene.glb", "scene.xml"), "keep"
     )
     assert not any((own / name).is_symlink() for name in ("scene.usdc", "scene.glb", "scene.xml"))
+
+
+def test_the_folder_that_was_chosen_may_itself_be_a_link(scene, tmp_path):
+    place, chosen = tmp_path / "disk", tmp_path / "chosen"
+    place.mkdir()
+    chosen.symlink_to(place)
+    export_scene(scene, chosen, ("mjcf",))
+    assert (place / "scene.xml").is_file() and chosen.is_symlink()

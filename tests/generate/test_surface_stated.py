@@ -242,3 +242,42 @@ def test_the_more_is_said_the_less_is_added(design):
     many = scene_of(design("living_room", [entity(name) for name in names], [], only=False))
     extra = [sum(o.intent.priority != "asked" for o in scene.objects) for scene in (few, many)]
     assert extra[1] < extra[0]
+
+
+def test_far_too_many_things_are_found_out_soon(design, monkeypatch):
+    """After some of a kind without room no more of it are tried, so that the rest costs nothing."""
+    from sceneweaver.generate.surface_stated import MISSES, StatedLayer
+
+    asked: list[int] = []
+    once, cluster = StatedLayer._once, StatedLayer._cluster
+
+    def begun(self, riders, rows):
+        asked.append(0)
+        laid, lost = once(self, riders, rows)
+        assert asked[-1] <= len(laid) + MISSES
+        return laid, lost
+
+    def counted(self, group, rows):
+        asked[-1] += 1
+        return cluster(self, group, rows)
+
+    monkeypatch.setattr(StatedLayer, "_once", begun)
+    monkeypatch.setattr(StatedLayer, "_cluster", counted)
+    things = [entity("side_table"), entity("serving_tray", count=30)]
+    proposal = design("kitchen", things, [said("on", "serving_tray", "side_table")])
+    assert asked and sum(o.category == "serving_tray" for o in scene_of(proposal).objects) > 0
+
+
+def test_a_draft_that_is_short_of_time_changes_no_sizes(library, monkeypatch):
+    from sceneweaver.generate import supports
+
+    def never(*_: object) -> None:
+        raise AssertionError("there is no time for this")
+
+    monkeypatch.setattr(supports, "_larger", never)
+    monkeypatch.setattr(supports, "_smaller", never)
+    things = (entity("side_table"), entity("serving_tray", count=30))
+    graph = SceneGraph(text="", entities=things, relations=(said("on", "serving_tray", "side_table"),), only=True)
+    start = Scene(id="empty", room={"outline": ((0, 0), (3, 0), (3, 3), (0, 3))})
+    context = Context(graph, room_type("kitchen"), start, library, 0, hurried=lambda: True)
+    assert any(o.category == "serving_tray" for o in scene_of(InitPrior().propose(context)).objects)

@@ -26,7 +26,8 @@ class Call:
         argv: what stands behind ``sceneweaver``; a first word with @ names a reader. ``{in}`` and ``{out}`` are the
             folders of the case.
         limit: wall seconds that it may take: its ``--time-limit``, or a number that is generous.
-        writes: names in ``out`` that it writes, where a link may stand.
+        writes: names in ``out`` that it writes, where a link may stand. A link that a command is told to write to is
+            no case: its user said so.
         weight: how often it is chosen, beside the others.
     """
 
@@ -395,8 +396,12 @@ KINDS: dict[str, Kind] = {
             Call("check {in}/scene.json --openable", 20),
             Call("render {in}/scene.json --out {out}/plan.png --width 400", 20, ("plan.png",), 4),
             Call("export {in}/scene.json --out {out}/room.glb --no-textures", 20, ("room.glb",)),
-            Call("export {in}/scene.json --out {out}/files --to mjcf --no-textures", 20, ("files", "files/scene.xml")),
-            Call("export {in}/scene.json --out {out}/files --to urdf,scenestate", 20, ("files",)),
+            Call(
+                "export {in}/scene.json --out {out}/files --to mjcf --no-textures",
+                20,
+                ("files/scene.xml", "files/meshes"),
+            ),
+            Call("export {in}/scene.json --out {out}/files --to urdf,scenestate", 20, ("files/urdf", "files/models")),
             Call(f"refine {{in}}/scene.json --out {{out}} {_ENGINE} --no-picture", 10, ("scene.json", "metrics.json")),
             Call(f"repair {{in}}/scene.json --out {{out}} {_ENGINE} --no-picture", 10, ("scene.json",), 1),
             Call("@view {in}/scene.json", 20),

@@ -50,3 +50,23 @@ def test_grammar_needs_no_account() -> None:
 def test_a_noun_of_which_only_the_head_is_known_says_which_words_are_lost() -> None:
     graph = read_request("a room with a zeppelin table and a round table")
     assert [entity.unnamed for entity in graph.entities] == [("zeppelin",), ()]
+
+
+@pytest.mark.parametrize(
+    ("text", "lost"),
+    [
+        ("A study. A lamp sits on the desk, a pendant hangs from the ceiling above it.", []),
+        ("A study. Two vases are arranged on a console table.", []),
+        ("A study. A console table runs along the wall beneath the window.", []),
+        ("A study with a desk. A lamp rests.", ["rests"]),
+        ("A study with a hammock that hangs. A desk on a rug.", ["hangs"]),
+    ],
+)
+def test_how_a_thing_is_somewhere_needs_no_account_where_it_was_read_where(text: str, lost: list[str]) -> None:
+    assert [unread.words for unread in read_request(text).unread] == lost
+
+
+@pytest.mark.parametrize("verb", ["anchors", "grounds", "crowns", "transforms"])
+def test_what_a_thing_does_to_the_room_is_no_name_of_it(verb: str) -> None:
+    graph = read_request(f"A velvet sofa {verb} the room, facing a TV.")
+    assert graph.room_words == "" and [entity.category for entity in graph.entities] == ["sofa", "tv"]

@@ -97,6 +97,11 @@ COUNTED = [
         {"desk": 6, "chair": 6},
         {("chair", "at", "desk")},
     ),
+    (
+        "A table with four chairs. Four place mats lie around a bowl, aligned with each chair.",
+        {"dining_table": 1, "chair": 4, "placemat": 4, "bowl": 1},
+        set(),
+    ),
 ]
 
 
