@@ -11,6 +11,7 @@ from sceneweaver.scene import InputError
 
 from .model import Span
 from .translation import NAMES, language_of, translated
+from .vocabulary import vocabulary
 
 MOST = 100_000
 """Characters that a request has at most."""
@@ -99,6 +100,12 @@ _SHORTENED = re.compile(r"(?<![a-z])(min|max|approx|ca|incl)\.(?=\s{0,9}\d)")
 _LISTED = re.compile(r"(?<=[a-z0-9)]) [+/] (?=[a-z0-9])")
 """Signs between the items of a list."""
 
+_COUNTED = "|".join([*_DIGITS, r"\d{1,9}(?:[.,]\d{1,3})?"])
+_NO_COUNT = re.compile(rf"(?<![\w.,/§-])(?P<sign>minus |(?<=[a-z] )-)?(?P<number>{_COUNTED})(?= [a-z])")
+"""Numbers before words, of which those below zero and between whole ones count no things."""
+
+_HALF = re.compile(r"\bhalf an? (?=[a-z])")
+_TWICE_NOT = re.compile(r"\bnot not\b")
 _TAG = re.compile(r"<[^<>]{0,200}>")
 _PLAIN = {"‘": "'", "’": "'", "“": '"', "”": '"', "–": "-", "—": ",", "…": ".", "\u00a0": " ", "²": "2"}
 
@@ -203,6 +210,7 @@ def read_source(text: str) -> Source:
     found.blank(_WRAPPED, lambda m: " ")
     found.blank(_SHORTENED, lambda m: m[1])
     found.blank(_LISTED, lambda m: " & ")
+    found.blank(_TWICE_NOT, lambda m: " ")
     found.spoken = found.text
     found.colons = {k for k, letter in enumerate(found.text) if letter == ":"}
     found.text = re.sub(r"[\n;:!?•*|]|(?<=\s)-(?=\s)", ".", found.text)
@@ -218,6 +226,8 @@ def read_source(text: str) -> Source:
     found.blank(_SIDES, lambda m: _sides(m, found))
     found.blank(_ON, lambda m: _on(m, found))
     found.blank(_AND_HIGH, lambda m: "§" if _ceiling(m, found) else None)
+    found.blank(_NO_COUNT, lambda m: _whole(m, found))
+    found.blank(_HALF, lambda m: _no_half(m, found))
     found.blank(_WALLS_HIGH, lambda m: _walls(m, found))
     return found
 
@@ -296,8 +306,34 @@ def _sides(m: re.Match[str], found: Source) -> str | None:
 
 
 def _endless(m: re.Match[str], found: Source) -> str:
-    found.notes.append(f"'{m[0][:10]}...' is no number that a room has; it was left out")
-    return " "
+    found.notes.append(f"'{m[0][:10]}...' is no number that a room has; it was read as the largest there is")
+    return "9" * 9
+
+
+def _whole(m: re.Match[str], found: Source) -> str | None:
+    """A number of things that is none, as -3 and 2.5, with a note; a measure and a whole number stay as they are."""
+    decimal = re.search("[.,]", m["number"]) is not None
+    if not (m["sign"] or decimal) or not _things_follow(m):
+        return None
+    number = m["number"] if m["number"] in _DIGITS else str(max(1, int(float(m["number"].replace(",", ".")))))
+    found.notes.append(f"'{m[0]}' is no number of things; it was read as {number}")
+    return number
+
+
+def _no_half(m: re.Match[str], found: Source) -> str | None:
+    """A half of a thing is a whole one, with a note."""
+    if not _things_follow(m):
+        return None
+    found.notes.append(f"'{m[0].strip()}' is no number of things; it was read as one")
+    return "a "
+
+
+def _things_follow(m: re.Match[str]) -> bool:
+    """Whether a match stands before the name of a thing."""
+    spoken = re.findall(r"[a-z]+", m.string[m.end() : m.end() + 60])[:3]
+    if not spoken or re.fullmatch(_LENGTH, spoken[0]):
+        return False
+    return any("noun" in vocabulary().get(name, {}) for name in (" ".join(spoken[:2]), spoken[0]))
 
 
 def _endless_word(m: re.Match[str], found: Source) -> str:

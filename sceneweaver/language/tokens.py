@@ -142,7 +142,7 @@ def _number(raw: list[_Raw], at: int) -> tuple[Token, int]:
         return Token(text, word.start, raw[at + 1].end, {"adjective": text}), at + 2
     if word.glued:  # "4-burner stove"
         return _compound(raw, at)
-    kinds = {"number": int(word.text)} if word.text.isdigit() and len(word.text) < 6 else {}
+    kinds = {"number": int(word.text)} if word.text.isdigit() else {}
     return Token(word.text, word.start, word.end, kinds), at + 1
 
 
@@ -263,6 +263,9 @@ def _either(found: list[Token]) -> Iterator[Token]:
         at += 1
 
 
+_SCORES = (100, 1000, 1_000_000, 1_000_000_000)
+
+
 def _tens(found: Iterator[Token]) -> Iterator[Token]:
     """ "twenty five" is 25, "two hundred" 200."""
     last: Token | None = None
@@ -270,7 +273,7 @@ def _tens(found: Iterator[Token]) -> Iterator[Token]:
         one, two = last.get("number") if last else None, token.get("number")
         if last is not None and isinstance(one, int) and isinstance(two, int) and {last.text, token.text} <= {*NUMBERS}:
             value = one + two if one >= 20 and one % 10 == 0 and 0 < two < 10 else None
-            value = 100 * one if two == 100 and 0 < one < 10 else value
+            value = one * two if two in _SCORES and 0 < one < 100 else value
             if value is not None:
                 last = Token(f"{last.text} {token.text}", last.start, token.end, {"number": value})
                 continue

@@ -26,7 +26,13 @@ NUMBERS = {word: n for n, word in enumerate(_SMALL.split())} | {
     "forty": 40,
     "fifty": 50,
     "sixty": 60,
+    "seventy": 70,
+    "eighty": 80,
+    "ninety": 90,
     "hundred": 100,
+    "thousand": 1000,
+    "million": 1_000_000,
+    "billion": 1_000_000_000,
     "dual": 2,
 }
 

@@ -87,8 +87,6 @@ def _distance(grid: Grid, placed: Placed, name: str, free: NDArray[np.bool_]) ->
     """The way [m] of free cells to a door or to the footprint of a thing, or of what is tied to it (the chairs of a
     table, the table before a sofa), in steps to eight and four neighbours by turns; infinite beyond what the widest
     disc reaches."""
-    from scipy.ndimage import binary_dilation, generate_binary_structure
-
     if name in placed.by_id:
         shapes = np.concatenate([placed.parts.xy[placed.part_rows(body)] for body in _tied(placed, name)])
     else:
@@ -96,12 +94,29 @@ def _distance(grid: Grid, placed: Placed, name: str, free: NDArray[np.bool_]) ->
         shapes = np.array([opening.polygon[:2]])  # the sill: the side of its clear space that is in the wall
     held = grid.covered(grid.spans(grid.to_grid(np.asarray(shapes, dtype=float)), CELL))
     steps = np.where(held, 0.0, np.inf)
-    for step in range(1, round((WIDEST / 2 + ARRIVED) / CELL) + 1):
-        grown = np.asarray(binary_dilation(held, generate_binary_structure(2, 1 + step % 2)), dtype=bool)
-        grown &= free | held
-        steps[grown & ~held] = step * CELL
+    reach = round((WIDEST / 2 + ARRIVED) / CELL)
+    rows, columns = (np.flatnonzero(held.any(axis=axis)) for axis in (1, 0))
+    if not rows.size:
+        return steps
+    near = tuple(slice(max(0, at[0] - reach), at[-1] + reach + 1) for at in (rows, columns))
+    held, ground, away = held[near], free[near] | held[near], steps[near]
+    for step in range(1, reach + 1):
+        grown = _grown(held, diagonally=step % 2 == 1) & ground
+        away[grown & ~held] = step * CELL
         held = grown
     return steps
+
+
+def _grown(held: NDArray[np.bool_], diagonally: bool) -> NDArray[np.bool_]:
+    """Cells, and those beside them."""
+    across = held.copy()
+    across[1:] |= held[:-1]
+    across[:-1] |= held[1:]
+    along = across if diagonally else held
+    grown = across.copy()
+    grown[:, 1:] |= along[:, :-1]
+    grown[:, :-1] |= along[:, 1:]
+    return grown
 
 
 def _tied(placed: Placed, name: str) -> list[Body]:

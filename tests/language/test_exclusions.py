@@ -112,3 +112,14 @@ def test_what_is_named_for_itself_is_wanted(text, noun):
     (found,) = (entity for entity in graph.entities if entity.noun == noun)
     assert found.category not in graph.without
     assert len(graph.without) > 5
+
+
+@pytest.mark.parametrize("words", ["no furniture", "no furniture but a bed", "nothing but a bed", "unfurnished"])
+def test_a_room_without_furniture_gets_none(words):
+    graph = read_request(f"a bedroom, {words}")
+    assert graph.only and len(graph.entities) == ("bed" in words.split())
+
+
+def test_not_not_is_no_exclusion():
+    graph = read_request("a bedroom with not not a sofa")
+    assert [entity.category for entity in graph.entities] == ["sofa"] and not graph.exclusions

@@ -69,3 +69,29 @@ def test_a_table_that_seats_so_many_says_for_how_many_people():
     graph = read_request("A dining room. Table seats eight, plate and fork for each guest.")
     assert graph.people == 8
     assert graph.entity("plate").count == (8, 8)
+
+
+@pytest.mark.parametrize(
+    ("text", "count", "told"),
+    [
+        ("a kitchen with 1000000000000 chairs", 400, "is no number that a room has"),
+        ("a kitchen with exactly 123456789 chairs", 400, "was brought to 400"),
+        ("a hall with a thousand chairs", 400, "1000 x chairs"),
+        ("a hall with two thousand chairs", 400, "2000 x chairs"),
+        ("a study with 2.5 chairs", 2, "'2.5' is no number of things"),
+        ("a study with -3 chairs", 3, "'-3' is no number of things"),
+        ("a study with minus three chairs", 3, "'minus three' is no number of things"),
+        ("a study with half a chair", 1, "'half a' is no number of things"),
+    ],
+)
+def test_what_is_no_number_of_things_is_told(text, count, told):
+    graph = read_request(text)
+    assert [entity.count for entity in graph.entities] == [(count, count)]
+    assert any(told in note for note in graph.notes), graph.notes
+
+
+@pytest.mark.parametrize(
+    "text", ["a desk 2.5 m from the door", "half a dozen chairs", "a 1.5 m wide desk", "a table half a metre high"]
+)
+def test_measures_and_half_a_dozen_are_numbers(text):
+    assert not any("no number" in note for note in read_request(text).notes)

@@ -93,3 +93,17 @@ def test_a_part_that_begins_another_noun_is_no_part() -> None:
 def test_a_two_seat_sofa_is_a_kind_of_its_own() -> None:
     for text in ("a two-seat gray sofa", "a two-seater sofa"):
         assert [e.category for e in read_request(text).entities] == ["loveseat"], text
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("This is not a kitchen but a living room with a sofa.", "living_room"),
+        ("A study, not a home office: a desk and a chair.", "study"),
+        ("A room that isn't a bathroom, with a bed.", None),
+    ],
+)
+def test_what_a_room_is_not_is_told_and_names_none(text, kind):
+    graph = read_request(text)
+    assert graph.room_type == kind
+    assert any("not a" in unread.words or "isn't a" in unread.words for unread in graph.unread)

@@ -59,6 +59,7 @@ class _Part:
 def read_room_kind(source: Source, parsed: Parsed) -> None:
     """Reads the kind of the room, and what else it is; see above. Words that are accounted for leave the source."""
     _zones(source, parsed)
+    _other_kinds(source, parsed)
     for m in list(_tail().finditer(source.text)):
         if _named(_WORD.findall(m["name"])):
             _leave_out(source, parsed, *m.span("tail"))
@@ -390,6 +391,18 @@ def _put(source: Source, start: int, end: int, instead: str = "") -> None:
     source.text = source.text[:start] + instead.ljust(end - start) + source.text[end:]
 
 
+def _other_kinds(source: Source, parsed: Parsed) -> None:
+    """What the room is not names no kind of it: "not a bathroom" is told as not understood."""
+    for m in [*_is_not().finditer(source.text)]:
+        spoken = list(_WORD.finditer(source.text, m.end(), _end(source.text, m.end())))[:LONGEST]
+        count = next((k for k in range(len(spoken), 0, -1) if " ".join(w[0] for w in spoken[:k]) in room_words()), 0)
+        if count:
+            end = spoken[count - 1].end()
+            parsed.unread.append(Left(" ".join(source.text[m.start() : end].split()), m.start(), end))
+            _put(source, m.start(), end)
+            source.spoken = source.spoken[: m.start()] + " " * (end - m.start()) + source.spoken[end:]
+
+
 def _zones(source: Source, parsed: Parsed) -> None:
     """What the room is as well: "that is also a gym", "with a sewing corner"."""
     for m in [*_also().finditer(source.text)]:
@@ -494,6 +507,11 @@ def _becomes() -> re.Pattern[str]:
 @cache
 def _also() -> re.Pattern[str]:
     return re.compile(rf"(?<![\w'])[,]?{one_of(words('room_kind')['also'])} {_ARTICLE}")
+
+
+@cache
+def _is_not() -> re.Pattern[str]:
+    return re.compile(r"(?<![a-z'])(?:(?:(?:is|are|was) |(?:that's|it's) )?(?:not|never)|isn't|no longer) (?:an?|the) ")
 
 
 @cache
