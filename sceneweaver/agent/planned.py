@@ -13,7 +13,7 @@ from sceneweaver.critic.design.query import Case, kind_set
 from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.geometry.shell import heights
 from sceneweaver.geometry.walls import Wall
-from sceneweaver.knowledge.small_things import left_about
+from sceneweaver.knowledge.small_things import left_about, sparse_walls
 from sceneweaver.layout.quality import KINDS
 from sceneweaver.rules.design import room_groups
 from sceneweaver.rules.expression import CALLED
@@ -199,6 +199,7 @@ class Planned:
             "side_of_use": self.side_of_use,
             "sides_used": _sides_used,
             "sill": lambda window: heights(window)[0],
+            "sparse_walls": lambda: sparse_walls(self.room),
             "table_at": self.table_at,
             "tall": lambda o: o.size[2],
             "tied": lambda a, b: b in self.near(a),

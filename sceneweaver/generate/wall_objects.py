@@ -11,9 +11,9 @@ from dataclasses import dataclass, field
 from sceneweaver.assets import Asset, Wish
 from sceneweaver.assets.roles import has_role
 from sceneweaver.assets.taxonomy import category_named, members
-from sceneweaver.geometry.walls import Wall
+from sceneweaver.geometry.walls import Wall, wall_behind
 from sceneweaver.knowledge.shells import first_group, shells
-from sceneweaver.knowledge.small_things import most_on_walls, wall_things
+from sceneweaver.knowledge.small_things import most_on_walls, sparse_walls, wall_things
 from sceneweaver.scene import InputError, Intent, Pose, Relation, SceneObject, Window
 from sceneweaver.scene.edits import Add, AnyEdit, Relate
 
@@ -28,8 +28,11 @@ BARE = 1.2
 ABOVE_FLOOR, BELOW_SILL, NARROWER = 0.12, 0.12, 0.2
 """Gaps [m] between a radiator and the floor, the sill and the ends of its window, both ends together."""
 
-EACH = 1.9
-"""Length [m] of wall for each thing."""
+EACH = 3.0
+"""Length [m] of wall for each thing: people prefer few and large ones to many small ones."""
+
+BESIDE_HUNG = 0.75 * EACH
+"""Length [m] of wall beside something that hangs there from which on something more is hung."""
 
 SHARE, OVER = 0.5, 2 / 3
 """Width of a thing, as a share of its stretch of wall and of the furniture under it."""
@@ -77,15 +80,23 @@ def covered(setup: Setup, walls: Sequence[int], bare: float = BARE) -> list[AnyE
         bare: length [m] of wall from which on something is hung.
     """
     draft = Draft.of(setup.scene)
-    own = draft.room.walls
+    own, sparse = draft.room.walls, sparse_walls(setup.room_type.name)
     dice = random.Random(f"walls {setup.seed}")
     work = _Work(setup, draft, dice, Outlines(draft.objects.values()))
     for k in sorted(set(walls or range(len(own))), key=lambda k: (-own[k].length, k)):
         if not walls:
             _heat(work, own[k])
-        for run in free_runs(draft.room, work.objects, own[k], bare):
+        least = max(bare, BESIDE_HUNG) if _is_hung(work, k) else bare
+        for run in free_runs(draft.room, work.objects, own[k], least * (2.0 if sparse else 1.0)):
             _fill(work, own[k], run)
     return work.edits
+
+
+def _is_hung(work: _Work, wall: int) -> bool:
+    """Whether such things hang on a wall, between which more wall stays free."""
+    things, walls = wall_things(work.setup.room_type.name), work.draft.room.walls
+    hung = (o for o in work.objects if o.mount == "wall" and o.category in things)
+    return any(wall_behind(walls, o.pose.position, o.pose.frame.axis) == wall for o in hung)
 
 
 def _fill(work: _Work, wall: Wall, run: Span) -> None:

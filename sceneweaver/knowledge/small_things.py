@@ -66,6 +66,11 @@ def wall_things(room: str) -> Mapping[str, float]:
     return data["rooms"].get(room) or data["kinds"][groups_of(room)[0]]
 
 
+def sparse_walls(room: str) -> bool:
+    """Whether twice as much of the walls of a kind of room may stay bare as of others."""
+    return not {room, groups_of(room)[0]}.isdisjoint(data_of("wall_things.yaml")["sparse"])
+
+
 def most_on_walls(category: str) -> int | None:
     """How many of a thing hang in a room at most; None: as many as there is room for."""
     return data_of("wall_things.yaml")["most"].get(category)

@@ -7,7 +7,7 @@ import math
 import pytest
 
 from sceneweaver.assets import Library, categories, make
-from sceneweaver.generate.wall_objects import BARE, OVER
+from sceneweaver.generate.wall_objects import BARE, EACH, OVER
 from sceneweaver.generate.wall_plan import AROUND, CORNER, FRAME, MARGIN, PASSED, UNDER, Outlines, extent, free_runs
 from sceneweaver.geometry.angles import dot
 from sceneweaver.knowledge import room_type, room_types
@@ -45,13 +45,13 @@ def hung(before: Scene, text: str = "a living room", seed: int = 3, **inputs):
 
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize("outline", [SQUARE, L_SHAPE])
-def test_nothing_is_bare_and_all_is_valid(seed, outline):
+def test_no_long_stretch_is_bare_and_all_is_valid(seed, outline):
     before = scene(outline=outline)
     after, _ = hung(before, seed=seed)
     assert check(after).valid
     new = [o for o in after.objects if o.category != "radiator"]
     for wall in after.room.walls:
-        assert not free_runs(after.room, new, wall, BARE + 2 * CORNER)
+        assert not free_runs(after.room, new, wall, EACH)
         for obj in new:
             along, deep = extent(obj, wall)
             if abs(deep[0]) < 0.01 and dot(obj.pose.frame.axis, wall.inward) > 0.9:
@@ -111,6 +111,18 @@ def test_each_kind_of_room_has_things_for_its_walls(name):
     things = wall_things(name)
     assert things and all(share > 0 for share in things.values())
     assert all("wall" in categories()[category].mount for category in things)
+
+
+def test_walls_for_use_and_worship_have_less_on_them_and_no_prints():
+    room = ((0.0, 0.0), (9.0, 0.0), (9.0, 8.0), (0.0, 8.0))
+    counts = dict.fromkeys(("living_room", "warehouse", "church_nave"), 0)
+    for kind in counts:
+        for seed in range(3):
+            after, _ = hung(scene(outline=room, kind=kind), f"a {kind.replace('_', ' ')}", seed=seed)
+            if kind != "living_room":
+                assert not {"picture", "poster", "photo_frames"} & {o.category for o in after.objects}
+            counts[kind] += len(after.objects)
+    assert 0 < counts["warehouse"] < 0.5 * counts["living_room"] and counts["church_nave"] < 0.5 * counts["living_room"]
 
 
 def test_there_is_one_clock():

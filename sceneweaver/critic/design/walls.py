@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from sceneweaver.geometry.walls import Wall, wall_behind
+from sceneweaver.knowledge import small_things
 from sceneweaver.rules.design import room_groups
 from sceneweaver.verify.solids import Body, Opening
 
@@ -34,6 +35,12 @@ def room(survey: Survey) -> Survey:
 def in_rooms(survey: Survey, group: str) -> bool:
     """Whether the room is of a kind, or of a group of kinds."""
     return survey.room_type.name in room_groups().get(group, (group,))
+
+
+@measure
+def sparse_walls(survey: Survey) -> bool:
+    """Whether walls of such a room are for use, and may be bare."""
+    return small_things.sparse_walls(survey.room_type.name)
 
 
 @measure
