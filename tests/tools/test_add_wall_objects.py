@@ -7,7 +7,7 @@ import math
 import pytest
 
 from sceneweaver.assets import Library, categories, make
-from sceneweaver.generate.wall_objects import BARE, EACH, OVER
+from sceneweaver.generate.wall_objects import EACH, OVER
 from sceneweaver.generate.wall_plan import AROUND, CORNER, FRAME, MARGIN, PASSED, UNDER, Outlines, extent, free_runs
 from sceneweaver.geometry.angles import dot
 from sceneweaver.knowledge import room_type, room_types
