@@ -71,7 +71,7 @@ def _room(room: Room, folder: Path, eyes: str) -> Iterator[str]:
         if attempt.get("refused")
     ]
     if refused:
-        yield "Answers that were refused on the way, and mended:"
+        yield "Answers that were refused on the way:"
         yield "\n".join(_wrapped(row, "  ") for row in refused)
 
 

@@ -141,8 +141,8 @@ def tabulate(rows: Iterator[dict[str, Any]] | Sequence[dict[str, Any]]) -> Resul
         "Layouts of one designed bedroom let loose for 3 s; in every second one, one free thing in five is lifted by "
         "up to 4 cm. MuJoCo C steps a sample of the same worlds with the same settings; what is timed of it runs "
         "alone on one core. Agree: both say, or neither says, that a thing moved more than 1 cm. Agree with settle: "
-        "the same against convex hulls by MuJoCo C, which is what settle runs. On a CPU both sides are MuJoCo C, one "
-        "of them on all cores.",
+        "the same against convex hulls by MuJoCo C, which is what `settle_many` runs on a CPU. On a CPU both sides are "
+        "MuJoCo C, one of them on all cores.",
     )
     table = result.add("worlds", "Boxes and convex hulls", COLUMNS)
     for row in rows:
