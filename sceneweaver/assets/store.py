@@ -28,7 +28,7 @@ from sceneweaver.io import (
     temporary_folder,
     write_atomic,
 )
-from sceneweaver.io.messages import suggest
+from sceneweaver.io.messages import quote, suggest
 from sceneweaver.runtime.caches import cache_place, kept_in
 from sceneweaver.scene import InputError, Part, Surface, Zone
 
@@ -36,6 +36,11 @@ from .asset import Asset, Origin
 from .body import Grasp, Hull, Interior, Link, Material, Mesh
 
 SCHEMA = "sceneweaver.asset/1"
+
+_FACTS = {"hash": str, "size": list, "attributes": dict} | dict.fromkeys(
+    ("category", "description", "source", "licence", "attribution"), str
+)
+"""What an asset is found and listed by, as a row has it."""
 
 
 def default_root() -> Path:
@@ -79,7 +84,11 @@ class Store:
         return True
 
     def rows(self) -> Iterator[dict[str, Any]]:
-        """All manifest rows, by id."""
+        """All manifest rows, by id.
+
+        Raises:
+            InputError: when one lacks what an asset is found by, or has something else in its place.
+        """
         found = []
         for path in self.root.glob("objects/*/*/row.json"):
             try:
@@ -87,6 +96,7 @@ class Store:
             except InputError:
                 continue  # being removed by another process, or not ours
             if isinstance(row, dict) and row.get("schema") == SCHEMA and isinstance(row.get("id"), str):
+                _require_facts(row, path.parent)
                 found.append(row)
         yield from sorted(found, key=lambda row: row["id"])
 
@@ -121,6 +131,16 @@ class Store:
 
     def _folder(self, content: str) -> Path:
         return self.root / "objects" / content[:2] / content
+
+
+def _require_facts(row: dict[str, Any], folder: Path) -> None:
+    """InputError when a row lacks what an asset is found by."""
+    wrong = next((key for key, kind in _FACTS.items() if not isinstance(row.get(key), kind)), None)
+    if wrong is None and not (len(row["size"]) == 3 and all(isinstance(v, float | int) for v in row["size"])):
+        wrong = "size"
+    if wrong is not None:
+        line = f"damaged in the store ('{wrong}' is missing or wrong); delete {folder} and import it anew"
+        raise InputError(f"asset: {quote(row['id'])} is {line}")
 
 
 def row_of(asset: Asset, content: str) -> dict[str, Any]:

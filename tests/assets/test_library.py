@@ -116,3 +116,24 @@ def test_a_damaged_row_of_the_store_is_one_line(tmp_path, spoil) -> None:
     assert list(store.rows()) == []
     with pytest.raises(InputError, match="is not in the store"):
         store.load(name)
+
+
+@pytest.mark.parametrize(
+    ("spoil", "wrong"),
+    [
+        ({"hash": None}, "hash"),
+        ({"category": 3}, "category"),
+        ({"size": [1.0, "2", 3.0]}, "size"),
+        ({"size": []}, "size"),
+    ],
+)
+def test_what_a_damaged_row_lacks_is_said_where_assets_are_listed(tmp_path, spoil, wrong) -> None:
+    asset = make("stool", 3)
+    content = content_hash(asset)
+    store = Store(tmp_path)
+    store.add(replace(asset, id=f"test:stool-{content[:12]}"), content)
+    (row,) = tmp_path.glob("objects/*/*/row.json")
+    row.write_text(json.dumps({**json.loads(row.read_text()), **spoil}))
+    for use in (lambda: list(store.rows()), StoreSource(store).cards):
+        with pytest.raises(InputError, match=f"damaged in the store \\('{wrong}' is missing or wrong\\); delete"):
+            use()
