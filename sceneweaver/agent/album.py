@@ -43,6 +43,14 @@ EYE_LEVEL = {
 }
 """Pixels and quality of the pictures at eye level, and how long they take by comparison, worst first."""
 
+FIRST = ((640, 480), "draft")
+"""The first picture that there is of a room."""
+
+PLENTY = 30.0
+"""Seconds for pictures from which on the first is drawn before all others and the files for other tools."""
+
+_RANK = {level: rank for rank, level in enumerate(EYE_LEVEL)}
+
 SAFE = 1.3
 """How much more time than expected there has to be for a better picture to be begun."""
 
@@ -51,8 +59,9 @@ SAFE = 1.3
 class Album:
     """The views of a scene, by name, in ``views``; each is in the folder of the run as soon as it is drawn.
 
-    ``page`` is about how many seconds [s] the report takes: so many are left at the end. ``notes`` say what is worse
-    than it would be with more time, ``broken`` what broke down.
+    ``page`` is about how many seconds [s] the report takes: so many are left at the end. With ``hero`` only the view at
+    eye level that shows the room best is drawn. ``notes`` say what is worse than it would be with more time, ``broken``
+    what broke down.
     """
 
     scene: Scene
@@ -61,6 +70,7 @@ class Album:
     folder: Path
     deadline: Deadline
     page: float
+    hero: bool = False
     views: dict[str, Image] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
     broken: tuple[str, ...] = ()
@@ -68,14 +78,20 @@ class Album:
     _took: float = 0.0
     _room: EyeLevel | None = None
     _level: tuple[tuple[int, int], str] | None = None
+    _levels: dict[str, tuple[tuple[int, int], str]] = field(default_factory=dict)
     _took_at_eye_level: float = 0.0
+    _failed: set[str] = field(default_factory=set)
 
     @property
     def missing(self) -> tuple[str, ...]:
         """Views that are not there, in an order in which to look at them."""
         from sceneweaver.render.viewpoints import EYE_VIEWS
 
-        return tuple(v for v in (*EYE_VIEWS, *(v for some in VIEWS for v in some)) if v not in self.views)
+        at_eye_level = EYE_VIEWS
+        if self.hero:
+            at_eye_level = (self._room.hero,) if self._room is not None else EYE_VIEWS[:1]
+        overviews = (view for some in VIEWS for view in some)
+        return tuple(view for view in (*at_eye_level, *overviews) if view not in self.views)
 
     @property
     def left(self) -> float:
@@ -97,6 +113,11 @@ class Album:
                 break
         if self._size is not None and self._size != best:
             self.notes += (f"time was short, so the pictures have {self._size[0]} x {self._size[1]} pixels",)
+
+    def begin_with_hero(self) -> bool:
+        """Draw the best view at eye level as a draft, where there is a limit that leaves plenty of time; whether it is
+        there."""
+        return PLENTY <= self.left < math.inf and self._at_eye_level(FIRST, alone=True)
 
     def begin_at_eye_level(self) -> None:
         """Draw the room at eye level as a draft, where there is a limit."""
@@ -129,25 +150,33 @@ class Album:
             self._size, self._took = size, time.monotonic() - began
         return self._size == size
 
-    def _at_eye_level(self, level: tuple[tuple[int, int], str]) -> None:
+    def _at_eye_level(self, level: tuple[tuple[int, int], str], *, alone: bool = False) -> bool:
+        """Draw views at eye level that are not there as good; ``alone``: the best of them. Whether they are there."""
         from sceneweaver.render import EyeLevel, Quality
 
         each: list[float] = []
 
         def draw() -> None:
-            self._room = self._room or EyeLevel(self.scene, self.load, device=self.device)
-            for view in self._room.cameras:
+            room = self._room = self._room or EyeLevel(self.scene, self.load, device=self.device)
+            others = [] if alone or self.hero else [view for view in room.cameras if view != room.hero]
+            views = [room.hero, *others]
+            for view in views:
+                if view in self._levels and _RANK[self._levels[view]] >= _RANK[level]:
+                    continue
                 began = time.monotonic()
-                self._keep({view: self._room.draw(view, *level[0], getattr(Quality, level[1])())})
-                each.append(time.monotonic() - began)
+                self._keep({view: room.draw(view, *level[0], getattr(Quality, level[1])())})
+                self._levels[view] = level
+                each.append((time.monotonic() - began) * len(views))
 
-        if self._done("pictures at eye level", draw):
-            # The first one works out what all share.
-            self._level, self._took_at_eye_level = level, len(each) * min(each, default=0.0)
+        if not self._done("pictures at eye level", draw):
+            return False
+        if each and (self.hero or not alone):
+            self._level, self._took_at_eye_level = level, min(each)  # the first one works out what all share
+        return True
 
     def _done(self, what: str, draw: Callable[[], None]) -> bool:
-        """Draw in time; whether all is drawn."""
-        if self.left <= 0.0:
+        """Draw in time; whether all is drawn. What broke down once is not tried again."""
+        if self.left <= 0.0 or what in self._failed:
             return False
         try:
             with self.deadline.before(self.page).enforced(patience=HANGS):
@@ -158,6 +187,7 @@ class Album:
             return False
         except Exception as error:
             self.broken += (fault(what, error),)
+            self._failed.add(what)
             return False
         return True
 

@@ -15,6 +15,7 @@ from sceneweaver.critic import phrases
 from sceneweaver.export import format_named
 from sceneweaver.io import whole, write_atomic
 from sceneweaver.runtime.deadline import NEVER, Deadline, TimeUp
+from sceneweaver.runtime.options import PictureSet
 from sceneweaver.scene import Scene, SceneWeaverError
 
 from .album import FOLDER, HANGS, Album
@@ -43,28 +44,32 @@ def deliver(
     folder: Path,
     library: Library,
     device: str,
-    pictures: bool,
+    pictures: PictureSet,
     formats: Sequence[str],
     deadline: Deadline = NEVER,
     *,
     started: float = 0.0,
     asked: bool = True,
+    ready: Callable[[Result, Sequence[str]], None] = lambda result, files: None,
 ) -> Result:
     """Write everything; the result with what was written, what was left out, and the seconds that it took.
 
-    The scene, its metrics and what became of the request are always written. Then come small pictures, the files for
-    other tools, and better pictures as far as there is time; what there is no time for is left out and noted.
+    The scene, its metrics and what became of the request are always written. Where there is plenty of time, a first
+    picture and the report come next. Then come small pictures, the files for other tools, and better pictures as far as
+    there is time; what there is no time for is left out and noted.
 
     Args:
         result: what is written.
         folder: where it goes.
         library: where assets come from.
         device: where pictures are drawn.
-        pictures: whether they and the report are.
+        pictures: which of them are; with "none" there is no report either.
         formats: files for other tools.
         deadline: when all has to be written.
         started: seconds that it took to start up.
         asked: whether somebody asked for these formats; all small pictures go before those that nobody did.
+        ready: called with the result and the files that can be opened: when the scene is there, and when there are a
+            first picture and the report. What comes after changes nothing of the scene.
     """
     began = time.monotonic()
     load = cache(library.load)
@@ -72,14 +77,23 @@ def deliver(
     result.report.save(folder / METRICS)
     differing = result.models.disagreements if result.models else ()
     RequestFile.of(result.brief, result.review, differing).save(folder / NAME)
-    plan = Schedule(started, len(result.scene.objects), formats, pictures)
-    page = max(LEAST, plan.page) if pictures else 0.0
-    album = Album(result.scene, load, _drawing_device(device), folder, deadline, page) if pictures else None
+    plan = Schedule(started, len(result.scene.objects), formats, pictures != "none")
+    page = max(LEAST, plan.page) if pictures != "none" else 0.0
+    album = None
+    if pictures != "none":
+        album = Album(result.scene, load, _drawing_device(device), folder, deadline, page, pictures == "hero")
+    ready(result, (SCENE, METRICS, NAME))
+    shown = False
+    if album is not None and album.begin_with_hero():
+        with suppress(TimeUp), deadline.enforced(patience=HANGS):
+            _report(result, folder, load, album.views, deadline.before(page))
+            shown = True
+            ready(result, (REPORT, *(f"{FOLDER}/{view}.png" for view in album.views)))
     if album is not None:
         album.begin()
         if not asked:
             album.begin_at_eye_level()
-    until = deadline.before(page + (LEAST if pictures and asked else 0.0))
+    until = deadline.before(page + (LEAST if album is not None and asked else 0.0))
     written, missed, broken = _exported(result.scene, folder, formats, load, until)
     late = list(missed)
     left_out = [format_named(name).file for name in missed]
@@ -94,7 +108,7 @@ def deliver(
         if album.missing and not album.broken:
             late.append("pictures")
             left_out += [f"{FOLDER}/{view}.png" for view in album.missing]
-        if deadline.passed:
+        if deadline.passed and not shown:
             late.append("report")
             left_out.append(REPORT)
         result = replace(result, notes=(*result.notes, *album.notes))
@@ -118,9 +132,11 @@ def deliver(
         with deadline.enforced(patience=HANGS):
             _report(result, folder, load, album.views, deadline.before(page))
     except TimeUp:
-        result = _without(result, ["report"], [REPORT], deadline)
-        result.report.save(folder / METRICS)
-        return result
+        if not shown:
+            result = _without(result, ["report"], [REPORT], deadline)
+            result.report.save(folder / METRICS)
+            return result
+        result = replace(result, notes=(*result.notes, "time was short, so the report shows the first picture alone"))
     return replace(result, files=(REPORT, *result.files))
 
 

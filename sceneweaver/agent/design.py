@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, Unpack
+from typing import Any, Unpack, get_args
 
 from sceneweaver.assets import Library
 from sceneweaver.export import formats_named
@@ -24,7 +24,8 @@ from sceneweaver.language import SceneGraph, read_request
 from sceneweaver.llm import Limits, Prices
 from sceneweaver.runtime.deadline import Deadline, Stop
 from sceneweaver.runtime.memory import freed_memory_given_back
-from sceneweaver.runtime.options import DesignOptions, defaults_of
+from sceneweaver.runtime.options import DesignOptions, PictureSet, defaults_of
+from sceneweaver.scene import InputError
 from sceneweaver.tools.registry import Registered
 from sceneweaver.tools.registry import tools as registered
 
@@ -61,6 +62,7 @@ class AllOptions(DesignOptions, total=False):
 
     out: str | Path | None
     said: Callable[[Step], None] | None
+    ready: Callable[[Result, Sequence[str]], None] | None
     began: float | None
     stop: Stop | None
     library: Library | None
@@ -82,7 +84,7 @@ class AllOptions(DesignOptions, total=False):
     tools: tuple[str, ...] | None
 
 
-OBJECTS = dict.fromkeys(("out", "said", "began", "stop", "library", "limits", "prices"))
+OBJECTS = dict.fromkeys(("out", "said", "ready", "began", "stop", "library", "limits", "prices"))
 """Options that only Python has, with their defaults."""
 
 NO_SETTINGS = {
@@ -106,13 +108,16 @@ def design(prompt: str = "", **options: Unpack[AllOptions]) -> Result:
         device: "auto", "cpu", "cuda" or "cuda:k".
         time_limit: seconds that all may take, files included; what is best then is kept, and ``finished`` says so.
             None: as long as it takes. "auto": 120 without a model, 600 with one.
-        pictures: whether pictures and the report are drawn into ``out``.
+        pictures: which pictures are drawn into ``out``: "full", all of them; "hero", those from above and the best one
+            at eye level; "none", none, and no report. True and False mean "full" and "none".
         export: formats that are written into ``out``: glb, usd, mjcf, scenestate; "all" or "none"; None: glb, usd and
             mjcf.
         clutter: how lived-in the room looks, from 0, a show room, to 1: things that lie about, askew, on the floor.
         settle: whether to prefer layouts that physics leaves alone, to keep the poses in which things come to rest, and
             to measure the stability of the scene.
         said: called with each step as it ends.
+        ready: called with the result and the files that can be opened, when the scene is there, and again when there
+            are a first picture and the report: files for other tools and better pictures come after that.
         began: when the time began to run, by ``time.monotonic()``; None: now.
         stop: asks it to end before, with what is best then.
         library: where assets come from; None: the library of this user.
@@ -149,6 +154,7 @@ def design(prompt: str = "", **options: Unpack[AllOptions]) -> Result:
         replay=Path(replay) if replay is not None else None,
     )
     formats = formats_named(USUAL if given["export"] is None else given["export"])
+    pictures = _picture_set(given["pictures"])
     chosen = {name: value for name, value in given.items() if name not in NO_SETTINGS}
     who = given["planner"], given["reader"], given["critic"], given["samples"]
     if asking.replay is None:
@@ -182,7 +188,7 @@ def design(prompt: str = "", **options: Unpack[AllOptions]) -> Result:
                 return closed(run, (*session.notes, *remarks), began, session.use)
             _resume(run, folder)
             started = time.monotonic() - began - session.waited
-            run.schedule = Schedule(started, EXPECTED, formats, given["pictures"])
+            run.schedule = Schedule(started, EXPECTED, formats, pictures != "none")
             run.divide(replace(limit, end=limit.end - run.memory.seconds))
             result = closed(run, (*session.notes, *remarks), began, session.use)
             until, asked = limit.before(min(run.schedule.exit, LEAST)), given["export"] is not None
@@ -191,12 +197,21 @@ def design(prompt: str = "", **options: Unpack[AllOptions]) -> Result:
                 folder.path,
                 library,
                 settings.device,
-                given["pictures"],
+                pictures,
                 formats,
                 until,
                 started=started,
                 asked=asked,
+                ready=given["ready"] or (lambda result, files: None),
             )
+
+
+def _picture_set(value: PictureSet | bool) -> PictureSet:
+    if isinstance(value, bool):
+        return "full" if value else "none"
+    if value not in get_args(PictureSet):
+        raise InputError(f"pictures: {value!r} is none of {', '.join(get_args(PictureSet))}")
+    return value
 
 
 def usable(name: str, tool: Registered, settings: Settings, room_type: RoomType, by_model: bool = False) -> bool:

@@ -327,6 +327,7 @@ def design(
     ],
     prompt: Annotated[str, typer.Argument(metavar="PROMPT", help="The room, in words.", show_default=False)] = "",
     *,
+    no_pictures: Annotated[bool, typer.Option("--no-pictures", help="The same as --pictures none.")] = False,
     as_json: Json = False,
     max_calls: MaxCalls = None,
     max_tokens: MaxTokens = None,
@@ -338,6 +339,8 @@ def design(
     from .design import run_design
 
     options |= limits_of(max_calls, max_tokens, max_cost, prices)
+    if no_pictures:
+        options["pictures"] = "none"
     return run_design(prompt, out, options, as_json=as_json, began=context.obj)
 
 

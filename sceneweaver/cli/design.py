@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +15,7 @@ from sceneweaver.scene import InputError
 from .exit_codes import NOT_VALID, UNFINISHED
 from .model_options import announce, request_of, told
 from .output import headline, list_files, list_violations, print_json, relations_line
-from .streams import no_chatter
+from .streams import no_chatter, spoken
 
 if TYPE_CHECKING:
     from sceneweaver.agent import Result
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
 
 DEMO = "a bedroom for a teenager with a desk by the window"
 """What ``make demo`` asks for."""
+
+REPORT = "report.html"
 
 TRANSCRIPT = "llm/transcript.md"
 """What a model thought, where one did."""
@@ -50,11 +53,40 @@ def run_design(prompt: str, out: Path, options: Mapping[str, Any], *, as_json: b
     with no_chatter(), stoppable(ready=False) as stop:
         from sceneweaver.agent import design
 
-        result = design(prompt, out=out, said=None if as_json else _say, began=began, stop=stop, **given)
+        told_first: list[Result] = []
+
+        def ready(first: Result, files: Sequence[str]) -> None:
+            with suppress(OSError), spoken():  # nobody may listen
+                if told_first:
+                    typer.echo("  can be opened now; files for other tools and better pictures follow:")
+                    list_files([out / name for name in files])
+                else:
+                    _verdict(first)
+                    told_first.append(first)
+
+        watchers = {} if as_json else {"said": _say, "ready": ready}
+        result = design(prompt, out=out, began=began, stop=stop, **watchers, **given)
     code = exit_code(result)
     if as_json:
         print_json(_json(result, out, code))
         return code
+    _verdict(result, told_first[0] if told_first else None)
+    told(result)
+    typer.echo(f"  {len(result.steps)} steps, {result.seconds:.1f} s; ended: {result.finished}")
+    list_files([out / name for name in _files(result, out)])
+    for name in result.left_out:
+        typer.secho(f"  left out for time: {out / name}", fg="yellow")
+    return code
+
+
+def _verdict(result: Result, first: Result | None = None) -> None:
+    """What the room is and what became of the request; after ``first`` was told, what came on top."""
+    if first is not None:
+        for text in result.undone[len(first.undone) :]:
+            typer.secho(f"  undone  {text}", fg="yellow")
+        for text in result.notes[len(first.notes) :]:
+            typer.echo(f"  note    {text}")
+        return
     report, grades = result.report, result.review.grades
     headline(result.scene.room.type, report.valid, f"{report.placed} objects, {relations_line(report)}")
     typer.echo("  grades  " + ", ".join(f"{name} {value:.1f}" for name, value in grades.items()))
@@ -68,12 +100,6 @@ def run_design(prompt: str, out: Path, options: Mapping[str, Any], *, as_json: b
         typer.echo(f"  note    {text}")
     if result.brief.unread:
         typer.echo("  not understood: " + ", ".join(word.words for word in result.brief.unread))
-    told(result)
-    typer.echo(f"  {len(result.steps)} steps, {result.seconds:.1f} s; ended: {result.finished}")
-    list_files([out / name for name in _files(result, out)])
-    for name in result.left_out:
-        typer.secho(f"  left out for time: {out / name}", fg="yellow")
-    return code
 
 
 def _became(result: Result) -> str:
@@ -104,7 +130,8 @@ def _say(step: Step) -> None:
     tool = step.call.tool if step.call else "-"
     by = f", planned by {step.plan.by}" if step.plan else ""
     text = f"step {step.number}: {tool:<16} {verb:<12} {step.objects:>3} objects, grade {mean:4.1f}"
-    typer.echo(f"{text}, {step.seconds:.1f} s{by}", err=True)
+    with suppress(OSError), spoken():
+        typer.echo(f"{text}, {step.seconds:.1f} s{by}", err=True)
 
 
 def _json(result: Result, out: Path, code: int) -> dict[str, Any]:

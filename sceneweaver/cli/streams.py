@@ -8,13 +8,14 @@ import os
 import sys
 import tempfile
 from collections.abc import Iterator
+from typing import TextIO
 
 import typer
 
 from sceneweaver.runtime.compiling import Compiling
 
-_stderr: int | None = None
-"""The descriptor of stderr while `no_chatter` keeps the usual one away."""
+_kept: tuple[int, int, TextIO] | None = None
+"""The descriptors of stdout and stderr and Python's stdout while `no_chatter` keeps the usual ones away."""
 
 
 class CompilingLine:
@@ -28,7 +29,7 @@ class CompilingLine:
 
     def __call__(self, state: Compiling) -> None:
         """Say it."""
-        descriptor = 2 if _stderr is None else _stderr
+        descriptor = 2 if _kept is None else _kept[1]
         last = state.done == state.total
         if os.isatty(descriptor):
             text = f"\r\x1b[K{state}" + "\n" * last
@@ -44,24 +45,24 @@ class CompilingLine:
 def no_chatter() -> Iterator[None]:
     """Keep what libraries say, also from C, off stdout, which belongs to the results; on stderr it comes at the end.
 
-    With SCENEWEAVER_DEBUG everything is shown.
+    What is printed within `spoken` is shown. With SCENEWEAVER_DEBUG everything is.
     """
-    global _stderr
+    global _kept
     if os.environ.get("SCENEWEAVER_DEBUG"):
         yield
         return
     sys.stdout.flush()
     sys.stderr.flush()
-    out, err, before = os.dup(1), os.dup(2), _stderr
+    out, err, usual, before = os.dup(1), os.dup(2), sys.stdout, _kept
     with tempfile.TemporaryFile() as said, contextlib.redirect_stdout(io.StringIO()):
         try:
             with open(os.devnull, "wb") as nowhere:
                 os.dup2(nowhere.fileno(), 1)
             os.dup2(said.fileno(), 2)
-            _stderr = err
+            _kept = out, err, usual
             yield
         finally:
-            _stderr = before
+            _kept = before
             sys.stderr.flush()
             os.dup2(out, 1)
             os.dup2(err, 2)
@@ -71,3 +72,24 @@ def no_chatter() -> Iterator[None]:
             for line in said.read().decode(errors="replace").splitlines():
                 if line.strip():
                     typer.echo(line, err=True)
+
+
+@contextlib.contextmanager
+def spoken() -> Iterator[None]:
+    """Show at once what is printed on stdout and stderr, also while `no_chatter` keeps both away."""
+    if _kept is None:
+        yield
+        return
+    sys.stderr.flush()
+    before, (*usual, stdout) = (os.dup(1), os.dup(2)), _kept
+    try:
+        for number, descriptor in enumerate(usual, 1):
+            os.dup2(descriptor, number)
+        with contextlib.redirect_stdout(stdout):
+            yield
+            sys.stdout.flush()
+            sys.stderr.flush()
+    finally:
+        for number, descriptor in enumerate(before, 1):
+            os.dup2(descriptor, number)
+            os.close(descriptor)

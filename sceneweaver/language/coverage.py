@@ -55,8 +55,8 @@ def silent_words(
             pass  # "nothing between the two": with nothing that was read of it, it is lost
         elif meant in known or all(part in function_words() or part in known for part in _PART.split(meant)):
             continue
-        if any(named[match.start() : match.end()]) and (word[0].isdecimal() or word in vocabulary()):
-            continue  # of what stands before a noun, only words that nobody knows are lost
+        if any(named[match.start() : match.end()]) and (word[0].isdecimal() or _counts(word)):
+            continue
         if word[0].isdecimal() and _is_measure(graph, match):
             continue
         if meant in postures() and _says_where(graph.text, covered, match.end()):
@@ -97,6 +97,11 @@ def _said_of(graph: SceneGraph, word: str) -> bool:
     said = [one.words for one in (*graph.relations, *graph.exclusions, *graph.looks, *graph.free_areas)]
     said += [a.words for entity in graph.entities for a in entity.attributes]
     return any(word in text.lower().split() for text in said)
+
+
+def _counts(word: str) -> bool:
+    """Whether a word before a noun says how many there are, which the number of the things tells."""
+    return not vocabulary().get(word, {}).keys().isdisjoint(("number", "amount", "collective"))
 
 
 @cache

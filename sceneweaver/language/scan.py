@@ -9,7 +9,7 @@ from sceneweaver.assets.taxonomy import is_head
 
 from .chunks import CLOSED, QUALITIES, Chunk, Kind
 from .tokens import Token
-from .vocabulary import Verb, frame
+from .vocabulary import Verb, frame, words
 
 _BASES = ("stand", "rest", "face", "display", "frame", "support", "house", "line", "open")
 """Verbs in the plural that look like nouns."""
@@ -149,4 +149,17 @@ def is_verb(scan: Scan, k: int, seen_noun: bool) -> bool:
         return False
     if not seen_noun:
         return False
-    return closed or frame(verb) is not None
+    return closed or frame(verb) is not None or gives_off(scan, k)
+
+
+def gives_off(scan: Scan, k: int) -> bool:
+    """Whether a participle and what follows it say what a thing gives off: a lamp "casting soft light"."""
+    rows = words("bearing_words")
+    if scan.tokens[k].text not in rows["giving_off"].split():
+        return False
+    for token in scan.tokens[k + 1 : k + 4]:
+        if token.text in rows["given_off"].split():
+            return True
+        if not token.has(*QUALITIES):
+            return False
+    return False

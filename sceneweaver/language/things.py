@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import lru_cache
+from functools import cache, lru_cache
 
 from sceneweaver.assets import Match, resolve
 from sceneweaver.assets.taxonomy import category_named, is_no_thing, narrower
@@ -108,7 +108,16 @@ def new_mention(phrase: NounPhrase, source: Source) -> Mention:
     described = {word for a in mention.attributes for word in a.words.split()} | set(mention.words)
     spoken = set(mention.category.split("_"))
     mention.unnamed = [word for word in match.modifiers if word not in described | spoken and not _is_quality(word)]
+    if of and f"{name_of(phrase)} of {of}" not in vocabulary():
+        mention.unnamed += _untold(of, described | spoken)
     return mention
+
+
+def _untold(contents: str, told: set[str]) -> list[str]:
+    """The words of what a thing is of ("toys" of a basket) that its category and its attributes do not tell."""
+    idle = {*words("function_words")["nouns_of_place"].split(), *words("function_words")["units"].split()}
+    told = {singular(word) for word in told}
+    return [word for word in contents.split() if singular(word) not in told and word not in idle]
 
 
 def _is_bare(phrase: NounPhrase) -> bool:
@@ -158,6 +167,15 @@ def describe(mention: Mention, phrase: NounPhrase, source: Source) -> None:
         give_sides(mention, phrase.sides)
 
 
+@cache
+def _linking() -> frozenset[str]:
+    """Words that only link others, and are no quality of anything."""
+    groups = words("function_words")
+    return frozenset(
+        word for name in ("prepositions", "conjunctions", "auxiliaries", "politeness") for word in groups[name].split()
+    )
+
+
 def _parts_of_name(phrase: NounPhrase) -> Iterator[Token]:
     """Words of quality inside a name, such as the shape of a "round dining table"."""
     for word in phrase.text.split()[:-1]:
@@ -185,6 +203,8 @@ def _quality(mention: Mention, token: Token, source: Source, known: bool = False
         kind = "size"
     elif kind == "other" and token.has("adverbs", "density") and not token.has("adjective", "moods"):
         return
+    elif kind == "other" and all(word in _linking() for word in token.text.split()):
+        return  # "a bench of oak"
     value = nouns["made_of"].get(value, value)
     span = source.span(token.start, token.end)
     mention.attributes.append(Attribute(kind=kind, value=value, words=token.text, span=span))

@@ -53,6 +53,9 @@ _FULL = {"floor": 0.05, "wall": 0.015, "ceiling": 0.01, "surface": 0.01}
 """Shares of the picture from which on a thing counts as shown, by what holds it; more of what is key."""
 _KEY_FULL = 0.12
 
+MORE = 0.4
+"""What it counts for a picture that it shows all that matters and that no other picture shows."""
+
 
 @dataclass(frozen=True)
 class _Candidate:
@@ -123,13 +126,28 @@ def eye_cameras(scene: Scene, aspect: float = 4 / 3) -> dict[str, Camera]:
 
     A room without doors is entered through the middle of a wall.
     """
+    return cameras_and_hero(scene, aspect)[0]
+
+
+def cameras_and_hero(scene: Scene, aspect: float = 4 / 3) -> tuple[dict[str, Camera], str]:
+    """The `eye_cameras`, and the view among them that shows the room best."""
     room = _Room(scene, aspect)
     doors = _best(room, Probe(scene, doors=False), _free(scene, [*_door_candidates(room)]))
     corners = _best(room, Probe(scene), _free(scene, [*_corner_candidates(room)]))
     chosen = [_first(doors, [], room.weights)]
     for _ in range(2):
         chosen.append(_first(corners, chosen, room.weights))
-    return {view: one.candidate.camera for view, one in zip(EYE_VIEWS, chosen, strict=True)}
+    views: dict[str, _Judged] = dict(zip(EYE_VIEWS, chosen, strict=True))
+
+    def alone(view: str) -> float:
+        return round(views[view].worth + MORE * _share(views[view].shown, room.weights), 6)
+
+    return {view: one.candidate.camera for view, one in views.items()}, max(EYE_VIEWS, key=alone)
+
+
+def _share(shown: np.ndarray, weights: np.ndarray) -> float:
+    """How much of all that matters is shown, 0 to 1."""
+    return float(weights @ shown) / max(float(weights.sum()), 1e-9)
 
 
 def _first(judged: list[_Judged], chosen: list[_Judged], weights: np.ndarray) -> _Judged:
@@ -138,10 +156,10 @@ def _first(judged: list[_Judged], chosen: list[_Judged], weights: np.ndarray) ->
     taken = [one.candidate.place for one in chosen]
 
     def worth(one: _Judged) -> float:
-        more = float(weights @ np.maximum(one.shown - before, 0.0)) / max(float(weights.sum()), 1e-9)
+        more = _share(np.maximum(one.shown - before, 0.0), weights)
         again = one.candidate.place in taken
         alike = max((_likeness(one.candidate.camera, other.candidate.camera) for other in chosen), default=0.0)
-        return one.worth + (0.4 * more if chosen else 0.0) - 0.5 * again - 0.5 * alike
+        return one.worth + (MORE * more if chosen else 0.0) - 0.5 * again - 0.5 * alike
 
     return max(judged, key=lambda one: round(worth(one), 6))
 

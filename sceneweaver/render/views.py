@@ -25,7 +25,15 @@ from .shapes import View
 from .shell import Shell, build_shell
 from .tracing import DirectLights, Quality, TracedPicture, Tracer, interior_lights, trace
 from .tracing.lights import mood_of, most_glass, portals_of, slant_of
-from .viewpoints import EYE_VIEWS, corner_camera, corner_directions, cut_walls, eye_cameras, opposite
+from .viewpoints import (
+    EYE_VIEWS,
+    cameras_and_hero,
+    corner_camera,
+    corner_directions,
+    cut_walls,
+    eye_cameras,
+    opposite,
+)
 
 _CUT = 1.5  # height [m] at which pictures from above cut the walls: through most windows
 
@@ -162,6 +170,7 @@ class EyeLevel:
 
     Attributes:
         cameras: The camera of each of `EYE_VIEWS`.
+        hero: The view that shows the room best.
     """
 
     def __init__(
@@ -172,7 +181,7 @@ class EyeLevel:
         device: str = "cpu",
     ) -> None:
         """Choose the cameras; ``load`` gives the asset of an id, ``aspect`` is width over height."""
-        self.cameras = eye_cameras(scene, aspect)
+        self.cameras, self.hero = cameras_and_hero(scene, aspect)
         self._inside = Inside(scene, instances_of(scene, load), list(self.cameras.values()), device)
 
     def draw(self, view: str, width: int, height: int, quality: Quality | None = None) -> Image.Image:

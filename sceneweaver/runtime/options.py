@@ -11,6 +11,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Annotated, Any, Literal, TypedDict, get_args, get_type_hints
 
+PictureSet = Literal["full", "hero", "none"]
+"""Which pictures a design leaves: all, those from above and the best at eye level, or none and no report either."""
+
 MODELS = "Models"
 """Heading of the options of models in the help of commands."""
 
@@ -69,7 +72,12 @@ class DesignOptions(TypedDict, total=False):
         ),
     ]
     pictures: Annotated[
-        bool, Option(True, "Draw views and the report.", command={"flags": ("--pictures/--no-pictures",)})
+        PictureSet | bool,
+        Option(
+            "full",
+            "Views and report: all views; those from above and the best at eye level; or none, and no report.",
+            command={"type": PictureSet},
+        ),
     ]
     export: Annotated[
         str | Iterable[str] | None,

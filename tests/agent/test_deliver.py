@@ -34,6 +34,7 @@ class QuickEyeLevel:
 
     def __init__(self, scene: Scene, load: object, device: str) -> None:
         self.cameras = dict.fromkeys(sorted(EYE_LEVEL))
+        self.hero = "eye-corner"
 
     def draw(self, view: str, width: int, height: int, quality: render.Quality) -> Image.Image:
         slower = 3.4 if quality == render.Quality.normal() else 1.0
@@ -95,7 +96,7 @@ def files(folder: Path) -> set[str]:
 
 
 def test_scene_and_metrics_alone(result, tmp_path):
-    done = deliver(result, tmp_path, Library(), "cpu", False, ())
+    done = deliver(result, tmp_path, Library(), "cpu", "none", ())
     assert files(tmp_path) == {"scene.json", "metrics.json", "request.json"}
     assert Scene.load(tmp_path / "scene.json") == result.scene
     metrics = json.loads((tmp_path / "metrics.json").read_text("utf-8"))
@@ -129,7 +130,7 @@ def test_pictures_report_and_model(result, tmp_path, monkeypatch):
     kept = tmp_path / "steps" / "01"
     kept.mkdir(parents=True)
     result.scene.save(kept / "scene.json")
-    deliver(result, tmp_path, Library(), "cpu", True, ("glb",))
+    deliver(result, tmp_path, Library(), "cpu", "full", ("glb",))
     expected = {"scene.json", "metrics.json", "request.json", "scene.glb", "report.html", "steps/01/scene.json"}
     assert files(tmp_path) == expected | {f"views/{name}" for name in PICTURES}
     for name in PICTURES:
@@ -156,7 +157,7 @@ def test_what_was_there_stays_when_a_picture_or_the_report_fails(result, tmp_pat
 
     monkeypatch.setattr("sceneweaver.render.draw_rooms", lambda *_, **__: {"top": Torn()})
     with pytest.raises(InputError, match="top.png: cannot be written .disk full."):
-        deliver(result, tmp_path, Library(), "cpu", True, ())
+        deliver(result, tmp_path, Library(), "cpu", "full", ())
     assert (tmp_path / "views/top.png").read_bytes() == b"old"
     assert files(tmp_path) == {
         "scene.json",
@@ -173,13 +174,13 @@ def test_what_was_there_stays_when_a_picture_or_the_report_fails(result, tmp_pat
     monkeypatch.setattr("sceneweaver.render.draw_rooms", at_once)
     monkeypatch.setattr("sceneweaver.report.write_report", broken)
     with pytest.raises(InputError, match="no page"):
-        deliver(result, tmp_path, Library(), "cpu", True, ())
+        deliver(result, tmp_path, Library(), "cpu", "full", ())
     assert (tmp_path / "report.html").read_bytes() == b"old"
     assert files(tmp_path) == {*ALWAYS, "report.html", *(f"views/{name}" for name in PICTURES)}
 
 
 def test_when_time_is_up_the_scene_and_its_metrics_are_written_and_the_rest_is_noted(result, tmp_path):
-    done = deliver(result, tmp_path, Library(), "cpu", True, ("glb", "usd"), Deadline(0.0))
+    done = deliver(result, tmp_path, Library(), "cpu", "full", ("glb", "usd"), Deadline(0.0))
     assert files(tmp_path) == ALWAYS == set(done.files)
     assert done.undone == ("glb", "usd", "pictures", "report") and not done.broken
     missing = ("scene.glb", "scene.usdc", *(f"views/{name}" for name in PICTURES), "report.html")
@@ -191,7 +192,7 @@ def test_when_time_is_up_the_scene_and_its_metrics_are_written_and_the_rest_is_n
 def test_all_that_was_written_is_named_and_nothing_else(result, tmp_path, monkeypatch):
     monkeypatch.setattr("sceneweaver.render.draw_rooms", at_once)
     formats = formats_named("all")
-    done = deliver(result, tmp_path, Library(), "cpu", True, formats)
+    done = deliver(result, tmp_path, Library(), "cpu", "full", formats)
     assert {FORMATS[name].file for name in formats} < set(done.files) <= files(tmp_path) and not done.left_out
     assert done.files[0] == "report.html" and len(set(done.files)) == len(done.files)
     beside = {name for name in files(tmp_path) - set(done.files) if "/" not in name}
@@ -202,7 +203,7 @@ def test_all_that_was_written_is_named_and_nothing_else(result, tmp_path, monkey
 def test_what_a_signal_left_out_says_so(result, tmp_path):
     stop = Stop(allowance=0.0)
     stop.request("SIGTERM")
-    done = deliver(result, tmp_path, Library(), "cpu", True, ("glb",), Deadline(stop=stop))
+    done = deliver(result, tmp_path, Library(), "cpu", "full", ("glb",), Deadline(stop=stop))
     assert files(tmp_path) == ALWAYS and done.notes[-1].startswith("SIGTERM came before these were written: scene.glb")
 
 
@@ -220,7 +221,7 @@ def test_pictures_go_before_formats_that_nobody_asked_for(result, tmp_path, monk
     draw = QuickEyeLevel.draw
     monkeypatch.setattr(QuickEyeLevel, "draw", lambda *given: order.append("eye level") or draw(*given))
     end = time.monotonic() + 3.0
-    done = deliver(result, tmp_path, Library(), "cpu", True, ("glb",), Deadline(end), asked=asked)
+    done = deliver(result, tmp_path, Library(), "cpu", "full", ("glb",), Deadline(end), asked=asked)
     assert order[:2] == ["above", "above"] and order.index("file") == (2 if asked else 5)
     assert done.undone == ("glb",) and done.left_out == ("scene.glb",)
     assert {f"views/{name}" for name in PICTURES} <= files(tmp_path)  # as drafts
@@ -235,7 +236,7 @@ def test_a_report_that_takes_too_long_is_left_out(result, tmp_path, monkeypatch)
 
     monkeypatch.setattr("sceneweaver.render.draw_rooms", at_once)
     monkeypatch.setattr("sceneweaver.report.write_report", endless)
-    done = deliver(result, tmp_path, Library(), "cpu", True, (), Deadline(time.monotonic() + 1.5))
+    done = deliver(result, tmp_path, Library(), "cpu", "full", (), Deadline(time.monotonic() + 1.5))
     assert done.left_out == ("report.html",) and done.undone == ("report",) and "report.html" not in done.files
     assert json.loads((tmp_path / "metrics.json").read_text("utf-8"))["left_out"] == ["report.html"]
 
@@ -252,7 +253,7 @@ def test_a_file_that_takes_too_long_is_left_out_and_the_pictures_are_there(resul
     monkeypatch.setattr("sceneweaver.export.export_scene", endless)
     monkeypatch.setattr("sceneweaver.render.draw_rooms", at_once)
     end = time.monotonic() + 2.5
-    done = deliver(result, tmp_path, Library(), "cpu", True, ("glb", "usd", "mjcf"), Deadline(end))
+    done = deliver(result, tmp_path, Library(), "cpu", "full", ("glb", "usd", "mjcf"), Deadline(end))
     assert time.monotonic() < end + 1.0
     assert files(tmp_path) == {*ALWAYS, "scene.glb", "report.html", *(f"views/{name}" for name in PICTURES)}
     assert done.undone == ("usd", "mjcf") and not done.satisfied
@@ -269,7 +270,7 @@ def test_pictures_that_take_too_long_are_left_out(result, tmp_path, monkeypatch)
     monkeypatch.setattr("sceneweaver.render.draw_rooms", endless)
     monkeypatch.setattr(QuickEyeLevel, "draw", endless)
     end = time.monotonic() + 1.0
-    done = deliver(result, tmp_path, Library(), "cpu", True, (), Deadline(end))
+    done = deliver(result, tmp_path, Library(), "cpu", "full", (), Deadline(end))
     assert time.monotonic() < end + 1.0 and done.undone == ("pictures",)
     assert files(tmp_path) == {"scene.json", "metrics.json", "request.json", "report.html"}
 
@@ -283,7 +284,7 @@ def test_what_never_comes_back_is_given_up_and_the_report_is_written(result, tmp
 
     monkeypatch.setattr(call, hanging)
     end = time.monotonic() + 2.0
-    done = deliver(result, tmp_path, Library(), "cpu", True, ("glb",), Deadline(end))
+    done = deliver(result, tmp_path, Library(), "cpu", "full", ("glb",), Deadline(end))
     assert time.monotonic() < end + 0.5 and done.undone
     assert (tmp_path / "report.html").exists() and "report" not in done.undone
 
@@ -297,7 +298,7 @@ def test_the_pictures_that_there_was_time_for_are_kept_and_the_report_shows_them
 
     monkeypatch.setattr("sceneweaver.render.draw_rooms", drawn)
     end = time.monotonic() + 2.0
-    done = deliver(result, tmp_path, Library(), "cpu", True, ("usd",), Deadline(end))
+    done = deliver(result, tmp_path, Library(), "cpu", "full", ("usd",), Deadline(end))
     assert time.monotonic() < end + 1.0 and done.undone == ("usd", "pictures")
     assert {"report.html", "views/top.png", "views/top_annotated.png"} <= files(tmp_path)
     assert "views/corner.png" not in files(tmp_path)
@@ -312,7 +313,7 @@ def test_what_breaks_down_costs_only_itself(result, tmp_path, monkeypatch, part)
     monkeypatch.setattr("sceneweaver.export.export_scene", lambda *_: None)
     monkeypatch.setattr("sceneweaver.render.draw_rooms", at_once)
     monkeypatch.setattr(part, broken)
-    done = deliver(result, tmp_path, Library(), "cpu", True, ("glb",))
+    done = deliver(result, tmp_path, Library(), "cpu", "full", ("glb",))
     assert {"scene.json", "metrics.json", "report.html"} <= files(tmp_path)
     name = "glb" if "export" in part else "pictures"
     assert len(done.undone) == 1 and not done.satisfied and done.undone[0] in done.notes
@@ -330,7 +331,7 @@ def test_pictures_are_as_large_as_there_is_time_for(result, tmp_path, monkeypatc
         return {view: Image.new("RGB", (width, height)) for view in views}
 
     monkeypatch.setattr("sceneweaver.render.draw_rooms", drawn)
-    done = deliver(result, tmp_path, Library(), "cpu", True, (), Deadline(100.0 + left))
+    done = deliver(result, tmp_path, Library(), "cpu", "full", (), Deadline(100.0 + left))
     with Image.open(tmp_path / "views" / "top.png") as picture:
         assert picture.size == size
     short = "time was short, so the pictures have 320 x 240 pixels"
@@ -349,7 +350,7 @@ def test_a_first_picture_that_waits_for_its_kernels_is_not_dropped(result, tmp_p
         return at_once(scene, load, views)
 
     monkeypatch.setattr("sceneweaver.render.draw_rooms", drawn)
-    done = deliver(result, tmp_path, Library(), "cpu", True, (), Deadline(159.0))
+    done = deliver(result, tmp_path, Library(), "cpu", "full", (), Deadline(159.0))
     assert {f"views/{name}" for name in PICTURES} <= set(done.files) and not done.undone
 
 
@@ -369,7 +370,7 @@ def test_pictures_at_eye_level_are_as_good_as_there_is_time_for(
     monkeypatch.setattr("sceneweaver.agent.deliver.time.monotonic", lambda: clock[0])
     monkeypatch.setattr(eye_level, "seconds", seconds)
     monkeypatch.setattr("sceneweaver.render.draw_rooms", at_once)
-    done = deliver(result, tmp_path, Library(), "cpu", True, (), Deadline(left))
+    done = deliver(result, tmp_path, Library(), "cpu", "full", (), Deadline(left))
     for view in EYE_LEVEL:
         with Image.open(tmp_path / "views" / f"{view}.png") as picture:
             assert picture.size == size and picture.getpixel((0, 0)) == (rays, 0, 0)
@@ -387,7 +388,7 @@ def test_without_time_for_all_pictures_at_eye_level_the_others_are_there(result,
     monkeypatch.setattr(eye_level, "draw", slow)
     monkeypatch.setattr("sceneweaver.render.draw_rooms", at_once)
     end = time.monotonic() + 2.0
-    done = deliver(result, tmp_path, Library(), "cpu", True, (), Deadline(end))
+    done = deliver(result, tmp_path, Library(), "cpu", "full", (), Deadline(end))
     assert time.monotonic() < end + 1.0 and done.undone == ("pictures",) and done.left_out == ("views/eye-door.png",)
     assert {"views/corner.png", "views/eye-corner.png", "report.html"} <= files(tmp_path)
     assert "views/eye-door.png" not in files(tmp_path)
@@ -400,6 +401,80 @@ def test_what_breaks_at_eye_level_is_told(result, tmp_path, monkeypatch, eye_lev
     monkeypatch.setattr(eye_level, "draw", broken)
     monkeypatch.setattr("sceneweaver.render.draw_rooms", at_once)
     with pytest.warns(RuntimeWarning, match="unexpected"):
-        done = deliver(result, tmp_path, Library(), "cpu", True, ())
+        done = deliver(result, tmp_path, Library(), "cpu", "full", ())
     assert done.undone[0].startswith("pictures at eye level: unexpected ZeroDivisionError")
     assert "views/corner.png" in files(tmp_path)
+
+
+@pytest.fixture
+def order(monkeypatch) -> list[str]:
+    """What is made, in order."""
+    made: list[str] = []
+    draw = QuickEyeLevel.draw
+
+    def drawn(self, view: str, *given: object) -> Image.Image:
+        made.append(view)
+        return draw(self, view, *given)
+
+    monkeypatch.setattr(QuickEyeLevel, "draw", drawn)
+    monkeypatch.setattr("sceneweaver.render.draw_rooms", lambda *a, **k: made.append("above") or at_once(*a, **k))
+    monkeypatch.setattr("sceneweaver.report.write_report", lambda path, data: made.append("report") or path.touch())
+    monkeypatch.setattr("sceneweaver.export.export_scene", lambda *given: made.append("file"))
+    return made
+
+
+def test_with_plenty_of_time_one_can_look_before_the_rest_is_made(result, tmp_path, order):
+    told: list[tuple[str, ...]] = []
+
+    def ready(first: Result, names: tuple[str, ...]) -> None:
+        assert first.scene == result.scene and all((tmp_path / name).exists() for name in names)
+        told.append(tuple(names))
+        order.append("ready")
+
+    until = Deadline(time.monotonic() + 600.0)
+    done = deliver(result, tmp_path, Library(), "cpu", "full", ("glb",), until, ready=ready)
+    assert order[:6] == ["ready", "eye-corner", "report", "ready", "above", "above"] and order[-1] == "report"
+    assert told == [("scene.json", "metrics.json", "request.json"), ("report.html", "views/eye-corner.png")]
+    assert {f"views/{name}" for name in PICTURES} <= set(done.files) and not done.undone
+    assert order.count("eye-corner") == 2 == order.count("eye-door")  # a draft, and as good as there is time for
+
+
+def test_only_the_hero_is_drawn_at_eye_level_where_no_more_is_asked_for(result, tmp_path, order):
+    for until in (Deadline(), Deadline(time.monotonic() + 600.0)):
+        done = deliver(result, tmp_path, Library(), "cpu", "hero", (), until)
+        assert {name for name in done.files if "eye" in name} == {"views/eye-corner.png"} and not done.left_out
+        assert {"views/top.png", "views/corner.png", "report.html"} <= set(done.files)
+    assert not {"eye-door", "eye-corner2"} & set(order)
+
+
+def test_a_hero_without_time_is_left_out(result, tmp_path):
+    done = deliver(result, tmp_path, Library(), "cpu", "hero", (), Deadline(0.0))
+    assert [name for name in done.left_out if "eye" in name] == ["views/eye-door.png"]
+
+
+def test_a_report_that_there_is_no_time_to_write_again_stays(result, tmp_path, monkeypatch, order):
+    clock = [0.0]
+    monkeypatch.setattr("sceneweaver.agent.deliver.time.monotonic", lambda: clock[0])
+
+    def slow(path: Path, data: object) -> None:
+        order.append("report")
+        if order.count("report") > 1:
+            clock[0] = 1000.0
+            checkpoint()
+        path.touch()
+
+    monkeypatch.setattr("sceneweaver.report.write_report", slow)
+    done = deliver(result, tmp_path, Library(), "cpu", "full", (), Deadline(600.0))
+    assert done.files[0] == "report.html" and not done.left_out
+    assert done.notes[-1] == "time was short, so the report shows the first picture alone"
+
+
+@pytest.mark.filterwarnings("ignore:.*unexpected:RuntimeWarning")
+def test_what_broke_down_is_not_tried_again(result, tmp_path, monkeypatch, eye_level):
+    def broken(*_: object) -> None:
+        raise ZeroDivisionError("no light")
+
+    monkeypatch.setattr(eye_level, "draw", broken)
+    monkeypatch.setattr("sceneweaver.render.draw_rooms", at_once)
+    done = deliver(result, tmp_path, Library(), "cpu", "full", (), Deadline(time.monotonic() + 600.0))
+    assert len(done.broken) == 1 and done.broken[0].startswith("pictures at eye level")

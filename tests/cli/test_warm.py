@@ -64,14 +64,28 @@ def test_it_is_said_while_libraries_are_kept_quiet(capfd):
 def test_a_terminal_has_one_line_that_moves():
     pty = pytest.importorskip("pty")
     ours, theirs = pty.openpty()
-    line, before = streams.CompilingLine(), streams._stderr
-    streams._stderr = theirs
+    line, before = streams.CompilingLine(), streams._kept
+    streams._kept = 1, theirs, sys.stdout
     try:
         for done in range(3):
             line(Compiling(done, 2, float(done), 4.0))
     finally:
-        streams._stderr = before
+        streams._kept = before
     said = os.read(ours, 10_000).decode()
     os.close(ours)
     os.close(theirs)
     assert said.count("\r\x1b[K") == 3 and said.count("\n") == 1 and "(about 5 s): 1 of 2" in said
+
+
+def test_what_is_spoken_is_shown_at_once_and_chatter_is_not(capfd):
+    with streams.no_chatter():
+        print("chatter")
+        os.write(1, b"more of it\n")
+        with streams.spoken():
+            print("a verdict")
+            print("a step", file=sys.stderr)
+        print("chatter again")
+        said = capfd.readouterr()
+        assert said.out == "a verdict\n" and said.err == "a step\n"
+    said = capfd.readouterr()
+    assert said.out == "" and said.err == ""

@@ -70,3 +70,37 @@ def test_how_a_thing_is_somewhere_needs_no_account_where_it_was_read_where(text:
 def test_what_a_thing_does_to_the_room_is_no_name_of_it(verb: str) -> None:
     graph = read_request(f"A velvet sofa {verb} the room, facing a TV.")
     assert graph.room_words == "" and [entity.category for entity in graph.entities] == ["sofa", "tv"]
+
+
+@pytest.mark.parametrize(
+    ("text", "noun", "untold"),
+    [
+        ("a hall with a basket of tennis balls", "basket", {"tennis", "balls"}),
+        ("a shop with a barrel of herrings", "barrel", {"herrings"}),
+        ("a kitchen with a basket of magnets", "basket", {"magnets"}),
+        ("a study with a stack of books", "book_stack", set()),
+        ("a bedroom with a chest of drawers", "dresser", set()),
+        ("a bedroom with a bench of oak", "bench", set()),
+    ],
+)
+def test_what_is_in_a_vessel_is_told_where_its_drawing_does_not_show_it(text: str, noun: str, untold: set[str]) -> None:
+    thing = next(entity for entity in read_request(text).entities if entity.category == noun)
+    assert set(thing.unnamed) == untold
+
+
+@pytest.mark.parametrize("quality", ["fresh", "wilted", "ripe", "different", "wet"])
+def test_a_quality_of_what_is_in_a_vessel_is_told(quality: str) -> None:
+    assert quality in {left.words for left in read_request(f"a hall with a vase of {quality} tulips").unread}
+
+
+@pytest.mark.parametrize("word", ["of", "please", "put", "and", "good"])
+def test_words_that_link_are_no_qualities(word: str) -> None:
+    graph = read_request(f"a hall with a mirror and {word} a bench of oak")
+    assert word not in {a.words for entity in graph.entities for a in entity.attributes}
+
+
+@pytest.mark.parametrize("verb", ["casting", "giving", "providing", "emitting", "spreading", "throwing"])
+@pytest.mark.parametrize("given", ["light", "warm light", "heat"])
+def test_what_a_thing_gives_off_is_no_other_thing(verb: str, given: str) -> None:
+    graph = read_request(f"a study with a floor lamp {verb} {given} and a bench")
+    assert {entity.category for entity in graph.entities} == {"floor_lamp", "bench"}
