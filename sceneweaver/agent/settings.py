@@ -12,6 +12,11 @@ ASKED = 4.0
 of design rules can make up for, so what was asked for comes first."""
 
 
+ON_CPU, ON_GPU = 64, 256
+"""Layouts that are refined for each call where no number is given. More take longer and are not better to people's
+eyes: docs/gpu.md has the figures."""
+
+
 class Settings(FrozenModel):
     """Budgets and switches of a run; equal settings and seed give equal scenes unless a time limit cuts them off.
 
@@ -65,7 +70,7 @@ class Settings(FrozenModel):
             return self.candidates
         from sceneweaver.layout.devices import pick_devices
 
-        return 64 if pick_devices(self.device)[0] == "cpu" else 4096
+        return ON_CPU if pick_devices(self.device)[0] == "cpu" else ON_GPU
 
     @property
     def children(self) -> int:
