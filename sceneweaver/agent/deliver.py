@@ -88,6 +88,7 @@ def deliver(
         with suppress(TimeUp), deadline.enforced(patience=HANGS):
             _report(result, folder, load, album.views, deadline.before(page))
             shown = True
+        if shown:
             ready(result, (REPORT, *(f"{FOLDER}/{view}.png" for view in album.views)))
     if album is not None:
         album.begin()

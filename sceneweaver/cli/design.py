@@ -70,7 +70,10 @@ def run_design(prompt: str, out: Path, options: Mapping[str, Any], *, as_json: b
     if as_json:
         print_json(_json(result, out, code))
         return code
-    _verdict(result, told_first[0] if told_first else None)
+    if told_first:
+        _later(result, told_first[0])
+    else:
+        _verdict(result)
     told(result)
     typer.echo(f"  {len(result.steps)} steps, {result.seconds:.1f} s; ended: {result.finished}")
     list_files([out / name for name in _files(result, out)])
@@ -79,14 +82,16 @@ def run_design(prompt: str, out: Path, options: Mapping[str, Any], *, as_json: b
     return code
 
 
-def _verdict(result: Result, first: Result | None = None) -> None:
-    """What the room is and what became of the request; after ``first`` was told, what came on top."""
-    if first is not None:
-        for text in result.undone[len(first.undone) :]:
-            typer.secho(f"  undone  {text}", fg="yellow")
-        for text in result.notes[len(first.notes) :]:
-            typer.echo(f"  note    {text}")
-        return
+def _later(result: Result, first: Result) -> None:
+    """What came to light after a result was told."""
+    for text in result.undone[len(first.undone) :]:
+        typer.secho(f"  undone  {text}", fg="yellow")
+    for text in result.notes[len(first.notes) :]:
+        typer.echo(f"  note    {text}")
+
+
+def _verdict(result: Result) -> None:
+    """What the room is, and what became of the request."""
     report, grades = result.report, result.review.grades
     headline(result.scene.room.type, report.valid, f"{report.placed} objects, {relations_line(report)}")
     typer.echo("  grades  " + ", ".join(f"{name} {value:.1f}" for name, value in grades.items()))
