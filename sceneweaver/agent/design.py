@@ -16,6 +16,7 @@ from sceneweaver.export.formats import USUAL
 from sceneweaver.generate.asked_room import asked_room, headline
 from sceneweaver.generate.look import in_time, suited
 from sceneweaver.generate.people import with_people
+from sceneweaver.generate.stands import with_stands
 from sceneweaver.knowledge import RoomType, match_room
 from sceneweaver.knowledge.learned import all_rooms
 from sceneweaver.knowledge.likely import likeliest_room, told_by
@@ -178,7 +179,7 @@ def design(prompt: str = "", **options: Unpack[AllOptions]) -> Result:
         with session.known_rooms(prompt):
             brief = in_time(session.read(offline, folder))
             room_type, remarks = chosen_room(brief)
-            brief = with_people(brief, room_type)
+            brief = with_stands(with_people(brief, room_type), room_type)
             tools = {n: tool for n, tool in registered().items() if usable(n, tool, settings, room_type, session.plans)}
             library = given["library"] or Library()
             run = Run(brief, room_type, settings, tools, session.planner, library, folder=folder, said=given["said"])

@@ -66,10 +66,24 @@ def roles_of(room_type: RoomType, brief: SceneGraph) -> dict[str, tuple[str, ...
             continue
         own = frozenset(name for name in own if may_mean(one, name, brief))
         free = [item.id for item in room_type.items if item.id not in taken and own & set(item.what)]
+        if not free and has_role(one.category, "seated_at"):
+            free = _tables_like(one, room_type, taken)
         if free:
             found[one.id] = (free[0],)
             taken.add(free[0])
     return found
+
+
+def _tables_like(one: Entity, room_type: RoomType, taken: set[str]) -> list[str]:
+    """The items of a room of whose places a table of another kind takes charge: those with seats, of the same last
+    word. Else the seats that are asked for would be strewn beside tables that nobody sits at."""
+    hosts = {item.with_ for item in room_type.items if "seating" in groups_of(item.what[0])}
+    word = one.category.rpartition("_")[2]
+    return [
+        item.id
+        for item in room_type.items
+        if item.id in hosts and item.id not in taken and any(name.rpartition("_")[2] == word for name in item.what)
+    ]
 
 
 def _with_their_hosts(

@@ -141,6 +141,12 @@ def _needed(table: Wanted, program: Program, rows: Sequence[Grounded]) -> float:
     wide = max((seats[row.subject].asset.size[1] for row in own), default=0.0)
     ring = len({row.subject for row in own if row.type == "around"})
     along = max((row.params["n"] for row in own if row.type == "seated_at"), default=0)
+    if not own:
+        _, around = _tables(program.wanted).get(table.id, (table, []))
+        if not around or len(list(_places(table, around))) == len(around):
+            return 0.0  # all have their places
+        wide, ring = max(s.asset.size[1] for s in around), len(around)
+        along = ring if table.wall > 0.0 else 0
     if ring > 2 and _is_round(table):
         edges = EDGES if ring > EDGES // 2 else EDGES // 2
         return math.ceil(ring / edges) * wide / math.tan(math.pi / edges) + TUCKED

@@ -61,3 +61,13 @@ def test_seats_share_the_side_that_their_room_gives_them() -> None:
     chosen = {o.id: o.intent.program_item for o in scene.objects}
     sides = {(chosen[r.subject], r.params["side"]) for r in scene.relations if r.type == "seated_at"}
     assert sides == {("officer", "front"), ("suspect", "back")}
+
+
+@pytest.mark.parametrize("table_", ["tables", "bolted tables"])
+def test_tables_are_as_long_as_the_seats_that_are_asked_for_need(table_: str) -> None:
+    scene = drawn(f"a canteen with two long {table_} and 24 chairs")
+    tables = [o for o in scene.objects if o.category in ("dining_table", "interview_table")]
+    seated = {r.subject: r.target for r in scene.relations if r.type == "seated_at"}
+    assert len(tables) == 2 and len(seated) == 24
+    for one in tables:  # all but those at its ends along both sides
+        assert max(one.size[:2]) >= 0.6 * (sum(host == one.id for host in seated.values()) - 2) / 2
