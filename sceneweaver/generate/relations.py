@@ -373,11 +373,16 @@ def of_brief(
 
 def in_room(rows: Iterable[Grounded], room: Room, unmet: list[str]) -> Iterator[tuple[Grounded, Relation]]:
     """Grounded relations with the walls and openings of a room; of those that it has not ``unmet`` is told."""
+    rows = list(rows)
     number: dict[tuple[str, str], int] = {}
+    # What stands below windows along their walls takes one after the other, whichever sentence says so.
+    below = [row.subject for row in rows if row.target == "window" and CATALOGUE[row.type].target_kind == "wall"]
     for row in rows:
         named = isinstance(row.target, str) and row.target.startswith("wall:")
         key = (str(row.target), "") if named else (row.said, row.type)  # at one end, at the other end
         k = number[key] = number.get(key, -1) + 1
+        if row.subject in below and row.type in ("at_window", "against_wall"):
+            k = below.index(row.subject)
         try:
             relation = _in_room(row, room, k)
         except InputError as error:
@@ -396,7 +401,11 @@ def _in_room(row: Grounded, room: Room, number: int) -> Relation | None:
         InputError: for a wall that the room has not.
     """
     target, kind = row.target, CATALOGUE[row.type].target_kind
-    if kind == "wall" and isinstance(target, str):
+    if kind == "wall" and target == "window":
+        if not room.windows:
+            return None
+        target = f"wall:{room.windows[number % len(room.windows)].wall}"
+    elif kind == "wall" and isinstance(target, str):
         target = f"wall:{wall_named(target.split(':', 1)[1], room, number)}"
     elif kind == "window":
         if not room.windows:

@@ -11,6 +11,7 @@ from sceneweaver.generate.setup import Setup
 from sceneweaver.knowledge import room_type
 from sceneweaver.language import read_request
 from sceneweaver.scene import Room, Scene
+from tests.generate.drafts import drawn
 
 EMPTY = Scene(id="empty", room=Room(outline=((0, 0), (4, 0), (4, 3), (0, 3))))
 
@@ -87,3 +88,13 @@ def test_a_half_circle_goes_over_half_a_circle_with_what_it_looks_at_before_its_
         turns = [0.0, *(float(r.params["turn"]) for r in chairs)]
         assert 140 <= max(turns) - min(turns) <= 200
         assert len(focus) == 1 and focus[0].params["ahead"] > 1.0
+
+
+def test_what_is_below_a_window_has_its_back_to_that_wall_and_a_window_of_its_own(library: Library) -> None:
+    scene = drawn("a living room with a sofa under the window and a bench under the other window", library)
+    panes = {r.subject: r.target for r in scene.relations if r.type == "at_window" and r.asked}
+    walls = {r.subject: r.target for r in scene.relations if r.type == "against_wall" and r.asked}
+    windows = {window.id: f"wall:{window.wall}" for window in scene.room.windows}
+    below = [o.id for o in scene.objects if o.category in ("sofa", "bench")]
+    assert len({panes[name] for name in below}) == min(2, len(windows))
+    assert all(walls[name] == windows[str(panes[name])] for name in below)
