@@ -27,6 +27,7 @@ _NAMES = {
     "upper": "height of the upper edge",
     "placed": "height above the floor",
     "ceiling": "gap to the ceiling",
+    "lowest": "height",
 }
 
 
@@ -35,6 +36,9 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
     brief = survey.brief
     for measure in brief.measures:
         bodies = _bodies(survey, measure)
+        if not bodies and measure.categories:
+            yield met("attribute", measure.id, (), f"'{measure.words}': there is none, so none is beyond it")
+            continue
         if not bodies:
             yield unmet(
                 "attribute",
@@ -49,12 +53,21 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
             ids = [body.id for body in bodies]
             yield not_understood("attribute", measure.id, ids, f"'{measure.words}' cannot be measured here")
             continue
-        several = [m for m in brief.measures if (m.entity, m.quantity) == (measure.entity, measure.quantity)]
+        several = [m for m in brief.measures if _of_same(m, measure) and not measure.categories]
         good = [body for body, m in found if m.ok()]
         yield _outcome(measure, found, good, any_=len(several) > 1)
 
 
+def _of_same(one: StatedMeasure, other: StatedMeasure) -> bool:
+    return (one.entity, one.quantity, one.categories) == (other.entity, other.quantity, other.categories)
+
+
 def _bodies(survey: Survey, measure: StatedMeasure) -> list[Body]:
+    if measure.categories:
+        kinds_ = set(measure.categories)
+        carriers = survey.ids_of(measure.on) if measure.on else []
+        among = [b for name in carriers for b in survey.carried.get(name, ())] if measure.on else survey.bodies
+        return [b for b in among if "object" in kinds_ or kinds.groups_of(b.item.category) & kinds_]
     if measure.entity:
         return survey.standing_for(measure.entity)
     return [body for body in survey.bodies if body.item.category in worktop_categories()]
@@ -141,6 +154,11 @@ def _value(survey: Survey, measure: StatedMeasure, body: Body) -> float | None:
             return low
         case "upper":
             return high
+        case "lowest" if body.item.mount in ("wall", "ceiling"):
+            return low
+        case "lowest":
+            level = used_level(body.item.solids, body.item.surfaces)
+            return low + (level if level is not None else height)
         case "ceiling":
             return survey.scene.room.height - high
         case "placed":

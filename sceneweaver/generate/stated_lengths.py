@@ -10,6 +10,7 @@ from dataclasses import replace
 
 from sceneweaver.assets import Asset, Library
 from sceneweaver.assets.levels import used_level
+from sceneweaver.assets.roles import groups_above as groups_of
 from sceneweaver.language import SceneGraph, StatedMeasure
 from sceneweaver.language.measured import worktop_categories
 
@@ -38,6 +39,9 @@ def with_stated_lengths(wanted: Sequence[Wanted], brief: SceneGraph, ceiling: fl
         library: where bodies are from.
     """
     for measure in brief.measures:
+        if measure.categories:
+            _limit([one for one in wanted if _is_of(one, measure)], measure, ceiling, library)
+            continue
         if measure.entity:
             things = [one for one in wanted if one.asked == measure.entity]
         else:
@@ -45,6 +49,25 @@ def with_stated_lengths(wanted: Sequence[Wanted], brief: SceneGraph, ceiling: fl
         levels = [m for m in brief.measures if m.entity == measure.entity and m.quantity == measure.quantity]
         for k, one in enumerate(things):
             _apply(one, levels[k % len(levels)], ceiling, library)
+
+
+def _is_of(one: Wanted, measure: StatedMeasure) -> bool:
+    """Whether a limit on all things of some kinds, or on all that stand on something, is on a thing."""
+    if measure.on and (one.support is None or one.support.asked != measure.on):
+        return False
+    return "object" in measure.categories or bool(groups_of(one.category) & set(measure.categories))
+
+
+def _limit(things: Sequence[Wanted], measure: StatedMeasure, ceiling: float, library: Library) -> None:
+    """Lower bodies for what stands higher than a limit, or higher ones, and lower places on the wall."""
+    for one in things:
+        height = one.asset.size[2]
+        if measure.quantity == "upper" and one.mount == "wall" and measure.high is not None and height < measure.high:
+            one.hung = hung_as(measure, height, ceiling)
+        elif measure.quantity in ("upper", "height") and measure.high is not None and height > measure.high:
+            _as_high(one, measure.high, library)
+        elif measure.quantity == "lowest" and one.mount == "floor":
+            _brought(one, measure, library)
 
 
 def _apply(one: Wanted, measure: StatedMeasure, ceiling: float, library: Library) -> None:

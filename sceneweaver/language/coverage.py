@@ -100,8 +100,9 @@ def _said_of(graph: SceneGraph, word: str) -> bool:
 
 
 def _counts(word: str) -> bool:
-    """Whether a word before a noun says how many there are, which the number of the things tells."""
-    return not vocabulary().get(word, {}).keys().isdisjoint(("number", "amount", "collective"))
+    """Whether a word before a noun says how many there are, or bounds it, which the number of the things tells."""
+    kinds = vocabulary().get(word, {}).keys()
+    return word in words("quantities")["counting"] or not kinds.isdisjoint(("number", "amount", "collective", "bound"))
 
 
 @cache

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from sceneweaver.scene import InputError
 
 from .model import Span
+from .quantities import plain_quantities
 from .translation import NAMES, language_of, translated
 from .vocabulary import vocabulary
 
@@ -202,6 +203,7 @@ def read_source(text: str) -> Source:
     if language != "en":
         spoken, origin = translated(spoken, origin, language, text)
         notes.append(f"read as {NAMES[language]}, word by word")
+    spoken, origin = plain_quantities(spoken, origin)
     found = Source(spoken, origin, notes=notes, language=language)
     found.blank(_TAG, lambda m: " ")
     found.blank(_ENDLESS, lambda m: _endless(m, found))
