@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from sceneweaver.assets.levels import used_level
+from sceneweaver.assets.levels import clear_below, used_level
 from sceneweaver.language import StatedMeasure
 from sceneweaver.language.measured import worktop_categories
 from sceneweaver.rules.faults import fault_kind
@@ -28,6 +28,7 @@ _NAMES = {
     "placed": "height above the floor",
     "ceiling": "gap to the ceiling",
     "lowest": "height",
+    "knee": "clear height below the top",
 }
 
 
@@ -159,6 +160,8 @@ def _value(survey: Survey, measure: StatedMeasure, body: Body) -> float | None:
         case "lowest":
             level = used_level(body.item.solids, body.item.surfaces)
             return low + (level if level is not None else height)
+        case "knee":
+            return clear_below(body.item.solids, body.size)
         case "ceiling":
             return survey.scene.room.height - high
         case "placed":

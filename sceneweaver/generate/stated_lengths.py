@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from sceneweaver.assets import Asset, Library
-from sceneweaver.assets.levels import used_level
+from sceneweaver.assets.levels import clear_below, used_level
 from sceneweaver.assets.roles import groups_above as groups_of
 from sceneweaver.language import SceneGraph, StatedMeasure
 from sceneweaver.language.measured import worktop_categories
@@ -74,7 +74,7 @@ def _apply(one: Wanted, measure: StatedMeasure, ceiling: float, library: Library
     match measure.quantity:
         case "ceiling":
             _as_high(one, ceiling - UNDER_CEILING, library)
-        case "top" | "seat":
+        case "top" | "seat" | "knee":
             _brought(one, measure, library)
         case "centre" | "bottom" | "upper" | "placed" if one.mount == "wall":
             one.hung = hung_as(measure, one.asset.size[2], ceiling)
@@ -91,9 +91,10 @@ def hung_as(measure: StatedMeasure, height: float, ceiling: float) -> tuple[floa
 
 
 def _brought(one: Wanted, measure: StatedMeasure, library: Library) -> None:
-    """Another body, so that its top or its seat is as high as is asked."""
+    """Another body, so that its top, its seat or what is clear below it is as high as is asked."""
     for _ in range(TRIES):
-        level = used_level(one.asset.parts, one.asset.surfaces)
+        parts, size = one.asset.parts, one.asset.size
+        level = clear_below(parts, size) if measure.quantity == "knee" else used_level(parts, one.asset.surfaces)
         low, high = measure.low or 0.0, measure.high if measure.high is not None else float("inf")
         if level is None or low - CLOSE <= level <= high + CLOSE:
             return

@@ -112,6 +112,7 @@ def _rules() -> tuple[Rule, ...]:
         (rf"(?<![\w.])({_NUMBER}) or so (?={_UNIT}|[a-z])", lambda m: f"about {m[1]} "),
         (rf"(?<![\w.])(a|an|{_NUMBER})\s?({_LONG}) or so\b", lambda m: f"about {_of(m[1]):g} {m[2]}"),
         (r"\b(?:(?:a|one) )?dozen or so ", lambda m: "about 12 "),
+        (r"\ba (clear|good|full|free) (metre|meter|yard)\b", lambda m: f"1 {m[2]}{' clear' if m[1] in ('clear', 'free') else ''}"),
         (rf"\b(?:an? )(yard|metre|meter)(?= (?:off|from|away|apart|between|clear|free|wide|of|behind|in front|to)\b)",
          lambda m: f"1 {m[1]}"),
         (r"(?<![\w.])(\d{1,4})(?:\+| plus)(?= ?[a-z])(?! ?(?:years?|yrs?)\b)", lambda m: f"at least {m[1]}"),

@@ -63,7 +63,9 @@ _LONG_WIDE = re.compile(
 )
 _CEILING = re.compile(
     rf"(?:{_NUMBER}{_GAP}-?{_GAP}{_LENGTH}{_GAP}-?{_GAP}(?:high|tall)?{_GAP}-?{_GAP}ceilings?"
-    rf"|ceilings?{_GAP}(?:height)?{_GAP}(?:of|is|at|:)?{_GAP}{_NUMBER}{_GAP}{_LENGTH}(?:{_GAP}high)?"
+    rf"|(?:ceilings?|headroom|head{_GAP}height){_GAP}(?:height)?{_GAP}(?:of|is|at|:|only)?{_GAP}{_NUMBER}{_GAP}{_LENGTH}"
+    rf"(?:{_GAP}high)?"
+    rf"|{_NUMBER}{_GAP}{_LENGTH}{_GAP}(?:high{_GAP})?(?:at|to){_GAP}(?:the|its){_GAP}(?:ridge|apex|peak|highest(?:{_GAP}point)?)"
     rf"|(?:room\s{{1,9}})?height{_GAP}(?:of|is|:)?{_GAP}{_NUMBER}{_GAP}{_LENGTH})(?![a-z])"
 )
 _LOW_CEILING = re.compile(

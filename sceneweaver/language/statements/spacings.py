@@ -52,14 +52,14 @@ def spacings(source: Source, parsed: Parsed) -> None:
     Clear gaps go into the arrangement as well; where things have none they are floor to keep free between them.
     """
     edits = Edits(source)
-    for pattern in _CLEAR:
-        for m in pattern.finditer(source.text):
-            if edits.free(m.start(), m.end()):
-                _read_clear(m, edits, parsed)
     for pattern in _PATTERNS:
         for m in pattern.finditer(source.text):
             if edits.free(m.start(), m.end()):
                 _read(m, edits, parsed)
+    for pattern in _CLEAR:
+        for m in pattern.finditer(source.text):
+            if edits.free(m.start(), m.end()):
+                _read_clear(m, edits, parsed)
 
 
 def _read_clear(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
