@@ -15,7 +15,7 @@ from .model import SceneGraph, Span, Unread
 from .translation import unknown_words
 from .vocabulary import vocabulary, words
 
-_WORD = re.compile(r"[^\W\d_]+(?:['’&-][^\W\d_]+)*|\d+(?:[.,]\d+)?", re.UNICODE)
+_WORD = re.compile(r"\b[^\W\d_]\d\b|[^\W\d_]+(?:['’&-][^\W\d_]+)*|\d+(?:[.,]\d+)?", re.UNICODE)
 _NUMERAL = re.compile(r"\d+(?:\.\d+)?")
 UNITS = (1.0, 0.01, 0.001, 0.3048, 0.0254, 0.092903)
 """What the units are in metres and square metres that numbers are given in."""
