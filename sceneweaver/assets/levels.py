@@ -1,4 +1,4 @@
-"""The heights at which furniture is used: where people sit on it, the top that they work and eat at, and their knees."""
+"""The heights at which furniture is used: where people sit on it, the top that they work at, and their knees."""
 
 from __future__ import annotations
 

@@ -68,7 +68,7 @@ def _bodies(survey: Survey, measure: StatedMeasure) -> list[Body]:
         kinds_ = set(measure.categories)
         carriers = survey.ids_of(measure.on) if measure.on else []
         among = [b for name in carriers for b in survey.carried.get(name, ())] if measure.on else survey.bodies
-        return [b for b in among if "object" in kinds_ or kinds.groups_of(b.item.category) & kinds_]
+        return [b for b in among if "object" in kinds_ or {b.item.category, *kinds.groups_of(b.item.category)} & kinds_]
     if measure.entity:
         return survey.standing_for(measure.entity)
     return [body for body in survey.bodies if body.item.category in worktop_categories()]
@@ -124,6 +124,7 @@ def _interval(measure: StatedMeasure) -> tuple[float, float]:
         return -math.inf, LIMITS["ceiling"]
     share = LIMITS["vague"] if measure.vague else LIMITS["share"]
     slack = max(LIMITS["least"], share * measure.wanted) if measure.low == measure.high else LIMITS["least"]
+    slack = LIMITS["kind"] if measure.categories else slack
     return (
         -math.inf if measure.low is None else measure.low - slack,
         math.inf if measure.high is None else measure.high + slack,

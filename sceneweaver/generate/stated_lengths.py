@@ -55,7 +55,7 @@ def _is_of(one: Wanted, measure: StatedMeasure) -> bool:
     """Whether a limit on all things of some kinds, or on all that stand on something, is on a thing."""
     if measure.on and (one.support is None or one.support.asked != measure.on):
         return False
-    return "object" in measure.categories or bool(groups_of(one.category) & set(measure.categories))
+    return not {"object", one.category, *groups_of(one.category)}.isdisjoint(measure.categories)
 
 
 def _limit(things: Sequence[Wanted], measure: StatedMeasure, ceiling: float, library: Library) -> None:

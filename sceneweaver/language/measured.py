@@ -14,6 +14,9 @@ from .statements.measures import WORKTOPS
 from .things import singular
 from .vocabulary import words
 
+TOP = 0.09
+"""Thickness [m] of a top with its frame, below which knees are."""
+
 _EXTENTS = {"depth": 0, "width": 1, "height": 2}
 
 
@@ -150,6 +153,9 @@ def _give(mention: Mention, said: Sequence[StatedMeasure]) -> None:
             and has_role(mention.category, "backless_seat")
         ):
             axes = (2,)
+        if measure.quantity == "knee" and mention.family == "table" and known is not None and measure.low is not None:
+            high = max(measure.low + TOP, sum(known.height) / 2)
+            mention.size[2], mention.scale = round(min(high, known.reach[2][1]), 4), 1.0
         for axis in axes:
             mention.size[axis], mention.scale = _within(measure, known.ranges[axis] if known else None), 1.0
     if any(mention.size) and not mention.generic:

@@ -354,8 +354,8 @@ class StatedMeasure(FrozenModel):
 
     ``length`` is that of the longer side in plan, ``side`` that of both; ``top``, ``seat``, ``centre``, ``bottom`` and
     ``upper`` are heights above the floor, ``placed`` is where a thing hangs or stands, ``ceiling`` what is left to it.
-    ``lowest`` is the height of the top of what stands, and of the lower edge of what hangs; ``knee`` is the clear height
-    below a top, at the side where there is most.
+    ``lowest`` is the height of the top of what stands, and of the lower edge of what hangs; ``knee`` is the clear
+    height below a top, at the side where there is most.
 
     With ``categories`` it is a limit on all things of these kinds, whether or not the request names them: none of them
     is beyond it ("no shelf above 137 cm").

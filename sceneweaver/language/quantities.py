@@ -92,8 +92,9 @@ def _rules() -> tuple[Rule, ...]:
     data = words("quantities")
     least, most = one_of(data["least_behind"]), one_of(data["most_behind"])
     counted = rf"{_NUMBER} (?:(?!(?:of|and|or|to|at|in|on|min|max|not|no)\b)[a-z]+ ?){{1,3}}?"
-    lengths = rf"(?:about |around |roughly )?{_DIGITS}\s?(?:{_UNIT})(?: (?:wide|clear|free|high|tall|long|deep|of [a-z]+))?"
-    bare = rf"(?<![\w.])\d{{2,4}}(?: (?:wide|clear|free|high|tall|long|deep))?"
+    extent = "wide|clear|free|high|tall|long|deep"
+    lengths = rf"(?:about |around |roughly )?{_DIGITS}\s?(?:{_UNIT})(?: (?:{extent}|of [a-z]+))?"
+    bare = rf"(?<![\w.])\d{{2,4}}(?: (?:{extent}))?"
     rows: tuple[tuple[str, Callable[[re.Match[str]], str | None]], ...] = (
         (r"(\d{0,3}?) ?([13])⁄([248])(?!\d)", lambda m: f"{int(m[1] or 0) + int(m[2]) / int(m[3]):g}"),
         (r"(?<=[\s(])(>=|≥|=>)\s?(?=\d)", lambda m: "at least "),
@@ -112,10 +113,12 @@ def _rules() -> tuple[Rule, ...]:
         (rf"(?<![\w.])({_NUMBER}) or so (?={_UNIT}|[a-z])", lambda m: f"about {m[1]} "),
         (rf"(?<![\w.])(a|an|{_NUMBER})\s?({_LONG}) or so\b", lambda m: f"about {_of(m[1]):g} {m[2]}"),
         (r"\b(?:(?:a|one) )?dozen or so ", lambda m: "about 12 "),
-        (r"\ba (clear|good|full|free) (metre|meter|yard)\b", lambda m: f"1 {m[2]}{' clear' if m[1] in ('clear', 'free') else ''}"),
-        (rf"\b(?:an? )(yard|metre|meter)(?= (?:off|from|away|apart|between|clear|free|wide|of|behind|in front|to)\b)",
+        (r"\ba (?:clear|free) (metre|meter|yard)\b", lambda m: f"1 {m[1]} clear"),
+        (r"\ba (?:good|full) (metre|meter|yard)\b", lambda m: f"1 {m[1]}"),
+        (r"\b(?:an? )(yard|metre|meter)(?= (?:off|from|away|apart|between|clear|free|wide|of|behind|in front|to)\b)",
          lambda m: f"1 {m[1]}"),
-        (r"(?<![\w.])(\d{1,4})(?:\+| plus)(?= ?[a-z])(?! ?(?:years?|yrs?)\b)", lambda m: f"at least {m[1]}"),
+        (r"(?<![\w.])(\d{1,4})(?:\+| plus)(?= ?[a-z]|\s?(?:[.,;)!]|$))(?! ?(?:years?|yrs?)\b)",
+         lambda m: f"at least {m[1]}"),
         (rf"\bbetween ({_NUMBER}) and ({_NUMBER})(?= [a-z])(?! ?(?:{_UNIT}|x\b|o'clock|am\b|pm\b))", _range),
         (rf"(?<![\w.])({lengths}|{bare})(?:\s?,)? (?:{least})(?!\s?\d| {_NUMBER}\b)", lambda m: f"at least {m[1]}"),
         (rf"(?<![\w.])({lengths}|{bare})(?:\s?,)? (?:{most})(?!\s?\d| {_NUMBER}\b)", lambda m: f"at most {m[1]}"),

@@ -15,8 +15,10 @@ from .spelling import mended
 from .vocabulary import LONGEST, NUMBERS, Place, Verb, vocabulary, words
 
 _FORMAT = rf"(?:{words('quantities')['formats']}|\d{{1,5}}(?:{'|'.join(words('quantities')['glued'])}))(?![a-z0-9])"
-_WORD = re.compile(rf"§|[23]d(?![a-z])|(?<![a-z0-9]){_FORMAT}|"
-                   r"\d+(?:[.,]\d+)?|[a-z][a-z'&/]*|[^\W\d_]+|[.,()&\"{}\[\]<>\\/=]")
+_WORD = re.compile(
+    rf"§|[23]d(?![a-z])|(?<![a-z0-9]){_FORMAT}|"
+    r"\d+(?:[.,]\d+)?|[a-z][a-z'&/]*|[^\W\d_]+|[.,()&\"{}\[\]<>\\/=]"
+)
 _LIST = re.compile(r"[a-z]+(?:/[a-z]+){2,}")
 _UNIT = re.compile(r"^(meters?|metres?|m|cm|centimeters?|centimetres?|ft|feet|foot|yards?|yds?|inch(?:es)?|in)$")
 _MEASURES = re.compile(
@@ -28,8 +30,13 @@ _MEASURES = re.compile(
 _ADJECTIVE = re.compile(
     r".{3,}(?:ed|ish|ful|less|ous|ive|able|ible|ic|ical|ent|ant|ary|style|shaped|inspired|themed|like|colored|coloured|sized)$"
 )
-_NAME_ENDS = frozenset(("preposition", "and", "with", "while", "neg", "det", "pron", "modal", "place_adverb", "stop", "verb"))
+_NAME_ENDS = frozenset(
+    ("preposition", "and", "with", "while", "neg", "det", "pron", "modal", "place_adverb", "stop", "verb")
+)
 """Kinds of words that end the name of a thing."""
+
+_ONE = ("a", "an", "another", "the", "one")
+"""Words before a number that counts the parts of one thing: "a four drawer cabinet"."""
 
 _SINGULAR = ("a", "an", "one", "single", "this", "each", "every", "another", "1")
 
@@ -203,13 +210,15 @@ def _spec_end(raw: list[_Raw], at: int) -> int | None:
         return None
     if _joined(raw, at, at + 2) in vocabulary():
         return None
-    return at + 2 if _is_part_of_one(raw, at + 1) else None
+    sure = after.text in data["always_parts"] or (at > 0 and raw[at - 1].text in _ONE)
+    return at + 2 if _is_part_of_one(raw, at + 1, sure) else None
 
 
-def _is_part_of_one(raw: list[_Raw], at: int) -> bool:
-    """Whether the name of one thing follows a word, which is no part of that name itself: no "bar stools"."""
+def _is_part_of_one(raw: list[_Raw], at: int, sure: bool) -> bool:
+    """Whether the name of one thing follows a word, which, unless it is ``sure`` to be a part, is no part of that name
+    itself: no "plate rack"."""
     table = vocabulary()
-    for end in (at + 2, at + 3):
+    for end in () if sure else (at + 2, at + 3):
         if table.get(_joined(raw, at, end), {}).keys() & {"noun", "place", "group"}:
             return False
     ahead: list[str] = []

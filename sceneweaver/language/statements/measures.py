@@ -156,7 +156,10 @@ def _length(found: re.Match[str]) -> dict[str, Any]:
     if level is not None:
         low, high = words("measures")["levels"][level]
         never = found.groupdict().get("never")
-        return {"low": None if never in ("higher", "more") else low, "high": None if never in ("lower", "less") else high}
+        return {
+            "low": None if never in ("higher", "more") else low,
+            "high": None if never in ("lower", "less") else high,
+        }
     low, high, vague = bounded_length(found)
     return {"low": low, "high": high, "vague": vague}
 
@@ -176,7 +179,9 @@ def _name(found: re.Match[str], text: str) -> dict[str, Any]:
 def _compared(found: re.Match[str], text: str) -> dict[str, Any]:
     """What is, or is not, more or less than a length."""
     rows = words("measures")["compared"]
-    quantity, ends = next((name, ends) for name, ends in rows.items() if any(found["compared"] in e for e in ends.values()))
+    quantity, ends = next(
+        (name, ends) for name, ends in rows.items() if any(found["compared"] in e for e in ends.values())
+    )
     said = _length(found)
     ends_at = [length for length in (said["low"], said["high"]) if length is not None]
     at_most = (found["compared"] in ends["more"]) == bool(found["negated"])
