@@ -38,6 +38,12 @@ _LONG = (
 )
 _SQUARE = r"(?:sq(?:uare|\.)?[\s-]?(?:m|met(?:er|re)s?|f(?:ee|oo)?t)|sqm|m2)\b"
 _UNIT = rf"(?:{_SQUARE}|{_LONG})"
+_BEHIND = (
+    r"\s{0,3}(?:[.,;:)!?]|$|"
+    r"(?:tall|high|long|wide|deep|so|and|or|in|person|man|woman|x|by|off|from|at|with|on|clear|apart|to|between)\b)"
+)
+"""What follows a length that ends in a bare number."""
+
 _ENDS = r"(?=\s{0,3}(?:[.,;:)!?]|$))"
 
 Rule = tuple[re.Pattern[str], Callable[[re.Match[str]], str | None]]
@@ -100,6 +106,8 @@ def _rules() -> tuple[Rule, ...]:
         (r"(?<=[\s(])(>=|≥|=>)\s?(?=\d)", lambda m: "at least "),
         (r"(?<=[\s(])(<=|≤|=<)\s?(?=\d)", lambda m: "at most "),
         (r"(?<![\w.])(\d{1,2})m(\d\d)(?!\w|\.\d|\s?(?:cm|mm|m|inch)\b)", lambda m: f"{m[1]}.{m[2]} m"),
+        (rf"\b(a|{_SPELT}|\d{{1,2}}) (?:metre|meter)s? ({one_of(_TENS)}(?:[ -]{one_of(_UNITS)})?)"
+         rf"(?={_BEHIND})", lambda m: f"{_of(m[1]) + spelt(m[2]) / 100:.2f} m"),
         (rf"\b(a|an|{_NUMBER}) and a half[ -](?={_UNIT})", lambda m: f"{_of(m[1]) + 0.5:g} "),
         (rf"\b(a|an|{_NUMBER})[ -]({_LONG}) and a half\b", lambda m: f"{_of(m[1]) + 0.5:g} {m[2]}"),
         (rf"\bthree[ -]quarters of an? (?={_LONG})", lambda m: "0.75 "),
@@ -178,8 +186,7 @@ def _unit(number: str, of_room: bool, imperial: bool) -> str | None:
 _REST = rf"\d{{1,2}}|{one_of([*_UNITS, 'ten', 'eleven'])}"
 _FEET = (
     rf"(?<![\w.])(?P<feet>\d{{1,2}}|{one_of(_SMALL)})(?:[\s-]?(?:foot|feet|ft\.?)[\s-]|'(?=\d))(?P<rest>{_REST})"
-    r"(?:(?P<mark>\"|[\s-]?(?:in|inch|inches)\b)|(?=\s{0,3}(?:[.,;:)!?]|$|"
-    r"(?:tall|high|long|wide|deep|so|and|or|in|person|man|woman|x|by|off|from|at|with|on|clear|apart)\b)))"
+    rf"(?:(?P<mark>\"|[\s-]?(?:in|inch|inches)\b)|(?={_BEHIND}))"
 )
 
 

@@ -42,7 +42,7 @@ _NUMBER = r"\d{1,4}(?:[.,]\d{1,3})?"
 _PAIR = re.compile(
     rf"§|(?<![\w.,])(?<!grid of )(?<!array of )(?P<a>{_NUMBER})\s?(?:x|×|by|\*)\s?(?P<b>{_NUMBER})"
     rf"(?:\s?(?:x|×|by|\*)\s?(?P<c>{_NUMBER}))?"
-    r"(?![\w.]\w|\w|\s?(?:mm|in|grid|array|matrix|pattern|formation|raster|rows?|block|layout)\b)"
+    r"(?![\w.]\w|\w|\s?(?:mm|in(?!\s(?:front|the|a|each|every|between|all|my|our)\b)|grid|array|matrix|pattern|formation|raster|rows?|block|layout)\b)"
 )
 _WORD = re.compile(r"[a-z][a-z'/-]*")
 _NEXT = re.compile(r"[ -]{1,40}([a-z][a-z'-]*)")

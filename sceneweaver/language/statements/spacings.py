@@ -39,6 +39,7 @@ _CLEAR = tuple(
         rf"{_GAPS} of {LENGTH}(?: (?:in )?between {_EACH}\b)?",
         rf"\bspaced (?:out )?(?:at |by |every )?{LENGTH}(?: apart)?",
         rf"{LENGTH} {_GAPS}(?: (?:in )?between {_EACH})?\b(?! between| for| to| in| of)",
+        rf"\bno (?:closer|nearer)(?: together| to {_EACH})? than {LENGTH}",
         rf"{LENGTH} apart\b(?: from {_EACH})?",
         rf"{LENGTH} (?:of (?:space|room|floor) )?between {_EACH}\b(?! and)",
     )
