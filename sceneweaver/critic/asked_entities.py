@@ -26,7 +26,7 @@ from .verdict import Asked, counted, met, not_understood, partly, substituted, u
 
 MANY = 10**6
 
-EXTENTS = {"depth": 1, "width": 1, "height": 1, "length": 1, "top": 1, "seat": 1, "diameter": 2, "side": 2}
+EXTENTS = {"depth": 1, "width": 1, "height": 1, "length": 1, "top": 1, "seat": 1, "knee": 1, "diameter": 2, "side": 2}
 """How many of its three extents a length that is stated of a thing gives, at most."""
 
 

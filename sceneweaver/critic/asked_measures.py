@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from sceneweaver.assets.levels import used_level
+from sceneweaver.assets.levels import clear_below, used_level
 from sceneweaver.language import StatedMeasure
 from sceneweaver.language.measured import worktop_categories
 from sceneweaver.rules.faults import fault_kind
@@ -27,6 +27,8 @@ _NAMES = {
     "upper": "height of the upper edge",
     "placed": "height above the floor",
     "ceiling": "gap to the ceiling",
+    "lowest": "height",
+    "knee": "clear height below the top",
 }
 
 
@@ -35,6 +37,9 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
     brief = survey.brief
     for measure in brief.measures:
         bodies = _bodies(survey, measure)
+        if not bodies and measure.categories:
+            yield met("attribute", measure.id, (), f"'{measure.words}': there is none, so none is beyond it")
+            continue
         if not bodies:
             yield unmet(
                 "attribute",
@@ -49,12 +54,21 @@ def outcomes(survey: Survey) -> Iterator[Asked]:
             ids = [body.id for body in bodies]
             yield not_understood("attribute", measure.id, ids, f"'{measure.words}' cannot be measured here")
             continue
-        several = [m for m in brief.measures if (m.entity, m.quantity) == (measure.entity, measure.quantity)]
+        several = [m for m in brief.measures if _of_same(m, measure) and not measure.categories]
         good = [body for body, m in found if m.ok()]
         yield _outcome(measure, found, good, any_=len(several) > 1)
 
 
+def _of_same(one: StatedMeasure, other: StatedMeasure) -> bool:
+    return (one.entity, one.quantity, one.categories) == (other.entity, other.quantity, other.categories)
+
+
 def _bodies(survey: Survey, measure: StatedMeasure) -> list[Body]:
+    if measure.categories:
+        kinds_ = set(measure.categories)
+        carriers = survey.ids_of(measure.on) if measure.on else []
+        among = [b for name in carriers for b in survey.carried.get(name, ())] if measure.on else survey.bodies
+        return [b for b in among if "object" in kinds_ or {b.item.category, *kinds.groups_of(b.item.category)} & kinds_]
     if measure.entity:
         return survey.standing_for(measure.entity)
     return [body for body in survey.bodies if body.item.category in worktop_categories()]
@@ -110,6 +124,7 @@ def _interval(measure: StatedMeasure) -> tuple[float, float]:
         return -math.inf, LIMITS["ceiling"]
     share = LIMITS["vague"] if measure.vague else LIMITS["share"]
     slack = max(LIMITS["least"], share * measure.wanted) if measure.low == measure.high else LIMITS["least"]
+    slack = LIMITS["kind"] if measure.categories else slack
     return (
         -math.inf if measure.low is None else measure.low - slack,
         math.inf if measure.high is None else measure.high + slack,
@@ -141,6 +156,13 @@ def _value(survey: Survey, measure: StatedMeasure, body: Body) -> float | None:
             return low
         case "upper":
             return high
+        case "lowest" if body.item.mount in ("wall", "ceiling"):
+            return low
+        case "lowest":
+            level = used_level(body.item.solids, body.item.surfaces)
+            return low + (level if level is not None else height)
+        case "knee":
+            return clear_below(body.item.solids, body.size)
         case "ceiling":
             return survey.scene.room.height - high
         case "placed":

@@ -9,7 +9,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from sceneweaver.assets import Asset, Library
-from sceneweaver.assets.levels import used_level
+from sceneweaver.assets.levels import clear_below, used_level
+from sceneweaver.assets.roles import groups_above as groups_of
 from sceneweaver.language import SceneGraph, StatedMeasure
 from sceneweaver.language.measured import worktop_categories
 
@@ -38,6 +39,9 @@ def with_stated_lengths(wanted: Sequence[Wanted], brief: SceneGraph, ceiling: fl
         library: where bodies are from.
     """
     for measure in brief.measures:
+        if measure.categories:
+            _limit([one for one in wanted if _is_of(one, measure)], measure, ceiling, library)
+            continue
         if measure.entity:
             things = [one for one in wanted if one.asked == measure.entity]
         else:
@@ -47,11 +51,30 @@ def with_stated_lengths(wanted: Sequence[Wanted], brief: SceneGraph, ceiling: fl
             _apply(one, levels[k % len(levels)], ceiling, library)
 
 
+def _is_of(one: Wanted, measure: StatedMeasure) -> bool:
+    """Whether a limit on all things of some kinds, or on all that stand on something, is on a thing."""
+    if measure.on and (one.support is None or one.support.asked != measure.on):
+        return False
+    return not {"object", one.category, *groups_of(one.category)}.isdisjoint(measure.categories)
+
+
+def _limit(things: Sequence[Wanted], measure: StatedMeasure, ceiling: float, library: Library) -> None:
+    """Lower bodies for what stands higher than a limit, or higher ones, and lower places on the wall."""
+    for one in things:
+        height = one.asset.size[2]
+        if measure.quantity == "upper" and one.mount == "wall" and measure.high is not None and height < measure.high:
+            one.hung = hung_as(measure, height, ceiling)
+        elif measure.quantity in ("upper", "height") and measure.high is not None and height > measure.high:
+            _as_high(one, measure.high, library)
+        elif measure.quantity == "lowest" and one.mount == "floor":
+            _brought(one, measure, library)
+
+
 def _apply(one: Wanted, measure: StatedMeasure, ceiling: float, library: Library) -> None:
     match measure.quantity:
         case "ceiling":
             _as_high(one, ceiling - UNDER_CEILING, library)
-        case "top" | "seat":
+        case "top" | "seat" | "knee":
             _brought(one, measure, library)
         case "centre" | "bottom" | "upper" | "placed" if one.mount == "wall":
             one.hung = hung_as(measure, one.asset.size[2], ceiling)
@@ -68,9 +91,10 @@ def hung_as(measure: StatedMeasure, height: float, ceiling: float) -> tuple[floa
 
 
 def _brought(one: Wanted, measure: StatedMeasure, library: Library) -> None:
-    """Another body, so that its top or its seat is as high as is asked."""
+    """Another body, so that its top, its seat or what is clear below it is as high as is asked."""
     for _ in range(TRIES):
-        level = used_level(one.asset.parts, one.asset.surfaces)
+        parts, size = one.asset.parts, one.asset.size
+        level = clear_below(parts, size) if measure.quantity == "knee" else used_level(parts, one.asset.surfaces)
         low, high = measure.low or 0.0, measure.high if measure.high is not None else float("inf")
         if level is None or low - CLOSE <= level <= high + CLOSE:
             return

@@ -63,7 +63,7 @@ def _with(scan: Scan, token: Token, after: Token | None) -> bool:
 def _place(scan: Scan, token: Token, after: Token | None) -> bool:
     if not token.has("preposition", "place_adverb") or not _is_place(scan, token, after):
         return False
-    if token.get("bound") == "about" and after is not None and after.has("number", "amount"):
+    if token.get("bound") == "about" and after is not None and after.has("number", "amount", "length"):
         return False
     takes_target = token.has("preposition")
     place, alone = token.get("preposition"), token.get("place_adverb")

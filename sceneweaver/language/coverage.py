@@ -13,9 +13,9 @@ from functools import cache
 
 from .model import SceneGraph, Span, Unread
 from .translation import unknown_words
-from .vocabulary import vocabulary, words
+from .vocabulary import NUMBERS, vocabulary, words
 
-_WORD = re.compile(r"[^\W\d_]+(?:['’&-][^\W\d_]+)*|\d+(?:[.,]\d+)?", re.UNICODE)
+_WORD = re.compile(r"\b[^\W\d_]\d\b|[^\W\d_]+(?:['’&-][^\W\d_]+)*|\d+(?:[.,]\d+)?", re.UNICODE)
 _NUMERAL = re.compile(r"\d+(?:\.\d+)?")
 UNITS = (1.0, 0.01, 0.001, 0.3048, 0.0254, 0.092903)
 """What the units are in metres and square metres that numbers are given in."""
@@ -57,7 +57,7 @@ def silent_words(
             continue
         if any(named[match.start() : match.end()]) and (word[0].isdecimal() or _counts(word)):
             continue
-        if word[0].isdecimal() and _is_measure(graph, match):
+        if (word[0].isdecimal() or word in NUMBERS) and _is_measure(graph, word):
             continue
         if meant in postures() and _says_where(graph.text, covered, match.end()):
             continue
@@ -100,8 +100,9 @@ def _said_of(graph: SceneGraph, word: str) -> bool:
 
 
 def _counts(word: str) -> bool:
-    """Whether a word before a noun says how many there are, which the number of the things tells."""
-    return not vocabulary().get(word, {}).keys().isdisjoint(("number", "amount", "collective"))
+    """Whether a word before a noun says how many there are, or bounds it, which the number of the things tells."""
+    kinds = vocabulary().get(word, {}).keys()
+    return word in words("quantities")["counting"] or not kinds.isdisjoint(("number", "amount", "collective", "bound"))
 
 
 @cache
@@ -172,17 +173,26 @@ def _known_elsewhere(graph: SceneGraph) -> frozenset[str]:
     return spoken
 
 
-def _is_measure(graph: SceneGraph, match: re.Match[str]) -> bool:
-    """Whether a number is one of the room's sides, its area, its height or a measure that was read."""
-    value = float(match[0].replace(",", "."))
+def _is_measure(graph: SceneGraph, word: str) -> bool:
+    """Whether a number is one of the room's sides, its area, its height or a measure that was read; one in words only
+    where it is the room's, as small numbers are many things."""
+    value = float(NUMBERS[word] if word in NUMBERS else word.replace(",", "."))
     have = [*(graph.size or ()), graph.area or 0.0, graph.height or 0.0, float(graph.people or 0)]
     have += [*(graph.wing or ())]
+    if word in NUMBERS:
+        return _is_one_of(value, have)
     have += [side for area in graph.free_areas for side in area.size]
     have += [float(number) for left in graph.unread for number in _NUMERAL.findall(left.words)]
+    have += [float(graph.doors or 0), float(graph.windows or 0)]
     have += [float(n) for entity in graph.entities for n in entity.count or ()]
     have += [float(s) for entity in graph.entities for s in entity.size if s is not None]
     have += [float(value) for relation in graph.relations for value in relation.params.values() if value is not None]
     have += [value for one in graph.arrangements for value in (one.spacing, one.pitch, one.height, one.aisle) if value]
+    return _is_one_of(value, have)
+
+
+def _is_one_of(value: float, have: Sequence[float]) -> bool:
+    """Whether a number is one of some, in any of the units."""
     return any(abs(value * unit - other) <= 0.006 * max(1.0, other) for unit in UNITS for other in have if other)
 
 

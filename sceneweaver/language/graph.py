@@ -16,13 +16,13 @@ from .distribution import tell_each
 from .in_room import mean_in_room
 from .meaning import unsaid
 from .measured import give_states, measured
-from .model import Amount, Attribute, Entity, Exclusion, RelationType, SceneGraph, StatedRelation, Unread
+from .model import Amount, Attribute, Entity, Exclusion, RelationType, SceneGraph, StatedMeasure, StatedRelation, Unread
 from .mutual import split_mutual
 from .parsed import Barred, Left, Mention, Parsed, Said
 from .source import Source
 from .statements.audiences import audiences
 from .statements.counts import bounded_counts, peopled, shared_counts, told_apart
-from .statements.resolve import resolved
+from .statements.resolve import entity_named, resolved
 from .stations import settle_stations
 from .vocabulary import words
 
@@ -58,8 +58,9 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     relations = _once([r for said in parsed.said for r in _relations(said, mentions, notes)])
     exclusions = {(words, names): span for words, names, span in reversed(parsed.without)}
     barred = [found for said in parsed.barred if (found := _barred(said, mentions)) is not None]
-    unread = {left.words: left for left in reversed(parsed.unread) if left.words.strip()}
     entities = tuple(_entity(m, notes) for m in mentions)
+    measures = _measures(lengths, parsed, mentions, entities)
+    unread = {left.words: left for left in reversed(parsed.unread) if left.words.strip()}
     named = {entity.id for entity in entities}
     amounts = tuple(a for a in resolved(parsed.amounts, entities, "amount") if a.entity in named)
     entities = tuple(_many(entity, amounts) for entity in entities)
@@ -98,11 +99,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         arrangements=arrangements,
         views=resolved(parsed.views, entities, "view"),
         amounts=amounts,
-        measures=tuple(
-            measure.model_copy(update={"id": f"measure-{k}", "entity": mention.id if mention is not None else ""})
-            for k, (measure, mention) in enumerate(lengths)
-            if mention is None or mention in mentions
-        ),
+        measures=measures,
         relations=tuple(r.model_copy(update={"id": f"relation-{k}"}) for k, r in enumerate(said)),
         exclusions=_numbered(
             [Exclusion(words=w, categories=c, span=span) for (w, c), span in reversed(exclusions.items())]
@@ -122,6 +119,28 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         key=lambda one: one.span.start if one.span else len(text),
     )
     return graph.model_copy(update={"notes": tuple(dict.fromkeys(notes)), "unread": tuple(left)})
+
+
+def _measures(
+    lengths: Sequence[tuple[StatedMeasure, Mention | None]],
+    parsed: Parsed,
+    mentions: Sequence[Mention],
+    entities: Sequence[Entity],
+) -> tuple[StatedMeasure, ...]:
+    """The lengths of things, then the limits on all things of a kind; a limit on what stands on nothing that is named
+    is not understood."""
+    found = [
+        measure.model_copy(update={"entity": mention.id if mention is not None else ""})
+        for measure, mention in lengths
+        if mention is None or mention in mentions
+    ]
+    for limit in parsed.limits:
+        on = entity_named(limit.on, entities, limit.span) if limit.on else ""
+        if on is None:
+            parsed.unread.append(Left(limit.words, span=limit.span))
+        else:
+            found.append(limit.model_copy(update={"on": on}))
+    return tuple(measure.model_copy(update={"id": f"measure-{k}"}) for k, measure in enumerate(found))
 
 
 def _but_for(excluded: Exclusion, entities: Sequence[Entity]) -> Exclusion:

@@ -14,6 +14,9 @@ from .statements.measures import WORKTOPS
 from .things import singular
 from .vocabulary import words
 
+TOP = 0.09
+"""Thickness [m] of a top with its frame, below which knees are."""
+
 _EXTENTS = {"depth": 0, "width": 1, "height": 2}
 
 
@@ -26,6 +29,10 @@ def measured(parsed: Parsed, mentions: Sequence[Mention], text: str) -> list[tup
     for told in parsed.measures:
         assert isinstance(told.what, StatedMeasure)
         mention = None if told.noun == WORKTOPS else named_by(told, mentions, text)
+        if told.what.quantity == "knee":
+            mention = _sat_at(told.what, mentions) or mention
+        elif mention is not None and told.what.low is None:
+            mention = _bearer(told.what, mention, mentions, text)
         if mention is None and told.noun != WORKTOPS:
             parsed.unread.append(Left(told.what.words, span=told.what.span))
             continue
@@ -34,6 +41,34 @@ def measured(parsed: Parsed, mentions: Sequence[Mention], text: str) -> list[tup
         said = [measure for measure, m in found if m is mention]
         _give(mention, said)
     return found
+
+
+def _sat_at(measure: StatedMeasure, mentions: Sequence[Mention]) -> Mention | None:
+    """The table or basin named last before what is said of the room for knees below it."""
+    start = measure.span.start if measure.span is not None else 0
+    before = [m for m in mentions if m.span is not None and m.span.start < start]
+    tops = [m for m in before if m.family == "table" or "basin" in m.category or has_role(m.category, "seated_at")]
+    return max(tops, key=lambda m: m.span or (0, 0), default=None)
+
+
+_BEARING = ("with", "for", "of", "full of")
+"""Words between what bears things and them."""
+
+
+def _bearer(measure: StatedMeasure, mention: Mention, mentions: Sequence[Mention], text: str) -> Mention:
+    """What a small thing stands on or in, where a limit of height is beyond any such thing: of "shelves with bins no
+    higher than 90 cm" the shelves are no higher."""
+    known = category_named(mention.category).size
+    if measure.quantity not in ("height", "placed") or not mention.is_small or known is None or measure.high is None:
+        return mention
+    if measure.high <= known.reach[2][1] or mention.span is None:
+        return mention
+    start = mention.span.start
+    before = [m for m in mentions if m.span is not None and m.span.end <= start]
+    bearer = max(before, key=lambda m: m.span or (0, 0), default=None)
+    if bearer is None or bearer.span is None or text[bearer.span.end : start].strip().lower() not in _BEARING:
+        return mention
+    return bearer
 
 
 def give_states(parsed: Parsed, mentions: Sequence[Mention], text: str) -> None:
@@ -86,6 +121,8 @@ def _meant(measure: StatedMeasure, mention: Mention) -> StatedMeasure:
         kind = "side"
     elif kind == "placed" and mention.mount == "floor":
         kind = "seat" if mention.family == "seat" else "top"
+    elif kind == "placed" and mention.mount == "wall" and measure.low is None:
+        kind = "upper"
     elif kind == "placed" and mention.mount == "wall" and category_named(mention.category).parent == "decor":
         kind = "centre"
     elif kind == "height" and mention.mount == "ceiling":
@@ -116,6 +153,9 @@ def _give(mention: Mention, said: Sequence[StatedMeasure]) -> None:
             and has_role(mention.category, "backless_seat")
         ):
             axes = (2,)
+        if measure.quantity == "knee" and mention.family == "table" and known is not None and measure.low is not None:
+            high = max(measure.low + TOP, sum(known.height) / 2)
+            mention.size[2], mention.scale = round(min(high, known.reach[2][1]), 4), 1.0
         for axis in axes:
             mention.size[axis], mention.scale = _within(measure, known.ranges[axis] if known else None), 1.0
     if any(mention.size) and not mention.generic:

@@ -354,10 +354,19 @@ class StatedMeasure(FrozenModel):
 
     ``length`` is that of the longer side in plan, ``side`` that of both; ``top``, ``seat``, ``centre``, ``bottom`` and
     ``upper`` are heights above the floor, ``placed`` is where a thing hangs or stands, ``ceiling`` what is left to it.
+    ``lowest`` is the height of the top of what stands, and of the lower edge of what hangs; ``knee`` is the clear
+    height below a top, at the side where there is most.
+
+    With ``categories`` it is a limit on all things of these kinds, whether or not the request names them: none of them
+    is beyond it ("no shelf above 137 cm").
     """
 
     id: str = ""
     entity: str = Field(default="", description="The entity, by id; empty: all worktops of the room")
+    categories: tuple[str, ...] = Field(
+        default=(), description="Categories, or groups, of all of which it is a limit; 'object': of all things"
+    )
+    on: str = Field(default="", description="What the things of a limit stand on, by id; empty: wherever they are")
     quantity: Literal[
         "depth",
         "width",
@@ -372,6 +381,8 @@ class StatedMeasure(FrozenModel):
         "upper",
         "placed",
         "ceiling",
+        "lowest",
+        "knee",
     ]
     low: float | None = Field(default=None, description="Least [m]; the same as the largest where one was given")
     high: float | None = Field(default=None, description="Largest [m]")

@@ -185,6 +185,7 @@ class Parsed:
     appearances: list[Told] = field(default_factory=list)
     states: list[Told] = field(default_factory=list)
     measures: list[Told] = field(default_factory=list)
+    limits: list[StatedMeasure] = field(default_factory=list[StatedMeasure])
     roles: list[Role] = field(default_factory=list[Role])
     bounds: list[tuple[tuple[str, ...], int, int]] = field(default_factory=list)
     shared: list[tuple[str, int]] = field(default_factory=list[tuple[str, int]])

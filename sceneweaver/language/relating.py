@@ -47,7 +47,7 @@ def relate(
     subjects = without(subjects, targets)
     if not subjects or not targets or any(t is None for t in targets):
         return
-    said = Said(place.type, subjects, targets, place.words, count, span=span)
+    said = Said(place.type, subjects, targets, place.words, count, span=span, params=place.params)
     target, one = targets[0], subjects[0]
     if target in state.party and one in state.party and span is not None and place.type in ("on", "inside"):
         return  # "office supplies in the drawer": in none of themselves

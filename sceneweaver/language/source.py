@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from sceneweaver.scene import InputError
 
 from .model import Span
+from .quantities import plain_quantities
 from .translation import NAMES, language_of, translated
 from .vocabulary import vocabulary
 
@@ -62,7 +63,9 @@ _LONG_WIDE = re.compile(
 )
 _CEILING = re.compile(
     rf"(?:{_NUMBER}{_GAP}-?{_GAP}{_LENGTH}{_GAP}-?{_GAP}(?:high|tall)?{_GAP}-?{_GAP}ceilings?"
-    rf"|ceilings?{_GAP}(?:height)?{_GAP}(?:of|is|at|:)?{_GAP}{_NUMBER}{_GAP}{_LENGTH}(?:{_GAP}high)?"
+    rf"|(?:ceilings?|headroom|head{_GAP}height){_GAP}(?:height)?{_GAP}(?:of|is|at|:|only)?{_GAP}{_NUMBER}{_GAP}{_LENGTH}"
+    rf"(?:{_GAP}high)?"
+    rf"|{_NUMBER}{_GAP}{_LENGTH}{_GAP}(?:high{_GAP})?(?:at|to){_GAP}(?:the|its){_GAP}(?:ridge|apex|peak|highest(?:{_GAP}point)?)"
     rf"|(?:room\s{{1,9}})?height{_GAP}(?:of|is|:)?{_GAP}{_NUMBER}{_GAP}{_LENGTH})(?![a-z])"
 )
 _LOW_CEILING = re.compile(
@@ -202,6 +205,7 @@ def read_source(text: str) -> Source:
     if language != "en":
         spoken, origin = translated(spoken, origin, language, text)
         notes.append(f"read as {NAMES[language]}, word by word")
+    spoken, origin = plain_quantities(spoken, origin)
     found = Source(spoken, origin, notes=notes, language=language)
     found.blank(_TAG, lambda m: " ")
     found.blank(_ENDLESS, lambda m: _endless(m, found))

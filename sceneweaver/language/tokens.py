@@ -4,18 +4,23 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from functools import cache
 from typing import Any
 
 from sceneweaver.knowledge.learned import learned_words
 
 from .source import Source, metres
 from .spelling import mended
-from .vocabulary import LONGEST, NUMBERS, Verb, vocabulary, words
+from .vocabulary import LONGEST, NUMBERS, Place, Verb, vocabulary, words
 
-_WORD = re.compile(r"§|[23]d(?![a-z])|\d+(?:[.,]\d+)?|[a-z][a-z'&/]*|[^\W\d_]+|[.,()&\"{}\[\]<>\\/=]")
+_FORMAT = rf"(?:{words('quantities')['formats']}|\d{{1,5}}(?:{'|'.join(words('quantities')['glued'])}))(?![a-z0-9])"
+_WORD = re.compile(
+    rf"§|[23]d(?![a-z])|(?<![a-z0-9]){_FORMAT}|"
+    r"\d+(?:[.,]\d+)?|[a-z][a-z'&/]*|[^\W\d_]+|[.,()&\"{}\[\]<>\\/=]"
+)
 _LIST = re.compile(r"[a-z]+(?:/[a-z]+){2,}")
-_UNIT = re.compile(r"^(meters?|metres?|m|cm|centimeters?|centimetres?|ft|feet|foot|inch(?:es)?|in)$")
+_UNIT = re.compile(r"^(meters?|metres?|m|cm|centimeters?|centimetres?|ft|feet|foot|yards?|yds?|inch(?:es)?|in)$")
 _MEASURES = re.compile(
     r"^(mm|milli(?:meter|metre)s?|lit(?:er|re)s?|l|ml|kg|(?:kilo)?grams?|lbs?|pounds?|oz|ounces?|gallons?|watts?|kw|"
     r"volts?|megapixels?|gb|tb|k?hz|quarts?|piece)$"
@@ -25,6 +30,14 @@ _MEASURES = re.compile(
 _ADJECTIVE = re.compile(
     r".{3,}(?:ed|ish|ful|less|ous|ive|able|ible|ic|ical|ent|ant|ary|style|shaped|inspired|themed|like|colored|coloured|sized)$"
 )
+_NAME_ENDS = frozenset(
+    ("preposition", "and", "with", "while", "neg", "det", "pron", "modal", "place_adverb", "stop", "verb")
+)
+"""Kinds of words that end the name of a thing."""
+
+_ONE = ("a", "an", "another", "the", "one")
+"""Words before a number that counts the parts of one thing: "a four drawer cabinet"."""
+
 _SINGULAR = ("a", "an", "one", "single", "this", "each", "every", "another", "1")
 
 
@@ -70,10 +83,14 @@ def tokens(source: Source, notes: list[str]) -> list[Token]:
             at += 1
         elif not word.text[0].isalnum() and word.text != "&":
             at += 1
+        elif (end := _spec_end(raw, at)) is not None:
+            text = _joined(raw, at, end)
+            found.append(Token(text, word.start, raw[end - 1].end, {"adjective": text}))
+            at = end
         else:
             token, at = _number(raw, at) if _is_figure(word.text) else _phrase(raw, at, notes, learned)
             found.append(token)
-    return list(_either(list(_tens(_cut(found)))))
+    return list(_measured_places(list(_either(list(_tens(_cut(found)))))))
 
 
 def _raw(text: str) -> list[_Raw]:
@@ -170,6 +187,49 @@ def _phrase(raw: list[_Raw], at: int, notes: list[str], learned: Mapping[str, st
     return Token(raw[at].text, raw[at].start, raw[at].end, kinds), at + 1
 
 
+@cache
+def _format() -> re.Pattern[str]:
+    return re.compile(_FORMAT)
+
+
+def _spec_end(raw: list[_Raw], at: int) -> int | None:
+    """Where words end that say by a number what a thing is like, and not how many there are; None where they do not.
+
+    A format or a number with its unit ("an A0 plan", "a 12v fridge"), a number by name ("size 12"), and how many parts
+    the one thing behind has ("a 2 burner hob"): a part in the singular, behind a number of more than one.
+    """
+    data, word = words("quantities"), raw[at]
+    after = raw[at + 1] if at + 1 < len(raw) else None
+    if _format().fullmatch(word.text):
+        return at + 1
+    if after is None:
+        return None
+    if word.text in data["named"]:
+        return at + 2 if after.text.isdigit() or (after.text in NUMBERS and not _tens_follow(raw, at + 2)) else None
+    if word.glued or not _is_number(word.text) or word.text in ("1", "one") or after.text not in data["parts_of"]:
+        return None
+    if _joined(raw, at, at + 2) in vocabulary():
+        return None
+    sure = after.text in data["always_parts"] or (at > 0 and raw[at - 1].text in _ONE)
+    return at + 2 if _is_part_of_one(raw, at + 1, sure) else None
+
+
+def _is_part_of_one(raw: list[_Raw], at: int, sure: bool) -> bool:
+    """Whether the name of one thing follows a word, which, unless it is ``sure`` to be a part, is no part of that name
+    itself: no "plate rack"."""
+    table = vocabulary()
+    for end in () if sure else (at + 2, at + 3):
+        if table.get(_joined(raw, at, end), {}).keys() & {"noun", "place", "group"}:
+            return False
+    ahead: list[str] = []
+    for word in raw[at + 1 : at + 4]:
+        kinds = table.get(word.text, {})
+        if not word.text.isalpha() or kinds.keys() & _NAME_ENDS and "noun" not in kinds:
+            break
+        ahead.append(word.text)
+    return bool(ahead) and "plural" not in table.get(ahead[-1], {}) and any("noun" in table.get(w, {}) for w in ahead)
+
+
 def _is_figure(word: str) -> bool:
     """Whether a word is written in digits; "3d" is none: what it begins is a name."""
     return word[0].isdigit() and not word[-1].isalpha()
@@ -261,6 +321,45 @@ def _either(found: list[Token]) -> Iterator[Token]:
                 continue
         yield token
         at += 1
+
+
+def _measured_places(found: list[Token]) -> Iterator[Token]:
+    """ "At least 2 m from the door", "within a metre of it": a word of place with its distance."""
+    data = words("quantities")
+    at = 0
+    while at < len(found):
+        token = found[at]
+        first = at + (token.has("bound") or token.text in data["within"])
+        length, off, to = (found[k] if k < len(found) else None for k in (first, first + 1, first + 2))
+        within = token.text in data["within"]
+        if (
+            length is None or off is None or to is None or not length.has("length")
+            or to.has("break", "verb", "and", "with", "while", "adverbs")
+            or (off.text != "of" if within else off.text not in data["apart"])
+        ):  # fmt: skip
+            yield token
+            at += 1
+            continue
+        bound = "most" if within else token.get("bound") if first > at else None
+        low, high = _reach(length.get("length"), bound)
+        place = Place("far_from" if high is None else "near", gap=(low, high))
+        words_ = " ".join(t.text for t in found[at : first + 2])
+        yield Token(words_, token.start, off.end, {"preposition": replace(place, words=words_)})
+        at = first + 2
+
+
+NEARER, FARTHER = 0.1, 0.25
+"""Shares by which a distance may be less, and more, than one that is told without a bound."""
+
+
+def _reach(length: float, bound: str | None) -> tuple[float | None, float | None]:
+    """Least and largest distance [m] of a length with a bound."""
+    if bound in ("least", "above"):
+        return length, None
+    if bound in ("most", "below"):
+        return None, length
+    share = 2.0 if bound == "about" else 1.0
+    return round(length * (1 - share * NEARER), 3), round(length * (1 + share * FARTHER), 3)
 
 
 _SCORES = (100, 1000, 1_000_000, 1_000_000_000)

@@ -51,6 +51,13 @@ class Place:
     words: str = ""
     over_each: bool = False
     """Whether what it is said of is each one of several, so that what stands there is counted out over them."""
+    gap: tuple[float | None, float | None] = (None, None)
+    """Least and largest distance [m], where one was given: "2 m from"."""
+
+    @property
+    def params(self) -> dict[str, float]:
+        """The distance as a relation has it."""
+        return {name: end for name, end in zip(("min", "max"), self.gap, strict=True) if end is not None}
 
 
 @dataclass(frozen=True)

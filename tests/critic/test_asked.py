@@ -27,6 +27,11 @@ def review(case: Case, **data: Any) -> Review:
     return Case(case.scene, case.room_type, brief(**data)).review()
 
 
+def beyond(found: Review) -> list[Fault]:
+    """Lengths that are not as asked."""
+    return [fault for fault in found.faults if fault.kind == "wrong_asked_length"]
+
+
 def test_what_was_asked_is_there() -> None:
     found = review(
         rooms.living(), room_type="living_room", entities=[entity("sofa"), entity("coffee_table", count=(1, 1))]
@@ -358,3 +363,20 @@ def test_a_review_is_plain_data() -> None:
     assert Review.model_validate_json(found.model_dump_json()) == found
     assert all(isinstance(v, float) for v in found.measures.values())
     assert found == BROKEN[0].review()
+
+
+def test_a_limit_on_a_kind_is_on_all_that_is_of_it() -> None:
+    """A limit on things that nobody named: of two bookcases the higher one is beyond it."""
+    limit = {"id": "measure-0", "quantity": "upper", "high": 1.2, "categories": ["bookcase", "low_bookcase"]}
+    fault = only(review(rooms.office(), measures=[limit]), "wrong_asked_length", "alignment")[0]
+    assert fault.objects == ("bookcase-0",)
+    assert not beyond(review(rooms.office(), measures=[{**limit, "high": 1.8}]))
+    none = review(rooms.office(), measures=[{**limit, "categories": ["wardrobe"]}])
+    assert not beyond(none)
+
+
+def test_room_for_knees_is_measured_below_the_top() -> None:
+    knees = {"id": "measure-0", "entity": "desk", "quantity": "knee", "low": 0.6}
+    data = {"entities": [entity("desk", count=(2, 2))]}
+    assert not beyond(review(rooms.office(), measures=[knees], **data))
+    assert beyond(review(rooms.office(), measures=[{**knees, "low": 0.8}], **data))

@@ -23,6 +23,7 @@ from .free_areas import read_free_areas
 from .fullness import fullness
 from .groups import aisles, facing_rows, groups, horseshoes, merged
 from .labels import labels
+from .limits import limits
 from .looks import read_looks
 from .measures import measures
 from .openings import read_openings
@@ -65,6 +66,7 @@ STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     read_finishes,
     bounds,
     groups,
+    limits,
     arrangements,
     _told_of_rows,
     read_free_areas,

@@ -16,7 +16,7 @@ from ..source import Source
 from ..things import match_of, singular
 from ..vocabulary import family
 from .aisles import ROWS, aisle_at, width_of
-from .lengths import LENGTH, length_of
+from .lengths import LENGTH, UNIT, length_of
 from .phrases import NUMBER, Edits, noun_after, noun_before, number_of, table_before
 
 _N, _M = rf"(?P<n>{NUMBER})", rf"(?P<m>{NUMBER})"
@@ -90,8 +90,8 @@ def add(
 
     ``end`` is where the words of it end, from where spacing is looked for; ``instead`` takes the place of the match.
     """
-    if not noun or pattern not in get_args(Pattern):
-        return False
+    if not noun or pattern not in get_args(Pattern) or UNIT.match(noun):
+        return False  # "a yard clear on either side" is no arrangement
     at = m.end() if end is None else end
     text = edits.source.text
     facing, spacing = "", given.pop("spacing", None)

@@ -15,7 +15,10 @@ _BOUND = re.compile(
     rf"(?:(?P<open>\() ?(?:{_LEAST}|{_MOST}|about|around|roughly) (?P<n>{NUMBER})"
     rf"(?! ?(?:m|cm|mm|ft|feet|foot|inch(?:es)?|met(?:er|re)s?)\b)(?P<close> ?\))?"
     rf"|,? (?:{_LEAST.replace('least>', 'low>')}|{_MOST.replace('most>', 'high>')}|about|around) "
-    rf"(?P<m>{NUMBER}) of them\b)"
+    rf"(?P<m>{NUMBER}) of them\b"
+    rf"|,? (?:i mean|say|like|ideally|preferably|maybe|that is|we need|i want|i need) "
+    rf"(?:{_LEAST.replace('least>', 'lower>')}|{_MOST.replace('most>', 'upper>')}|about|around|roughly) (?P<k>{NUMBER})"
+    rf"(?=\s*(?:[.,;)]|$)))"
 )
 _NO_MORE = re.compile(r"\b(?:and|but|or) no more than\b")
 _AHEAD = re.compile(rf"\b(?P<word>min|max)(?:imum)?\.? (?={NUMBER} [a-z])")
@@ -39,8 +42,9 @@ def bounds(source: Source, parsed: Parsed) -> None:
     for m in _BOUND.finditer(source.text):
         if not edits.free(m.start(), m.end()):
             continue
-        value = number_of(m["n"] or m["m"])
-        bound = "least" if m["least"] or m["low"] else "most" if m["most"] or m["high"] else None
+        value = number_of(m["n"] or m["m"] or m["k"])
+        least, most = m["least"] or m["low"] or m["lower"], m["most"] or m["high"] or m["upper"]
+        bound = "least" if least else "most" if most else None
         nouns = _nouns(source.text, m.start())
         if not nouns:
             continue

@@ -13,6 +13,7 @@ from sceneweaver.assets import resolve
 from ..model import FreeArea
 from ..parsed import Parsed
 from ..source import Source, metres
+from ..vocabulary import category_of, family, vocabulary
 from .free_phrases import Phrase, phrases, place_words, widened
 from .lengths import LENGTH, length_of
 
@@ -119,7 +120,7 @@ def _area(
         named = ["door"]
     targets = [_target(words, source, found.start()) for words in named]
     if phrase.kind in ("gap", "clearance") and len(named) - (groups.get("b") in ("wall", "walls")) < 1:
-        subject = _thing_before(source.text, found.start(), several=phrase.kind == "gap")
+        subject = _thing_before(source.text, found.start(), several=phrase.kind == "gap" and groups.get("b") not in ("wall", "walls"))
         targets = [subject, *targets]
     if any(target is None for target in targets):
         return None
@@ -154,15 +155,31 @@ def _side(phrase: Phrase, groups: dict[str, str | None]) -> str:
     return phrase.side
 
 
-def _target(words: str, source: Source, start: int) -> str | None:
+def _target(spoken: str, source: Source, start: int) -> str | None:
     """A thing or part of the room by the words for it; a pronoun stands for what was named before it."""
-    plain = " ".join(words.split())
+    plain = " ".join(spoken.split())
     last = plain.split()[-1]
     if plain in _PRONOUNS:
         return _thing_before(source.text, start, several=plain in ("them", "these", "those", "both", "each"))
     if last in place_words():
         return place_words()[last]
+    if _is_person(last):
+        return _seat_before(source.text, start) or plain
     return plain
+
+
+def _is_person(word: str) -> bool:
+    kinds = vocabulary().get(word, {}).keys()
+    return "people_words" in kinds and "noun" not in kinds
+
+
+def _seat_before(text: str, start: int) -> str | None:
+    """The seat that was named last before a place of the text: where the people are that a phrase speaks of."""
+    for found in reversed(_WORD.findall(text, max(0, start - _LOOK_BACK), start)):
+        noun = vocabulary().get(found, {}).get("noun")
+        if isinstance(noun, str) and family(category_of(noun)) == "seat":
+            return found
+    return None
 
 
 def _thing_before(text: str, start: int, several: bool = False) -> str | None:
@@ -208,7 +225,7 @@ def _filler(text: str, start: int, end: int, found: re.Match[str]) -> str:
             continue
         words = found[name]
         last = words.split()[-1]
-        if words in _PRONOUNS or last in place_words() or last in _NOT_THINGS:
+        if words in _PRONOUNS or last in place_words() or last in _NOT_THINGS or _is_person(last):
             continue
         if re.search(rf"\b{re.escape(last.rstrip('s'))}", rest):
             continue

@@ -13,6 +13,9 @@ _UNIT = (
     r"(?:(?:centi|milli)?met(?:er|re)s?\b|m\b|cms?\b|mm\b|foot\b|feet\b|ft\b\.?|yards?\b|inch(?:es)?\b|"
     r"in\b(?!\s+(?:front|between|the|a|each|every|any|all|my|our)\b)|'(?!\w)|\"(?!\w))"
 )
+UNIT = re.compile(_UNIT)
+"""A unit of length at the beginning of a text."""
+
 _ABOUT = (
     r"(?:(?:at\s+(?:the\s+very\s+)?least|no\s+less\s+than|not\s+less\s+than|a\s+minimum\s+of|minimum(?:\s+of)?|min\.?|"
     r"more\s+than|over|about|around|approximately|approx\.?|ca\.?|circa|roughly|say|maybe|perhaps|some|of|a\s+good|"
@@ -93,4 +96,4 @@ def plain_length(text: str) -> float:
 
 _PLAIN = re.compile(rf"({_NUMBER})\s{{0,2}}-?\s{{0,2}}({_UNIT})")
 
-__all__ = ["BOUNDED", "LENGTH", "PLAIN", "bounded_length", "length_of", "plain_length"]
+__all__ = ["BOUNDED", "LENGTH", "PLAIN", "UNIT", "bounded_length", "length_of", "plain_length"]

@@ -71,7 +71,7 @@ def _add(source: Source, parsed: Parsed, edits: Edits, found: re.Match[str], sai
         noun = (re.findall(r"[a-z]+", text[max(0, start - 30) : start]) or [""])[-1]
     else:
         behind = re.match(r"\s+(?:of|on)\s(?:the\s|a\s)?([a-z]+)", text[end:])
-        if "part" in found.groupdict():
+        if "part" in found.groupdict() or said["quantity"] == "knee":
             noun = behind[1] if behind is not None and is_thing(behind[1]) else noun_behind(text, start)
         else:
             noun, after = noun_at(text, start, end)
@@ -113,7 +113,12 @@ def _patterns() -> tuple[tuple[re.Pattern[str], Any], ...]:
     axes = _group("axis", data["axes"])
     names, parts = _group("name", data["names"]), _group("part", data["parts"])
     above = rf"(?:{_SPACES}{one_of(data['above'])}\b)"
-    level = rf"(?P<level>{'|'.join(data['levels'])})(?:[\s-]?(?:level|height|high))\b"
+    levels = "|".join(data["levels"])
+    never = r"(?:,?\s{1,2}(?:(?:and|but)\s)?(?:not|no|never)\s(?P<never>lower|less|higher|more)\b)?"
+    level = rf"(?P<level>{levels})(?:[\s-]?(?:level|height|high))\b{never}"
+    compared = one_of([word for ends in data["compared"].values() for several in ends.values() for word in several])
+    than = rf"(?:\b(?P<negated>{one_of(data['negated'])})\s{{1,2}})?\b(?P<compared>{compared})\s{{1,2}}"
+    whose = r"(?:(?:my|the|your|his|her|our|a)\s)?"
     between = (
         r"(?:\s{0,3}(?:is|are|be|at|of|about|hung|height|to|should|must|its|their|in|a|:|,|all|on|stands?|sits?)\b)"
         r"{0,4}\s{0,3}"
@@ -122,7 +127,9 @@ def _patterns() -> tuple[tuple[re.Pattern[str], Any], ...]:
     told = (
         (rf"\b{parts}\b{between}{BOUNDED}(?:\s?(?:high|tall))?{above}?{away}", _part),
         (rf"\b{parts}\b{between}{level}", _part),
-        (rf"{BOUNDED}{_SPACES}{names}\b", _name),
+        (rf"{than}(?:{BOUNDED}|{whose}(?P<level>{levels})(?:[\s-]?(?:level|height|high))?\b)(?!{_SPACES}{axes})",
+         _compared),
+        (rf"{BOUNDED}{_SPACES}(?:of\s)?{names}\b", _name),
         (rf"\b{names}{between}{BOUNDED}", _name),
         (rf"{BOUNDED}{_SPACES}{axes}(?!\w|{above}|\s+(?:aisle|gap|passage|path|space))", _axis),
         (rf"(?:\bat\s{{1,2}}(?:a\s+height\s+of\s+)?)?{BOUNDED}(?:\s?(?:high|up))?{above}", _placed),
@@ -148,7 +155,11 @@ def _length(found: re.Match[str]) -> dict[str, Any]:
     level = found.groupdict().get("level")
     if level is not None:
         low, high = words("measures")["levels"][level]
-        return {"low": low, "high": high}
+        never = found.groupdict().get("never")
+        return {
+            "low": None if never in ("higher", "more") else low,
+            "high": None if never in ("lower", "less") else high,
+        }
     low, high, vague = bounded_length(found)
     return {"low": low, "high": high, "vague": vague}
 
@@ -159,7 +170,23 @@ def _part(found: re.Match[str], text: str) -> dict[str, Any]:
 
 
 def _name(found: re.Match[str], text: str) -> dict[str, Any]:
-    return {"quantity": _meaning("names", found["name"]), **_length(found)}
+    quantity, said = _meaning("names", found["name"]), _length(found)
+    if quantity == "knee" and said["low"] is not None:
+        said["high"] = None  # room for knees may always be more
+    return {"quantity": quantity, **said}
+
+
+def _compared(found: re.Match[str], text: str) -> dict[str, Any]:
+    """What is, or is not, more or less than a length."""
+    rows = words("measures")["compared"]
+    quantity, ends = next(
+        (name, ends) for name, ends in rows.items() if any(found["compared"] in e for e in ends.values())
+    )
+    said = _length(found)
+    ends_at = [length for length in (said["low"], said["high"]) if length is not None]
+    at_most = (found["compared"] in ends["more"]) == bool(found["negated"])
+    bounds = {"low": None, "high": max(ends_at)} if at_most else {"low": min(ends_at), "high": None}
+    return {"quantity": quantity, **bounds}
 
 
 def _axis(found: re.Match[str], text: str) -> dict[str, Any]:

@@ -75,7 +75,9 @@ _UP = re.compile(
     r"(?:just\s)?(?:near|under|below) the ceiling|at the top of the wall|above (?:eye|head) (?:level|height))\b"
 )
 _OPENS = re.compile(
-    r"\b(?:(?:that|which|it|and|must|should|has to|to)\s){0,3}(?:opens?|opening|swings?|swinging)\s(?:to the\s)?"
+    r"\b(?:(?:that|which|it|and|but|must|should|may|can|does|do|has to|to|is)\s){0,3}"
+    r"(?P<never>(?:not|never|no|mustn't|shouldn't|can't|cannot|doesn't)\s(?:to\s|be\s)?)?"
+    r"(?:opens?|opening|swings?|swinging)\s(?:to the\s)?"
     r"(?P<way>outwards?|out|outside|inwards?|into the room|in)\b"
 )
 _SLIDES = re.compile(r"\b(?:(?:that|which)\s)?(?:slides|slides? (?:open|aside)|sliding)\b")
@@ -84,7 +86,11 @@ _OPPOSITE = re.compile(
     r"\b(?:(?:in|on)\sthe\swall\s)?(?:directly\s|right\s)?(?:opposite|across from|across)\b(?:\s(?:of|to|from))?"
     r"(?:\s(?:it|each other|(?:the\s)?(?P<what>door|window|entrance)))?(?!\s[a-z])"
 )
-_WIDE = re.compile(rf"(?P<width>{PLAIN})\s?(?:wide|broad|across|in width)|wide,?\s(?:at least\s)?(?P<after>{PLAIN})")
+_WIDE = re.compile(
+    rf"(?P<width>{PLAIN})\s?(?:wide|broad|across|in width)|wide,?\s(?:at least\s)?(?P<after>{PLAIN})"
+    rf"|\b(?:(?:clear|free)\s)?(?:opening|width)\s(?:(?:of|is|at least|about)\s){{0,2}}(?P<opening>{PLAIN})"
+    rf"|(?P<clear>{PLAIN})\s(?:(?:clear|free)\s)(?:opening|width)\b"
+)
 _HIGH = re.compile(rf"(?P<height>{PLAIN})\s?(?:high|tall|in height)")
 _DEEP = re.compile(rf"(?P<depth>{PLAIN})\s?(?:deep|in depth)")
 _SILL = re.compile(
@@ -381,7 +387,8 @@ def _fields(clause: str, number: int, fields: dict[str, Any]) -> list[tuple[int,
     for pattern, feature in ((_UP, "high up"), (_OPENS, ""), (_SLIDES, "sliding"), (_TAIL, "")):
         if m := pattern.search(clause):
             told = m.groupdict()
-            way = "outward" if str(told.get("way")).startswith("out") else "inward"
+            outward = str(told.get("way")).startswith("out") != bool(told.get("never"))
+            way = "outward" if outward else "inward"
             features.append(feature or _KNOWN["tails"].get(told.get("tail"), "") or way)
             spans.append(m.span())
     for m in _PLACE.finditer(clause):

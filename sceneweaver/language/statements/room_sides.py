@@ -18,7 +18,7 @@ from sceneweaver.knowledge.load import room_types, room_words
 
 from ..nothings import is_word
 from ..parsed import Parsed
-from ..source import FOOT, Source
+from ..source import FOOT, Source, metres
 from ..vocabulary import category_of, vocabulary, words
 
 Owner = Literal["room", "other room", "floor", "thing", "unknown", "alone"]
@@ -28,6 +28,9 @@ TIGHT = 0.4
 
 WIDE = 3.0
 """Multiple of the largest floor of a kind, beyond which they are not either."""
+
+LEAST = 1.0
+"""Side [m] that a room has at least where its sides are told one by one."""
 
 LONGEST = 12.0
 """Side [m] of a thing up to which a number without a unit may be metres."""
@@ -39,7 +42,7 @@ _NUMBER = r"\d{1,4}(?:[.,]\d{1,3})?"
 _PAIR = re.compile(
     rf"§|(?<![\w.,])(?<!grid of )(?<!array of )(?P<a>{_NUMBER})\s?(?:x|×|by|\*)\s?(?P<b>{_NUMBER})"
     rf"(?:\s?(?:x|×|by|\*)\s?(?P<c>{_NUMBER}))?"
-    r"(?![\w.]\w|\w|\s?(?:mm|in|grid|array|matrix|pattern|formation|raster|rows?|block|layout)\b)"
+    r"(?![\w.]\w|\w|\s?(?:mm|in(?!\s(?:front|the|a|each|every|between|all|my|our)\b)|grid|array|matrix|pattern|formation|raster|rows?|block|layout)\b)"
 )
 _WORD = re.compile(r"[a-z][a-z'/-]*")
 _NEXT = re.compile(r"[ -]{1,40}([a-z][a-z'-]*)")
@@ -71,6 +74,8 @@ def room_sides(source: Source, parsed: Parsed) -> None:
     """Gives the room its sides; those of floor to keep free are marked, those of things stay for the clauses."""
     name = _own_name(source.spoken)
     kind = room_words()[name] if name else ""
+    if source.size is None and not parsed.sides:
+        _one_by_one(source, name)
     found = list(_found(source, name, kind))
     if not parsed.sides and source.size is None:
         likely = [(score, -sides.start, sides) for sides in found if (score := _score(sides, kind)) > 0]
@@ -91,6 +96,32 @@ def room_sides(source: Source, parsed: Parsed) -> None:
         if sides.bare and (sides.free or sides.owner == "thing"):
             source.sides[sides.start] = sides.values
             _put(source, sides, "§")
+
+
+_LENGTH = rf"({_NUMBER})\s{{0,2}}(m|cm|mm|meters?|metres?|ft|feet|foot|')(?![a-z])"
+_ABOUT = r"(?:(?:of|is|about|around|roughly|only|just|:|=|at least|at most)\s{0,2}){0,3}"
+_EXTENT = re.compile(
+    rf"\b(?P<name>width|length|breadth|depth)\s{{0,2}}{_ABOUT}{_LENGTH}(?:\s(?:inside|overall|in all))?"
+    rf"|{_LENGTH}\s{{0,2}}-?(?P<axis>long|wide|deep|broad|in length|in width|front to back|side to side|across)\b"
+)
+_LONG = ("length", "depth", "long", "deep", "in length", "front to back")
+
+
+def _one_by_one(source: Source, own: str) -> None:
+    """Sides that are told apart from each other: "inside width 1.85 m, 3.2 m long"; one alone is not enough."""
+    text = source.text
+    found: dict[bool, tuple[float, re.Match[str]]] = {}
+    for m in _EXTENT.finditer(text):
+        owner, _ = _owner(text, m.start(), m.end(), own)
+        first = text.count(". ", 0, m.start()) <= 1
+        if owner == "room" or (owner in ("alone", "floor") and first and not _is_free(text, m.start())):
+            number, unit = (m[2], m[3]) if m["name"] else (m[4], m[5])
+            found.setdefault((m["name"] or m["axis"]) in _LONG, (metres(number, unit), m))
+    if len(found) < 2 or min(length for length, _ in found.values()) < LEAST:
+        return
+    source.size = (max(length for length, _ in found.values()), min(length for length, _ in found.values()))
+    for _, m in found.values():
+        source.text = source.text[: m.start()] + " " * len(m[0]) + source.text[m.end() :]
 
 
 def _give(room: _Sides, source: Source) -> None:

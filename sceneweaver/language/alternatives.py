@@ -1,0 +1,36 @@
+"""A pattern for any of some words."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from typing import Any
+
+
+def one_of(names: Iterable[str]) -> str:
+    """A pattern for any of some words, the longest first.
+
+    The words share their beginnings (a trie), so that a pattern of hundreds of words is compiled and matched in the
+    time of a few: it matches what the alternation of all, the longest first, matches.
+    """
+    trie: dict[str, Any] = {}
+    for name in sorted(names):
+        node = trie
+        for letter in name:
+            node = node.setdefault(letter, {})
+        node[""] = {}
+    return f"(?:{_of_trie(trie)})"
+
+
+def _of_trie(trie: dict[str, Any]) -> str:
+    """The pattern of what a trie holds; "" as a key: a word ends there."""
+    ends = "" in trie
+    branches = [re.escape(letter) + _of_trie(below) for letter, below in trie.items() if letter]
+    if not branches:
+        return ""
+    if len(branches) == 1 and not ends:
+        return branches[0]
+    return f"(?:{'|'.join(branches)})" + ("?" if ends else "")
+
+
+__all__ = ["one_of"]
