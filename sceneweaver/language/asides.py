@@ -9,7 +9,7 @@ from __future__ import annotations
 from .tokens import Token
 from .vocabulary import words
 
-_OWN = ("person", "modal", "action", "passive", "unit")
+_OWN = ("person", "modal", "action", "trade", "passive", "unit")
 """Kinds of words that are looked at here alone."""
 
 _OPEN = ("modal", "adverbs")
@@ -34,6 +34,8 @@ _SELDOM = ("can", "will", "may", "might", "must")
 _BEFORE_NOUNS = ("det", "number", "amount", "color", "material", "adjective", "scale", "shape", "each", "bound")
 _MOST_OPEN = 12
 """Words between who does something and what: "people who will then also still have to sit"."""
+_MOST_BARE = 4
+"""Words of the name of a thing of a trade at most."""
 _POSSESSIVE = ("my", "our", "your", "their", "his", "her", "its")
 _SIMILES = ("like", "as in", "as if", "as though")
 _WISHES = ("person", "modal")
@@ -68,9 +70,46 @@ def _aside(tokens: list[Token], at: int) -> tuple[int, str]:
     while k < min(first + _MOST_OPEN, len(tokens)) and tokens[k].has(*_OPEN) and not _is_noun(tokens, k):
         k += 1
     modal = any(t.has("modal") for t in tokens[first:k])
+    if (first > at or of_people) and (end := _end_of_trade(tokens, k)) > k:
+        return end, "clause"
     if k >= len(tokens) or not _acts(tokens, k, first > at, modal, of_people):
         return at, ""
     return _end(tokens, k + 1, first > at), "clause" if first > at else "verb"
+
+
+def _end_of_trade(tokens: list[Token], k: int) -> int:
+    """The end of what somebody does to things of a trade ("I repair old clocks and radios"); ``k`` itself for none.
+
+    The things have no article and no number: "we build a shelf" may ask for one.
+    """
+    if k >= len(tokens) or tokens[k].get("trade") not in ("base", "s", "ed"):
+        return k
+    end = _end_of_bare(tokens, k + 1)
+    if end == k + 1:
+        return k
+    while end < len(tokens) and tokens[end].has("and"):
+        again = end + 1 < len(tokens) and tokens[end + 1].get("trade") == "base"  # "and bind books"
+        more = _end_of_bare(tokens, end + 1 + again)
+        if more == end + 1 + again or not (more >= len(tokens) or _ends_clause(tokens[more])):
+            break
+        end = more
+    return end
+
+
+def _ends_clause(token: Token) -> bool:
+    return token.has("break", "and", "preposition", "while", "aside") or token.text in ("for", "so", "but")
+
+
+def _end_of_bare(tokens: list[Token], k: int) -> int:
+    """The end of a noun without article, the words before it included, that begins at ``k``."""
+    end = k
+    while end < min(k + _MOST_BARE, len(tokens)) and (
+        tokens[end].has("noun", "material", "color", "adjective", "scale", "containers") or not tokens[end].kinds
+    ):
+        if tokens[end].has("det", "number", "amount", "preposition") or _ends_clause(tokens[end]):
+            break
+        end += 1
+    return end
 
 
 def _acts(tokens: list[Token], k: int, has_subject: bool, modal: bool, of_people: bool) -> bool:

@@ -127,7 +127,7 @@ def _is_bare(phrase: NounPhrase) -> bool:
 
 def _is_quality(word: str) -> bool:
     """Whether a word says what a thing is like, rather than which kind of thing it is."""
-    return any(kind != "noun" for kind in vocabulary().get(word, {}))
+    return not vocabulary().get(word, {}).keys() <= {"noun", "trade"}
 
 
 def note_on(mention: Mention, parsed: Parsed) -> None:
