@@ -54,7 +54,7 @@ def mean_in_room(mentions: Sequence[Mention], parsed: Parsed, text: str) -> None
 def is_called_in(room: str | None, noun: str) -> bool:
     """Whether a kind of room has something that is called by a noun, so that the noun names a thing there."""
     head = singular(noun).rpartition(" ")[2]
-    return room is not None and room in room_types() and bool(_called(room, head))
+    return room is not None and room in room_types() and any(name.endswith(f"_{head}") for name in _called(room, head))
 
 
 def _is_plain(mention: Mention, head: str) -> bool:

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from .chunks import Chunk, NounPhrase
 from .distribution import count_out_again
+from .in_room import is_called_in
 from .items import begin_clause, name_nothing, name_things
 from .model import Attribute
 from .nothings import is_animal, is_certain, is_large, may_name
@@ -298,6 +299,8 @@ def _is_concrete(state: State, phrase: NounPhrase) -> bool:
     noun = name_of(phrase)
     if not any(c.isalpha() for c in phrase.text) or not (may_name(noun) or _is_likeness(phrase)):
         return False
+    if is_called_in(state.out.room_type, noun):
+        return True  # "a boxing gym: ring, ..."
     if phrase.definite or is_certain(noun):
         return is_certain(noun)
     if _is_likeness(phrase):

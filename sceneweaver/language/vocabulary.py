@@ -166,7 +166,9 @@ def _put_nothings(table: dict[str, dict[str, Any]], put: Put) -> None:
         put(phrase, "aside", phrase)
     for phrase in nothings["units"]:
         put(phrase, "unit", phrase)
-    known = {phrase for phrase, kinds in table.items() if kinds.keys() - {"action", "trade", "passive", "modal", "unit"}}
+    known = {
+        phrase for phrase, kinds in table.items() if kinds.keys() - {"action", "trade", "passive", "modal", "unit"}
+    }
     for phrase in nothings["adverbs"]:
         if phrase not in known:
             put(phrase, "adverbs", phrase)
