@@ -34,6 +34,7 @@ _SELDOM = ("can", "will", "may", "might", "must")
 _BEFORE_NOUNS = ("det", "number", "amount", "color", "material", "adjective", "scale", "shape", "each", "bound")
 _MOST_OPEN = 12
 """Words between who does something and what: "people who will then also still have to sit"."""
+_SUBJECTS = ("i", "we", "they", "you", "he", "she")
 _MOST_BARE = 4
 """Words of the name of a thing of a trade at most."""
 _POSSESSIVE = ("my", "our", "your", "their", "his", "her", "its")
@@ -72,6 +73,8 @@ def _aside(tokens: list[Token], at: int) -> tuple[int, str]:
     modal = any(t.has("modal") for t in tokens[first:k])
     if (first > at or of_people) and (end := _end_of_trade(tokens, k)) > k:
         return end, "clause"
+    if tokens[at].text in _SUBJECTS and (end := _end_of_deed(tokens, at, k)) > k:
+        return end, "clause"
     if k >= len(tokens) or not _acts(tokens, k, first > at, modal, of_people):
         return at, ""
     return _end(tokens, k + 1, first > at), "clause" if first > at else "verb"
@@ -88,7 +91,8 @@ def _end_of_trade(tokens: list[Token], k: int) -> int:
     if end == k + 1:
         return k
     while end < len(tokens) and tokens[end].has("and"):
-        again = end + 1 < len(tokens) and tokens[end + 1].get("trade") == "base"  # "and bind books"
+        form = tokens[k].get("trade")
+        again = end + 1 < len(tokens) and tokens[end + 1].get("trade") == form  # "and bind books"
         more = _end_of_bare(tokens, end + 1 + again)
         if more == end + 1 + again or not (more >= len(tokens) or _ends_clause(tokens[more])):
             break
@@ -98,6 +102,19 @@ def _end_of_trade(tokens: list[Token], k: int) -> int:
 
 def _ends_clause(token: Token) -> bool:
     return token.has("break", "and", "preposition", "while", "aside") or token.text in ("for", "so", "but")
+
+
+def _end_of_deed(tokens: list[Token], at: int, k: int) -> int:
+    """The end of what somebody does by a word that is a noun elsewhere ("where we iron"); ``k`` itself for none.
+
+    Right behind who does it stands no thing; who is no I, you, we and they does it with an s.
+    """
+    if k >= len(tokens) or not tokens[k].has("noun") or tokens[k].has("verb", "stop", "people_words", "det", "number"):
+        return k
+    ends = tokens[k].has("plural") or tokens[k].text.endswith("s")
+    if ends != (tokens[at].text in ("he", "she")):
+        return k
+    return _end_of_bare(tokens, k + 1)
 
 
 def _end_of_bare(tokens: list[Token], k: int) -> int:

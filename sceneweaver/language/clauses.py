@@ -241,18 +241,22 @@ def _noun(state: State, chunk: Chunk) -> None:
     hangs = waiting is not None and waiting.place.type == "hanging_from" and phrase.what != "place"
     if hangs and phrase.text in words("relations")["overhead"] and not _is_named(state, phrase):
         phrase.what, phrase.value = "place", "ceiling"
-    what = "thing" if phrase.what in ("abstract", "part") and _is_of_kit(state, phrase) else phrase.what
+    what = "thing" if phrase.what in ("abstract", "matter", "part") and _is_of_kit(state, phrase) else phrase.what
     _PHRASES[what](state, phrase, chunk)
 
 
 def _is_of_kit(state: State, phrase: NounPhrase) -> bool:
     """Whether what is mostly no thing is one in that room, where it stands in a list: the ring of a boxing gym; of what
     is mostly a part of something, several that hang from somewhere: "wheels hanging from the ceiling"."""
-    if state.waiting is not None or state.frames or state.glue not in ("start", "comma"):
+    of_thing = bool(state.frames and state.frames[-1].owner)
+    if state.waiting is not None or of_thing or state.negated:
         return False
     called = is_called_in(state.out.room_type, phrase.text)
+    if phrase.what == "matter":
+        return called and (phrase.count is not None or phrase.plural)
     if phrase.what == "abstract":
-        return called and may_name(phrase.text)
+        listed = not state.frames and state.glue in ("start", "comma")
+        return listed and called and may_name(phrase.text)
     after = state.chunk(state.at)
     if not phrase.plural or after is None or after.kind != "place" or after.value.type != "hanging_from":
         return False

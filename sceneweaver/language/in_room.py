@@ -6,24 +6,65 @@ something stands on is the stand of that thing first of all, whatever the room.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Container, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from functools import cache
 
 from sceneweaver.assets import categories
 from sceneweaver.assets.plurals import singular
 from sceneweaver.assets.taxonomy import likeliness, phrases, resolve
+from sceneweaver.assets.wordnet import kinds_above
 from sceneweaver.knowledge.kin import families
 from sceneweaver.knowledge.load import room_types
 
 from .parsed import Mention, Parsed, Said
 from .things import match_of
-from .vocabulary import vocabulary, words
+from .vocabulary import mounts, vocabulary, words
 
 _CARRIED = ("on", "inside", "hanging_from")
 """Relations by which one thing carries another."""
 
+_BESIDE = 30
+"""Characters before and after a noun in which it is told what it is for, or what is on it."""
+
+_OWNER = "(?:the |a |an |my |his |her |our |its |their )?"
+_FOR = re.compile(
+    rf"(?P<noun>[a-z]+) (?:for|of) {_OWNER}(?P<what>[a-z]+)(?= ?(?:[,.;:!?)]|$| and\b| on\b| in\b| by\b))"
+)
+_ON_IT = re.compile(rf"\b(?P<what>[a-z]+) on {_OWNER}(?:[a-z]+ )?$")
+
 _NEEDS = ("needed", "usual", "optional")
 """How much a room needs a thing, most first."""
+
+
+@dataclass(frozen=True)
+class _Noun:
+    """A noun to resolve: its mention, its last word, and what is said to be on or in it: categories with nouns."""
+
+    mention: Mention
+    head: str
+    held: Sequence[tuple[str, str]]
+    text: str
+
+    @property
+    def alone(self) -> bool:
+        """Whether it is of one word."""
+        return " " not in self.mention.noun.partition(" of ")[0]
+
+    @property
+    def plain(self) -> bool:
+        """Whether it says no more of its kind than its last word does."""
+        parts = self.mention.noun.partition(" of ")[0].split()
+        if any("noun" in vocabulary().get(" ".join(parts[k:]), {}) for k in range(len(parts) - 1)):
+            return False
+        return self.mention.generic or resolve(self.head).category == self.mention.category
+
+    @property
+    def own(self) -> bool:
+        """Whether it is the very name of a kind of things, of which a room may have narrower ones."""
+        usual = resolve(self.head)
+        return not self.mention.generic and (usual.how == "exact" or self.head in usual.category.split("_"))
 
 
 def mean_in_room(mentions: Sequence[Mention], parsed: Parsed, text: str) -> None:
@@ -37,14 +78,12 @@ def mean_in_room(mentions: Sequence[Mention], parsed: Parsed, text: str) -> None
         parsed: what else it says: the kind of room, where things are. Notes on what is known after all are taken out.
         text: the request in lower case.
     """
-    room, held = parsed.room_type, _held(parsed.said)
+    held = _held(parsed.said)
     named = {mention.category for mention in mentions}
-    known = room is not None and room in room_types()
     for mention in mentions:
         head = singular(mention.noun).rpartition(" ")[2]
-        meant = _stand_of(mention, head, held.get(mention, ()))
-        if meant is None and known and _is_plain(mention, head) and mention.category not in _kit(room):
-            meant = _in_kit(room, mention, head, named, held.get(mention, ()), text)
+        noun = _Noun(mention, head, held.get(mention) or _told_on(mention, text), text)
+        meant = _for_what(noun) or _stand_of(noun) or _in_room(noun, parsed, named)
         if meant is not None and not _kin(meant, mention.category, head):
             note = match_of(mention.noun).note
             parsed.notes[:] = [other for other in parsed.notes if other != note]
@@ -57,12 +96,16 @@ def is_called_in(room: str | None, noun: str) -> bool:
     return room is not None and room in room_types() and any(name.endswith(f"_{head}") for name in _called(room, head))
 
 
-def _is_plain(mention: Mention, head: str) -> bool:
-    """Whether a noun says no more of its kind than its last word does."""
-    parts = mention.noun.partition(" of ")[0].split()
-    if any("noun" in vocabulary().get(" ".join(parts[k:]), {}) for k in range(len(parts) - 1)):
-        return False
-    return mention.generic or resolve(head).category == mention.category
+def _in_room(noun: _Noun, parsed: Parsed, named: Container[str]) -> str | None:
+    """What a noun means by the kind of room; None where it keeps its usual meaning."""
+    room = parsed.room_type
+    if not noun.plain:
+        return None
+    if not noun.own and (meant := _compound(parsed.room_words.split()[:-1], noun.head)) is not None:
+        return meant  # the frame of a quilting studio is a quilting frame
+    if room is None or room not in room_types() or noun.mention.category in _kit(room):
+        return None
+    return _in_kit(room, noun, named)
 
 
 @cache
@@ -85,36 +128,32 @@ def _called(room: str, head: str) -> tuple[str, ...]:
     return tuple(sorted(found, key=lambda name: kit[name]))
 
 
-def _in_kit(
-    room: str, mention: Mention, head: str, named: Container[str], held: Sequence[Mention], text: str
-) -> str | None:
+def _in_kit(room: str, noun: _Noun, named: Container[str]) -> str | None:
     """What a noun means by a room's kit; None where it keeps its usual meaning.
 
     A noun with a meaning of its own gives it up for the one thing that the room needs and that ends in it; one that no
     catalogue has, or that is but another name of some kind of thing ("bag" of a handbag), for what the room has.
     """
-    usual, kit = resolve(head), _kit(room)
-    alone = mention.noun.partition(" of ")[0].count(" ") == 0
-    found = [name for name in _called(room, head) if name not in named and _may_hold(name, head, held)]
-    if not (mention.generic and alone):
+    kit, head, generic = _kit(room), noun.head, noun.mention.generic
+    found = [name for name in _called(room, head) if name not in named and _may_hold(name, noun)]
+    if not (generic and noun.alone):
         found = [name for name in found if name.endswith(f"_{head}")]
-    if not alone or (not mention.generic and usual.category.endswith(head)):
+    if not noun.alone or (not generic and resolve(head).category.endswith(head)):
         found = [name for name in found if kit[name] == 0]  # a bin is a trash can, but a handbag is a bag
-    own = not alone or (not mention.generic and (usual.how == "exact" or head in usual.category.split("_")))
-    if not found or (own and len(found) > 1):
+    if not found or (len(found) > 1 and (noun.own or not noun.alone)):
         return None
     first = [name for name in found if kit[name] == kit[found[0]]]
-    return min(first, key=lambda name: _distance(name, head, mention, text))
+    return min(first, key=lambda name: _distance(name, noun))
 
 
-def _distance(category: str, head: str, mention: Mention, text: str) -> int:
+def _distance(category: str, noun: _Noun) -> int:
     """Characters between a noun and the nearest word that makes it a category: of "racks" that they are for bottles."""
-    start = mention.span.start if mention.span is not None else 0
+    start = noun.mention.span.start if noun.mention.span is not None else 0
     known = categories()[category]
-    names = [name for name in (known.words, *known.synonyms) if singular(name).endswith(head)]
-    telling = {word for name in names for word in name.removesuffix(head).split()}
-    places = [at for word in telling for at in _places(text, word)]
-    return min((abs(at - start) for at in places), default=len(text))
+    names = [name for name in (known.words, *known.synonyms) if singular(name).endswith(noun.head)]
+    telling = {word for name in names for word in name.removesuffix(noun.head).split()}
+    places = [at for word in telling for at in _places(noun.text, word)]
+    return min((abs(at - start) for at in places), default=len(noun.text))
 
 
 def _places(text: str, word: str) -> Iterable[int]:
@@ -124,35 +163,72 @@ def _places(text: str, word: str) -> Iterable[int]:
         at = text.find(word, at + 1)
 
 
-def _held(said: Iterable[Said]) -> Mapping[Mention, list[Mention]]:
-    """What is said to stand or hang on or in each thing."""
-    found: dict[Mention, list[Mention]] = {}
+def _held(said: Iterable[Said]) -> Mapping[Mention, list[tuple[str, str]]]:
+    """What is said to stand or hang on or in each thing: categories with nouns."""
+    found: dict[Mention, list[tuple[str, str]]] = {}
     for one in said:
-        for target in one.targets if one.type in _CARRIED and not one.implied else ():
+        for target in one.targets if one.type in _CARRIED else ():
             if isinstance(target, Mention):
-                found.setdefault(target, []).extend(one.subjects)
+                found.setdefault(target, []).extend(
+                    (each.category, singular(each.noun))
+                    for each in one.subjects
+                    if not one.implied or "surface" in mounts(each.category)
+                )
     return found
 
 
-def _stand_of(mention: Mention, head: str, held: Sequence[Mention]) -> str | None:
-    """What a plain noun means by what is on it: the stand of a plant is a plant stand."""
-    if not mention.generic or len(mention.noun.split()) > 1:
-        return None
-    for one in held:
-        for name in (one.category.replace("_", " "), singular(one.noun)):
-            meant = phrases().get(f"{name} {head}")
-            if meant is not None and meant in categories() and categories()[meant].size is not None:
-                return meant
+def _told_on(mention: Mention, text: str) -> list[tuple[str, str]]:
+    """The thing on a thing by the words right before it, where no relation was read: a "cage on a stand"."""
+    if mention.span is None:
+        return []
+    told = _ON_IT.search(text[max(0, mention.span.start - _BESIDE) : mention.span.start].split("\n")[-1])
+    if told is None:
+        return []
+    match = resolve(told["what"])
+    return [] if match.generic or match.how == "spelling" else [(match.category, told["what"])]
+
+
+def _compound(before: Iterable[str], head: str) -> str | None:
+    """The category of the first known name that ends in a noun and begins with one of some words."""
+    for word in before:
+        meant = phrases().get(f"{word} {head}")
+        if meant is not None and meant in categories() and categories()[meant].size is not None:
+            return meant
     return None
 
 
-def _may_hold(category: str, head: str, held: Sequence[Mention]) -> bool:
+def _for_what(noun: _Noun) -> str | None:
+    """What a noun means by what is said to be in or on it: a block for knives is a knife block."""
+    span = noun.mention.span
+    if span is None or not noun.alone:
+        return None
+    said = _FOR.search(noun.text[span.start : span.end + _BESIDE])
+    if said is None or singular(said["noun"]) != noun.head:
+        return None
+    return _compound((singular(said["what"]), said["what"]), noun.head)
+
+
+def _stand_of(noun: _Noun) -> str | None:
+    """What a noun means by what is on it: the stand of a fern is a plant stand."""
+    if not (noun.mention.generic and noun.alone):
+        return None
+    kinds = words("nouns")["kinds"]
+    for category, name in noun.held:
+        above = [kind for kind, names in kinds.items() if category in names]
+        spoken = (word.replace("_", " ") for word in (category, name, *above, *kinds_above(category)))
+        if (meant := _compound(spoken, noun.head)) is not None:
+            return meant
+    return None
+
+
+def _may_hold(category: str, noun: _Noun) -> bool:
     """Whether what is said to be on a thing may be: no bird cage is on a TV stand."""
-    made_for = category.removesuffix(f"_{head}").split("_")
-    return not held or any(
-        likeliness(one.category, category) is not None
-        or any(word in one.category.split("_") or word in singular(one.noun).split() for word in made_for)
-        for one in held
+    made_for = category.removesuffix(f"_{noun.head}")
+    if not noun.held or made_for.replace("_", " ") not in phrases():
+        return True
+    return any(
+        likeliness(one, category) is not None or not {*one.split("_"), *name.split()}.isdisjoint(made_for.split("_"))
+        for one, name in noun.held
     )
 
 

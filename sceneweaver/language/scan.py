@@ -75,9 +75,13 @@ def participle_next(scan: Scan, token: Token, after: Token | None) -> bool:
 
 
 def _is_counted(tokens: list[Token], k: int) -> bool:
-    """Whether a number of several stands before what is a verb of one thing, or the plural of a noun: "two stands"."""
-    verb, number = tokens[k].get("verb"), tokens[k - 1].get("number") if k > 0 else None
-    return isinstance(verb, Verb) and verb.form == "s" and number is not None and number > 1 and is_head(tokens[k].text)
+    """Whether what is a verb of one thing, or the plural of a noun, stands where no verb does: behind a number of
+    several ("two stands") or "with"."""
+    verb, before = tokens[k].get("verb"), tokens[k - 1] if k > 0 else None
+    if before is None or not isinstance(verb, Verb) or verb.form != "s" or not is_head(tokens[k].text):
+        return False
+    number = before.get("number")
+    return before.text == "with" or (number is not None and number > 1)
 
 
 def _as_noun(token: Token) -> Token:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from functools import cache, lru_cache
 
 from sceneweaver.assets import Match, resolve
-from sceneweaver.assets.taxonomy import category_named, is_no_thing, narrower
+from sceneweaver.assets.taxonomy import category_named, holder, is_no_thing, narrower
 from sceneweaver.assets.wordnet import noun_named
 
 from .chunks import NounPhrase
@@ -67,7 +67,8 @@ def match_of(noun: str, of: str = "") -> Match:
     for k, name in ((0, whole), *((k, " ".join(parts[k:])) for k in range(tails))):
         found = table.get(name, {}).get("noun")
         if found is not None:
-            return Match(category_of(found), "exact" if k == 0 else "head", modifiers=tuple(parts[:k]))
+            held = holder(singular(name), parts[k - 1]) if k == len(parts) - 1 > 0 else None
+            return Match(held or category_of(found), "exact" if k == 0 else "head", modifiers=tuple(parts[:k]))
     return resolve(noun)
 
 
