@@ -247,18 +247,18 @@ def _noun(state: State, chunk: Chunk) -> None:
 
 def _is_of_kit(state: State, phrase: NounPhrase) -> bool:
     """Whether what is mostly no thing is one in that room, where it stands in a list: the ring of a boxing gym; of what
-    is mostly a part of something, several that hang from somewhere: "wheels hanging from the ceiling"."""
+    is mostly a part of something, several that hang somewhere: "wheels hanging from the ceiling"."""
     of_thing = bool(state.frames and state.frames[-1].owner)
     if state.waiting is not None or of_thing or state.negated:
         return False
-    called = is_called_in(state.out.room_type, phrase.text)
+    called = is_called_in(state.out, phrase.text)
     if phrase.what == "matter":
         return called and (phrase.count is not None or phrase.plural)
     if phrase.what == "abstract":
         listed = not state.frames and state.glue in ("start", "comma")
         return listed and called and may_name(phrase.text)
     after = state.chunk(state.at)
-    if not phrase.plural or after is None or after.kind != "place" or after.value.type != "hanging_from":
+    if not phrase.plural or after is None or after.kind != "place" or after.value.type not in ("hanging_from", "on"):
         return False
     return called or bool(sense_of(phrase.text, state.source, phrase.start, phrase.end, 1.0))
 

@@ -14,7 +14,6 @@ from functools import cache
 from sceneweaver.assets import categories
 from sceneweaver.assets.plurals import singular
 from sceneweaver.assets.taxonomy import likeliness, phrases, resolve
-from sceneweaver.assets.wordnet import kinds_above
 from sceneweaver.knowledge.kin import families
 from sceneweaver.knowledge.load import room_types
 
@@ -81,19 +80,23 @@ def mean_in_room(mentions: Sequence[Mention], parsed: Parsed, text: str) -> None
     held = _held(parsed.said)
     named = {mention.category for mention in mentions}
     for mention in mentions:
-        head = singular(mention.noun).rpartition(" ")[2]
-        noun = _Noun(mention, head, held.get(mention) or _told_on(mention, text), text)
-        meant = _for_what(noun) or _stand_of(noun) or _in_room(noun, parsed, named)
-        if meant is not None and not _kin(meant, mention.category, head):
+        head = singular(mention.noun.partition(" of ")[0]).rpartition(" ")[2]
+        noun = _Noun(mention, head, held.get(mention) or _told_of(mention, head, text), text)
+        meant = _for_what(noun, parsed.room_type) or _stand_of(noun) or _in_room(noun, parsed, named)
+        if meant is not None and not _kin(meant, mention.category, head if noun.own else ""):
             note = match_of(mention.noun).note
             parsed.notes[:] = [other for other in parsed.notes if other != note]
             mention.category, mention.generic = meant, False
 
 
-def is_called_in(room: str | None, noun: str) -> bool:
-    """Whether a kind of room has something that is called by a noun, so that the noun names a thing there."""
-    head = singular(noun).rpartition(" ")[2]
-    return room is not None and room in room_types() and any(name.endswith(f"_{head}") for name in _called(room, head))
+def is_called_in(parsed: Parsed, noun: str, several: bool = False) -> bool:
+    """Whether the kind of room that was named has something that is called by a noun, so that it names a thing there:
+    the ring of a boxing gym; of several, whether the name of the room makes a thing of it: the trains of a toy shop."""
+    room, head = parsed.room_type, singular(noun).rpartition(" ")[2]
+    if room is None or room not in room_types():
+        return False
+    called = any(name.endswith(f"_{head}") for name in _called(room, head))
+    return called or (several and _compound(parsed.room_words.split()[:-1], head) is not None)
 
 
 def _in_room(noun: _Noun, parsed: Parsed, named: Container[str]) -> str | None:
@@ -177,15 +180,22 @@ def _held(said: Iterable[Said]) -> Mapping[Mention, list[tuple[str, str]]]:
     return found
 
 
-def _told_on(mention: Mention, text: str) -> list[tuple[str, str]]:
-    """The thing on a thing by the words right before it, where no relation was read: a "cage on a stand"."""
+def _told_of(mention: Mention, head: str, text: str) -> list[tuple[str, str]]:
+    """What is on a thing, or what it is for, by the words beside it where no relation was read: a "cage on a stand"."""
     if mention.span is None:
         return []
     told = _ON_IT.search(text[max(0, mention.span.start - _BESIDE) : mention.span.start].split("\n")[-1])
-    if told is None:
-        return []
-    match = resolve(told["what"])
-    return [] if match.generic or match.how == "spelling" else [(match.category, told["what"])]
+    what = told["what"] if told is not None else _what_for(mention, head, text)
+    match = resolve(what) if what else None
+    return [(match.category, singular(what))] if match is not None and match.how not in ("generic", "spelling") else []
+
+
+def _what_for(mention: Mention, head: str, text: str) -> str:
+    """What a thing is said to be for or of: "a block for knives"; empty where nothing is said."""
+    if mention.span is None:
+        return ""
+    said = _FOR.search(text[mention.span.start : mention.span.end + _BESIDE])
+    return said["what"] if said is not None and singular(said["noun"]) == head else ""
 
 
 def _compound(before: Iterable[str], head: str) -> str | None:
@@ -197,15 +207,16 @@ def _compound(before: Iterable[str], head: str) -> str | None:
     return None
 
 
-def _for_what(noun: _Noun) -> str | None:
-    """What a noun means by what is said to be in or on it: a block for knives is a knife block."""
-    span = noun.mention.span
-    if span is None or not noun.alone:
+def _for_what(noun: _Noun, room: str | None) -> str | None:
+    """What a noun means by what is said to be in or on it: a block for knives is a knife block.
+
+    The name of a kind of things gives it up for what the room has: a box for gloves is no laboratory's glove box.
+    """
+    what = _what_for(noun.mention, noun.head, noun.text) if noun.alone else ""
+    meant = _compound((singular(what), what), noun.head) if what else None
+    if meant is not None and noun.own and (room is None or room not in room_types() or meant not in _kit(room)):
         return None
-    said = _FOR.search(noun.text[span.start : span.end + _BESIDE])
-    if said is None or singular(said["noun"]) != noun.head:
-        return None
-    return _compound((singular(said["what"]), said["what"]), noun.head)
+    return meant
 
 
 def _stand_of(noun: _Noun) -> str | None:
@@ -215,7 +226,7 @@ def _stand_of(noun: _Noun) -> str | None:
     kinds = words("nouns")["kinds"]
     for category, name in noun.held:
         above = [kind for kind, names in kinds.items() if category in names]
-        spoken = (word.replace("_", " ") for word in (category, name, *above, *kinds_above(category)))
+        spoken = (word.replace("_", " ") for word in (category, name, *above))
         if (meant := _compound(spoken, noun.head)) is not None:
             return meant
     return None

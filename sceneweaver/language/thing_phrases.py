@@ -297,7 +297,7 @@ def new_thing(state: State, phrase: NounPhrase) -> Mention | None:
 def _is_concrete(state: State, phrase: NounPhrase) -> bool:
     """Whether a noun that is not known stands where a thing is named: in a list, or as what is placed."""
     noun = name_of(phrase)
-    if is_called_in(state.out.room_type, noun):
+    if is_called_in(state.out, noun, phrase.plural):
         return True  # "a boxing gym: ring, ..."
     if not any(c.isalpha() for c in phrase.text) or not (may_name(noun) or _is_likeness(phrase)):
         return False

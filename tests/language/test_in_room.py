@@ -47,6 +47,9 @@ def test_elsewhere_it_keeps_its_own_meaning(text: str, category: str) -> None:
         ("a yoga studio with blocks", "yoga_block"),
         ("a bike workshop with two stands", "bike_repair_stand"),
         ("a dance studio with a bar", "ballet_barre"),
+        ("a toy shop with trains and a till", "toy_train"),
+        ("an optician with frames on the wall", "eyewear_display"),
+        ("a lecture hall with a desk and a screen", "projector_screen"),
     ],
 )
 def test_a_noun_without_a_thing_of_its_own_is_what_the_room_has(text: str, category: str) -> None:
