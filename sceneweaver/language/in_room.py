@@ -210,13 +210,13 @@ def _compound(before: Iterable[str], head: str) -> str | None:
 def _for_what(noun: _Noun, room: str | None) -> str | None:
     """What a noun means by what is said to be in or on it: a block for knives is a knife block.
 
-    The name of a kind of things gives it up for what the room has: a box for gloves is no laboratory's glove box.
+    The name of a kind of things gives it up for what the room has alone (a box for gloves is no laboratory's glove
+    box), and so does what is for a thing of several meanings: a rack for sheets is not for those of metal.
     """
     what = _what_for(noun.mention, noun.head, noun.text) if noun.alone else ""
     meant = _compound((singular(what), what), noun.head) if what else None
-    if meant is not None and noun.own and (room is None or room not in room_types() or meant not in _kit(room)):
-        return None
-    return meant
+    certain = not noun.own and singular(what) not in words("senses")
+    return meant if certain or (room in room_types() and meant in _kit(room)) else None
 
 
 def _stand_of(noun: _Noun) -> str | None:

@@ -70,6 +70,14 @@ def test_what_is_on_it_or_what_it_is_for_tells_what_a_noun_means(text: str, cate
     assert category in {entity.category for entity in read_request(text).entities}
 
 
+@pytest.mark.parametrize(
+    ("text", "category"),
+    [("a hallway with a box for gloves", "storage_box"), ("a bedroom with a rack for sheets", "metal_shelf")],
+)
+def test_what_it_is_for_makes_no_thing_of_another_place(text: str, category: str) -> None:
+    assert [entity.category for entity in read_request(text).entities] == [category]
+
+
 def test_a_noun_that_the_room_explains_leaves_no_note() -> None:
     assert read_request("a distillery with two tanks").notes == ()
 
