@@ -35,6 +35,7 @@ _BEFORE_NOUNS = ("det", "number", "amount", "color", "material", "adjective", "s
 _MOST_OPEN = 12
 """Words between who does something and what: "people who will then also still have to sit"."""
 _SUBJECTS = ("i", "we", "they", "you", "he", "she")
+_NO_DEEDS = ("action", "verb", "stop", "people_words", "det", "number")
 _MOST_BARE = 4
 """Words of the name of a thing of a trade at most."""
 _POSSESSIVE = ("my", "our", "your", "their", "his", "her", "its")
@@ -109,7 +110,7 @@ def _end_of_deed(tokens: list[Token], at: int, k: int) -> int:
 
     Right behind who does it stands no thing; who is no I, you, we and they does it with an s.
     """
-    if k >= len(tokens) or not tokens[k].has("noun") or tokens[k].has("verb", "stop", "people_words", "det", "number"):
+    if k >= len(tokens) or not tokens[k].has("noun") or tokens[k].has(*_NO_DEEDS):
         return k
     ends = tokens[k].has("plural") or tokens[k].text.endswith("s")
     if ends != (tokens[at].text in ("he", "she")):
