@@ -24,16 +24,78 @@ _IRREGULAR = {
     "pouffes": "pouffe",
     "shoes": "shoe",
     "canoes": "canoe",
-    "cookies": "cookie",
-    "movies": "movie",
     "ties": "tie",
     "pies": "pie",
-    "brownies": "brownie",
-    "smoothies": "smoothie",
-    "selfies": "selfie",
     "caches": "cache",
     "quiches": "quiche",
 }
+_IN_IE = frozenset(
+    (
+        "beanie",
+        "birdie",
+        "bonhomie",
+        "bookie",
+        "boogie",
+        "bootie",
+        "bougie",
+        "bowtie",
+        "brasserie",
+        "brownie",
+        "budgie",
+        "calorie",
+        "charcuterie",
+        "collie",
+        "cookie",
+        "cootie",
+        "cutie",
+        "dixie",
+        "doggie",
+        "falsie",
+        "foodie",
+        "freebie",
+        "genie",
+        "ghillie",
+        "goalie",
+        "goonie",
+        "groupie",
+        "hippie",
+        "hoagie",
+        "hoodie",
+        "jalousie",
+        "junkie",
+        "laddie",
+        "lassie",
+        "lingerie",
+        "magpie",
+        "menagerie",
+        "movie",
+        "necktie",
+        "newbie",
+        "onesie",
+        "patisserie",
+        "pinkie",
+        "pixie",
+        "porkpie",
+        "potpie",
+        "prairie",
+        "quickie",
+        "rookie",
+        "rotisserie",
+        "selfie",
+        "sharpie",
+        "smoothie",
+        "softie",
+        "sortie",
+        "sweetie",
+        "talkie",
+        "veggie",
+        "walkie",
+        "weirdie",
+        "zombie",
+    )
+)
+"""Nouns that end in -ie, whose plurals look like those of nouns in -y."""
+
 _ALIKE = frozenset(
     (
         "bonsai",
@@ -77,6 +139,8 @@ def singular(words: str) -> str:
         last = last[:-3] + "f"
     elif last in _ALIKE:
         pass
+    elif last[:-1] in _IN_IE and last.endswith("s"):
+        last = last[:-1]
     elif last.endswith("ies") and len(last) > 4:
         last = last[:-3] + "y"
     elif last.endswith("oes") or last.endswith(("sses", "shes", "ches", "xes", "zzes")):

@@ -223,13 +223,13 @@ def _compound(noun: str, asked: str) -> Match | None:
             return replace(found, modifiers=tuple(rest))
         if found.how == "like" or end in _lexicon()["not_heads"]:
             return None
-        name = _holder(end, strange[-1]) or found.category
+        name = holder(end, strange[-1]) or found.category
         note = f"'{noun}' is not known; a {categories()[name].words} stands for it"
         return Match(name, "head", note, modifiers=tuple(rest))
     return None
 
 
-def _holder(end: str, held: str) -> str | None:
+def holder(end: str, held: str) -> str | None:
     """What a rack is by the kind of thing that is on it: a "kimono rack" is one for clothes; None: as any rack."""
     meant = noun_named(singular(held))
     if meant is None or meant.sure < CERTAIN:

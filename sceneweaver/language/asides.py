@@ -9,7 +9,7 @@ from __future__ import annotations
 from .tokens import Token
 from .vocabulary import words
 
-_OWN = ("person", "modal", "action", "passive", "unit")
+_OWN = ("person", "modal", "action", "trade", "passive", "unit")
 """Kinds of words that are looked at here alone."""
 
 _OPEN = ("modal", "adverbs")
@@ -34,6 +34,10 @@ _SELDOM = ("can", "will", "may", "might", "must")
 _BEFORE_NOUNS = ("det", "number", "amount", "color", "material", "adjective", "scale", "shape", "each", "bound")
 _MOST_OPEN = 12
 """Words between who does something and what: "people who will then also still have to sit"."""
+_SUBJECTS = ("i", "we", "they", "you", "he", "she")
+_NO_DEEDS = ("action", "verb", "stop", "people_words", "det", "number")
+_MOST_BARE = 4
+"""Words of the name of a thing of a trade at most."""
 _POSSESSIVE = ("my", "our", "your", "their", "his", "her", "its")
 _SIMILES = ("like", "as in", "as if", "as though")
 _WISHES = ("person", "modal")
@@ -68,9 +72,62 @@ def _aside(tokens: list[Token], at: int) -> tuple[int, str]:
     while k < min(first + _MOST_OPEN, len(tokens)) and tokens[k].has(*_OPEN) and not _is_noun(tokens, k):
         k += 1
     modal = any(t.has("modal") for t in tokens[first:k])
+    if (first > at or of_people) and (end := _end_of_trade(tokens, k)) > k:
+        return end, "clause"
+    if tokens[at].text in _SUBJECTS and (end := _end_of_deed(tokens, at, k)) > k:
+        return end, "clause"
     if k >= len(tokens) or not _acts(tokens, k, first > at, modal, of_people):
         return at, ""
     return _end(tokens, k + 1, first > at), "clause" if first > at else "verb"
+
+
+def _end_of_trade(tokens: list[Token], k: int) -> int:
+    """The end of what somebody does to things of a trade ("I repair old clocks and radios"); ``k`` itself for none.
+
+    The things have no article and no number: "we build a shelf" may ask for one.
+    """
+    if k >= len(tokens) or tokens[k].get("trade") not in ("base", "s", "ed"):
+        return k
+    end = _end_of_bare(tokens, k + 1)
+    if end == k + 1:
+        return k
+    while end < len(tokens) and tokens[end].has("and"):
+        form = tokens[k].get("trade")
+        again = end + 1 < len(tokens) and tokens[end + 1].get("trade") == form  # "and bind books"
+        more = _end_of_bare(tokens, end + 1 + again)
+        if more == end + 1 + again or not (more >= len(tokens) or _ends_clause(tokens[more])):
+            break
+        end = more
+    return end
+
+
+def _ends_clause(token: Token) -> bool:
+    return token.has("break", "and", "preposition", "while", "aside") or token.text in ("for", "so", "but")
+
+
+def _end_of_deed(tokens: list[Token], at: int, k: int) -> int:
+    """The end of what somebody does by a word that is a noun elsewhere ("where we iron"); ``k`` itself for none.
+
+    Right behind who does it stands no thing; who is no I, you, we and they does it with an s.
+    """
+    if k >= len(tokens) or not tokens[k].has("noun") or tokens[k].has(*_NO_DEEDS):
+        return k
+    ends = tokens[k].has("plural") or tokens[k].text.endswith("s")
+    if ends != (tokens[at].text in ("he", "she")):
+        return k
+    return _end_of_bare(tokens, k + 1)
+
+
+def _end_of_bare(tokens: list[Token], k: int) -> int:
+    """The end of a noun without article, the words before it included, that begins at ``k``."""
+    end = k
+    while end < min(k + _MOST_BARE, len(tokens)) and (
+        tokens[end].has("noun", "material", "color", "adjective", "scale", "containers") or not tokens[end].kinds
+    ):
+        if tokens[end].has("det", "number", "amount", "preposition") or _ends_clause(tokens[end]):
+            break
+        end += 1
+    return end
 
 
 def _acts(tokens: list[Token], k: int, has_subject: bool, modal: bool, of_people: bool) -> bool:

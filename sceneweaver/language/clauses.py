@@ -10,8 +10,10 @@ from sceneweaver.assets.taxonomy import category_named
 from .chunks import Chunk, NounPhrase
 from .distribution import each_next, every_so_many, group_used_by_people, listed_before, stands_for_each
 from .exclusions import excluded, only_chunk, without_chunk
+from .in_room import is_called_in
 from .items import begin_clause, close_surface, give_target, name_nothing, name_things, open_surface
 from .nearness import meant_of_list, nearest
+from .nothings import may_name
 from .parsed import Mention, Parsed
 from .pronouns import is_one_of_quality, number_phrase, pronoun_phrase
 from .region_phrases import part_phrase, region_phrase, thing_phrase
@@ -25,6 +27,7 @@ from .room_phrases import (
     room_phrase,
     room_quality,
 )
+from .senses import sense_of
 from .shares import share_total
 from .source import Source
 from .state import Frame, State, Waiting
@@ -238,7 +241,26 @@ def _noun(state: State, chunk: Chunk) -> None:
     hangs = waiting is not None and waiting.place.type == "hanging_from" and phrase.what != "place"
     if hangs and phrase.text in words("relations")["overhead"] and not _is_named(state, phrase):
         phrase.what, phrase.value = "place", "ceiling"
-    _PHRASES[phrase.what](state, phrase, chunk)
+    what = "thing" if phrase.what in ("abstract", "matter", "part") and _is_of_kit(state, phrase) else phrase.what
+    _PHRASES[what](state, phrase, chunk)
+
+
+def _is_of_kit(state: State, phrase: NounPhrase) -> bool:
+    """Whether what is mostly no thing is one in that room, where it stands in a list: the ring of a boxing gym; of what
+    is mostly a part of something, several that hang somewhere: "wheels hanging from the ceiling"."""
+    of_thing = bool(state.frames and state.frames[-1].owner)
+    if state.waiting is not None or of_thing or state.negated:
+        return False
+    called = is_called_in(state.out, phrase.text)
+    if phrase.what == "matter":
+        return called and (phrase.count is not None or phrase.plural)
+    if phrase.what == "abstract":
+        listed = not state.frames and state.glue in ("start", "comma")
+        return listed and called and may_name(phrase.text)
+    after = state.chunk(state.at)
+    if not phrase.plural or after is None or after.kind != "place" or after.value.type not in ("hanging_from", "on"):
+        return False
+    return called or bool(sense_of(phrase.text, state.source, phrase.start, phrase.end, 1.0))
 
 
 def _is_named(state: State, phrase: NounPhrase) -> bool:
@@ -416,6 +438,7 @@ _CHUNKS: dict[str, Callable[[State, Chunk], None]] = {
     "word": _word,
 }
 """What each kind of chunk does to the state."""
+
 
 _PHRASES: dict[str, Callable[[State, NounPhrase, Chunk], None]] = {
     "abstract": abstract_phrase,

@@ -47,7 +47,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     mentions = _first(_without_contradictions(parsed), parsed)
     for mention in mentions:
         _narrowed(mention)
-    mean_in_room(mentions, parsed.room_type)
+    mean_in_room(mentions, parsed, text.lower())
     lengths = measured(parsed, mentions, text)
     give_states(parsed, mentions, text)
     told_by_carriers(parsed, mentions)

@@ -65,8 +65,8 @@ def _is_foreign(text: str, parsed: Parsed) -> bool:
 
 
 def _leave_out_unknown(parsed: Parsed) -> None:
-    """Words of another language that look like nouns make no things."""
-    unknown = [m for m in parsed.mentions if m.generic]
+    """Words of another language that look like nouns, or like slips of English ones, make no things."""
+    unknown = [m for m in parsed.mentions if m.generic or match_of(m.noun).how == "spelling"]
     notes = {match_of(m.noun).note for m in unknown}
     parsed.unread += [Left(m.noun) for m in unknown]
     parsed.mentions = without(parsed.mentions, unknown)

@@ -203,7 +203,9 @@ def part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         place_phrase(state, phrase, chunk)
         return
     after = state.chunk(state.at)
-    over = phrase.plural and after is not None and after.kind == "place" and after.value.type == "above"
+    over = (
+        phrase.plural and after is not None and after.kind == "place" and after.value.type in ("above", "hanging_from")
+    )
     if (phrase.count is not None or over) and state.waiting is None and _stands_apart(state, phrase):
         named_thing(state, phrase, chunk)  # "five hooks above it"
         return

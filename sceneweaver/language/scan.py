@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 from sceneweaver.assets.taxonomy import is_head
@@ -26,13 +27,13 @@ class Scan:
     """Tokens and where the reader of them is."""
 
     def __init__(self, tokens: list[Token]):
-        self.tokens = tokens
+        self.tokens = [_as_noun(token) if _is_counted(tokens, k) else token for k, token in enumerate(tokens)]
         self.at = 0
         self.out: list[Chunk] = []
         self.named: set[str] = set()  # what the noun phrases so far are: things, rooms ...
         self.noun_before = False  # whether the last chunk was a noun phrase
         self.depth = 0  # of the noun phrase that is being read: of how many others it is
-        self.several = list(_several(tokens))  # by token: whether a plural stands before it in its clause
+        self.several = list(_several(self.tokens))  # by token: whether a plural stands before it in its clause
 
     def peek(self, offset: int) -> Token | None:
         """The token so many further on; None beyond the ends."""
@@ -71,6 +72,21 @@ def participle_next(scan: Scan, token: Token, after: Token | None) -> bool:
     if after is None or after.has(*CLOSED):
         return True
     return token.get("verb").form == "ing" and after.has("number", "amount") and last != "place"
+
+
+def _is_counted(tokens: list[Token], k: int) -> bool:
+    """Whether what is a verb of one thing, or the plural of a noun, stands where no verb does: behind a number of
+    several ("two stands") or "with"."""
+    verb, before = tokens[k].get("verb"), tokens[k - 1] if k > 0 else None
+    if before is None or not isinstance(verb, Verb) or verb.form != "s" or not is_head(tokens[k].text):
+        return False
+    number = before.get("number")
+    return before.text == "with" or (number is not None and number > 1)
+
+
+def _as_noun(token: Token) -> Token:
+    kinds = {kind: value for kind, value in token.kinds.items() if kind not in ("verb", "stop")}
+    return replace(token, kinds={**kinds, "plural": True})
 
 
 def _several(tokens: list[Token]) -> Iterator[bool]:

@@ -9,6 +9,7 @@ from typing import Any
 
 from sceneweaver.assets import categories
 from sceneweaver.assets.plurals import singular
+from sceneweaver.assets.taxonomy import resolve
 
 from .source import Source
 from .vocabulary import vocabulary, words
@@ -34,9 +35,13 @@ def sense_of(noun: str, source: Source, start: int, end: int, scale: float, bare
     around = source.spoken[max(0, start - BESIDE) : end + BESIDE]
     for row in rows:
         if row.get("bare", bare) == bare and _fits(row, source.spoken, around, scale):
-            known = categories()
-            return next((name for name in row["means"] if name in known), None if row["means"] else NOTHING)
+            return next((name for name in row["means"] if _is_known(name)), None if row["means"] else NOTHING)
     return None
+
+
+def _is_known(name: str) -> bool:
+    """Whether a name is that of a category, or of what the body of one stands for."""
+    return name in categories() or resolve(name).how == "like"
 
 
 def _is_compound(noun: str) -> bool:

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from functools import cache, lru_cache
 
+from sceneweaver.assets.wordnet import noun_named
+
 from .vocabulary import vocabulary, words
 
 SHORT = 6
@@ -77,9 +79,9 @@ def _neighbour(word: str) -> str | None:
     """A known word one letter away (wrong, missing, too many or changed round) that is no other form of it.
 
     A real word that the lexicon lacks must not be taken for one that it has, so inflections and derivations stay, and
-    so do the words of ``spelling.yaml``.
+    so do the nouns of a dictionary and the words of ``spelling.yaml``.
     """
-    if word in _real_words():
+    if word in _real_words() or noun_named(word) is not None:
         return None
     candidates = {near for key in (word, *_without_one(word)) for near in _by_key().get(key, ()) if near != word}
     fitting = sorted(

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from .chunks import Chunk, NounPhrase
 from .distribution import count_out_again
+from .in_room import is_called_in
 from .items import begin_clause, name_nothing, name_things
 from .model import Attribute
 from .nothings import is_animal, is_certain, is_large, may_name
@@ -296,6 +297,8 @@ def new_thing(state: State, phrase: NounPhrase) -> Mention | None:
 def _is_concrete(state: State, phrase: NounPhrase) -> bool:
     """Whether a noun that is not known stands where a thing is named: in a list, or as what is placed."""
     noun = name_of(phrase)
+    if is_called_in(state.out, noun, phrase.plural):
+        return True  # "a boxing gym: ring, ..."
     if not any(c.isalpha() for c in phrase.text) or not (may_name(noun) or _is_likeness(phrase)):
         return False
     if phrase.definite or is_certain(noun):

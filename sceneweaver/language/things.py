@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from functools import cache, lru_cache
 
 from sceneweaver.assets import Match, resolve
-from sceneweaver.assets.taxonomy import category_named, is_no_thing, narrower
+from sceneweaver.assets.taxonomy import category_named, holder, is_no_thing, narrower
 from sceneweaver.assets.wordnet import noun_named
 
 from .chunks import NounPhrase
@@ -67,7 +67,8 @@ def match_of(noun: str, of: str = "") -> Match:
     for k, name in ((0, whole), *((k, " ".join(parts[k:])) for k in range(tails))):
         found = table.get(name, {}).get("noun")
         if found is not None:
-            return Match(category_of(found), "exact" if k == 0 else "head", modifiers=tuple(parts[:k]))
+            held = holder(singular(name), parts[k - 1]) if k == len(parts) - 1 > 0 else None
+            return Match(held or category_of(found), "exact" if k == 0 else "head", modifiers=tuple(parts[:k]))
     return resolve(noun)
 
 
@@ -127,7 +128,7 @@ def _is_bare(phrase: NounPhrase) -> bool:
 
 def _is_quality(word: str) -> bool:
     """Whether a word says what a thing is like, rather than which kind of thing it is."""
-    return any(kind != "noun" for kind in vocabulary().get(word, {}))
+    return not vocabulary().get(word, {}).keys() <= {"noun", "trade"}
 
 
 def note_on(mention: Mention, parsed: Parsed) -> None:

@@ -178,6 +178,8 @@ def _phrase(raw: list[_Raw], at: int, notes: list[str], learned: Mapping[str, st
             continue
         if length > 1 and raw[end - 1].text == "seats" and end < len(raw) and _is_number(raw[end].text):
             continue  # "a table seats eight"
+        if length > 1 and raw[at].text in ("a", "in") and "noun" in table[phrase] and not raw[at].glued:
+            continue  # "a board" is no "A-board", "bulbs in trays" are in no "in-tray"
         if raw[end - 1].glued and not (length == 1 and phrase in NUMBERS and _tens_follow(raw, end)):
             continue
         return Token(phrase, raw[at].start, raw[end - 1].end, dict(table[phrase])), end

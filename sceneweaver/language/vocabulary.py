@@ -158,11 +158,12 @@ def _put_people(table: dict[str, dict[str, Any]], put: Put) -> None:
         put(phrase, "modal", phrase)
     for phrase in people["passives"]:
         put(phrase, "passive", phrase)
-    for lemma in people["actions"]:
-        verb, _, rest = lemma.partition(" ")
-        s, ed, ing = people["irregular"].get(verb) or _regular(verb)
-        for form, word in (("base", verb), ("s", s), ("ed", ed), ("ing", ing)):
-            put(f"{word} {rest}".strip(), "action", form)
+    for kind, lemmas in (("action", people["actions"]), ("trade", people["trades"])):
+        for lemma in lemmas:
+            verb, _, rest = lemma.partition(" ")
+            s, ed, ing = people["irregular"].get(verb) or _regular(verb)
+            for form, word in (("base", verb), ("s", s), ("ed", ed), ("ing", ing)):
+                put(f"{word} {rest}".strip(), kind, form)
 
 
 def _put_nothings(table: dict[str, dict[str, Any]], put: Put) -> None:
@@ -172,7 +173,9 @@ def _put_nothings(table: dict[str, dict[str, Any]], put: Put) -> None:
         put(phrase, "aside", phrase)
     for phrase in nothings["units"]:
         put(phrase, "unit", phrase)
-    known = {phrase for phrase, kinds in table.items() if kinds.keys() - {"action", "passive", "modal", "unit"}}
+    known = {
+        phrase for phrase, kinds in table.items() if kinds.keys() - {"action", "trade", "passive", "modal", "unit"}
+    }
     for phrase in nothings["adverbs"]:
         if phrase not in known:
             put(phrase, "adverbs", phrase)

@@ -8,6 +8,7 @@ import pytest
 
 from sceneweaver.assets.category import categories
 from sceneweaver.assets.parametric import makers
+from sceneweaver.assets.plurals import singular
 from sceneweaver.assets.taxonomy import GENERIC, category_named, likeliness, members, narrower, phrases, resolve
 
 
@@ -152,6 +153,17 @@ def test_words_make_a_thing_narrower(category: str, words: str, noun: str, narro
 def test_words_before_a_name_stay_with_it() -> None:
     assert resolve("three-legged red lacquered wooden stool").modifiers == ("red", "lacquered")
     assert resolve("jar of pickled zorbs").category == "jar"
+
+
+@pytest.mark.parametrize("noun", ["budgies", "magpies", "genies", "zombies"])
+def test_plurals_of_nouns_in_ie_keep_it(noun: str) -> None:
+    assert singular(noun) == noun.removesuffix("s")
+    assert resolve(noun).how != "spelling"
+
+
+def test_a_bin_for_something_is_for_no_waste() -> None:
+    assert resolve("potato bin").category == "wooden_crate"
+    assert resolve("waste bin").category == "trash_can"
 
 
 def test_a_real_word_is_no_slip() -> None:

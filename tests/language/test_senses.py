@@ -21,6 +21,17 @@ SENSES = [
     ("A pilates studio with eight mats.", "yoga_mat"),
     ("A porch with two glasses on a table.", "drinking_glass"),
     ("A terrace with a string of bulbs.", "string_lights"),
+    ("A laundry with two washers and a tumbler.", "dryer"),
+    ("A bar with six tumblers on a tray.", "drinking_glass"),
+    ("A bedroom with sheets on a shelf.", "bed_sheet"),
+    ("An office with sheets on a desk.", "paper_stack"),
+    ("A room to quilt with a frame and a stool.", "quilting_machine"),
+    ("Two aunts play cards at a table.", "playing_cards"),
+    ("A pony stable with three boxes for horses.", "horse_stall"),
+    ("A cellar with a potato bin.", "wooden_crate"),
+    ("A room with an empty pizza box on a stool.", "cardboard_box"),
+    ("A chapel with two boards and a bench.", "board"),
+    ("A workshop for bikes, wheels hanging from the ceiling.", "bike_wheel"),
 ]
 
 NOTHING = [
@@ -32,6 +43,13 @@ NOTHING = [
     "A chair at a desk on a step of 20 cm, with a path to the door.",
     "A desk and a chair, all handwritten marks are welcome, for a party.",
     "They only speak about sailing. A desk and a chair.",
+    "I restore old radios and clocks. A desk and a chair.",
+    "My uncle mends shoes and binds books; a desk, a chair.",
+    "A desk and a chair where we iron.",
+    "Two slipped discs, so a desk and a chair.",
+    "A desk and a chair, a line of tape on the floor.",
+    "A desk with a chair over the hatch in the loft floor.",
+    "For the budgies and me a desk and a chair.",
 ]
 
 
@@ -71,3 +89,20 @@ def test_what_stands_where_people_do_something_is_read():
 )
 def test_the_scene_and_what_stands_near_tell(text: str, category: str) -> None:
     assert category in {entity.category for entity in read_request(text).entities}
+
+
+def test_what_is_asked_for_by_a_verb_of_a_trade_is_made() -> None:
+    graph = read_request("Build shelves and a desk, and make a bench for me.")
+    assert [entity.category for entity in graph.entities] == ["wall_shelf", "desk", "bench"]
+
+
+def test_boards_that_are_counted_are_no_cladding() -> None:
+    graph = read_request("A classroom with two boards on the front wall.")
+    assert [entity.count for entity in graph.entities] == [(2, 2)]
+    assert graph.finishes == ()
+    assert read_request("A room with boards on the front wall.").finishes
+
+
+def test_an_article_before_a_noun_is_no_part_of_its_name() -> None:
+    assert [e.category for e in read_request("A shop with a board.").entities] != ["menu_board"]
+    assert [e.category for e in read_request("A shop with an A-board.").entities] == ["menu_board"]

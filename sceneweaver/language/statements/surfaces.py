@@ -19,6 +19,7 @@ from sceneweaver.knowledge.load import data_of
 from ..model import StatedFinish
 from ..parsed import Parsed
 from ..source import Source
+from ..vocabulary import NUMBERS
 from .lengths import PLAIN, plain_length
 from .phrases import one_of
 from .resolve import is_thing
@@ -48,7 +49,17 @@ def read_surfaces(source: Source, parsed: Parsed) -> None:
         return
     for needed, pattern, read in _readers():
         if any(word in source.text for word in needed):
-            source.blank(_compiled(pattern), lambda found, read=read: read(found, source, parsed))
+            source.blank(
+                _compiled(pattern), lambda found, read=read: None if _counted(found) else read(found, source, parsed)
+            )
+
+
+def _counted(found: re.Match[str]) -> bool:
+    """Whether a number stands before what would be a look, so that it is things: "two boards on the front wall"."""
+    look = found.groupdict().get("look")
+    if not look or found.start("look") != found.start() or not look.endswith("s"):
+        return False
+    return any(word.isdecimal() or word in NUMBERS for word in found.string[: found.start()].split()[-1:])
 
 
 _compiled = cache(re.compile)
