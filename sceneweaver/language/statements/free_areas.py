@@ -120,7 +120,9 @@ def _area(
         named = ["door"]
     targets = [_target(words, source, found.start()) for words in named]
     if phrase.kind in ("gap", "clearance") and len(named) - (groups.get("b") in ("wall", "walls")) < 1:
-        subject = _thing_before(source.text, found.start(), several=phrase.kind == "gap" and groups.get("b") not in ("wall", "walls"))
+        subject = _thing_before(
+            source.text, found.start(), several=phrase.kind == "gap" and groups.get("b") not in ("wall", "walls")
+        )
         targets = [subject, *targets]
     if any(target is None for target in targets):
         return None
