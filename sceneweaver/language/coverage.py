@@ -27,7 +27,11 @@ _JOIN = re.compile(r"[\s'’\"-]*")
 
 
 def silent_words(
-    graph: SceneGraph, language: str = "en", referred: Iterable[Span] = (), slips: Mapping[str, str] | None = None
+    graph: SceneGraph,
+    language: str = "en",
+    referred: Iterable[Span] = (),
+    slips: Mapping[str, str] | None = None,
+    told: Mapping[Span, float] | None = None,
 ) -> tuple[Unread, ...]:
     """The words of the text that no item of the graph accounts for, neighbours together, in order.
 
@@ -38,8 +42,10 @@ def silent_words(
         language: that it was read in.
         referred: where what was named before is named again.
         slips: words with a slip of the pen, and what was meant.
+        told: numbers of several words, by where these stand.
     """
-    covered = _marked(graph, (*_spans(graph), *referred))
+    numbers = (span for span, value in (told or {}).items() if _is_measure(graph, f"{value:g}"))
+    covered = _marked(graph, (*_spans(graph), *referred, *numbers))
     if language != "en":
         covered = _marked(graph, (*_spans(graph), *(entity.span for entity in graph.entities)))
         lost = unknown_words(graph.text.lower()[: len(graph.text)], language)

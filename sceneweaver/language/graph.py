@@ -112,7 +112,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         ),
     )
     notes += [f"'{said.words}' cannot be said as a relation" for said in unsaid(graph) if not said.implied]
-    silent = silent_words(graph, source.language, parsed.referred, source.slips)
+    silent = silent_words(graph, source.language, parsed.referred, source.slips, source.told)
     placed = {unread.words for unread in silent}
     left = sorted(
         (*(unread for unread in graph.unread if unread.span or unread.words not in placed), *silent),

@@ -12,6 +12,7 @@ from collections.abc import Callable, Sequence
 from functools import cache
 
 from .alternatives import one_of
+from .model import Span
 from .vocabulary import NUMBERS, words
 
 INCHES_A_FOOT = 12
@@ -46,25 +47,36 @@ _BEHIND = (
 
 _ENDS = r"(?=\s{0,3}(?:[.,;:)!?]|$))"
 
+_FIGURE = re.compile(r"\d+(?:\.\d+)?")
+
 Rule = tuple[re.Pattern[str], Callable[[re.Match[str]], str | None]]
 """What is looked for, and what is written for it; None leaves it."""
 
 
-def plain_quantities(text: str, origin: Sequence[int]) -> tuple[str, list[int]]:
+def plain_quantities(text: str, origin: Sequence[int], told: dict[Span, float] | None = None) -> tuple[str, list[int]]:
     """A text in lower case with its lengths and numbers in figures with units, and where each character of it stands.
 
     Time grows with the length of the text.
+
+    Args:
+        text: in lower case.
+        origin: where each character stands in the request.
+        told: gets the number that is written for words of the request, by where they stand there.
     """
     places = list(origin)
     metric = re.search(r"\d\s?(?:m|cm|mm|met(?:er|re)s?)\b", text) is not None
     imperial = not metric and re.search(r"\d\s?(?:ft|feet|foot|'|\"|in\b|inch(?:es)?)", text) is not None
     for pattern, write in (*_rules(), *_bare_rules(imperial)):
-        text, places = _written(pattern, write, text, places)
+        text, places = _written(pattern, write, text, places, told if told is not None else {})
     return text, places
 
 
 def _written(
-    pattern: re.Pattern[str], write: Callable[[re.Match[str]], str | None], text: str, places: list[int]
+    pattern: re.Pattern[str],
+    write: Callable[[re.Match[str]], str | None],
+    text: str,
+    places: list[int],
+    told: dict[Span, float],
 ) -> tuple[str, list[int]]:
     """The text with what is written for each match of a pattern, and where each character of it stands."""
     letters: list[str] = []
@@ -75,6 +87,8 @@ def _written(
         if not said or said == m[0]:
             continue
         last = len(m[0]) - 1
+        if (number := _FIGURE.search(said)) is not None:
+            told[Span(places[m.start()], places[m.end() - 1] + 1)] = float(number[0])
         letters += (text[at : m.start()], said)
         found += places[at : m.start()]
         found += [places[m.start() + min(k, last)] for k in range(len(said) - 1)]

@@ -135,6 +135,8 @@ class Source:
     language: str = "en"
     slips: dict[str, str] = field(default_factory=dict[str, str])
     """Words that were mended, with what was meant."""
+    told: dict[Span, float] = field(default_factory=dict[Span, float])
+    """Numbers that were written out, by where their words stand in the request."""
 
     def span(self, start: int, end: int) -> Span:
         """Where characters [start, end) stand in the request."""
@@ -205,8 +207,9 @@ def read_source(text: str) -> Source:
     if language != "en":
         spoken, origin = translated(spoken, origin, language, text)
         notes.append(f"read as {NAMES[language]}, word by word")
-    spoken, origin = plain_quantities(spoken, origin)
-    found = Source(spoken, origin, notes=notes, language=language)
+    told: dict[Span, float] = {}
+    spoken, origin = plain_quantities(spoken, origin, told)
+    found = Source(spoken, origin, notes=notes, language=language, told=told)
     found.blank(_TAG, lambda m: " ")
     found.blank(_ENDLESS, lambda m: _endless(m, found))
     found.blank(_ENDLESS_WORD, lambda m: _endless_word(m, found))

@@ -119,8 +119,9 @@ def _area(
     if groups.get("where") == "inside" and groups.get("a") in _PRONOUNS:
         named = ["door"]
     targets = [_target(words, source, found.start()) for words in named]
-    if phrase.kind in ("gap", "clearance") and len(named) - (groups.get("b") in ("wall", "walls")) < 1:
-        subject = _thing_before(source.text, found.start(), several=phrase.kind == "gap" and groups.get("b") not in ("wall", "walls"))
+    to_wall = groups.get("b") in ("wall", "walls")
+    if phrase.kind in ("gap", "clearance") and len(named) - to_wall < 1:
+        subject = _thing_before(source.text, found.start(), several=phrase.kind == "gap" and not to_wall)
         targets = [subject, *targets]
     if any(target is None for target in targets):
         return None

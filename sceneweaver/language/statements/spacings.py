@@ -34,7 +34,7 @@ _PATTERNS = tuple(re.compile(rf",? ?(?:and |with )?{form}") for form in _FORMS)
 _GAPS = r"(?:(?:clear |equal |even |regular |free )?(?:gaps?|spaces?|spacing|intervals))"
 _EACH = r"(?:each other|each of them|each one|each|them|one another|neighbou?rs)"
 _CLEAR = tuple(
-    re.compile(rf",? ?(?:\b(?:and|with|at|are|is|all|stand|standing|placed|set|kept|must be|should be) )*{form}")
+    re.compile(rf",? ?(?:\b(?:and|with|at|are|is|all|stand|standing|placed|set|kept|must be|should be) ){{0,4}}{form}")
     for form in (
         rf"{_GAPS} of {LENGTH}(?: (?:in )?between {_EACH}\b)?",
         rf"\bspaced (?:out )?(?:at |by |every )?{LENGTH}(?: apart)?",
