@@ -33,6 +33,7 @@ def number_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     before, after = state.chunk(state.at - 2), state.chunk(state.at)
     if before is not None and before.kind == "purpose" and before.value == "people":
         state.out.people = (phrase.count or (1, 1))[1]
+        state.out.referred.append(state.span_of(phrase))
         state.glue = ""
         return
     meant = _meant_again(state, phrase)

@@ -264,6 +264,7 @@ def people_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     inner = phrase.of.count if phrase.of is not None else None
     if phrase.count is not None:
         out.people = max(phrase.count[1], out.people or 0)  # four pupils at each bench are some of the twenty
+        out.referred.append(state.span_of(phrase))
     elif out.people is None and text in ("couple", "young couple", "parents", "elderly couple"):
         out.people = 2
     elif out.people is None and text == "family":

@@ -79,6 +79,10 @@ _PARTS = re.compile(r"(?<![\w.])(\d{1,2})\s?(?:m|meters?|metres?)\s(\d\d)(?![\w.
 _ON = re.compile(rf"{_NUMBER}{_GAP}{_LENGTH}{_GAP}on{_GAP}{_NUMBER}{_GAP}{_LENGTH}(?![a-z])")
 _WORDS = "one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen sixteen seventeen"
 _DIGITS = dict(zip([*_WORDS.split(), "eighteen", "nineteen", "twenty"], range(1, 21), strict=True))
+_TENS = {"twenty": 20, "thirty": 30, "forty": 40, "fifty": 50, "sixty": 60, "seventy": 70, "eighty": 80, "ninety": 90}
+_TENS_AND = re.compile(
+    rf"(?<![\w-])(?P<tens>{'|'.join(_TENS)})[ -](?P<one>one|two|three|four|five|six|seven|eight|nine)(?= [a-z])"
+)
 _SPELT_BY = re.compile(r"(?<=\bby )(" + "|".join(_DIGITS) + r")\b")
 _SPELT = re.compile(
     r"\b(" + "|".join(_DIGITS) + rf")\b(?={_GAP}-?{_GAP}(?:by|x|square|sq|m|met(?:er|re)s?|feet|foot|ft|cm)\b)"
@@ -202,6 +206,7 @@ def read_source(text: str) -> Source:
     if language != "en":
         spoken, origin = translated(spoken, origin, language, text)
         notes.append(f"read as {NAMES[language]}, word by word")
+    spoken, origin = _in_digits(spoken, origin)
     found = Source(spoken, origin, notes=notes, language=language)
     found.blank(_TAG, lambda m: " ")
     found.blank(_ENDLESS, lambda m: _endless(m, found))
@@ -230,6 +235,19 @@ def read_source(text: str) -> Source:
     found.blank(_HALF, lambda m: _no_half(m, found))
     found.blank(_WALLS_HIGH, lambda m: _walls(m, found))
     return found
+
+
+def _in_digits(spoken: str, origin: list[int]) -> tuple[str, list[int]]:
+    """Text with its numbers of two words in digits, "twenty-two" as "22", and the origin of its characters."""
+    parts: list[str] = []
+    kept: list[int] = []
+    at = 0
+    for m in _TENS_AND.finditer(spoken):
+        digits = str(_TENS[m["tens"]] + _DIGITS[m["one"]])
+        parts += [spoken[at : m.start()], digits]
+        kept += [*origin[at : m.start()], origin[m.start()], *origin[m.end() - len(digits) + 1 : m.end()]]
+        at = m.end()
+    return "".join([*parts, spoken[at:]]), [*kept, *origin[at:]]
 
 
 def metres(number: str, unit: str | None) -> float:

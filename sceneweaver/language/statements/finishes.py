@@ -118,9 +118,11 @@ def _floor(words: Sequence[str], before: bool) -> tuple[dict[str, Any] | None, i
             tone = wood if material == "wood" and wood in _of_family("wood") else None
             bare = [word for word in words if word not in found.split()]
             color, more = _color(bare, True)
-            tone = tone or (color if material != "wood" else None)
+            tone = tone or (color if material != "wood" else None) or row["tone"]
             used = len(words) if before else max(k + 1 for k, word in enumerate(words) if word in found.split())
-            return {"material": material, "color": tone}, min(used, 1 + more + len(found.split())) if before else used
+            return {"material": row.get("drawn", material), "color": tone}, min(
+                used, 1 + more + len(found.split())
+            ) if before else used
     if wood is not None and wood in _of_family("wood"):
         return {"material": "wood", "color": wood}, 2 if len(words) > 1 and " ".join(words[-2:]) in _wood_names() else 1
     color, used = _color(words, before)
