@@ -64,3 +64,8 @@ def test_paper_and_doors():
     found = finish("a hall with yellow and white striped wallpaper", "walls")
     assert (found.pattern, found.color, found.second) == ("stripes", "yellow", "white")
     assert finish("a lodge with a red door", "doors").color == "red"
+
+
+def test_floors_of_earth():
+    found = finish("a barn with a packed earth floor", "floor")
+    assert (found.material, found.color) == ("concrete", "brown")

@@ -255,7 +255,8 @@ def _gates() -> re.Pattern[str]:
     return re.compile(
         rf"\b(?:an?\s|the\s)?(?:(?P<what>{gate}),?\s{one_of(_KNOWN['instead'])}\s(?:an?\s|the\s)doors?\b"
         rf"|(?P<at>{gate})\s(?:at|in|across|for|as)\s(?:the|an)\s(?:entrance|doorway|way in|entry)\b"
-        rf"|(?P<to>(?:roller|sectional|iron|steel|wooden|sliding)\s(?:gate|shutter))(?:\s(?:to|onto)\s(?:the|a)\s{out})?\b)"
+        r"|(?P<to>(?:roller|sectional|iron|steel|wooden|sliding)\s(?:gate|shutter))"
+        rf"(?:\s(?:to|onto)\s(?:the|a)\s{out})?\b)"
     )
 
 

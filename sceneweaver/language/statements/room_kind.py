@@ -112,17 +112,26 @@ def _measured(text: str) -> list[tuple[int, int]]:
     """The name of a room that a sentence begins with and that the measures of a floor follow: "GP waiting room, 8 x 5
     m"; the first one."""
     found = (m.span("name") for m in _SIZED.finditer(text))
-    return [one for one in found if _is_name(text[slice(*one)])][:1]
+    rooms = (one for one in found if _is_name(text[slice(*one)]))
+    named = ((one, _named(_WORD.findall(text[slice(*one)]))) for one in rooms)
+    return [one for one, name in named if "noun" not in _kinds(name)][:1]  # "low stage, 3 x 2 m"
 
 
 def _sentences(text: str) -> list[tuple[int, int]]:
-    """The names of rooms that later sentences begin with, after what a request may begin with."""
+    """The names of rooms that later sentences begin with, after what a request may begin with; and rooms of which such
+    a sentence says what they are for."""
     found: list[tuple[int, int]] = []
-    for m in re.finditer(r"[.!?\n]\s+", text[:EARLY]):
+    for m in re.finditer(r"[.:!?\n]\s+", text[:EARLY]):
         opened = _opener().match(text, m.end())
         start = opened.end() if opened is not None else m.end()
-        parts = _parts(text, start, _end(text, start))[:1]
-        found += [(start, parts[0].end)] if parts and parts[0].kind == "core" and _is_name(parts[0].text) else []
+        parts = _parts(text, start, _end(text, start))
+        if not parts or parts[0].kind != "core":
+            continue
+        bare = _WORD.findall(parts[0].text)[-1:] in (["room"], ["place"], ["somewhere"])
+        if _is_name(parts[0].text):
+            found.append((start, parts[0].end))
+        elif bare and any(part.kind == "purpose" for part in parts):
+            found.append((start, parts[-1].end))
     return found
 
 
