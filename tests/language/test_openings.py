@@ -150,3 +150,17 @@ def test_daylight_and_windows_of_cellars() -> None:
     assert read_request("a bedroom, no daylight lamps").windows is None
     (one,) = read_request("a laundry room with a basement window").openings
     assert one.features == ("small", "high up")
+
+
+@pytest.mark.parametrize(
+    ("text", "doors"),
+    [
+        ("a kitchen without a back door", None),
+        ("a kitchen with no door to the garden", None),
+        ("a gym with no mirrors, doors painted red", None),
+        ("a shrine room with no door", 0),
+    ],
+)
+def test_a_room_has_no_door_only_where_that_is_said(text: str, doors: int | None) -> None:
+    graph = read_request(text)
+    assert (graph.doors, graph.openings) == (doors, ())

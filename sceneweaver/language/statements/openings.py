@@ -176,7 +176,7 @@ def read_openings(source: Source, parsed: Parsed) -> None:
         parsed.openings["window"] = 0
         parsed.referred.append(source.span(*found.span()))
         blanks.append(found.span())
-    text = _ways_in(source, parsed, blanks)
+    source.text = text = _ways_in(source, parsed, blanks)
     for match in _PHRASE.finditer(text):
         if any(a < match.end() and match.start() < b for a, b in blanks):
             continue
@@ -238,6 +238,10 @@ def _ways_in(source: Source, parsed: Parsed, blanks: list[tuple[int, int]]) -> s
         name = f"opening-{len(parsed.stated_openings)}"
         parsed.stated_openings += [first, first.model_copy(update={"opposite": name})]
         blanks.append(m.span())
+    for m in _NONE_OF.finditer(text):
+        if m["kinds"] or m["to"]:  # such a door is never there unasked
+            parsed.referred.append(source.span(*m.span()))
+            blanks.append(m.span())
     for m in _gates().finditer(text):
         said, what = " ".join(m[0].split()), m["what"] or m["at"] or m["to"]
         parsed.stated_openings.append(
@@ -259,6 +263,12 @@ def _gates() -> re.Pattern[str]:
         rf"(?:\s(?:to|onto)\s(?:the|a)\s{out})?\b)"
     )
 
+
+_NONE_OF = re.compile(
+    rf"\b(?:no|without(?:\s(?:an?|any))?)\s(?P<kinds>(?:{_KINDS}[\s-]){{0,3}})doors?\b"
+    rf"(?!\s?-?{one_of(_KNOWN['not_behind'])}\b)(?P<to>\s{_TO.pattern})?"
+)
+"""Doors of a kind, or to some place, that are not wanted."""
 
 _EACH_OTHER = re.compile(
     r"\b(?:opposite|facing|across from)\s(?:each other|one another)\b|\b(?:at|on|in) opposite (?:ends|walls|sides)\b"
