@@ -61,3 +61,17 @@ def test_hundreds_of_small_things_leave_room_for_others() -> None:
     graph = read_request("a wine shop with 900 bottles and two racks")
     assert [(e.category, e.count) for e in graph.entities][1:] == [("wine_rack", (2, 2))]
     assert any("900 x bottles was brought to" in note for note in graph.notes)
+
+
+@pytest.mark.parametrize(
+    ("text", "people"),
+    [
+        ("a flight simulator for a pilot and a navigator", 2),
+        ("a cafe with a table for a widow and two lodgers", 3),
+        ("a bedroom for my nephew and his rival", 2),
+        ("a music room for a brass quintet", 5),
+        ("a theatre foyer, forty critics standing", 40),
+    ],
+)
+def test_people_who_are_named_one_by_one_are_counted(text: str, people: int) -> None:
+    assert read_request(text).people == people

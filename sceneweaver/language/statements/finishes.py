@@ -250,6 +250,12 @@ def _alone(source: Source, parsed: Parsed) -> None:
                 _add(parsed, source, match, "floor", **row)
                 a, b = match.span() if used > 1 or not match["before"] else match.span()
                 source.text = source.text[:a] + " " * (b - a) + source.text[b:]
+    built = rf"\b(?P<of>{one_of(_data()['walls'])})(?:[ -]built)? (?=(?:vaulted |old )?{one_of(_data()['built'])}\b)"
+    for match in re.finditer(built, source.spoken):
+        row = {name: _data()["walls"][match["of"]].get(name) for name in ("material", "color")}
+        if source.text[slice(*match.span("of"))].strip() and _add(parsed, source, match.span("of"), "walls", **row):
+            a, b = match.span("of")
+            source.text = source.text[:a] + " " * (b - a) + source.text[b:]
     for word in _data()["all"]:
         every = re.compile(
             rf"(?:(?<=^)|(?<=[,.;:] )|(?<=\band ))(?:bare |exposed )?{word}"

@@ -31,6 +31,9 @@ _A_SIDE = re.compile(rf"\b(?P<n>{NUMBER}) (?:a|per|each) side\b")
 _ONE = rf"(?:an?|one|{NUMBER})"
 _COUNTED = re.compile(rf"(?<![\w'-]){NUMBER}(?= [a-z])")
 _ME = re.compile(rf"\b(?:me|myself)(?= (?:and|plus|with) {_ONE} )")
+_A = re.compile(r"(?<![\w'-])an?(?= [a-z])")
+_OWN = re.compile(r"\b(?:my|our|his|her|their)(?= [a-z])")
+_AND_OWN = re.compile(r" and (?:my|our|his|her|their|an?)(?= [a-z])")
 _NEXT = re.compile(rf"(?:,? (?:and|plus|with)|,)(?P<gap> )(?P<n>{_ONE})(?= [a-z])")
 
 
@@ -47,16 +50,32 @@ def persons(source: Source, parsed: Parsed) -> None:
     _somewhere_to(source, parsed, edits)
     for m in list(_OF_US.finditer(source.text)):
         edits.take(*m.span("of"), "men".rjust(len(m["of"])))
-    for m in [*_ME.finditer(source.text), *_COUNTED.finditer(source.text)]:
+    for m in [*_ME.finditer(source.text), *_COUNTED.finditer(source.text), *_A.finditer(source.text)]:
         if edits.free(*m.span()):
             _counted(m, source, edits)
+    for m in _OWN.finditer(source.text):
+        _of_one(m, source, parsed)
+
+
+def _of_one(m: re.Match[str], source: Source, parsed: Parsed) -> None:
+    """ "My grandson and his friend" are two, who stay in the source for whom the room is."""
+    total, end = 1, somebody(source.text, m.end(), plural=False)
+    while end and (more := _AND_OWN.match(source.text, end)) is not None:
+        then = somebody(source.text, more.end(), plural=False)
+        if not then:
+            break
+        total, end = total + 1, then
+    if total > 1 and parsed.people is None:
+        parsed.people = total
+        parsed.referred.append(source.span(m.start(), end))
 
 
 def _counted(m: re.Match[str], source: Source, edits: Edits) -> None:
     """One number with who they are, and those that "and" binds to them."""
     me = m[0] in ("me", "myself")
-    total = 1 if me else number_of(m[0])
-    end = m.end() if me else somebody(source.text, m.end(), plural=m[0] not in _SINGLE)
+    alone = me or m[0] in ("a", "an")
+    total = 1 if alone else number_of(m[0])
+    end = m.end() if me else somebody(source.text, m.end(), plural=not alone and m[0] not in _SINGLE)
     if not end or not total:
         return
     parts = 1
@@ -66,7 +85,7 @@ def _counted(m: re.Match[str], source: Source, edits: Edits) -> None:
         if not then:
             break
         total, end, parts = total + count, then, parts + 1
-    if parts == 1 and (me or _is_known(source.text[m.end() : end])):
+    if parts == 1 and (alone or _is_known(source.text[m.end() : end])):
         return
     number = str(total) if parts > 1 else m[0]
     room = end - m.start() - len(number)

@@ -146,7 +146,8 @@ def _is_name(text: str, loose: bool = True) -> bool:
     """Whether words are the name of a room with no more than what it is like before it."""
     spoken = _WORD.findall(text)
     named = _named(spoken)
-    if not named or not (loose or named not in words("room_kind")["loose"]) or len(spoken) > LONGEST:
+    shell = words("built_parts")["not_built"]["ceiling_shape"]["words"]  # "low brick vault" alone is a ceiling
+    if not named or not (loose or named not in (*words("room_kind")["loose"], *shell)) or len(spoken) > LONGEST:
         return False
     others = ("noun", "room", "group", "pron", "det", *_NOT_IN_NAMES)
     before = [w for w in spoken[: len(spoken) - len(named.split())] if w not in words("room_kind")["buildings"]]
@@ -387,7 +388,8 @@ def _telling(part: _Part) -> str:
     """The words of a part without what is said of the looks of the room; with as many words as before."""
     if part.kind != "core":
         return part.text
-    return _WORD.sub(lambda m: "the" if _kinds(m[0]).keys() & {*_LOOKS} else m[0], part.text)
+    shell = words("room_kind")["shell"]
+    return _WORD.sub(lambda m: "the" if m[0] in shell or _kinds(m[0]).keys() & {*_LOOKS} else m[0], part.text)
 
 
 def _among(told: frozenset[str], spoken: set[str]) -> bool:
