@@ -164,3 +164,9 @@ def test_daylight_and_windows_of_cellars() -> None:
 def test_a_room_has_no_door_only_where_that_is_said(text: str, doors: int | None) -> None:
     graph = read_request(text)
     assert (graph.doors, graph.openings) == (doors, ())
+
+
+def test_an_entrance_in_a_wall_is_a_door() -> None:
+    (one,) = read_request("a tailor shop, entrance on the short wall").openings
+    assert (one.part, one.wall) == ("door", "short")
+    assert read_request("a hallway, a console opposite the entrance").openings == ()

@@ -75,3 +75,10 @@ def test_hundreds_of_small_things_leave_room_for_others() -> None:
 )
 def test_people_who_are_named_one_by_one_are_counted(text: str, people: int) -> None:
     assert read_request(text).people == people
+
+
+def test_animals_and_vehicles_are_nobody() -> None:
+    for text in ("a stable for four ponies", "a garage for two tractors"):
+        graph = read_request(text)
+        assert graph.people is None
+        assert graph.unread

@@ -270,6 +270,9 @@ _NONE_OF = re.compile(
 )
 """Doors of a kind, or to some place, that are not wanted."""
 
+_PLACED: dict[str, set[str]] = dict.fromkeys(("entrance", "entrances"), {"wall", "opposite"})
+"""Ways in that are doors where their wall is said as well; a hatch in a wall may be one to serve through."""
+
 _EACH_OTHER = re.compile(
     r"\b(?:opposite|facing|across from)\s(?:each other|one another)\b|\b(?:at|on|in) opposite (?:ends|walls|sides)\b"
 )
@@ -313,7 +316,7 @@ def _stated(
     if (
         not (told.fields or goes_on)
         and (not kinds or (kinds == ("another",) and part == "window"))
-        or (way_in and not {"height", "width"} & told.fields.keys() and not kinds)
+        or (way_in and not ({"height", "width"} | _PLACED.get(match["part"], set())) & told.fields.keys() and not kinds)
     ):
         return [], []
     count = _count(match["count"], match["part"])
