@@ -21,6 +21,7 @@ UNDRAWN = (
     *("coloured glass", "stained glass", "painted glass", "leaded glass", "frosted glass", "frosted", "leaded"),
     *("garage", "roller", "barred", "arched", "arch", "pointed arch", "round", "pointed", "lockable", "locking"),
     *("glass panel", "internal", "stable", "barn", "folding", "revolving", "sash", "casement", "dormer"),
+    *words("openings")["gates"],
 )
 """Kinds that are drawn like any other: an opening that is right else is so in part."""
 
@@ -97,6 +98,10 @@ def _fault(
     if not is_wall(seen, wall, walls, entry, ahead, one.run):
         name = one.wall if one.run == "any" else f"{one.wall} {one.run}"
         return f"{opening.id} is not in the {name} wall"
+    if "apart" in one.features and any(
+        opening.wall == other.wall and type(other) is type(opening) for others in used.values() for other in others
+    ):
+        return f"{opening.id} is in the wall of another one"
     if one.wall_length is not None and abs(wall.length - one.wall_length) > _limit("wall"):
         return f"{opening.id} is in a wall of {wall.length:.2f} m"
     across = [walls[o.wall] for o in used.get(one.opposite, [])]

@@ -78,6 +78,9 @@ def shell(
     return made, [*notes, *lost, *unfit, *narrow]
 
 
+PARTS = ("door", "window")
+
+
 def left_to_us(brief: SceneGraph) -> bool:
     """Whether the request leaves the shape of the room open: it says nothing of it, nor of places in it."""
     told = brief.shape or brief.size or brief.area or brief.relations or brief.openings or brief.free_areas
@@ -86,7 +89,9 @@ def left_to_us(brief: SceneGraph) -> bool:
 
 def _plan(room_type: RoomType, brief: SceneGraph, area: float, rng: random.Random, notes: list[str]) -> Plan:
     free = left_to_us(brief)
-    shape = drawn_shape(room_type, area, rng) if free else brief.shape or "rectangle"
+    apart = max((sum(o.part == part and "apart" in o.features for o in brief.openings) for part in PARTS), default=0)
+    plain = "rectangle" if apart <= 4 else "L"  # more walls than four for more openings than that in walls of their own
+    shape = drawn_shape(room_type, area, rng) if free else brief.shape or plain
     if brief.size is not None:
         width, depth = _within(brief.size, notes)
         if brief.wing is not None:

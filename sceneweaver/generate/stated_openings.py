@@ -23,6 +23,9 @@ EDGE = 0.15
 ASSIGNMENTS = 2000
 """Assignments of walls that are tried for one entry, about."""
 
+MOST_APART = 5
+"""Openings in walls of their own for which all assignments are tried."""
+
 CORNER = 0.15
 """Distance [m] from the corner of what is said to be in it."""
 
@@ -68,12 +71,13 @@ def walls_stated(brief: SceneGraph, walls: Sequence[Wall], entries: Sequence[int
     for many in range(len(stated), -1, -1):
         kept = stated[:many]
         found: list[tuple[float, int, dict[str, int]]] = []
+        least = sum("apart" in one.features for one in kept)
         for entry in range(len(walls)) if first in kept or kept else entries:
             ahead = ahead_of(walls[entry], first.wall if first is not None and first in kept else "any")
             alone = [_walls_for(one, walls, entry, ahead, kept, one is first) for one in stated]
-            for chosen in product(*(_longest(several, walls, len(stated)) for several in alone)):
+            for chosen in product(*(_longest(several, walls, len(stated), least) for several in alone)):
                 where = dict(zip(names, chosen, strict=True))
-                if all(_faces(one, where, walls, entry) for one in kept):
+                if all(_faces(one, where, walls, entry) for one in kept) and _are_apart(kept, where):
                     beside = 2.0 * (first not in kept and entry not in entries)
                     found.append((_score(stated, where, walls, entry, rng) - beside, entry, where))
         if found:
@@ -191,9 +195,9 @@ def _is_told(one: StatedOpening, seen: str, wall: Wall, walls: Sequence[Wall], e
     return suits and (one.wall_length is None or abs(wall.length - one.wall_length) <= SAME_LENGTH)
 
 
-def _longest(several: Sequence[int], walls: Sequence[Wall], many: int) -> list[int]:
-    """The longest of some walls, as many as leave a bounded number of assignments to so many openings."""
-    most = max(1, int(ASSIGNMENTS ** (1.0 / max(1, many))))
+def _longest(several: Sequence[int], walls: Sequence[Wall], many: int, least: int = 1) -> list[int]:
+    """The longest of some walls, as many as leave a bounded number of assignments to so many openings, or ``least``."""
+    most = max(1, min(least, MOST_APART), int(ASSIGNMENTS ** (1.0 / max(1, many))))
     return sorted(several, key=lambda k: -walls[k].length)[:most]
 
 
@@ -203,6 +207,12 @@ def _faces(one: StatedOpening, where: Mapping[str, int], walls: Sequence[Wall], 
         return True
     other = entry if one.opposite == "door" else where.get(one.opposite)
     return other is None or are_opposite(walls[where[one.id]], walls[other])
+
+
+def _are_apart(kept: Sequence[StatedOpening], where: Mapping[str, int]) -> bool:
+    """Whether those of which no two may be in one wall are not."""
+    own = [where[one.id] for one in kept if "apart" in one.features]
+    return len(set(own)) == len(own)
 
 
 def _score(

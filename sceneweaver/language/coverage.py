@@ -107,8 +107,9 @@ def _said_of(graph: SceneGraph, word: str) -> bool:
 
 def _counts(word: str) -> bool:
     """Whether a word before a noun says how many there are, or bounds it, which the number of the things tells."""
-    kinds = vocabulary().get(word, {}).keys()
-    return word in words("quantities")["counting"] or not kinds.isdisjoint(("number", "amount", "collective", "bound"))
+    told = [vocabulary().get(part, {}).keys() for part in word.split("-")]  # "twenty-two" is of two numbers
+    counts = [not kinds.isdisjoint(("number", "amount", "collective", "bound")) for kinds in told]
+    return word in words("quantities")["counting"] or all(counts)
 
 
 @cache

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
 
 from sceneweaver.assets import categories
@@ -18,6 +19,9 @@ from .vocabulary import category_of, group_rows, vocabulary, words
 
 FEW = 12
 """Kinds of a known thing that are ruled out with it."""
+
+_NO = re.compile(r"\b(?:no|not|without|zero|neither|nor|sans)\b(?:\s(?:an?|any|the|real|proper))*\s*$")
+"""What rules out the noun that comes next."""
 
 
 def without_chunk(state: State, chunk: Chunk) -> None:
@@ -95,7 +99,10 @@ def _leave_out(state: State, phrase: NounPhrase) -> None:
     if phrase.what in ("group", "abstract", "collective", "matter") and is_class(phrase.text):
         state.out.without.append((phrase.text, kinds_unwanted(phrase.text), span))
     elif phrase.what == "place":
-        if not any(one.part == phrase.value for one in state.out.stated_openings):
+        listed = phrase.value == "door" and not _NO.search(state.source.text, 0, phrase.start)
+        if listed:  # "no mirrors, doors painted red": a room without a door is one of which just this is said
+            state.leave_unread(state.source.text[phrase.start : phrase.end], phrase.start, phrase.end)
+        elif not any(one.part == phrase.value for one in state.out.stated_openings):
             state.out.openings[str(phrase.value)] = 0
     elif phrase.what == "group":
         things = group_rows()[phrase.value]["things"]

@@ -29,6 +29,9 @@ from .vocabulary import words
 MOST = 400
 """Most things of a request that are taken seriously, of one kind and together."""
 
+MOST_SMALL = 120
+"""Most small things of one kind that are laid out one by one: with hundreds of bottles the room gets nothing else."""
+
 SEVERAL, PLURAL = 6, 6
 """Things that there are at least of what is all over a room, and most of a bare plural."""
 
@@ -207,6 +210,10 @@ def _first(mentions: list[Mention], parsed: Parsed) -> list[Mention]:
     """What comes first in a request, as long as that is `MOST` things; the rest counts as not understood."""
     total, kept = 0, []
     for mention in mentions:
+        if mention.count is not None and mention.count[1] > MOST_SMALL and mention.is_small:
+            parsed.note(f"{mention.count[1]} x {mention.noun} was brought to {MOST_SMALL}")
+            parsed.unread.append(Left(f"{mention.count[1]} {mention.noun}"))
+            mention.count = (min(mention.count[0], MOST_SMALL), MOST_SMALL)
         total += min(mention.count[1], MOST) if mention.count else 1
         if total <= MOST:
             kept.append(mention)

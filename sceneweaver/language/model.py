@@ -199,12 +199,23 @@ class StatedOpening(FrozenModel):
     """Doors, windows or parts of the shell of one kind that a request describes.
 
     ``wall`` is as seen from the first door (left, right, far, near), by compass, by length (long, short), or opposite
-    another opening; ``at`` is where along it. Slopes, sunken floors, windows in roofs and shapes of ceilings
-    are told and not built.
+    another opening; ``at`` is where along it. Slopes, sunken floors, steps, windows in roofs, openings in floors and
+    shapes of ceilings are told and not built.
     """
 
     id: str = ""
-    part: Literal["door", "window", "niche", "breast", "roof_window", "slope", "sunk_floor", "ceiling_shape"]
+    part: Literal[
+        "door",
+        "window",
+        "niche",
+        "breast",
+        "roof_window",
+        "slope",
+        "sunk_floor",
+        "ceiling_shape",
+        "steps",
+        "floor_opening",
+    ]
     count: int = 1
     wall: Literal["left", "right", "side", "far", "near", "north", "south", "east", "west", "long", "short", "any"] = (
         "any"

@@ -274,7 +274,7 @@ def _kind(scan: Scan, head: Token, phrase: NounPhrase, start: int) -> tuple[str,
     if head.has("room"):  # "a sofa by the library": a room is none among things
         placed = before is not None and before.has("preposition") and before.text not in ("in", "inside", "within")
         told = before is not None and before.text == "with"  # "a dance studio with a bar"
-        if not noun or not (placed or told or {"thing", "group"} & scan.named):
+        if not noun or not (placed or told or {"thing", "group", "room"} & scan.named):
             return "room", head.get("room")
     last = before.text.split()[-1] if before is not None else ""
     holds = last in ("on", "from", "of", ",") and head.text in words("nouns")["holders"]

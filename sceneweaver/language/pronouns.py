@@ -31,8 +31,9 @@ def is_one_of_quality(chunk: Chunk, after: Chunk | None) -> bool:
 def number_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     """A number alone: "four on each side", "a table for six", "two of them"."""
     before, after = state.chunk(state.at - 2), state.chunk(state.at)
-    if before is not None and before.kind == "purpose" and before.value == "people":
+    if before is not None and before.kind == "purpose" and before.value == "people" and phrase.count != (0, 0):
         state.out.people = (phrase.count or (1, 1))[1]
+        state.out.referred.append(state.span_of(phrase))
         state.glue = ""
         return
     meant = _meant_again(state, phrase)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from sceneweaver.assets.wordnet import of_head
 from sceneweaver.knowledge.load import room_words
 
 from .chunks import EACH, Chunk, NounPhrase
@@ -262,8 +263,12 @@ def people_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         state.glue = "" if state.glue != "start" else "start"
         return
     inner = phrase.of.count if phrase.of is not None else None
-    if phrase.count is not None:
+    known = of_head(text)
+    if phrase.count is not None and known is not None and known.kind in ("animal", "vehicle"):
+        state.leave_unread(state.source.text[phrase.start : phrase.end], phrase.start, phrase.end)  # "for four ponies"
+    elif phrase.count is not None:
         out.people = max(phrase.count[1], out.people or 0)  # four pupils at each bench are some of the twenty
+        out.referred.append(state.span_of(phrase))
     elif out.people is None and text in ("couple", "young couple", "parents", "elderly couple"):
         out.people = 2
     elif out.people is None and text == "family":

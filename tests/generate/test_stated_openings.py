@@ -21,6 +21,9 @@ REQUESTS = [
     "a classroom with four windows on the left wall, door on the right wall opening outwards",
     "a bathroom with a small high window opposite the door",
     "a study with two windows on the same wall",
+    "a galley with a door at both ends",
+    "a lounge with five doors, no two on the same wall",
+    "a laundry room with a cellar window, in by the left door, out by the right",
 ]
 
 
@@ -71,3 +74,12 @@ def test_what_is_not_so_is_told() -> None:
         brief = read_request(text)
         found = [row.outcome.status for row in outcomes(_Survey(brief, plain))]
         assert found == ["unmet"], (text, found)
+
+
+def test_doors_in_walls_of_their_own_are_told_apart() -> None:
+    brief = read_request("a bedroom with two doors, each in a different wall")
+    room, _ = shell(room_types()["bedroom"], brief, 16.0, 1)
+    one = room.doors[0]
+    both = one.model_copy(update={"id": "door-1", "offset": one.offset + 0.1})
+    crammed = room.model_copy(update={"doors": (one, both)})
+    assert [row.outcome.status for row in outcomes(_Survey(brief, crammed))] == ["met", "unmet"]

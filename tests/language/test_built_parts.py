@@ -48,3 +48,17 @@ def test_a_low_wall_is_no_wall_of_the_room() -> None:
 def test_slopes_are_told_with_what_they_are_said_of() -> None:
     (slope,) = read_request("an attic room, a chest is under the eaves").openings
     assert (slope.part, slope.words) == ("slope", "under the eaves")
+
+
+@pytest.mark.parametrize(
+    ("text", "part", "count"),
+    [
+        ("a chapel down five stone steps", "steps", 5),
+        ("a barn with a trapdoor", "floor_opening", 1),
+        ("a milking parlour, pit down the middle", "sunk_floor", 1),
+        ("a vaulted cellar with a rack", "ceiling_shape", 1),
+        ("an attic room with two skylights", "roof_window", 2),
+    ],
+)
+def test_what_no_room_has_is_told(text: str, part: str, count: int) -> None:
+    assert [(one.part, one.count) for one in read_request(text).openings] == [(part, count)]

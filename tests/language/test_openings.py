@@ -120,3 +120,53 @@ def test_two_openings_look_at_each_other() -> None:
 def test_no_window_says_nothing_of_the_door_after_it() -> None:
     graph = read_request("a darkroom, no window, door on the short wall")
     assert (graph.windows, graph.doors) == (0, 1)
+
+
+@pytest.mark.parametrize(
+    ("text", "doors", "told"),
+    [
+        ("a galley with a door at both ends", 2, [{"wall": "short"}, {"opposite": "opening-0"}]),
+        ("a hall with doors on both sides", 2, [{"wall": "long"}, {"opposite": "opening-0"}]),
+        ("a lounge, three doors, no two on the same wall", 3, [{"features": ("apart",)}] * 3),
+        ("a bank, in by the left door, out by the right", 2, [{}, {"opposite": "opening-0"}]),
+        ("a bank; enter at the left, leave at the right", 2, [{}, {"opposite": "opening-0"}]),
+        ("a pantry with a curtain instead of a door", 1, [{"features": ("curtain",)}]),
+        ("a wine cellar, iron gate not a door", 1, [{"features": ("iron gate",)}]),
+        ("a bathroom. Door 90, must not open inwards", 1, [{"width": 0.9, "features": ("outward",)}]),
+        ("a restaurant, swing doors to the kitchen", 2, [{"features": ("swing", "double", "to the kitchen")}]),
+        ("a sunroom, double doors at one end and a single one at the other", 2, [{"wall": "far"}, {"features": ()}]),
+    ],
+)
+def test_where_doors_are_and_what_closes_them(text: str, doors: int, told: list[dict[str, object]]) -> None:
+    graph = read_request(text)
+    assert graph.doors == doors
+    assert len(graph.openings) == len(told)
+    for one, said in zip(graph.openings, told, strict=True):
+        assert {name: getattr(one, name) for name in said} == said
+
+
+def test_daylight_and_windows_of_cellars() -> None:
+    assert read_request("a darkroom, no daylight at all").windows == 0
+    assert read_request("a bedroom, no daylight lamps").windows is None
+    (one,) = read_request("a laundry room with a basement window").openings
+    assert one.features == ("small", "high up")
+
+
+@pytest.mark.parametrize(
+    ("text", "doors"),
+    [
+        ("a kitchen without a back door", None),
+        ("a kitchen with no door to the garden", None),
+        ("a gym with no mirrors, doors painted red", None),
+        ("a shrine room with no door", 0),
+    ],
+)
+def test_a_room_has_no_door_only_where_that_is_said(text: str, doors: int | None) -> None:
+    graph = read_request(text)
+    assert (graph.doors, graph.openings) == (doors, ())
+
+
+def test_an_entrance_in_a_wall_is_a_door() -> None:
+    (one,) = read_request("a tailor shop, entrance on the short wall").openings
+    assert (one.part, one.wall) == ("door", "short")
+    assert read_request("a hallway, a console opposite the entrance").openings == ()

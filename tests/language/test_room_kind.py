@@ -107,3 +107,22 @@ def test_what_a_room_is_not_is_told_and_names_none(text, kind):
     graph = read_request(text)
     assert graph.room_type == kind
     assert any("not a" in unread.words or "isn't a" in unread.words for unread in graph.unread)
+
+
+@pytest.mark.parametrize(
+    ("text", "kind"),
+    [
+        ("Wish list of a bassist. Nail salon, 4 x 3 m, two mirrors.", "nail_salon"),
+        ("Sunday was grim, thirty cousins, village canteen. A hatch.", "canteen"),
+        ("I sold my boat. Please model a chapel with ten pews.", "chapel"),
+        ("Brief: law office, two desks.", "law_office"),
+        ("Refurbishment of a stone-floor sauna, 2 x 2 m.", "sauna"),
+        ("Our cellar, 3 x 4 m, for the wine of my uncle.", "wine_cellar"),
+        ("The attic is to be a pottery studio.", "pottery_studio"),
+        ("A snug with two armchairs.", "living_room"),
+        ("A snug bedroom.", "bedroom"),
+        ("A banquet hall. Low stage, 3 x 2 m, on a short wall.", "banquet_hall"),
+    ],
+)
+def test_the_kind_is_found_behind_what_else_is_told(text: str, kind: str) -> None:
+    assert read_request(text).room_type == kind

@@ -64,3 +64,13 @@ def test_paper_and_doors():
     found = finish("a hall with yellow and white striped wallpaper", "walls")
     assert (found.pattern, found.color, found.second) == ("stripes", "yellow", "white")
     assert finish("a lodge with a red door", "doors").color == "red"
+
+
+def test_floors_of_earth():
+    found = finish("a barn with a packed earth floor", "floor")
+    assert (found.material, found.color) == ("concrete", "brown")
+
+
+def test_a_cellar_of_brick_has_walls_of_it():
+    found = finish("a vaulted brick cellar with a rack", "walls")
+    assert (found.material, found.color) == ("brick", "brick red")

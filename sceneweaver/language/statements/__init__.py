@@ -27,6 +27,7 @@ from .limits import limits
 from .looks import read_looks
 from .measures import measures
 from .openings import read_openings
+from .persons import persons
 from .roles import roles
 from .room_kind import furnish_zones, read_room_kind
 from .room_sides import room_sides
@@ -51,6 +52,7 @@ def _told_of_rows(source: Source, parsed: Parsed) -> None:
 
 
 STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
+    persons,
     entering,
     contrasts,
     labels,

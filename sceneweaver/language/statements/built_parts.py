@@ -15,9 +15,9 @@ from ..parsed import Parsed
 from ..source import Source
 from ..told_openings import is_bay
 from ..vocabulary import words
-from .phrases import Edits, number_of, one_of
+from .phrases import NUMBER, Edits, number_of, one_of
 
-_COUNTED = r"(?:(?P<count>two|three|four|five|six|\d)\s(?:[a-z]+\s){0,2}?)?"
+_COUNTED = rf"(?:(?P<count>{NUMBER})\s(?:[a-z]+\s){{0,2}}?)?"
 _PLACED = (
     r"(?:(?P<at>under|underneath|below|beneath|in|into|inside|within|on|at|against|along|around|over|above|by|near|"
     r"beside|from|of|with|has|and)\s)?(?P<det>(?:the|a|an|its|one|both|each)\s)?(?:(?:low|small|"
@@ -88,12 +88,14 @@ def _not_built(source: Source, parsed: Parsed) -> None:
             if not edits.free(*found.span()) or _is_absent(source.text, found):
                 continue
             placed = found["at"] not in (None, "of", "with", "has", "and")
-            start = found.start("at") if placed else found.start("det") if found["det"] else found.start("noun")
+            start = found.start("at") if placed or not found["at"] else found.end("at") + 1
+            start = max(start, found.start())
             end = found.end()
             if part in ("slope", "sunk_floor"):
                 end += len(_HEIGHT.match(source.text[end:])[0].rstrip())  # type: ignore[index]
             said = source.text[start:end].strip()
-            count = number_of(found["count"]) if found["count"] else 1
+            many = re.search(rf"\b{NUMBER}(?= )", said)
+            count = number_of(many[0]) if many is not None else 1
             span = edits.take(start, end)
             parsed.stated_openings.append(
                 StatedOpening(part=cast(Any, part), count=count, features=(row["because"],), words=said, span=span)

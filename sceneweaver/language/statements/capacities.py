@@ -18,11 +18,11 @@ from ..parsed import Parsed
 from ..source import Source
 from ..things import match_of
 from ..vocabulary import family, vocabulary, words
-from .phrases import NUMBER, Edits, listed, noun_after, noun_before, number_of, one_of
+from .phrases import NUMBER, Edits, listed, noun_after, noun_before, number_of, one_of, table_before
 
 _N = rf"(?P<n>{NUMBER})"
 _ABOUT = r"(?:about |around |roughly |some |up to |at least |max(?:imum)? |approx(?:imately)? )?"
-_PEOPLE = rf"(?:(?:[a-z-]+ ){{0,2}}{one_of(listed('people'))}\b)"
+_PEOPLE = rf"(?: *(?:[a-z-]+ ){{0,2}}{one_of(listed('people'))}\b)"
 _ENDS = (
     r"(?=\s*(?:$|[.,()]|(?:with|and|in|at|but|by|under|near|on|along|that|which|in|from|next|to|or|against|plus|facing"
     r"|looking|so|around|without|arranged|opposite|across|beside|behind)\b))"
@@ -53,7 +53,7 @@ def capacities(source: Source, parsed: Parsed) -> None:
 
 
 def _add(edits: Edits, parsed: Parsed, start: int, end: int, said: Capacity, instead: str = "") -> None:
-    words_ = edits.source.text[start:end].strip(" ,")
+    words_ = " ".join(edits.source.spoken[start:end].split()).strip(" ,")
     span = edits.take(start, end, instead)
     parsed.capacities.append(said.model_copy(update={"words": words_, "span": span}))
 
@@ -139,6 +139,13 @@ def _each_at(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     _add(edits, parsed, m.start(), m.end(), said, ", " if m["on"] else "")
 
 
+def _a_side(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
+    """ "A table, six a side": so many people on both sides of it."""
+    noun = table_before(edits.source.text, m.start())
+    if noun:
+        _add(edits, parsed, m.start(), m.end(), Capacity(people=2 * number_of(m["n"]), activity="sit", target=noun))
+
+
 def _they_do(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "Ten people can sit", "a table where four can eat", "two people work side by side", "six of us eat here"."""
     does = next(name for name, verbs in words("people")["does"].items() if m["does"] in verbs)
@@ -210,16 +217,21 @@ def _own_list(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
 def _couple(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "For me and my wife": two people, who stay in the source for whom the room is."""
     parsed.people = parsed.people or 2
+    parsed.referred.append(edits.source.span(*m.span()))
 
 
 def _ensemble(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     parsed.people = parsed.people or words("people")["ensembles"][m[1]]
+    parsed.referred.append(edits.source.span(*m.span(1)))
 
 
 def _room_people(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
     """ "My two boys", "staff of five": how many there are, who stay in the source for whom the room is."""
     if parsed.people is None:
         parsed.people = number_of(m["n"])
+        parsed.referred.append(edits.source.span(m.start("n"), m.end()))
+        if m.end() == m.end("n") and m[0].split()[1] == "are":
+            edits.take(m.start(), m.end())  # "we are seven": a number of nothing that is named
 
 
 def _own(m: re.Match[str], edits: Edits, parsed: Parsed) -> None:
@@ -304,7 +316,7 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
     (
         re.compile(
             rf"\b{_N} {_PEOPLE}(?P<at>(?: (?:sit|sitting|seated|work|working|sleep|sleeping))?"
-            r"(?: side by side| together| next to each other)? (?:at|around|round)) (?:an? |the |one )"
+            r"(?: side by side| together| next to each other)? (?:at|around|round|across)) (?:an? |the |one )"
         ),
         _at_thing,
     ),
@@ -315,8 +327,9 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
         ),
         _verb,
     ),
+    (re.compile(rf"\b{_N}(?: {_PEOPLE})? (?:a|per) side\b"), _a_side),
     (
-        re.compile(rf"\b(?P<noun>tables|booths|desks|benches) of (?P<n>{NUMBER})(?! [a-z]+s\b){_ENDS}"),
+        re.compile(rf"\b(?P<noun>tables|rounds|booths|desks|benches) of (?P<n>{NUMBER})(?! [a-z]+s\b){_ENDS}"),
         _thing_for,
     ),
     (
@@ -369,7 +382,7 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
         ),
         _couple,
     ),
-    (re.compile(rf"\b(?:for|of) an? ({'|'.join(words('people')['ensembles'])})\b"), _ensemble),
+    (re.compile(rf"\b(?:for|of) an? (?:[a-z]+ )?({'|'.join(words('people')['ensembles'])})\b"), _ensemble),
     (re.compile(rf"\b(?:we|they|you) are {_N}(?! [a-z]+s\b)(?: {_PEOPLE})?\b"), _room_people),
     (re.compile(rf"\b(?:my|our|his|her|their|the) {_N} {_PEOPLE}"), _room_people),
     (re.compile(rf"\b{one_of(listed('of_people'))} of {_N}\b(?! [a-z]+s\b)"), _room_people),

@@ -29,6 +29,7 @@ _SIDE = re.compile(
 )
 _AHEAD = re.compile(rf"\b{one_of(_SAID['ahead'])}\b")
 _OF_DOOR = re.compile(rf"\b(?P<side>left|right)(?:[\s-]hand side)?\sof\s(?:{_DOOR})[\s,]*(?={_ENTERING.pattern})")
+_LEAVES = re.compile(r"\b(?:leaves?|leaving|goe?s? out|out (?:by|through|at)|exits?)\b")
 _SHORT = {"left": "lhs", "right": "rhs"}
 
 
@@ -44,6 +45,8 @@ def entering(source: Source, parsed: Parsed) -> None:
         start = max(source.text.rfind(c, 0, found.start()) for c in ".;") + 1
         ends = [k for c in ".;" if (k := source.text.find(c, found.end())) >= 0]
         end = min(ends, default=len(source.text))
+        if _LEAVES.search(source.text, found.end(), end):
+            continue  # "enter at the right, leave at the left" is said of two doors
         sides = [m for m in _SIDE.finditer(source.text, start, end) if edits.free(*m.span())]
         ahead = [m for m in _AHEAD.finditer(source.text, start, end) if edits.free(*m.span())]
         if not (sides or ahead):

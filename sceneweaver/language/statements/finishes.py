@@ -118,9 +118,11 @@ def _floor(words: Sequence[str], before: bool) -> tuple[dict[str, Any] | None, i
             tone = wood if material == "wood" and wood in _of_family("wood") else None
             bare = [word for word in words if word not in found.split()]
             color, more = _color(bare, True)
-            tone = tone or (color if material != "wood" else None)
+            tone = tone or (color if material != "wood" else None) or row["tone"]
             used = len(words) if before else max(k + 1 for k, word in enumerate(words) if word in found.split())
-            return {"material": material, "color": tone}, min(used, 1 + more + len(found.split())) if before else used
+            return {"material": row.get("drawn", material), "color": tone}, min(
+                used, 1 + more + len(found.split())
+            ) if before else used
     if wood is not None and wood in _of_family("wood"):
         return {"material": "wood", "color": wood}, 2 if len(words) > 1 and " ".join(words[-2:]) in _wood_names() else 1
     color, used = _color(words, before)
@@ -248,6 +250,12 @@ def _alone(source: Source, parsed: Parsed) -> None:
                 _add(parsed, source, match, "floor", **row)
                 a, b = match.span() if used > 1 or not match["before"] else match.span()
                 source.text = source.text[:a] + " " * (b - a) + source.text[b:]
+    built = rf"\b(?P<of>{one_of(_data()['walls'])})(?:[ -]built)? (?=(?:vaulted |old )?{one_of(_data()['built'])}\b)"
+    for match in re.finditer(built, source.spoken):
+        row = {name: _data()["walls"][match["of"]].get(name) for name in ("material", "color")}
+        if source.text[slice(*match.span("of"))].strip() and _add(parsed, source, match.span("of"), "walls", **row):
+            a, b = match.span("of")
+            source.text = source.text[:a] + " " * (b - a) + source.text[b:]
     for word in _data()["all"]:
         every = re.compile(
             rf"(?:(?<=^)|(?<=[,.;:] )|(?<=\band ))(?:bare |exposed )?{word}"

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from functools import cache
 from typing import Any, cast
 
 from ..model import StatedOpening
@@ -42,8 +43,9 @@ _PHRASE = re.compile(
 )
 _BEFORE = re.compile(rf"\b(?P<word>{one_of(_KNOWN['before'])})\s$")
 _AND_ONE = re.compile(
-    r"\s?,?\s?(?:and\s|plus\s)?(?P<count>one|two|three|four|another(?:\sone)?|a second(?:\sone)?|the second(?:\sone)?|"
-    r"the other(?:\sone)?)\s(?P<kinds>)(?=(?:is\s)?(?:in|on|at|opposite|across|facing|high|near)\b)"
+    r"\s?,?\s?(?:and\s|plus\s)?(?P<count>one|two|three|four|a single(?:\sone)?|another(?:\sone)?|a second(?:\sone)?|"
+    r"the second(?:\sone)?|the other(?:\sone)?)\s(?P<kinds>)"
+    r"(?=(?:is\s)?(?:in|on|at|opposite|across|facing|high|near)\b)"
 )
 _SIDES_WORD = (
     "left|right|lhs|rhs|far|back|rear|front|end|near|opposite|facing|other|long|longer|longest|short|shorter|shortest|"
@@ -56,6 +58,14 @@ _PLACE = re.compile(
     rf"(?P<side>{_SIDES_WORD}|{PLAIN})(?:[\s-]hand)?(?:\s(?P<more>{_SIDES_WORD}))?"
     r"(?:\s(?P<what>wall|walls|side|sides|end|ends|corner))?\b"
     r"(?!\sof\s(?:the|a|an|my|our|his|her|their|each)\s(?!room|hall))"
+)
+_BARE = re.compile(
+    r"^\s*(?:(?:clear|free|opening|width|of|is|min|minimum|at least|about)\s){0,4}(?P<number>\d{2,4})"
+    r"(?:\s(?:clear|wide|opening|free|minimum|min|or more))*\s*$"
+)
+_BOTH_ENDS = re.compile(
+    r"\b(?:at|on|in)\s(?:each|both|either|opposite|the two)\s(?:of\sthe\s)?(?:short\s)?(?:(?P<end>ends?)|sides?)\b"
+    r"(?!\s(?:walls?|of\s(?:an?|my|our|his|her|their|it|them|the\s(?!room|hall|shop|house|building|barn))))"
 )
 _EACH_SIDE = re.compile(r"\b(?:each|both|either)\s(?:of\sthe\s)?(?:two\s)?(?:long|short|narrow)")
 _EACH_WALL = re.compile(r"\b(?:each|every|all(?:\sfour)?|all\sof\sthe)\s(?:walls?|sides?)\b")
@@ -130,7 +140,9 @@ _WALLS_OF = {"long": "long", "short": "short", "far": "far", "back": "far", "lef
     side: side for side in ("south", "north", "east", "west")
 }
 _WINDOWLESS = re.compile(
-    r"\b(?:windowless|(?:has|have|had|with)\s(?:got\s)?no\swindows?\b(?!\s[a-z]+\s)|there(?:'s| is| are)\sno\swindows?|"
+    r"\b(?:windowless|(?:has |have |with |gets |get |see |sees )?(?:no|without(?:\sany)?)\s(?:natural\s)?(?:daylight|"
+    r"natural light|light from outside)(?:\s(?:at all|anywhere|please|whatsoever))*(?!\s(?:bulb|lamp|tube)s?\b)|"
+    r"(?:has|have|had|with)\s(?:got\s)?no\swindows?\b(?!\s[a-z]+\s)|there(?:'s| is| are)\sno\swindows?|"
     r"(?:no|without(?:\sany)?)\swindows?(?:\s(?:at all|anywhere|please))?(?=\s?(?:[.,;)]|$|\band\b|\bbut\b)))"
 )
 _LONG = {"long": "long", "longer": "long", "longest": "long"}
@@ -140,6 +152,17 @@ _SEEN |= {"near": "near", "front": "near"}
 _COMPASS = ("north", "south", "east", "west")
 _SIDE_DOORS = {"side": "side", "back": "far", "rear": "far"}
 """Walls of doors that are named so, as seen by who comes in by another."""
+
+
+@cache
+def _apart() -> re.Pattern[str]:
+    """What says that openings are in walls of their own: "no two on the same wall", "each in a different wall"."""
+    walls = r"(?:in|on|through)\s"
+    return re.compile(
+        rf"\bno\stwo(?:\sof\sthem)?\s{walls}(?:the\ssame|one)\s(?:(?:bit|piece|stretch|part|run)\sof\s)?walls?\b"
+        rf"|\b(?:each|all|every one|one)?(?:\sof\sthem|\sone)?\s?{walls}(?:a\sdifferent|different|its\sown|a\sseparate|"
+        r"separate|another)\swalls?\b|\bone\s(?:in|on)\s(?:each|every)\swall\b"
+    )
 
 
 @dataclass
@@ -158,6 +181,7 @@ def read_openings(source: Source, parsed: Parsed) -> None:
         parsed.openings["window"] = 0
         parsed.referred.append(source.span(*found.span()))
         blanks.append(found.span())
+    source.text = text = _ways_in(source, parsed, blanks)
     for match in _PHRASE.finditer(text):
         if any(a < match.end() and match.start() < b for a, b in blanks):
             continue
@@ -202,6 +226,58 @@ def read_openings(source: Source, parsed: Parsed) -> None:
     source.text = _blanked(text, blanks)
 
 
+_IN_AND_OUT = re.compile(
+    r"\b(?:in|enter|enters|entering|come in|entrance|way in|entry)\s(?:is\s|comes\s)?(?:by|through|at|on|via|from)?\s?"
+    r"the\s(?P<in>left|right|front|back)(?:[\s-]hand)?(?:\s(?:door|side|end|doorway))?[\s,.]+(?:and\s|then\s)?"
+    r"(?:out|leave|leaves|leaving|go out|exit|way out)\s(?:is\s)?(?:by|through|at|on|via|from)?\s?the\s"
+    r"(?P<out>left|right|front|back|other)(?:[\s-]hand)?(?:\s(?:door|side|end|doorway|one))?\b"
+)
+"""Two doors that look at each other: one comes in by one of them and goes out by the other."""
+
+
+def _ways_in(source: Source, parsed: Parsed, blanks: list[tuple[int, int]]) -> str:
+    """What is said of ways in without the word for a door, or against it; the text without it."""
+    text = source.text
+    for m in _IN_AND_OUT.finditer(text):
+        first = StatedOpening(part="door", words=" ".join(m[0].split()), span=source.span(*m.span()))
+        name = f"opening-{len(parsed.stated_openings)}"
+        parsed.stated_openings += [first, first.model_copy(update={"opposite": name})]
+        blanks.append(m.span())
+    for m in _NONE_OF.finditer(text):
+        if m["kinds"] or m["to"]:  # such a door is never there unasked
+            parsed.referred.append(source.span(*m.span()))
+            blanks.append(m.span())
+    for m in _gates().finditer(text):
+        said, what = " ".join(m[0].split()), m["what"] or m["at"] or m["to"]
+        parsed.stated_openings.append(
+            StatedOpening(part="door", features=(what,), words=said, span=source.span(*m.span()))
+        )
+        blanks.append(m.span())
+    return _blanked(text, blanks)
+
+
+@cache
+def _gates() -> re.Pattern[str]:
+    """What closes the way in where that is no door: "an iron gate, not a door", "a grille at the entrance"."""
+    gate = one_of(_KNOWN["gates"])
+    out = one_of(["street", "yard", "road", "field", "courtyard", "alley", "lane", "drive"])
+    return re.compile(
+        rf"\b(?:an?\s|the\s)?(?:(?P<what>{gate}),?\s{one_of(_KNOWN['instead'])}\s(?:an?\s|the\s)doors?\b"
+        rf"|(?P<at>{gate})\s(?:at|in|across|for|as)\s(?:the|an)\s(?:entrance|doorway|way in|entry)\b"
+        r"|(?P<to>(?:roller|sectional|iron|steel|wooden|sliding)\s(?:gate|shutter))"
+        rf"(?:\s(?:to|onto)\s(?:the|a)\s{out})?\b)"
+    )
+
+
+_NONE_OF = re.compile(
+    rf"\b(?:no|without(?:\s(?:an?|any))?)\s(?P<kinds>(?:{_KINDS}[\s-]){{0,3}})doors?\b"
+    rf"(?!\s?-?{one_of(_KNOWN['not_behind'])}\b)(?P<to>\s{_TO.pattern})?"
+)
+"""Doors of a kind, or to some place, that are not wanted."""
+
+_PLACED: dict[str, set[str]] = dict.fromkeys(("entrance", "entrances"), {"wall", "opposite"})
+"""Ways in that are doors where their wall is said as well; a hatch in a wall may be one to serve through."""
+
 _EACH_OTHER = re.compile(
     r"\b(?:opposite|facing|across from)\s(?:each other|one another)\b|\b(?:at|on|in) opposite (?:ends|walls|sides)\b"
 )
@@ -245,14 +321,14 @@ def _stated(
     if (
         not (told.fields or goes_on)
         and (not kinds or (kinds == ("another",) and part == "window"))
-        or (way_in and not {"height", "width"} & told.fields.keys() and not kinds)
+        or (way_in and not ({"height", "width"} | _PLACED.get(match["part"], set())) & told.fields.keys() and not kinds)
     ):
         return [], []
     count = _count(match["count"], match["part"])
     if (
         match["part"] == "doors"
         and determiner in ("", "the", "its")
-        and {"double", "sliding", "french", "patio"} & set(kinds)
+        and {"double", "sliding", "french", "patio", "swing", "swinging"} & set(kinds)
     ):
         count, kinds = 1, tuple(dict.fromkeys((*kinds, "double")))  # two leaves
     found: list[StatedOpening] = []
@@ -261,7 +337,7 @@ def _stated(
     bay = {"bay", "bow"} & set(kinds)  # "the bay window" is a place with a name of its own
     taken = [*([] if bay or part in ("niche", "breast") else [match.span("kinds")]), *told.taken]
 
-    def add(count: int, told: _Told, start: int, end: int) -> None:
+    def add(count: int, told: _Told, start: int, end: int, kinds: tuple[str, ...] = kinds) -> None:
         fields = dict(told.fields)
         features = tuple(dict.fromkeys((*kinds, *fields.pop("features", ()))))
         if part == "door" and "wall" not in fields and not fields.get("opposite"):
@@ -281,13 +357,16 @@ def _stated(
         add(1, _Told({"opposite": f"opening-{len(before)}"}, []), last, end)
         return found, taken
     add(count, told, last, end)
-    several = _on_the_others(text[match.end() : end], [*before, *found])
+    told_so_far = [*before, *found]
+    several = _on_the_others(text[match.end() : end], told_so_far)
+    found[-1] = told_so_far[-1]
     while not several and (more := _AND_ONE.match(text, end)) is not None:
         next_told = _told(text, more.end(), len(before) + len(found))
         if not next_told.fields:
             break
         end = max(b for _, b in next_told.taken)
-        add(_NUMBERS.get(more["count"], 1), next_told, more.start("count"), end)
+        alone = tuple(k for k in kinds if k != "double") if "single" in more["count"] else kinds
+        add(_NUMBERS.get(more["count"], 1), next_told, more.start("count"), end, alone)
         taken += [more.span(), *next_told.taken]
     if len(found) > 1 and not told.fields and sum(one.count for one in found[1:]) == count:
         if found[1].opposite.startswith("opening-"):
@@ -336,6 +415,12 @@ def _on_the_others(said: str, stated: list[StatedOpening]) -> list[StatedOpening
     last, own = stated[-1], f"opening-{len(stated) - 1}"
     if _EACH_SIDE.search(said) and last.wall in ("long", "short"):
         return [last.model_copy(update={"wall": "any", "opposite": own})]
+    if _BOTH_ENDS.search(said) and last.wall in ("long", "short") and last.part in ("door", "window"):
+        stated[-1] = last.model_copy(update={"count": 1})
+        return [stated[-1].model_copy(update={"wall": "any", "opposite": own})]
+    if "apart" in last.features and last.count > 1:
+        stated[-1] = last.model_copy(update={"count": 1})
+        return [stated[-1]] * (last.count - 1)
     if _EACH_WALL.search(said):
         stated[-1] = last.model_copy(update={"wall": "left"})
         return [last.model_copy(update={"wall": wall}) for wall in ("right", "far", "near")]
@@ -375,6 +460,17 @@ def _fields(clause: str, number: int, fields: dict[str, Any]) -> list[tuple[int,
     if "width" not in fields and (m := re.search(rf"^\s*(?:of\s|about\s|at least\s|is\s)*({PLAIN})\s*$", clause)):
         fields["width"] = plain_length(m[1])
         spans.append(m.span(1))
+    if "width" not in fields and (m := _BARE.search(clause)) is not None:
+        number = int(m["number"])
+        if 60 <= number <= 300 or 600 <= number <= 3000:  # as builders write it: "door 90", "door 900"
+            fields["width"] = number / (100 if number <= 300 else 1000)
+            spans.append(m.span())
+    if m := _BOTH_ENDS.search(clause):
+        fields.setdefault("wall", "short" if m["end"] else "long")
+        spans.append(m.span())
+    if m := _apart().search(clause):
+        fields["features"] = (*fields.get("features", ()), "apart")
+        spans.append(m.span())
     if m := _WHOLE.search(clause):
         fields.setdefault("at", "along")
         spans.append(m.span())
@@ -475,7 +571,8 @@ def _kinds(words_before: str) -> tuple[str, ...]:
         word.replace("-", " ").replace("colored", "coloured")
         for word in re.findall(rf"{_KINDS}(?![a-z])", words_before)
     )
-    return tuple(dict.fromkeys(word for word in found if word not in _KNOWN["plain"]))
+    means = _KNOWN["means"]
+    return tuple(dict.fromkeys(k for word in found if word not in _KNOWN["plain"] for k in means.get(word, [word])))
 
 
 def _part(word: str) -> str:

@@ -40,8 +40,20 @@ CLOSE = 0.8
 _WEIGHTS = {"core": 1.0, "purpose": 0.95, "whole": 0.75, "setting": 0.4}
 _ARTICLE = r"(?:an? |the |our |my |your |their |his |her |its |some |one )?"
 _CLAUSE_ENDS = r"(?=\s*(?:[.,:;!?\n(]|$))"
-_WAYS = (("verbs", "into"), ("uses", "as"))
+_WAYS = (("verbs", "into"), ("uses", "as"), ("be", "to_be"))
 """What tells that a room became another one, and what stands before the name of the latter."""
+
+EARLY = 240
+"""Characters of a request within which a name alone tells the kind of its room."""
+
+_SIZED = re.compile(
+    r"(?:(?<=[.;:!?\n] )|(?<=\n)|^)(?:an? |the |our |my |one )?(?P<name>[a-z][a-z' -]{2,50}?),? \(?"
+    r"(?:of |about |around |approx |roughly |ca )?\d+(?:[.,]\d+)?\s?(?:(?:m|metres?|meters?|ft|feet|')\s?)?"
+    r"(?:(?:x|by|\*)\s?\d|m2|sqm|sq\b|square)"
+)
+_FRAGMENT = re.compile(
+    r"(?:(?<=[,.;:!?\n] )|(?<=\n))(?:an? |the |our |my )?(?P<name>[a-z][a-z' -]{2,50})(?=[,.;:!?\n])"
+)
 
 _WORD = re.compile(r"[^\W\d_]+(?:['-][^\W\d_]+)*")
 
@@ -58,6 +70,8 @@ class _Part:
 
 def read_room_kind(source: Source, parsed: Parsed) -> None:
     """Reads the kind of the room, and what else it is; see above. Words that are accounted for leave the source."""
+    if (work := _work().match(source.text)) is not None:
+        _leave_out(source, parsed, *work.span("work"))
     _zones(source, parsed)
     _other_kinds(source, parsed)
     for m in list(_tail().finditer(source.text)):
@@ -67,6 +81,8 @@ def read_room_kind(source: Source, parsed: Parsed) -> None:
         return  # the clauses know the kinds of rooms that the user has learned
     for m in _becomes().finditer(source.spoken):
         parts = _parts(source.spoken, m.end(), _end(source.spoken, m.end()))
+        if m["be"] is not None and not (parts and _named(_WORD.findall(parts[0].text))):
+            continue  # "the table is to be red"
         if _before(m, source.spoken) and _decided(source, parsed, parts, headline=False):
             _leave_out(source, parsed, m.start(), m.end())
             return
@@ -77,17 +93,72 @@ def read_room_kind(source: Source, parsed: Parsed) -> None:
 
 
 def _phrases_about_room(text: str) -> list[tuple[int, int, bool]]:
-    """Where a text may say what its room is: at its beginning, and where a sentence says what all of it is."""
+    """Where a text may say what its room is, the surest first: where a name has the measures of a floor behind it, at
+    the beginning, alone between commas, and where a sentence says what all of it is."""
     first = _opener().match(text)
     start = first.end() if first is not None else 0
-    found = [(start, _end(text, start), True)]
+    end = _end(text, start)
+    core = _parts(text, start, end)[:1]
+    named = _named(_WORD.findall(core[0].text)) if core and core[0].kind == "core" else ""
+    found = [(a, z, False) for a, z in _measured(text) if a >= end]
+    found += [] if named else [(a, z, False) for a, z in _alone(text) if a >= end]
+    found.append((start, end, True))
+    found += [(a, z, False) for a, z in _sentences(text) if a > end]
     found += [(m.end(), _end(text, m.end()), False) for m in _statement().finditer(text)]
     return [one for one in found if one[1] > one[0]]
 
 
+def _measured(text: str) -> list[tuple[int, int]]:
+    """The name of a room that a sentence begins with and that the measures of a floor follow: "GP waiting room, 8 x 5
+    m"; the first one."""
+    found = (m.span("name") for m in _SIZED.finditer(text))
+    rooms = (one for one in found if _is_name(text[slice(*one)]))
+    named = ((one, _named(_WORD.findall(text[slice(*one)]))) for one in rooms)
+    return [one for one, name in named if "noun" not in _kinds(name)][:1]  # "low stage, 3 x 2 m"
+
+
+def _sentences(text: str) -> list[tuple[int, int]]:
+    """The names of rooms that later sentences begin with, after what a request may begin with; and rooms of which such
+    a sentence says what they are for."""
+    found: list[tuple[int, int]] = []
+    for m in re.finditer(r"[.:!?\n]\s+", text[:EARLY]):
+        opened = _opener().match(text, m.end())
+        start = opened.end() if opened is not None else m.end()
+        parts = _parts(text, start, _end(text, start))
+        if not parts or parts[0].kind != "core":
+            continue
+        bare = _WORD.findall(parts[0].text)[-1:] in (["room"], ["place"], ["somewhere"])
+        if _is_name(parts[0].text):
+            found.append((start, parts[0].end))
+        elif bare and any(part.kind == "purpose" for part in parts):
+            found.append((start, parts[-1].end))
+    return found
+
+
+def _alone(text: str) -> list[tuple[int, int]]:
+    """The name of a room between commas or stops, in the first sentences, where it is the only one."""
+    found = [m.span("name") for m in _FRAGMENT.finditer(text, 0, EARLY)]
+    found = [one for one in found if _is_name(text[slice(*one)], loose=False)]
+    return found if len(found) == 1 else []
+
+
+def _is_name(text: str, loose: bool = True) -> bool:
+    """Whether words are the name of a room with no more than what it is like before it."""
+    spoken = _WORD.findall(text)
+    named = _named(spoken)
+    shell = words("built_parts")["not_built"]["ceiling_shape"]["words"]  # "low brick vault" alone is a ceiling
+    if not named or not (loose or named not in (*words("room_kind")["loose"], *shell)) or len(spoken) > LONGEST:
+        return False
+    others = ("noun", "room", "group", "pron", "det", *_NOT_IN_NAMES)
+    before = [w for w in spoken[: len(spoken) - len(named.split())] if w not in words("room_kind")["buildings"]]
+    return all(_kinds(word).keys().isdisjoint(others) for word in before)
+
+
 def _before(m: re.Match[str], text: str) -> bool:
     """Whether what became another room is one itself: a garage that is used as a gym, not a sofa used as a bed."""
-    spoken = _WORD.findall(m["verbs"] or m["uses"] or "") or _WORD.findall(re.split(r"[.;!?]", text[: m.start()])[-1])
+    spoken = _WORD.findall(m["verbs"] or m["uses"] or m["be"] or "") or _WORD.findall(
+        re.split(r"[.;!?]", text[: m.start()])[-1]
+    )
     return not spoken or any(
         "room" in kinds or kinds.get("place") == "room" or word in words("room_kind")["heads"]
         for word in spoken
@@ -117,10 +188,16 @@ def _decided(source: Source, parsed: Parsed, parts: list[_Part], headline: bool)
     core = parts[0] if parts[0].kind == "core" else None
     spoken = _WORD.findall(core.text) if core is not None else []
     named = _named(spoken)
+    joined = _joined_by_things(source.spoken, named)
+    if joined and not _is_something_else(spoken, bare=True):
+        _set(source, parsed, joined, core, parts[:1], parts, exact=False)
+        return True
     if named and named not in words("room_kind")["loose"]:
         longer = _joined(named, parts[1:])
         things = any("noun" in _kinds(word) for word in spoken[: -len(named.split())])
-        if headline and not longer and not things and not _run_on(spoken, named):
+        last = list(_WORD.finditer(source.spoken, core.start, core.end))[-1].span() if core is not None else (0, 0)
+        there = core is None or source.text[slice(*last)].strip() != ""  # a snug may have been read as a look
+        if headline and there and not longer and not things and not _run_on(spoken, named):
             _blank_settings(source, parsed, parts[1:])
             return True  # the clauses read it
         _set(source, parsed, longer or room_words()[named], core, parts if longer else parts[:1], parts, exact=True)
@@ -259,6 +336,22 @@ def _joined(named: str, rest: list[_Part]) -> str:
     return ""
 
 
+def _joined_by_things(text: str, named: str) -> str:
+    """The kind whose name is that of a room with what a request speaks of before it, oftenest: a cellar with wine."""
+    if named not in words("room_kind")["joined"]:
+        return ""
+    spoken = [stem(word) for word in _WORD.findall(text)]
+    own = room_words()[named]
+    longer = {
+        phrase[: -len(named) - 1]: kind
+        for phrase, kind in room_words().items()
+        if phrase.endswith(f" {named}") and kind != own
+    }
+    told = {first: spoken.count(stem(first)) for first in longer if " " not in first}
+    most = max(told, key=lambda first: (told[first], -spoken.index(stem(first)) if told[first] else 0), default="")
+    return longer[most] if most and told[most] else ""
+
+
 def _told(parts: list[_Part]) -> set[str]:
     return {s for part in parts for s in stems(part.text)}
 
@@ -295,7 +388,8 @@ def _telling(part: _Part) -> str:
     """The words of a part without what is said of the looks of the room; with as many words as before."""
     if part.kind != "core":
         return part.text
-    return _WORD.sub(lambda m: "the" if _kinds(m[0]).keys() & {*_LOOKS} else m[0], part.text)
+    shell = words("room_kind")["shell"]
+    return _WORD.sub(lambda m: "the" if m[0] in shell or _kinds(m[0]).keys() & {*_LOOKS} else m[0], part.text)
 
 
 def _among(told: frozenset[str], spoken: set[str]) -> bool:
@@ -467,8 +561,13 @@ def _building() -> re.Pattern[str]:
 
 @cache
 def _opener() -> re.Pattern[str]:
-    said = one_of(words("room_kind")["openers"])
+    said = one_of([*words("room_kind")["openers"], *words("room_kind")["work"]])
     return re.compile(rf"\s*(?:{said}\b[\s,!.:]*{_ARTICLE})*{_ARTICLE}")
+
+
+@cache
+def _work() -> re.Pattern[str]:
+    return re.compile(rf"\s*(?:an? |the |please )?(?P<work>{one_of(words('room_kind')['work'])})\b")
 
 
 @cache
