@@ -34,6 +34,15 @@ _PULLED = re.compile(
     r"(?P<said>\b(?:not\s(?:fully\s|quite\s|all\s)?pushed\sin|pulled\s(?:out|back|away)|pushed\sback)"
     rf"(?:\s(?:by\s|about\s|some\s){{0,2}}(?P<length>{PLAIN}))?)(?P<from>\sfrom(?=\s(?:the|its|their|a|his|her)\s))?"
 )
+OVER_BACK = "over the back"
+"""What a garment does that lies on a chair; see ``states.yaml``."""
+
+_OVER_BACK = re.compile(
+    r"\b(?:(?:is|are|was|lies|has\sbeen|draped|slung|thrown|hung|hangs|hanging|flung|tossed|left|laid|lying|resting|"
+    r"carelessly|casually|neatly)\s){0,3}(?:(?:over|across|on|from)\sthe\sback(?:rest)?\sof(?=\s[a-z]+\s)|"
+    r"(?P<own>over\s(?:its|the|their)\sback(?:rest)?\b(?!\sof))|"
+    r"over(?=\s[a-z]+\s(?:[a-z]+\s){0,2}(?:chair|armchair|stool|sofa|bench)s?\b))"
+)
 _SHARE = re.compile(
     rf"\b(?P<many>{NUMBER})\sof\s(?P<rest>(?:the|our|my|these|those)\s(?:{NUMBER}\s)?[a-z]+\s?[a-z]*\s)$"
 )
@@ -44,7 +53,9 @@ def read_states(source: Source, parsed: Parsed) -> None:
     """Adds every state of a thing, and takes its words out."""
     edits = Edits(source)
     _pulled_out(source, parsed, edits)
+    _over_backs(source, parsed, edits)
     _untold(source, parsed, edits)
+    _parts_of(source, parsed, edits)
     for pattern in _patterns():
         for found in list(pattern.finditer(source.text)):
             if edits.free(*found.span()):
@@ -121,6 +132,36 @@ def _pulled_out(source: Source, parsed: Parsed, edits: Edits) -> None:
         said = " ".join(found["said"].split())
         span = edits.take(start, end + (5 if found["from"] else 0), "at" if found["from"] else "")
         what = Attribute(kind="state", value=f"{PULLED_OUT} {far:g}", words=said, span=span)
+        parsed.states.append(Told(what, noun, after=False, named=True))
+
+
+def _over_backs(source: Source, parsed: Parsed, edits: Edits) -> None:
+    """ "A coat slung over the back of the chair": it is on the chair, and hangs over its back."""
+    for found in list(_OVER_BACK.finditer(source.text)):
+        noun = noun_before(source.text, found.start())
+        if not noun or _meant(noun, OVER_BACK, "") is None:
+            continue
+        span = edits.take(*found.span(), "on it" if found["own"] else "on")
+        what = Attribute(kind="state", value=OVER_BACK, words=OVER_BACK, span=span)
+        parsed.states.append(Told(what, noun, after=False, named=True))
+
+
+def _parts_of(source: Source, parsed: Parsed, edits: Edits) -> None:
+    """ "One drawer of the dresser is pulled out": the dresser is there, with one drawer out."""
+    opened = one_of(list({word for row in states() for word in row.words if row.part}))
+    pattern = re.compile(
+        r"\b(?P<of>(?:(?:one|a|an|the|its|top|bottom|lowest|middle|both|all|two|every|upper|lower)\s){0,2}"
+        rf"(?P<part>drawers?|doors?|lids?)\sof\s)(?P<owner>(?:the|a|an|my|our|his|her|their)\s(?:[a-z]+\s){{0,2}}?"
+        rf"[a-z]+)(?P<be>\s{_BE}(?P<state>{opened}))\b"
+    )
+    for found in list(pattern.finditer(source.text)):
+        noun, part = found["owner"].partition(" ")[2], singular(found["part"])
+        if _meant(noun, found["state"], part) is None:
+            continue
+        edits.take(*found.span("of"))
+        span = edits.take(*found.span("be"))
+        value = f"{found['part']} {found['state']}"
+        what = Attribute(kind="state", value=value, words=" ".join(found[0].split()), span=span)
         parsed.states.append(Told(what, noun, after=False, named=True))
 
 

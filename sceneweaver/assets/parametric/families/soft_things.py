@@ -827,3 +827,46 @@ def sheets_that_lie(d: Drawing) -> None:
             d.print(top.place(0.05, 0.05), "forest pigment", 0.0001, oval=True)
             d.print(top.share(x=(0.1, 0.3), y=(0.06, 0.2)), "forest pigment", 0.0001)
     d.fit()
+
+
+@draws("open_umbrella", whole=True)
+def open_umbrella(d: Drawing) -> None:
+    """An open umbrella that stands on the rim of its cloth and the end of its stick."""
+    box = d.bounds
+    cloth = d.material("cloth", "black fabric, navy fabric, red fabric, green fabric, charcoal fabric")
+    wood = d.material("handle", "walnut, oak, black plastic")
+    with d.at(pitch=0.8):
+        turns = np.linspace(0, 2 * math.pi, 17)
+        rows = []
+        for share in (0.05, 0.35, 0.7, 1.0):
+            r = 0.5 * share * box.width * (1 - 0.08 * share * np.abs(np.sin(4 * turns)))
+            rows.append(
+                np.c_[r * np.cos(turns), r * np.sin(turns), np.full(17, 0.3 * box.width * math.cos(1.35 * share))]
+            )
+        d.sheet(np.array(rows), 0.005, cloth, (1, 8))
+        for k in range(8):
+            a = 2 * math.pi * (k + 0.5) / 8
+            end = (0.48 * box.width * math.cos(a), 0.48 * box.width * math.sin(a), 0.07 * box.width)
+            d.bar((0, 0, 0.28 * box.width), end, 0.0025, "steel", 5)
+        top = 0.38 * box.width
+        d.bar((0, 0, -0.4 * box.width), (0, 0, top), 0.006, "steel", 8)
+        d.bar((0, 0, -0.44 * box.width), (0, 0, -0.34 * box.width), 0.013, wood, 10)
+    d.fit()
+
+
+@draws("open_newspaper", whole=True)
+def open_newspaper(d: Drawing) -> None:
+    """A newspaper opened flat: two pages with headlines, pictures and columns, their fold between."""
+    box = d.bounds
+    look = d.material("body", "paper")
+    with d.mirror("y"):
+        page = d.box(box.share(y=(0.502, 1.0)), look, 0.0).top(0.0)
+        d.print(page.share((0.05, 0.11), (0.08, 0.9)), "ink pigment")
+        d.print(
+            page.share((0.15, 0.42), (0.08, 0.5)), d.pick("photo", ["night pigment", "sea pigment", "plum pigment"])
+        )
+        for c in range(4):
+            for line in range(16):
+                x, y = 0.15 + 0.05 * line, 0.08 + 0.21 * c
+                if x > 0.44 or y > 0.5:
+                    d.print(page.share((x, x + 0.018), (y, y + 0.18)), "grey paint")
