@@ -25,7 +25,7 @@ from .statements.audiences import audiences
 from .statements.counts import bounded_counts, peopled, shared_counts, told_apart
 from .statements.resolve import resolved
 from .stations import settle_stations
-from .told_states import state_as_told
+from .told_states import LAID_FOR, state_as_told
 from .vocabulary import words
 
 MOST = 400
@@ -33,6 +33,9 @@ MOST = 400
 
 SEVERAL, PLURAL = 6, 6
 """Things that there are at least of what is all over a room, and most of a bare plural."""
+
+PLACE = "place_setting"
+"""What is laid for somebody who eats at a table."""
 
 PATCH, FEW = 0.2, 3
 """Floor [m2] that one thing covers from which on `FEW` of it are all over a room."""
@@ -59,6 +62,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     lengths = measured(parsed, mentions, text)
     give_states(parsed, mentions, text)
     _in_form(mentions)
+    mentions += _laid_places(mentions, parsed)
     told_by_carriers(parsed, mentions)
     _named(mentions)
     _shared_support(parsed)
@@ -147,6 +151,19 @@ def _in_form(mentions: Iterable[Mention]) -> None:
             full = Attribute(kind="state", value=FULL, words=f"{of.strip()} {drink}", span=mention.span)
             mention.attributes += [] if level else [full]
             mention.unnamed = [word for word in mention.unnamed if word not in drink.split()]
+
+
+def _laid_places(mentions: Sequence[Mention], parsed: Parsed) -> list[Mention]:
+    """The places on tables that are told to be laid, which takes the place of what was told."""
+    found: list[Mention] = []
+    for mention in mentions:
+        for told in [told for told in mention.attributes if told.value.startswith(LAID_FOR)]:
+            mention.attributes.remove(told)
+            many = int(told.value.rpartition(" ")[2])
+            places = Mention("place setting", PLACE, (many, many) if many else None, plural=True, span=told.span)
+            found.append(places)
+            parsed.said.append(Said("on", [places], (mention,), words=told.words, span=told.span))
+    return found
 
 
 def _spread_form(entity: Entity, amounts: Sequence[Amount]) -> Entity:

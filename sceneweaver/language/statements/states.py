@@ -9,14 +9,14 @@ from __future__ import annotations
 import re
 from functools import cache
 
-from sceneweaver.assets.roles import groups_above
+from sceneweaver.assets.roles import groups_above, has_role
 from sceneweaver.assets.states import State, state_of, states
 
 from ..model import Attribute
 from ..parsed import Left, Parsed, Told
 from ..source import Source
 from ..things import match_of, singular
-from ..told_states import PULLED_OUT
+from ..told_states import LAID_FOR, PULLED_OUT
 from ..vocabulary import vocabulary, words
 from .lengths import PLAIN, plain_length
 from .phrases import NUMBER, Edits, noun_at, noun_before, noun_behind, number_of, one_of
@@ -33,6 +33,11 @@ FAR = 0.3
 _PULLED = re.compile(
     r"(?P<said>\b(?:not\s(?:fully\s|quite\s|all\s)?pushed\sin|pulled\s(?:out|back|away)|pushed\sback)"
     rf"(?:\s(?:by\s|about\s|some\s){{0,2}}(?P<length>{PLAIN}))?)(?P<from>\sfrom(?=\s(?:the|its|their|a|his|her)\s))?"
+)
+_SET = re.compile(
+    rf"\b(?P<said>{_BE}(?:set|laid)(?:\sup|\sout)?)\s"
+    rf"(?:for\s(?P<many>{NUMBER})\b(?:\s(?:people|guests|diners|persons|covers))?(?!\s(?:o'?clock|cm|m|metres))|for\s(?:a\s)?(?:formal\s|festive\s|big\s|family\s)?"
+    r"(?:dinner|lunch|breakfast|supper|tea|meal|feast|party|christmas|brunch)\b(?:\sparty|\sdinner|\slunch)?)"
 )
 OVER_BACK = "over the back"
 """What a garment does that lies on a chair; see ``states.yaml``."""
@@ -54,6 +59,7 @@ def read_states(source: Source, parsed: Parsed) -> None:
     edits = Edits(source)
     _pulled_out(source, parsed, edits)
     _over_backs(source, parsed, edits)
+    _set_tables(source, parsed, edits)
     _untold(source, parsed, edits)
     _parts_of(source, parsed, edits)
     for pattern in _patterns():
@@ -143,6 +149,19 @@ def _over_backs(source: Source, parsed: Parsed, edits: Edits) -> None:
             continue
         span = edits.take(*found.span(), "on it" if found["own"] else "on")
         what = Attribute(kind="state", value=OVER_BACK, words=OVER_BACK, span=span)
+        parsed.states.append(Told(what, noun, after=False, named=True))
+
+
+def _set_tables(source: Source, parsed: Parsed, edits: Edits) -> None:
+    """ "The table is laid for six": it is a table for six, with a place laid for each."""
+    for found in list(_SET.finditer(source.text)):
+        noun = noun_before(source.text, found.start())
+        if not noun or not has_role(match_of(_thing(noun)).category, "dining_table"):
+            continue
+        end = found.end("said") if found["many"] else found.end()
+        span = edits.take(found.start(), end)
+        many = number_of(found["many"]) if found["many"] else 0
+        what = Attribute(kind="state", value=f"{LAID_FOR} {many}", words=" ".join(found[0].split()), span=span)
         parsed.states.append(Told(what, noun, after=False, named=True))
 
 
