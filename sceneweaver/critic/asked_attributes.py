@@ -143,7 +143,7 @@ def _varied(attribute: Attribute, item: str, bodies: Sequence[Body], colors: Seq
 
 def _test(attribute: Attribute, asked: Entity, windows: Sequence[Window]) -> _Test | None:
     """How to tell; None where nothing can."""
-    if attribute.kind == "state" and state_as_told(asked.category, attribute) is not None:
+    if attribute.kind in ("state", "other") and state_as_told(asked.category, attribute) is not None:
         return _Test(lambda b: _of_state(b, attribute, windows), lambda b: _in_state(b, attribute, windows))
     words = read_words(attribute.value)
     match attribute.kind:

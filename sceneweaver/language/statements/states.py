@@ -19,7 +19,7 @@ from ..things import match_of, singular
 from ..told_states import LAID_FOR, PULLED_OUT
 from ..vocabulary import vocabulary, words
 from .lengths import PLAIN, plain_length
-from .phrases import NUMBER, Edits, noun_at, noun_before, noun_behind, number_of, one_of
+from .phrases import NUMBER, Edits, noun_after, noun_at, noun_before, noun_behind, number_of, one_of
 from .resolve import is_thing, thing_before
 
 _BE = (
@@ -38,6 +38,14 @@ _SET = re.compile(
     rf"\b(?P<said>{_BE}(?:set|laid)(?:\sup|\sout)?)\s"
     rf"(?:for\s(?P<many>{NUMBER})\b(?:\s(?:people|guests|diners|persons|covers))?(?!\s(?:o'?clock|cm|m|metres))|for\s(?:a\s)?(?:formal\s|festive\s|big\s|family\s)?"
     r"(?:dinner|lunch|breakfast|supper|tea|meal|feast|party|christmas|brunch)\b(?:\sparty|\sdinner|\slunch)?)"
+)
+LIT = "lit"
+"""What a fireplace is with a fire in it."""
+
+_FIRE = re.compile(
+    r"\b(?:with\s)?(?:a|the)\s(?:[a-z]+\s)?fire\s(?:is\s|was\s)?(?:(?:burns|burning|lit|crackles|crackling|glows|glowing|"
+    r"roars|roaring|blazes|blazing|going)\s)?(?:brightly\s|softly\s|low\s)?(?:in|inside)\s"
+    r"(?:(?P<it>it|them)\b|(?:the|a|an|our|my|its)\s)"
 )
 OVER_BACK = "over the back"
 """What a garment does that lies on a chair; see ``states.yaml``."""
@@ -60,6 +68,7 @@ def read_states(source: Source, parsed: Parsed) -> None:
     _pulled_out(source, parsed, edits)
     _over_backs(source, parsed, edits)
     _set_tables(source, parsed, edits)
+    _fires(source, parsed, edits)
     _untold(source, parsed, edits)
     _parts_of(source, parsed, edits)
     for pattern in _patterns():
@@ -79,6 +88,8 @@ def _add(source: Source, parsed: Parsed, edits: Edits, found: re.Match[str]) -> 
         noun, after = noun_before(text, start), False
     else:
         noun, after = noun_at(text, start, end)
+    if after and "noun" in vocabulary().get(f"{found['state']} {noun}", {}):
+        return  # "broken glass", "crumpled paper" are things of their own
     spoken, noun = noun, _thing(noun)
     apart = text[:start].rstrip()[-1:] in ("", ",", ".", "(")
     if not after and apart and _meant(noun, found["state"], part) is None:
@@ -150,6 +161,18 @@ def _over_backs(source: Source, parsed: Parsed, edits: Edits) -> None:
         span = edits.take(*found.span(), "on it" if found["own"] else "on")
         what = Attribute(kind="state", value=OVER_BACK, words=OVER_BACK, span=span)
         parsed.states.append(Told(what, noun, after=False, named=True))
+
+
+def _fires(source: Source, parsed: Parsed, edits: Edits) -> None:
+    """ "A fire burns in the stove", "a stove with a fire in it": it is lit."""
+    for found in list(_FIRE.finditer(source.text)):
+        it = found["it"] is not None
+        noun = noun_before(source.text, found.start()) if it else noun_after(source.text, found.end())[0]
+        if not noun or _meant(noun, LIT, "") is None:
+            continue
+        span = edits.take(*found.span(), "" if it else "the")
+        what = Attribute(kind="state", value=LIT, words=" ".join(found[0].split()), span=span)
+        parsed.states.append(Told(what, noun, after=not it, named=True))
 
 
 def _set_tables(source: Source, parsed: Parsed, edits: Edits) -> None:
