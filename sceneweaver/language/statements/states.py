@@ -39,6 +39,7 @@ _SET = re.compile(
     rf"(?:for\s(?P<many>{NUMBER})\b(?:\s(?:people|guests|diners|persons|covers))?(?!\s(?:o'?clock|cm|m|metres))|for\s(?:a\s)?(?:formal\s|festive\s|big\s|family\s)?"
     r"(?:dinner|lunch|breakfast|supper|tea|meal|feast|party|christmas|brunch)\b(?:\sparty|\sdinner|\slunch)?)"
 )
+_OVER_FLOOR = re.compile(r"\s(?:all\s)?(?:over|on|across|around|about)\sthe\s(?:whole\s)?(?:floor|ground)\b")
 LIT = "lit"
 """What a fireplace is with a fire in it."""
 
@@ -100,8 +101,8 @@ def _add(source: Source, parsed: Parsed, edits: Edits, found: re.Match[str]) -> 
         if state is None and not groups.get("part") and not after:
             part = opened
             state = _meant(noun, found["state"], part) if opened != "lid" or _has_lid(noun) else None
-    if state is None:
-        return
+    if state is None or (state.becomes and _OVER_FLOOR.match(text, end)):
+        return  # what lies scattered over the floor is told as an amount, of all that is listed
     if found["state"] in state.after and (after or not re.search(r"[a-z]\s+$", text[:start] + " ")):
         return
     many = groups.get("many")

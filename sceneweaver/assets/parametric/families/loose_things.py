@@ -159,6 +159,8 @@ def heaped(d: Drawing) -> None:
     shape = d.category.name not in ("paper_balls", "bone_heap")
     if shape:
         d.turned(inner, profile, look, 18)
+    elif d.category.name == "bone_heap":  # it lies on its dust
+        d.cylinder(box.inset(x=0.2 * box.depth, y=0.2 * box.width).bottom(0.003), "sand pigment")
     looks, kind = finishes.split(", "), d.category.name
     count = (
         0

@@ -55,19 +55,23 @@ def herb_bundle(d: Drawing) -> None:
         d.pick("heads", ["plum pigment", "moss pigment", "silver leaf", "ochre pigment"]),
     )
     x, y, _ = box.center
-    knot = box.z[1] - 0.3 * box.height
+    mid, knot = (x, y), box.z[1] - 0.3 * box.height
     d.bar((x, y, knot), (x, y, box.z[1] - 0.002), 0.0015, "jute", 5)
     d.cylinder(Box.sized(0.03, 0.03, 0.025, (x, y, knot - 0.012)), "jute", segments=12)
     for k in range(22):
         a, out = GOLDEN * k, ((k + 0.5) / 22) ** 0.5
         low = box.z[0] + 0.05 + 0.06 * d.uniform(f"low {k}", 0, 1)
-        end = (x + out * (box.depth / 2 - 0.03) * math.cos(a), y + out * (box.width / 2 - 0.03) * math.sin(a), low)
-        start = (x + 0.006 * math.cos(a), y + 0.006 * math.sin(a), knot + 0.06)
+        end = (
+            mid[0] + out * (box.depth / 2 - 0.03) * math.cos(a),
+            mid[1] + out * (box.width / 2 - 0.03) * math.sin(a),
+            low,
+        )
+        start = (mid[0] + 0.006 * math.cos(a), mid[1] + 0.006 * math.sin(a), knot + 0.06)
         d.bar(start, end, 0.0016, stalk, 5)
         for j, t in enumerate((0.45, 0.6, 0.75, 0.9, 1.0)):  # its leaves, larger towards its end
-            at = tuple(s + t * (e - s) for s, e in zip(start, end, strict=True))
+            x, y, z = (s + t * (e - s) for s, e in zip(start, end, strict=True))
             wide = 0.022 + 0.008 * (j % 2)
-            d.ball(Box.around(at, wide, wide, 0.05), heads if j > 2 and k % 3 == 0 else leaf, 6)
+            d.ball(Box.around((x, y, z), wide, wide, 0.05), heads if j > 2 and k % 3 == 0 else leaf, 6)
     d.fit()
 
 
@@ -524,7 +528,7 @@ def bedroll(d: Drawing) -> None:
             segments=26,
         )
         t = np.linspace(0.4, 7 * math.pi, 60)
-        q = (0.85 * r * t / t[-1])[:, None]
+        q = (0.42 * min(box.depth, box.height) * t / t[-1])[:, None]
         line = np.c_[q[:, 0] * np.cos(t), np.full(60, s * (0.5 * box.width + 0.0005)), r + q[:, 0] * np.sin(t)]
         with d.no_colliders():
             d.sweep(line, 0.0025, "charcoal fabric", 4)
