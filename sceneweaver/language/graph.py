@@ -145,10 +145,10 @@ def _in_form(mentions: Iterable[Mention]) -> None:
             state = state_as_told(mention.category, told) if told.kind == "state" and told.count is None else None
             if state is not None:
                 mention.category = state.becomes.get(mention.category, mention.category)
-        _, of, drink = mention.noun.partition(" of ")
+        drink = mention.noun.partition(" of ")[2]
         if drink in words("states")["drinks"] and state_of(mention.category, FULL) is not None:
             level = any(told.kind == "state" for told in mention.attributes)
-            full = Attribute(kind="state", value=FULL, words=f"{of.strip()} {drink}", span=mention.span)
+            full = Attribute(kind="state", value=FULL, words=f"{FULL} of {drink}", span=mention.span)
             mention.attributes += [] if level else [full]
             mention.unnamed = [word for word in mention.unnamed if word not in drink.split()]
 
