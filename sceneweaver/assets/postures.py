@@ -21,6 +21,7 @@ TURNS: dict[str, tuple[tuple[float, float, float], float]] = {
     "on_side": ((1.0, 0.0, 0.0), math.pi / 2),
     "on_back": ((0.0, 1.0, 0.0), -math.pi / 2),
     "on_end": ((1.0, 0.0, 0.0), math.pi / 2),
+    "spilled": ((1.0, 0.0, 0.0), math.pi / 2),
     "upside_down": ((1.0, 0.0, 0.0), math.pi),
 }
 """Postures of the whole thing: the axis that it is turned about, and how far [rad]."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from importlib import resources
 from typing import Any
@@ -28,11 +28,15 @@ class State:
     several: str | None = None
     measure: str = ""
     range: tuple[float, float] = (0.0, 1.0)
+    becomes: Mapping[str, str] = field(default_factory=dict)
+    scale: tuple[float, float, float] = (1.0, 1.0, 1.0)
 
     def holds_for(self, category: str) -> bool:
         """Whether things of a category can be in it."""
         if self.of_all:
             return not has_role(category, *_FIXED)
+        if category in self.becomes or category in self.becomes.values():
+            return True
         names = groups_above(category) | {category}
         return any(has_role(category, name["role"]) if isinstance(name, Mapping) else name in names for name in self.of)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 
@@ -31,6 +32,9 @@ from .asked_states import measured_state
 from .grade import Call
 from .shape_measures import plan_shape
 from .verdict import Asked, counted, met, not_understood, unmet
+
+_BE = re.compile(r"^(?:(?:is|are|was|were|has been|have been)\s)+")
+"""How words about a state may begin."""
 
 SIZES = fault_kind("wrong_asked_size").limits
 """Shares and factors of sizes that are as asked."""
@@ -101,7 +105,13 @@ def _outcome(
     least, most = attribute.count or (len(answers), len(answers))
     if attribute.count is not None and least <= len(good) <= most or not wrong:
         number = test.number(good[0]) if good else None
-        return met("attribute", item, [b.id for b in good or bodies], f"{(good or bodies)[0].id} is {words}", number)
+        return met(
+            "attribute",
+            item,
+            [b.id for b in good or bodies],
+            f"{(good or bodies)[0].id} is {_BE.sub('', words)}",
+            number,
+        )
     body, is_ = wrong[0] if wrong else (good[0], words)
     names = ", ".join(b.id for b, _ in wrong)
     number = test.number(body) or counted("objects that are so", len(good), least, most)
@@ -133,7 +143,7 @@ def _varied(attribute: Attribute, item: str, bodies: Sequence[Body], colors: Seq
 
 def _test(attribute: Attribute, asked: Entity, windows: Sequence[Window]) -> _Test | None:
     """How to tell; None where nothing can."""
-    if attribute.kind == "state" and state_as_told(asked.category, attribute) is not None:
+    if attribute.kind in ("state", "other") and state_as_told(asked.category, attribute) is not None:
         return _Test(lambda b: _of_state(b, attribute, windows), lambda b: _in_state(b, attribute, windows))
     words = read_words(attribute.value)
     match attribute.kind:

@@ -34,6 +34,8 @@ def measured_state(body: Body, state: State, posture: str | None, windows: Seque
     low, high = state.range
     given = body.item.attributes.get("posture")
     in_posture = float(posture is None or given == posture)
+    if state.becomes and body.item.category not in state.becomes.values():
+        in_posture = 0.0
     if state.measure == "cover":
         return Measurement("share of its width that it covers", _covered(body), low, high, "")
     if state.measure == "drop":

@@ -114,6 +114,7 @@ def _change(one: Wanted, told: Attribute, state: State, windows: Sequence[Window
         window = windows[one.number % len(windows)]
         height = (sum(state.range) / 2 if state.range[0] < 0.8 else 1.0) * window.height
         height += BEYOND if state.range[0] >= 0.8 else 0.0
+    depth, width, height = (side * share for side, share in zip((depth, width, height), state.scale, strict=True))
     size = (round(depth, 4), round(width, 4), round(height, 4))
     wish = replace(one.wish, size=size, posture=posture_as_told(state, told), beyond=True)
     one.asset, one.wish = library.choose(one.category, 1, wish)[0], wish

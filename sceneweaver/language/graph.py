@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
 from typing import Any, get_args
 
 from sceneweaver.assets.plurals import singular
+from sceneweaver.assets.states import state_of
 from sceneweaver.assets.taxonomy import category_named, narrower
 
 from .built_in import by_their_names
@@ -24,6 +25,7 @@ from .statements.audiences import audiences
 from .statements.counts import bounded_counts, peopled, shared_counts, told_apart
 from .statements.resolve import entity_named, resolved
 from .stations import settle_stations
+from .told_states import LAID_FOR, state_as_told
 from .vocabulary import words
 
 MOST = 400
@@ -34,6 +36,15 @@ MOST_SMALL = 120
 
 SEVERAL, PLURAL = 6, 6
 """Things that there are at least of what is all over a room, and most of a bare plural."""
+
+PLACE = "place_setting"
+"""What is laid for somebody who eats at a table."""
+
+PATCH, FEW = 0.2, 3
+"""Floor [m2] that one thing covers from which on `FEW` of it are all over a room."""
+
+FULL, SCATTERED = "full", "scattered"
+"""States that follow from what else is said: of a cup of tea, of clothes all over a floor; see ``states.yaml``."""
 
 _SAME = ("room_type", "room_words", "other_rooms", "shape", "wing", "style", "only")
 """What a graph says of the room as it was parsed."""
@@ -53,6 +64,8 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     mean_in_room(mentions, parsed, text.lower())
     lengths = measured(parsed, mentions, text)
     give_states(parsed, mentions, text)
+    _in_form(mentions)
+    mentions += _laid_places(mentions, parsed)
     told_by_carriers(parsed, mentions)
     _named(mentions)
     _shared_support(parsed)
@@ -66,7 +79,7 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
     unread = {left.words: left for left in reversed(parsed.unread) if left.words.strip()}
     named = {entity.id for entity in entities}
     amounts = tuple(a for a in resolved(parsed.amounts, entities, "amount") if a.entity in named)
-    entities = tuple(_many(entity, amounts) for entity in entities)
+    entities = tuple(_many(_spread_form(entity, amounts), amounts) for entity in entities)
     relations = [*relations, *by_their_names(entities, relations, parsed.stated_openings)]
     relations, arrangements = told_apart(relations, resolved(parsed.arrangements, entities, "arrangement"))
     people = peopled(
@@ -144,6 +157,43 @@ def _measures(
         else:
             found.append(limit.model_copy(update={"on": on}))
     return tuple(measure.model_copy(update={"id": f"measure-{k}"}) for k, measure in enumerate(found))
+
+
+def _in_form(mentions: Iterable[Mention]) -> None:
+    """What is another thing in the state that is said of it: a blanket that lies crumpled is no folded one. A cup of
+    tea is full."""
+    for mention in mentions:
+        for told in mention.attributes:
+            state = state_as_told(mention.category, told) if told.kind == "state" and told.count is None else None
+            if state is not None:
+                mention.category = state.becomes.get(mention.category, mention.category)
+        drink = mention.noun.partition(" of ")[2]
+        if drink in words("states")["drinks"] and state_of(mention.category, FULL) is not None:
+            level = any(told.kind == "state" for told in mention.attributes)
+            full = Attribute(kind="state", value=FULL, words=f"{FULL} of {drink}", span=mention.span)
+            mention.attributes += [] if level else [full]
+            mention.unnamed = [word for word in mention.unnamed if word not in drink.split()]
+
+
+def _laid_places(mentions: Sequence[Mention], parsed: Parsed) -> list[Mention]:
+    """The places on tables that are told to be laid, which takes the place of what was told."""
+    found: list[Mention] = []
+    for mention in mentions:
+        for told in [told for told in mention.attributes if told.value.startswith(LAID_FOR)]:
+            mention.attributes.remove(told)
+            many = int(told.value.rpartition(" ")[2])
+            places = Mention("place setting", PLACE, (many, many) if many else None, plural=True, span=told.span)
+            found.append(places)
+            parsed.said.append(Said("on", [places], (mention,), words=told.words, span=told.span))
+    return found
+
+
+def _spread_form(entity: Entity, amounts: Sequence[Amount]) -> Entity:
+    """Clothes or papers all over a floor are no piles of folded ones."""
+    spread = any(amount.entity == entity.id and amount.spread in ("floor", "everywhere") for amount in amounts)
+    state = state_of(entity.category, SCATTERED) if spread else None
+    other = state.becomes.get(entity.category) if state is not None else None
+    return entity if other is None else entity.model_copy(update={"category": other})
 
 
 def _but_for(excluded: Exclusion, entities: Sequence[Entity]) -> Exclusion:
@@ -309,9 +359,16 @@ def _entity(mention: Mention, notes: list[str]) -> Entity:
     return Entity(**given)
 
 
+def _is_patch(category: str) -> bool:
+    """Whether one thing of a category covers a piece of floor: leaves, shavings, scattered clothes."""
+    known = category_named(category)
+    return known.size is not None and known.mount[0] == "floor" and known.size.depth[0] * known.size.width[0] >= PATCH
+
+
 def _many(entity: Entity, amounts: Sequence[Amount]) -> Entity:
     """An entity of which there are many, with so many; a number that the request gives stays."""
-    told = [amount.least or SEVERAL for amount in amounts if amount.entity == entity.id]
+    patch = _is_patch(entity.category)
+    told = [FEW if patch else amount.least or SEVERAL for amount in amounts if amount.entity == entity.id]
     low, high = entity.count or (1, 1)
     given = entity.count is not None and (low == high or high > PLURAL)
     return entity if not told or given else entity.model_copy(update={"count": (max(low, *told), MOST)})

@@ -104,8 +104,10 @@ def named_by(told: Told, mentions: Sequence[Mention], text: str) -> Mention | No
     first = max(text.rfind(mark, 0, start) for mark in (". ", "\n", "; ")) + 1
     before = [m for m in placed if m.span is not None and m.span.start < start]
     near = [m for m in before if m.span is not None and first <= m.span.start]
-    head = singular(told.noun).split()[-1]
-    named = [m for m in before if head in singular(m.noun).split()]  # "The desk is 2 m wide": it was named earlier
+    head = singular(told.noun.replace("-", " ")).split()[-1]
+    named = [
+        m for m in before if head in singular(m.noun.replace("-", " ")).split()
+    ]  # "The desk is 2 m wide": it was named earlier
     same = [m for m in near if m in named] or named
     return max(same if told.named else same or near, key=lambda m: m.span or (0, 0), default=None)
 

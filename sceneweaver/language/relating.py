@@ -128,12 +128,15 @@ def close_kind(kind: str, spoken: str, subjects: list[Mention], target: Target) 
     """What "at" and "by" mean, which are nearer than "near": seats are at a table, other things next to it; at a wall
     is against it."""
     first = spoken.lower().partition(" ")[0]
+    lying = all(s.is_small and s.mount == "surface" for s in subjects)
+    if kind == "opposite" and spoken.lower().endswith("across") and lying and not isinstance(target, str):
+        return "on"  # a scarf across a bench lies on it
     if kind != "near" or first not in ("at", "by"):
         return kind
     if isinstance(target, str):
         part = target.partition(":")[0]
         return {"wall": "against", "window": "at"}.get(part, kind)  # a door wants room to open
-    if all(s.is_small and s.mount == "surface" for s in subjects) and not target.is_small:
+    if lying and not target.is_small:
         return kind  # a screen at a desk is on it
     seated = first == "at" and all(has_role(s.category, "pulled_up") for s in subjects)
     return "at" if seated and has_role(target.category, "pulled_up_to") else "next_to"

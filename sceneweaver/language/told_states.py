@@ -18,6 +18,9 @@ _CONTENT = re.compile(r"(?: of| with)? (?:of|with) .*$")
 PULLED_OUT = "pulled out by"
 """What an attribute says of seats that are not pushed in, before how far [m] they are."""
 
+LAID_FOR = "laid for"
+"""What an attribute says of a table with a place laid for each of so many, before their number (0: not told)."""
+
 EACH_OF = "each of"
 """What an attribute says of things that have several colours between them, before these."""
 
@@ -66,6 +69,7 @@ def words_of_whole(attributes: Iterable[Attribute]) -> str:
 
 __all__ = [
     "EACH_OF",
+    "LAID_FOR",
     "PULLED_OUT",
     "colors_as_told",
     "detail_as_told",

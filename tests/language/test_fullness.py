@@ -49,6 +49,6 @@ def test_many(text: str, said: set[tuple[str, str]]) -> None:
 
 def test_what_was_said_of_things_before_makes_no_list():
     brief = read_request("a student's room, bed unmade, clothes all over the floor")
-    assert [brief.entity(one.entity).category for one in brief.amounts] == ["folded_clothes"]
+    assert [brief.entity(one.entity).category for one in brief.amounts] == ["scattered_clothes"]
     brief = read_request("an office, paper around the bin, mugs everywhere")
     assert [brief.entity(one.entity).category for one in brief.amounts] == ["mug"]

@@ -21,6 +21,7 @@ from .box import Interval
 from .contents import filled
 from .drawing import Drawing
 from .layout import texture_coordinates
+from .marks import marked
 from .masses import bulk_of
 from .tree import Piece, vec3
 from .watched import Watched
@@ -38,6 +39,7 @@ def bare_of(drawing: Drawing) -> Bare:
     drawn, category, request = drawing.drawn, drawing.category, drawing.request
     slots: dict[Slot, int] = {}
     inside = filled(drawn.pieces, drawn.interiors, request.posture, category.name)
+    inside += marked(drawn.pieces, request.posture, category.name)
     pieces = [*drawn.pieces, *inside]
     slot = np.array([slots.setdefault(_slot(piece), len(slots)) for piece in pieces], dtype=np.int32)
     mesh = _mesh(pieces, slot)

@@ -13,6 +13,7 @@ import numpy as np
 from ..asset import Asset
 from ..body import Material
 from ..materials import color_name
+from .aged import aged
 from .finishes import Finishes
 from .masses import Bulk, masses_of
 
@@ -78,6 +79,8 @@ class Bare:
         if finishes.request.posture in LIGHT and any(m.emission >= GLOWS for m in materials):
             shown["posture"] = finishes.request.posture
             materials = [_lit(m, finishes.request.posture) for m in materials]
+        if (old := aged(materials, finishes.request.posture)) != materials:
+            shown["posture"], materials = finishes.request.posture, old
         numbers: dict[Material, int] = {}
         division = tuple(numbers.setdefault(material, len(numbers)) for material in materials)
         masses = masses_of(self.bulk, [materials[slot] for slot in self.slot.tolist()], self.mass)

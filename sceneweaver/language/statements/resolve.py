@@ -31,7 +31,7 @@ def entity_named(words: str, entities: Sequence[Entity], near: Span | None = Non
         return spoken
     noun = singular(spoken)
     for alike in (
-        lambda e: singular(e.noun) == noun,
+        lambda e: singular(e.noun) == noun or singular(e.noun.replace("-", " ")) == singular(spoken.replace("-", " ")),
         lambda e: singular(e.noun).split()[-1] == noun.split()[-1],
         lambda e: noun != spoken and noun in e.noun.split(),  # the islands of island benches
     ):

@@ -9,17 +9,17 @@ from __future__ import annotations
 import re
 from functools import cache
 
-from sceneweaver.assets.roles import groups_above
+from sceneweaver.assets.roles import groups_above, has_role
 from sceneweaver.assets.states import State, state_of, states
 
 from ..model import Attribute
 from ..parsed import Left, Parsed, Told
 from ..source import Source
 from ..things import match_of, singular
-from ..told_states import PULLED_OUT
+from ..told_states import LAID_FOR, PULLED_OUT
 from ..vocabulary import vocabulary, words
 from .lengths import PLAIN, plain_length
-from .phrases import NUMBER, Edits, noun_at, noun_before, noun_behind, number_of, one_of
+from .phrases import NUMBER, Edits, noun_after, noun_at, noun_before, noun_behind, number_of, one_of
 from .resolve import is_thing, thing_before
 
 _BE = (
@@ -34,6 +34,29 @@ _PULLED = re.compile(
     r"(?P<said>\b(?:not\s(?:fully\s|quite\s|all\s)?pushed\sin|pulled\s(?:out|back|away)|pushed\sback)"
     rf"(?:\s(?:by\s|about\s|some\s){{0,2}}(?P<length>{PLAIN}))?)(?P<from>\sfrom(?=\s(?:the|its|their|a|his|her)\s))?"
 )
+_SET = re.compile(
+    rf"\b(?P<said>{_BE}(?:set|laid)(?:\sup|\sout)?)\s"
+    rf"(?:for\s(?P<many>{NUMBER})\b(?:\s(?:people|guests|diners|persons|covers))?(?!\s(?:o'?clock|cm|m|metres))|for\s(?:a\s)?(?:formal\s|festive\s|big\s|family\s)?"
+    r"(?:dinner|lunch|breakfast|supper|tea|meal|feast|party|christmas|brunch)\b(?:\sparty|\sdinner|\slunch)?)"
+)
+_OVER_FLOOR = re.compile(r"\s(?:all\s)?(?:over|on|across|around|about)\sthe\s(?:whole\s)?(?:floor|ground)\b")
+LIT = "lit"
+"""What a fireplace is with a fire in it."""
+
+_FIRE = re.compile(
+    r"\b(?:with\s)?(?:a|the)\s(?:[a-z]+\s)?fire\s(?:is\s|was\s)?(?:(?:burns|burning|lit|crackles|crackling|glows|glowing|"
+    r"roars|roaring|blazes|blazing|going)\s)?(?:brightly\s|softly\s|low\s)?(?:in|inside)\s"
+    r"(?:(?P<it>it|them)\b|(?:the|a|an|our|my|its)\s)"
+)
+OVER_BACK = "over the back"
+"""What a garment does that lies on a chair; see ``states.yaml``."""
+
+_OVER_BACK = re.compile(
+    r"\b(?:(?:is|are|was|lies|has\sbeen|draped|slung|thrown|hung|hangs|hanging|flung|tossed|left|laid|lying|resting|"
+    r"carelessly|casually|neatly)\s){0,3}(?:(?:over|across|on|from)\sthe\sback(?:rest)?\sof(?=\s[a-z]+\s)|"
+    r"(?P<own>over\s(?:its|the|their)\sback(?:rest)?\b(?!\sof))|"
+    r"over(?=\s[a-z]+\s(?:[a-z]+\s){0,2}(?:chair|armchair|stool|sofa|bench)s?\b))"
+)
 _SHARE = re.compile(
     rf"\b(?P<many>{NUMBER})\sof\s(?P<rest>(?:the|our|my|these|those)\s(?:{NUMBER}\s)?[a-z]+\s?[a-z]*\s)$"
 )
@@ -44,7 +67,11 @@ def read_states(source: Source, parsed: Parsed) -> None:
     """Adds every state of a thing, and takes its words out."""
     edits = Edits(source)
     _pulled_out(source, parsed, edits)
+    _over_backs(source, parsed, edits)
+    _set_tables(source, parsed, edits)
+    _fires(source, parsed, edits)
     _untold(source, parsed, edits)
+    _parts_of(source, parsed, edits)
     for pattern in _patterns():
         for found in list(pattern.finditer(source.text)):
             if edits.free(*found.span()):
@@ -62,6 +89,8 @@ def _add(source: Source, parsed: Parsed, edits: Edits, found: re.Match[str]) -> 
         noun, after = noun_before(text, start), False
     else:
         noun, after = noun_at(text, start, end)
+    if after and "noun" in vocabulary().get(f"{found['state']} {noun}", {}):
+        return  # "broken glass", "crumpled paper" are things of their own
     spoken, noun = noun, _thing(noun)
     apart = text[:start].rstrip()[-1:] in ("", ",", ".", "(")
     if not after and apart and _meant(noun, found["state"], part) is None:
@@ -72,8 +101,8 @@ def _add(source: Source, parsed: Parsed, edits: Edits, found: re.Match[str]) -> 
         if state is None and not groups.get("part") and not after:
             part = opened
             state = _meant(noun, found["state"], part) if opened != "lid" or _has_lid(noun) else None
-    if state is None:
-        return
+    if state is None or (state.becomes and _OVER_FLOOR.match(text, end)):
+        return  # what lies scattered over the floor is told as an amount, of all that is listed
     if found["state"] in state.after and (after or not re.search(r"[a-z]\s+$", text[:start] + " ")):
         return
     many = groups.get("many")
@@ -121,6 +150,61 @@ def _pulled_out(source: Source, parsed: Parsed, edits: Edits) -> None:
         said = " ".join(found["said"].split())
         span = edits.take(start, end + (5 if found["from"] else 0), "at" if found["from"] else "")
         what = Attribute(kind="state", value=f"{PULLED_OUT} {far:g}", words=said, span=span)
+        parsed.states.append(Told(what, noun, after=False, named=True))
+
+
+def _over_backs(source: Source, parsed: Parsed, edits: Edits) -> None:
+    """ "A coat slung over the back of the chair": it is on the chair, and hangs over its back."""
+    for found in list(_OVER_BACK.finditer(source.text)):
+        noun = noun_before(source.text, found.start())
+        if not noun or _meant(noun, OVER_BACK, "") is None:
+            continue
+        span = edits.take(*found.span(), "on it" if found["own"] else "on")
+        what = Attribute(kind="state", value=OVER_BACK, words=OVER_BACK, span=span)
+        parsed.states.append(Told(what, noun, after=False, named=True))
+
+
+def _fires(source: Source, parsed: Parsed, edits: Edits) -> None:
+    """ "A fire burns in the stove", "a stove with a fire in it": it is lit."""
+    for found in list(_FIRE.finditer(source.text)):
+        it = found["it"] is not None
+        noun = noun_before(source.text, found.start()) if it else noun_after(source.text, found.end())[0]
+        if not noun or _meant(noun, LIT, "") is None:
+            continue
+        span = edits.take(*found.span(), "" if it else "the")
+        what = Attribute(kind="state", value=LIT, words=" ".join(found[0].split()), span=span)
+        parsed.states.append(Told(what, noun, after=not it, named=True))
+
+
+def _set_tables(source: Source, parsed: Parsed, edits: Edits) -> None:
+    """ "The table is laid for six": it is a table for six, with a place laid for each."""
+    for found in list(_SET.finditer(source.text)):
+        noun = noun_before(source.text, found.start())
+        if not noun or not has_role(match_of(_thing(noun)).category, "dining_table"):
+            continue
+        end = found.end("said") if found["many"] else found.end()
+        span = edits.take(found.start(), end)
+        many = number_of(found["many"]) if found["many"] else 0
+        what = Attribute(kind="state", value=f"{LAID_FOR} {many}", words=" ".join(found[0].split()), span=span)
+        parsed.states.append(Told(what, noun, after=False, named=True))
+
+
+def _parts_of(source: Source, parsed: Parsed, edits: Edits) -> None:
+    """ "One drawer of the dresser is pulled out": the dresser is there, with one drawer out."""
+    opened = one_of(list({word for row in states() for word in row.words if row.part}))
+    pattern = re.compile(
+        r"\b(?P<of>(?:(?:one|a|an|the|its|top|bottom|lowest|middle|both|all|two|every|upper|lower)\s){0,2}"
+        rf"(?P<part>drawers?|doors?|lids?)\sof\s)(?P<owner>(?:the|a|an|my|our|his|her|their)\s(?:[a-z]+\s){{0,2}}?"
+        rf"[a-z]+)(?P<be>\s{_BE}(?P<state>{opened}))\b"
+    )
+    for found in list(pattern.finditer(source.text)):
+        noun, part = found["owner"].partition(" ")[2], singular(found["part"])
+        if _meant(noun, found["state"], part) is None:
+            continue
+        edits.take(*found.span("of"))
+        span = edits.take(*found.span("be"))
+        value = f"{found['part']} {found['state']}"
+        what = Attribute(kind="state", value=value, words=" ".join(found[0].split()), span=span)
         parsed.states.append(Told(what, noun, after=False, named=True))
 
 

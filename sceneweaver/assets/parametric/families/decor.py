@@ -68,9 +68,17 @@ def floor_vase(d: Drawing) -> None:
 
 
 def _flame(d: Drawing, at: Box, size: float = 0.03) -> None:
-    """A wick and its flame on top of a candle."""
+    """A wick and its flame on top of a candle; the wick alone where it is out, drips where it is burnt down."""
     x, y, z = at.anchor("top")
     d.bar((x, y, z - 0.002), (x, y, z + 0.006), 0.0012, "black plastic", 6)
+    if d.takes("burnt_down"):
+        wax = d.material("wax", "candle wax, white paint")
+        for k in range(5):
+            a, long = 2.4 * k, (0.5 + 0.1 * (k % 3)) * at.height
+            side = (x + 0.5 * at.depth * math.cos(a), y + 0.5 * at.width * math.sin(a), z - long / 2)
+            d.ball(Box.around(side, 0.008, 0.008, long), wax, 8)
+    if d.takes("unlit"):
+        return
     flame = Box.sized(0.48 * size, 0.48 * size, size - 0.003, (x, y, z + 0.003))
     d.turned(flame, [(0.1, 0), (1, 0.36), (0.66, 0.66), (0, 1)], "flame", 10)
 

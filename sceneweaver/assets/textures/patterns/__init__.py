@@ -1,5 +1,6 @@
 """The patterns themselves, one module a material; importing this package enters them all."""
 
+from . import aged as _aged  # noqa: F401
 from . import basketry as _basketry  # noqa: F401
 from . import carpets as _carpets  # noqa: F401
 from . import cloth as _cloth  # noqa: F401
