@@ -9,7 +9,7 @@ from sceneweaver.assets.taxonomy import category_named
 
 from .chunks import Chunk, NounPhrase
 from .distribution import each_next, every_so_many, group_used_by_people, listed_before, stands_for_each
-from .exclusions import excluded, only_chunk, without_chunk
+from .exclusions import bar_anything, but_for, excluded, only_chunk, without_chunk
 from .items import begin_clause, close_surface, give_target, name_nothing, name_things, open_surface
 from .nearness import meant_of_list, nearest
 from .parsed import Mention, Parsed
@@ -47,6 +47,8 @@ SEATED = 4
 def read_clauses(chunks: list[Chunk], source: Source, parsed: Parsed) -> None:
     """Puts what chunks say into ``parsed``, from left to right."""
     state = State(chunks, source, parsed)
+    if parsed.arrangements:
+        _name_formations(chunks, source, parsed)
     while state.at < len(chunks):
         chunk = chunks[state.at]
         state.at += 1
@@ -58,6 +60,17 @@ def read_clauses(chunks: list[Chunk], source: Source, parsed: Parsed) -> None:
     if total is not None:
         share_total(state, total, begun)
     _seat_diners(parsed)
+
+
+def _name_formations(chunks: list[Chunk], source: Source, parsed: Parsed) -> None:
+    """ "Near the row": the things that stand in one are meant."""
+    for chunk in chunks:
+        phrase = chunk.value
+        if chunk.kind != "noun" or phrase.of is not None or not phrase.definite or phrase.qualities:
+            continue
+        if phrase.what in ("abstract", "collective", "matter") and phrase.text in words("nouns")["formations"]:
+            parsed.referred.append(source.span(phrase.start, phrase.end))
+            phrase.what, phrase.text, phrase.value = "pronoun", "them", "pron"
 
 
 def _seat_diners(parsed: Parsed) -> None:
@@ -106,6 +119,17 @@ def _adjective(state: State, chunk: Chunk) -> None:
     phrase: NounPhrase = chunk.value
     if is_one_of_quality(chunk, state.chunk(state.at)):
         return  # "the larger one": the pronoun after it says which
+    others = phrase.value in words("said_again")["others"] and state.waiting is None
+    if others and any(t.text in words("said_again")["bare"] for t in phrase.qualities):
+        rest = state.refs.rest or state.refs.several(state.head or state.subject)
+        if rest is not None:  # "a cushion on one of them, the rest bare"
+            bar_anything(state, "on", rest, chunk)
+            return
+    if (some := _some_so(state, phrase)) is not None:
+        describe(some, replace(phrase, count=None, determiner="", value=None), state.source)
+        state.out.referred.append(state.span_of(chunk))
+        state.head, state.glue = [some], ""
+        return
     if state.glue == "open" and state.frames and state.frames[-1].owner and not state.frames[-1].items:
         state.head, state.glue = state.frames.pop().owner, ""  # "covered in red felt"
     within = state.bracketed is not None and state.glue in ("bracket", "comma")  # "a table (round, 80 cm wide)"
@@ -126,6 +150,35 @@ def _adjective(state: State, chunk: Chunk) -> None:
     if not who:
         for token in phrase.qualities:
             room_quality(state, token, room=not state.out.mentions or state.after_be)
+
+
+def _some_so(state: State, phrase: NounPhrase) -> Mention | None:
+    """ "Five stools, two white, the others black": of which of those that were named words of quality are said."""
+    of_things = any(t.has("color", "material", "shape", "finish", "scale", "adjective") for t in phrase.qualities)
+    if not of_things or phrase.sides is not None or state.waiting is not None:
+        return None
+    if phrase.value in words("said_again")["others"]:
+        return state.refs.rest
+    if phrase.determiner not in ("", "one"):
+        return None
+    if phrase.count is None or phrase.count[0] != phrase.count[1] or state.glue == "open":
+        return None
+    if _goes_on_to_noun(state):
+        return None  # "one red, one yellow and one blue thing"
+    near = state.head or state.subject or state.previous
+    group = state.refs.several(near)
+    part = state.refs.part(near, phrase.count[0])
+    return part if part is not None and part is not group else None
+
+
+def _goes_on_to_noun(state: State) -> bool:
+    """Whether a list of words of quality ends with the noun that all of them are about."""
+    for chunk in state.chunks[state.at : state.at + 8]:
+        if chunk.kind == "noun":
+            return chunk.value.count is not None and bool(chunk.value.qualities)
+        if chunk.kind not in ("comma", "and", "adjective"):
+            return False
+    return False
 
 
 def _said_at_last(state: State, phrase: NounPhrase) -> list[Mention]:
@@ -162,6 +215,14 @@ def _word(state: State, chunk: Chunk) -> None:
 
 def _aside(state: State, chunk: Chunk) -> None:
     """What somebody does or may do: nothing is said of it, but of what stands beside it with a word of place."""
+    before = state.chunk(state.at - 2)
+    live = not set(words("people")["live"]).isdisjoint(chunk.text.split())
+    if live and before is not None and before.kind == "noun" and before.value.what == "number":
+        state.out.people = state.out.people or (before.value.count or (1, 1))[1]  # "two brothers share this room"
+        state.out.unread = [left for left in state.out.unread if left.start != before.start]
+        state.out.referred.append(state.source.span(before.start, chunk.end))
+        open_ends(state)
+        return
     state.leave_unread(state.source.text[chunk.start : chunk.end], chunk.start, chunk.end)
     open_ends(state)
     if chunk.value != "clause":
@@ -199,6 +260,9 @@ def _and(state: State, chunk: Chunk) -> None:
 
 def _while(state: State, chunk: Chunk) -> None:
     """A clause of its own begins, unless "that" goes on with what was just named."""
+    if chunk.text == "but" and state.nowhere is not None and state.noun_next():
+        but_for(state)  # "nothing on the desk but a lamp"
+        return
     if chunk.text == "but":
         state.negated, state.glue = "", "comma"
         return

@@ -7,6 +7,7 @@ from typing import Any
 
 from .chunks import NounPhrase
 from .distribution import at_each_place, distributed, is_each, over_each, share_in, speaks_of_both
+from .model import ANYTHING
 from .parsed import Mention, Said
 from .relating import relate, relate_to_owner, say, seen_before, support_kind
 from .state import Frame, Fronted, State, Waiting
@@ -207,7 +208,7 @@ def _place_item(state: State, frame: Frame, mentions: list[Mention]) -> None:
         kind = "at" if seat else "flanking" if night else "next_to"
     elif holds:
         kind = support_kind(kind, frame.owner[0])
-    place = Place(kind, words=frame.words, each=frame.each or kind == "flanking")
+    place = Place(kind, words=frame.words, each=frame.each or kind == "flanking", nth=frame.nth)
     relate(state, place, mentions, targets, state.chunk_span())
 
 
@@ -283,6 +284,8 @@ def bind_target(state: State, waiting: Waiting, targets: tuple[Any, ...], each: 
         state.barred = True
         for target in [targets] if place.type == "between" else [(target,) for target in targets]:
             relate(state, place, subjects, target, state.span_of(waiting.chunk))
+        if any(m.words == [ANYTHING] for m in subjects):
+            state.nowhere = (place, targets, waiting.chunk)
         state.barred, state.unwanted = False, []
         return
     target = targets[0]

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from itertools import takewhile
 
 from sceneweaver.assets.plurals import singular as _singular
 
@@ -243,7 +244,45 @@ def _there_is(tokens: list[Token], at: int, found: list[Token]) -> int:
     return 1
 
 
+def _to_the_other(tokens: list[Token], at: int, found: list[Token]) -> int:
+    """ "A screen to one side of the fire and a piano to the other": at the other side of the same."""
+    token, other = tokens[at], _token(tokens, at + 1)
+    if token.text not in ("to", "on", "at") or other is None or other.text not in ("the other", "the other side"):
+        return 0
+    last = _last_sentence(found)
+    first = next((k for k, t in enumerate(last) if t.text.rpartition(" of")[0].endswith("one side")), None)
+    if first is None or not _ends(_token(tokens, at + 2)):
+        return 0
+    target = list(takewhile(lambda t: not _ends(t) and not t.has("verb", "preposition"), last[first + 1 :]))
+    if not any(t.has("noun", "place", "pron") for t in target):
+        return 0
+    found.append(Token(last[first].text, token.start, other.end, dict(last[first].kinds)))
+    found += [
+        replace(t, text="the", kinds=dict(vocabulary()["the"])) if t.text in ("a", "an") else replace(t) for t in target
+    ]
+    return 2
+
+
+def _bare_list(tokens: list[Token], at: int, found: list[Token]) -> int:
+    """ "Bed desk lamp each": three nouns or more with nothing between them before "each" are as many things."""
+    end = at
+    while (token := _token(tokens, end)) is not None and token.has("noun") and not token.has("plural", *QUALITIES):
+        end += 1
+    each = _token(tokens, end)
+    if end - at < 3 or each is None or each.text not in (*EACH, "apiece") or not _ends(_token(tokens, end + 1)):
+        return 0
+    for k in range(at, end):
+        if k > at:
+            here = tokens[k].start
+            link = Token("and", here, here, {"and": "and"}) if k == end - 1 else Token(",", here, here, {"break": ","})
+            found.append(link)
+        found.append(tokens[k])
+    return end - at
+
+
 _RULES: tuple[Callable[[list[Token], int, list[Token]], int], ...] = (
+    _bare_list,
+    _to_the_other,
     _pieces,
     _times,
     _pronoun_with_verb,

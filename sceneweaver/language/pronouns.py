@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from .chunks import Chunk, NounPhrase
 from .distribution import owner_told_of, part_of_each
 from .items import begin_clause, continue_with, give_target, name_things
@@ -182,6 +184,21 @@ def _part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
             state.leave_unread(f"{before.text} {chunk.text}", before.start, chunk.end)
         return
     near = nearest(state, waiting.subjects or []) if waiting is not None else _at_hand(state)
+    if waiting is not None and (meant := state.refs.in_row(phrase.text.split()[1:2], state.refs.several(near))):
+        state.out.referred.append(state.span_of(phrase))
+        group, nth = meant
+        state.waiting = replace(waiting, place=replace(waiting.place, nth=nth))
+        give_target(state, state.waiting, [group], phrase, False)
+        return
+    after = state.chunk(state.at)
+    if waiting is None and after is not None and after.kind == "with":
+        meant = state.refs.in_row(phrase.text.split()[1:2], state.refs.several(near))
+        if meant:
+            state.out.referred.append(state.span_of(phrase))
+            state.nth = meant
+            begin_clause(state, [meant[0]], state.glue)
+            state.glue = ""
+            return
     if phrase.text == "one" and waiting is None:
         if one_for_each(state, near):
             return
@@ -203,6 +220,8 @@ def _part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         found = state.refs.part([found])
     if partial and (found is None or not phrase.text.startswith("another")):
         found = state.refs.part(near) or _one_more(state, near)
+    if found is None and waiting is not None and waiting.barred:
+        found = state.refs.several(near)  # "a coat on the third hook, nothing on the others"
     if found is None:
         state.leave_unread(phrase.text, chunk.start, chunk.end)
         return
@@ -225,6 +244,8 @@ def _pronoun_target(state: State, phrase: NounPhrase, waiting: Waiting) -> None:
             near = [last]  # a lamp beside "it" is beside the laptop, not beside the desk
     if it and waiting.place.type in ("on", "inside"):
         near = carrying(state, near, subjects)
+    if it and waiting.barred and near and near[-1].is_small:
+        near = [carrier_root(state, near[-1])]  # "a bell on the counter, nothing else on it"
     if it and state.each is not None and state.each not in subjects:
         near = [state.each]
     elif it and waiting.place.type in _OF_ONE and state.meant_by_it and near and _beside_it(state, near[-1]):

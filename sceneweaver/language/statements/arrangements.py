@@ -367,7 +367,7 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
         re.compile(
             rf",? ?\b(?:(?:{NUMBER} and {NUMBER}|in pairs|in twos|in two pairs|pairwise),? )?"
             r"(?:with (?:the|their) backs? (?:together|touching|to each other|to one another|against each other)"
-            r"|back[ -]to[ -]back)\b"
+            r"|back[ -]to[ -]back(?! with (?!each other|one another)))\b"
         ),
         _backs,
     ),

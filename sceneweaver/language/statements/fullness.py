@@ -19,6 +19,13 @@ _WORD = re.compile(r"[a-z][a-z'-]*")
 _BEHIND = re.compile(r" (?:and|or|with|on|in|at|by|under|over|above|beside|near|from|for|to|that|which|the|is|are)$")
 """A word behind a noun that is no part of its name."""
 
+_SAID_OF_THING = re.compile(r"\b(?:hold(?:s|ing)?|carr(?:y|ies|ying)|with|bear(?:s|ing)?|display(?:s|ing)?|has)\s+$")
+_THERE = re.compile(
+    r"\s+(?:on|in|under|underneath|beneath|inside|near|by|beside|behind|above|over|around)\s+"
+    r"(?:it|them|its|the|this|that|my|our|his|her|their|each|any)\b(?!\s(?:room|space|place|floor)\b)"
+)
+"""Where nothing else is, and what that is of."""
+
 LONGEST = 3
 """Words of a noun before its spread that are looked at."""
 
@@ -29,7 +36,10 @@ _DEFINITE = ("the", "its", "her", "his", "my", "our", "their")
 def fullness(source: Source, parsed: Parsed) -> None:
     """Read what a request says of how full its room is; what is understood goes out of the source."""
 
-    def nothing(_: re.Match[str]) -> str:
+    def nothing(match: re.Match[str]) -> str | None:
+        of_things = match[0].startswith("nothing but") and _SAID_OF_THING.search(source.text[: match.start()])
+        if of_things or _THERE.match(source.text, match.end()):
+            return None  # "a shelf that holds nothing but books", "nothing else on it": of a thing, not of the room
         parsed.only = True
         return ""
 
