@@ -32,7 +32,7 @@ from .stations import names_stations, new_stations, station_group
 from .things import describe, give_length, give_sides, singular
 from .tokens import Token
 from .verbs import open_ends, verb_chunk, with_chunk
-from .vocabulary import Place, words
+from .vocabulary import Place, vocabulary, words
 
 _TURNED = ("transform", "convert", "turn", "set up")
 """Verbs whose "into a studio" is no place."""
@@ -125,6 +125,10 @@ def _adjective(state: State, chunk: Chunk) -> None:
         if rest is not None:  # "a cushion on one of them, the rest bare"
             bar_anything(state, "on", rest, chunk)
             return
+    bare = any(t.text == "bare" for t in phrase.qualities) and len(state.predicate) == 1
+    if bare and state.predicate[0].family in ("table", "storage", "seat"):
+        bar_anything(state, "on", state.predicate[0], chunk)
+        return
     if (some := _some_so(state, phrase)) is not None:
         describe(some, replace(phrase, count=None, determiner="", value=None), state.source)
         state.out.referred.append(state.span_of(chunk))
@@ -175,7 +179,8 @@ def _goes_on_to_noun(state: State) -> bool:
     """Whether a list of words of quality ends with the noun that all of them are about."""
     for chunk in state.chunks[state.at : state.at + 8]:
         if chunk.kind == "noun":
-            return chunk.value.count is not None and bool(chunk.value.qualities)
+            first = vocabulary().get(chunk.value.text.split()[0], {}) if chunk.value.text else {}
+            return chunk.value.count is not None and (bool(chunk.value.qualities) or "color" in first)
         if chunk.kind not in ("comma", "and", "adjective"):
             return False
     return False
@@ -225,6 +230,9 @@ def _aside(state: State, chunk: Chunk) -> None:
         return
     state.leave_unread(state.source.text[chunk.start : chunk.end], chunk.start, chunk.end)
     open_ends(state)
+    if chunk.text.startswith("who ") and _after_people(state):
+        _tell_of_people(state)
+        return
     if chunk.value != "clause":
         return
     state.fronted, state.negated = [], ""
@@ -269,6 +277,10 @@ def _while(state: State, chunk: Chunk) -> None:
     last = (state.head or state.subject)[-1:]
     if chunk.text == "where" and last and last[0].mount == "floor":
         open_surface(state, last[0], chunk.text)
+    before = state.chunk(state.at - 2)
+    if chunk.text == "who" and before is not None and _after_people(state):
+        _tell_of_people(state)
+        return
     if chunk.text in ("that", "which", "whose", "who"):
         state.relative = bool(state.head)
         return
@@ -280,12 +292,27 @@ def _while(state: State, chunk: Chunk) -> None:
     state.glue, state.negated, state.manner = "while", "", ""
 
 
+def _tell_of_people(state: State) -> None:
+    """ "The clerk, who sits on a platform": what comes next is said of no thing."""
+    state.each = None
+    name_nothing(state)
+    state.head, state.subject = [], []
+
+
+def _after_people(state: State) -> bool:
+    """Whether the last noun before a relative clause is one for people."""
+    before = [c for c in state.chunks[max(0, state.at - 3) : state.at - 1] if c.kind == "noun"]
+    return bool(before) and before[-1].value.what == "people"
+
+
 def _noun(state: State, chunk: Chunk) -> None:
     phrase: NounPhrase = chunk.value
     state.after_be = False
     state.every = every_so_many(phrase)
     if state.every > 1 and not (state.waiting is not None and state.waiting.place.type == "between"):
         state.out.referred.append(state.span_of(phrase))
+    if phrase.text == "half" and phrase.of is not None and _half_of(state, phrase):
+        return
     if names_stations(state, phrase):
         name_things(state, [new_stations(state, phrase)], phrase, True)
         return
@@ -302,7 +329,25 @@ def _noun(state: State, chunk: Chunk) -> None:
     hangs = waiting is not None and waiting.place.type == "hanging_from" and phrase.what != "place"
     if hangs and phrase.text in words("relations")["overhead"] and not _is_named(state, phrase):
         phrase.what, phrase.value = "place", "ceiling"
+    if hangs and phrase.text in words("relations")["hung_on"] and phrase.of is None and not _is_named(state, phrase):
+        phrase.what, phrase.value = "thing", words("relations")["hung_on"][phrase.text]
+        phrase.text = phrase.value.replace("_", " ")
     _PHRASES[phrase.what](state, phrase, chunk)
+
+
+def _half_of(state: State, phrase: NounPhrase) -> bool:
+    """ "Half of the chairs": parted from the others, where their number is known and even; else it is told."""
+    of = phrase.of
+    assert of is not None
+    group = state.refs.known(of, True, []) if of.what == "thing" and of.definite else None
+    if group is None or group.count is None or group.count[0] != group.count[1] or group.count[0] % 2:
+        return False
+    part = state.refs.part([group], group.count[0] // 2)
+    if part is None:
+        return False
+    state.out.referred.append(state.span_of(phrase))
+    name_things(state, [part], phrase, False)
+    return True
 
 
 def _is_named(state: State, phrase: NounPhrase) -> bool:

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 
 from sceneweaver.assets import categories
 from sceneweaver.assets.plurals import singular
 
 from .chunks import Chunk, NounPhrase
+from .items import begin_clause
 from .model import ANYTHING
 from .nothings import may_name
 from .parsed import Barred, Mention
 from .region_phrases import thing_phrase
 from .relating import support_kind
-from .state import State
+from .state import Frame, State
+from .thing_phrases import new_thing
 from .things import match_of, name_of
 from .unwanted import is_class, kinds_unwanted
 from .vocabulary import category_of, group_rows, vocabulary, words
@@ -27,6 +30,9 @@ def without_chunk(state: State, chunk: Chunk) -> None:
     state.waiting = None
     if state.nowhere is not None and chunk.value in words("unwanted")["except"]:
         but_for(state)
+        return
+    if state.denied is not None and chunk.value in words("unwanted")["except"] and _somewhere_next(state):
+        _but_there(state)
         return
     if state.negated and chunk.value in words("unwanted")["except"]:
         state.negated, state.glue = "", "start"  # "no appliances except a stove"
@@ -49,6 +55,10 @@ def _somewhere_next(state: State) -> bool:
     if place is None or place.kind != "place" or target is None or target.kind != "noun":
         return False
     of_room = target.value.what == "place" and target.value.value in ("room", "floor", "wall", "ceiling")
+    if target.value.what == "pronoun" and target.value.value == "pron" and not target.value.determiner:
+        last = next((c.value for c in reversed(state.chunks[: state.at]) if c.kind == "noun"), None)
+        of_room = last is not None and last.what == "place" and last.value not in ("window", "door")
+        # "white walls with nothing on them"
     return not place.passive and not of_room and target.value.what in ("thing", "pronoun", "place")
 
 
@@ -58,6 +68,20 @@ def nothing_there(state: State) -> None:
     state.fronted = []
     state.unwanted = [Mention("nothing", "", words=[ANYTHING])]
     state.negated, state.negation, state.glue = "where", "nothing", ""
+
+
+def _but_there(state: State) -> None:
+    """ "No rugs except in front of the sofa": what was ruled out is wanted there."""
+    phrase, state.denied = state.denied, None
+    assert phrase is not None
+    said = state.out.without[-1][0]
+    thing = new_thing(state, replace(phrase, determiner="" if phrase.plural else "a"))
+    if thing is None:
+        return
+    state.out.others.add(said)
+    state.negated, state.glue = "", "start"
+    begin_clause(state, [thing], "start")
+    state.glue = "verb"
 
 
 def but_for(state: State) -> None:
@@ -92,6 +116,11 @@ def excluded(state: State, phrase: NounPhrase, chunk: Chunk) -> bool:
         state.glue = "start"
         thing_phrase(state, phrase, chunk)
         return True
+    if _length_next(state):
+        end = state.chunks[state.at + 1].end
+        state.leave_unread(f"{state.negation} {state.source.text[phrase.start : end]}", phrase.start, end)
+        state.at, state.negated, state.glue = state.at + 2, "", ""
+        return True  # "no shelf above 140 cm" is not "no shelf"
     if phrase.what == "place" and _somewhere_next(state):
         _no_opening_there(state, phrase)
         return True
@@ -100,12 +129,21 @@ def excluded(state: State, phrase: NounPhrase, chunk: Chunk) -> bool:
         return True
     before = len(state.out.without)
     _leave_out(state, phrase)
+    state.denied = phrase if phrase.what == "thing" and len(state.out.without) > before else None
     if state.negation.endswith("other"):
         state.out.others |= {said for said, _, _ in state.out.without[before:]}
     if state.negated == "first":
         state.negated = "article" if phrase.determiner in ("a", "an") else "list"
     state.glue = ""
     return True
+
+
+def _length_next(state: State) -> bool:
+    """Whether the next words compare with a length: "above 140 cm", "over 2 m"."""
+    place, length = state.chunk(state.at), state.chunk(state.at + 1)
+    if place is None or place.kind != "place" or length is None or length.kind not in ("adjective", "noun"):
+        return False
+    return length.value.length is not None or (length.kind == "noun" and length.value.what == "number")
 
 
 def _no_opening_there(state: State, phrase: NounPhrase) -> None:
@@ -257,6 +295,10 @@ def only_chunk(state: State, chunk: Chunk) -> None:
 def _nothing_but(state: State, chunk: Chunk) -> None:
     """ "A shelf that holds nothing but books": what it holds is all that is there; else that is all of the room."""
     frame = state.frames[-1] if state.frames else None
+    if state.glue in ("verb", "") and len(state.subject) == 1 and (frame is None or not frame.owner):
+        frame = Frame("with", list(state.subject), words="with")  # "the bench is bare but for a lamp"
+        state.frames.append(frame)
+        state.glue = "open"
     if frame is None or not frame.owner:
         state.out.only = True
         return

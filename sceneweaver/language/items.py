@@ -229,6 +229,8 @@ def give_target(state: State, waiting: Waiting, mentions: list[Mention], phrase:
         targets = (waiting.first, mentions[0]) if waiting.first is not None else (mentions[0], mentions[-1])
     elif waiting.place.type != "around" and phrase.what != "pronoun":
         targets = targets[:1]
+        if targets and (waiting.barred or is_each(phrase)) and phrase.what == "thing":
+            targets = _with_its_parts(state, targets[0])
     if is_each(phrase) and len(targets) > 1 and waiting.subjects:
         _on_each_of(state, waiting, targets)
         return
@@ -250,13 +252,19 @@ def give_target(state: State, waiting: Waiting, mentions: list[Mention], phrase:
     state.last_target = None if between else (waiting, targets)
 
 
+def _with_its_parts(state: State, thing: Mention) -> tuple[Mention, ...]:
+    """A thing with what was parted from it before: "two of them stacked ... no shelf near the beds"."""
+    if thing.span is None:
+        return (thing,)
+    return tuple(m for m in state.out.mentions if m is thing or (m.span == thing.span and m.noun == thing.noun))
+
+
 def _on_each_of(state: State, waiting: Waiting, targets: tuple[Any, ...]) -> None:
     """ "A sofa and two armchairs, a cushion on each": so many for each thing of each kind."""
     subjects = list(waiting.subjects or [])
-    for k, target in enumerate(targets):
-        own = subjects if k == 0 else [m.copied(id="") for m in subjects]
-        if k:
-            state.out.mentions += own
+    copies = [[m.copied(id="") for m in subjects] for _ in targets[1:]]
+    state.out.mentions += [m for own in copies for m in own]
+    for target, own in zip(targets, [subjects, *copies], strict=True):
         place = over_each(waiting.place) if target.many else waiting.place
         own = distributed(state, own, target) if target.many else own
         relate(state, place, own, (target,), state.span_of(waiting.chunk))

@@ -60,6 +60,8 @@ def _fitting(tokens: list[Token], at: int) -> Token:
     counted = before is not None and before.has("number") and _singular(token.text) in words("nouns")["places"]
     if counted and token.text.endswith("s"):
         return replace(token, kinds={"plural": True})
+    if token.text == "others" and before is not None and before.has("preposition"):
+        return replace(token, kinds={"rest": token.text})  # "nothing on others"
     verb = token.get("verb")
     if not isinstance(verb, Verb) or verb.form != "base" or token.has(*OPEN) or before is None:
         return token

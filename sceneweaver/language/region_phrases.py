@@ -223,7 +223,8 @@ def part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         number, _, noun = phrase.text.partition(" ")
         if number in _TWO and noun:  # "two sinks" that no cabinet has
             phrase.count, phrase.text, phrase.plural = (2, 2), noun, True
-        mention = new_thing(state, phrase) if phrase.determiner or phrase.count else None
+        hung = phrase.plural and after is not None and after.kind == "verb" and after.value.form == "ed"
+        mention = new_thing(state, phrase) if phrase.determiner or phrase.count or hung else None
         if mention is not None:
             name_things(state, [mention], phrase, True)
             return

@@ -190,6 +190,9 @@ def relate_to_place(state: State, said: Said) -> None:
         subjects[0].count = (2, 2)  # "a plant on either side of the door"
     if place.startswith("wall") and kind in ("on", "against", "inside") and said.words.startswith("hang"):
         kind = "hanging_from"
+    hung = all(s.mount in ("ceiling", "wall") for s in subjects)
+    if place == "window" and kind == "opposite" and said.words == "across" and hung:
+        kind = "in_front_of"  # "a line across the window"
     if place.startswith("wall") and kind == "opposite" and said.words.startswith("across"):
         kind = "against"  # "a stage across the far end"
     if place == "wall:breast" and kind in _BESIDE:
@@ -338,10 +341,10 @@ def relate_to_nearest(state: State, place: Place, subjects: list[Mention] | None
 
 def _beside_sitter(state: State, place: Place, subjects: list[Mention], chunk: Chunk) -> None:
     """ "A table at her right hand": beside what was named last that people sit or lie on."""
-    subjects = [m for m in subjects if not _is_sat_on(m)] or subjects
+    subjects = [m for m in subjects if not _is_sat_on(m)]
     named = without([*nearest(state, subjects)[::-1], *reversed(state.out.mentions[-20:])], subjects)
     seats = [m for m in named if _is_sat_on(m)]
-    if not seats:
+    if not seats or not subjects:
         state.leave_unread(chunk.text, chunk.start, chunk.end)
         return
     relate(state, place, subjects, (seats[0],), state.span_of(chunk), count=state.subset)

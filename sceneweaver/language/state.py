@@ -102,6 +102,7 @@ class State:
         self.lost = False  # whether the subject is no object, so that nothing is said of it
         self.lit = False  # whether light came through a window
         self.nth: tuple[Mention, int] | None = None  # one of several, in order, that the clause is about
+        self.denied: NounPhrase | None = None  # what was ruled out last
         self.nowhere: Fronted | None = None  # where nothing is, but for what is told next
         self.bracketed: int | None = None  # how many lists were open before the bracket
         self.every = 1  # of how many things the phrase in hand means one

@@ -332,8 +332,8 @@ def _patterns() -> tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, 
     rows = (
         (rf"{PLACED}\b(?:at|in|forming|as) (?:an? )?{angles}{_EACH_OTHER}{_END}", _right_angle),
         (
-            rf"{PLACED}\b(?:(?:in|as) an? l(?:[ -]shape)? )?(?:along|against|on|lining) two (?:adjacent |adjoining |"
-            r"neighbou?ring )?walls(?! of\b)",
+            rf"{PLACED}\b(?:(?:in|as) an? l(?:[ -]shape)? )?(?:along|against|on|lining|round|around) two "
+            r"(?:adjacent |adjoining |neighbou?ring )?walls(?! of\b)",
             _two_walls,
         ),
         (
