@@ -313,6 +313,11 @@ def _noun(state: State, chunk: Chunk) -> None:
         state.out.referred.append(state.span_of(phrase))
     if phrase.text == "half" and phrase.of is not None and _half_of(state, phrase):
         return
+    if phrase.text in words("nouns")["spots"] and state.waiting is None and _placed_by_in(state):
+        state.leave_unread(state.source.text[chunk.start : chunk.end], chunk.start, chunk.end)
+        state.close_frames()
+        state.subject, state.head, state.fronted, state.glue = [], [], [], "start"
+        return  # "one tidy spot in the middle, a table": the table is there
     if names_stations(state, phrase):
         name_things(state, [new_stations(state, phrase)], phrase, True)
         return
@@ -333,6 +338,13 @@ def _noun(state: State, chunk: Chunk) -> None:
         phrase.what, phrase.value = "thing", words("relations")["hung_on"][phrase.text]
         phrase.text = phrase.value.replace("_", " ")
     _PHRASES[phrase.what](state, phrase, chunk)
+
+
+def _placed_by_in(state: State) -> bool:
+    """Whether words of place with their target come next, and then a list of what is there."""
+    place, target, link = (state.chunk(state.at + k) for k in range(3))
+    follows = place is not None and place.kind == "place" and target is not None and target.kind == "noun"
+    return follows and link is not None and link.kind == "comma" and state.noun_next(3)
 
 
 def _half_of(state: State, phrase: NounPhrase) -> bool:

@@ -13,6 +13,7 @@ from .relating import relate_to_place
 from .shares import ends_here, give_total, one_for_each, share_out
 from .state import State, Waiting
 from .stations import station_group
+from .thing_phrases import new_thing
 from .vocabulary import shows
 
 _BESIDE_IT = ("next_to", "left_of", "right_of", "near", "in_front_of", "behind")
@@ -166,6 +167,17 @@ def _say_of_some(state: State, group: Mention, count: tuple[int, int]) -> None:
     state.subject = state.subject or [group]
 
 
+def _of_several(state: State) -> Mention | None:
+    """The things that are named with the one that is meant: "on the third of eight chairs"."""
+    of, named = state.chunk(state.at), state.chunk(state.at + 1)
+    if of is None or of.text != "of" or named is None or named.kind != "noun" or named.value.what != "thing":
+        return None
+    phrase: NounPhrase = named.value
+    known = state.refs.known(phrase, True, []) if phrase.definite else None
+    state.at += 2
+    return known if known is not None else new_thing(state, phrase)
+
+
 def _part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     """ "One of them", "another", "the other"."""
     waiting, partial = state.waiting, phrase.value == "partial"
@@ -184,6 +196,8 @@ def _part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
             state.leave_unread(f"{before.text} {chunk.text}", before.start, chunk.end)
         return
     near = nearest(state, waiting.subjects or []) if waiting is not None else _at_hand(state)
+    if waiting is not None and (several := _of_several(state)) is not None:
+        near = [several]
     if waiting is not None and (meant := state.refs.in_row(phrase.text.split()[1:2], state.refs.several(near))):
         state.out.referred.append(state.span_of(phrase))
         group, nth = meant

@@ -76,3 +76,8 @@ def test_doors_at_both_ends_are_in_both_short_walls():
         ("door", "short", ""),
         ("door", "any", "opening-0"),
     ]
+
+
+def test_a_spot_is_told_of_by_what_is_there():
+    graph = read_request("A pot on the stove. One very tidy spot in the middle, a round table.")
+    assert ("at", "round_dining_table", ("middle",)) in {(r.type, r.subject, r.targets) for r in graph.relations}

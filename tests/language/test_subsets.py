@@ -85,3 +85,8 @@ def test_a_bare_list_before_each_is_as_many_things():
 def test_small_things_own_no_furniture():
     graph = read_request("A room for two boys. Four mugs on the floor. A bed, a desk and a wardrobe each.")
     assert [e.count for e in graph.entities if e.category in ("bed", "desk", "wardrobe")] == [(2, 2)] * 3
+
+
+def test_what_one_is_of_may_be_named_after_it():
+    graph = read_request("A coat on the third of six hooks.")
+    assert [(r.subject, r.targets, r.nth) for r in graph.relations] == [("apron", ("coat_hooks",), 3)]
