@@ -271,6 +271,8 @@ def _while(state: State, chunk: Chunk) -> None:
     if chunk.text == "but" and state.nowhere is not None and state.noun_next():
         but_for(state)  # "nothing on the desk but a lamp"
         return
+    if chunk.text == "but" and state.subject and _leaves_some(state):
+        return
     if chunk.text == "but":
         state.negated, state.glue = "", "comma"
         return
@@ -297,6 +299,17 @@ def _tell_of_people(state: State) -> None:
     state.each = None
     name_nothing(state)
     state.head, state.subject = [], []
+
+
+def _leaves_some(state: State) -> bool:
+    """ "All desks but one face the window": that some do not is told."""
+    some, verb = state.chunk(state.at), state.chunk(state.at + 1)
+    number = some is not None and some.kind == "noun" and (some.text == "one" or some.value.what == "number")
+    if some is None or not number or verb is None or verb.kind not in ("verb", "place"):
+        return False
+    state.leave_unread(f"but {some.text}", some.start, some.end)
+    state.at += 1
+    return True
 
 
 def _after_people(state: State) -> bool:

@@ -59,6 +59,10 @@ def _somewhere_next(state: State) -> bool:
         last = next((c.value for c in reversed(state.chunks[: state.at]) if c.kind == "noun"), None)
         of_room = last is not None and last.what == "place" and last.value not in ("window", "door")
         # "white walls with nothing on them"
+    if place.value.type == "between" and any(
+        c.kind == "noun" and c.value.what == "place" for c in state.chunks[state.at + 1 : state.at + 4]
+    ):
+        return False
     return not place.passive and not of_room and target.value.what in ("thing", "pronoun", "place")
 
 

@@ -265,6 +265,22 @@ def _to_the_other(tokens: list[Token], at: int, found: list[Token]) -> int:
     return 2
 
 
+def _on_the_left_one(tokens: list[Token], at: int, found: list[Token]) -> int:
+    """ "A lamp on the left nightstand": on the one that is at the left."""
+    token, noun = tokens[at], _token(tokens, at + 1)
+    spoken = token.text.split()
+    if spoken[-1] not in ("left", "right") or spoken[1:-1] != ["the"] or noun is None or not found:
+        return 0
+    one = noun.has("noun") and not noun.has("plural", "verb", "break", "place")
+    if not one or found[-1].has("break") or spoken[0] not in ("on", "at"):
+        return 0
+    table, start = vocabulary(), token.start
+    found.append(Token(spoken[0], start, start + len(spoken[0]), dict(table[spoken[0]])))
+    found.append(Token("the", start, start, dict(table["the"])))
+    found.append(Token(spoken[-1], token.end - len(spoken[-1]), token.end, {"adjective": spoken[-1]}))
+    return 1
+
+
 def _bare_list(tokens: list[Token], at: int, found: list[Token]) -> int:
     """ "Bed desk lamp each": three nouns or more with nothing between them before "each" are as many things."""
     end = at
@@ -284,6 +300,7 @@ def _bare_list(tokens: list[Token], at: int, found: list[Token]) -> int:
 
 _RULES: tuple[Callable[[list[Token], int, list[Token]], int], ...] = (
     _bare_list,
+    _on_the_left_one,
     _to_the_other,
     _pieces,
     _times,

@@ -14,7 +14,7 @@ from .shares import ends_here, give_total, one_for_each, share_out
 from .state import State, Waiting
 from .stations import station_group
 from .thing_phrases import new_thing
-from .vocabulary import shows
+from .vocabulary import shows, words
 
 _BESIDE_IT = ("next_to", "left_of", "right_of", "near", "in_front_of", "behind")
 """Relations of small things to "it": to another small thing, not to what carries both."""
@@ -239,7 +239,10 @@ def _part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     if found is None:
         state.leave_unread(phrase.text, chunk.start, chunk.end)
         return
-    state.out.referred.append(state.span_of(phrase))
+    if phrase.text in words()["superlative"]:
+        state.leave_unread(phrase.text, chunk.start, chunk.end)  # one of them, and nothing shows which
+    else:
+        state.out.referred.append(state.span_of(phrase))
     if waiting is not None:
         give_target(state, waiting, [found], phrase, False)
     elif state.glue == "open":

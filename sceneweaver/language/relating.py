@@ -168,6 +168,8 @@ def relate_to_place(state: State, said: Said) -> None:
     if place in ("door", "window") and "back" in said.words.split():
         state.out.unread.append(Left(f"{said.words} the {place}", span=said.span or state.chunk_span()))
         return  # turned away from it, and not against it
+    if place == "room" and kind == "next_to" and "side" in said.words.split():
+        kind, place = "against", "wall:side"  # "to one side of the room"
     if place == "room" and kind in ENDS_OF_ROOM:
         kind, place = "against", ENDS_OF_ROOM[kind]
     if place == "room" and kind == "opposite":
@@ -281,8 +283,15 @@ def _kind_at(kind: str, place: str, subjects: list[Mention]) -> str:
     return _meant_kind(kind, "", subjects)
 
 
-ENDS_OF_ROOM = {"at_foot": "wall:short", "along": "wall:short", "behind": "wall:far", "in_front_of": "wall:near"}
-"""Where "at the end of", "at the back of" and "at the front of" the room are, by their types."""
+ENDS_OF_ROOM = {
+    "at_foot": "wall:short",
+    "along": "wall:short",
+    "behind": "wall:far",
+    "in_front_of": "wall:near",
+    "left_of": "wall:left",
+    "right_of": "wall:right",
+}
+"""Where "at the end of", "at the back of", "on the left side of" the room are, by their types."""
 
 _AT_CEILING = frozenset(
     ("on", "from", "inside", "hanging_from", "at", "near", "against", "above", "below", "centered_on", "covering")

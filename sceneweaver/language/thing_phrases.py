@@ -155,6 +155,8 @@ def _one_in_order(state: State, phrase: NounPhrase) -> Mention | None:
     order = " ".join(spoken) in words("said_again")["ordinals"]
     if spoken[:1] == ["the"] and (one := _one_in_row(state, phrase, spoken[1:])) is not None:
         return one
+    if (one := _one_of_two_sides(state, phrase)) is not None:
+        return one
     if not (owned or order) or phrase.qualities:
         return None
     noun, rest = singular(name_of(phrase)), state.refs.rest
@@ -162,6 +164,27 @@ def _one_in_order(state: State, phrase: NounPhrase) -> Mention | None:
         return state.refs.part([rest]) if rest.many else rest
     group = next((m for m in reversed(state.out.mentions[-20:]) if m.many and singular(m.noun).endswith(noun)), None)
     return state.refs.part([group]) if group is not None and group.count is not None else None
+
+
+def _one_of_two_sides(state: State, phrase: NounPhrase) -> Mention | None:
+    """ "The left nightstand" of two: of a pair on both sides of something the one on that side."""
+    side = next((t for t in phrase.qualities if t.text in ("left", "right")), None)
+    if side is None or not phrase.definite:
+        return None
+    noun, rest = singular(name_of(replace(phrase, qualities=[]))), state.refs.rest
+    group = next((m for m in reversed(state.out.mentions[-20:]) if singular(m.noun).endswith(noun)), None)
+    if group is None:
+        return None
+    if group.count == (2, 2):
+        first = state.refs.part([group])
+        if side.text == "right" and first is not None and state.refs.rest is not None:
+            first, state.refs.rest = state.refs.rest, first
+        found = first
+    else:
+        found = rest if rest is not None and singular(rest.noun).endswith(noun) and group.count == (1, 1) else None
+    if found is not None:
+        phrase.qualities = [t for t in phrase.qualities if t is not side]
+    return found
 
 
 def _one_in_row(state: State, phrase: NounPhrase, spoken: list[str]) -> Mention | None:

@@ -81,3 +81,15 @@ def test_doors_at_both_ends_are_in_both_short_walls():
 def test_a_spot_is_told_of_by_what_is_there():
     graph = read_request("A pot on the stove. One very tidy spot in the middle, a round table.")
     assert ("at", "round_dining_table", ("middle",)) in {(r.type, r.subject, r.targets) for r in graph.relations}
+
+
+@pytest.mark.parametrize(
+    ("text", "target"),
+    [
+        ("a wardrobe on the left side of the room", "wall:left"),
+        ("a piano at the right side of the room", "wall:right"),
+        ("a bench to one side of the room", "wall:side"),
+    ],
+)
+def test_sides_of_the_room_are_its_walls(text, target):
+    assert [(r.type, r.targets) for r in read_request(text).relations] == [("against", (target,))]

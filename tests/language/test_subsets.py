@@ -90,3 +90,24 @@ def test_small_things_own_no_furniture():
 def test_what_one_is_of_may_be_named_after_it():
     graph = read_request("A coat on the third of six hooks.")
     assert [(r.subject, r.targets, r.nth) for r in graph.relations] == [("apron", ("coat_hooks",), 3)]
+
+
+def test_one_of_a_pair_is_on_its_side():
+    graph = read_request(
+        "A bed with two nightstands, a lamp on the left nightstand and a book on the right nightstand."
+    )
+    said = {r.subject: (r.type, r.targets) for r in graph.relations}
+    assert said["nightstand"] == ("left_of", ("bed",))
+    assert said["table_lamp"] == ("on", ("nightstand",))
+    assert said["book"] == ("on", ("nightstand-2",))
+
+
+def test_which_one_a_superlative_means_is_told():
+    graph = read_request("Three cages, the largest by the window.")
+    assert [r.subject for r in graph.relations] == ["bird_cage"]
+    assert [e.count for e in graph.entities] == [(1, 1), (2, 2)]
+    assert [u.words for u in graph.unread] == ["the largest"]
+
+
+def test_all_but_one_are_told_of():
+    assert "but one" in [u.words for u in read_request("All the desks but one face the window.").unread]
