@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from itertools import takewhile
+from itertools import pairwise, takewhile
 
 from sceneweaver.assets.plurals import singular as _singular
 
@@ -249,9 +249,20 @@ def _there_is(tokens: list[Token], at: int, found: list[Token]) -> int:
 def _to_the_other(tokens: list[Token], at: int, found: list[Token]) -> int:
     """ "A screen to one side of the fire and a piano to the other": at the other side of the same."""
     token, other = tokens[at], _token(tokens, at + 1)
-    if token.text not in ("to", "on", "at") or other is None or other.text not in ("the other", "the other side"):
+    if other is None or other.text not in ("the other", "the other side"):
         return 0
     last = _last_sentence(found)
+    named = next(
+        (b for a, b in pairwise(last) if a.text == "one" and b.has("region", "place") and not b.has("noun")), None
+    )
+    if named is None and (one := next((t for t in last if t.text.startswith("one ") and t.has("region")), None)):
+        noun = one.text.removeprefix("one ")
+        named = replace(one, text=noun, kinds=dict(vocabulary()[noun]))
+    if token.has("preposition") and named is not None and _ends(_token(tokens, at + 2)):
+        found += [token, other, replace(named, start=other.end, end=other.end)]  # "in one corner, ... in the other"
+        return 2
+    if token.text not in ("to", "on", "at"):
+        return 0
     first = next((k for k, t in enumerate(last) if t.text.rpartition(" of")[0].endswith("one side")), None)
     if first is None or not _ends(_token(tokens, at + 2)):
         return 0

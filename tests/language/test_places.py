@@ -93,3 +93,11 @@ def test_a_spot_is_told_of_by_what_is_there():
 )
 def test_sides_of_the_room_are_its_walls(text, target):
     assert [(r.type, r.targets) for r in read_request(text).relations] == [("against", (target,))]
+
+
+def test_the_other_end_is_of_the_room_too():
+    graph = read_request("A stove at one end, a piano at the other.")
+    assert {(r.type, r.subject, r.targets) for r in graph.relations} == {
+        ("against", "wood_stove", ("wall:short",)),
+        ("against", "upright_piano", ("wall:short",)),
+    }

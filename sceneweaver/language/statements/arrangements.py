@@ -20,7 +20,10 @@ from .lengths import LENGTH, length_of
 from .phrases import NUMBER, Edits, noun_after, noun_before, number_of, table_before
 
 _N, _M = rf"(?P<n>{NUMBER})", rf"(?P<m>{NUMBER})"
-PLACED = r"(?:,? ?(?:all |neatly )?(?:laid out|set out|set up|arranged|laid|placed|lined up|standing|put|grouped) )?"
+PLACED = (
+    r"(?:,? ?(?:all |neatly )?"
+    r"(?:laid out|set out|set up|arranged|laid|placed|lined up|standing|put|grouped|running|going) )?"
+)
 """What may stand before the words of a pattern."""
 
 _AREA = r"(?:grid|array|matrix|pattern|formation|raster)"

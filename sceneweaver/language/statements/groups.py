@@ -387,7 +387,7 @@ def _patterns() -> tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, 
             _walls,
         ),
         (rf",? ?(?:and )?(?:\b{_N} )?{PLACED}\b{along} {which}{kind} {sides}(?! of\b)", _walls),
-        (rf"{PLACED}\b(?:along|down) {which} (?:sides?|flanks?)(?! of\b)", _walls),
+        (rf"{PLACED}\b(?:along|down) {which} (?:sides?|flanks?)\b(?! of\b)", _walls),
         (
             rf"\b(?P<m>{NUMBER}) {_NOUN} (?:on|at|along|to) (?:each|either|both|every) (?:of the )?(?:long )?sides?,? "
             rf"(?:and|plus|with) (?P<ends>{NUMBER}) (?:on|at) (?:each|either|both|the|every|one) (?:of the )?"
