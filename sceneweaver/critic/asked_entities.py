@@ -154,6 +154,8 @@ def _exclusions(survey: Survey) -> Iterator[Asked]:
 def _is_unwanted(survey: Survey, excluded: Exclusion, body: Body) -> bool:
     """Whether a body is what an exclusion rules out: of its categories, or by material and place unless asked for."""
     named = (*excluded.categories, *kinds_unwanted(excluded.words))
+    if excluded.others and body.id in survey.program.asked_of:
+        return False
     if any(body.item.category in (word, *members(word)) for word in named):
         return True
     if body.id in survey.program.asked_of:

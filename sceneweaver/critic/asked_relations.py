@@ -11,6 +11,7 @@ from sceneweaver.assets.taxonomy import members
 from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.geometry.walls import Wall
 from sceneweaver.language import Exclusion, StatedRelation, Thing
+from sceneweaver.language.model import ANYTHING
 from sceneweaver.language.vocabulary import words
 from sceneweaver.rules.stated import Word, number, word_of_place, word_of_things
 from sceneweaver.verify.measure import Measurement, Measurements
@@ -52,7 +53,9 @@ def holding(survey: Survey, barred: Exclusion) -> list[Body] | None:
     if barred.relation is None:
         return None
     said = StatedRelation(type=barred.relation, subject=barred.subject, targets=barred.targets, words=barred.words)
-    if barred.subject:
+    if ANYTHING in barred.categories:
+        bodies = _not_placed_at(survey, barred)
+    elif barred.subject:
         bodies = list(survey.standing_for(barred.subject))
     else:
         names = {name for word in barred.categories for name in (word, *members(word))}
@@ -67,6 +70,13 @@ def holding(survey: Survey, barred: Exclusion) -> list[Body] | None:
     if table is None:
         return None
     return [b for b, rows in zip(bodies, table, strict=True) if any(v.holds for r in rows.values() for v in r.values())]
+
+
+def _not_placed_at(survey: Survey, barred: Exclusion) -> list[Body]:
+    """All that no relation of the request places at the targets of an exclusion."""
+    names = {s.subject for s in survey.brief.relations if set(s.targets) & set(barred.targets)} | set(barred.targets)
+    apart = {b.id for name in names if survey.brief.entity(name) is not None for b in survey.standing_for(name)}
+    return [b for b in survey.bodies if b.id not in apart]
 
 
 def words_of(said: StatedRelation) -> str:
@@ -170,7 +180,7 @@ def _verdicts(survey: Survey, said: StatedRelation, body: Body, name: str) -> di
         if word is None or not word.holds:
             return None
         found = {}
-        for other in survey.standing_for(name):
+        for other in in_order(survey.standing_for(name), said.nth):
             if other is body:
                 continue
             if said.side is None:
@@ -186,6 +196,8 @@ def _verdicts(survey: Survey, said: StatedRelation, body: Body, name: str) -> di
     word = word_of_place(said.type, name)
     if not word.holds:
         return None
+    if name.startswith("half:"):
+        return {name: decide([[group_measures.of_half(survey, body, name.partition(":")[2])]])}
     if name.partition(":")[0] == "corner":
         return {
             f"corner {b.index}": _in_corner(survey, word, said, body, (a, b))
@@ -194,6 +206,18 @@ def _verdicts(survey: Survey, said: StatedRelation, body: Body, name: str) -> di
     if name in ("ceiling", "floor"):
         return {name: _judged(survey, word, said, body, None)}
     return {segment.id: _judged(survey, word, said, body, segment) for segment in segments(survey, name)}
+
+
+def in_order(bodies: Sequence[Body], nth: int) -> list[Body]:
+    """The ``nth`` of bodies along their row, counted from either of its ends as a request does not say from which, -1
+    for the last; all of them for 0."""
+    if not nth or abs(nth) > len(bodies):
+        return list(bodies)
+    spread = [max(b.centre[k] for b in bodies) - min(b.centre[k] for b in bodies) for k in (0, 1)]
+    axis = spread.index(max(spread))
+    row = sorted(bodies, key=lambda b: b.centre[axis])
+    at = nth - 1 if nth > 0 else len(row) + nth
+    return list(dict.fromkeys((row[at], row[-1 - at])))
 
 
 def _judged(

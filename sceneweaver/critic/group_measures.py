@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from sceneweaver.language.vocabulary import family
+from sceneweaver.language.wall_names import direction_of
 from sceneweaver.rules.stated import number, word_of_place
 from sceneweaver.verify.measure import TOLERANCE, Measurement, Measurements, at_least, at_most
 from sceneweaver.verify.solids import Body
@@ -33,6 +34,16 @@ def of_middle(survey: Survey, subjects: Sequence[Body]) -> Measurement:
     row = word_of_place("at", "middle").holds[0].rows[0]
     _, most = row.interval({"area": survey.area}) or (0.0, math.inf)
     return at_most(row.text, away, most)
+
+
+def of_half(survey: Survey, body: Body, side: str) -> Measurement:
+    """A body on the side of the floor's middle where the wall of that name is."""
+    centroid = survey.placed.floor.centroid
+    ahead = direction_of(side, survey.scene.room) or (0.0, 0.0)
+    beyond = (body.centre[0] - centroid.x) * ahead[0] + (body.centre[1] - centroid.y) * ahead[1]
+    row = word_of_place("at", "half").holds[0].rows[0]
+    least, _ = row.interval({}) or (0.0, math.inf)
+    return at_least(row.text, float(beyond), least)
 
 
 def apart(one: Body, other: Body) -> float:

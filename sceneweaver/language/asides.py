@@ -157,13 +157,20 @@ def _end(tokens: list[Token], k: int, has_subject: bool) -> int:
             k += 2
         elif token.has("and") and after is not None and after.get("action") == "base":
             k += 2  # "where you can sit and read"
-        elif token.has("preposition") and (after is None or after.has(*stops)):
+        elif token.has("preposition") and (after is None or after.has(*stops) or _is_participle(after)):
             k += 1  # "they have to get past with prams", "a chair to read in"
         elif not token.kinds and token.text.isalpha():
             k += 1
         else:
             break
     return k
+
+
+def _is_participle(token: Token) -> bool:
+    """Whether a word says how somebody does something: "a mirror he can see himself in sitting down"."""
+    verb = token.get("verb")
+    doing = token.get("action") == "ing" or (verb is not None and verb.form == "ing")
+    return doing and not token.has("noun", "preposition")
 
 
 def _is_noun(tokens: list[Token], at: int) -> bool:

@@ -133,7 +133,7 @@ def _split(said: Said, own: set[Mention]) -> list[Said]:
 
 def _typed(said: Said, kind: str, subjects: list[Mention]) -> Said:
     given = {name: getattr(said, name) for name in ("targets", "words", "count", "each", "side", "implied", "span")}
-    return Said(kind, subjects, **given, params=dict(said.params))
+    return Said(kind, subjects, **given, params=dict(said.params), nth=said.nth)
 
 
 def _meant(said: Said, thing: Mention, target: Mention) -> str:

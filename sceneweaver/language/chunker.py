@@ -148,6 +148,8 @@ def _pronoun(scan: Scan, token: Token, after: Token | None) -> bool:
     kind = next((kind for kind in _PRONOUNS if token.has(kind)), None)
     if kind is None:
         return False
+    if token.text == "one" and after is not None and after.has("adverbs") and not after.has(*OPEN, *CLOSED):
+        after = scan.peek(2) or after  # "one totally clean table"
     opens = (
         after is not None
         and (after.has(*OPEN, "length", "sides") or (not after.kinds and not after.text.endswith("ed")))

@@ -9,7 +9,7 @@ from sceneweaver.assets.taxonomy import category_named
 
 from .chunks import Chunk, NounPhrase
 from .distribution import each_next, every_so_many, group_used_by_people, listed_before, stands_for_each
-from .exclusions import excluded, only_chunk, without_chunk
+from .exclusions import bar_anything, but_for, excluded, only_chunk, without_chunk
 from .in_room import is_called_in
 from .items import begin_clause, close_surface, give_target, name_nothing, name_things, open_surface
 from .nearness import meant_of_list, nearest
@@ -35,7 +35,7 @@ from .stations import names_stations, new_stations, station_group
 from .things import describe, give_length, give_sides, singular
 from .tokens import Token
 from .verbs import open_ends, verb_chunk, with_chunk
-from .vocabulary import Place, words
+from .vocabulary import Place, vocabulary, words
 
 _TURNED = ("transform", "convert", "turn", "set up")
 """Verbs whose "into a studio" is no place."""
@@ -50,6 +50,8 @@ SEATED = 4
 def read_clauses(chunks: list[Chunk], source: Source, parsed: Parsed) -> None:
     """Puts what chunks say into ``parsed``, from left to right."""
     state = State(chunks, source, parsed)
+    if parsed.arrangements:
+        _name_formations(chunks, source, parsed)
     while state.at < len(chunks):
         chunk = chunks[state.at]
         state.at += 1
@@ -61,6 +63,17 @@ def read_clauses(chunks: list[Chunk], source: Source, parsed: Parsed) -> None:
     if total is not None:
         share_total(state, total, begun)
     _seat_diners(parsed)
+
+
+def _name_formations(chunks: list[Chunk], source: Source, parsed: Parsed) -> None:
+    """ "Near the row": the things that stand in one are meant."""
+    for chunk in chunks:
+        phrase = chunk.value
+        if chunk.kind != "noun" or phrase.of is not None or not phrase.definite or phrase.qualities:
+            continue
+        if phrase.what in ("abstract", "collective", "matter") and phrase.text in words("nouns")["formations"]:
+            parsed.referred.append(source.span(phrase.start, phrase.end))
+            phrase.what, phrase.text, phrase.value = "pronoun", "them", "pron"
 
 
 def _seat_diners(parsed: Parsed) -> None:
@@ -109,6 +122,21 @@ def _adjective(state: State, chunk: Chunk) -> None:
     phrase: NounPhrase = chunk.value
     if is_one_of_quality(chunk, state.chunk(state.at)):
         return  # "the larger one": the pronoun after it says which
+    others = phrase.value in words("said_again")["others"] and state.waiting is None
+    if others and any(t.text in words("said_again")["bare"] for t in phrase.qualities):
+        rest = state.refs.rest or state.refs.several(state.head or state.subject)
+        if rest is not None:  # "a cushion on one of them, the rest bare"
+            bar_anything(state, "on", rest, chunk)
+            return
+    bare = any(t.text == "bare" for t in phrase.qualities) and len(state.predicate) == 1
+    if bare and state.predicate[0].family in ("table", "storage", "seat"):
+        bar_anything(state, "on", state.predicate[0], chunk)
+        return
+    if (some := _some_so(state, phrase)) is not None:
+        describe(some, replace(phrase, count=None, determiner="", value=None), state.source)
+        state.out.referred.append(state.span_of(chunk))
+        state.head, state.glue = [some], ""
+        return
     if state.glue == "open" and state.frames and state.frames[-1].owner and not state.frames[-1].items:
         state.head, state.glue = state.frames.pop().owner, ""  # "covered in red felt"
     within = state.bracketed is not None and state.glue in ("bracket", "comma")  # "a table (round, 80 cm wide)"
@@ -129,6 +157,36 @@ def _adjective(state: State, chunk: Chunk) -> None:
     if not who:
         for token in phrase.qualities:
             room_quality(state, token, room=not state.out.mentions or state.after_be)
+
+
+def _some_so(state: State, phrase: NounPhrase) -> Mention | None:
+    """ "Five stools, two white, the others black": of which of those that were named words of quality are said."""
+    of_things = any(t.has("color", "material", "shape", "finish", "scale", "adjective") for t in phrase.qualities)
+    if not of_things or phrase.sides is not None or state.waiting is not None:
+        return None
+    if phrase.value in words("said_again")["others"]:
+        return state.refs.rest
+    if phrase.determiner not in ("", "one"):
+        return None
+    if phrase.count is None or phrase.count[0] != phrase.count[1] or state.glue == "open":
+        return None
+    if _goes_on_to_noun(state):
+        return None  # "one red, one yellow and one blue thing"
+    near = state.head or state.subject or state.previous
+    group = state.refs.several(near)
+    part = state.refs.part(near, phrase.count[0])
+    return part if part is not None and part is not group else None
+
+
+def _goes_on_to_noun(state: State) -> bool:
+    """Whether a list of words of quality ends with the noun that all of them are about."""
+    for chunk in state.chunks[state.at : state.at + 8]:
+        if chunk.kind == "noun":
+            first = vocabulary().get(chunk.value.text.split()[0], {}) if chunk.value.text else {}
+            return chunk.value.count is not None and (bool(chunk.value.qualities) or "color" in first)
+        if chunk.kind not in ("comma", "and", "adjective"):
+            return False
+    return False
 
 
 def _said_at_last(state: State, phrase: NounPhrase) -> list[Mention]:
@@ -165,8 +223,19 @@ def _word(state: State, chunk: Chunk) -> None:
 
 def _aside(state: State, chunk: Chunk) -> None:
     """What somebody does or may do: nothing is said of it, but of what stands beside it with a word of place."""
+    before = state.chunk(state.at - 2)
+    live = not set(words("people")["live"]).isdisjoint(chunk.text.split())
+    if live and before is not None and before.kind == "noun" and before.value.what == "number":
+        state.out.people = state.out.people or (before.value.count or (1, 1))[1]  # "two brothers share this room"
+        state.out.unread = [left for left in state.out.unread if left.start != before.start]
+        state.out.referred.append(state.source.span(before.start, chunk.end))
+        open_ends(state)
+        return
     state.leave_unread(state.source.text[chunk.start : chunk.end], chunk.start, chunk.end)
     open_ends(state)
+    if chunk.text.startswith("who ") and _after_people(state):
+        _tell_of_people(state)
+        return
     if chunk.value != "clause":
         return
     state.fronted, state.negated = [], ""
@@ -202,12 +271,21 @@ def _and(state: State, chunk: Chunk) -> None:
 
 def _while(state: State, chunk: Chunk) -> None:
     """A clause of its own begins, unless "that" goes on with what was just named."""
+    if chunk.text == "but" and state.nowhere is not None and state.noun_next():
+        but_for(state)  # "nothing on the desk but a lamp"
+        return
+    if chunk.text == "but" and state.subject and _leaves_some(state):
+        return
     if chunk.text == "but":
         state.negated, state.glue = "", "comma"
         return
     last = (state.head or state.subject)[-1:]
     if chunk.text == "where" and last and last[0].mount == "floor":
         open_surface(state, last[0], chunk.text)
+    before = state.chunk(state.at - 2)
+    if chunk.text == "who" and before is not None and _after_people(state):
+        _tell_of_people(state)
+        return
     if chunk.text in ("that", "which", "whose", "who"):
         state.relative = bool(state.head)
         return
@@ -219,12 +297,43 @@ def _while(state: State, chunk: Chunk) -> None:
     state.glue, state.negated, state.manner = "while", "", ""
 
 
+def _tell_of_people(state: State) -> None:
+    """ "The clerk, who sits on a platform": what comes next is said of no thing."""
+    state.each = None
+    name_nothing(state)
+    state.head, state.subject = [], []
+
+
+def _leaves_some(state: State) -> bool:
+    """ "All desks but one face the window": that some do not is told."""
+    some, verb = state.chunk(state.at), state.chunk(state.at + 1)
+    number = some is not None and some.kind == "noun" and (some.text == "one" or some.value.what == "number")
+    if some is None or not number or verb is None or verb.kind not in ("verb", "place"):
+        return False
+    state.leave_unread(f"but {some.text}", some.start, some.end)
+    state.at += 1
+    return True
+
+
+def _after_people(state: State) -> bool:
+    """Whether the last noun before a relative clause is one for people."""
+    before = [c for c in state.chunks[max(0, state.at - 3) : state.at - 1] if c.kind == "noun"]
+    return bool(before) and before[-1].value.what == "people"
+
+
 def _noun(state: State, chunk: Chunk) -> None:
     phrase: NounPhrase = chunk.value
     state.after_be = False
     state.every = every_so_many(phrase)
     if state.every > 1 and not (state.waiting is not None and state.waiting.place.type == "between"):
         state.out.referred.append(state.span_of(phrase))
+    if phrase.text == "half" and phrase.of is not None and _half_of(state, phrase):
+        return
+    if phrase.text in words("nouns")["spots"] and state.waiting is None and _placed_by_in(state):
+        state.leave_unread(state.source.text[chunk.start : chunk.end], chunk.start, chunk.end)
+        state.close_frames()
+        state.subject, state.head, state.fronted, state.glue = [], [], [], "start"
+        return  # "one tidy spot in the middle, a table": the table is there
     if names_stations(state, phrase):
         name_things(state, [new_stations(state, phrase)], phrase, True)
         return
@@ -241,6 +350,9 @@ def _noun(state: State, chunk: Chunk) -> None:
     hangs = waiting is not None and waiting.place.type == "hanging_from" and phrase.what != "place"
     if hangs and phrase.text in words("relations")["overhead"] and not _is_named(state, phrase):
         phrase.what, phrase.value = "place", "ceiling"
+    if hangs and phrase.text in words("relations")["hung_on"] and phrase.of is None and not _is_named(state, phrase):
+        phrase.what, phrase.value = "thing", words("relations")["hung_on"][phrase.text]
+        phrase.text = phrase.value.replace("_", " ")
     what = "thing" if phrase.what in ("abstract", "matter", "part") and _is_of_kit(state, phrase) else phrase.what
     _PHRASES[what](state, phrase, chunk)
 
@@ -261,6 +373,28 @@ def _is_of_kit(state: State, phrase: NounPhrase) -> bool:
     if not phrase.plural or after is None or after.kind != "place" or after.value.type not in ("hanging_from", "on"):
         return False
     return called or bool(sense_of(phrase.text, state.source, phrase.start, phrase.end, 1.0))
+
+
+def _placed_by_in(state: State) -> bool:
+    """Whether words of place with their target come next, and then a list of what is there."""
+    place, target, link = (state.chunk(state.at + k) for k in range(3))
+    follows = place is not None and place.kind == "place" and target is not None and target.kind == "noun"
+    return follows and link is not None and link.kind == "comma" and state.noun_next(3)
+
+
+def _half_of(state: State, phrase: NounPhrase) -> bool:
+    """ "Half of the chairs": parted from the others, where their number is known and even; else it is told."""
+    of = phrase.of
+    assert of is not None
+    group = state.refs.known(of, True, []) if of.what == "thing" and of.definite else None
+    if group is None or group.count is None or group.count[0] != group.count[1] or group.count[0] % 2:
+        return False
+    part = state.refs.part([group], group.count[0] // 2)
+    if part is None:
+        return False
+    state.out.referred.append(state.span_of(phrase))
+    name_things(state, [part], phrase, False)
+    return True
 
 
 def _is_named(state: State, phrase: NounPhrase) -> bool:

@@ -121,7 +121,10 @@ def function_words() -> frozenset[str]:
 @cache
 def postures() -> frozenset[str]:
     """Words for how a thing is somewhere: it sits, hangs, is placed."""
-    return frozenset(words("bearing_words")["postures"].split())
+    participles = words("relations")["verbs"]["participles"].values()
+    return frozenset(
+        (*words("bearing_words")["postures"].split(), *(word for several in participles for word in several))
+    )
 
 
 @cache

@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from functools import cache
 
 from sceneweaver.assets import categories
 from sceneweaver.assets.plurals import singular
 
 from .chunks import Chunk, NounPhrase
+from .items import begin_clause
+from .model import ANYTHING
 from .nothings import may_name
-from .parsed import Mention
+from .parsed import Barred, Mention
 from .region_phrases import thing_phrase
-from .state import State
+from .relating import support_kind
+from .state import Frame, State
+from .thing_phrases import new_thing
 from .things import match_of, name_of
 from .unwanted import is_class, kinds_unwanted
 from .vocabulary import category_of, group_rows, vocabulary, words
@@ -27,6 +32,12 @@ _NO = re.compile(r"\b(?:no|not|without|zero|neither|nor|sans)\b(?:\s(?:an?|any|t
 def without_chunk(state: State, chunk: Chunk) -> None:
     """ "No", "without", "nothing": what follows must not be there."""
     state.waiting = None
+    if state.nowhere is not None and chunk.value in words("unwanted")["except"]:
+        but_for(state)
+        return
+    if state.denied is not None and chunk.value in words("unwanted")["except"] and _somewhere_next(state):
+        _but_there(state)
+        return
     if state.negated and chunk.value in words("unwanted")["except"]:
         state.negated, state.glue = "", "start"  # "no appliances except a stove"
         return
@@ -38,6 +49,54 @@ def without_chunk(state: State, chunk: Chunk) -> None:
         return
     if state.at < len(state.chunks) and state.chunks[state.at].text.split()[0] in ("else", "more"):
         state.out.only = True
+    elif _somewhere_next(state):
+        nothing_there(state)
+
+
+def _somewhere_next(state: State) -> bool:
+    """Whether the next words are those of a place with what it is of: "nothing on the bench"."""
+    place, target = state.chunk(state.at), state.chunk(state.at + 1)
+    if place is None or place.kind != "place" or target is None or target.kind != "noun":
+        return False
+    of_room = target.value.what == "place" and target.value.value in ("room", "floor", "wall", "ceiling")
+    if target.value.what == "pronoun" and target.value.value == "pron" and not target.value.determiner:
+        last = next((c.value for c in reversed(state.chunks[: state.at]) if c.kind == "noun"), None)
+        of_room = last is not None and last.what == "place" and last.value not in ("window", "door")
+        # "white walls with nothing on them"
+    if place.value.type == "between" and any(
+        c.kind == "noun" and c.value.what == "place" for c in state.chunks[state.at + 1 : state.at + 4]
+    ):
+        return False
+    return not place.passive and not of_room and target.value.what in ("thing", "pronoun", "place")
+
+
+def nothing_there(state: State) -> None:
+    """Nothing is to be where the next words of place say, but for what is told of it."""
+    state.close_frames()
+    state.fronted = []
+    state.unwanted = [Mention("nothing", "", words=[ANYTHING])]
+    state.negated, state.negation, state.glue = "where", "nothing", ""
+
+
+def _but_there(state: State) -> None:
+    """ "No rugs except in front of the sofa": what was ruled out is wanted there."""
+    phrase, state.denied = state.denied, None
+    assert phrase is not None
+    said = state.out.without[-1][0]
+    thing = new_thing(state, replace(phrase, determiner="" if phrase.plural else "a"))
+    if thing is None:
+        return
+    state.out.others.add(said)
+    state.negated, state.glue = "", "start"
+    begin_clause(state, [thing], "start")
+    state.glue = "verb"
+
+
+def but_for(state: State) -> None:
+    """ "Nothing on it except a bell": what comes next is there."""
+    assert state.nowhere is not None
+    state.fronted, state.nowhere = [state.nowhere], None
+    state.subject, state.glue, state.negated = [], "start", ""
 
 
 def _rules_out_no_thing(state: State, chunk: Chunk) -> bool:
@@ -65,19 +124,72 @@ def excluded(state: State, phrase: NounPhrase, chunk: Chunk) -> bool:
         state.glue = "start"
         thing_phrase(state, phrase, chunk)
         return True
-    if placed and _is_elsewhere(state, phrase):
+    if _length_next(state):
+        end = state.chunks[state.at + 1].end
+        state.leave_unread(f"{state.negation} {state.source.text[phrase.start : end]}", phrase.start, end)
+        state.at, state.negated, state.glue = state.at + 2, "", ""
+        return True  # "no shelf above 140 cm" is not "no shelf"
+    if phrase.what == "place" and _somewhere_next(state):
+        _no_opening_there(state, phrase)
         return True
+    at = state.at if placed else _place_of_list(state, phrase)
+    if at is not None and _is_elsewhere(state, phrase, at):
+        return True
+    before = len(state.out.without)
     _leave_out(state, phrase)
+    state.denied = phrase if phrase.what == "thing" and len(state.out.without) > before else None
+    if state.negation.endswith("other"):
+        state.out.others |= {said for said, _, _ in state.out.without[before:]}
     if state.negated == "first":
         state.negated = "article" if phrase.determiner in ("a", "an") else "list"
     state.glue = ""
     return True
 
 
-def _is_elsewhere(state: State, phrase: NounPhrase) -> bool:
-    """Whether something is unwanted in one place alone: "no shelf above the bed"."""
+def _length_next(state: State) -> bool:
+    """Whether the next words compare with a length: "above 140 cm", "over 2 m"."""
+    place, length = state.chunk(state.at), state.chunk(state.at + 1)
+    if place is None or place.kind != "place" or length is None or length.kind not in ("adjective", "noun"):
+        return False
+    return length.value.length is not None or (length.kind == "noun" and length.value.what == "number")
+
+
+def _no_opening_there(state: State, phrase: NounPhrase) -> None:
+    """ "No windows near the beds" is not "no windows": it is told, and what else the list names is ruled out there."""
     place, target = state.chunk(state.at), state.chunk(state.at + 1)
+    assert place is not None and target is not None
+    state.leave_unread(state.source.text[phrase.start : target.end], phrase.start, target.end)
+    if state.unwanted:
+        state.negated, state.glue = "where", ""
+    else:
+        state.at, state.negated, state.glue = state.at + 2, "", ""
+
+
+def _place_of_list(state: State, phrase: NounPhrase) -> int | None:
+    """Where the word of place is that is said of a whole list: "no shelves, plants or pictures near the beds"."""
+    if phrase.what != "thing":
+        return None
+    linked = False
+    for k in range(state.at, len(state.chunks) - 1):
+        chunk = state.chunks[k]
+        if chunk.kind == "place":
+            return k if linked and state.chunks[k - 1].kind == "noun" else None
+        if chunk.kind == "and":
+            linked = True
+        elif chunk.kind == "noun":
+            if chunk.value.determiner or chunk.value.count is not None:
+                return None
+        elif chunk.kind != "comma":
+            return None
+    return None
+
+
+def _is_elsewhere(state: State, phrase: NounPhrase, at: int) -> bool:
+    """Whether something is unwanted in one place alone, said at chunk ``at``: "no shelf above the bed"."""
+    place, target = state.chunk(at), state.chunk(at + 1)
     assert place is not None
+    if at != state.at and (target is None or target.kind != "noun"):
+        return False
     if target is None or target.kind != "noun":
         if not place.value.each and "one" in place.text.split():  # "no chair on one side"
             state.leave_unread(state.source.text[phrase.start : place.end], phrase.start, place.end)
@@ -89,7 +201,7 @@ def _is_elsewhere(state: State, phrase: NounPhrase) -> bool:
     if not names:
         return False
     unwanted = Mention(name_of(phrase), category_of(names[0]), words=list(names))
-    state.unwanted, state.negated, state.glue = [*state.unwanted, unwanted], "where", ""
+    state.unwanted, state.negated, state.glue = [*state.unwanted, unwanted], "where" if at == state.at else "list", ""
     return True
 
 
@@ -170,6 +282,12 @@ def _namesakes(noun: str, category: str) -> tuple[str, ...]:
 
 def only_chunk(state: State, chunk: Chunk) -> None:
     """ "Only a bed", "nothing else": nothing but what is named, unless other things were named before."""
+    if chunk.value == "all" and _somewhere_next(state):
+        nothing_there(state)  # "a bell, nothing else on the counter"
+        return
+    if chunk.text == "nothing but":
+        _nothing_but(state, chunk)
+        return
     ahead = state.chunk(state.at)
     if ahead is not None and ahead.kind == "verb":  # "it should only have a bed"
         ahead = state.chunk(state.at + 1)
@@ -183,6 +301,28 @@ def only_chunk(state: State, chunk: Chunk) -> None:
         and not state.out.mentions
     )
     state.out.only = state.out.only or chunk.value == "all" or named
+
+
+def _nothing_but(state: State, chunk: Chunk) -> None:
+    """ "A shelf that holds nothing but books": what it holds is all that is there; else that is all of the room."""
+    frame = state.frames[-1] if state.frames else None
+    if state.glue in ("verb", "") and len(state.subject) == 1 and (frame is None or not frame.owner):
+        frame = Frame("with", list(state.subject), words="with")  # "the bench is bare but for a lamp"
+        state.frames.append(frame)
+        state.glue = "open"
+    if frame is None or not frame.owner:
+        state.out.only = True
+        return
+    kind = support_kind(frame.type if frame.type in ("on", "inside") else "on", frame.owner[-1])
+    bar_anything(state, kind, frame.owner[-1], chunk)
+
+
+def bar_anything(state: State, kind: str, target: Mention, chunk: Chunk) -> None:
+    """Nothing is to be in or on a thing but what the request names there."""
+    spoken = f"nothing but what is named {'in' if kind == 'inside' else 'on'} the {target.noun}"
+    nothing = Mention("nothing", "", words=[ANYTHING])
+    barred = Barred(kind, [nothing], (target,), spoken, span=state.span_of(chunk), categories=(ANYTHING,))
+    state.out.barred.append(barred)
 
 
 def _is_counted(phrase: NounPhrase) -> bool:

@@ -118,7 +118,10 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         measures=measures,
         relations=tuple(r.model_copy(update={"id": f"relation-{k}"}) for k, r in enumerate(said)),
         exclusions=_numbered(
-            [Exclusion(words=w, categories=c, span=span) for (w, c), span in reversed(exclusions.items())]
+            [
+                Exclusion(words=w, categories=c, others=w in parsed.others, span=span)
+                for (w, c), span in reversed(exclusions.items())
+            ]
             + [_but_for(one, entities) for one in parsed.unwanted]
             + barred
         ),
@@ -226,13 +229,16 @@ def _without_contradictions(parsed: Parsed) -> list[Mention]:
     """What is both wanted and not wanted stays out."""
     related = {m for said in parsed.said for m in said.subjects}
     wanted = {m.category: singular(m.noun) for m in parsed.mentions}
-    parsed.without = [(said, _but_named(said, names, wanted), span) for said, names, span in parsed.without]
+    parsed.without = [
+        (said, _but_named("" if said in parsed.others else said, names, wanted), span)
+        for said, names, span in parsed.without
+    ]
     excluded = {name for _, names, _ in parsed.without for name in names}
     first: dict[str, Mention] = {}
     kept: list[Mention] = []
     for mention in parsed.mentions:
         other = first.setdefault(mention.category, mention)
-        apart = other is not mention and related.isdisjoint((mention, other))
+        apart = other is not mention and related.isdisjoint((mention, other)) and other.span != mention.span
         if apart and other.count and mention.count and other.count != mention.count and _alike(other, mention):
             parsed.note(f"{other.noun}: {other.count[0]} and {mention.count[0]} were asked for; both are made")
         if mention.category in excluded:
@@ -247,7 +253,7 @@ def _without_contradictions(parsed: Parsed) -> list[Mention]:
 def _but_named(said: str, names: tuple[str, ...], wanted: Mapping[str, str]) -> tuple[str, ...]:
     """What a word rules out but for kinds of it that are asked for by a name of their own: "no plants, a cactus"."""
     own = singular(said)
-    return tuple(name for name in names if name not in wanted or len(names) == 1 or wanted[name].endswith(own))
+    return tuple(n for n in names if n not in wanted or (said and (len(names) == 1 or wanted[n].endswith(own))))
 
 
 def _alike(one: Mention, other: Mention) -> bool:

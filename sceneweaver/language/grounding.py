@@ -96,9 +96,22 @@ def carrier_of(said: StatedRelation, things: Mapping[str, Sequence[Thing]], numb
     pool = [thing for name in said.targets for thing in things.get(name, ())]
     if not pool:
         return None
+    if said.nth:
+        return one_in_order(pool, said.nth)
     subjects = len(things.get(said.subject, ()))
     share = max(1, -(-subjects // len(pool))) if said.each else 1
     return pool[(number // share) % len(pool)]
+
+
+def one_in_order(pool: Sequence[Thing], nth: int) -> Thing | None:
+    """The ``nth`` of some things along their row, -1 for the last; None where there are fewer.
+
+    A row is set out about its middle one, which is the first of the things.
+    """
+    first = len(pool) // 2
+    row = [*pool[1 : first + 1], *pool[:1], *pool[first + 1 :]]
+    at = nth - 1 if nth > 0 else len(row) + nth
+    return row[at] if 0 <= at < len(row) else None
 
 
 def _held(
@@ -145,6 +158,8 @@ def _between_things(
                 yield Grounded(said.id, "between", subject.id, (ends[0].id, ends[1].id), dict(said.params))
         return
     for group in groups:
+        if said.nth and (one := one_in_order(group, said.nth)) is not None:
+            group = [one]
         pairs = _paired(said, everything, group, taken, sides)
         for pair in pairs:
             yield from _rows(said, pair, known)

@@ -7,6 +7,7 @@ from typing import Any
 
 from .chunks import NounPhrase
 from .distribution import at_each_place, distributed, is_each, over_each, share_in, speaks_of_both
+from .model import ANYTHING
 from .parsed import Mention, Said
 from .relating import relate, relate_to_owner, say, seen_before, support_kind
 from .state import Frame, Fronted, State, Waiting
@@ -207,7 +208,7 @@ def _place_item(state: State, frame: Frame, mentions: list[Mention]) -> None:
         kind = "at" if seat else "flanking" if night else "next_to"
     elif holds:
         kind = support_kind(kind, frame.owner[0])
-    place = Place(kind, words=frame.words, each=frame.each or kind == "flanking")
+    place = Place(kind, words=frame.words, each=frame.each or kind == "flanking", nth=frame.nth)
     relate(state, place, mentions, targets, state.chunk_span())
 
 
@@ -228,6 +229,8 @@ def give_target(state: State, waiting: Waiting, mentions: list[Mention], phrase:
         targets = (waiting.first, mentions[0]) if waiting.first is not None else (mentions[0], mentions[-1])
     elif waiting.place.type != "around" and phrase.what != "pronoun":
         targets = targets[:1]
+        if targets and (waiting.barred or is_each(phrase)) and phrase.what == "thing":
+            targets = _with_its_parts(state, targets[0])
     if is_each(phrase) and len(targets) > 1 and waiting.subjects:
         _on_each_of(state, waiting, targets)
         return
@@ -249,13 +252,19 @@ def give_target(state: State, waiting: Waiting, mentions: list[Mention], phrase:
     state.last_target = None if between else (waiting, targets)
 
 
+def _with_its_parts(state: State, thing: Mention) -> tuple[Mention, ...]:
+    """A thing with what was parted from it before: "two of them stacked ... no shelf near the beds"."""
+    if thing.span is None:
+        return (thing,)
+    return tuple(m for m in state.out.mentions if m is thing or (m.span == thing.span and m.noun == thing.noun))
+
+
 def _on_each_of(state: State, waiting: Waiting, targets: tuple[Any, ...]) -> None:
     """ "A sofa and two armchairs, a cushion on each": so many for each thing of each kind."""
     subjects = list(waiting.subjects or [])
-    for k, target in enumerate(targets):
-        own = subjects if k == 0 else [m.copied(id="") for m in subjects]
-        if k:
-            state.out.mentions += own
+    copies = [[m.copied(id="") for m in subjects] for _ in targets[1:]]
+    state.out.mentions += [m for own in copies for m in own]
+    for target, own in zip(targets, [subjects, *copies], strict=True):
         place = over_each(waiting.place) if target.many else waiting.place
         own = distributed(state, own, target) if target.many else own
         relate(state, place, own, (target,), state.span_of(waiting.chunk))
@@ -283,6 +292,8 @@ def bind_target(state: State, waiting: Waiting, targets: tuple[Any, ...], each: 
         state.barred = True
         for target in [targets] if place.type == "between" else [(target,) for target in targets]:
             relate(state, place, subjects, target, state.span_of(waiting.chunk))
+        if any(m.words == [ANYTHING] for m in subjects):
+            state.nowhere = (place, targets, waiting.chunk)
         state.barred, state.unwanted = False, []
         return
     target = targets[0]

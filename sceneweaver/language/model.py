@@ -82,12 +82,16 @@ Pattern = Literal[
 Activity = Literal["sit", "sleep", "work", "eat", "stand", "wait", "use"]
 """What people do in a room; ``use`` where nothing is said."""
 
-PLACES = ("wall", "window", "door", "corner", "middle", "ceiling", "floor", "room")
+ANYTHING = "anything"
+"""Category of an exclusion of whatever the request does not name for a place: "nothing on the bench"."""
+
+PLACES = ("wall", "window", "door", "corner", "middle", "half", "ceiling", "floor", "room")
 """Targets that are parts of the room. ``wall:left`` (right, far, near, north ...) is as seen from the door, or by
 compass with y north; ``wall:long``, ``wall:short`` (an end of the room), ``wall:side`` (left or right), ``wall:window``
 and ``wall:door`` are any such wall, ``wall:niche``, ``wall:bay`` and ``wall:breast`` parts of walls that stand back or
 forward, ``wall:beside_breast`` and ``wall:breast_opening`` what is beside a breast and open in it; ``corner:far+left``
-is the corner of these two, ``corner:far`` one of two."""
+is the corner of these two, ``corner:far`` one of two. ``half:left`` (or another side) is the half of the floor
+there."""
 
 
 class Span(NamedTuple):
@@ -146,6 +150,7 @@ class StatedRelation(FrozenModel):
 
     ``targets`` are ids of entities or `PLACES`; ``between`` two things has two. ``count`` is how many of the subjects
     it is said of, with ``each`` for every single one of the targets (or sides): of six chairs two on each long side.
+    ``nth`` is the one of several targets that is meant: a coat on the third hook.
     """
 
     id: str = ""
@@ -156,6 +161,11 @@ class StatedRelation(FrozenModel):
     each: bool = False
     side: Literal["long", "short", "left", "right"] | None = Field(
         default=None, description="Which sides of the target"
+    )
+    nth: int = Field(
+        default=0,
+        description="Which of the targets it is said of, in order along their row from either end: 3 for the third, -1 "
+        "for the last; 0: any",
     )
     params: dict[str, Any] = Field(default={}, description="Distances that were given: min, max [m]")
     words: str = Field(default="", description="As it was written")
@@ -170,6 +180,7 @@ class Exclusion(FrozenModel):
     ``mount`` says; ``within`` are the things of which alone that is said ("no black chairs").
 
     An entity that must not stand somewhere ("the wardrobe may not be in front of the window") is named by ``subject``.
+    The category `ANYTHING` with a relation is all that the request does not place there ("nothing on the bench").
     """
 
     id: str = ""
@@ -178,6 +189,7 @@ class Exclusion(FrozenModel):
     relation: RelationType | None = Field(default=None, description="How they must not stand to the targets")
     targets: tuple[str, ...] = Field(default=(), description="Ids of entities or `PLACES`, of the relation")
     subject: str = Field(default="", description="The entity that it is said of, by id; else all of the categories")
+    others: bool = Field(default=False, description="Whether what the request names may be: 'no other seats'")
     materials: tuple[str, ...] = Field(
         default=(), description="Names of materials; nothing may be of one that the request does not name"
     )

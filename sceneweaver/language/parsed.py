@@ -106,6 +106,7 @@ class Said:
     implied: bool = False
     span: Span | None = None
     params: dict[str, float] = field(default_factory=dict)
+    nth: int = 0
 
     @property
     def by_side(self) -> bool:
@@ -174,6 +175,8 @@ class Parsed:
     mentions: list[Mention] = field(default_factory=list)
     said: list[Said] = field(default_factory=list)
     without: list[tuple[str, tuple[str, ...], Span | None]] = field(default_factory=list)
+    others: set[str] = field(default_factory=set[str])
+    """Words of what is not wanted beside what the request names: "no other seats"."""
     barred: list[Barred] = field(default_factory=list)
     unwanted: list[Exclusion] = field(default_factory=list)
     stated_openings: list[StatedOpening] = field(default_factory=list)

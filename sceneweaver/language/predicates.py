@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from itertools import pairwise, takewhile
 
 from sceneweaver.assets.plurals import singular as _singular
 
@@ -59,6 +60,8 @@ def _fitting(tokens: list[Token], at: int) -> Token:
     counted = before is not None and before.has("number") and _singular(token.text) in words("nouns")["places"]
     if counted and token.text.endswith("s"):
         return replace(token, kinds={"plural": True})
+    if token.text == "others" and before is not None and before.has("preposition"):
+        return replace(token, kinds={"rest": token.text})  # "nothing on others"
     verb = token.get("verb")
     if not isinstance(verb, Verb) or verb.form != "base" or token.has(*OPEN) or before is None:
         return token
@@ -243,7 +246,73 @@ def _there_is(tokens: list[Token], at: int, found: list[Token]) -> int:
     return 1
 
 
+def _to_the_other(tokens: list[Token], at: int, found: list[Token]) -> int:
+    """ "A screen to one side of the fire and a piano to the other": at the other side of the same."""
+    token, other = tokens[at], _token(tokens, at + 1)
+    if other is None or other.text not in ("the other", "the other side"):
+        return 0
+    last = _last_sentence(found)
+    named = next(
+        (b for a, b in pairwise(last) if a.text == "one" and b.has("region", "place") and not b.has("noun")), None
+    )
+    if named is None and (one := next((t for t in last if t.text.startswith("one ") and t.has("region")), None)):
+        noun = one.text.removeprefix("one ")
+        named = replace(one, text=noun, kinds=dict(vocabulary()[noun]))
+    if token.has("preposition") and named is not None and _ends(_token(tokens, at + 2)):
+        found += [token, other, replace(named, start=other.end, end=other.end)]  # "in one corner, ... in the other"
+        return 2
+    if token.text not in ("to", "on", "at"):
+        return 0
+    first = next((k for k, t in enumerate(last) if t.text.rpartition(" of")[0].endswith("one side")), None)
+    if first is None or not _ends(_token(tokens, at + 2)):
+        return 0
+    target = list(takewhile(lambda t: not _ends(t) and not t.has("verb", "preposition"), last[first + 1 :]))
+    if not any(t.has("noun", "place", "pron") for t in target):
+        return 0
+    found.append(Token(last[first].text, token.start, other.end, dict(last[first].kinds)))
+    found += [
+        replace(t, text="the", kinds=dict(vocabulary()["the"])) if t.text in ("a", "an") else replace(t) for t in target
+    ]
+    return 2
+
+
+def _on_the_left_one(tokens: list[Token], at: int, found: list[Token]) -> int:
+    """ "A lamp on the left nightstand": on the one that is at the left."""
+    token, noun = tokens[at], _token(tokens, at + 1)
+    spoken = token.text.split()
+    if spoken[-1] not in ("left", "right") or spoken[1:-1] != ["the"] or noun is None or not found:
+        return 0
+    one = noun.has("noun") and not noun.has("plural", "verb", "break", "place")
+    if not one or found[-1].has("break") or spoken[0] not in ("on", "at"):
+        return 0
+    table, start = vocabulary(), token.start
+    found.append(Token(spoken[0], start, start + len(spoken[0]), dict(table[spoken[0]])))
+    found.append(Token("the", start, start, dict(table["the"])))
+    found.append(Token(spoken[-1], token.end - len(spoken[-1]), token.end, {"adjective": spoken[-1]}))
+    return 1
+
+
+def _bare_list(tokens: list[Token], at: int, found: list[Token]) -> int:
+    """ "Bed desk lamp each": three nouns or more with nothing between them before "each" are as many things."""
+    end = at
+    while (token := _token(tokens, end)) is not None and token.has("noun") and not token.has("plural", *QUALITIES):
+        end += 1
+    each = _token(tokens, end)
+    if end - at < 3 or each is None or each.text not in (*EACH, "apiece") or not _ends(_token(tokens, end + 1)):
+        return 0
+    for k in range(at, end):
+        if k > at:
+            here = tokens[k].start
+            link = Token("and", here, here, {"and": "and"}) if k == end - 1 else Token(",", here, here, {"break": ","})
+            found.append(link)
+        found.append(tokens[k])
+    return end - at
+
+
 _RULES: tuple[Callable[[list[Token], int, list[Token]], int], ...] = (
+    _bare_list,
+    _on_the_left_one,
+    _to_the_other,
     _pieces,
     _times,
     _pronoun_with_verb,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from .chunks import Chunk, NounPhrase
 from .distribution import owner_told_of, part_of_each
 from .items import begin_clause, continue_with, give_target, name_things
@@ -11,7 +13,8 @@ from .relating import relate_to_place
 from .shares import ends_here, give_total, one_for_each, share_out
 from .state import State, Waiting
 from .stations import station_group
-from .vocabulary import shows
+from .thing_phrases import new_thing
+from .vocabulary import shows, words
 
 _BESIDE_IT = ("next_to", "left_of", "right_of", "near", "in_front_of", "behind")
 """Relations of small things to "it": to another small thing, not to what carries both."""
@@ -165,6 +168,17 @@ def _say_of_some(state: State, group: Mention, count: tuple[int, int]) -> None:
     state.subject = state.subject or [group]
 
 
+def _of_several(state: State) -> Mention | None:
+    """The things that are named with the one that is meant: "on the third of eight chairs"."""
+    of, named = state.chunk(state.at), state.chunk(state.at + 1)
+    if of is None or of.text != "of" or named is None or named.kind != "noun" or named.value.what != "thing":
+        return None
+    phrase: NounPhrase = named.value
+    known = state.refs.known(phrase, True, []) if phrase.definite else None
+    state.at += 2
+    return known if known is not None else new_thing(state, phrase)
+
+
 def _part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     """ "One of them", "another", "the other"."""
     waiting, partial = state.waiting, phrase.value == "partial"
@@ -183,6 +197,23 @@ def _part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
             state.leave_unread(f"{before.text} {chunk.text}", before.start, chunk.end)
         return
     near = nearest(state, waiting.subjects or []) if waiting is not None else _at_hand(state)
+    if waiting is not None and (several := _of_several(state)) is not None:
+        near = [several]
+    if waiting is not None and (meant := state.refs.in_row(phrase.text.split()[1:2], state.refs.several(near))):
+        state.out.referred.append(state.span_of(phrase))
+        group, nth = meant
+        state.waiting = replace(waiting, place=replace(waiting.place, nth=nth))
+        give_target(state, state.waiting, [group], phrase, False)
+        return
+    after = state.chunk(state.at)
+    if waiting is None and after is not None and after.kind == "with":
+        meant = state.refs.in_row(phrase.text.split()[1:2], state.refs.several(near))
+        if meant:
+            state.out.referred.append(state.span_of(phrase))
+            state.nth = meant
+            begin_clause(state, [meant[0]], state.glue)
+            state.glue = ""
+            return
     if phrase.text == "one" and waiting is None:
         if one_for_each(state, near):
             return
@@ -204,10 +235,15 @@ def _part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         found = state.refs.part([found])
     if partial and (found is None or not phrase.text.startswith("another")):
         found = state.refs.part(near) or _one_more(state, near)
+    if found is None and waiting is not None and waiting.barred:
+        found = state.refs.several(near)  # "a coat on the third hook, nothing on the others"
     if found is None:
         state.leave_unread(phrase.text, chunk.start, chunk.end)
         return
-    state.out.referred.append(state.span_of(phrase))
+    if phrase.text in words()["superlative"]:
+        state.leave_unread(phrase.text, chunk.start, chunk.end)  # one of them, and nothing shows which
+    else:
+        state.out.referred.append(state.span_of(phrase))
     if waiting is not None:
         give_target(state, waiting, [found], phrase, False)
     elif state.glue == "open":
@@ -226,6 +262,8 @@ def _pronoun_target(state: State, phrase: NounPhrase, waiting: Waiting) -> None:
             near = [last]  # a lamp beside "it" is beside the laptop, not beside the desk
     if it and waiting.place.type in ("on", "inside"):
         near = carrying(state, near, subjects)
+    if it and waiting.barred and near and near[-1].is_small:
+        near = [carrier_root(state, near[-1])]  # "a bell on the counter, nothing else on it"
     if it and state.each is not None and state.each not in subjects:
         near = [state.each]
     elif it and waiting.place.type in _OF_ONE and state.meant_by_it and near and _beside_it(state, near[-1]):

@@ -123,6 +123,19 @@ class References:
             topic[:] = [p for m in topic for p in ([parted, self.rest] if m is group else [m])]
         return parted
 
+    def in_row(self, spoken: list[str], group: Mention | None) -> tuple[Mention, int] | None:
+        """Things of which one is meant by its place among them, and which one: "on the third of eight lockers"; None
+        where they are too few for that, or one of them was parted from the others before."""
+        table = words("said_again")
+        group = group.per if group is not None and group.per is not None else group  # "a towel on each, the third ..."
+        if group is None or group.count is None or not spoken or spoken[0] not in table["nth"] or self.rest is not None:
+            return None
+        least, most = group.count
+        nth = table["nth"][spoken[0]]
+        if nth == 0:
+            nth = (least + 1) // 2 if least == most and least % 2 else 0
+        return (group, nth) if least >= table["row"] and 0 != nth <= least else None
+
     def by_quality(self, qualities: list[Token], without: list[Mention]) -> Mention | None:
         """ "The larger one", "the white one": of things of one kind, the one of which that is said."""
         recent = apart(self._recent()[:12], without)

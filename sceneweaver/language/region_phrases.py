@@ -136,7 +136,7 @@ def _owner_meant(state: State, phrase: NounPhrase, waiting: Waiting) -> Mention 
 def _is_end_of_room(state: State, phrase: NounPhrase, subjects: list[Mention]) -> bool:
     """Whether "one end" and "the other end" are the room's: of furniture that is told to be there, of no table."""
     spoken = state.source.text[phrase.start : phrase.end].split()
-    of_two = not {phrase.determiner, spoken[0], *spoken[:-1]}.isdisjoint(words("relations")["one_of_two"])
+    of_two = not {phrase.determiner, *spoken}.isdisjoint(words("relations")["one_of_two"])
     framed = any(f.kind in ("with", "verb") and f.owner for f in state.frames[-1:])
     stands = bool(subjects) and all(s.mount in ("floor", "wall") and s.family != "seat" for s in subjects)
     return of_two and stands and not framed
@@ -165,7 +165,7 @@ def _of_room(state: State, phrase: NounPhrase, waiting: Waiting, owner: str) -> 
     if subjects and any(t.text == "opposite" for t in phrase.qualities):
         for other in main_things(state, subjects)[-1:]:
             say(state, Said("opposite", subjects, (other,), phrase.text, span=state.chunk_span(), implied=True))
-    place = {"corner": "corner", "center": "middle", "end": "wall:short"}.get(str(phrase.value), "room")
+    place = {"corner": "corner", "center": "middle", "end": "wall:short", "side": "wall"}.get(str(phrase.value), "room")
     if owner in ("wall", "window", "door", "ceiling") or owner.startswith("wall:"):
         place = owner
     if phrase.determiner in ("each", "every", "all") or phrase.text == "corners":
@@ -225,7 +225,8 @@ def part_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         number, _, noun = phrase.text.partition(" ")
         if number in _TWO and noun:  # "two sinks" that no cabinet has
             phrase.count, phrase.text, phrase.plural = (2, 2), noun, True
-        mention = new_thing(state, phrase) if phrase.determiner or phrase.count else None
+        hung = phrase.plural and after is not None and after.kind == "verb" and after.value.form == "ed"
+        mention = new_thing(state, phrase) if phrase.determiner or phrase.count or hung else None
         if mention is not None:
             name_things(state, [mention], phrase, True)
             return

@@ -11,7 +11,7 @@ from sceneweaver.assets.taxonomy import category_named, likeliness
 
 from .chunks import Chunk, NounPhrase
 from .distribution import on_each_side
-from .model import Span
+from .model import ANYTHING, Span
 from .nearness import SIDED, anchor, beside_those, carrier_root, chained, main_things, nearest
 from .parsed import Barred, Left, Mention, Said, Target, without
 from .state import Frame, State
@@ -47,7 +47,10 @@ def relate(
     subjects = without(subjects, targets)
     if not subjects or not targets or any(t is None for t in targets):
         return
-    said = Said(place.type, subjects, targets, place.words, count, span=span, params=place.params)
+    if place.type in words("relations")["sitters"]:
+        own, viewed = words("relations")["sitters"][place.type]
+        place = replace(place, type=own if _is_sat_on(targets[0]) else viewed)
+    said = Said(place.type, subjects, targets, place.words, count, span=span, nth=place.nth, params=place.params)
     target, one = targets[0], subjects[0]
     if target in state.party and one in state.party and span is not None and place.type in ("on", "inside"):
         return  # "office supplies in the drawer": in none of themselves
@@ -111,6 +114,7 @@ def _bar(state: State, said: Said) -> None:
     for subject in said.subjects:
         names = tuple(subject.words) if subject in unwanted else ()
         spoken = f"no {subject.noun} {said.words}" if subject in unwanted else f"not {said.words}"
+        spoken = f"{subject.noun} {said.words}" if names == (ANYTHING,) else spoken
         spoken = f"{spoken} the {target.partition(':')[0]}" if isinstance(target, str) else f"{spoken} {target.noun}"
         state.out.barred.append(Barred(kind, [subject], said.targets, spoken, span=said.span, categories=names))
 
@@ -167,6 +171,8 @@ def relate_to_place(state: State, said: Said) -> None:
     if place in ("door", "window") and "back" in said.words.split():
         state.out.unread.append(Left(f"{said.words} the {place}", span=said.span or state.chunk_span()))
         return  # turned away from it, and not against it
+    if place == "room" and kind == "next_to" and "side" in said.words.split():
+        kind, place = "against", "wall:side"  # "to one side of the room"
     if place == "room" and kind in ENDS_OF_ROOM:
         kind, place = "against", ENDS_OF_ROOM[kind]
     if place == "room" and kind == "opposite":
@@ -189,6 +195,9 @@ def relate_to_place(state: State, said: Said) -> None:
         subjects[0].count = (2, 2)  # "a plant on either side of the door"
     if place.startswith("wall") and kind in ("on", "against", "inside") and said.words.startswith("hang"):
         kind = "hanging_from"
+    hung = all(s.mount in ("ceiling", "wall") for s in subjects)
+    if place == "window" and kind == "opposite" and said.words == "across" and hung:
+        kind = "in_front_of"  # "a line across the window"
     if place.startswith("wall") and kind == "opposite" and said.words.startswith("across"):
         kind = "against"  # "a stage across the far end"
     if place == "wall:breast" and kind in _BESIDE:
@@ -270,15 +279,22 @@ def _kind_at(kind: str, place: str, subjects: list[Mention]) -> str:
         return "against" if kind == "on" and stand else kind
     if place == "ceiling" and kind in _AT_CEILING:
         return "hanging_from"
-    if place.partition(":")[0] in ("corner", "middle") and kind not in ("facing", "far_from"):
+    if place.partition(":")[0] in ("corner", "middle", "half") and kind not in ("facing", "far_from"):
         return "at"
     if place in ("window", "door") and kind in ("inside", "on", "occupying", "covering"):
         return "at"
     return _meant_kind(kind, "", subjects)
 
 
-ENDS_OF_ROOM = {"at_foot": "wall:short", "along": "wall:short", "behind": "wall:far", "in_front_of": "wall:near"}
-"""Where "at the end of", "at the back of" and "at the front of" the room are, by their types."""
+ENDS_OF_ROOM = {
+    "at_foot": "wall:short",
+    "along": "wall:short",
+    "behind": "wall:far",
+    "in_front_of": "wall:near",
+    "left_of": "wall:left",
+    "right_of": "wall:right",
+}
+"""Where "at the end of", "at the back of", "on the left side of" the room are, by their types."""
 
 _AT_CEILING = frozenset(
     ("on", "from", "inside", "hanging_from", "at", "near", "against", "above", "below", "centered_on", "covering")
@@ -297,7 +313,10 @@ def relate_to_nearest(state: State, place: Place, subjects: list[Mention] | None
     its, sideways = "its" in place.words.split(), place.type in ("left_of", "right_of")
     end = words("relations")["ends"].get(place.words)
     if end is not None and all(s.mount != "surface" for s in subjects):
-        relate_to_place(state, Said("against", subjects, (end,), place.words, span=state.span_of(chunk)))
+        relate_to_place(state, Said(_at_end(end), subjects, (end,), place.words, span=state.span_of(chunk)))
+        return
+    if place.type in words("relations")["sitters"]:
+        _beside_sitter(state, place, subjects, chunk)
         return
     near = main_things(state, subjects) if place.type == "opposite" else None
     if near is None:
@@ -332,6 +351,29 @@ def relate_to_nearest(state: State, place: Place, subjects: list[Mention] | None
     relate(state, place, subjects, (target,), state.span_of(chunk), count=state.subset)
 
 
+def _beside_sitter(state: State, place: Place, subjects: list[Mention], chunk: Chunk) -> None:
+    """ "A table at her right hand": beside what was named last that people sit or lie on."""
+    subjects = [m for m in subjects if not _is_sat_on(m)]
+    named = without([*nearest(state, subjects)[::-1], *reversed(state.out.mentions[-20:])], subjects)
+    seats = [m for m in named if _is_sat_on(m)]
+    if not seats or not subjects:
+        state.leave_unread(chunk.text, chunk.start, chunk.end)
+        return
+    relate(state, place, subjects, (seats[0],), state.span_of(chunk), count=state.subset)
+
+
+def _is_sat_on(thing: Target) -> bool:
+    """Whether people sit or lie on a thing, so that it has sides of theirs."""
+    if isinstance(thing, str):
+        return False
+    return not {thing.family, thing.category}.isdisjoint(words("relations")["sat_on"])
+
+
+def _at_end(place: str) -> str:
+    """How things are at an end of the room that a word alone means: a door wants room to open."""
+    return "against" if place.startswith("wall") else "near"
+
+
 def _seen_from_door(state: State, thing: Mention) -> bool:
     """Whether a thing is at the left or right of the room itself: what is at the other side after it is so as well."""
     sides = ("wall:left", "wall:right")
@@ -342,7 +384,7 @@ def _front(state: State, place: Place, chunk: Chunk) -> None:
     """ "Across the room stands a wardrobe": a word of place that comes before who it is about."""
     end = words("relations")["ends"].get(place.words)
     if end is not None:
-        state.fronted.append((Place("against", words=place.words), (end,), chunk))
+        state.fronted.append((Place(_at_end(end), words=place.words), (end,), chunk))
         return
     across = place.type == "opposite" and "room" in place.words
     targets = main_things(state, []) if across else nearest(state, [])
@@ -395,7 +437,8 @@ def relate_to_owner(state: State, frame: Frame, mentions: list[Mention], phrase:
         kind = owned_kind(mention, owner, small)
         if kind is not None:
             spoken, span = f"{owner.noun} with {mention.noun}", state.span_of(phrase)
-            say(state, Said(kind, [mention], (owner,), spoken, each=frame.each, span=span, implied=True))
+            said = Said(kind, [mention], (owner,), spoken, each=frame.each, span=span, implied=True, nth=frame.nth)
+            say(state, said)
 
 
 def owned_kind(mention: Mention, owner: Mention, small: bool) -> str | None:

@@ -16,7 +16,7 @@ from .shares import ends_here, share_out
 from .state import State, Waiting
 from .tokens import Token
 from .vocabulary import Place, category_of, family, group_rows, shows, words
-from .wall_names import PARTS
+from .wall_names import COMPASS, PARTS
 
 _SAID_OF_ROOMS = (
     *("room_scale", "styles", "moods", "density", "color", "shape", "adjective", "scale", "material"),
@@ -105,6 +105,9 @@ def room_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         if phrase.value not in out.other_rooms:
             out.other_rooms.append(phrase.value)
         out.note(f"'{phrase.text}' is another room; only the {out.room_words} is made")
+        if waiting is None and state.placed_next(state.at):
+            name_nothing(state)  # "the bar in the left half, four tables": where the bar is says nothing of these
+            return
     if waiting is not None and waiting.subjects and waiting.place.type == "centered_on":
         relate_to_place(state, Said("at", waiting.subjects, ("middle",), waiting.place.words))
     elif waiting is not None and not waiting.lost and waiting.place.type in ENDS_OF_ROOM:  # "at the back of the shop"
@@ -173,6 +176,12 @@ def place_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
         state.fronted, state.glue = [(Place("inside", words="in"), (place,), chunk)], "start"  # "an alcove with a desk"
         state.at += 1
         return
+    of_side = place.partition(":")[2] in _OF_ROOM and not phrase.determiner
+    if waiting is None and of_side and (subjects := _told_before(state, chunk)):
+        spoken = f"at the {phrase.text}"
+        relate_to_place(state, Said("against", subjects, (place,), spoken, span=state.span_of(phrase)))
+        state.glue = ""
+        return
     if waiting is None:
         if place != "room":
             name_nothing(state)
@@ -208,6 +217,25 @@ def place_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     state.last_target = None
     if waiting.subjects is None:
         state.head = []
+
+
+_OF_ROOM = ("left", "right", "far", "near", "side", "long", "short", *COMPASS)
+"""Sides of a room that stand alone for where something is: "a gate, far end"."""
+
+
+def _told_before(state: State, chunk: Chunk) -> list[Mention]:
+    """What a side of the room alone is said of: "a stove and a sink, all port side", "a gate, far end"."""
+    before, after = state.chunk(state.at - 2), state.chunk(state.at)
+    ends = after is None or after.kind in ("stop", "comma", "bracket")
+    if not ends or before is None or before.kind not in ("comma", "noun", "adjective", "word", "bracket"):
+        return []
+    placed = {m for said in state.out.said for m in said.subjects if isinstance(said.targets[0], str)}
+    fresh = [m for m in state.out.mentions[state.begun :] if m.mount != "surface" and m not in placed]
+    every = state.source.text[before.start : chunk.end].split()[:1] == ["all"] or chunk.text.startswith(
+        ("all ", "both ")
+    )
+    every = every or before.text == "all"
+    return fresh if every else fresh[-1:]
 
 
 _HOLDING = {"corner": "at", "wall": "on", "window": "near", "door": "near"}

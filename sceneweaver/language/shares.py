@@ -68,7 +68,10 @@ def owners_of(state: State, items: list[Mention]) -> Mention | None:
     owner = state.frames[-1].owner[-1:] if state.frames else []
     if owner and owner[0] in state.out.stations:
         return owner[0]  # "two stations with a couch and a lamp each"
+    stand = any(m.mount == "floor" for m in items)
     for mention in reversed(state.out.mentions[-12:]):
+        if stand and mention.mount == "surface":
+            continue  # mugs have no beds
         if mention not in items and mention.count is not None and mention.count[0] == mention.count[1] > 1:
             return mention
     return None

@@ -32,6 +32,8 @@ class Frame:
     each: bool = False
     closed: bool = False
     """Whether "and" named its last item."""
+    nth: int = 0
+    """Which one of its owner, in order, it is about."""
     numbered: list[str] = field(default_factory=list)
     fronted: list[Fronted] = field(default_factory=list)
 
@@ -99,6 +101,9 @@ class State:
         self.done = False  # whether the clause had its verb
         self.lost = False  # whether the subject is no object, so that nothing is said of it
         self.lit = False  # whether light came through a window
+        self.nth: tuple[Mention, int] | None = None  # one of several, in order, that the clause is about
+        self.denied: NounPhrase | None = None  # what was ruled out last
+        self.nowhere: Fronted | None = None  # where nothing is, but for what is told next
         self.bracketed: int | None = None  # how many lists were open before the bracket
         self.every = 1  # of how many things the phrase in hand means one
         self.meant_by_it: list[Mention] = []  # what "it" meant last in the sentence

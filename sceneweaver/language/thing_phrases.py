@@ -154,6 +154,10 @@ def _one_in_order(state: State, phrase: NounPhrase) -> Mention | None:
     owned = phrase.determiner in words("said_again")["owned"]
     spoken = state.source.text[phrase.start : phrase.end].split()[:2]
     order = " ".join(spoken) in words("said_again")["ordinals"]
+    if spoken[:1] == ["the"] and (one := _one_in_row(state, phrase, spoken[1:])) is not None:
+        return one
+    if (one := _one_of_two_sides(state, phrase)) is not None:
+        return one
     if not (owned or order) or phrase.qualities:
         return None
     noun, rest = singular(name_of(phrase)), state.refs.rest
@@ -161,6 +165,42 @@ def _one_in_order(state: State, phrase: NounPhrase) -> Mention | None:
         return state.refs.part([rest]) if rest.many else rest
     group = next((m for m in reversed(state.out.mentions[-20:]) if m.many and singular(m.noun).endswith(noun)), None)
     return state.refs.part([group]) if group is not None and group.count is not None else None
+
+
+def _one_of_two_sides(state: State, phrase: NounPhrase) -> Mention | None:
+    """ "The left nightstand" of two: of a pair on both sides of something the one on that side."""
+    side = next((t for t in phrase.qualities if t.text in ("left", "right")), None)
+    if side is None or not phrase.definite:
+        return None
+    noun, rest = singular(name_of(replace(phrase, qualities=[]))), state.refs.rest
+    group = next((m for m in reversed(state.out.mentions[-20:]) if singular(m.noun).endswith(noun)), None)
+    if group is None:
+        return None
+    if group.count == (2, 2):
+        first = state.refs.part([group])
+        if side.text == "right" and first is not None and state.refs.rest is not None:
+            first, state.refs.rest = state.refs.rest, first
+        found = first
+    else:
+        found = rest if rest is not None and singular(rest.noun).endswith(noun) and group.count == (1, 1) else None
+    if found is not None:
+        phrase.qualities = [t for t in phrase.qualities if t is not side]
+    return found
+
+
+def _one_in_row(state: State, phrase: NounPhrase, spoken: list[str]) -> Mention | None:
+    """ "On the third locker" of eight: the lockers, of which the relation in hand then means one."""
+    noun, waiting = singular(name_of(phrase)), state.waiting
+    if waiting is None or not spoken:
+        return None
+    plain = [t.text for t in phrase.qualities if t.text != spoken[0]]
+    group = next((m for m in reversed(state.out.mentions[-20:]) if m.many and singular(m.noun).endswith(noun)), None)
+    meant = state.refs.in_row(spoken, group) if not plain else None
+    if meant is None:
+        return None
+    phrase.qualities = []
+    state.waiting = replace(waiting, place=replace(waiting.place, nth=meant[1]))
+    return meant[0]
 
 
 def _told_of_again(state: State, phrase: NounPhrase) -> Mention | None:

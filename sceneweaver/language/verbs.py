@@ -40,7 +40,10 @@ def with_chunk(state: State, chunk: Chunk) -> None:
         if chunk.text in ("full of", "filled with"):
             state.frames.append(Frame("verb", list(owner), "inside", chunk.text))
         else:
-            state.frames.append(Frame("with", list(owner), words=chunk.text, each=bool(state.each)))
+            frame = Frame("with", list(owner), words=chunk.text, each=bool(state.each))
+            if state.nth is not None and owner == [state.nth[0]]:
+                frame.each, frame.nth, state.nth = False, state.nth[1], None  # "the third with a lamp"
+            state.frames.append(frame)
     elif not state.frames:
         state.frames.append(Frame("list"))
     state.glue = "open"

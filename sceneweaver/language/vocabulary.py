@@ -53,6 +53,8 @@ class Place:
     """Whether what it is said of is each one of several, so that what stands there is counted out over them."""
     gap: tuple[float | None, float | None] = (None, None)
     """Least and largest distance [m], where one was given: "2 m from"."""
+    nth: int = 0
+    """Which one of several it is said of, in order: 3 for the third, -1 for the last; 0: any."""
 
     @property
     def params(self) -> dict[str, float]:
@@ -217,6 +219,9 @@ def _verbs(relations: dict[str, Any]) -> dict[str, Verb]:
         forms = {"s": s, "ed": ed, "ing": ing, "base": verb}
         for form, word in [*forms.items(), *(("s", word) for word in others)]:
             table.setdefault(f"{word} {rest}".strip(), Verb(lemma, form))
+    for lemma, participles in data["participles"].items():
+        for word in participles:
+            table.setdefault(word, Verb(lemma, "ing" if word.endswith("ing") else "ed"))
     return table
 
 

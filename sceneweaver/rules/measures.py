@@ -83,6 +83,7 @@ _ALL = (
     _asked("to_wall", "m", "least distance of the subject's outline from any wall"),
     _asked("off_way_in", "deg", "angle between a wall's inward normal and the way from the opening to the subject"),
     _asked("off_middle", "m", "how far the middle of a group is from the middle of the floor"),
+    _asked("beyond_middle", "m", "how far a thing is from the middle of the floor towards a wall that is named"),
 )  # fmt: skip
 
 MEASURES: dict[str, Measure] = {measure.name: measure for measure in _ALL}

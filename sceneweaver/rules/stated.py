@@ -13,10 +13,10 @@ from typing import Any, NamedTuple
 from .expression import Expression
 from .relation import Way, load, ways_of
 
-_ANY = ("corner", "ceiling", "floor", "middle")
+_ANY = ("corner", "ceiling", "floor", "middle", "half")
 """Places of which most words say the same."""
 
-_PLACES = ("wall", "window", "door", "corner", "ceiling", "floor", "middle")
+_PLACES = ("wall", "window", "door", "corner", "ceiling", "floor", "middle", "half")
 
 
 class Meant(NamedTuple):

@@ -464,3 +464,38 @@ def test_phrases_are_cut_out_of_the_text_by_their_spans() -> None:
         "relation-0": ("bed by the wall", (21, 36)),
         "room.room_type": ("bedroom", (2, 9)),
     }
+
+
+def test_the_third_of_a_row_is_counted_from_either_end():
+    stools = tuple(carrier(stool(0.5 + k, 4.0, k=k)) for k in range(5))
+    book = (0.1, 0.1, 0.05)
+    yes = [
+        holds(*stools, on(stools[k], "book-0", book), type="on", subject="book", targets=("stool",), nth=2)
+        for k in range(5)
+    ]
+    assert yes == [False, True, False, True, False]
+    last = [
+        holds(*stools, on(stools[k], "book-0", book), type="on", subject="book", targets=("stool",), nth=-1)
+        for k in range(5)
+    ]
+    assert last == [True, False, False, False, True]
+
+
+def test_a_half_of_the_room_is_beyond_its_middle():
+    def there(x: float, half: str) -> bool:
+        return holds(stool(x, 2.5), type="at", subject="stool", targets=(f"half:{half}",))
+
+    assert there(4.0, "east")
+    assert not there(2.0, "east")
+    assert there(2.0, "west")
+
+
+def test_nothing_is_on_a_table_but_what_the_request_places_there():
+    book = on(table, "book-0", (0.1, 0.1, 0.05))
+    nothing = {"id": "no", "words": "nothing on it", "categories": ("anything",), "relation": "on"}
+    barred = {**nothing, "targets": ("dining_table",)}
+    said = {"id": "it", "type": "on", "subject": "book", "targets": ("dining_table",)}
+    objects = (table, book)
+    assert aligned(objects, graph(objects, exclusions=[barred])).of("no").status == "unmet"
+    assert aligned(objects, graph(objects, said, exclusions=[barred])).of("no").status == "met"
+    assert aligned((table,), graph((table,), exclusions=[barred])).of("no").status == "met"

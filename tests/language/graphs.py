@@ -5,7 +5,7 @@ from __future__ import annotations
 from sceneweaver.assets.taxonomy import category_named
 from sceneweaver.language import SceneGraph
 
-PLACES = {"window", "door", "corner", "middle", "wall", "ceiling", "floor", "room"}
+PLACES = {"window", "door", "corner", "middle", "half", "wall", "ceiling", "floor", "room"}
 
 
 def consistent(graph: SceneGraph) -> None:

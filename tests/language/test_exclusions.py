@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from sceneweaver.language import read_request
+from sceneweaver.language.model import ANYTHING
 
 ELSEWHERE = [
     ("a den with a piano. The piano must not stand in front of the window.", "upright_piano", "in_front_of", "window"),
@@ -123,3 +124,48 @@ def test_a_room_without_furniture_gets_none(words):
 def test_not_not_is_no_exclusion():
     graph = read_request("a bedroom with not not a sofa")
     assert [entity.category for entity in graph.entities] == ["sofa"] and not graph.exclusions
+
+
+@pytest.mark.parametrize(
+    ("text", "relation", "target", "there"),
+    [
+        ("a shop with a counter, nothing on it except a bell", "on", "shop_counter", ["bell"]),
+        ("nothing on the desk but a lamp", "on", "desk", ["table_lamp"]),
+        ("a bench is bare apart from a lamp", "on", "bench", ["table_lamp"]),
+        ("a bell on the counter, nothing else on it", "on", "kitchen_counter", ["bell"]),
+        ("a study with a bookcase that holds nothing but books", "inside", "bookcase", ["book"]),
+        ("a bedroom with a bed and nothing under it", "below", "bed", []),
+        ("a hall with six lockers, a ball on the third, nothing on the others", "on", "locker", ["ball"]),
+    ],
+)
+def test_nothing_is_to_be_somewhere_but_what_is_named_there(text, relation, target, there):
+    graph = read_request(text)
+    (found,) = graph.exclusions
+    assert (found.categories, found.relation, found.targets) == ((ANYTHING,), relation, (target,))
+    assert [r.subject for r in graph.relations] == there
+    assert not graph.only
+    assert not graph.unread
+
+
+def test_no_others_leaves_what_is_named():
+    graph = read_request("Two chairs. No other chairs. No other seating.")
+    assert [e.category for e in graph.entities] == ["chair"]
+    assert all(found.others and "chair" not in found.categories for found in graph.exclusions)
+
+
+def test_a_list_is_ruled_out_where_its_last_words_say():
+    graph = read_request("Ten chairs in one row. No posters, plants or windows near the row.")
+    assert [(x.relation, x.targets) for x in graph.exclusions] == [("near", ("chair",)), ("near", ("chair",))]
+    assert graph.windows is None
+    assert [u.words for u in graph.unread] == ["windows near the row"]
+
+
+def test_a_limit_rules_out_nothing():
+    graph = read_request("a library with no shelf above 140 cm")
+    assert not graph.exclusions
+    assert graph.unread
+
+
+def test_what_is_ruled_out_except_somewhere_is_there():
+    graph = read_request("No rugs except in front of the sofa.")
+    assert [(r.type, r.subject, r.targets) for r in graph.relations] == [("in_front_of", "rug", ("sofa",))]

@@ -20,7 +20,7 @@ from .contrasts import contrasts
 from .entering import entering
 from .finishes import read_finishes
 from .free_areas import read_free_areas
-from .fullness import fullness
+from .fullness import emptied, fullness
 from .groups import aisles, facing_rows, groups, horseshoes, merged
 from .labels import labels
 from .limits import limits
@@ -73,6 +73,7 @@ STATEMENTS: tuple[Callable[[Source, Parsed], None], ...] = (
     _told_of_rows,
     read_free_areas,
     measures,
+    emptied,
     read_states,
     read_appearances,
     views,

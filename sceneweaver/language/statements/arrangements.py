@@ -20,7 +20,10 @@ from .lengths import LENGTH, UNIT, length_of
 from .phrases import NUMBER, Edits, noun_after, noun_before, number_of, table_before
 
 _N, _M = rf"(?P<n>{NUMBER})", rf"(?P<m>{NUMBER})"
-PLACED = r"(?:,? ?(?:all |neatly )?(?:laid out|set out|set up|arranged|laid|placed|lined up|standing|put|grouped) )?"
+PLACED = (
+    r"(?:,? ?(?:all |neatly )?"
+    r"(?:laid out|set out|set up|arranged|laid|placed|lined up|standing|put|grouped|running|going) )?"
+)
 """What may stand before the words of a pattern."""
 
 _AREA = r"(?:grid|array|matrix|pattern|formation|raster)"
@@ -367,7 +370,7 @@ _PATTERNS: tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, Parsed],
         re.compile(
             rf",? ?\b(?:(?:{NUMBER} and {NUMBER}|in pairs|in twos|in two pairs|pairwise),? )?"
             r"(?:with (?:the|their) backs? (?:together|touching|to each other|to one another|against each other)"
-            r"|back[ -]to[ -]back)\b"
+            r"|back[ -]to[ -]back(?! with (?!each other|one another)))\b"
         ),
         _backs,
     ),

@@ -237,6 +237,8 @@ def _filler(text: str, start: int, end: int, found: re.Match[str]) -> str:
             else found.start(name)
         )
         begin = max(begin, start + 2)
+        if any(c.isalnum() for c in filler[: begin - start - 1]):
+            filler[begin - start - 1] = ","  # "nothing between the sofa and the stove": of both
         filler[begin - start : found.end(name) - start] = text[begin : found.end(name)]
     return "".join(filler)
 

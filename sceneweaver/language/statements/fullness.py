@@ -10,7 +10,8 @@ from ..model import Amount
 from ..parsed import Parsed
 from ..source import Source
 from ..vocabulary import words
-from .phrases import REACH, listed
+from .phrases import REACH, Edits, listed, noun_before
+from .resolve import is_thing
 
 _CLAUSE = re.compile(r"[.;:!?\n(]|,\s*(?=\w+\s+\w+\s+(?:is|are)\b)")
 _AND = re.compile(r"\s*(?:,|/|&|\band\b|\bor\b|\bplus\b)\s*")
@@ -18,6 +19,18 @@ _WORD = re.compile(r"[a-z][a-z'-]*")
 
 _BEHIND = re.compile(r" (?:and|or|with|on|in|at|by|under|over|above|beside|near|from|for|to|that|which|the|is|are)$")
 """A word behind a noun that is no part of its name."""
+
+_SAID_OF_THING = re.compile(r"\b(?:hold(?:s|ing)?|carr(?:y|ies|ying)|with|bear(?:s|ing)?|display(?:s|ing)?|has)\s+$")
+_THERE = re.compile(
+    r"\s+(?:on|in|under|underneath|beneath|inside|near|by|beside|behind|above|over|around)\s+"
+    r"(?:it|them|its|the|this|that|my|our|his|her|their|each|any)\b(?!\s(?:room|space|place|floor)\b)"
+)
+"""Where nothing else is, and what that is of."""
+
+_EMPTY_BUT = re.compile(
+    r"\b(?:(?:is|are|be|stays?|remains?|left|kept|otherwise|quite|all|completely|entirely|still) ){0,3}"
+    r"(?:empty|bare|clear),? (?:but for|except for|except|apart from|save for|save|other than)(?= )"
+)
 
 LONGEST = 3
 """Words of a noun before its spread that are looked at."""
@@ -29,7 +42,12 @@ _DEFINITE = ("the", "its", "her", "his", "my", "our", "their")
 def fullness(source: Source, parsed: Parsed) -> None:
     """Read what a request says of how full its room is; what is understood goes out of the source."""
 
-    def nothing(_: re.Match[str]) -> str:
+    def nothing(match: re.Match[str]) -> str | None:
+        of_things = match[0].startswith("nothing but") and (
+            _SAID_OF_THING.search(source.text[: match.start()]) or source.spoken[slice(*match.span())] != match[0]
+        )
+        if of_things or _THERE.match(source.text, match.end()):
+            return None  # "a shelf that holds nothing but books", "nothing else on it": of a thing, not of the room
         parsed.only = True
         return ""
 
@@ -54,6 +72,15 @@ def fullness(source: Source, parsed: Parsed) -> None:
             return ""
 
         source.blank(pattern, spread_out)
+
+
+def emptied(source: Source, parsed: Parsed) -> None:
+    """ "The bench is bare but for a lamp": nothing but that is on the bench. Of a room it is read by `fullness`."""
+    edits = Edits(source)
+    for match in list(_EMPTY_BUT.finditer(source.text)):
+        noun = noun_before(source.text, match.start())
+        if noun and is_thing(noun):
+            edits.take(*match.span(), "nothing but")
 
 
 def _before(text: str) -> Iterator[str]:

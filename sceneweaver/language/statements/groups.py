@@ -332,8 +332,8 @@ def _patterns() -> tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, 
     rows = (
         (rf"{PLACED}\b(?:at|in|forming|as) (?:an? )?{angles}{_EACH_OTHER}{_END}", _right_angle),
         (
-            rf"{PLACED}\b(?:(?:in|as) an? l(?:[ -]shape)? )?(?:along|against|on|lining) two (?:adjacent |adjoining |"
-            r"neighbou?ring )?walls(?! of\b)",
+            rf"{PLACED}\b(?:(?:in|as) an? l(?:[ -]shape)? )?(?:along|against|on|lining|round|around) two "
+            r"(?:adjacent |adjoining |neighbou?ring )?walls(?! of\b)",
             _two_walls,
         ),
         (
@@ -387,7 +387,7 @@ def _patterns() -> tuple[tuple[re.Pattern[str], Callable[[re.Match[str], Edits, 
             _walls,
         ),
         (rf",? ?(?:and )?(?:\b{_N} )?{PLACED}\b{along} {which}{kind} {sides}(?! of\b)", _walls),
-        (rf"{PLACED}\b(?:along|down) {which} (?:sides?|flanks?)(?! of\b)", _walls),
+        (rf"{PLACED}\b(?:along|down) {which} (?:sides?|flanks?)\b(?! of\b)", _walls),
         (
             rf"\b(?P<m>{NUMBER}) {_NOUN} (?:on|at|along|to) (?:each|either|both|every) (?:of the )?(?:long )?sides?,? "
             rf"(?:and|plus|with) (?P<ends>{NUMBER}) (?:on|at) (?:each|either|both|the|every|one) (?:of the )?"

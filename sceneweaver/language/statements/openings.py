@@ -49,7 +49,7 @@ _AND_ONE = re.compile(
 )
 _SIDES_WORD = (
     "left|right|lhs|rhs|far|back|rear|front|end|near|opposite|facing|other|long|longer|longest|short|shorter|shortest|"
-    "narrow|north|south|east|west|same|second|outer|outside|street"
+    "narrow|ends|north|south|east|west|same|second|outer|outside|street"
 )
 _PLACE = re.compile(
     rf"\b(?:in|on|at|along|across|near|close to|by|into|to|set in|through)\s"
@@ -146,7 +146,7 @@ _WINDOWLESS = re.compile(
     r"(?:no|without(?:\sany)?)\swindows?(?:\s(?:at all|anywhere|please))?(?=\s?(?:[.,;)]|$|\band\b|\bbut\b)))"
 )
 _LONG = {"long": "long", "longer": "long", "longest": "long"}
-_SHORT = {"short": "short", "shorter": "short", "shortest": "short", "narrow": "short", "end": "short"}
+_SHORT = {"short": "short", "shorter": "short", "shortest": "short", "narrow": "short", "end": "short", "ends": "short"}
 _SEEN = {"left": "left", "right": "right", "lhs": "left", "rhs": "right", "far": "far", "back": "far", "rear": "far"}
 _SEEN |= {"near": "near", "front": "near"}
 _COMPASS = ("north", "south", "east", "west")
@@ -515,6 +515,8 @@ def _placed(m: re.Match[str], number: int, fields: dict[str, Any]) -> bool:
     """Takes one place: a wall by its length or side, the wall across from another opening, or a corner."""
     side, more = m["side"], m["more"]
     what = m["what"] or ("end" if more == "end" else "")
+    if side == "end" and re.search(r"\b(?:each|both|either)\b", m[0]):
+        side = "ends"
     if m["middle"]:
         fields.setdefault("at", "middle")
     if what == "corner":

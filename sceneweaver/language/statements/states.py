@@ -60,6 +60,9 @@ _OVER_BACK = re.compile(
 _SHARE = re.compile(
     rf"\b(?P<many>{NUMBER})\sof\s(?P<rest>(?:the|our|my|these|those)\s(?:{NUMBER}\s)?[a-z]+\s?[a-z]*\s)$"
 )
+_NOT_OVER = r"(?!(?<=\sover)\s(?:the|an?|one|its?|both|each|every|my|our|his|her|their)\b)"
+"""What is thrown "over the chair" is no chair thrown over."""
+
 _END = r"(?=\s*(?:[,.;)]|$|and\b|with\b|but\b|while\b))"
 
 
@@ -267,7 +270,7 @@ def _patterns() -> tuple[re.Pattern[str], ...]:
         for pattern in (
             r"\b(?:(?:one|a|an|the|its|top|bottom|both|all|two|every|with|and)\s){0,3}"
             rf"(?:(?P<noun>[a-z]+)\s)?{part}\s{_BE}(?P<state>{opened})\b",
-            rf"\b{_MANY}{_BE}(?P<state>{spoken})\b",
+            rf"\b{_MANY}{_BE}(?P<state>{spoken})\b{_NOT_OVER}",
             rf"\b{_BE}(?P<state>{alone}){_END}",
             rf"\b{_BE}(?P<state>{behind}){_END}",
         )
