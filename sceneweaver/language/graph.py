@@ -24,6 +24,7 @@ from .statements.audiences import audiences
 from .statements.counts import bounded_counts, peopled, shared_counts, told_apart
 from .statements.resolve import resolved
 from .stations import settle_stations
+from .translation import UNKNOWN
 from .vocabulary import words
 
 MOST = 400
@@ -121,7 +122,18 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         (*(unread for unread in graph.unread if unread.span or unread.words not in placed), *silent),
         key=lambda one: one.span.start if one.span else len(text),
     )
+    if source.language != "en":  # in the words of the request
+        left = list(dict.fromkeys(_own_words(one, text) for one in left))
+        notes = [note.replace(UNKNOWN, "") for note in notes]
     return graph.model_copy(update={"notes": tuple(dict.fromkeys(notes)), "unread": tuple(left)})
+
+
+def _own_words(unread: Unread, text: str) -> Unread:
+    """What was not understood as it stands in the request."""
+    span = unread.span
+    alone = all(word.startswith(UNKNOWN) for word in unread.words.split())
+    words = unread.words.replace(UNKNOWN, "") if span is None or alone else text[span.start : span.end].strip().lower()
+    return unread.model_copy(update={"words": words})
 
 
 def _but_for(excluded: Exclusion, entities: Sequence[Entity]) -> Exclusion:
