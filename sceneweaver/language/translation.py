@@ -62,7 +62,7 @@ def tables(language: str) -> Tables:
             found[name.lower()] = (room.replace("_", " "), "nouns")
             rooms[name.lower()] = room.replace("_", " ")
     for category, names in words(f"translations/{language}_things").items():
-        found |= {name: (_english(category), "nouns") for name in names.split(", ")}
+        found |= {name: (english_of(category), "nouns") for name in names.split(", ")}
     for kind in _KINDS:
         found |= {phrase: (english, kind) for phrase, english in (data.get(kind) or {}).items()}
     found |= {name: (str(n), "numbers") for name, n in numerals(language).items() if n > 2 or name not in found}
@@ -83,7 +83,7 @@ def tables(language: str) -> Tables:
 
 
 @cache
-def _english(category: str) -> str:
+def english_of(category: str) -> str:
     """A name that is read as a category: its own, or the first that is, without words of place in it."""
     own = category.replace("_", " ")
     first, _, rest = own.partition(" ")
@@ -132,10 +132,10 @@ def language_of(text: str) -> str:
 
 def translated(text: str, origin: Sequence[int], language: str, request: str) -> tuple[str, list[int]]:
     """A text in lower case as English, with the place of each of its characters in the request."""
-    names = _capitals(text, origin, request) if language == "de" else frozenset[int]()
-    told = _told(text, language, names)
+    names, small = _capitals(text, origin, request) if language == "de" else (frozenset[int](), frozenset[int]())
+    told = _told(text, language, names, small)
     if names:  # an unknown word in small letters is none for a thing
-        told = [one for one in told if one.kind or not one.text[:1].isalpha() or _is_name(one, names, origin, request)]
+        told = [one for one in told if one.kind or one.start not in small]
     order = {"de": german_order, "es": romance_order, "fr": romance_order, "zh": chinese_order}[language]
     letters: list[str] = []
     places: list[int] = []
@@ -170,8 +170,10 @@ def content_words(text: str, language: str) -> list[tuple[str, int, int]]:
     ]
 
 
-def _told(text: str, language: str, names: frozenset[int] = frozenset()) -> list[Told]:
-    return _chinese(text) if language == "zh" else _spaced(text, language, names)
+def _told(
+    text: str, language: str, names: frozenset[int] = frozenset(), small: frozenset[int] = frozenset()
+) -> list[Told]:
+    return _chinese(text) if language == "zh" else _spaced(text, language, names, small)
 
 
 def _unknown(word: str) -> str:
@@ -179,23 +181,26 @@ def _unknown(word: str) -> str:
     return UNKNOWN + re.sub(r"[\W\d_]", "", word) if word[0].isalpha() else word
 
 
-def _is_name(one: Told, names: frozenset[int], origin: Sequence[int], request: str) -> bool:
-    return one.start in names or request[origin[one.start]].isupper()
-
-
-def _capitals(text: str, origin: Sequence[int], request: str) -> frozenset[int]:
-    """Where words of a text begin with a capital letter within a sentence: nouns, in German."""
+def _capitals(text: str, origin: Sequence[int], request: str) -> tuple[frozenset[int], frozenset[int]]:
+    """Where words of a text begin with a capital letter within a sentence (nouns, in German), and where with a small
+    one."""
     found: set[int] = set()
+    small: set[int] = set()
     before = "."
     for m in _WORD.finditer(text):
-        if before not in (".", "!", "?", ":") and request[origin[m.start()]].isupper():
+        if request[origin[m.start()]].islower():
+            small.add(m.start())
+        elif before not in (".", "!", "?", ":") and request[origin[m.start()]].isupper():
             found.add(m.start())
         before = m[0]
-    return frozenset(found)
+    return frozenset(found), frozenset(small)
 
 
-def _spaced(text: str, language: str, names: frozenset[int] = frozenset()) -> list[Told]:
-    """The words of a language that sets them apart, the longest known phrases first; those at ``names`` are nouns."""
+def _spaced(
+    text: str, language: str, names: frozenset[int] = frozenset(), small: frozenset[int] = frozenset()
+) -> list[Told]:
+    """The words of a language that sets them apart, the longest known phrases first; those at ``names`` are nouns, and
+    those at ``small`` none."""
     found = list(_WORD.finditer(text))
     table, told, at = tables(language), list[Told](), 0
     first = True
@@ -206,6 +211,8 @@ def _spaced(text: str, language: str, names: frozenset[int] = frozenset()) -> li
             known = _known(phrase, many, table, language)
             if many == 1 and start in names and known is not None and known[1] in ("words", "adjectives"):
                 known = inflected(phrase, table, ("nouns",)) or known  # "die Liegen" are things, "sie liegen" is none
+            if names and known is not None and start in small and known[1] == "nouns" and phrase not in table.phrases:
+                known = inflected(phrase, table, ("adjectives",))  # "unterfahrbar" is no bar
             if known is not None:
                 if known[1] == "nouns":
                     known = _sense(phrase, known, text, table)
@@ -321,4 +328,14 @@ def _segments(text: str, start: int, end: int, table: Tables) -> list[Told]:
     return told
 
 
-__all__ = ["LANGUAGES", "NAMES", "UNKNOWN", "content_words", "language_of", "translated", "unknown_words"]
+__all__ = [
+    "LANGUAGES",
+    "NAMES",
+    "UNKNOWN",
+    "content_words",
+    "english_of",
+    "language_of",
+    "tables",
+    "translated",
+    "unknown_words",
+]

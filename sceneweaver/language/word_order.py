@@ -121,9 +121,9 @@ def _several(told: Sequence[Told]) -> list[Told]:
 
 def _is_singular(text: str) -> bool:
     kinds = vocabulary().get(text, {})
-    return (
-        "plural" not in kinds and not (text.endswith("s") and not text.endswith("ss")) and "people_words" not in kinds
-    )
+    if "plural" in kinds or (text.endswith("s") and not text.endswith("ss")):
+        return False
+    return "people_words" not in kinds or plural(text) in vocabulary()  # "people" is none
 
 
 def _is_lost_adjective(found: Sequence[Told], at: int) -> bool:
@@ -357,6 +357,7 @@ def _attributes(told: Sequence[Told]) -> list[Told]:
             one.source == "的"
             and start is not None
             and all(f.kind in (*_NAMED, "words", "postpositions") and f.text not in _STOPS for f in found[start:])
+            and not (" the " in found[start].text and any(f.kind == "numbers" for f in found[start:]))
         )
         if placed and start is not None and at + 1 < len(told) and told[at + 1].kind in _NAMED:
             segment, found = found[start:], found[:start]
@@ -386,8 +387,9 @@ _PLACES = (
     "along ",
     "opposite",
     "facing",
+    "with ",
 )
 
 
 def _begins_place(one: Told) -> bool:
-    return one.kind in ("words", "postpositions") and one.text.startswith(_PLACES)
+    return one.kind in ("words", "postpositions") and f"{one.text} ".startswith(_PLACES)
