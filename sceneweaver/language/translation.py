@@ -24,14 +24,14 @@ LANGUAGES = ("de", "es", "fr", "zh")
 
 NAMES = {"de": "German", "es": "Spanish", "fr": "French", "zh": "Chinese"}
 
-LONGEST = 5
+LONGEST = 6
 """Words of the longest phrase in the tables."""
 
 UNKNOWN = "ǀ"
 """The letter that a word of no table begins with, so that it is never read as an English one."""
 
 _KINDS = ("nouns", "adjectives", "numbers", "words", "postpositions")
-_LISTS = ("particles", "relatives", "modals", "infinitives", "finals", "of", "by", "made_of")
+_LISTS = ("particles", "relatives", "modals", "infinitives", "finals", "of", "by", "made_of", "genitives")
 _WORD = re.compile(
     r"['’]s(?!\w)|(?:[ldjnscmt]|qu|lorsqu|jusqu)['’](?=\w)|(?:[cdm]?m[23]|[23]d)(?!\w)|[^\W\d_]+(?:-[^\W\d_]+)*|\d+(?:[.,]\d+)?|\S",
     re.UNICODE,

@@ -21,6 +21,7 @@ class Told(NamedTuple):
 
 
 _STOPS = frozenset(".,;:!?()")
+_UNITS = ("m", "cm", "mm", "m2")
 _FIGURES = {"a": "1", "one": "1", "two": "2"}
 _NAMED = ("nouns", "adjectives", "numbers")
 
@@ -50,6 +51,10 @@ def _by(told: Sequence[Told], table: Tables) -> list[Told]:
 def german_order(told: Sequence[Told], table: Tables) -> list[Told]:
     """Particles and verbs at the end of clauses go; relative pronouns become what English says instead."""
     found = _materials(_by(told, table), table)
+    for k in range(1, len(found) - 1):  # "die Küche einer Schule"
+        between = found[k - 1].kind == "nouns" and found[k + 1].kind in ("nouns", "adjectives")
+        if between and found[k].source in table.rules["genitives"]:
+            found[k] = found[k]._replace(text=f"of {found[k].text}")
     start = 0
     for end in range(len(found) + 1):
         if not _is_stop(found, end):
@@ -107,6 +112,9 @@ def _several(told: Sequence[Told]) -> list[Told]:
     """After a number of more than one a noun is in the plural, whether its own language shows it or not."""
     found = _neither(told)
     for k, one in enumerate(found):
+        if one.kind == "numbers" and k + 1 < len(found) and found[k + 1].text in _UNITS:
+            found[k] = one._replace(text=_FIGURES.get(one.text, one.text))
+            continue
         if one.kind != "numbers" or one.text in ("a", "one", "1", "0") or not one.text.isalnum():
             continue
         end = k + 1

@@ -114,6 +114,7 @@ def test_forms_of_words_are_told_by_rules(text: str, said: str) -> None:
     [
         ("Wohnzimmer mit einem Sofa, neben dem ein Sessel steht", "a sofa, next to it a armchair"),
         ("In der Ecke soll eine Stehlampe stehen, wir haben weder Katze noch Hund", "in the corner is a floor lamp,"),
+        ("Die Küche einer Schule mit zwei Öfen", "kitchen of a school"),
         ("Büro mit einem Schrank, der an der linken Wand steht", "a cabinet, that is on the left wall"),
         ("Ein Raum, 4 mal 5 Meter, mit einem Tisch und ohne Teppich oder Vorhang", "4 x 5 m"),
         ("Cocina con una mesa de madera redonda en la pared del fondo", "a wooden round table on the back wall"),
