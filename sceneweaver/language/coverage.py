@@ -8,11 +8,11 @@ told to the user as not understood. Words of grammar and of politeness need no a
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import cache
 
 from .model import SceneGraph, Span, Unread
-from .translation import unknown_words
+from .translation import content_words, unknown_words
 from .vocabulary import NUMBERS, vocabulary, words
 
 _WORD = re.compile(r"\b[^\W\d_]\d\b|[^\W\d_]+(?:['’&-][^\W\d_]+)*|\d+(?:[.,]\d+)?", re.UNICODE)
@@ -48,8 +48,7 @@ def silent_words(
     covered = _marked(graph, (*_spans(graph), *referred, *numbers))
     if language != "en":
         covered = _marked(graph, (*_spans(graph), *(entity.span for entity in graph.entities)))
-        lost = unknown_words(graph.text.lower()[: len(graph.text)], language)
-        return tuple(Unread(words=graph.text[a:b].lower(), span=Span(a, b)) for a, b in lost if not any(covered[a:b]))
+        return _silent_foreign(graph, language, covered)
     known, named = _known_elsewhere(graph), _marked(graph, (entity.span for entity in graph.entities))
     found: list[list[int]] = []
     for match in _WORD.finditer(graph.text):
@@ -72,6 +71,26 @@ def silent_words(
         else:
             found.append([match.start(), match.end()])
     return tuple(Unread(words=graph.text[a:b].lower(), span=Span(a, b)) for a, b in found)
+
+
+def _silent_foreign(graph: SceneGraph, language: str, covered: Sequence[int]) -> tuple[Unread, ...]:
+    """Words of another language that no table has, and nouns and adjectives that no item of the graph accounts for."""
+    text = graph.text.lower()
+    if len(text) != len(graph.text):  # letters that are two in small
+        return ()
+    idle = function_words() | _known_elsewhere(graph)
+    idle |= {word for entity in graph.entities for word in entity.category.split("_")}
+    lost = unknown_words(text, language)
+    lost += [(a, b) for english, a, b in content_words(text, language) if not _is_idle(english, idle)]
+    told = sorted((a, b) for a, b in lost if not any(covered[a:b]))
+    return tuple(Unread(words=text[a:b], span=Span(a, b)) for a, b in told)
+
+
+def _is_idle(english: str, idle: Collection[str]) -> bool:
+    """Whether the English of a word needs no account: a kind of room, which the graph has, or words of grammar."""
+    return "room" in vocabulary().get(english, {}) or all(
+        word in idle or word.removesuffix("s") in idle for word in english.split()
+    )
 
 
 def _says_where(text: str, covered: Sequence[int], start: int) -> bool:

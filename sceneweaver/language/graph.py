@@ -26,6 +26,7 @@ from .statements.counts import bounded_counts, peopled, shared_counts, told_apar
 from .statements.resolve import entity_named, resolved
 from .stations import settle_stations
 from .told_states import LAID_FOR, state_as_told
+from .translation import UNKNOWN
 from .vocabulary import words
 
 MOST = 400
@@ -137,6 +138,9 @@ def build(text: str, source: Source, parsed: Parsed) -> SceneGraph:
         (*(unread for unread in graph.unread if unread.span or unread.words not in placed), *silent),
         key=lambda one: one.span.start if one.span else len(text),
     )
+    if source.language != "en":  # in the words of the request
+        left = list(dict.fromkeys(_own_words(one, text) for one in left))
+        notes = [note.replace(UNKNOWN, "") for note in notes]
     return graph.model_copy(update={"notes": tuple(dict.fromkeys(notes)), "unread": tuple(left)})
 
 
@@ -197,6 +201,14 @@ def _spread_form(entity: Entity, amounts: Sequence[Amount]) -> Entity:
     state = state_of(entity.category, SCATTERED) if spread else None
     other = state.becomes.get(entity.category) if state is not None else None
     return entity if other is None else entity.model_copy(update={"category": other})
+
+
+def _own_words(unread: Unread, text: str) -> Unread:
+    """What was not understood as it stands in the request."""
+    span = unread.span
+    alone = all(word.startswith(UNKNOWN) for word in unread.words.split())
+    words = unread.words.replace(UNKNOWN, "") if span is None or alone else text[span.start : span.end].strip().lower()
+    return unread.model_copy(update={"words": words})
 
 
 def _but_for(excluded: Exclusion, entities: Sequence[Entity]) -> Exclusion:

@@ -140,8 +140,11 @@ class Source:
 
     def span(self, start: int, end: int) -> Span:
         """Where characters [start, end) stand in the request."""
-        last = min(end, len(self.origin)) - 1
-        return Span(self.origin[start], self.origin[max(last, start)] + 1)
+        last = max(min(end, len(self.origin)) - 1, start)
+        if self.language == "en":
+            return Span(self.origin[start], self.origin[last] + 1)
+        places = self.origin[start : last + 1]  # words of another language may stand in another order
+        return Span(min(places), max(places) + 1)
 
     def insert(self, at: int, text: str, like: int) -> None:
         """Puts words in before character ``at``, which stand in the request where those from ``like`` on do."""

@@ -1,11 +1,15 @@
-"""Simple requests in other languages are read, each thing where it stands in the request; English stays as it is."""
+"""Requests in other languages are read, each thing where it stands in the request; English stays as it is."""
 
 from __future__ import annotations
 
 import pytest
 
+from sceneweaver.assets import categories
 from sceneweaver.language import read_request
+from sceneweaver.language.numerals import numerals
 from sceneweaver.language.source import read_source
+from sceneweaver.language.translation import LANGUAGES, english_of, tables
+from sceneweaver.language.vocabulary import vocabulary, words
 
 
 @pytest.mark.parametrize(
@@ -40,10 +44,10 @@ from sceneweaver.language.source import read_source
 def test_what_is_read(text: str, room: str, things: dict[str, str], relation: tuple[str, str] | None) -> None:
     graph = read_request(text)
     assert graph.room_type == room
-    for category, words in things.items():
+    for category, spoken in things.items():
         entity = graph.entity(category)
         assert entity is not None and entity.span is not None, graph.entities
-        assert words in text[entity.span.start : entity.span.end].lower()
+        assert spoken in text[entity.span.start : entity.span.end].lower()
     if relation is not None:
         assert any((r.subject, r.targets[0]) == relation for r in graph.relations), graph.relations
     assert any("word by word" in note for note in graph.notes)
@@ -89,3 +93,86 @@ def test_a_part_of_a_word_is_no_thing_and_small_things_are_things() -> None:
 )
 def test_phrases_of_place_and_capitals(text: str, said: str) -> None:
     assert said in read_source(text).spoken
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("Ein Zimmer mit dunkelroten Vorhaengen und zwei Stuehlen aus Eiche", "dark red curtains and two oak chairs"),
+        ("Ein Zimmer mit einem Buchenholzregal und einem Tischchen", "a beech wood shelf and a small table"),
+        ("Una habitacion con lamparas de pie y sillas blancas", "floor lamps and white chairs"),
+        ("Une chambre avec deux commodes basses et neuves", "two low new dressers"),
+        ("Une salle avec vingt-quatre chaises pliantes et des tableaux", "24 folding chairs and some pictures"),
+    ],
+)
+def test_forms_of_words_are_told_by_rules(text: str, said: str) -> None:
+    assert said in read_source(text).spoken
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("Wohnzimmer mit einem Sofa, neben dem ein Sessel steht", "a sofa, next to it a armchair"),
+        ("In der Ecke soll eine Stehlampe stehen, wir haben weder Katze noch Hund", "in the corner is a floor lamp,"),
+        ("Die Küche einer Schule mit zwei Öfen", "kitchen of a school"),
+        ("Büro mit einem Schrank, der an der linken Wand steht", "a cabinet, that is on the left wall"),
+        ("Ein Raum, 4 mal 5 Meter, mit einem Tisch und ohne Teppich oder Vorhang", "4 x 5 m"),
+        ("Cocina con una mesa de madera redonda en la pared del fondo", "a wooden round table on the back wall"),
+        (
+            "Bureau avec une armoire de classement noire contre le mur de gauche",
+            "a black filing cabinet against the left",
+        ),
+        ("卧室里窗边的书桌和两把白色椅子", "desk by the window and two white chairs"),
+        ("教室，椅子十六把，黑板在门的对面", "16 chairs, blackboard opposite door"),
+        ("房间长四米宽三米，床一米八宽", "4 m long and 3 m wide, bed 1.8 m wide"),
+    ],
+)
+def test_words_stand_in_the_order_of_english(text: str, said: str) -> None:
+    assert said in read_source(text).spoken
+
+
+@pytest.mark.parametrize(
+    ("text", "things", "unread"),
+    [
+        ("Ein Zimmer mit einem Bett und einem Fang", {"bed"}, ["fang"]),
+        ("Un cuarto con una cama y dos pandas", {"bed"}, ["pandas"]),
+        ("Une pièce avec un lit et trois zincs", {"bed"}, ["zincs"]),
+    ],
+)
+def test_what_has_no_translation_is_no_english_word(text: str, things: set[str], unread: list[str]) -> None:
+    graph = read_request(text)
+    assert {entity.category for entity in graph.entities} == things
+    assert [left.words.split()[-1] for left in graph.unread] == unread
+
+
+def test_an_adjective_in_small_letters_is_no_compound() -> None:
+    graph = read_request("Ein Büro mit einem unwegsamtbaren Schreibtisch und einem Stuhl")
+    assert {entity.category for entity in graph.entities} == {"desk", "chair"}
+
+
+def test_nouns_of_several_meanings_are_told_by_words_around_them() -> None:
+    assert "bar counter" in read_source("Un bar con una barra larga y mesas").spoken
+    assert "bread loaves" in read_source("Una panadería con cestas llenas de barras").spoken
+    assert read_source("Bureau avec un bureau et une chaise").spoken == "office with a desk and a chair"
+
+
+def test_all_that_is_absent_is_excluded() -> None:
+    graph = read_request("Ein Bad mit einer Dusche, ohne Badewanne oder Teppich, weder Pflanzen noch Bilder")
+    assert {exclusion.words for exclusion in graph.exclusions} == {"bathtub", "rug", "plants", "pictures"}
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_numbers_have_one_name_each(language: str) -> None:
+    found = numerals(language)
+    assert set(found.values()) == set(range(2, 201))
+    assert all(tables(language).phrases[name][0] in (str(n), "two") for name, n in found.items())
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_names_of_things_are_read_as_their_categories(language: str) -> None:
+    listed = words(f"translations/{language}_things")
+    names = [name for row in listed.values() for name in row.split(", ")]
+    assert len(names) == len(set(names))
+    assert set(listed) <= set(categories())
+    wrong = [category for category in listed if vocabulary()[english_of(category)].get("noun") != category]
+    assert wrong == []
