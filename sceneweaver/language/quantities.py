@@ -148,7 +148,7 @@ def _rules() -> tuple[Rule, ...]:
          lambda m: f"at least {m[1].rstrip()}"),
         (rf"(?<![\w.])({counted})(?:,? )?(?:maximum|max|at (?:the )?most|tops)(?=\s{{0,3}}(?:[.,;:)!?]|$| please))",
          lambda m: f"at most {m[1].rstrip()}"),
-        (rf"(?<![\w.])({_NUMBER}) a side\b", lambda m: f"{m[1]} on each side"),
+        (rf"(?<![\w-])(?:{one_of(_TENS)})[ -](?:{one_of(_UNITS)})(?= [a-z])", lambda m: f"{spelt(m[0]):g}"),
         (rf"\b(?:a )?(?:minimum|min\.?)(?: of)? (?={_NUMBER}[\s-][a-z])", lambda m: "at least "),
         (rf"\b(?:a )?(?:maximum|max\.?)(?: of)? (?={_NUMBER}[\s-][a-z])", lambda m: "at most "),
     )  # fmt: skip

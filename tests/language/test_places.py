@@ -65,7 +65,7 @@ def test_what_people_are_on_is_under_no_thing():
 
 
 def test_where_another_room_is_says_nothing_of_furniture():
-    graph = read_request("A restaurant; the bar in the east half, four tables in the west half.")
+    graph = read_request("A restaurant; the kitchen in the east half, four tables in the west half.")
     assert [r.targets for r in graph.relations] == [("half:west",)]
 
 

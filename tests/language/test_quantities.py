@@ -27,7 +27,6 @@ WRITTEN = [
     ("25+ books", "at least 25 books"),
     ("between 8 and 12 stools", "8 to 12 stools"),
     ("20 or so jars", "about 20 jars"),
-    ("benches, five a side", "benches, five on each side"),
     ("paths >= 80 cm", "paths at least 80 cm"),
 ]  # fmt: skip
 

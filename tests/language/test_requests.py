@@ -208,7 +208,7 @@ RELATIONS: list[tuple[str, set[tuple[str, str, Any]]]] = [
     ("a bed against the far wall", {("against_wall", "bed", "wall:far")}),
     ("a bed on the north wall", {("against_wall", "bed", "wall:north")}),
     ("a desk by the window", {("at_window", "desk", "window")}),
-    ("a desk under the window", {("at_window", "desk", "window")}),
+    ("a desk under the window", {("at_window", "desk", "window"), ("against_wall", "desk", "window")}),
     ("with a desk near the window", {("near_window", "desk", "window")}),
     ("an armchair in the corner", {("in_corner", "armchair", None)}),
     ("a laptop on the desk", {("on_top", "laptop", "desk")}),
@@ -302,7 +302,11 @@ RELATIONS: list[tuple[str, set[tuple[str, str, Any]]]] = [
     ("a shelf with books and a vase on it", {("on_top", "book", "wall_shelf"), ("on_top", "vase", "wall_shelf")}),
     (
         "sink under the window; fridge next to the oven",
-        {("at_window", "sink_cabinet", "window"), ("near", "fridge", "stove")},
+        {
+            ("at_window", "sink_cabinet", "window"),
+            ("against_wall", "sink_cabinet", "window"),
+            ("near", "fridge", "stove"),
+        },
     ),
 ]
 
