@@ -65,7 +65,15 @@ def _varied() -> re.Pattern[str]:
     mixed = rf"(?:(?:are|is|come|all)\s)*(?:in|of)\s(?:all\s)?(?:{many})\s{color}"
     bow = rf"(?:in\s)?(?:(?:the\s)?rainbow\s{color}|(?:all\s)?(?:the\s)?{color}\sof\sthe\srainbow)"
     some = rf"in\s(?P<list>{hue}(?:\s*,\s*{hue}){{1,6}}\s*,?\s+and\s+{hue})"
-    return re.compile(rf"(?:,\s*)?\b(?:{each}|{mixed}|{bow}|{some})\b{_ENDS}")
+    sorted_ = (
+        rf"(?:sorted|arranged|ordered|graded|grouped|organi[sz]ed|lined\sup|shelved)"
+        rf"\s(?:by|according\sto|in\sorder\sof)\s(?:their\s)?{color}|(?:sorted\s|arranged\s|ordered\s)?(?:like|as|in)\sa\srainbow|in\srainbow\sorder|"
+        rf"{color}\s(?:sorted|coded)"
+    )
+    ends = rf"(?:{_ENDS}|(?=\s(?:because|cause|so|as|for|to)\b))"
+    return re.compile(
+        rf"(?:,\s*)?\b(?:{each}|{mixed}|{bow}|{sorted_}|{some}(?:\s(?:mixed|jumbled|alternating))?)\b{ends}"
+    )
 
 
 def _add(source: Source, parsed: Parsed, edits: Edits, found: re.Match[str], said: list[dict[str, Any]]) -> None:

@@ -28,7 +28,10 @@ _APART = frozenset(("on", "the", "a", "of", "in", "to", "at", "over", "across", 
 
 _PART = r"(?P<part>walls?|floor(?:ing|boards?|s)?|ceilings?|plaster|wallpaper)"
 _BEFORE = re.compile(rf"(?P<words>(?:[a-z-]+ ){{0,3}}[a-z-]+) {_PART}\b")
-_LINK = r"(?:(?:are|is|be|in|of|all|should|must|have|has|painted|clad|a|an|the|covered|covering|with|made|both|to) )*"
+_LINK = (
+    r"(?:(?:the colou?r of|are|is|be|in|of|all|should|must|have|has|painted|clad|a|an|the|covered|covering|with|made|"
+    r"both|to) )*"
+)
 _AFTER = re.compile(
     rf"\b{_PART}:? {_LINK}(?P<words>(?:[a-z-]+ ){{0,3}}?[a-z-]+)"
     r"(?=\s*(?:[,.;!?\n]|$)| and | with | up | above | below )"
@@ -72,7 +75,9 @@ def _said(match: re.Match[str], source: Source, parsed: Parsed) -> str | None:
     if not words:
         return None
     if part.startswith("floor"):
-        row, used = _floor(words if before else words, before)
+        row, used = _floor(words, before)
+        if row is not None and row["material"] == "tile" and part.startswith("floorboard"):
+            row["material"] = "wood"  # painted boards
         kind = "floor"
     elif part.startswith("ceiling"):
         row, used = _surface(words, before)
