@@ -171,6 +171,15 @@ def color_words() -> tuple[str, ...]:
 
 
 @cache
+def shaded_colors() -> tuple[str, ...]:
+    """Hues of one word with a word for a shade before them: "pale pink"."""
+    data = _colors()
+    hues = [word for word in (*data["basic"], *data["colors"]) if " " not in word and hue(color_named(word))]
+    shades = [word for word, by in data["shades"].items() if by and word != "off"]
+    return tuple(f"{shade_} {word}" for shade_ in shades for word in hues)
+
+
+@cache
 def color_name(color: tuple[float, float, float]) -> str:
     """The basic colour nearest to an sRGB colour, by distance in CIELAB."""
     data = _colors()["basic"]

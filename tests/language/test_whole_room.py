@@ -64,3 +64,38 @@ def test_tiles_up_to_the_ceiling_and_a_dado():
 
 def test_the_colour_of_stuff_is_not_the_rooms():
     assert read_request("a hangar with brown dust at the door").colors == ()
+
+
+def test_stuff_and_metals_that_are_said_of_the_room():
+    assert finish("a workshop with sawdust on the boards", "floor").material == "wood"
+    assert read_request("a bar with three stools, brass everywhere").colors == ("brass",)
+    assert finish("a den, walls half panelled in teak", "panels").color == "teak"
+
+
+def test_what_is_denied_is_no_finish():
+    graph = read_request("a den, no white walls")
+    assert graph.finish_of("walls") is None and [left.words for left in graph.unread] == ["white"]
+
+
+def test_what_a_thing_holds_is_not_its_colour():
+    graph = read_request("a stable with a crate of sand")
+    assert graph.entities[0].color is None and [left.words for left in graph.unread] == ["sand"]
+
+
+@pytest.mark.parametrize(
+    ("text", "color", "material"),
+    [
+        ("a den with a rug with yellow stripes", "yellow", "striped"),
+        ("a den with an armchair in a floral pattern", None, "floral"),
+        ("a den with a pale pink sofa", "pale pink", None),
+        ("a den with a blue tartan sofa", "blue", "tartan"),
+    ],
+)
+def test_prints_and_shades_of_things(text, color, material):
+    one = read_request(text).entities[0]
+    assert (one.color, one.material) == (color, material)
+
+
+def test_things_in_the_order_of_their_colours():
+    (books,) = read_request("a library with twenty books sorted by colour").entities
+    assert books.attributes[-1].value.startswith("each of red, orange, yellow")

@@ -19,6 +19,7 @@ from ..parsed import Parsed
 from ..source import Source
 from .lengths import PLAIN, plain_length
 from .phrases import one_of
+from .surface_words import is_denied
 
 LONGEST = 3
 """Words of a colour or a material at most."""
@@ -55,6 +56,8 @@ def _add(parsed: Parsed, source: Source, match: re.Match[str] | tuple[int, int],
     if part != "furniture" and any(one.part == part for one in parsed.finishes):
         return False
     start, end = match if isinstance(match, tuple) else match.span()
+    if is_denied(source.text[:start]):
+        return False
     span, words = source.span(start, end), source.text[start:end].strip(" ,.")
     parsed.finishes.append(StatedFinish(part=part, words=words, span=span, **said))  # type: ignore[arg-type]
     return True
@@ -210,10 +213,11 @@ def _panels(source: Source, parsed: Parsed) -> None:
     rows = _data()["panelled"]
     for kind in ("half", "whole"):
         wood = rf"(?:(?P<wood>{one_of(list(_wood_names()))})[ -])?"
-        pattern = re.compile(rf"(?:\b(?:with|in) )?\b{wood}{one_of(rows[kind])}\b")
+        after = rf"(?:\s+in\s+(?P<in>{one_of(list(_wood_names()))})\b)?"
+        pattern = re.compile(rf"(?:\b(?:with|in) )?\b{wood}{one_of(rows[kind])}\b{after}")
 
         def take(match: re.Match[str], kind: str = kind) -> str:
-            name = match["wood"]
+            name = match["wood"] or match["in"]
             color = _wood_names()[name] if name else None
             _add(
                 parsed,

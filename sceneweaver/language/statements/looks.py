@@ -172,7 +172,8 @@ def _one_lamp(source: Source, parsed: Parsed) -> None:
         if not match["weak"]:
             return match[0]
         a, b = (at - match.start() for at in match.span("weak"))
-        return match[0][:a] + " " * (b - a) + match[0][b:]  # how weak it is shows in the light of the room
+        lamp = "pendant" if match[0].endswith("bulb") else match[0][b:].strip()  # a bulb alone is a part of a lamp
+        return match[0][:a] + lamp  # how weak it is shows in the light of the room
 
     source.blank(_single_lamp(), take)
     source.blank(_no_other_lamp(), lambda found: add(parsed, source, "one lamp", found) or " ")
@@ -183,7 +184,7 @@ def _single_lamp() -> re.Pattern[str]:
     rows = words("looks")
     lamps, weak = one_of(rows["lamps"]), one_of(rows["weak"])
     one = rf"(?:a\ssingle|a\slone|a\ssolitary|single|one)\s(?P<weak>{weak})"
-    one = rf"(?:(?:only|just)\s(?:one|a|a\ssingle)|(?:the\s)?only|{one})"
+    one = rf"(?:(?:only|just)\s(?:one|a|a\ssingle)|(?:the\s)?only|{one}|one(?=\s(?:light\s)?bulb\b))"
     lit = r"(?:lit|light|lighted|illuminated)\s(?:only\s)?(?:by|from|with)\s(?:just\s)?(?:one|a\s(?:single|lone))"
     each = r"(?!\s(?:per|each|(?:for|at|on|by)\s(?:each|every))\b)"
     return re.compile(rf"\b(?:{one}|{lit})\s(?:[a-z-]+\s){{0,2}}?{lamps}\b{each}")

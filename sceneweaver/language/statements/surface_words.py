@@ -40,9 +40,17 @@ class Look(NamedTuple):
     """Whether it is said to be dark, without a colour."""
 
 
+_DENIED = re.compile(r"\b(?:no|not|without|never|avoid|nor|isn't|aren't)\s+(?:any\s+|a\s+|an\s+|the\s+)?$")
+
+
+def is_denied(before: str) -> bool:
+    """Whether a text ends with a denial of what follows: "no" of "no white walls"."""
+    return _DENIED.search(before[-24:]) is not None
+
+
 def add_finish(parsed: Parsed, source: Source, found: re.Match[str], part: str, **said: Any) -> bool:
     """One more finish; the first that is said of a part counts."""
-    if any(one.part == part for one in parsed.finishes):
+    if any(one.part == part for one in parsed.finishes) or is_denied(source.text[: found.start()]):
         return False
     words = " ".join(found[0].split()).strip(" ,.;:")
     span = source.span(*found.span())
@@ -222,6 +230,7 @@ __all__ = [
     "data",
     "floor_row",
     "hues",
+    "is_denied",
     "look_of",
     "run_of_look",
     "token",

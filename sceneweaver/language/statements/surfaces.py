@@ -28,7 +28,7 @@ from .surface_words import (
     token,
     wall_row,
 )
-from .whole_room import readers_of_all
+from .whole_room import METALS, readers_of_all
 
 LOW, HIGH = 0.3, 3.2
 """Heights [m] between which a band on a wall ends."""
@@ -39,7 +39,7 @@ HALF = 1.2
 
 def read_surfaces(source: Source, parsed: Parsed) -> None:
     """Read bands of walls, several parts in one look, patterns, single walls and doors; their words go out."""
-    if not _compiled(token()).search(source.text):
+    if not _compiled(rf"{token()}|\b(?:{METALS})\b").search(source.text):
         return
     for needed, pattern, read in (*readers_of_all(), *_readers()):
         if any(word in source.text for word in needed):
@@ -216,7 +216,7 @@ def _readers() -> tuple[tuple[tuple[str, ...], str, Reader], ...]:
         r"(?:in )?the colou?r of|a))*\s+"
     )
     end = END
-    floor = r"(?:floor(?:ing|s)?)"
+    floor = r"(?:floor(?:ing|s)?(?:\s+tiles?)?)"
     on_floors = r"(?:mats?|cushions?|lamps?|pillows?|runners?|rugs?|vases?|lights?|poufs?)\b"
     print_ = one_of([word for row in data()["patterns"]["walls"].values() for word in row["words"]])
     walls, floors, doors = ("wall",), ("floor",), ("door",)

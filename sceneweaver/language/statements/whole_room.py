@@ -34,6 +34,7 @@ def _carpet(found: re.Match[str], source: Source, parsed: Parsed) -> str | None:
     """Carpet over all of the floor: what is wall to wall, or named without an article as stuff is."""
     groups = found.groupdict()
     text = " ".join(word for word in (groups.get("look"), groups.get("more")) if word)
+    text = "charcoal" if text == "dark" else text
     look = look_of(text)
     row = floor_row(look._replace(material=None), f"{text} carpet") if text else {"material": "carpet"}
     if row is None or row["material"] != "carpet":
@@ -92,6 +93,8 @@ def _everything(found: re.Match[str], source: Source, parsed: Parsed) -> str | N
     woods = {name for name, one in finishes().items() if one.family == "wood"}
     if not look.colors or look.material or look.pattern or any(color in woods for color in look.colors):
         return None
+    if found[0].startswith("all") and _is_of_things(source.text[: found.start()]):
+        return None
     second = look.colors[1] if len(look.colors) > 1 else None
     if not add_finish(parsed, source, found, "everything", color=look.colors[0], second=second):
         return None
@@ -99,6 +102,32 @@ def _everything(found: re.Match[str], source: Source, parsed: Parsed) -> str | N
     if not what or source.text.count(what.split()[-1]) > 1:
         return " "
     return f". {what}".rjust(len(found[0]))
+
+
+METALS = "chrome|brass|copper|gold|silver|bronze|steel"
+"""Metals that are a room's where they are said to be everywhere."""
+
+
+def _is_of_things(before: str) -> bool:
+    """Whether a comma stands before that sets it behind things: "three chairs, all black"."""
+    listed = re.search(r"([a-z]+)\s*,\s*$", before)
+    if listed is None:
+        return False
+    kinds = vocabulary().get(listed[1], {}).keys()
+    return bool(kinds & {"noun", "plural"}) and "room" not in kinds
+
+
+def _metal(found: re.Match[str], source: Source, parsed: Parsed) -> str:
+    """ "Chrome everywhere": a metal that the room has as a colour."""
+    parsed.colors.append({"chrome": "silver", "steel": "silver"}.get(found["metal"], found["metal"]))
+    parsed.referred.append(source.span(*found.span()))
+    return " "
+
+
+def _trodden(found: re.Match[str], source: Source, parsed: Parsed) -> str | None:
+    """ "Shavings on the boards": what the floor is of is told by what lies on it."""
+    row = floor_row(look_of(found["look"]), found["look"])
+    return "on the floor" if row is not None and add_finish(parsed, source, found, "floor", **row) else None
 
 
 def _all_of_room(found: re.Match[str], source: Source, parsed: Parsed) -> str | None:
@@ -134,7 +163,7 @@ def readers_of_all() -> tuple[tuple[tuple[str, ...], str, Reader], ...]:
     return (
         (
             ("all", "every", "whole", "entire", "lot"),
-            rf"{all_}{clause}all){is_so}(?P<look>{several}){over}(?:{end}|{turns}){but}",
+            rf"{all_}(?:{clause}|(?<=, ))all){is_so}(?P<look>{several}){over}(?:{end}|{turns}){but}",
             _everything,
         ),
         (("everything",), rf"(?P<look>{several})\s+everything\b{but}", _everything),
@@ -164,6 +193,17 @@ def readers_of_all() -> tuple[tuple[tuple[str, ...], str, Reader], ...]:
             rf"{begins}(?P<look>{run})\s+carpet(?:ing)?{end}(?:\s*[.,;]\s*(?P<more>{hues()})(?=\s*(?:$|[.,;!])))?",
             _carpet,
         ),
+        (
+            ("everywhere", "throughout", "all over"),
+            rf"\b(?P<metal>{METALS})\s+(?:everywhere|throughout|all over)\b",
+            _metal,
+        ),
+        (
+            ("on",),
+            r"\bon\s+(?:the|bare)\s+(?P<look>boards|floorboards|concrete|flagstones|lino|linoleum|cobbles|parquet)"
+            rf"{end}",
+            _trodden,
+        ),
         (("dado",), rf"\bdado(?:\s+(?:is|in|of|painted))*\s+(?P<look>{run}){end}", _dado),
         (("dado",), rf"(?P<look>{run})\s+dado\b(?!\s+(?:rail|height|level))", _dado),
         (
@@ -188,4 +228,4 @@ def readers_of_all() -> tuple[tuple[tuple[str, ...], str, Reader], ...]:
     )
 
 
-__all__ = ["readers_of_all"]
+__all__ = ["METALS", "readers_of_all"]
