@@ -248,8 +248,8 @@ def _denied_likeness() -> re.Pattern[str]:
     """A denial, words about looking so, and what the room is not to be like, with nothing that it would be said of."""
     rows = words("looks")
     denial = one_of(rows["denials"])
-    filler = rf"(?:\s+{one_of(rows['likeness'])})*"
-    listed = rf"{_unlike_word()}(?:\s*(?:,|\bor\b|\bnor\b|\band\b)+\s*(?:like\s)?(?:an?\s)?{_unlike_word()})*"
+    filler = rf"(?:\s+{one_of(rows['likeness'])}){{0,10}}"
+    listed = rf"{_unlike_word()}(?:\s*(?:,|\bor\b|\bnor\b|\band\b)*\s*(?:like\s)?(?:an?\s)?{_unlike_word()})*"
     tail = rf"(?P<tail>(?:\s+{one_of(rows['likeness_after'])}){{0,3}})"
     begins = r"(?:\b(?:it|this|that|the\sroom|room|which|he|she|they|we|i)\s)?(?:\b(?:please|pls)\s)?"
     return re.compile(
@@ -263,7 +263,7 @@ def _bare(source: Source, parsed: Parsed) -> None:
     rows: dict[str, str] = words("looks")["bare"]
     before = r"(?:(?:very|quite|all|rather|it is|it's|must be|should be|should feel|feels) )*"
     pattern = re.compile(
-        rf"(?:(?<=^)|(?<=[,.;:!?] )|(?<=[,.;:!?])|(?<= and )|(?<= but ))"
+        rf"(?:(?<=^)|(?<=[,.;:!?] )|(?<=[,.;:!?])|(?<= and )|(?<= but )|(?<= feel )|(?<= feels ))"
         rf"{before}(?P<look>{one_of(list(rows))})(?=\s*(?:[,.;!?]|$)| and )"
     )
 

@@ -11,6 +11,8 @@ from __future__ import annotations
 import re
 from functools import cache
 
+from sceneweaver.assets.materials import finishes
+
 from ..parsed import Parsed
 from ..source import Source
 from .lengths import PLAIN, plain_length
@@ -141,6 +143,8 @@ def _floor(found: re.Match[str], source: Source, parsed: Parsed) -> str | None:
     """A floor in a pattern, or of a stone or in two colours that a pattern has."""
     text = " ".join(word for word in (found.groupdict().get("look"), found.groupdict().get("more")) if word)
     look = look_of(text)
+    if look.pattern is None and len(look.colors) == 2 and "tile" in found[0]:
+        look = look._replace(pattern="checkered")  # black and white tiles are laid in turn
     if look.pattern not in data()["patterns"]["floor"]:
         return None
     row = floor_row(look, text)
@@ -164,7 +168,8 @@ def _clad(found: re.Match[str], source: Source, parsed: Parsed) -> str | None:
     if "more" in groups:  # its paint
         look = look._replace(colors=look_of(found["more"]).colors)
     row = wall_row(look)
-    told = look.material not in (None, "plaster") or look.of == "tiles" or look.pattern is not None
+    wooden = any(color in finishes() and finishes()[color].family == "wood" for color in look.colors)
+    told = look.material not in (None, "plaster") or look.of == "tiles" or look.pattern is not None or wooden
     if row is None or not told or ("more" in groups and not look.colors):
         return None
     if row["material"] == "panels":
