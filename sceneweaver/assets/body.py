@@ -38,6 +38,11 @@ class Material:
         """What it is in whatever colour, the last word of its name: "fabric" of "blue fabric"."""
         return self.name.rpartition(" ")[2]
 
+    @property
+    def printed(self) -> bool:
+        """Whether its texture has a print in colours of its own."""
+        return "#" in self.texture
+
     def darker(self, than: float) -> bool:
         """Whether the largest channel of its colour is below a value in 0..1."""
         return max(self.color) < than

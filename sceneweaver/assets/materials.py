@@ -13,6 +13,7 @@ from sceneweaver.scene import InputError
 
 from .body import Material
 from .category import read_yaml
+from .textures.patterns.two_colors import colors_of, mean_of, name_of
 
 STYLES = ("modern", "scandinavian", "industrial", "classic", "rustic")
 
@@ -37,7 +38,10 @@ def finishes() -> dict[str, Finish]:
     for name, row in data["materials"].items():
         row = dict(row)
         family, styles, asked = row.pop("family"), tuple(row.pop("styles", STYLES)), row.pop("asked", False)
-        material = Material(name=name, color=rgb(row.pop("color")), **row)
+        color = rgb(row.pop("color"))
+        if (second := row.pop("second", None)) is not None:
+            row["texture"], color = _print(row["texture"], color, rgb(second))
+        material = Material(name=name, color=color, **row)
         found[name] = Finish(material, family, styles, family in data["tints"], asked)
     return found
 
@@ -86,6 +90,13 @@ def material_words() -> dict[str, tuple[str, ...]]:
 
 
 @cache
+def print_words() -> tuple[str, ...]:
+    """Every word for cloth with a print."""
+    prints = {name for name, one in finishes().items() if colors_of(one.material.texture) is not None}
+    return tuple(word for word, means in material_words().items() if means and means[0] in prints)
+
+
+@cache
 def finishes_named(text: str) -> tuple[Finish, ...]:
     """The finishes that some words mean, the closest first; none when they name no material."""
     words = _plain(text)
@@ -104,8 +115,22 @@ def alike(family: str) -> frozenset[str]:
 
 
 def tinted(material: Material, color: str) -> Material:
-    """The material in a named colour."""
-    return replace(material, name=f"{color} {material.name.rpartition(' ')[2]}", color=shade(color))
+    """The material in a named colour; of a print it is the ground that has it."""
+    name, made = f"{color} {material.name.rpartition(' ')[2]}", shade(color)
+    if (said := colors_of(material.texture)) is None:
+        return replace(material, name=name, color=made)
+    kind, _, second = said
+    if color_name(second) == color_named(color):  # white stripes on white
+        second = said[1]
+    texture, mean = _print(kind, made, second)
+    return replace(material, name=name, color=mean, texture=texture)
+
+
+def _print(
+    kind: str, first: tuple[float, float, float], second: tuple[float, float, float]
+) -> tuple[str, tuple[float, float, float]]:
+    """Texture and colour of a material that is printed in two colours, sRGB in 0..1."""
+    return name_of(kind, first, second), mean_of(kind, first, second)
 
 
 def color_named(text: str) -> str:
@@ -143,6 +168,15 @@ def color_words() -> tuple[str, ...]:
     data = _colors()
     grey = [word.replace("grey", "gray") for word in (*data["basic"], *data["colors"]) if "grey" in word]
     return (*data["basic"], *data["colors"], *grey, *(w for w in data["aliases"] if w not in ("wood", "wooden")))
+
+
+@cache
+def shaded_colors() -> tuple[str, ...]:
+    """Hues of one word with a word for a shade before them: "pale pink"."""
+    data = _colors()
+    hues = [word for word in (*data["basic"], *data["colors"]) if " " not in word and hue(color_named(word))]
+    shades = [word for word, by in data["shades"].items() if by and word != "off"]
+    return tuple(f"{shade_} {word}" for shade_ in shades for word in hues)
 
 
 @cache

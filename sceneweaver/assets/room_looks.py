@@ -10,7 +10,7 @@ from sceneweaver.scene.finish import WallPattern
 
 from .body import Material
 from .materials import finishes, shade
-from .textures.patterns.two_colors import Color, mean_of, name_of
+from .textures.patterns.two_colors import PRINTS, Color, mean_of, name_of
 
 FLOORS = ("wood", "tile", "carpet", "concrete", "stone")
 
@@ -85,13 +85,20 @@ def _floor(floor: FloorFinish) -> Material:
     """The material of a floor."""
     look = _FLOOR_LOOKS[floor.material]
     if floor.pattern is not None and floor.pattern != "checkered":
-        look = replace(look, texture=floor.pattern)
+        look = replace(look, texture=_LAID.get(floor.pattern, floor.pattern))
     if floor.tone is not None:
         look = replace(look, name=f"{floor.tone} floor", color=_floor_color(floor.tone))
     if floor.pattern == "checkered":
         first, second = _shade(floor.tone or "black", "floor.tone"), _shade(floor.second or "white", "floor.second")
         look = _two_colored(replace(look, roughness=0.3), "checkered", first, second)
+    elif floor.pattern in (*PRINTS, "stripes"):
+        first, second = _shade(floor.tone or "navy", "floor.tone"), _shade(floor.second or "cream", "floor.second")
+        look = _two_colored(look, floor.pattern, first, second)
     return look
+
+
+_LAID = {"earth": "soil", "pebbles": "rubble", "smooth": "plastic"}
+"""Textures of floors that go by another name."""
 
 
 def _accent(accent: WallAccent) -> Material:
@@ -121,7 +128,7 @@ def _patterned(made: Material, color: str, pattern: WallPattern | None, second: 
 
 
 def _two_colored(made: Material, pattern: str, first: Color, second: Color) -> Material:
-    return replace(made, color=mean_of(first, second), texture=name_of(pattern, first, second))
+    return replace(made, color=mean_of(pattern, first, second), texture=name_of(pattern, first, second))
 
 
 def wall_look(room: Room, wall: int) -> Material:

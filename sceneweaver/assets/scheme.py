@@ -21,6 +21,10 @@ DYED = ("paint", "plastic", "pastel", "ceramic", "fabric", "leather")
 """Families of which what has a hue is dyed in one of the palette."""
 
 
+PAINTED = ("wood", "woven", "cloth", "cardboard")
+"""Families of which what is there is painted where everything is in one colour."""
+
+
 @dataclass(frozen=True)
 class Scheme:
     """The finishes of a palette; make it with `scheme`."""
@@ -35,6 +39,11 @@ class Scheme:
     """Finishes, families of them and basic colours of which nothing is; "seating:black" holds for seats alone."""
     plain: bool = False
     """Whether a thing has looks of its own, of which only what is avoided goes."""
+
+    @property
+    def painted(self) -> bool:
+        """Whether everything is in the colours of the room, as far as it can be painted or dyed."""
+        return self.woods[0].family == "paint"
 
     def replaced(self, options: Sequence[Finish], large: bool) -> list[Material]:
         """What some finishes become, one for each, of like families beside each other.
@@ -60,6 +69,12 @@ class Scheme:
         choice = len(options) > 1
         if self._avoids(one):
             return self._instead(one)
+        if self.painted and one.family == "metal":
+            return self.metals[0].material
+        if self.painted and one.family in (*DYED, *PAINTED):
+            if one.family in ("wood", "paint", *PAINTED):
+                return self.woods[0 if large else k % len(self.woods)].material
+            return tinted(one.material, self.textiles[0 if large else k % len(self.textiles)])
         if self.plain:
             return one.material
         if one.family == "wood":
@@ -124,9 +139,9 @@ def scheme(code: str) -> Scheme:
         woods, paints, metals = (tuple(paint(name) for name in group) for group in groups[:3])
     except KeyError as error:
         raise InputError(f"palette: {error} is no finish; see assets/materials.yaml") from None
-    # Furniture may be of concrete or steel in the place of wood.
+    # Furniture may be of concrete or steel in the place of wood, or painted where all of a room is in one colour.
     families = (
-        (("wood", "stone", "metal"), woods),
+        (("wood", "stone", "metal", "paint"), woods),
         (("paint",), paints),
         (("metal",), metals),
     )
@@ -146,7 +161,7 @@ def scheme_for(category: str, code: str | None) -> Scheme | None:
     whole, names = scheme(code), {category, *groups_above(category)}
     avoid = frozenset(what for entry in whole.avoid for of, _, what in [entry.rpartition(":")] if not of or of in names)
     plain = category in own_look()
-    if plain and not avoid:
+    if plain and not avoid and not whole.painted:
         return None
     return replace(_cleaned(whole, avoid), avoid=avoid, plain=plain)
 

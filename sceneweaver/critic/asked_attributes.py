@@ -31,7 +31,7 @@ from .asked_roles import AS, serves_as
 from .asked_states import measured_state
 from .grade import Call
 from .shape_measures import plan_shape
-from .verdict import Asked, counted, met, not_understood, unmet
+from .verdict import Asked, counted, met, not_understood, partly, unmet
 
 _BE = re.compile(r"^(?:(?:is|are|was|were|has been|have been)\s)+")
 """How words about a state may begin."""
@@ -136,9 +136,16 @@ def _varied(attribute: Attribute, item: str, bodies: Sequence[Body], colors: Seq
     good, least = len(there & wanted), min(len(wanted), len(bodies))
     ids, number = [b.id for b in bodies], counted("different colours", good, least, len(wanted))
     words = attribute.words or attribute.value
+    if good >= least and _IN_ORDER.search(words):
+        reason = f"'{words}': {', '.join(sorted(there))}; their order is not measured"
+        return partly("attribute", item, ids, reason, number)
     if good >= least:
         return met("attribute", item, ids, f"'{words}': {', '.join(sorted(there))}", number)
     return unmet("attribute", item, ids, f"'{words}': only {', '.join(sorted(there))}", number, fault="wrong_color")
+
+
+_IN_ORDER = re.compile(r"sorted|arranged|ordered|graded|organi[sz]ed|(?:a|in) rainbow")
+"""Words after which things of several colours are in an order as well."""
 
 
 def _test(attribute: Attribute, asked: Entity, windows: Sequence[Window]) -> _Test | None:

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from sceneweaver.assets.materials import color_name, color_named, finishes, paint
 from sceneweaver.assets.roles import groups_above
+from sceneweaver.assets.room_looks import room_looks
 from sceneweaver.assets.taxonomy import members
 from sceneweaver.knowledge.looks import Look, joined, looks
 from sceneweaver.knowledge.since import is_too_young, since
@@ -95,6 +96,8 @@ def _checks(survey: Survey, said: StatedLook, row: Look, whole: Look) -> Iterato
         banned = {name for word in row.never for name in (word, *members(word))} - set(whole.things)
         odd = [b for b in survey.bodies if b.item.category in banned and not _is_asked(survey, b)]
         yield _Check(not odd, f"{len(odd)} things are no part of it", None, tuple(b.id for b in odd))
+    if row.floors:
+        yield _stands_out(survey)
     yield from _light(survey, said, row)
 
 
@@ -118,6 +121,9 @@ def _light(survey: Survey, said: StatedLook, row: Look) -> Iterator[_Check]:
         yield _Check(
             seen and have.outside == want.outside, f"outside is {have.outside}" if seen else "there is no window"
         )
+    if row.only == "named":
+        lamps = [b for b in survey.bodies if _is_lamp(b.item.category) and not _is_asked(survey, b)]
+        yield _Check(not lamps, f"{len(lamps)} lamps are there that nobody named", None, tuple(b.id for b in lamps))
     if row.only == "flame":
         lamps = [b for b in survey.bodies if _is_lamp(b.item.category)]
         electric = [b for b in lamps if since().get(b.item.category, 0) >= ELECTRIC]
@@ -160,6 +166,20 @@ def _time(survey: Survey, year: int) -> Asked:
 
 
 # ---- what is seen ----------------------------------------------------------------------------------------------------
+
+
+def _stands_out(survey: Survey) -> _Check:
+    """How far the floor is from the walls, in percent of the light that they reflect."""
+    looks_ = room_looks(survey.scene.room)
+    wall, floor = (reflected(material.color) for material in (looks_.wall, looks_.floor))
+    told, least = f"walls reflect {wall:.0f} % of light, the floor {floor:.0f} %", LIMITS["contrast"]
+    return _Check(abs(wall - floor) >= least, told, ("contrast of walls and floor", abs(wall - floor), least))
+
+
+def reflected(color: tuple[float, float, float]) -> float:
+    """The light reflectance value [%] of an sRGB colour in 0..1."""
+    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in color]
+    return 100.0 * sum(share * c for share, c in zip((0.2126, 0.7152, 0.0722), linear, strict=True))
 
 
 def _in_palette(survey: Survey, look: Look) -> _Check:
@@ -292,6 +312,8 @@ def _part(survey: Survey, said: StatedFinish) -> tuple[bool, str]:
             return placed and of and _alike(accent.color, said.color or accent.color), shown
         case "furniture":
             return _of_wood(survey.bodies, said.color or "")
+        case "everything":
+            return _all_of_it(survey, said)
 
 
 def _as_high(is_: float, said: StatedFinish, ceiling: float) -> bool:
@@ -310,6 +332,22 @@ def _of_wood(bodies: Sequence[Body], wood: str) -> tuple[bool, str]:
     there = [str(b.item.attributes.get("material")) for b in bodies if b.item.attributes.get("material") in woods]
     good = sum(name == wood for name in there)
     return bool(there) and 2 * good >= len(there), f"{good} of {len(there)} wooden things are {wood}"
+
+
+def _all_of_it(survey: Survey, said: StatedFinish) -> tuple[bool, str]:
+    """Whether nearly all that is seen is in one colour, or in two, but for what has one of its own by the request."""
+    wanted = {basic(color) for color in (said.color, said.second) if color}
+    own = {e.id for e in survey.brief.entities if e.color or e.material}
+    parts = {one.color for one in survey.brief.finishes if one is not said}
+    good, whole = 0.0, 0.0
+    for area, color, material, name in seen(survey):
+        if survey.program.asked_of.get(name) in own or (not name and color in parts):
+            continue
+        whole += area
+        good += area * bool({basic(color), basic(material)} & wanted)
+    share, least = good / whole if whole else 1.0, fault_kind("wrong_room_finish").limits["everything"]
+    names = " and ".join(filter(None, (said.color, said.second)))
+    return share >= least, f"{share:.0%} of what is seen is {names}"
 
 
 def _alike(is_: str, want: str) -> bool:

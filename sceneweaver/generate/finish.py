@@ -41,14 +41,14 @@ def finished(room: Room, room_type: RoomType, palette: Palette, seed: int, brief
     walls, every = _walls(said("walls"), look, palette), tuple(wall.index for wall in room.walls)
     usual = room_type.tiles if said("panels") is None and walls["walls_of"] in ("plaster", "paper") else None
     usual = usual if said("lower") is None else None
-    tiles = _tiles(said("tiled"), usual, palette, room)
+    tiles, whole = _tiles(said("tiled"), usual, palette, room), said("everything")
     finish = RoomFinish(
         **walls,
         floor=_floor(said("floor"), look, palette, room_type, seed, _woods(brief)),
         accent=_accent(brief, look, palette, room, room_type, seed, every, tiles is not None),
         tiles=tiles,
-        ceiling=_ceiling(said("ceiling"), said("beams"), look),
-        trim=look.trim,
+        ceiling=_ceiling(said("ceiling") or whole, said("beams"), look),
+        trim=look.trim if whole is None else whole.color,
         doors=doors.color if (doors := said("doors")) is not None else None,
         electric=is_electric(brief),
     )

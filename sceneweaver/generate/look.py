@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from sceneweaver.assets import categories
-from sceneweaver.assets.roles import groups_above
+from sceneweaver.assets.roles import groups_above, with_role
 from sceneweaver.assets.taxonomy import category_named, members
 from sceneweaver.knowledge import Item, Place, RoomType
 from sceneweaver.knowledge.looks import Look, joined, looks
@@ -47,8 +47,14 @@ def absent_kinds(brief: SceneGraph) -> frozenset[str]:
     """The categories that the look has nothing of by itself."""
     year, look = brief.year, look_of(brief)
     found = set(out_of_time(year)) if year is not None else set[str]()
+    if (every := brief.finish_of("everything")) is not None and "green" not in f"{every.color} {every.second}":
+        found |= set(members("plant_group"))  # they cannot be dyed
+    if (floor := brief.finish_of("floor")) is not None and floor.material == "carpet" and floor.pattern is not None:
+        found |= with_role("rug")  # the carpet is to be seen
     if look is not None:
         found |= {name for word in look.never for name in (word, *members(word))} - set(look.things)
+        if look.only == "named":
+            found |= set(members("lighting")) - {one.category for one in brief.entities}
         if look.only == "flame":
             found |= {name for name, first in since().items() if first >= ELECTRIC and _is_lamp(name)}
     return frozenset(found)

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 
 from sceneweaver.assets.roles import has_role
 from sceneweaver.knowledge.palettes import Palette as RoomPalette
-from sceneweaver.knowledge.palettes import palette_for, unnamed
+from sceneweaver.knowledge.palettes import in_colors, palette_for, unnamed
 from sceneweaver.language import Grounded, SceneGraph
 from sceneweaver.scene import CATALOGUE, Intent, Palette, Pose, Relation, Room, Scene, SceneObject
 from sceneweaver.scene.palette import MOST_COLORS
@@ -129,7 +129,9 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
     unwanted = avoided(brief)
     look = palette_for(room.name, style, brief.colors, seed, wanted, of_room(unwanted))
     woods = [said.color for said in brief.finishes if said.part == "furniture" and said.color]
-    if woods:
+    if (every := brief.finish_of("everything")) is not None:
+        look = in_colors(look, [color for color in (every.color, every.second) if color])
+    elif woods:
         look = look.model_copy(update={"woods": tuple(woods[:2])})
     avoid = (*(wanted.avoid if wanted is not None else ()), *unnamed(brief.colors), *unwanted)
     palette = kept(look, style, seed, tuple(dict.fromkeys(avoid)))

@@ -91,12 +91,14 @@ class Look(FrozenModel):
     name: str
     kind: LookKind
     words: tuple[str, ...] = ()
+    unlike: tuple[str, ...] = Field(default=(), description="Words that mean it where they are denied")
     years: Years | None = Field(default=None, description="First and last year of a time")
     style: str | None = Field(default=None, description="Style of drawings, one of `assets.materials.STYLES`")
     walls: WallLook | None = None
     accent: AccentLook | None = None
     panels: PanelLook | None = None
     floor: FloorLook | None = None
+    floors: Mapping[FloorMaterial, str] = Field(default={}, description="Tones of the floor, whatever it is of")
     ceiling: CeilingLook | None = None
     trim: str | None = Field(default=None, description="Colour or wood of skirting, frames and doors")
     woods: Annotated[tuple[str, ...], Field(max_length=2, description="Of furniture; a stone may take its place")] = ()
@@ -105,7 +107,10 @@ class Look(FrozenModel):
     textiles: Annotated[tuple[str, ...], Field(max_length=3)] = ()
     avoid: tuple[str, ...] = Field(default=(), description="Finishes and families of which nothing is")
     light: LightLook = LightLook()
-    only: Literal["flame"] | None = Field(default=None, description="The only lamps there are")
+    only: Literal["flame", "named"] | None = Field(
+        default=None, description="The only lamps there are: what burns, or those that the request names"
+    )
+    windows: int | None = Field(default=None, description="How many there are then, where none are spoken of")
     worn: bool = False
     lacks: str = Field(default="", description="What belongs to it and is not drawn")
     things: tuple[str, ...] = Field(default=(), description="Things that carry it, what carries it most first")
@@ -130,6 +135,12 @@ def looks() -> Mapping[str, Look]:
             found[name] = Look(name=name, kind=kind, **row)
     check_known("looks", (c for look in found.values() for c in look.things), categories())
     return MappingProxyType(found)
+
+
+@cache
+def unlike_words() -> Mapping[str, str]:
+    """Every word that means a row where it is denied, with the name of that."""
+    return MappingProxyType({word: look.name for look in looks().values() for word in look.unlike})
 
 
 @cache
@@ -158,7 +169,9 @@ def joined(rows: Iterable[Look]) -> Look:
     names, never, avoid, carriers = [], [], [], []
     for look in sorted(rows, key=lambda look: order.index(look.kind)):
         names.append(look.name)
-        said = look.model_dump(exclude_defaults=True, exclude={"name", "kind", "words", "light", "lacks", *_LISTS})
+        said = look.model_dump(
+            exclude_defaults=True, exclude={"name", "kind", "words", "unlike", "light", "lacks", *_LISTS}
+        )
         found |= {key: getattr(look, key) for key in said if key not in ("walls",)}
         if look.walls is not None:
             found["walls"] = _walls(found.get("walls"), look.walls)

@@ -27,6 +27,9 @@ FALLBACK = "home"
 PALE = 0.72
 """Lightness (HLS) from which on a colour that a request names is painted on the walls; darker ones are accents."""
 
+DARK = 0.25
+"""Lightness below which metal in a room of one colour is black."""
+
 HUES = 3
 """Colours of textiles in a room at most."""
 
@@ -145,8 +148,28 @@ def dressed(palette: Palette, look: Look) -> Palette:
         update["walls"] = look.walls.color
     if look.accent is not None:
         update["accent"] = look.accent.color
+    if look.floors:
+        update["floors"] = {**palette.floors, **look.floors}
     if look.floor is not None and look.floor.tone is not None:
         update["floors"] = {**palette.floors, look.floor.material: look.floor.tone}
+    return palette.model_copy(update=update)
+
+
+def in_colors(palette: Palette, colors: Sequence[str]) -> Palette:
+    """The palette of a room in which everything is of one colour, or of two."""
+    first, last = colors[0], colors[-1]
+    light = sum(shade(first)) / 3
+    metal = "white steel" if light > PALE else "black steel" if light < DARK else "brushed steel"
+    paints = tuple(dict.fromkeys(f"{color} paint" for color in colors[:2]))
+    update: dict[str, object] = {
+        "walls": first,
+        "accent": last,
+        "floors": dict.fromkeys(palette.floors, first),
+        "woods": paints,
+        "paints": paints,
+        "metals": (metal,),
+        "textiles": tuple(colors[:HUES]),
+    }
     return palette.model_copy(update=update)
 
 

@@ -151,6 +151,11 @@ def _adjective(state: State, chunk: Chunk) -> None:
         phrase.sides = None
     if last:
         give_length(last[0], phrase)
+    before = state.source.text[: chunk.start].rstrip()
+    stuff = bool(phrase.qualities) and all(t.has("color") and not t.has("material") for t in phrase.qualities)
+    if who and stuff and before.endswith(" of"):
+        state.leave_unread(chunk.text, chunk.start, chunk.end)
+        return  # a crate of sand holds it, and has no colour of it
     for mention in who:
         plain = NounPhrase("thing", "", phrase.start, phrase.end, qualities=phrase.qualities)
         describe(mention, plain, state.source)

@@ -345,13 +345,15 @@ class Amount(FrozenModel):
 
 class StatedFinish(FrozenModel):
     """What a part of the room is finished in. Of walls in two colours the lower one is ``lower``, a band of tiles
-    ``tiled``."""
+    ``tiled``; ``everything`` is all that is there, but for what has a colour of its own."""
 
     id: str = ""
-    part: Literal["walls", "accent", "lower", "tiled", "panels", "floor", "ceiling", "beams", "doors", "furniture"]
+    part: Literal[
+        "walls", "accent", "lower", "tiled", "panels", "floor", "ceiling", "beams", "doors", "furniture", "everything"
+    ]
     material: str | None = Field(default=None, description="As `scene.RoomFinish` names it")
     color: str | None = Field(default=None, description="A colour, or a finish of wood")
-    second: str | None = Field(default=None, description="The other colour of checks or stripes")
+    second: str | None = Field(default=None, description="The other colour, of checks, stripes or everything")
     pattern: str | None = Field(default=None, description="As `scene.FloorFinish` and `scene.RoomFinish` name it")
     high: float | None = Field(default=None, description="Up to which height [m]")
     where: Literal["any", "left", "right", "far", "near", "long", "short"] = Field(

@@ -330,6 +330,7 @@ def matter_phrase(state: State, phrase: NounPhrase, chunk: Chunk) -> None:
     """What is no object and no mood: a way, a step, an event. Other readers may know it; here it is not understood."""
     state.leave_unread(state.source.text[phrase.start : phrase.end], phrase.start, phrase.end)
     phrase.count = None
+    phrase.qualities = [word for word in phrase.qualities if not word.has("color")]  # red dust makes no red room
     abstract_phrase(state, phrase, chunk)
 
 

@@ -9,7 +9,7 @@ from itertools import product
 from typing import Any
 
 from sceneweaver.assets import categories, resolve
-from sceneweaver.assets.materials import color_words, finishes
+from sceneweaver.assets.materials import color_words, finishes, print_words, shaded_colors
 from sceneweaver.assets.taxonomy import category_named, phrases
 from sceneweaver.io import packaged
 from sceneweaver.knowledge.load import read_yaml, room_words
@@ -128,6 +128,10 @@ def vocabulary() -> dict[str, dict[str, Any]]:
             put(phrase, "finish", phrase)
     for phrase in color_words():
         put(phrase, "color", phrase)
+    for phrase in shaded_colors():
+        put(phrase, "color", phrase)
+    for phrase in print_words():
+        put(phrase, "material", phrase)
     for phrase, name in room_words().items():
         put(phrase, "room", name)
     for phrase, name in phrases().items():

@@ -31,6 +31,16 @@ FloorPattern = Literal[
     "brick",
     "rubber",
     "shaggy",
+    "earth",
+    "cork",
+    "pebbles",
+    "smooth",
+    "tartan",
+    "leopard",
+    "zebra",
+    "floral",
+    "dotted",
+    "stripes",
 ]
 WallPattern = Literal[
     "stripes", "dots", "damask", "botanical", "checkered", "wall tiles", "metro tiles", "hexagon tiles", "square tiles"

@@ -57,6 +57,20 @@ def test_furniture_of_a_room_has_one_finish_and_rooms_differ():
     assert looks == {"walnut", "white paint"}
 
 
+def test_in_a_room_of_one_colour_all_is_painted_or_dyed():
+    white = PALETTE.model_copy(update={"woods": ("white paint",), "metals": ("white steel",), "textiles": ("white",)})
+    for category in ("dining_table", "sofa", "vase"):
+        made = Library().choose(category, 1, Wish(style="modern", palette=white.code))[0]
+        assert made.attributes["color"] == "white", category
+
+
+def test_prints_are_seen_and_have_the_colour_that_is_named():
+    rug = drawn("rug", material="leopard", seed=1)
+    assert {m.printed for m in rug.mesh.materials if m.name == "leopard"} == {True}
+    sofa = drawn("sofa", material="striped", color="green", seed=1)
+    assert any(m.printed and m.name == "green striped" for m in sofa.mesh.materials)
+
+
 def test_what_is_asked_wins():
     assert drawn("sofa", color="green", seed=1).attributes["color"] == "green"
     assert "oak" in drawn("dining_table", material="oak", seed=1).attributes["material"]

@@ -12,6 +12,7 @@ from sceneweaver.assets import Material, Mesh
 from sceneweaver.assets.materials import finishes
 from sceneweaver.assets.room_looks import FLOORS, room_looks
 from sceneweaver.assets.textures import found, kind_of, library, maps, patterns, uv_of
+from sceneweaver.assets.textures.patterns.two_colors import PRINTS, mean_of, name_of
 from sceneweaver.assets.textures.relief import developed, to_linear
 from sceneweaver.geometry.prisms import prism_mesh
 from sceneweaver.scene import InputError, Room
@@ -29,10 +30,11 @@ def folder(tmp_path, monkeypatch):
     library._of_folder.cache_clear()
 
 
-@pytest.mark.parametrize("name", patterns())
+@pytest.mark.parametrize("name", [*patterns(), *(name_of(kind, (0.8, 0.6, 0.4), (0.1, 0.1, 0.1)) for kind in PRINTS)])
 def test_patterns_repeat_without_a_seam_and_keep_the_colour(name):
     """Drawn small: over the border neighbours differ no more than inside; tint times gain has the mean 1."""
-    pattern = patterns()[name]
+    pattern = found(name)
+    assert pattern is not None
     made = developed(pattern.draw(128), pattern.size)
     tint = to_linear(made.tint / 255.0) * made.gain
     assert np.abs(tint.mean(axis=(0, 1)) - 1).max() < 0.02
@@ -44,6 +46,17 @@ def test_patterns_repeat_without_a_seam_and_keep_the_colour(name):
         for turned in (image, image.T):
             rows = np.abs(np.diff(turned, axis=0)).mean(axis=1)
             assert np.abs(turned[0] - turned[-1]).mean() <= 1.5 * rows.max() + 0.01
+
+
+@pytest.mark.parametrize("kind", PRINTS)
+def test_prints_show_their_ground_in_its_colour(kind):
+    """On a material of the mean colour the commonest pixels have one of the two colours."""
+    first, second = (0.8, 0.6, 0.4), (0.1, 0.1, 0.1)
+    pattern = found(name_of(kind, first, second))
+    assert pattern is not None
+    made = developed(pattern.draw(128), pattern.size)
+    shown = to_linear(made.tint / 255.0) * made.gain * to_linear(np.array(mean_of(kind, first, second)))
+    assert np.abs(shown.max(axis=(0, 1)) - to_linear(np.array(first))).max() < 0.15
 
 
 def test_every_finish_and_floor_names_a_pattern_of_the_library():

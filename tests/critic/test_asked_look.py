@@ -63,3 +63,26 @@ def test_only_flames() -> None:
     night = RoomLight(level="dim", kelvin=1900, daylight="night")
     assert statuses(text, OLD, night, "candle_wheel", "candle", "candlestick")["room.look-0"] == "met"
     assert statuses(text, OLD, night, "candle", "floor_lamp")["room.look-0"] != "met"
+
+
+def test_only_the_lamp_that_is_named() -> None:
+    text = "a living room with one dim floor lamp"
+    dusk = RoomLight(level="dim", kelvin=2500, daylight="dusk")
+    assert statuses(text, OLD, dusk, "floor_lamp")["room.look-0"] == "met"
+    assert statuses(text, OLD, dusk, "floor_lamp", "table_lamp")["room.look-0"] != "met"
+
+
+def test_contrast_is_measured() -> None:
+    text = "a living room with clear contrast"
+    light = RoomLight(level="bright")
+    pale = RoomFinish(walls="ivory", floor=FloorFinish(material="tile", tone="white"))
+    dark = RoomFinish(walls="ivory", floor=FloorFinish(material="tile", tone="dark grey"))
+    assert statuses(text, pale, light)["room.look-0"] != "met"
+    assert statuses(text, dark, light)["room.look-0"] == "met"
+
+
+def test_everything_in_a_colour_is_measured() -> None:
+    text = "a living room, everything white"
+    white = RoomFinish(walls="white", floor=FloorFinish(material="tile", tone="white"))
+    assert statuses(text, white, None)["room.finish-0"] == "met"
+    assert statuses(text, NEW, None)["room.finish-0"] == "unmet"

@@ -47,8 +47,41 @@ def test_words_of_the_room_and_of_one_thing() -> None:
 
 
 def test_what_is_not_wanted_is_no_look() -> None:
-    assert names("a clinic that is not gloomy") == []
+    assert names("a clinic that is not gloomy") == ["not gloomy"]
     assert names("an office, nothing modern") == []
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("a ward kitchen that must not look like a hospital", "not clinical"),
+        ("a cellar bar, nothing creepy about it", "not scary"),
+        ("a lobby, it shouldn't feel too corporate", "not corporate"),
+        ("a dining room without any posh look", "not flashy"),
+    ],
+)
+def test_what_a_room_is_not_to_be_like_is_its_look(text: str, name: str) -> None:
+    assert name in names(text)
+
+
+def test_a_place_that_is_not_there_is_no_look() -> None:
+    assert names("a bedroom, no office") == [] and names("a bedroom without a hospital bed") == []
+
+
+def test_no_lamps_but_the_one_that_is_named() -> None:
+    assert names("a bedroom with one dim lamp on the desk") == ["one lamp"]
+    assert names("a bedroom with one lamp on the desk") == []
+    graph = read_request("a wine cellar, no daylight at all")
+    assert [said.name for said in graph.looks] == ["no daylight"] and graph.windows == 0
+
+
+def test_contrast_is_a_look() -> None:
+    assert names("a toilet with strong contrast between floor and walls") == ["contrast"]
+
+
+def test_two_colours_of_a_thing_are_not_the_rooms() -> None:
+    assert names("a den with a black and white photo") == []
+    assert names("a den, black and white") == ["monochrome"]
 
 
 def test_light_is_read_and_goes_out_of_the_things() -> None:

@@ -353,7 +353,7 @@ UNREAD: list[tuple[str, str]] = [
     ("a chair that can roll and a desk", "can roll"),
     ("a bench where you can take off your shoes", "you can take off your shoes"),
     ("a den with a path to the door", "a path"),
-    ("a playroom, bright but not gaudy", "not gaudy"),
+    ("a playroom, bright but not brash", "not brash"),
 ]
 
 LONG = """I'd like a cosy Scandinavian bedroom for a teenage girl, roughly 4 m by 3.5 m with a 2.6 m ceiling. There

@@ -113,6 +113,11 @@ class Watched(Material):
         """As of the finish."""
         return self.trace.ask(self.number, "kind")
 
+    @property
+    def printed(self) -> bool:
+        """As of the finish."""
+        return self.trace.ask(self.number, "printed")
+
     def darker(self, than: float) -> bool:
         """As of the finish."""
         return self.trace.ask(self.number, "darker", than)

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from functools import cache
 from typing import Any
 
-from sceneweaver.assets.materials import color_words
+from sceneweaver.assets.materials import color_words, print_words
 from sceneweaver.assets.roles import groups_above
 
 from ..model import Attribute, AttributeKind
@@ -36,7 +36,7 @@ def read_appearances(source: Source, parsed: Parsed) -> None:
     for found in list(_varied().finditer(source.text)):
         _vary(source, parsed, edits, found)
     shared, behind, trailing, part = _patterns()
-    for pattern, read in ((shared, _shared), (part, _part), (behind, _whole), (trailing, _whole)):
+    for pattern, read in ((_printed(), _print), (shared, _shared), (part, _part), (behind, _whole), (trailing, _whole)):
         for found in list(pattern.finditer(source.text)):
             if edits.free(*found.span()):
                 _add(source, parsed, edits, found, list(read(found)))
@@ -65,7 +65,34 @@ def _varied() -> re.Pattern[str]:
     mixed = rf"(?:(?:are|is|come|all)\s)*(?:in|of)\s(?:all\s)?(?:{many})\s{color}"
     bow = rf"(?:in\s)?(?:(?:the\s)?rainbow\s{color}|(?:all\s)?(?:the\s)?{color}\sof\sthe\srainbow)"
     some = rf"in\s(?P<list>{hue}(?:\s*,\s*{hue}){{1,6}}\s*,?\s+and\s+{hue})"
-    return re.compile(rf"(?:,\s*)?\b(?:{each}|{mixed}|{bow}|{some})\b{_ENDS}")
+    sorted_ = (
+        rf"(?:sorted|arranged|ordered|graded|grouped|organi[sz]ed|lined\sup|shelved)"
+        rf"\s(?:by|according\sto|in\sorder\sof)\s(?:their\s)?{color}|(?:sorted\s|arranged\s|ordered\s)?(?:like|as|in)\sa\srainbow|in\srainbow\sorder|"
+        rf"{color}\s(?:sorted|coded)"
+    )
+    ends = rf"(?:{_ENDS}|(?=\s(?:because|cause|so|as|for|to)\b))"
+    return re.compile(
+        rf"(?:,\s*)?\b(?:{each}|{mixed}|{bow}|{sorted_}|{some}(?:\s(?:mixed|jumbled|alternating))?)\b{ends}"
+    )
+
+
+@cache
+def _printed() -> re.Pattern[str]:
+    """ "With red stripes", "in a floral pattern"."""
+    rows, colors = words("states"), one_of(list(color_words()))
+    known, nouns, kinds = one_of(rows["prints"]), one_of(rows["printed"]), one_of(print_words())
+    big = r"(?:(?:big|large|small|little|tiny|bold|wide|broad|narrow|thin|all\sover)\s)?"
+    return re.compile(
+        rf"(?:,\s*)?\b(?:with|in|has|have|having)\s(?:an?\s|the\s)?{big}(?:(?P<look>{colors})\s)?"
+        rf"(?:(?P<print>{known})|(?P<kind>{kinds})\s{nouns})\b(?:\son\s(?:it|them))?{_ENDS}"
+    )
+
+
+def _print(found: re.Match[str]) -> Iterator[dict[str, Any]]:
+    if found["look"]:
+        yield {"kind": "color", "value": found["look"], "words": found["look"]}
+    said = found["print"] or found["kind"]
+    yield {"kind": "material", "value": words("states")["prints"].get(said, said), "words": said}
 
 
 def _add(source: Source, parsed: Parsed, edits: Edits, found: re.Match[str], said: list[dict[str, Any]]) -> None:

@@ -19,6 +19,7 @@ from ..parsed import Parsed
 from ..source import Source
 from .lengths import PLAIN, plain_length
 from .phrases import one_of
+from .surface_words import is_denied
 
 LONGEST = 3
 """Words of a colour or a material at most."""
@@ -28,7 +29,10 @@ _APART = frozenset(("on", "the", "a", "of", "in", "to", "at", "over", "across", 
 
 _PART = r"(?P<part>walls?|floor(?:ing|boards?|s)?|ceilings?|plaster|wallpaper)"
 _BEFORE = re.compile(rf"(?P<words>(?:[a-z-]+ ){{0,3}}[a-z-]+) {_PART}\b")
-_LINK = r"(?:(?:are|is|be|in|of|all|should|must|have|has|painted|clad|a|an|the|covered|covering|with|made|both|to) )*"
+_LINK = (
+    r"(?:(?:the colou?r of|are|is|be|in|of|all|should|must|have|has|painted|clad|a|an|the|covered|covering|with|made|"
+    r"both|to) )*"
+)
 _AFTER = re.compile(
     rf"\b{_PART}:? {_LINK}(?P<words>(?:[a-z-]+ ){{0,3}}?[a-z-]+)"
     r"(?=\s*(?:[,.;!?\n]|$)| and | with | up | above | below )"
@@ -52,6 +56,8 @@ def _add(parsed: Parsed, source: Source, match: re.Match[str] | tuple[int, int],
     if part != "furniture" and any(one.part == part for one in parsed.finishes):
         return False
     start, end = match if isinstance(match, tuple) else match.span()
+    if is_denied(source.text[:start]):
+        return False
     span, words = source.span(start, end), source.text[start:end].strip(" ,.")
     parsed.finishes.append(StatedFinish(part=part, words=words, span=span, **said))  # type: ignore[arg-type]
     return True
@@ -72,7 +78,9 @@ def _said(match: re.Match[str], source: Source, parsed: Parsed) -> str | None:
     if not words:
         return None
     if part.startswith("floor"):
-        row, used = _floor(words if before else words, before)
+        row, used = _floor(words, before)
+        if row is not None and row["material"] == "tile" and part.startswith("floorboard"):
+            row["material"] = "wood"  # painted boards
         kind = "floor"
     elif part.startswith("ceiling"):
         row, used = _surface(words, before)
@@ -207,10 +215,11 @@ def _panels(source: Source, parsed: Parsed) -> None:
     rows = _data()["panelled"]
     for kind in ("half", "whole"):
         wood = rf"(?:(?P<wood>{one_of(list(_wood_names()))})[ -])?"
-        pattern = re.compile(rf"(?:\b(?:with|in) )?\b{wood}{one_of(rows[kind])}\b")
+        after = rf"(?:\s+in\s+(?P<in>{one_of(list(_wood_names()))})\b)?"
+        pattern = re.compile(rf"(?:\b(?:with|in) )?\b{wood}{one_of(rows[kind])}\b{after}")
 
         def take(match: re.Match[str], kind: str = kind) -> str:
-            name = match["wood"]
+            name = match["wood"] or match["in"]
             color = _wood_names()[name] if name else None
             _add(
                 parsed,

@@ -12,7 +12,7 @@ from functools import cache
 
 from sceneweaver.assets.materials import color_named, color_words
 from sceneweaver.assets.materials import hue as hue_of
-from sceneweaver.knowledge.looks import Years, look_words, looks, time_of
+from sceneweaver.knowledge.looks import Years, look_words, looks, time_of, unlike_words
 
 from ..model import StatedLook, StatedOpening
 from ..parsed import Parsed
@@ -38,8 +38,11 @@ def read_looks(source: Source, parsed: Parsed) -> None:
     _sun_side(source, parsed)
     latest = _limit(source, parsed)
     _years(source, parsed)
+    _unlike(source, parsed)
+    _contrast(source, parsed)
     _glow(source, parsed)
     _flames(source, parsed)
+    _one_lamp(source, parsed)
     for pattern, named in _patterns():
 
         def take(match: re.Match[str], named: bool = named) -> str | None:
@@ -47,6 +50,8 @@ def read_looks(source: Source, parsed: Parsed) -> None:
             if _is_denied(source.text, match.start("look")) or _is_of_thing(source.text, match, named):
                 return None
             add(parsed, source, name, match)
+            if (windows := looks()[name].windows) is not None and not _has_windows(parsed):
+                parsed.openings["window"] = windows
             inside = _INSIDE.search(source.text[: match.start("look")])
             return None if _names_more(match["look"]) and not (inside and _is_place(match["look"])) else " "
 
@@ -157,12 +162,108 @@ def _is_thing_too(spoken: str) -> bool:
     return spoken.split()[-1] in words("looks")["burning_things"]
 
 
+def _one_lamp(source: Source, parsed: Parsed) -> None:
+    """ "A single bare bulb", "one dim lamp", "no other lights": no lamps but those that are named."""
+
+    def take(match: re.Match[str]) -> str | None:
+        if _is_denied(source.text, match.start()):
+            return None
+        add(parsed, source, "one lamp", match)
+        if not match["weak"]:
+            return match[0]
+        a, b = (at - match.start() for at in match.span("weak"))
+        lamp = "pendant" if match[0].endswith("bulb") else match[0][b:].strip()  # a bulb alone is a part of a lamp
+        return match[0][:a] + lamp  # how weak it is shows in the light of the room
+
+    source.blank(_single_lamp(), take)
+    source.blank(_no_other_lamp(), lambda found: add(parsed, source, "one lamp", found) or " ")
+
+
+@cache
+def _single_lamp() -> re.Pattern[str]:
+    rows = words("looks")
+    lamps, weak = one_of(rows["lamps"]), one_of(rows["weak"])
+    one = rf"(?:a\ssingle|a\slone|a\ssolitary|single|one)\s(?P<weak>{weak})"
+    one = rf"(?:(?:only|just)\s(?:one|a|a\ssingle)|(?:the\s)?only|{one}|one(?=\s(?:light\s)?bulb\b))"
+    lit = r"(?:lit|light|lighted|illuminated)\s(?:only\s)?(?:by|from|with)\s(?:just\s)?(?:one|a\s(?:single|lone))"
+    each = r"(?!\s(?:per|each|(?:for|at|on|by)\s(?:each|every))\b)"
+    return re.compile(rf"\b(?:{one}|{lit})\s(?:[a-z-]+\s){{0,2}}?{lamps}\b{each}")
+
+
+@cache
+def _no_other_lamp() -> re.Pattern[str]:
+    lamps = one_of(words("looks")["lamps"])
+    return re.compile(
+        rf"\b(?:and\s)?(?:no|without(?:\sany)?)\s(?:other|further|more|additional)\s(?:[a-z]+\s)?{lamps}s?\b"
+    )
+
+
+def _has_windows(parsed: Parsed) -> bool:
+    return "window" in parsed.openings or any(one.part == "window" for one in parsed.stated_openings)
+
+
+def _contrast(source: Source, parsed: Parsed) -> None:
+    """ "Strong contrast between floor and walls": parts of the room stand out from each other."""
+    strong = one_of(words("looks")["strong"])
+    parts = (
+        r"(?:\s(?:the|all|its|their|every)|\s(?:walls?|floors?|fittings|doors?|edges?|surfaces|frames?|and|,|from|to))*"
+    )
+    pattern = re.compile(
+        rf"\b(?:{strong}\s)*contrasts?(?:\s(?:of|in)\s(?:colou?rs?|tone))?"
+        rf"(?:\s(?:between|of|at|on|along|for|around){parts})?"
+        rf"(?=\s*(?:[a-z]|[,.;:!?)]|$))"
+    )
+
+    def take(match: re.Match[str]) -> str | None:
+        if _is_denied(source.text, match.start()):
+            return None
+        add(parsed, source, "contrast", match)
+        return " "
+
+    source.blank(pattern, take)
+
+
+def _unlike(source: Source, parsed: Parsed) -> None:
+    """ "Must not look like a hospital", "nothing clinical about it": the look of a room that is unlike it."""
+
+    def take(match: re.Match[str]) -> str | None:
+        if match["no"] and not match["tail"]:
+            return None  # "no office" is no room, "no office feel" no look
+        rows = dict.fromkeys(unlike_words()[_plain(word)] for word in re.findall(_unlike_word(), match["listed"]))
+        span = source.span(*match.span())
+        for name in rows:
+            parsed.room_looks.append(StatedLook(name=name, words=match[0].strip(" ,."), span=span))
+        return " "
+
+    source.blank(_denied_likeness(), take)
+
+
+@cache
+def _unlike_word() -> str:
+    return rf"(?<![\w-]){one_of(unlike_words())}(?![\w-])"
+
+
+@cache
+def _denied_likeness() -> re.Pattern[str]:
+    """A denial, words about looking so, and what the room is not to be like, with nothing that it would be said of."""
+    rows = words("looks")
+    denial = one_of(rows["denials"])
+    filler = rf"(?:\s+{one_of(rows['likeness'])}){{0,10}}"
+    listed = rf"{_unlike_word()}(?:\s*(?:,|\bor\b|\bnor\b|\band\b)*\s*(?:like\s)?(?:an?\s)?{_unlike_word()})*"
+    tail = rf"(?P<tail>(?:\s+{one_of(rows['likeness_after'])}){{0,3}})"
+    begins = r"(?:\b(?:it|this|that|the\sroom|room|which|he|she|they|we|i)\s)?(?:\b(?:please|pls)\s)?"
+    return re.compile(
+        rf"{begins}\b(?:(?P<no>no|without|nor)|{denial}){filler}\s+(?P<listed>{listed}){tail}"
+        r"(?=\s*(?:$|[.,;:!?)\n-]|(?:and|but|please|for|as|because|though|so|just|or|in|at|with)\b))"
+    )
+
+
 def _bare(source: Source, parsed: Parsed) -> None:
     """Words that are a look where they are all of a clause: "dark, only the fire burns"."""
     rows: dict[str, str] = words("looks")["bare"]
     before = r"(?:(?:very|quite|all|rather|it is|it's|must be|should be|should feel|feels) )*"
     pattern = re.compile(
-        rf"(?:(?<=^)|(?<=[,.;:!?] )|(?<=[,.;:!?])|(?<= and )|(?<= but ))"
+        rf"(?:(?<=^)|(?<=[,.;:!?] )|(?<=[,.;:!?])|(?<= and )|(?<= but )|(?<= feel )|(?<= feels ))"
         rf"{before}(?P<look>{one_of(list(rows))})(?=\s*(?:[,.;!?]|$)| and )"
     )
 
@@ -303,7 +404,7 @@ def _is_of_thing(text: str, match: re.Match[str], named: bool) -> bool:
     """
     row = looks()[look_words()[_plain(match["look"])]]
     if row.kind in ("light", "scheme"):
-        return _light_of_thing(text, match)
+        return _light_of_thing(text, match, row.kind == "scheme")
     at, spoken = match.end(), list[str]()
     before = re.search(r"\b(?:a|an|the|two|three|four|my|our|its|some|\d+) (?:[a-z-]+ ){0,2}$", text[: match.start()])
     for _ in range(5):
@@ -325,10 +426,15 @@ def _all_of_it(text: str, match: re.Match[str]) -> bool:
     return bool(re.match(rf"[ -]+(?:[a-z]+ )?{one_of(words('looks')['all'])}\b", text[match.end() :]))
 
 
-def _light_of_thing(text: str, match: re.Match[str]) -> bool:
-    """ "Neon sign", "warm light oak": the word is a part of a thing's name."""
+def _light_of_thing(text: str, match: re.Match[str], scheme: bool) -> bool:
+    """ "Neon sign", "warm light oak", "a black and white photo": the word is a part of a thing's name."""
     following = _NEXT.match(text, match.end())
-    return following is not None and following[1] in words("looks")["lit_things"]
+    if following is None:
+        return False
+    kinds = vocabulary().get(following[1], {})
+    scheme = scheme and set(re.findall(r"[a-z]+", match["look"])) <= {*color_words(), "and"}
+    of_thing = scheme and "noun" in kinds and "room" not in kinds and not _all_of_it(text, match)
+    return of_thing or following[1] in words("looks")["lit_things"]
 
 
 def _noun_kinds(spoken: list[str]) -> Iterator[str]:

@@ -100,6 +100,8 @@ def rug(d: Drawing) -> None:
         with d.mirror("y"), d.no_colliders():
             for tassel in box.left(fringe).bottom(0.6 * h).split("x", int(box.depth / 0.025), gap=0.017):
                 d.box(tassel, "white fabric", bevel=0.0)
+    if field.printed:
+        return
     patterns = ["border", "stripes", "diamonds", "medallion", "checks", "zigzag", "arcs"]
     _pattern(d, cloth, d.pick("pattern", patterns), (field, second, third))
 
@@ -116,11 +118,11 @@ def round_rug(d: Drawing) -> None:
     d.add(ground, field, [shapes.frustum(r, r, (0.0, h), 48)])
     a = np.arange(48) * (math.pi / 24)
     circle = r * np.c_[np.cos(a), np.sin(a)]
-    if d.chance("rays", 0.35):
+    if d.chance("rays", 0.35) and not field.printed:
         for k in range(0, 48, 3):
             _inlay(d, [0.3 * circle[k + 1], 0.86 * circle[k], 0.86 * circle[k + 1]], 1, second)
         rings = 0
-    for k in range(rings):
+    for k in range(0 if field.printed else rings):
         top = _ground(h) + (h - _ground(h)) * (k + 1) / (rings + 1)
         share = 1.0 - (k + 0.4) / rings
         d.add(shapes.extrusion(share * circle, (0.4 * h, top)), field if k % 2 else second, [])
