@@ -34,6 +34,7 @@ FULL = ("full of", "filled with")
 """Words before a list of what something holds."""
 
 _WORD = re.compile(r"[a-z]+")
+_AFTER_HEAD = re.compile(r" (?:of|on|in|over|from|with|hung|hanging) ")
 
 MOST_WITHIN = 4
 """Things of which a vessel counts as full."""
@@ -57,7 +58,7 @@ def told_by_carriers(parsed: Parsed, mentions: list[Mention]) -> None:
     for mention in mentions:
         if is_board(mention):
             mention.count = (1, 1)
-        elif mention.plural and (each := _shown(mention)):
+        elif each := _shown(mention):
             low, high = mention.count or (1, 1)
             mention.count = (1, 1) if low < high else (math.ceil(low / each), math.ceil(high / each))
 
@@ -76,8 +77,8 @@ def is_board(mention: Mention) -> bool:
 def _shown(mention: Mention) -> int:
     """How many of what a plural names one body shows: eight gowns on a rail; 0 where each has a body of its own."""
     known = categories().get(mention.category)
-    words = mention.noun.split()
-    return max((n for word, n in known.several.items() if word in words), default=0) if known else 0
+    head = _AFTER_HEAD.split(mention.noun)[0].split()[-1:]
+    return known.several.get(head[0], 0) if known and head else 0
 
 
 def _listed(parsed: Parsed) -> None:

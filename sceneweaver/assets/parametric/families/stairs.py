@@ -34,9 +34,7 @@ def spiral_staircase(d: Drawing) -> None:
                 d.hull([(x, y, z) for x, y in plan for z in (-0.04, 0.0)], wood)
                 d.bar((0.94 * r, 0.0, 0.0), (0.94 * r, 0.0, guard), 0.009, metal, 6)
         turns = np.linspace(0.0, (count - 2) * turn, 4 * (count - 2) + 1)
-        rail = np.c_[
-            0.94 * r * np.cos(turns), 0.94 * r * np.sin(turns), step + guard + turns / turn * step - 0.02
-        ]
+        rail = np.c_[0.94 * r * np.cos(turns), 0.94 * r * np.sin(turns), step + guard + turns / turn * step - 0.02]
         d.sweep(rail, 0.02, metal, 8)
     with d.part("landing"), d.at(z=count * step, yaw=(count - 1) * turn):
         wide = 1.5 * turn
