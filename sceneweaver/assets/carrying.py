@@ -102,6 +102,11 @@ def body_within(category: str) -> str | None:
     return _file()["within"].get(category)
 
 
+def on_wall(category: str) -> str:
+    """The category that a thing is where it hangs on a wall: what stands is drawn across the room, not along it."""
+    return _file()["on_wall"].get(category, category)
+
+
 def is_hook(surface: str) -> bool:
     """Whether what is on a surface of this name hangs."""
     return surface.startswith(HOOK)
@@ -172,5 +177,6 @@ __all__ = [
     "hung_words",
     "is_hook",
     "kind_for",
+    "on_wall",
     "vessel_body",
 ]

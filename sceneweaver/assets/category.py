@@ -74,6 +74,9 @@ class Category(FrozenModel):
         default=(), description="Other things of about its size and form: its body stands for them, under their names"
     )
     plural: str | None = Field(default=None, description="Plural where it is not regular")
+    several: dict[str, int] = Field(
+        default={}, description="Plural words for what one body shows several of, and how many of them: gowns on a rail"
+    )
     usual: str | None = Field(
         default=None, description="Of a group: the member that is meant when nothing else is said"
     )

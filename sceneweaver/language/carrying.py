@@ -6,9 +6,11 @@ top.
 
 from __future__ import annotations
 
+import math
 import re
 
-from sceneweaver.assets.carrying import carrier, draped_words, hangs_from, hung_words, kind_for
+from sceneweaver.assets import categories
+from sceneweaver.assets.carrying import carrier, draped_words, hangs_from, hung_words, kind_for, on_wall
 from sceneweaver.assets.roles import has_role
 
 from .parsed import Mention, Parsed, Said
@@ -32,6 +34,7 @@ FULL = ("full of", "filled with")
 """Words before a list of what something holds."""
 
 _WORD = re.compile(r"[a-z]+")
+_AFTER_HEAD = re.compile(r" (?:of|on|in|over|from|with|hung|hanging) ")
 
 MOST_WITHIN = 4
 """Things of which a vessel counts as full."""
@@ -48,9 +51,16 @@ def told_by_carriers(parsed: Parsed, mentions: list[Mention]) -> None:
     own = {m for one in parsed.said if not one.implied and one.type in ("on", "inside") for m in one.subjects}
     hung = [one for one in parsed.said if one.type in CARRYING and _of_things(one)]
     parsed.said = [piece for one in parsed.said for piece in (_split(one, own) if one in hung else [one])]
+    for one in parsed.said:
+        if one.type == "hanging_from" and any(isinstance(t, str) and t.split(":")[0] == "wall" for t in one.targets):
+            for mention in one.subjects:
+                mention.category = on_wall(mention.category)
     for mention in mentions:
         if is_board(mention):
             mention.count = (1, 1)
+        elif each := _shown(mention):
+            low, high = mention.count or (1, 1)
+            mention.count = (1, 1) if low < high else (math.ceil(low / each), math.ceil(high / each))
 
 
 def is_vessel(mention: Mention) -> bool:
@@ -62,6 +72,13 @@ def is_board(mention: Mention) -> bool:
     """Whether a plural names one board of several: a row of hooks."""
     open_ = mention.count is None or mention.count[0] < mention.count[1]
     return mention.category == ROW_OF and mention.plural and open_
+
+
+def _shown(mention: Mention) -> int:
+    """How many of what a plural names one body shows: eight gowns on a rail; 0 where each has a body of its own."""
+    known = categories().get(mention.category)
+    head = _AFTER_HEAD.split(mention.noun)[0].split()[-1:]
+    return known.several.get(head[0], 0) if known and head else 0
 
 
 def _listed(parsed: Parsed) -> None:

@@ -98,6 +98,13 @@ def test_every_word_of_the_taxonomy_resolves_to_its_owner() -> None:
             assert resolve(word).body == name, word
 
 
+def test_what_one_body_shows_several_of_is_a_word_for_it() -> None:
+    for name, category in categories().items():
+        words = {word for phrase in (category.words, *category.synonyms) for word in phrase.split()}
+        assert all({word, singular(word)} & words for word in category.several), name
+        assert all(n > 1 for n in category.several.values()), name
+
+
 def test_where_things_stand() -> None:
     """The likelier, the lower; what is said of a kind goes for its compounds."""
     assert likeliness("monitor", "desk") == likeliness("monitor", "standing_desk") == 0

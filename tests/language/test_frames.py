@@ -30,7 +30,7 @@ PLACED = [
     ("A safe in the back left corner", ("safe", "at", "corner:far+left")),
     ("Two armchairs look out over the lake", ("armchair", "facing", "window")),
     ("A desk that looks out of the window", ("desk", "facing", "window")),
-    ("A bicycle hanging on the wall", ("bicycle", "hanging_from", "wall")),
+    ("A bicycle hanging on the wall", ("wall_bicycle", "hanging_from", "wall")),
     ("A basket undr the table", ("basket", "below", "dining_table")),
     ("Two chairs at the table", ("chair", "at", "dining_table")),
     ("A bedroom with a bed and a tapestry, a chest at the foot end", ("chest", "at_foot", "bed")),

@@ -249,7 +249,7 @@ def test_unknown_words_are_listed(text: str, word: str) -> None:
     assert word in " ".join(word.words for word in read_request(text).unread)
 
 
-@pytest.mark.parametrize(("text", "noun"), [("a study with a desk and a periscope", "periscope")])
+@pytest.mark.parametrize(("text", "noun"), [("a study with a desk and a theremin", "theremin")])
 def test_an_unknown_thing_is_a_labelled_body(text: str, noun: str) -> None:
     graph = read_request(text)
     (found,) = (e for e in graph.entities if e.noun == noun)

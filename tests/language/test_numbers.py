@@ -26,6 +26,9 @@ COUNTS = [
     ("a dining room with a rack + 2 benches", "bench", (2, 2)),
     ("Twelve items: cups, plates and forks.", "fork", (4, 4)),
     ("A hall with a bench, five hooks above it.", "coat_hooks", (5, 5)),
+    ("A fort with cannonballs and a cannon.", "cannonball_stack", (1, 1)),
+    ("A boathouse with six kayaks.", "boat_rack", (2, 2)),
+    ("A tailor's with a rail of ball gowns.", "gown_rail", (1, 1)),
 ]
 
 

@@ -73,10 +73,28 @@ def pegboard(d: Drawing) -> None:
 
 @draws("bicycle", whole=True)
 def bicycle(d: Drawing) -> None:
-    """Two spoked wheels, a diamond frame, saddle, handlebar, cranks and chain, on its stand."""
+    """A bicycle on its stand."""
+    _bicycle(d, *d.size, stand=True)
+
+
+@draws("wall_bicycle", whole=True)
+def wall_bicycle(d: Drawing) -> None:
+    """A bicycle along a wall, whose top tube lies in the arms of a hanger."""
+    wood, (deep, w, h) = d.material("hanger", "oak, walnut, black steel"), d.size
+    back = d.bounds.x[0]
+    with d.at(yaw=-math.pi / 2):
+        _bicycle(d, w, deep, h, stand=False)
+    d.box(Box((back, back + 0.03), (-0.16, 0.16), (0.6 * h, 0.78 * h)), wood, 0.006)
+    with d.mirror("y"):
+        d.bar((back + 0.02, 0.12, 0.72 * h), (0.05, 0.12, 0.72 * h), 0.014, "black steel", 8)
+        d.bar((0.05, 0.12, 0.72 * h), (0.05, 0.12, 0.77 * h), 0.014, "black steel", 8)
+
+
+def _bicycle(d: Drawing, deep: float, w: float, h: float, stand: bool) -> None:
+    """Two spoked wheels, a diamond frame, saddle, handlebar, cranks and chain, of a length, width and height [m]."""
     tones = "red paint, blue paint, black paint, teal paint, yellow paint, white paint, green paint"
     paint = d.material("frame", tones)
-    (deep, w, h), r, metal, dark = d.size, 0.34, "aluminium", "black steel"
+    r, metal, dark = 0.34, "aluminium", "black steel"
     rear, front = r - deep / 2, deep / 2 - r
     with d.along((rear, 0.0, r), (front, 0.0, r), 2):
         for size, thick, look in ((0.642, 0.019, "rubber"), (0.6, 0.008, metal)):
@@ -104,7 +122,8 @@ def bicycle(d: Drawing) -> None:
         bar = [(-0.19, 0.0, 0.85 * h), (-0.2, 0.0, h - 0.03), (-0.12, 0.0, h - 0.03), (-0.14, w / 2 - 0.12, h - 0.015)]
         d.sweep([(front + x, y, z) for x, y, z in [*bar, (-0.22, w / 2 - 0.008, h - 0.015)]], 0.012, metal, 8)
         d.bar((front - 0.16, w / 2 - 0.1, h - 0.016), (front - 0.225, w / 2, h - 0.016), 0.016, "rubber")
-        d.bar((crank[0] - 0.06, 0.03, 0.27), (crank[0] - 0.08, 0.3 * w, 0.013), 0.008, dark, 6)
+        if stand:
+            d.bar((crank[0] - 0.06, 0.03, 0.27), (crank[0] - 0.08, 0.3 * w, 0.013), 0.008, dark, 6)
     d.cylinder(Box.around(crank, 0.036, 0.13, 0.036), metal, "y", segments=10)
     d.cylinder(Box.around((crank[0], -0.05, crank[2]), 0.18, 0.004, 0.18), dark, "y")
     d.cylinder(Box.around((rear, -0.05, r), 0.08, 0.012, 0.08), dark, "y", segments=14)
