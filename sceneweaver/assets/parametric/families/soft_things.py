@@ -239,8 +239,8 @@ def gown(d: Drawing) -> None:
     d.fit()
 
 
-@draws("wig", whole=True)
-def wig(d: Drawing) -> None:
+@draws("wig_head", whole=True)
+def wig_head(d: Drawing) -> None:
     """A wig with long locks on a plain head and a foot."""
     box = d.bounds
     hair = d.material("hair", "mustard fabric, chocolate, bark, black fabric, rust fabric, pink plastic, icing, copper")
