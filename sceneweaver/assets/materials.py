@@ -230,10 +230,19 @@ def rgb(text: str) -> tuple[float, float, float]:
     return r, g, b
 
 
+def reflectance(color: tuple[float, float, float]) -> float:
+    """The share of light that an sRGB colour in 0..1 reflects: its luminance Y (IEC 61966-2-1)."""
+    return float(_xyz(np.array([color]))[0, 1])
+
+
+def _xyz(color: np.ndarray) -> np.ndarray:
+    """CIE XYZ (D65) of sRGB colours [N, 3]."""
+    linear = np.where(color <= 0.04045, color / 12.92, ((color + 0.055) / 1.055) ** 2.4)
+    return linear @ np.array([[0.4124, 0.2126, 0.0193], [0.3576, 0.7152, 0.1192], [0.1805, 0.0722, 0.9505]])
+
+
 def _lab(color: np.ndarray) -> np.ndarray:
     """CIELAB (D65) of sRGB colours [N, 3]."""
-    linear = np.where(color <= 0.04045, color / 12.92, ((color + 0.055) / 1.055) ** 2.4)
-    xyz = linear @ np.array([[0.4124, 0.2126, 0.0193], [0.3576, 0.7152, 0.1192], [0.1805, 0.0722, 0.9505]])
-    xyz = xyz / np.array([0.9505, 1.0, 1.089])
+    xyz = _xyz(color) / np.array([0.9505, 1.0, 1.089])
     f = np.where(xyz > 0.008856, np.cbrt(xyz), 7.787 * xyz + 16 / 116)
     return np.stack([116 * f[:, 1] - 16, 500 * (f[:, 0] - f[:, 1]), 200 * (f[:, 1] - f[:, 2])], axis=1)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from sceneweaver.assets.materials import color_name, color_named, finishes, paint
+from sceneweaver.assets.materials import color_name, color_named, finishes, paint, reflectance
 from sceneweaver.assets.roles import groups_above
 from sceneweaver.assets.room_looks import room_looks
 from sceneweaver.assets.taxonomy import members
@@ -171,15 +171,9 @@ def _time(survey: Survey, year: int) -> Asked:
 def _stands_out(survey: Survey) -> _Check:
     """How far the floor is from the walls, in percent of the light that they reflect."""
     looks_ = room_looks(survey.scene.room)
-    wall, floor = (reflected(material.color) for material in (looks_.wall, looks_.floor))
+    wall, floor = (100.0 * reflectance(material.color) for material in (looks_.wall, looks_.floor))
     told, least = f"walls reflect {wall:.0f} % of light, the floor {floor:.0f} %", LIMITS["contrast"]
     return _Check(abs(wall - floor) >= least, told, ("contrast of walls and floor", abs(wall - floor), least))
-
-
-def reflected(color: tuple[float, float, float]) -> float:
-    """The light reflectance value [%] of an sRGB colour in 0..1."""
-    linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in color]
-    return 100.0 * sum(share * c for share, c in zip((0.2126, 0.7152, 0.0722), linear, strict=True))
 
 
 def _in_palette(survey: Survey, look: Look) -> _Check:

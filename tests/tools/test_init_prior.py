@@ -192,7 +192,7 @@ def test_nothing_hangs_over_what_was_asked_for_before_a_window(prior):
 
 
 def test_a_pile_of_alike_things_may_lean_a_little_over_its_edge(prior):
-    scene, _ = prior("a living room with a basket filled with four rolled blankets")
+    scene, _ = prior("a living room with a basket filled with four blankets")
     carriers = [(o, scene.object(o.support.object)) for o in scene.objects if o.support is not None]
     piles = [below for one, below in carriers if one.category == below.category]
     assert piles
