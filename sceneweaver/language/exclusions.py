@@ -124,11 +124,6 @@ def excluded(state: State, phrase: NounPhrase, chunk: Chunk) -> bool:
         state.glue = "start"
         thing_phrase(state, phrase, chunk)
         return True
-    if _length_next(state):
-        end = state.chunks[state.at + 1].end
-        state.leave_unread(f"{state.negation} {state.source.text[phrase.start : end]}", phrase.start, end)
-        state.at, state.negated, state.glue = state.at + 2, "", ""
-        return True  # "no shelf above 140 cm" is not "no shelf"
     if phrase.what == "place" and _somewhere_next(state):
         _no_opening_there(state, phrase)
         return True
@@ -144,14 +139,6 @@ def excluded(state: State, phrase: NounPhrase, chunk: Chunk) -> bool:
         state.negated = "article" if phrase.determiner in ("a", "an") else "list"
     state.glue = ""
     return True
-
-
-def _length_next(state: State) -> bool:
-    """Whether the next words compare with a length: "above 140 cm", "over 2 m"."""
-    place, length = state.chunk(state.at), state.chunk(state.at + 1)
-    if place is None or place.kind != "place" or length is None or length.kind not in ("adjective", "noun"):
-        return False
-    return length.value.length is not None or (length.kind == "noun" and length.value.what == "number")
 
 
 def _no_opening_there(state: State, phrase: NounPhrase) -> None:
