@@ -515,8 +515,6 @@ def _placed(m: re.Match[str], number: int, fields: dict[str, Any]) -> bool:
     """Takes one place: a wall by its length or side, the wall across from another opening, or a corner."""
     side, more = m["side"], m["more"]
     what = m["what"] or ("end" if more == "end" else "")
-    if side == "end" and re.search(r"\b(?:each|both|either)\b", m[0]):
-        side = "ends"
     if m["middle"]:
         fields.setdefault("at", "middle")
     if what == "corner":
