@@ -29,6 +29,8 @@ if TYPE_CHECKING:
     from sceneweaver.layout import Solution as Solution
     from sceneweaver.layout import compile as compile
     from sceneweaver.layout import improve as improve
+    from sceneweaver.learning import LearnedWeights as LearnedWeights
+    from sceneweaver.learning import learn_weights as learn_weights
     from sceneweaver.render import draw_top as draw_top
     from sceneweaver.repairs import Repair as Repair
     from sceneweaver.repairs import repair as repair
@@ -54,6 +56,7 @@ __all__ = [
     "EditSession",
     "Fault",
     "InputError",
+    "LearnedWeights",
     "MissingDependencyError",
     "ObjectHandle",
     "Pose",
@@ -81,6 +84,7 @@ __all__ = [
     "design",
     "draw_top",
     "improve",
+    "learn_weights",
     "refine",
     "refine_many",
     "repair",
@@ -96,6 +100,7 @@ _HOME = {
     "EditSession": "editing",
     "Fault": "critic",
     "InputError": "scene",
+    "LearnedWeights": "learning",
     "MissingDependencyError": "scene",
     "ObjectHandle": "building",
     "Pose": "scene",
@@ -122,6 +127,7 @@ _HOME = {
     "design": "agent",
     "draw_top": "render",
     "improve": "layout",
+    "learn_weights": "learning",
     "refine": "explain",
     "refine_many": "explain",
     "repair": "repairs",

@@ -39,6 +39,7 @@ from . import (
     throughput,
     tight,
     variety,
+    weights,
 )
 
 Family = Callable[[Settings, Judge], Result]
@@ -57,6 +58,7 @@ FAMILIES: Mapping[str, Family] = MappingProxyType(
         "live": live.run,
         "tight": tight.run,
         "soft_rows": soft_rows.run,
+        "weights": weights.run,
         "projection": projection.run,
         "design": design.run,
         "critic": critic.run,
