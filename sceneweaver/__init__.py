@@ -7,6 +7,8 @@ from importlib import import_module as _import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from sceneweaver import datasets as datasets
+    from sceneweaver import problems as problems
     from sceneweaver.agent import Result as Result
     from sceneweaver.agent import design as design
     from sceneweaver.building import ObjectHandle as ObjectHandle
@@ -141,8 +143,8 @@ _HOME = {
 def __getattr__(name: str) -> object:
     if name == "__version__":
         value: object = _import_module(f"{__name__}.runtime.package").package_version()
-    elif name == "problems":  # a module of its own, as `sceneweaver.jax` is
-        value = _import_module(f"{__name__}.problems")
+    elif name in ("datasets", "problems"):  # modules of their own, as `sceneweaver.jax` is
+        value = _import_module(f"{__name__}.{name}")
     elif name in _HOME:
         value = getattr(_import_module(f"{__name__}.{_HOME[name]}"), name)
     else:
