@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from sceneweaver.extend import check_gradient as check_gradient
     from sceneweaver.extend import define_relation as define_relation
     from sceneweaver.extend import define_term as define_term
+    from sceneweaver.extend import residual_cost as residual_cost
     from sceneweaver.extend import undefine_relation as undefine_relation
     from sceneweaver.extend import undefine_term as undefine_term
     from sceneweaver.layout import Problem as Problem
@@ -91,6 +92,7 @@ __all__ = [
     "refine_many",
     "repair",
     "repair_report",
+    "residual_cost",
     "undefine_check",
     "undefine_relation",
     "undefine_term",
@@ -134,6 +136,7 @@ _HOME = {
     "refine_many": "explain",
     "repair": "repairs",
     "repair_report": "repairs",
+    "residual_cost": "extend",
     "undefine_check": "critic",
     "undefine_relation": "extend",
     "undefine_term": "extend",
