@@ -35,7 +35,7 @@ def define_relation(
     Residual and predicate are tried first, at the same sample poses and sizes and with the defaults of the params: the
     residual has to be finite everywhere, also of two things at one pose, smooth, to have a gradient where something is
     missing, in metres by its scale, and to lead to poses at which it holds; the predicate has to say the same, also
-    close to the edge, with other params and under other ids. What an evaluation costs is logged at the level INFO by the
+    close to the edge, with other params and under other ids. What an evaluation costs is logged at level INFO by the
     logger ``sceneweaver.extend``, where someone listens; `residual_cost` measures it.
 
     Args:

@@ -50,8 +50,8 @@ def check_jumps(label: str, values: Values, at: Samples, value: np.ndarray, slop
     if jumps.mean() > JUMPS:
         k = int(np.flatnonzero(jumps)[0])
         raise InputError(
-            f"{label}: the residual jumps: {STRIDE * 100:g} cm change it by {change[k]:.3g} at {at.words(k)}, where its "
-            f"slope says {STRIDE * steepest[k]:.2g}, and so at {jumps.mean():.0%} of the sample poses; make it "
+            f"{label}: the residual jumps: {STRIDE * 100:g} cm change it by {change[k]:.3g} at {at.words(k)}, where "
+            f"its slope says {STRIDE * steepest[k]:.2g}, and so at {jumps.mean():.0%} of the sample poses; make it "
             "continuous"
         )
 
