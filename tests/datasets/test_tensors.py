@@ -10,6 +10,7 @@ from sceneweaver.datasets import Folder, Limits, Vocabulary, collate, tensors
 from sceneweaver.datasets.arrays import view as views
 from sceneweaver.datasets.files import pack
 from tests.datasets.small import KINDS, make_small, small_scene
+from tests.test_repository import ROOT, code_blocks
 
 SCENES = [small_scene(k) for k in range(5)]
 
@@ -185,3 +186,24 @@ def test_an_empty_room_has_no_objects():
     bare = sw.Scene.example("bedroom").model_copy(update={"objects": (), "relations": ()})
     found = tensors([bare]).all()
     assert not found.mask.any() and found.corner_mask.sum() == len(bare.room.outline)
+
+
+@pytest.mark.slow
+def test_the_model_of_the_guide_learns_which_way_things_face():
+    jnp = pytest.importorskip("jax.numpy")
+    pytest.importorskip("optax")
+    text = (ROOT / "docs" / "datasets.md").read_text()
+    (code,) = (block for block in code_blocks(text, "python") if "optax" in block)
+    room = sw.Scene.example("bedroom")
+    solution = sw.refine(room, candidates=600, init="random", device="cpu", explain=False)
+    scenes = [solution.scene(int(k)) for k in solution.ranked[:500]]
+    space = {"scenes": scenes[:400]}
+    exec(code.replace('tensors(".", frame', "tensors(scenes, frame"), space)
+    view = space["view"]
+    others = tensors(scenes[400:], frame="unit", vocabulary=view.vocabulary, objects=view.limits.objects).all()
+    way = np.asarray(space["predicted"](space["weights"], others.arrays(jnp.from_dlpack)))
+    off = np.arctan2(way[..., 1], way[..., 0]) - others.poses[..., 3]
+    median = np.degrees(np.median(np.abs((off + np.pi) % (2 * np.pi) - np.pi), axis=0))
+    known = [k for k, o in enumerate(room.objects) if o.category in ("dresser", "picture", "chair", "mirror")]
+    round_ones = [k for k, o in enumerate(room.objects) if o.category in ("plant", "floor_lamp")]
+    assert median[known].max() < 15 < 45 < median[round_ones].min()
