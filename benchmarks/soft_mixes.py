@@ -72,6 +72,11 @@ def bare(scene: Scene) -> Scene:
     return scene.model_copy(update={"relations": tuple(r for r in scene.relations if r.hard)})
 
 
+def judgeable(scene: Scene) -> Scene:
+    """A scene without relations of the user's own, which the judge's processes do not know; soft ones may tie zones."""
+    return scene.model_copy(update={"relations": tuple(r for r in scene.relations if r.type not in OWN)})
+
+
 def mixed(scene: Scene, name: str) -> Scene:
     """A scene whose soft relations are those of a mix."""
     movable = [o.id for o in scene.objects if o.mount == "floor" and o.support is None and not o.fixed]

@@ -13,7 +13,7 @@ from benchmarks.judging import Judge
 from benchmarks.results import Column, Result
 from benchmarks.rooms import chosen, load
 from benchmarks.settings import Settings
-from benchmarks.soft_mixes import MIXES, TERMS, bare, defined, mixed
+from benchmarks.soft_mixes import MIXES, TERMS, bare, defined, judgeable, mixed
 from benchmarks.timing import timed, warm
 from sceneweaver.layout import Solution
 from sceneweaver.scene import Scene
@@ -79,7 +79,7 @@ def _compared(
         runs.append((without, (solution, seconds)))
         say(f"  {mix}, {name}, seed {seed}: {seconds:.1f} s")
         if seed == settings.seed:
-            hard = replace(solution, source=bare(solution.source))  # the judge's processes know no relation of our own
+            hard = replace(solution, source=judgeable(solution.source))
             audit(hard, judge, result, f"{name} with {mix}", settings.out)
     row = _row(mix, runs)
     if row["lost"] or row["with"] < row["without"]:
