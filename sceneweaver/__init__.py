@@ -7,6 +7,8 @@ from importlib import import_module as _import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from sceneweaver import datasets as datasets
+    from sceneweaver import problems as problems
     from sceneweaver.agent import Result as Result
     from sceneweaver.agent import design as design
     from sceneweaver.building import ObjectHandle as ObjectHandle
@@ -22,6 +24,7 @@ if TYPE_CHECKING:
     from sceneweaver.extend import check_gradient as check_gradient
     from sceneweaver.extend import define_relation as define_relation
     from sceneweaver.extend import define_term as define_term
+    from sceneweaver.extend import residual_cost as residual_cost
     from sceneweaver.extend import undefine_relation as undefine_relation
     from sceneweaver.extend import undefine_term as undefine_term
     from sceneweaver.layout import Problem as Problem
@@ -29,6 +32,8 @@ if TYPE_CHECKING:
     from sceneweaver.layout import Solution as Solution
     from sceneweaver.layout import compile as compile
     from sceneweaver.layout import improve as improve
+    from sceneweaver.learning import LearnedWeights as LearnedWeights
+    from sceneweaver.learning import learn_weights as learn_weights
     from sceneweaver.render import draw_top as draw_top
     from sceneweaver.repairs import Repair as Repair
     from sceneweaver.repairs import repair as repair
@@ -54,6 +59,7 @@ __all__ = [
     "EditSession",
     "Fault",
     "InputError",
+    "LearnedWeights",
     "MissingDependencyError",
     "ObjectHandle",
     "Pose",
@@ -81,10 +87,12 @@ __all__ = [
     "design",
     "draw_top",
     "improve",
+    "learn_weights",
     "refine",
     "refine_many",
     "repair",
     "repair_report",
+    "residual_cost",
     "undefine_check",
     "undefine_relation",
     "undefine_term",
@@ -96,6 +104,7 @@ _HOME = {
     "EditSession": "editing",
     "Fault": "critic",
     "InputError": "scene",
+    "LearnedWeights": "learning",
     "MissingDependencyError": "scene",
     "ObjectHandle": "building",
     "Pose": "scene",
@@ -122,10 +131,12 @@ _HOME = {
     "design": "agent",
     "draw_top": "render",
     "improve": "layout",
+    "learn_weights": "learning",
     "refine": "explain",
     "refine_many": "explain",
     "repair": "repairs",
     "repair_report": "repairs",
+    "residual_cost": "extend",
     "undefine_check": "critic",
     "undefine_relation": "extend",
     "undefine_term": "extend",
@@ -135,8 +146,8 @@ _HOME = {
 def __getattr__(name: str) -> object:
     if name == "__version__":
         value: object = _import_module(f"{__name__}.runtime.package").package_version()
-    elif name == "problems":  # a module of its own, as `sceneweaver.jax` is
-        value = _import_module(f"{__name__}.problems")
+    elif name in ("datasets", "problems"):  # modules of their own, as `sceneweaver.jax` is
+        value = _import_module(f"{__name__}.{name}")
     elif name in _HOME:
         value = getattr(_import_module(f"{__name__}.{_HOME[name]}"), name)
     else:

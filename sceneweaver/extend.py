@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Iterable, Mapping
 from typing import Any
 
 from sceneweaver.layout.probe import Predicate, check_relation, check_term
 from sceneweaver.layout.probe import check_gradient as check_gradient
+from sceneweaver.layout.residual_cost import ResidualCost as ResidualCost
+from sceneweaver.layout.residual_cost import residual_cost as residual_cost
 from sceneweaver.layout.user import TERMS, WIDTH, enter_relation, enter_term, leave_relation, leave_term
 from sceneweaver.scene import InputError, ParamSpec, RelationSpec
 from sceneweaver.scene.catalogue import CATALOGUE, register_relation, unregister_relation
 from sceneweaver.verify.relations import JUDGES, register_judge
+
+log = logging.getLogger(__name__)
 
 
 def define_relation(
@@ -29,7 +34,9 @@ def define_relation(
 
     Residual and predicate are tried first, at the same sample poses and sizes and with the defaults of the params: the
     residual has to be finite everywhere, also of two things at one pose, smooth, to have a gradient where something is
-    missing, and to lead to poses at which it holds; the predicate has to say the same.
+    missing, in metres by its scale, and to lead to poses at which it holds; the predicate has to say the same, also
+    close to the edge, with other params and under other ids. What an evaluation costs is logged at level INFO by the
+    logger ``sceneweaver.extend``, where someone listens; `residual_cost` measures it.
 
     Args:
         name: the relation's ``type``.
@@ -73,6 +80,7 @@ def define_relation(
         raise InputError(f'relation "{name}" is there already; choose another name')
     if check:
         check_relation(f'relation "{name}"', residual, holds, defaults, scale, target == "object")
+    _log_cost(f'relation "{name}"', residual)
     enter_relation(name, residual, scale)
     specs = {k: ParamSpec(k, "number", float(v), "", "") for k, v in defaults.items()}
     register_relation(RelationSpec(name, description, target=target, params=specs, ties_zones=ties_zones))
@@ -148,6 +156,7 @@ def define_term(
     if not (weight > 0 and scale > 0):
         raise InputError(f'term "{name}": weight {weight!r} and scale {scale!r} have to be positive numbers')
     check_term(f'term "{name}"', residual, numbers, targets is not None)
+    _log_cost(f'term "{name}"', residual)
     enter_term(name, residual, subjects, targets, numbers, weight, scale)
 
 
@@ -167,3 +176,8 @@ def undefine_term(name: str) -> None:
     if name not in TERMS:
         raise InputError(f'term "{name}" is unknown')
     leave_term(name)
+
+
+def _log_cost(label: str, residual: Any) -> None:
+    if log.isEnabledFor(logging.INFO):
+        log.info("%s: %s", label, residual_cost(residual))

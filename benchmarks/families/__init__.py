@@ -33,11 +33,13 @@ from . import (
     quality,
     requests,
     scaling,
+    soft_rows,
     soundness,
     stability,
     throughput,
     tight,
     variety,
+    weights,
 )
 
 Family = Callable[[Settings, Judge], Result]
@@ -55,6 +57,8 @@ FAMILIES: Mapping[str, Family] = MappingProxyType(
         "edits": edits.run,
         "live": live.run,
         "tight": tight.run,
+        "soft_rows": soft_rows.run,
+        "weights": weights.run,
         "projection": projection.run,
         "design": design.run,
         "critic": critic.run,

@@ -9,29 +9,13 @@ from sceneweaver.scene import Relation
 from sceneweaver.scene.catalogue import BUILT_IN
 from sceneweaver.verify import check
 
-from .words import listed, relation_words
-
-ENOUGH = 8  # valid layouts from which on it says something that a soft relation holds in none
+from .softness import lost_wishes
+from .words import relation_words
 
 
 def remarks(solution: Solution) -> list[str]:
     """One line each."""
     return [*disagreements(solution), *lost_wishes(solution)]
-
-
-def lost_wishes(solution: Solution) -> list[str]:
-    """The soft relations that hold in no valid layout."""
-    valid = solution.status == 0
-    if valid.sum() < ENOUGH:
-        return []
-    never = np.flatnonzero(~np.any(solution.relations[valid], axis=0))
-    lost = [relation_words(solution.source.relations[j]) for j in never]
-    if not lost:
-        return []
-    return [
-        f"Soft relations that hold in none of {valid.sum()} valid layouts, so they seem to contradict what is hard or "
-        f"each other: {listed(lost)}."
-    ]
 
 
 def disagreements(solution: Solution) -> list[str]:

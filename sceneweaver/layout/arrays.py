@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Protocol, cast
+from typing import TYPE_CHECKING, Any, Protocol, TypeAlias, cast
 
 import numpy as np
 import warp as wp
@@ -20,10 +20,15 @@ class SharesMemory(Protocol):
         ...
 
 
-HostArray = np.ndarray | Sequence
+if TYPE_CHECKING:  # Warp's own class takes no parameters of types when it runs
+    WarpArray: TypeAlias = wp.array[Any]
+else:
+    WarpArray = wp.array
+
+HostArray: TypeAlias = np.ndarray | Sequence[Any]
 """What is answered with NumPy arrays: a NumPy array, or lists of numbers."""
 
-Array = HostArray | wp.array | SharesMemory
+Array: TypeAlias = HostArray | WarpArray | SharesMemory
 """What has poses in it: a NumPy array or lists, a Warp array, or anything with ``__dlpack__``."""
 
 

@@ -212,6 +212,7 @@ def _compile(
     relations: Sequence[tuple[int, Relation]],
     room: Room | None,
     plates: StandIns | None = None,
+    terms: bool = True,
 ) -> LayoutProblem:
     in_room = room is not None
     plates = plates or StandIns()
@@ -238,7 +239,7 @@ def _compile(
             compiled.append(extra)
     if in_room:
         compiled += [mounting(frame, i) for i, o in enumerate(objects) if o.mount == "wall"]
-        compiled += compiled_terms(frame)
+        compiled += compiled_terms(frame) if terms else []
         compiled += [compile_relation(frame, rel) for rel in plates.relations]
     roots = _roots(objects, index) if in_room else np.arange(len(objects))
     free = np.array([_freedom(o, in_room and roots[i] != i) for i, o in enumerate(objects)], dtype=np.int32)
@@ -294,8 +295,8 @@ def _domain_region(supporter: SceneObject, name: str) -> tuple[Region, float]:
     return region, surface.z
 
 
-def compile_scene(scene: Scene) -> CompiledScene:
-    """Compile a validated scene."""
+def compile_scene(scene: Scene, *, terms: bool = True) -> CompiledScene:
+    """Compile a validated scene; without ``terms`` as if the user had defined none."""
     home, faulty = poses_of(scene)
     index = {o.id: i for i, o in enumerate(scene.objects)}
     groups: dict[tuple[str, str], list[int]] = {}
@@ -325,7 +326,7 @@ def compile_scene(scene: Scene) -> CompiledScene:
     plates = stand_ins(scene, home)
     objects, stated = [*scene.objects, *plates.objects], list(enumerate(scene.relations))
     home = np.concatenate([home, np.array(plates.home, dtype=np.float64).reshape(-1, 4)])
-    room = _compile(objects, home, room_region(scene.room), stated, scene.room, plates)
+    room = _compile(objects, home, room_region(scene.room), stated, scene.room, plates, terms)
     room.faulty, room.walker = faulty, walker(scene)
     room.surfaces = [d.surface for d in domains]
     return CompiledScene(scene, room, domains, plates)

@@ -28,6 +28,7 @@ from .access import walkable_shares
 from .batch import make_batch, stacked
 from .compile import CompiledScene, LayoutProblem, compile_scene
 from .devices import WALKED, pick_devices, solve_on
+from .hard_first import failed_for_softness, with_rescued
 from .job import Job
 from .pack import PULL, weights
 from .pools import POOL_SALT, surface_pools
@@ -78,7 +79,7 @@ def refine(
     job = Job(compiled, world, start, seed, keep=start == "given" and given is None, walk=walk and not quality)
     monitor = Monitor(len(world), _until(began, time_limit), progress)
     jobs = _prepared([job], where, optimizer, monitor)
-    found = solve_on(where, jobs, lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began, snap))
+    found = solve_on(where, jobs, lambda jobs, device: hard_first(jobs, optimizer, steps, device, monitor, began, snap))
     return _rated(found, [compiled], [quality], began, walk)[0]
 
 
@@ -117,7 +118,7 @@ def refine_many(
         jobs.append(Job(compiled, world, "given" if current else init, own, keep=current, walk=not wanted))
     monitor = Monitor(sum(counts), _until(began, time_limit), progress)
     jobs = _prepared(jobs, where, optimizer, monitor)
-    found = solve_on(where, jobs, lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began, snap))
+    found = solve_on(where, jobs, lambda jobs, device: hard_first(jobs, optimizer, steps, device, monitor, began, snap))
     return _rated(found, [job.compiled for job in jobs], terms, began)
 
 
@@ -181,6 +182,36 @@ def _check_arguments(
     return poses
 
 
+def hard_first(
+    jobs: Sequence[Job],
+    optimizer: str | StepOptimizer,
+    steps: int | None,
+    device: str,
+    monitor: Monitor,
+    began: float,
+    snap: bool = False,
+) -> list[Solution]:
+    """Solve jobs, so that no soft row makes a search lose a hard one.
+
+    A candidate that its search leaves invalid is searched once more as if nothing soft were there, from the same start
+    with the same random stream: so it is valid wherever it would be without soft rows.
+    """
+    worlds = [job.world for job in jobs]
+    solutions = solve(jobs, optimizer, steps, device, monitor, began, snap)
+    if optimizer != "search":
+        return solutions
+    again = failed_for_softness(jobs, worlds, solutions)
+    if not again or monitor.expired():
+        return solutions
+    rescue = monitor.inner(sum(len(job.world) for job in again.values()))
+    found = solve(list(again.values()), optimizer, steps, device, rescue, began, snap)
+    monitor.timed_out |= rescue.timed_out
+    merged = list(solutions)
+    for i, bare in zip(again, found, strict=True):
+        merged[i] = with_rescued(jobs[i], solutions[i], again[i], bare, device, monitor, time.monotonic() - began)
+    return merged
+
+
 def solve(
     jobs: Sequence[Job],
     optimizer: str | StepOptimizer,
@@ -216,9 +247,7 @@ def solve(
         if start == "given":
             batch = replace(batch, weights=weights(pull=PULL))
         _load_worlds(batch, [job.world for job in group])
-        batch.state.rng.assign(
-            np.concatenate([streams(job.seed, job.first + np.arange(n)) for job, n in zip(group, sizes, strict=True)])
-        )
+        batch.state.rng.assign(np.concatenate([streams(job.seed, job.numbers) for job in group]))
         if isinstance(method, StepOptimizer):
             compiled = [job.compiled for job in group]
             problem = Problem(
@@ -393,12 +422,12 @@ def _locals(compiled: CompiledScene, world: np.ndarray) -> list[np.ndarray]:
     return poses
 
 
-def _domain_batch(compiled: CompiledScene, world: np.ndarray, seed: int, first: int, device: str) -> Batch:
-    """Every surface of every candidate (numbered from ``first``) of one scene as a batch, surface by surface."""
+def _domain_batch(compiled: CompiledScene, world: np.ndarray, seed: int, own: np.ndarray, device: str) -> Batch:
+    """Every surface of every candidate (with numbers [B] of its own) of one scene as a batch, surface by surface."""
     which = np.repeat(np.arange(len(compiled.domains)), len(world))
     batch = make_batch([d.problem for d in compiled.domains], which, device)
     load_poses(batch, stacked(_locals(compiled, world), batch.objects))
-    numbers = which * DOMAIN_STRIDE + np.tile(first + np.arange(len(world)), len(compiled.domains))
+    numbers = which * DOMAIN_STRIDE + np.tile(own, len(compiled.domains))
     batch.state.rng.assign(streams(seed ^ ~POOL_SALT & 0xFFFFFFFF, numbers))
     return batch
 
@@ -411,7 +440,7 @@ def mend_surfaces(job: Job, optimizer: str | StepOptimizer, device: str, monitor
         if obj.mount in ("floor", "ceiling") and not obj.fixed:
             world[:, i, 2] = compiled.room.home[i, 2]
     if compiled.domains:
-        batch = _domain_batch(compiled, world, job.seed, job.first, device)
+        batch = _domain_batch(compiled, world, job.seed, job.numbers, device)
         batch = replace(batch, weights=weights(pull=PULL))
         run(batch, how, "given", None, monitor.inner(batch.size))
         poses = batch.state.poses.numpy().reshape(len(compiled.domains), len(world), batch.objects, 4)

@@ -13,8 +13,9 @@ from .compile import CompiledScene
 class Job:
     """One scene to solve: world poses [B, N, 4] to begin with, how to begin ("given": from those), the seed.
 
-    ``first`` is the number of the first candidate, when others solve those before it. ``into`` [B, N, 4] float32 is
-    where the layouts go (None: new memory), ``pools`` what its surfaces are laid out from (None: not solved yet).
+    ``first`` is the number of the first candidate, when others solve those before it; ``chosen`` [B] are the numbers of
+    all, where they do not follow each other. ``into`` [B, N, 4] float32 is where the layouts go (None: new memory),
+    ``pools`` what its surfaces are laid out from (None: not solved yet).
     """
 
     compiled: CompiledScene
@@ -24,5 +25,11 @@ class Job:
     keep: bool = False  # prefer the layout that moves least
     walk: bool = True  # measure the walkable floor of the best few
     first: int = 0
+    chosen: np.ndarray | None = None
     into: np.ndarray | None = None
     pools: list[np.ndarray] | None = None
+
+    @property
+    def numbers(self) -> np.ndarray:
+        """Numbers [B] of the candidates: what their random streams follow from."""
+        return self.first + np.arange(len(self.world)) if self.chosen is None else self.chosen

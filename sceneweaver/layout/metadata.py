@@ -38,13 +38,15 @@ class ObjectInfo:
 class RelationInfo:
     """One relation of a problem: ``index`` in the scene's list (None: added by the engine, as mountings are).
 
-    ``objects`` are the subject and the targets, ``weight`` its weight in the energy.
+    ``objects`` are the subject and the targets, ``weight`` its weight in the energy, ``term`` the name of the
+    user's term that it is of (None: of none).
     """
 
     index: int | None
     objects: tuple[int, ...]
     hard: bool
     weight: float
+    term: str | None = None
 
 
 @dataclass(frozen=True)
@@ -115,7 +117,7 @@ def metadata_of(layout: LayoutProblem) -> Metadata:
     )
     named = [*layout.relation_ids, *([None] * (len(layout.relations) - len(layout.relation_ids)))]
     relations = tuple(
-        RelationInfo(index, tuple(o for o in r.objects if o >= 0), r.fault != 0, float(r.weight))
+        RelationInfo(index, tuple(o for o in r.objects if o >= 0), r.fault != 0, float(r.weight), r.term)
         for index, r in zip(named, layout.relations, strict=True)
     )
     return Metadata(objects, relations, items_of(layout), layout.region.box, float(layout.region.height))

@@ -13,7 +13,9 @@ from sceneweaver.kernels import user
 from sceneweaver.kernels.features import STEP
 from sceneweaver.scene import InputError, Pose, SceneObject
 
-from .user import HELD, MARGIN, WIDTH
+from .probe_edges import check_edge, check_ids, check_jumps, check_other_params, check_scale
+from .probe_samples import Samples, anywhere, pairs_of
+from .user import HELD, MARGIN
 
 Predicate = Callable[[SceneObject, SceneObject | None, Mapping[str, float]], bool]
 
@@ -29,25 +31,8 @@ APART = 5.0e-3
 WRONG_HELD, WRONG_MISSED = 0.02, 0.1
 """Of the poses at which a residual says that it holds, and of the others, the shares that the predicate may deny."""
 
-RANDOM, CLOSE, SAME = 160, 80, 16  # pairs of poses: anywhere, near each other and often square, coincident
 STEPS = 24  # of a descent from each
 DEPTH, NEARER = 0.05, 0.75  # [m] below 0 that its first step heads for, and by how much nearer each next one
-
-
-@dataclass(frozen=True)
-class Samples:
-    """Pairs of things: poses [K, 4] (x, y, z, yaw) and sizes [K, 3] of both, and params [K, 4]."""
-
-    a: np.ndarray
-    b: np.ndarray
-    size_a: np.ndarray
-    size_b: np.ndarray
-    params: np.ndarray
-
-    def words(self, k: int) -> str:
-        """The poses of a pair."""
-        a, b = (f"({', '.join(f'{v:.3g}' for v in pose[k])})" for pose in (self.a, self.b))
-        return f"a at {a}, b at {b} (x, y, z, yaw)"
 
 
 @dataclass(frozen=True)
@@ -119,6 +104,7 @@ def check_relation(
     """
     probe, samples = Probe(label, residual), pairs_of(tuple(params.values()), pairs)
     first = probe.regular(samples, APART / scale)
+    check_scale(label, first.value, first.by_a, scale)
     ends = probe.descended(samples, scale)
     found = probe.at(ends)
     held, least = -HELD * MARGIN / scale, int(np.argmin(found.value))
@@ -146,6 +132,13 @@ def check_relation(
         label, both, value, missed & said, missed, WRONG_MISSED, "the residual says that it does not, `holds` says True"
     )
 
+    def asked(at: Samples, k: int, numbers: Mapping[str, float], ids: tuple[str, str]) -> bool:
+        return _said(label, holds, at, k, numbers, pairs, ids)
+
+    check_ids(label, both, asked, params)
+    check_edge(label, probe.values, samples, ends, asked, params, scale)
+    check_other_params(label, probe.values, both, asked, params, scale)
+
 
 def _agree(
     label: str, at: Samples, value: np.ndarray, wrong: np.ndarray, of: np.ndarray, most: float, what: str
@@ -159,11 +152,19 @@ def _agree(
         )
 
 
-def _said(label: str, holds: Predicate, at: Samples, k: int, params: Mapping[str, float], pairs: bool) -> bool:
+def _said(
+    label: str,
+    holds: Predicate,
+    at: Samples,
+    k: int,
+    params: Mapping[str, float],
+    pairs: bool,
+    ids: tuple[str, str] = ("a", "b"),
+) -> bool:
     """What the predicate says of a pair."""
-    subject = _thing("a", at.size_a[k], at.a[k])
+    subject = _thing(ids[0], at.size_a[k], at.a[k])
     try:
-        said: Any = holds(subject, _thing("b", at.size_b[k], at.b[k]) if pairs else None, dict(params))
+        said: Any = holds(subject, _thing(ids[1], at.size_b[k], at.b[k]) if pairs else None, dict(params))
     except Exception as error:  # whatever a user's function raises
         text = f"{type(error).__name__}: {error}".splitlines()[0]
         raise InputError(f"{label}: holds raises {text}, with {at.words(k)}") from error
@@ -223,7 +224,12 @@ class Probe:
                 f"poses at which something is missing, as at {samples.words(int(np.flatnonzero(flat)[0]))}; "
                 "the engine can not follow it"
             )
+        check_jumps(self.label, self.values, samples, found.value, found.by_a)
         return found
+
+    def values(self, samples: Samples) -> np.ndarray:
+        """The residual [K] at samples."""
+        return self.at(samples).value
 
     def descended(self, samples: Samples, scale: float) -> Samples:
         """The lowest that is found from each sample by Polyak steps of a along the residual's gradient."""
@@ -245,36 +251,3 @@ class Probe:
                 f"{self.label}: the residual or its gradient is not finite with "
                 f"{samples.words(int(np.flatnonzero(wrong)[0]))}; add a small number inside sqrt, length and division"
             )
-
-
-def anywhere(count: int, seed: int) -> Samples:
-    """Random pairs of poses, for things and params of the same sizes."""
-    rng = np.random.default_rng(seed)
-    a, b = (_poses(rng, count) for _ in "ab")
-    size_a, size_b = (
-        np.tile(np.array(size, dtype=np.float32), (count, 1)) for size in ((0.6, 0.8, 0.9), (0.5, 1.1, 0.7))
-    )
-    return Samples(a, b, size_a, size_b, np.full((count, WIDTH), 0.5, dtype=np.float32))
-
-
-def pairs_of(params: Sequence[float], pairs: bool) -> Samples:
-    """Pairs of things of many sizes: anywhere, close to each other and often square, and at the same pose.
-
-    Without ``pairs`` there is no second thing: its pose and size are 0, as the engine has it.
-    """
-    rng, count = np.random.default_rng(0), RANDOM + CLOSE + SAME
-    a, b = (_poses(rng, count) for _ in "ab")
-    a[RANDOM:] = b[RANDOM:]
-    a[RANDOM : RANDOM + CLOSE, :3] += rng.normal(0.0, (0.7, 0.7, 0.2), (CLOSE, 3))
-    a[RANDOM::2, 3] = b[RANDOM::2, 3] = 0.0
-    a[RANDOM : RANDOM + CLOSE : 4, 3] = 0.5 * np.pi
-    a[:, 2] = np.abs(a[:, 2])
-    size_a, size_b = (rng.uniform(0.2, 1.5, (count, 3)).astype(np.float32) for _ in "ab")
-    if not pairs:
-        b, size_b = np.zeros_like(b), np.zeros_like(size_b)
-    row = np.array([*params, *[0.0] * (WIDTH - len(params))], dtype=np.float32)
-    return Samples(a, b, size_a, size_b, np.tile(row, (count, 1)))
-
-
-def _poses(rng: np.random.Generator, count: int) -> np.ndarray:
-    return rng.uniform((-3.0, -3.0, 0.0, -np.pi), (3.0, 3.0, 2.0, np.pi), (count, 4)).astype(np.float32)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import count
-from typing import Any, Generic, TypeVar, cast, overload
+from typing import Any, Generic, TypeAlias, TypeVar, cast, overload
 from weakref import WeakValueDictionary
 
 import numpy as np
@@ -18,7 +18,7 @@ from sceneweaver.optimizers import Batch, Monitor, run, streams
 from sceneweaver.optimizers.starts import draw_starts
 from sceneweaver.scene import InputError, Scene
 
-from .arrays import Array, HostArray, SharesMemory, from_dlpack, handed_out, poses_from
+from .arrays import Array, HostArray, SharesMemory, WarpArray, from_dlpack, handed_out, poses_from
 from .batch import make_batch
 from .compile import CompiledScene, LayoutProblem, compile_scene
 from .devices import pick_devices
@@ -32,7 +32,7 @@ _PROBLEMS: WeakValueDictionary[int, Problem] = WeakValueDictionary()
 
 
 A = TypeVar("A")
-Device = wp.array | SharesMemory  # what is answered with Warp arrays
+Device: TypeAlias = WarpArray | SharesMemory  # what is answered with Warp arrays
 
 
 @dataclass(frozen=True)
@@ -195,7 +195,7 @@ class Problem:
     @overload
     def energy(self, poses: HostArray, which: Array | None = None) -> np.ndarray: ...
     @overload
-    def energy(self, poses: Device, which: Array | None = None) -> wp.array: ...
+    def energy(self, poses: Device, which: Array | None = None) -> WarpArray: ...
     def energy(self, poses: Array, which: Array | None = None) -> Any:
         """Energy [B] float32 [m] of layouts; 0: all holds with its margin.
 
@@ -211,7 +211,7 @@ class Problem:
     @overload
     def energy_and_grad(self, poses: HostArray, which: Array | None = None) -> tuple[np.ndarray, np.ndarray]: ...
     @overload
-    def energy_and_grad(self, poses: Device, which: Array | None = None) -> tuple[wp.array, wp.array]: ...
+    def energy_and_grad(self, poses: Device, which: Array | None = None) -> tuple[WarpArray, WarpArray]: ...
     def energy_and_grad(self, poses: Array, which: Array | None = None) -> Any:
         """Energies [B] and their gradients [B, N, 4], by x, y, z [m/m] and yaw [m/rad] of every object on its own.
 
@@ -223,7 +223,7 @@ class Problem:
     @overload
     def residuals(self, poses: HostArray, which: Array | None = None) -> tuple[np.ndarray, np.ndarray]: ...
     @overload
-    def residuals(self, poses: Device, which: Array | None = None) -> tuple[wp.array, wp.array]: ...
+    def residuals(self, poses: Device, which: Array | None = None) -> tuple[WarpArray, WarpArray]: ...
     def residuals(self, poses: Array, which: Array | None = None) -> Any:
         """Residuals r [B, M] of the energy's items, and their derivatives [B, M, 3, 4] by the poses of their objects.
 
@@ -236,7 +236,7 @@ class Problem:
     @overload
     def terms(self, poses: HostArray, which: Array | None = None) -> Terms[np.ndarray]: ...
     @overload
-    def terms(self, poses: Device, which: Array | None = None) -> Terms[wp.array]: ...
+    def terms(self, poses: Device, which: Array | None = None) -> Terms[WarpArray]: ...
     def terms(self, poses: Array, which: Array | None = None) -> Any:
         """The energy by kinds of terms, and residual and signed violation of every relation, object and pair."""
         batch = self._measured_at(*self._read(poses, which))
@@ -248,7 +248,7 @@ class Problem:
     @overload
     def feasible(self, poses: HostArray, which: Array | None = None) -> np.ndarray: ...
     @overload
-    def feasible(self, poses: Device, which: Array | None = None) -> wp.array: ...
+    def feasible(self, poses: Device, which: Array | None = None) -> WarpArray: ...
     def feasible(self, poses: Array, which: Array | None = None) -> Any:
         """Which layouts [B] bool the engine calls valid; then `sw.check` does.
 
@@ -259,7 +259,7 @@ class Problem:
     @overload
     def project(self, poses: HostArray, which: Array | None = None) -> np.ndarray: ...
     @overload
-    def project(self, poses: Device, which: Array | None = None) -> wp.array: ...
+    def project(self, poses: Device, which: Array | None = None) -> WarpArray: ...
     def project(self, poses: Array, which: Array | None = None) -> Any:
         """The feasible layouts nearest to poses, [B, N, 4]: what `sw.refine` does with ``optimizer="projection"``.
 

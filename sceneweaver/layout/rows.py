@@ -90,13 +90,14 @@ class Snap(NamedTuple):
 
 @dataclass(frozen=True)
 class CompiledRelation:
-    """A relation between objects (local indices; -1 none) with its options."""
+    """A relation between objects (local indices; -1 none) with its options; ``term`` names a term of the user's own."""
 
     objects: tuple[int, int, int]
     options: list[list[Row]]
     weight: float
     fault: int  # status when it does not hold: 0 soft, 1 mounting, 2 hard
     hard: bool
+    term: str | None = None
 
 
 @dataclass

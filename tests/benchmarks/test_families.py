@@ -25,6 +25,8 @@ TABLES = {
     "edits": {"edits": 5, "rooms": 1, "detail": 5},
     "live": {"sizes": 2, "edits": 5, "rooms": 1, "detail": 5},
     "tight": {"tight": 2},
+    "soft_rows": {"mixes": 2},
+    "weights": {"sets": 2},
     "projection": {"bodies": 1, "scenes": 2},
     "design": {"rooms": 1, "seeds": 1},
     "critic": {"grades": 5, "scenes": 3},
@@ -53,7 +55,7 @@ def settings(tmp_path):
 
 SLOW = (
     *("openable", "odd", "pictures", "ablations", "by_model", "requests", "stability", "variety"),
-    *("cold", "memory", "throughput", "design", "quality", "patterns", "large"),
+    *("cold", "memory", "throughput", "design", "quality", "patterns", "large", "soft_rows", "weights"),
 )
 """Families whose design is one that another family makes as well, and what takes longest."""
 
