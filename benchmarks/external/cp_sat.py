@@ -47,7 +47,7 @@ class CpSat(OneByOne):
     def solve(self, problem: Problem, given: np.ndarray, seed: int, until: Callable[[], bool]) -> np.ndarray | None:
         from ortools.sat.python import cp_model
 
-        view = quarter_turns(problem)
+        view = quarter_turns(problem, given)
         xy, turns = view.spot(given[None])
         model = Model(view, self.grid)
         model.minimise(nets_of(problem))

@@ -13,7 +13,7 @@ import numpy as np
 
 from sceneweaver.layout import Problem
 
-from .quarter_turns import quarter_turns
+from .quarter_turns import QuarterTurns, quarter_turns
 
 
 class Net(NamedTuple):
@@ -73,3 +73,39 @@ def objective_of(problem: Problem) -> Callable[[np.ndarray], np.ndarray] | None:
     view = quarter_turns(problem)
     yaws = [body.yaws for body in view.bodies]
     return lambda poses: length(nets, yaws, *view.spot(np.asarray(poses, dtype=np.float64)))
+
+
+def slope(nets: list[Net], view: QuarterTurns, poses: np.ndarray) -> tuple[float, np.ndarray]:
+    """Value of nets and flows of a layout [N, 4] at any yaws, and its derivative [N, 4]."""
+    total, by_pose = 0.0, np.zeros(poses.shape)
+    c, s = np.cos(view.angle), np.sin(view.angle)
+    back = np.array([[c, s], [-s, c]])
+    for net in nets:
+        points, arms = [], []
+        for body, offset in net.pins:
+            if body < 0:
+                points.append(np.array(offset))
+                arms.append(np.zeros(2))
+                continue
+            x, y, _, yaw = poses[view.bodies[body].index]
+            arm = back @ np.array([[np.cos(yaw), -np.sin(yaw)], [np.sin(yaw), np.cos(yaw)]]) @ offset
+            points.append(back @ (x, y) + arm)
+            arms.append(arm)
+        at = np.array(points)
+        push = np.zeros_like(at)
+        if net.boxed or net.power == 1:
+            for d in (0, 1):
+                push[at[:, d].argmax(), d] += 1.0
+                push[at[:, d].argmin(), d] -= 1.0
+            total += net.weight * float(np.ptp(at, axis=0).sum())
+        else:
+            d = at[0] - at[1]
+            far = float(np.hypot(*d))
+            push[0], push[1] = d / (far + 1e-9), -d / (far + 1e-9)
+            total += net.weight * far
+        for (body, _), pull, arm in zip(net.pins, net.weight * push, arms, strict=True):
+            if body >= 0:
+                index = view.bodies[body].index
+                by_pose[index, :2] += back.T @ pull
+                by_pose[index, 3] += arm[0] * pull[1] - arm[1] * pull[0]
+    return total, by_pose

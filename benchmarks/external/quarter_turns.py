@@ -126,10 +126,15 @@ class QuarterTurns:
         return found
 
 
-def quarter_turns(problem: Problem) -> QuarterTurns:
-    """The view of a problem of one scene, made once."""
+def quarter_turns(problem: Problem, given: np.ndarray | None = None) -> QuarterTurns:
+    """The view of a problem of one scene, with what is carried as it stands in a layout ``given`` [N, 4].
+
+    Without one what is carried does not count. Where nothing is carried the view is made once.
+    """
+    if given is not None and (problem.roots[0] != np.arange(problem.objects)).any():
+        return _view(problem, given)
     if problem not in _VIEWS:
-        _VIEWS[problem] = _view(problem)
+        _VIEWS[problem] = _view(problem, None)
     return _VIEWS[problem]
 
 
@@ -145,7 +150,7 @@ def _box(points: np.ndarray) -> np.ndarray:
     return np.concatenate([points.min(axis=-2), points.max(axis=-2)], axis=-1)
 
 
-def _view(problem: Problem) -> QuarterTurns:
+def _view(problem: Problem, given: np.ndarray | None) -> QuarterTurns:
     room, scene = compile_scene(problem.scenes[0]).room, problem.scenes[0]
     walls = room.region.walls
     along = max(walls, key=lambda wall: wall.length).along
@@ -153,7 +158,7 @@ def _view(problem: Problem) -> QuarterTurns:
     back = _turn(-angle)
     movable = [i for i in range(room.size) if problem.free[0, i, :2].all() and room.roots[i] == i]
     number = {index: i for i, index in enumerate(movable)}
-    bodies = [_body(room, index, bool(problem.free[0, index, 3]), angle) for index in movable]
+    bodies = [_body(room, index, bool(problem.free[0, index, 3]), angle, given) for index in movable]
     planes = np.array([(*(back @ row[:2]), row[2]) for row in room.region.planes])
     box = _box(np.array([wall.start for wall in walls]) @ back.T)
     apart = [*_between(room, bodies), *_still(room, bodies, number, back)]
@@ -175,18 +180,19 @@ def _view(problem: Problem) -> QuarterTurns:
     return view
 
 
-def _body(room: LayoutProblem, index: int, turns: bool, angle: float) -> Body:
+def _body(room: LayoutProblem, index: int, turns: bool, angle: float, given: np.ndarray | None) -> Body:
     base = 0.0 if turns else room.home[index, 3] - angle
     yaws = base + np.arange(4 if turns else 1) * math.pi / 2
     frames = np.stack([_turn(yaw) for yaw in yaws])
     parts: dict[str, list[tuple[np.ndarray, np.ndarray]]] = {"solids": [], "zones": []}
     for j in np.flatnonzero(room.roots == index):
-        away = relative(room.home[j], room.home[index])
-        own = _turn(away[3])
+        if j != index and given is None:
+            continue
+        away = relative(given[j], given[index]) if given is not None else np.zeros(4)
+        height = room.home[index, 2] if given is None else given[j, 2]
         for kind, found in parts.items():
             for prism in getattr(room, kind)[j]:
-                polygon = prism.polygon @ own.T + away[:2]
-                found.append((polygon, np.array(prism.z) + room.home[j, 2]))
+                found.append((prism.polygon @ _turn(away[3]).T + away[:2], np.array(prism.z) + height))
     boxes, heights = {}, {}
     for kind, found in parts.items():
         turned = [[_box(polygon @ frame.T) for frame in frames] for polygon, _ in found]

@@ -1,0 +1,69 @@
+"""NLopt (Johnson; the PyPI wheel says MIT, which is its own code's; parts of the library are under LGPL).
+
+Local algorithms with the engine's gradient (CCSAQ of Svanberg 2002, LBFGS, SLSQP, VAR2, TNEWTON) begun anew from disturbed
+starts, or global ones that see values alone (ISRES of Runarsson and Yao 2005, CRS2 of Kaelo and Ali 2006, DIRECT-L of
+Gablonsky and Kelley 2001) over the box of the poses.
+
+Fairness: as for `scipy_minimise`: the whole energy, any yaw, one layout a call; objectives as a penalty. A dependency of
+the benchmarks alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+
+from sceneweaver.layout import Problem
+
+from .flat import Flat, TimeUp
+from .one_by_one import OneByOne
+
+
+@dataclass(frozen=True)
+class Nlopt(OneByOne):
+    algorithm: str = "LD_CCSAQ"
+    spread: float = 0.3  # [m] and [rad] standard deviation of a new beginning, of local algorithms
+    weight: float = 30.0
+    limit: float = 0.5
+
+    SETTINGS: ClassVar[dict[str, list[Any]]] = {
+        "algorithm": ["LD_CCSAQ", "LD_LBFGS", "LD_SLSQP", "LD_VAR2", "GN_ISRES", "GN_CRS2_LM", "GN_DIRECT_L"],
+        "spread": [0.05, 0.3, 1.0],
+        "weight": [10.0, 30.0, 100.0],
+    }
+
+    def solve(self, problem: Problem, given: np.ndarray, seed: int, until: Callable[[], bool]) -> np.ndarray:
+        import nlopt
+
+        flat, rng = Flat(problem, given, until, self.weight), np.random.default_rng(seed)
+        nlopt.srand(seed + 1)
+
+        def value(vector: np.ndarray, gradient: np.ndarray) -> float:
+            energy, slope = flat(vector)
+            if gradient.size:
+                gradient[:] = slope
+            return energy
+
+        tool = nlopt.opt(getattr(nlopt, self.algorithm), len(flat.start))
+        tool.set_min_objective(value)
+        tool.set_lower_bounds(flat.low)
+        tool.set_upper_bounds(np.maximum(flat.high, flat.low + 1e-6))
+        tool.set_ftol_abs(1e-7)
+        tool.set_xtol_rel(1e-6)
+        begin, found = flat.start, []
+        while not until():
+            try:
+                tool.optimize(begin)
+            except TimeUp:
+                pass
+            except (nlopt.RoundoffLimited, RuntimeError):
+                pass  # it got as far as its arithmetic goes; another beginning may get further
+            found.append(flat.best)
+            valid = problem.feasible(flat.poses(flat.best)[None].astype(np.float32))[0]
+            if not flat.nets and (valid or flat.lowest < 1e-6):
+                break
+            begin = np.clip(flat.best + rng.normal(0.0, self.spread, begin.shape), flat.low, flat.high)
+        return flat.poses(np.unique(found, axis=0)) if found else flat.poses(flat.best)
