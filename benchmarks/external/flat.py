@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -22,13 +23,15 @@ class Flat:
     The energy's gradient is carried over to roots. The lowest value is kept in ``lowest``, with its vector ``best``.
     """
 
-    def __init__(self, problem: Problem, given: np.ndarray, until: Callable[[], bool], weight: float = 1.0) -> None:
+    def __init__(
+        self, problem: Problem, given: np.ndarray, until: Callable[[], bool], terms: Sequence[Any], weight: float
+    ) -> None:
         self.problem, self.given, self.until = problem, np.asarray(given, dtype=np.float64), until
         self.free = problem.free[0]
         self.start = self.given[self.free]
         self.low, self.high = problem.lower[0][self.free].astype(float), problem.upper[0][self.free].astype(float)
         self.start = np.clip(self.start, self.low, self.high)
-        self.nets, self.view = nets_of(problem), quarter_turns(problem)
+        self.nets, self.view = nets_of(problem, terms), quarter_turns(problem)
         self.weight = weight if self.nets else 1.0
         self.best, self.lowest, self.calls = self.start, np.inf, 0
 

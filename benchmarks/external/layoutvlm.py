@@ -9,7 +9,7 @@ Fairness: it starts where all do; the paper's start comes from a language model,
 start contradicts (``consistent``). It sees one oriented box for an object, pairs that share a height, the hull of the
 room, any yaw, and of relations what its four losses say: sides of faces are a distance and an alignment, walls are the
 nearest at the start. It knows nothing of zones, doors, corners of the outline, exact intervals, or objectives, and will
-lose by what it does not know; `polished` gives its results to the engine's projection.
+lose by what it does not know; with ``polish`` the engine's projection has the last word.
 """
 
 from __future__ import annotations
@@ -41,6 +41,7 @@ class Walk:
     relations: list[Any]
     adam: torch.optim.Adam
     steps: int = 0
+    polished: np.ndarray | None = None
 
 
 @dataclass(frozen=True)
@@ -49,6 +50,7 @@ class LayoutVlm:
     overlap: float = 10.0  # weight of a pair's distance-IoU
     project_every: int = 10
     consistent: bool = False
+    polish: bool = False  # give the end to the engine's projection
     steps: int = 20
 
     SETTINGS: ClassVar[dict[str, list[Any]]] = {
@@ -86,9 +88,13 @@ class LayoutVlm:
             state.steps += 1
             if state.steps % self.project_every == 0:
                 state.boxes.project(state.p, state.yaw)
+        if self.polish and state.steps == total:
+            state.polished = state.problem.project(state.problem.carry(self.best(state), like=state.given))
         return state
 
     def best(self, state: Walk) -> np.ndarray:
+        if state.polished is not None:
+            return state.polished
         found = state.given.copy()
         with torch.no_grad():
             p, yaw = state.p.clone(), state.yaw

@@ -43,7 +43,7 @@ class Milp(OneByOne):
             return None
         xy, _ = view.spot(given[None])
         program = Program(view)
-        program.minimise(nets_of(problem))
+        program.minimise(nets_of(problem, self.objective))
         program.pull(xy[0], self.pull * np.random.default_rng(seed).uniform(0.5, 1.5, xy[0].shape))
         found = program.solve(self.limit, self.gap)
         return None if found is None else view.placed(given[None], found[0][None], found[1][None])

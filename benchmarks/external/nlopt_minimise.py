@@ -38,7 +38,7 @@ class Nlopt(OneByOne):
     def solve(self, problem: Problem, given: np.ndarray, seed: int, until: Callable[[], bool]) -> np.ndarray:
         import nlopt
 
-        flat, rng = Flat(problem, given, until, self.weight), np.random.default_rng(seed)
+        flat, rng = Flat(problem, given, until, self.objective, self.weight), np.random.default_rng(seed)
         nlopt.srand(seed + 1)
 
         def value(vector: np.ndarray, gradient: np.ndarray) -> float:

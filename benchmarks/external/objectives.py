@@ -1,13 +1,13 @@
 """What a problem asks to be minimised, as solvers outside of the engine see it: nets of pins, and flows.
 
-Terms are those of ``problem.objective`` where a problem has any (kinds ``wire_length`` and ``flow``; others are not
-seen by the rivals). Values are computed here in float64, not by the engine.
+Terms have a ``kind`` ("wire_length" or "flow"; others are not seen by the rivals), ``objects``, ``weight`` and ``params``.
+Values are computed here in float64, not by the engine.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -28,10 +28,10 @@ class Net(NamedTuple):
     power: int
 
 
-def nets_of(problem: Problem) -> list[Net]:
-    """The nets and flows that a problem's objective asks for, in the frame of `quarter_turns`."""
+def nets_of(problem: Problem, terms: Sequence[Any]) -> list[Net]:
+    """The nets and flows among terms, in the frame of `quarter_turns`."""
     view, found = quarter_turns(problem), []
-    for term in getattr(problem, "objective", None) or ():
+    for term in terms:
         if term.kind not in ("wire_length", "flow"):
             continue
         params = term.params or {}
@@ -47,32 +47,36 @@ def nets_of(problem: Problem) -> list[Net]:
     return found
 
 
-def length(nets: list[Net], yaws: list[np.ndarray], xy: np.ndarray, turns: np.ndarray) -> np.ndarray:
-    """Weighted length [B] [m] at positions [B, n, 2] and turns [B, n]; ``yaws`` by body and turn."""
-    total = np.zeros(len(xy))
-    for net in nets:
-        pins = []
-        for body, (x, y) in net.pins:
-            if body < 0:
-                pins.append(np.broadcast_to((x, y), (len(xy), 2)))
-                continue
-            yaw = yaws[body][turns[:, body]]
-            c, s = np.cos(yaw), np.sin(yaw)
-            pins.append(xy[:, body] + np.stack([c * x - s * y, s * x + c * y], axis=-1))
-        points = np.stack(pins, axis=1)
-        span = points.max(axis=1) - points.min(axis=1)
-        total += net.weight * (span.sum(axis=1) if net.boxed or net.power == 1 else np.hypot(*span.T))
-    return total
+class Lengths:
+    """The weighted length [m] of nets and flows at quarter turns, for many calls."""
+
+    def __init__(self, nets: list[Net], view: QuarterTurns) -> None:
+        pins = [pin for net in nets for pin in net.pins]
+        self.weight = np.array([net.weight for net in nets])
+        self.crooked = np.array([net.boxed or net.power == 1 for net in nets], dtype=bool)
+        self.start = np.cumsum([0, *(len(net.pins) for net in nets)])[:-1]
+        self.body = np.array([body for body, _ in pins], dtype=int)
+        self.offset = np.zeros((len(pins), 4, 2))  # from the body at each turn, or where a pin stands still
+        for row, (body, (x, y)) in zip(self.offset, pins, strict=True):
+            yaws = view.bodies[body].yaws if body >= 0 else np.zeros(1)
+            c, s = np.cos(yaws), np.sin(yaws)
+            row[: len(yaws)] = np.stack([c * x - s * y, s * x + c * y], axis=1)
+
+    def __call__(self, xy: np.ndarray, turns: np.ndarray) -> float:
+        """At positions [n, 2] and turns [n]."""
+        if not len(self.body):
+            return 0.0
+        still = self.body < 0
+        at = self.offset[np.arange(len(self.body)), np.where(still, 0, turns[self.body])]
+        at += np.where(still[:, None], 0.0, xy[self.body])
+        span = np.maximum.reduceat(at, self.start) - np.minimum.reduceat(at, self.start)
+        return float(self.weight @ np.where(self.crooked, span.sum(axis=1), np.hypot(*span.T)))
 
 
-def objective_of(problem: Problem) -> Callable[[np.ndarray], np.ndarray] | None:
-    """The objective of layouts [B, N, 4], or None. Yaws are rounded to the view's: exact at quarter turns."""
-    nets = nets_of(problem)
-    if not nets:
-        return None
-    view = quarter_turns(problem)
-    yaws = [body.yaws for body in view.bodies]
-    return lambda poses: length(nets, yaws, *view.spot(np.asarray(poses, dtype=np.float64)))
+def objective_of(problem: Problem, terms: Sequence[Any], poses: np.ndarray) -> np.ndarray:
+    """The objective [B] of layouts [B, N, 4]."""
+    nets, view = nets_of(problem, terms), quarter_turns(problem)
+    return np.array([slope(nets, view, layout)[0] for layout in np.asarray(poses, dtype=np.float64)])
 
 
 def slope(nets: list[Net], view: QuarterTurns, poses: np.ndarray) -> tuple[float, np.ndarray]:

@@ -7,8 +7,8 @@ valid one first, then that of the lower objective, then of the lower energy.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
-from dataclasses import dataclass, field
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Any, Protocol
 
 import numpy as np
@@ -41,11 +41,29 @@ class Solver(Protocol):
         ...
 
 
+@dataclass(frozen=True)
 class OneByOne:
-    """The protocol for a `Solver`. ``limit`` is the processor time of a step [s]; candidates take turns."""
+    """The protocol for a `Solver`; candidates take turns.
+
+    Attributes:
+        limit: processor time of a step [s].
+        polish: whether what was found goes to the engine's projection, and the better is kept.
+        objective: terms (kind, objects, weight, params) that are to be minimised, see `configure`.
+    """
+
+    limit: float = 1.0
+    polish: bool = False
+    objective: tuple[Any, ...] = ()
 
     steps = None
-    limit: float = 1.0
+
+    def configure(self, objective: Sequence[Any], seconds: float) -> Any:
+        """The solver for an objective and a budget [s].
+
+        Where something is to be minimised a candidate gets half of the budget: the best layout is what counts then.
+        """
+        limit = 0.5 * seconds if objective else min(self.limit, seconds)
+        return replace(self, objective=tuple(objective), limit=limit)
 
     def init(self, problem: Problem, poses: Any, key: int) -> Solving:
         given = np.asarray(poses.numpy(), dtype=np.float32)
@@ -57,7 +75,9 @@ class OneByOne:
         seed = (state.key * 7919 + state.turn) % 2**31
         found = self.solve(state.problem, state.given[row].astype(np.float64), seed, lambda: time.process_time() > ends)
         if found is not None:
-            keep_best(state, row, found)
+            keep_best(state, row, found, self.objective)
+        if self.polish and not state.problem.feasible(state.poses[row : row + 1])[0]:
+            keep_best(state, row, state.problem.project(state.poses[row : row + 1]), self.objective)
         state.turn += 1
         return state
 
@@ -66,10 +86,10 @@ class OneByOne:
 
     def done(self, state: Solving) -> bool:
         """All were solved once; an objective can always be tried for again."""
-        return state.turn >= len(state.given) and objective_of(state.problem) is None
+        return state.turn >= len(state.given) and not self.objective
 
 
-def keep_best(state: Solving, row: int, found: np.ndarray) -> None:
+def keep_best(state: Solving, row: int, found: np.ndarray, objective: Sequence[Any] = ()) -> None:
     """Put the best of layouts [N, 4] or [K, N, 4] and the candidate's own into its place."""
     problem = state.problem
     many = np.nan_to_num(np.asarray(found, dtype=np.float64)).reshape(-1, *state.given.shape[1:])
@@ -78,12 +98,11 @@ def keep_best(state: Solving, row: int, found: np.ndarray) -> None:
     many = np.where(problem.free[which], many, like).astype(np.float32)
     many = np.concatenate([state.poses[row : row + 1], problem.carry(many, which, like=like)])
     which = np.append(which, which[0])
-    state.poses[row] = many[ranking(problem, many, which)[0]]
+    state.poses[row] = many[ranking(problem, many, which, objective)[0]]
 
 
-def ranking(problem: Problem, poses: np.ndarray, which: np.ndarray | None = None) -> np.ndarray:
+def ranking(problem: Problem, poses: np.ndarray, which: np.ndarray, objective: Sequence[Any]) -> np.ndarray:
     """The order of layouts [B, N, 4]: valid ones first, then by objective, then by energy."""
     valid, energy = problem.feasible(poses, which), problem.energy(poses, which)
-    objective = objective_of(problem)
-    value = np.zeros(len(poses)) if objective is None else objective(poses)
+    value = objective_of(problem, objective, poses) if objective else np.zeros(len(poses))
     return np.lexsort((energy, np.where(valid, value, 0.0), ~valid))

@@ -120,9 +120,10 @@ class QuarterTurns:
     def placed(self, poses: np.ndarray, xy: np.ndarray, turns: np.ndarray) -> np.ndarray:
         """Poses [B, N, 4] with the bodies at positions [B, n, 2] and turns [B, n]."""
         found = np.array(poses, dtype=np.float64)
-        for i, body in enumerate(self.bodies):
-            found[:, body.index, :2] = xy[:, i] @ _turn(self.angle).T
-            found[:, body.index, 3] = wrap_angle(body.yaws[turns[:, i]] + self.angle)
+        index = [body.index for body in self.bodies]
+        found[:, index, :2] = xy @ _turn(self.angle).T
+        yaws = [body.yaws[turns[:, i]] for i, body in enumerate(self.bodies)]
+        found[:, index, 3] = wrap_angle(np.array(yaws).reshape(len(index), -1).T + self.angle)
         return found
 
 

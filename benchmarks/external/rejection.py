@@ -107,7 +107,9 @@ def _draw(
         for w in rng.permutation(len(known)):  # one relation after another narrows what is left
             choices = [c for c in known[w].choices if all(i == body or turns[i] in some for i, some in c.turns)]
             if choices:
-                spots[rows], how[rows] = _into(choices[rng.integers(len(choices))], body, spots[rows], how[rows], xy, rng)
+                spots[rows], how[rows] = _into(
+                    choices[rng.integers(len(choices))], body, spots[rows], how[rows], xy, rng
+                )
     return spots, how
 
 

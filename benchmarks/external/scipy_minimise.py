@@ -39,7 +39,7 @@ class ScipyMinimise(OneByOne):
     def solve(self, problem: Problem, given: np.ndarray, seed: int, until: Callable[[], bool]) -> np.ndarray:
         from scipy.optimize import minimize
 
-        flat, rng = Flat(problem, given, until, self.weight), np.random.default_rng(seed)
+        flat, rng = Flat(problem, given, until, self.objective, self.weight), np.random.default_rng(seed)
         box, begin = np.stack([flat.low, flat.high], axis=1), flat.start
         found: list[np.ndarray] = []
         try:
@@ -72,7 +72,7 @@ class DualAnnealing(OneByOne):
     def solve(self, problem: Problem, given: np.ndarray, seed: int, until: Callable[[], bool]) -> np.ndarray:
         from scipy.optimize import dual_annealing
 
-        flat = Flat(problem, given, until, self.weight)
+        flat = Flat(problem, given, until, self.objective, self.weight)
         wide = np.maximum(flat.high, flat.low + 1e-6)
         local = {"method": "L-BFGS-B", "jac": lambda v: flat(v)[1], "bounds": list(zip(flat.low, wide, strict=True))}
         try:
