@@ -1,8 +1,8 @@
 """Adam on losses of relations between boxes along the axes, positions only, as Isaac Lab Arena's relation solver.
 
-Its documented defaults (600 steps, rate 0.01, linear losses, shared volume of boxes at a large slope) with the losses of
-`benchmarks.rivals.torch_positions`, written from a description: relations at a side (a half plane, a band, a distance)
-are hinges, and so are distances, walls and corners.
+Its documented defaults (600 steps, rate 0.01, linear losses, shared volume of boxes at a large slope) with the losses
+of `benchmarks.rivals.torch_positions`, written from a description: relations at a side (a half plane, a band, a
+distance) are hinges, and so are distances, walls and corners.
 
 Fairness: yaw never changes, so a candidate whose start is turned wrongly can not become valid, and starts here are
 drawn at any yaw where no relation says one; boxes along the axes are larger than turned bodies; which wall or side is
@@ -44,6 +44,7 @@ class ArenaRelations:
         if self.square:
             view = quarter_turns(problem)
             begin = problem.carry(view.placed(given, *view.spot(given.astype(float))).astype(np.float32), like=given)
+        torch.set_num_threads(1)  # of tensors this small: more cost processor time and save none
         scene, device = problem.scenes[0], pick(problem.device)
         floor = movable(scene)
         p = torch.tensor(begin[:, floor, :2], dtype=torch.float32, device=device, requires_grad=True)

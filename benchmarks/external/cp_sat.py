@@ -14,6 +14,7 @@ is possible in its grid, and says so by leaving the start as it is.
 from __future__ import annotations
 
 import math
+import threading
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, ClassVar
@@ -27,18 +28,19 @@ from .one_by_one import OneByOne
 from .quarter_turns import Interval, QuarterTurns, quarter_turns
 
 FAR = 10**7  # grid steps from where on an interval has no end
+PATIENCE = 4.0  # of wall to processor time at most
 MICRO = 1000  # of weights and directions that are whole numbers
 
 
 @dataclass(frozen=True)
 class CpSat(OneByOne):
-    grid: float = 0.001  # [m]
+    grid: float = 0.01  # [m]
     limit: float = 1.0  # [s] of a candidate
-    hint: bool = False  # begin where the candidate starts
-    linearization: int = 0  # what worked best on 30 blocks with nets
+    hint: bool = True  # begin where the candidate starts
+    linearization: int = 0  # level of the linear relaxation; 0 was best on blocks with nets
 
     SETTINGS: ClassVar[dict[str, list[Any]]] = {
-        "grid": [0.001, 0.005, 0.02],
+        "grid": [0.001, 0.01, 0.03],
         "limit": [0.5, 1.0, 2.0],
         "hint": [True, False],
         "linearization": [0, 1, 2],
@@ -56,10 +58,23 @@ class CpSat(OneByOne):
         solver = cp_model.CpSolver()
         solver.parameters.num_workers = 1
         solver.parameters.random_seed = seed
-        solver.parameters.max_time_in_seconds = self.limit
+        solver.parameters.max_time_in_seconds = PATIENCE * self.limit  # of the wall clock, which is not what counts
         solver.parameters.linearization_level = self.linearization
         solver.parameters.randomize_search = seed % 2 == 1
-        status = solver.solve(model.model)
+        over = threading.Event()
+
+        def watch() -> None:
+            while not over.wait(0.01):
+                if until():
+                    solver.stop_search()
+
+        watcher = threading.Thread(target=watch)
+        watcher.start()
+        try:
+            status = solver.solve(model.model)
+        finally:
+            over.set()
+            watcher.join()
         if status not in (cp_model.OPTIMAL, cp_model.FEASIBLE):
             return None
         found_xy, found_turns = model.read(solver)
@@ -78,8 +93,13 @@ class Model:
         model = self.model
         self.x = [(model.new_int_var(x0, x1, ""), model.new_int_var(y0, y1, "")) for _ in view.bodies]
         self.turn = [[model.new_bool_var("") for _ in body.yaws] for body in view.bodies]
-        for own in self.turn:
+        told = {body for wanted in view.relations for choice in wanted.choices for body, _ in choice.turns}
+        for i, own in enumerate(self.turn):
             model.add_exactly_one(own)
+            if i not in told and len(own) == 4:  # half a turn of a symmetric body changes nothing
+                for t in (2, 3):
+                    if all(np.allclose(b[:, t], b[:, t - 2]) for b in (view.bodies[i].solids, view.bodies[i].zones)):
+                        model.add(own[t] == 0)
         self._walls()
         self._keep_apart()
         self._relations()
@@ -101,8 +121,8 @@ class Model:
         return [self.x[body][i % 2] + self._by_turn(body, offsets[i]) for i in range(4)]
 
     def _walls(self) -> None:
-        for i, body in enumerate(self.view.bodies):
-            for t, lit in enumerate(self.turn[i]):
+        for i, own in enumerate(self.turn):
+            for t, lit in enumerate(own):
                 for (nx, ny, _), level in zip(self.view.planes, self.view.bounds(i, t), strict=True):
                     cx, cy = round(MICRO * nx), round(MICRO * ny)
                     self.model.add(
@@ -135,6 +155,9 @@ class Model:
                     model.add(size == self._by_turn(i, width))
                     both[d].append(model.new_interval_var(start, size, end, ""))
             model.add_no_overlap_2d(*both)
+            for d in (0, 1):  # what stands above each other takes its share of the room's other side
+                sizes = [interval.size_expr() for interval in both[1 - d]]
+                model.add_cumulative(both[d], sizes, self.box[3 - d] - self.box[1 - d])
         for pair in self.view.apart:
             if everyone and self._in(clique, pair):
                 continue

@@ -1,4 +1,4 @@
-"""A problem of one layout as a function of a vector, for optimisers that call a function: value, gradient, box, clock."""
+"""One layout as a function of a vector, for optimisers that call a function: value, gradient, box, clock."""
 
 from __future__ import annotations
 

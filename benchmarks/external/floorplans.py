@@ -1,8 +1,9 @@
 """Annealing of floor plans in a fixed outline: what B*-trees and sequence pairs have in common.
 
 Blocks are packed towards a corner of the room; a move changes the representation, turns a block by a quarter, or (one
-in twenty) takes another corner, since doors and pockets keep some free; Metropolis accepts at a temperature that falls geometrically. The cost is that of Adya and Markov (2003) for a fixed
-outline, by how much the packing reaches beyond it, with the length of the nets, and what the engine says of the rest.
+in twenty) takes another corner, since doors and pockets keep some free. Metropolis accepts at a temperature that falls
+geometrically. The cost is that of Adya and Markov (2003) for a fixed outline, by how much the packing reaches beyond
+it, with the length of the nets, and what the engine says of the rest.
 """
 
 from __future__ import annotations

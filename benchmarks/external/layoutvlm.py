@@ -60,7 +60,7 @@ class LayoutVlm:
     }
 
     def init(self, problem: Problem, poses: Any, key: int) -> Walk:
-        torch.manual_seed(key)
+        torch.set_num_threads(1)  # of tensors this small: more cost processor time and save none
         given = np.asarray(poses.numpy(), dtype=np.float32)
         device = "cuda" if problem.device.startswith("cuda") else "cpu"
         boxes = Boxes(problem, device)

@@ -159,7 +159,7 @@ class Program:
         found = milp(
             np.array(self.cost),
             integrality=np.array(self.whole, dtype=int),
-            bounds=Bounds(np.array(self.low), np.array(self.high)),
+            bounds=Bounds(np.array(self.low), np.array(self.high)),  # pyright: ignore[reportArgumentType]
             constraints=LinearConstraint(matrix, low, high),
             options={"time_limit": seconds, "mip_rel_gap": gap},
         )

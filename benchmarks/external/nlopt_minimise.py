@@ -1,11 +1,11 @@
-"""NLopt (Johnson; the PyPI wheel says MIT, which is its own code's; parts of the library are under LGPL).
+"""NLopt (Johnson). Its wheel on PyPI says MIT, which is its own code's licence; parts of the library are under LGPL.
 
-Local algorithms with the engine's gradient (CCSAQ of Svanberg 2002, LBFGS, SLSQP, VAR2, TNEWTON) begun anew from disturbed
+Local algorithms with the engine's gradient (CCSAQ of Svanberg 2002, LBFGS, SLSQP, VAR2) begun anew from disturbed
 starts, or global ones that see values alone (ISRES of Runarsson and Yao 2005, CRS2 of Kaelo and Ali 2006, DIRECT-L of
 Gablonsky and Kelley 2001) over the box of the poses.
 
-Fairness: as for `scipy_minimise`: the whole energy, any yaw, one layout a call; objectives as a penalty. A dependency of
-the benchmarks alone.
+Fairness: as for `scipy_minimise`: the whole energy, any yaw, one layout a call; objectives as a penalty. It is a
+dependency of the benchmarks alone. LBFGS and VAR2 are the parts under LGPL.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """What a problem asks to be minimised, as solvers outside of the engine see it: nets of pins, and flows.
 
-Terms have a ``kind`` ("wire_length" or "flow"; others are not seen by the rivals), ``objects``, ``weight`` and ``params``.
+Terms have a ``kind`` ("wire_length" or "flow"; rivals do not see others), ``objects``, ``weight`` and ``params``.
 Values are computed here in float64, not by the engine.
 """
 

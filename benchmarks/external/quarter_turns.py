@@ -1,4 +1,4 @@
-"""A layout problem as rectangles at quarter turns and linear conditions: what solvers of integer programs and grids see.
+"""A layout problem as rectangles at quarter turns and linear conditions: what integer programs and grids see.
 
 Made from the engine's compiled scene, so that rivals know what the engine knows, as far as it can be said this way:
 
@@ -170,7 +170,9 @@ def _view(problem: Problem, given: np.ndarray | None) -> QuarterTurns:
         wanted = _relation(room, relation, bodies, number, angle)
         left_out += wanted is None and relation.fault != 0
         said += [] if wanted is None or not wanted.choices else [wanted]
-    view = QuarterTurns(angle, bodies, planes, tuple(map(float, box)), apart, said, left_out)
+    view = QuarterTurns(
+        angle, bodies, planes, (float(box[0]), float(box[1]), float(box[2]), float(box[3])), apart, said, left_out
+    )
     view.names = {room.ids[index]: i for index, i in number.items()}
     for i, name in enumerate(room.ids):
         if i not in number:

@@ -5,12 +5,13 @@ begun anew within ``spread`` of the best; `scipy.optimize.dual_annealing` (Xiang
 of the poses, with L-BFGS-B as its local search. SciPy is under BSD-3.
 
 Fairness: both see the whole energy of the engine (bodies as they are, zones, doors, relations, any yaw) and its
-gradient; not the verdict. Objectives come as a penalty: ``weight`` metres for a metre of energy. One layout a call: what
-the engine does for a batch at a time, it does here for one, which costs several times as much a layout.
+gradient; not the verdict. Objectives come as a penalty: ``weight`` metres for a metre of energy. One layout a call:
+what the engine does for a batch at a time it does here for one, which costs several times as much.
 """
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, ClassVar
@@ -46,9 +47,9 @@ class ScipyMinimise(OneByOne):
             while True:
                 minimize(flat, begin, jac=True, method=self.method, bounds=box)
                 found.append(flat.best)
-                if flat.lowest < 1e-6 or problem.feasible(flat.poses(flat.best)[None].astype(np.float32))[0]:
-                    if not flat.nets:
-                        break
+                layout = flat.poses(flat.best)[None].astype(np.float32)
+                if not flat.nets and (flat.lowest < 1e-6 or problem.feasible(layout)[0]):
+                    break
                 begin = np.clip(flat.best + rng.normal(0.0, self.spread, begin.shape), flat.low, flat.high)
         except TimeUp:
             found.append(flat.best)
@@ -75,12 +76,12 @@ class DualAnnealing(OneByOne):
         flat = Flat(problem, given, until, self.objective, self.weight)
         wide = np.maximum(flat.high, flat.low + 1e-6)
         local = {"method": "L-BFGS-B", "jac": lambda v: flat(v)[1], "bounds": list(zip(flat.low, wide, strict=True))}
-        try:
+        with contextlib.suppress(TimeUp):
             dual_annealing(
                 flat.value,
                 np.stack([flat.low, wide], axis=1),
                 x0=flat.start,
-                seed=seed,
+                seed=seed,  # pyright: ignore[reportCallIssue]
                 initial_temp=self.temperature,
                 restart_temp_ratio=self.restart,
                 visit=self.visit,
@@ -88,6 +89,4 @@ class DualAnnealing(OneByOne):
                 maxiter=100_000,
                 callback=lambda x, value, context: value < 1e-6 and not flat.nets,
             )
-        except TimeUp:
-            pass
         return flat.poses(flat.best)

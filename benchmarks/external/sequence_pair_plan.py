@@ -1,5 +1,7 @@
-"""Annealing of sequence pairs in a fixed outline (Murata, Fujiyoshi, Nakatake and Kajitani, "VLSI Module Placement Based
-on Rectangle-Packing by the Sequence-Pair", IEEE TCAD 1996), for any problem of the zoo.
+"""Annealing of sequence pairs in a fixed outline, for any problem of the zoo.
+
+After Murata, Fujiyoshi, Nakatake and Kajitani, "VLSI Module Placement Based on Rectangle-Packing by the
+Sequence-Pair", IEEE TCAD 1996.
 
 Two orders of the blocks: what is before another in both lies left of it, what is before it in the second alone lies
 below. Moves exchange two blocks in one order or in both, or turn one. `sequence_pair` packs, and is the same method on
