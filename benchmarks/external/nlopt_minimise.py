@@ -54,14 +54,20 @@ class Nlopt(OneByOne):
         tool.set_ftol_abs(1e-7)
         tool.set_xtol_rel(1e-6)
         begin, found = flat.start, []
-        while not until():
+
+        def run(vector: np.ndarray) -> np.ndarray:
             try:
-                tool.optimize(begin)
-            except TimeUp:
-                pass
-            except (nlopt.RoundoffLimited, RuntimeError):
-                pass  # it got as far as its arithmetic goes; another beginning may get further
+                return tool.optimize(vector)
+            except (TimeUp, nlopt.RoundoffLimited, RuntimeError):
+                return vector  # it got as far as its time or its arithmetic goes; another beginning may get further
+
+        while not until():
+            run(begin)
             found.append(flat.best)
+            if flat.nets:  # by the energy alone: a penalty ends beside what is valid
+                flat.mending = True
+                found.append(run(flat.best))
+                flat.mending = False
             valid = problem.feasible(flat.poses(flat.best)[None].astype(np.float32))[0]
             if not flat.nets and (valid or flat.lowest < 1e-6):
                 break

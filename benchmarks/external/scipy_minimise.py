@@ -47,6 +47,8 @@ class ScipyMinimise(OneByOne):
             while True:
                 minimize(flat, begin, jac=True, method=self.method, bounds=box)
                 found.append(flat.best)
+                if flat.nets:
+                    found.append(self._mended(flat, box))
                 layout = flat.poses(flat.best)[None].astype(np.float32)
                 if not flat.nets and (flat.lowest < 1e-6 or problem.feasible(layout)[0]):
                     break
@@ -54,6 +56,15 @@ class ScipyMinimise(OneByOne):
         except TimeUp:
             found.append(flat.best)
         return flat.poses(np.unique(found, axis=0))
+
+    def _mended(self, flat: Flat, box: np.ndarray) -> np.ndarray:
+        """From the best on by the energy alone: a penalty ends beside what is valid."""
+        from scipy.optimize import minimize
+
+        flat.mending = True
+        mended = minimize(flat, flat.best, jac=True, method=self.method, bounds=box).x
+        flat.mending = False
+        return mended
 
 
 @dataclass(frozen=True)
