@@ -12,7 +12,10 @@ starts to the nearest quarter of the room first, which its own users do by hand.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -35,8 +38,13 @@ class ArenaRelations:
     square: bool = True
     polish: bool = False  # give the end to the engine's projection
     steps: int = 30
+    seconds: float = math.inf  # of processor time, two thirds of which are for the descent where it is polished
 
     SETTINGS: ClassVar[dict[str, list[Any]]] = {"rate": [0.003, 0.01, 0.03], "square": [True, False]}
+
+    def configure(self, objective: Sequence[Any], seconds: float) -> ArenaRelations:
+        """The optimiser for a budget [s]; it knows no objectives."""
+        return replace(self, seconds=seconds)
 
     def init(self, problem: Problem, poses: Any, key: int) -> Solving:
         given = np.asarray(poses.numpy(), dtype=np.float32)
@@ -49,7 +57,13 @@ class ArenaRelations:
         floor = movable(scene)
         p = torch.tensor(begin[:, floor, :2], dtype=torch.float32, device=device, requires_grad=True)
         adam = torch.optim.Adam([p], lr=self.rate)
-        notes = {"loss": Placement(scene, begin, problem.device), "p": p, "adam": adam, "floor": floor}
+        notes = {
+            "loss": Placement(scene, begin, problem.device),
+            "p": p,
+            "adam": adam,
+            "floor": floor,
+            "began": time.process_time(),
+        }
         return Solving(problem, begin, begin.copy(), key, notes=notes)
 
     def step(self, state: Solving) -> Solving:
@@ -60,10 +74,15 @@ class ArenaRelations:
             adam.step()
         state.poses[:, state.notes["floor"], :2] = p.detach().cpu().numpy()
         state.turn += 1
-        if self.polish and state.turn == self.steps:
+        late = time.process_time() - state.notes["began"] > 2 / 3 * self.seconds
+        if self.polish and (state.turn == self.steps or late):
             layouts = state.problem.carry(state.poses, like=state.given)
-            state.poses = state.problem.project(layouts)
+            state.poses, state.notes["polished"] = state.problem.project(layouts), True
         return state
+
+    def done(self, state: Solving) -> bool:
+        """Whether it was polished."""
+        return "polished" in state.notes
 
     def best(self, state: Solving) -> np.ndarray:
         return state.poses

@@ -15,7 +15,9 @@ lose by what it does not know; with ``polish`` the engine's projection has the l
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -42,6 +44,7 @@ class Walk:
     adam: torch.optim.Adam
     steps: int = 0
     polished: np.ndarray | None = None
+    began: float = field(default_factory=time.process_time)
 
 
 @dataclass(frozen=True)
@@ -51,6 +54,7 @@ class LayoutVlm:
     project_every: int = 10
     consistent: bool = False
     polish: bool = False  # give the end to the engine's projection
+    seconds: float = math.inf  # of processor time, two thirds of which are for the descent where it is polished
     steps: int = 20
 
     SETTINGS: ClassVar[dict[str, list[Any]]] = {
@@ -58,6 +62,10 @@ class LayoutVlm:
         "overlap": [1.0, 10.0, 100.0],
         "project_every": [1, 10, 50],
     }
+
+    def configure(self, objective: Sequence[Any], seconds: float) -> LayoutVlm:
+        """The optimiser for a budget [s]; it knows no objectives."""
+        return replace(self, seconds=seconds)
 
     def init(self, problem: Problem, poses: Any, key: int) -> Walk:
         torch.set_num_threads(1)  # of tensors this small: more cost processor time and save none
@@ -88,9 +96,14 @@ class LayoutVlm:
             state.steps += 1
             if state.steps % self.project_every == 0:
                 state.boxes.project(state.p, state.yaw)
-        if self.polish and state.steps == total:
+        late = time.process_time() - state.began > 2 / 3 * self.seconds
+        if self.polish and (state.steps == total or late):
             state.polished = state.problem.project(state.problem.carry(self.best(state), like=state.given))
         return state
+
+    def done(self, state: Walk) -> bool:
+        """Whether it was polished."""
+        return state.polished is not None
 
     def best(self, state: Walk) -> np.ndarray:
         if state.polished is not None:
