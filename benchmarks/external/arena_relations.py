@@ -64,6 +64,7 @@ class ArenaRelations:
             "floor": floor,
             "began": time.process_time(),
         }
+        notes["began"] = time.process_time()
         return Solving(problem, begin, begin.copy(), key, notes=notes)
 
     def step(self, state: Solving) -> Solving:
