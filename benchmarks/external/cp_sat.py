@@ -25,7 +25,8 @@ from sceneweaver.layout import Problem
 
 from .objectives import Net, nets_of
 from .one_by_one import OneByOne
-from .quarter_turns import Interval, QuarterTurns, quarter_turns
+from .quarter_turns import QuarterTurns, quarter_turns
+from .rectangles import Interval
 
 FAR = 10**7  # grid steps from where on an interval has no end
 PATIENCE = 4.0  # of wall to processor time at most

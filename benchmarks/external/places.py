@@ -6,7 +6,8 @@ from collections import defaultdict
 
 import numpy as np
 
-from .quarter_turns import Apart, QuarterTurns, Wanted, holds
+from .quarter_turns import QuarterTurns
+from .rectangles import Apart, Wanted, holds
 
 FLUSH = 0.004  # [m] from a wall that a thing stands at
 SLACK = 5e-4  # [m] by which rectangles may overlap

@@ -24,7 +24,8 @@ from sceneweaver.layout import Problem
 
 from .one_by_one import OneByOne
 from .places import Places
-from .quarter_turns import Choice, QuarterTurns, quarter_turns
+from .quarter_turns import QuarterTurns, quarter_turns
+from .rectangles import Choice
 
 CHUNK = 16  # draws that go for the same choices
 

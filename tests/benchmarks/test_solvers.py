@@ -19,7 +19,8 @@ from benchmarks.external.flat import Flat, TimeUp
 from benchmarks.external.holodeck_dfs import HolodeckDfs
 from benchmarks.external.objectives import Lengths, nets_of, objective_of, slope
 from benchmarks.external.one_by_one import Solving, keep_best
-from benchmarks.external.quarter_turns import holds, overlapping, quarter_turns
+from benchmarks.external.quarter_turns import quarter_turns
+from benchmarks.external.rectangles import holds, overlapping
 from benchmarks.external.rejection import Rejection
 from benchmarks.external.sequence_pair_plan import SequencePair
 from sceneweaver import problems
