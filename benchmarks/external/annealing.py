@@ -7,7 +7,7 @@ energies only. Written from what such solvers have in common, not from any one o
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -33,6 +33,8 @@ class Annealing:
     hottest: float = 0.5  # [m] of energy
     coldest: float = 0.005
     steps: int = 150
+
+    SETTINGS: ClassVar[dict[str, list[Any]]] = {"hottest": [0.1, 0.5, 2.0], "coldest": [0.001, 0.005, 0.02]}
 
     def init(self, problem: Problem, poses: Any, key: int) -> Chain:
         x = poses.numpy()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import blackjax
 import jax
@@ -32,6 +32,8 @@ class Mala:
     temperature: float = 0.02  # [m], in units of the energy
     step_size: float = 2e-4
     steps: int = 20
+
+    SETTINGS: ClassVar[dict[str, list[Any]]] = {"temperature": [0.005, 0.02, 0.1], "step_size": [5e-5, 2e-4, 1e-3]}
 
     def init(self, problem: Problem, poses: Any, key: int) -> Chains:
         given = jnp.from_dlpack(poses)

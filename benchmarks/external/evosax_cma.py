@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import jax
 import jax.numpy as jnp
@@ -28,6 +28,8 @@ class CmaEs:
     population: int = 32
     spread: float = 0.2  # standard deviation [m] and [rad] to begin with
     steps: int = 100
+
+    SETTINGS: ClassVar[dict[str, list[Any]]] = {"population": [16, 32, 64], "spread": [0.05, 0.2, 0.5]}
 
     def init(self, problem: Problem, poses: Any, key: int) -> Populations:
         given = jnp.from_dlpack(poses)

@@ -7,7 +7,7 @@ stands already is one of them. It sees energies only. Written from what such sol
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -28,6 +28,8 @@ class Greedy:
     cell: float = 0.1  # [m]
     places: int = 24  # that are tried of one object
     at_once: int = 4  # objects in one step of the protocol
+
+    SETTINGS: ClassVar[dict[str, list[Any]]] = {"cell": [0.05, 0.1, 0.25], "places": [8, 24, 96]}
 
     steps = None  # the budget says how many
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import jax
 import jax.numpy as jnp
@@ -34,6 +34,8 @@ class OptaxAdam:
     rate: float = 0.12  # [m] at the start; falls to a hundredth
     noise: float = 0.06  # [m] standard deviation at the start; falls to zero at 60 % of the steps
     steps: int = 20
+
+    SETTINGS: ClassVar[dict[str, list[Any]]] = {"rate": [0.03, 0.12, 0.3], "noise": [0.0, 0.06, 0.2]}
 
     @property
     def rule(self) -> optax.GradientTransformation:

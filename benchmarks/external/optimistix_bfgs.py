@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import jax
 import jax.numpy as jnp
@@ -33,6 +33,8 @@ def begin(problem: Problem, poses: Any) -> Descent:
 class Bfgs:
     steps: int = 20
     iterations: int = 20  # of BFGS in a step
+
+    SETTINGS: ClassVar[dict[str, list[Any]]] = {"iterations": [5, 20, 50]}
 
     def init(self, problem: Problem, poses: Any, key: int) -> Descent:
         return begin(problem, poses)

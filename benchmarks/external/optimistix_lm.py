@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
+from typing import Any, ClassVar
 
 import jax
 import jax.numpy as jnp
@@ -20,6 +20,8 @@ from .optimistix_bfgs import Descent, begin
 class LevenbergMarquardt:
     steps: int = 10
     iterations: int = 10  # in a step, after which the damping begins anew
+
+    SETTINGS: ClassVar[dict[str, list[Any]]] = {"iterations": [5, 10, 30]}
 
     def init(self, problem: Problem, poses: Any, key: int) -> Descent:
         return begin(problem, poses)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 import torch
 import warp as wp
@@ -33,6 +33,8 @@ class TorchAdam:
     rate: float = 0.12  # [m] and [rad]
     noise: float = 0.06
     steps: int = 20
+
+    SETTINGS: ClassVar[dict[str, list[Any]]] = {"rate": [0.03, 0.12, 0.3], "noise": [0.0, 0.06, 0.2]}
 
     def init(self, problem: Problem, poses: Any, key: int) -> Walk:
         given = wp.to_torch(poses).reshape(*poses.shape[:2], 4)
