@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 
 import numpy as np
@@ -85,13 +86,10 @@ def decimals(values: np.ndarray, digits: int) -> str:
     Coordinates recur, so that each is made into text once.
     """
     steps, which = np.unique(np.rint(values.reshape(-1) * 10**digits).astype(np.int64), return_inverse=True)
-    short = [_short(step, digits) for step in steps.tolist()]
+    text = f"%.{digits}f " * len(steps) % tuple((steps / 10**digits).tolist())  # at once, as there are millions
+    short = _FIRST_ZERO.sub("", _LAST_ZEROS.sub("", text)).split()
     return " ".join([short[k] for k in which.tolist()])
 
 
-def _short(step: int, digits: int) -> str:
-    """A whole number of steps of that many decimals."""
-    whole, rest = divmod(abs(step), 10**digits)
-    decimals = f".{rest:0{digits}d}".rstrip("0").rstrip(".")
-    sign = "-" if step < 0 else ""
-    return f"{sign}{whole or ''}{decimals}" if whole or decimals else "0"
+_LAST_ZEROS = re.compile(r"\.?0+(?= )")
+_FIRST_ZERO = re.compile(r"(?<!\d)0(?=\.)")

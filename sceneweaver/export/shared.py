@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Hashable
-from dataclasses import asdict
 from typing import Protocol
 
 from sceneweaver.assets.journal import Journal, journal_key
@@ -76,7 +75,7 @@ class SharedFiles:
         made = make()
         path = self._store.put(made.data, "bin")
         kept = made.without_data()
-        row = {"views": kept.views, "accessors": kept.accessors, "primitives": [asdict(p) for p in kept.primitives]}
+        row = {"views": kept.views, "accessors": kept.accessors, "primitives": [vars(p) for p in kept.primitives]}
         self._journal.put(key, json.dumps([path, len(made.data), row]).encode())
         return kept, path
 

@@ -52,7 +52,7 @@ class Token:
 
     def has(self, *kinds: str) -> bool:
         """Whether it can be one of these."""
-        return any(kind in self.kinds for kind in kinds)
+        return not self.kinds.keys().isdisjoint(kinds)
 
     def get(self, kind: str) -> Any:
         """What it means as one of a kind; None when it cannot be that."""

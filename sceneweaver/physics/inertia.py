@@ -8,7 +8,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from sceneweaver.geometry.hulls import hull_faces
+from sceneweaver.geometry.hulls import hull_mesh
 
 from .solids import Solid
 
@@ -76,5 +76,5 @@ def _integrated(solid: Solid) -> tuple[np.ndarray, np.ndarray]:
 def triangles(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """A point [3] within the convex hull of ``points`` [V, 3], and the hull's triangles [F, 3, 3], seen from outside
     counter-clockwise."""
-    faces = hull_faces(points)
-    return points[np.unique(faces)].mean(axis=0), points[faces]
+    corners, faces = hull_mesh(points)
+    return corners.mean(axis=0), corners[faces]

@@ -7,6 +7,8 @@ from functools import cached_property
 
 import numpy as np
 
+from sceneweaver.geometry.hulls import hull_of
+
 THINNEST = 1e-4
 """[m]; thinner parts become boxes of this thickness."""
 
@@ -28,28 +30,24 @@ class Solid:
     @cached_property
     def planes(self) -> np.ndarray:
         """The faces as outward normal and offset, [F, 4]."""
-        from scipy.spatial import ConvexHull
-
         if self.box is None:
-            return ConvexHull(self.points).equations
+            hull = hull_of(self.points)
+            assert hull is not None  # what is flat is a box
+            return hull.planes
         (centre, half), turns = self.box, np.concatenate([np.eye(3), -np.eye(3)])
         return np.column_stack([turns, -turns @ centre - np.tile(half, 2)])
 
 
 def solid_of(points: np.ndarray, link: int, handle: bool = False) -> Solid:
     """The part of these points; a box when it fills its own bounds, or is too thin for a hull."""
-    from scipy.spatial import ConvexHull, QhullError
-
     low, high = points.min(axis=0), points.max(axis=0)
     extent = np.maximum(high - low, THINNEST)
     bounds = float(np.prod(extent))
     box = ((low + high) / 2, extent / 2)
     if float((high - low).min()) < THINNEST:
         return Solid(points, bounds, link, box, handle)
-    try:
-        hull = ConvexHull(points)
-    except QhullError:
+    hull = hull_of(points)
+    if hull is None:
         return Solid(points, bounds, link, box, handle)
-    kept = points[hull.vertices]
-    volume = float(hull.volume)
-    return Solid(kept, volume, link, box if volume > bounds * (1 - 1e-3) else None, handle)
+    full = hull.volume > bounds * (1 - 1e-3)
+    return Solid(points[hull.vertices], hull.volume, link, box if full else None, handle)

@@ -12,7 +12,7 @@ from sceneweaver.assets import Material, Mesh
 from sceneweaver.assets.materials import finishes
 from sceneweaver.assets.room_looks import FLOORS, room_looks
 from sceneweaver.assets.textures import found, kind_of, library, maps, patterns, uv_of
-from sceneweaver.assets.textures.patterns.two_colors import PRINTS, mean_of, name_of
+from sceneweaver.assets.textures.patterns.two_colors import PRINTS, SHARES, mean_of, name_of
 from sceneweaver.assets.textures.relief import developed, to_linear
 from sceneweaver.geometry.prisms import prism_mesh
 from sceneweaver.scene import InputError, Room
@@ -57,6 +57,11 @@ def test_prints_show_their_ground_in_its_colour(kind):
     made = developed(pattern.draw(128), pattern.size)
     shown = to_linear(made.tint / 255.0) * made.gain * to_linear(np.array(mean_of(kind, first, second)))
     assert np.abs(shown.max(axis=(0, 1)) - to_linear(np.array(first))).max() < 0.15
+
+
+def test_the_shares_of_prints_are_those_that_they_show():
+    shown = {kind: float(draw(256).mean()) for kind, (_, draw) in PRINTS.items()}
+    assert shown == pytest.approx(SHARES, abs=1e-9)
 
 
 def test_every_finish_and_floor_names_a_pattern_of_the_library():

@@ -104,7 +104,22 @@ def test_hulls_in_space_are_closed_outward_and_hold_all_points(cloud):
     assert (points[hulls.hull_faces(points)] == vertices[faces]).all()
 
 
+def test_a_hull_is_made_once_and_cannot_be_written_to():
+    points = np.random.default_rng(0).normal(size=(20, 3))
+    hull = hulls.hull_of(points)
+    assert hull is not None and hulls.hull_of(points.copy()) is hull
+    corners, faces = hulls.hull_mesh(points)
+    assert (points[hull.vertices] == corners).all() and (hull.vertices[faces] == hull.faces).all()
+    assert hull.volume == pytest.approx(trimesh.Trimesh(corners, faces, process=False).volume)
+    assert (corners @ hull.planes[:, :3].T + hull.planes[:, 3]).max() < 1e-9
+    for array in (hull.vertices, hull.planes, hull.faces):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 0
+    hulls.hull_faces(points)[0] = 0  # its own copy
+
+
 def test_flat_points_have_no_hull_in_space():
+    assert hulls.hull_of(np.zeros((8, 3))) is None
     with pytest.raises(ValueError, match="in one plane"):
         hulls.hull_mesh([(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)])
 

@@ -14,6 +14,7 @@ from typing import Any
 from sceneweaver.assets.materials import color_words, print_words
 from sceneweaver.assets.roles import groups_above
 
+from ..alternatives import first_words, names_begin
 from ..model import Attribute, AttributeKind
 from ..parsed import Parsed, Told
 from ..source import Source
@@ -35,8 +36,11 @@ def read_appearances(source: Source, parsed: Parsed) -> None:
     edits = Edits(source)
     for found in list(_varied().finditer(source.text)):
         _vary(source, parsed, edits, found)
-    shared, behind, trailing, part = _patterns()
-    for pattern, read in ((_printed(), _print), (shared, _shared), (part, _part), (behind, _whole), (trailing, _whole)):
+    readers = [(_printed(), _print)]
+    if names_begin(source.text, _first_words()):  # most requests name no look, and these patterns take long to compile
+        shared, behind, trailing, part = _patterns()
+        readers += [(shared, _shared), (part, _part), (behind, _whole), (trailing, _whole)]
+    for pattern, read in readers:
         for found in list(pattern.finditer(source.text)):
             if edits.free(*found.span()):
                 _add(source, parsed, edits, found, list(read(found)))
@@ -159,11 +163,22 @@ def _words_of(look: str) -> Iterator[dict[str, Any]]:
 
 
 @cache
+def _known() -> tuple[str, ...]:
+    """Words for colours and materials."""
+    kinds = set(_KINDS)
+    return tuple(phrase for phrase, known in vocabulary().items() if known.keys() & kinds and phrase[0].isalpha())
+
+
+@cache
+def _first_words() -> frozenset[str]:
+    return first_words(_known())
+
+
+@cache
 def _look() -> str:
     """A pattern of colours and materials one after the other."""
-    known = [phrase for phrase, kinds in vocabulary().items() if kinds.keys() & set(_KINDS) and phrase[0].isalpha()]
     shades = r"(?:(?:dark|light|pale|deep|bright|matte|polished|brushed|bare|natural|solid|raw|untreated)\s)?"
-    one = rf"{shades}{one_of(known)}(?![\w-])"
+    one = rf"{shades}{one_of(_known())}(?![\w-])"
     return rf"{one}(?:\s{one}){{0,2}}"
 
 

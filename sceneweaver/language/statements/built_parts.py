@@ -57,7 +57,7 @@ def built_parts(source: Source, parsed: Parsed) -> None:
         count = number_of(found["count"]) if found["count"] else 2 if noun in _SEVERAL else 1
         beside = part == "niche" and any(one.part == "breast" for one in parsed.stated_openings)
         sentence = text[text.rfind(".", 0, found.start()) + 1 : (text.find(".", found.end()) + 1) or len(text)]
-        beside = beside and re.search(rf"\b{one_of(words('built_parts')['beside'])}\b", sentence) is not None
+        beside = beside and _beside().search(sentence) is not None
         span = source.span(found.start("noun"), found.end("noun"))
         features = ("beside",) if beside else ()
         parsed.stated_openings.append(
@@ -67,9 +67,7 @@ def built_parts(source: Source, parsed: Parsed) -> None:
 
 def _meant_for(source: Source) -> None:
     """ "A niche for a scroll" has one: "for" is put as "with"."""
-    names = one_of([*words("built_parts")["niche"], *words("built_parts")["breast"]])
-    pattern = rf"\b{names}\s(?P<for>for)\s(?!me\b|us\b)"
-    for found in list(re.finditer(pattern, source.text)):
+    for found in list(_for_something().finditer(source.text)):
         Edits(source).take(*found.span("for"), "w/")
 
 
@@ -104,7 +102,23 @@ def _not_built(source: Source, parsed: Parsed) -> None:
 
 def _is_absent(text: str, found: re.Match[str]) -> bool:
     before = text[: found.start("noun")]
-    return re.search(rf"\b{one_of(words('built_parts')['absent'])}\s(?:[a-z]+\s)?$", before) is not None
+    return _absent().search(before) is not None
+
+
+@cache
+def _beside() -> re.Pattern[str]:
+    return re.compile(rf"\b{one_of(words('built_parts')['beside'])}\b")
+
+
+@cache
+def _for_something() -> re.Pattern[str]:
+    names = one_of([*words("built_parts")["niche"], *words("built_parts")["breast"]])
+    return re.compile(rf"\b{names}\s(?P<for>for)\s(?!me\b|us\b)")
+
+
+@cache
+def _absent() -> re.Pattern[str]:
+    return re.compile(rf"\b{one_of(words('built_parts')['absent'])}\s(?:[a-z]+\s)?$")
 
 
 @cache

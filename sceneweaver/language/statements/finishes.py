@@ -188,12 +188,6 @@ def _material(words: Sequence[str], last: bool) -> tuple[dict[str, Any], int]:
 def _heights(source: Source, parsed: Parsed) -> None:
     """ "Blue to waist height, white over it": two colours of one wall."""
     heights: dict[str, float] = _data()["heights"]
-    color = r"(?P<{}>(?:[a-z]+ )??[a-z]+)"
-    high = rf"(?:(?P<name>{one_of(list(heights))})(?:[- ](?:height|high|level))?|(?P<metres>{PLAIN}))"
-    up = re.compile(
-        rf"{color.format('low')} (?:(?:walls?|paint|tiles?|tiled) )?(?:up to|to|below|until) (?:about |around )?{high}"
-        rf"(?: (?:high|height|up))?(?:[, ]+(?:and )?{color.format('top')} (?:above|over it|over that|on top))?"
-    )
 
     def take(match: re.Match[str]) -> str | None:
         low, _ = _color(match["low"].split(), True)
@@ -208,15 +202,21 @@ def _heights(source: Source, parsed: Parsed) -> None:
             _add(parsed, source, match, "walls", color=top)
         return " "
 
-    source.blank(up, take)
+    source.blank(_up_to(), take)
+
+
+@cache
+def _up_to() -> re.Pattern[str]:
+    color = r"(?P<{}>(?:[a-z]+ )??[a-z]+)"
+    high = rf"(?:(?P<name>{one_of(_data()['heights'])})(?:[- ](?:height|high|level))?|(?P<metres>{PLAIN}))"
+    return re.compile(
+        rf"{color.format('low')} (?:(?:walls?|paint|tiles?|tiled) )?(?:up to|to|below|until) (?:about |around )?{high}"
+        rf"(?: (?:high|height|up))?(?:[, ]+(?:and )?{color.format('top')} (?:above|over it|over that|on top))?"
+    )
 
 
 def _panels(source: Source, parsed: Parsed) -> None:
-    rows = _data()["panelled"]
     for kind in ("half", "whole"):
-        wood = rf"(?:(?P<wood>{one_of(list(_wood_names()))})[ -])?"
-        after = rf"(?:\s+in\s+(?P<in>{one_of(list(_wood_names()))})\b)?"
-        pattern = re.compile(rf"(?:\b(?:with|in) )?\b{wood}{one_of(rows[kind])}\b{after}")
 
         def take(match: re.Match[str], kind: str = kind) -> str:
             name = match["wood"] or match["in"]
@@ -231,22 +231,32 @@ def _panels(source: Source, parsed: Parsed) -> None:
             )
             return "wall" if match[0].endswith(("walls", "wall")) else " "
 
-        source.blank(pattern, take)
+        source.blank(_panelled(kind), take)
+
+
+@cache
+def _panelled(kind: str) -> re.Pattern[str]:
+    woods = one_of(_wood_names())
+    after = rf"(?:\s+in\s+(?P<in>{woods})\b)?"
+    return re.compile(rf"(?:\b(?:with|in) )?\b(?:(?P<wood>{woods})[ -])?{one_of(_data()['panelled'][kind])}\b{after}")
 
 
 def _beams(source: Source, parsed: Parsed) -> None:
-    wood = rf"(?:(?P<wood>{one_of(list(_wood_names()))})[ -])?"
-    pattern = re.compile(
-        r"(?<!from )(?<!from the )"  # what hangs from them is overhead
-        rf"\b(?:low |heavy |exposed |open |visible |rustic |old |thick )*{wood}{one_of(_data()['beams'])}\b"
-    )
-
     def take(match: re.Match[str]) -> str:
         color = _wood_names().get(match["wood"] or "", "steel" if "steel" in match[0] else "dark oak")
         _add(parsed, source, match, "beams", color="black steel" if color == "steel" else color)
         return "ceiling" if "ceiling" in match[0] and not match[0].endswith("ceiling") else " "
 
-    source.blank(pattern, take)
+    source.blank(_beamed(), take)
+
+
+@cache
+def _beamed() -> re.Pattern[str]:
+    return re.compile(
+        r"(?<!from )(?<!from the )"  # what hangs from them is overhead
+        r"\b(?:low |heavy |exposed |open |visible |rustic |old |thick )*"
+        rf"(?:(?P<wood>{one_of(_wood_names())})[ -])?{one_of(_data()['beams'])}\b"
+    )
 
 
 def _alone(source: Source, parsed: Parsed) -> None:
@@ -259,8 +269,7 @@ def _alone(source: Source, parsed: Parsed) -> None:
                 _add(parsed, source, match, "floor", **row)
                 a, b = match.span() if used > 1 or not match["before"] else match.span()
                 source.text = source.text[:a] + " " * (b - a) + source.text[b:]
-    built = rf"\b(?P<of>{one_of(_data()['walls'])})(?:[ -]built)? (?=(?:vaulted |old )?{one_of(_data()['built'])}\b)"
-    for match in re.finditer(built, source.spoken):
+    for match in _built().finditer(source.spoken):
         row = {name: _data()["walls"][match["of"]].get(name) for name in ("material", "color")}
         if source.text[slice(*match.span("of"))].strip() and _add(parsed, source, match.span("of"), "walls", **row):
             a, b = match.span("of")
@@ -275,6 +284,12 @@ def _alone(source: Source, parsed: Parsed) -> None:
         for match in every.finditer(source.text):
             for part, row in rows.items():
                 _add(parsed, source, match, part, **row)
+
+
+@cache
+def _built() -> re.Pattern[str]:
+    walls, built = one_of(_data()["walls"]), one_of(_data()["built"])
+    return re.compile(rf"\b(?P<of>{walls})(?:[ -]built)? (?=(?:vaulted |old )?{built}\b)")
 
 
 # ---- woods -----------------------------------------------------------------------------------------------------------
@@ -294,14 +309,16 @@ def _woods(text: str) -> Iterable[str]:
 
 def _woods_of_room(text: str) -> Iterable[tuple[str, re.Match[str]]]:
     """Woods that are said of no thing, as "in oak" or "oak furniture" is, with their place."""
+    for match in _wood_alone().finditer(text):
+        yield _wood_names()[match["wood"]], match
+
+
+@cache
+def _wood_alone() -> re.Pattern[str]:
     rest = r"(?:\s+(?:everywhere|all|furniture|tones|details|all over|throughout))*"
     ends = r"(?=\s*(?:[,.;:!?\n]|$)|\s+(?:and|with|in)\s)"
     start = r"(?:(?<=^)|(?<=[,.;:!?] )|(?<=[,.;:!?])|(?<=\band )|(?<=\bwith )|(?<=\bin )|(?<=\bof )|(?<=\ball ))"
-    pattern = re.compile(
-        rf"{start}\s*(?:all |everything |everything in )?(?P<wood>{one_of(list(_wood_names()))}){rest}{ends}"
-    )
-    for match in pattern.finditer(text):
-        yield _wood_names()[match["wood"]], match
+    return re.compile(rf"{start}\s*(?:all |everything |everything in )?(?P<wood>{one_of(_wood_names())}){rest}{ends}")
 
 
 @cache

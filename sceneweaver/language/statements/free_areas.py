@@ -35,6 +35,9 @@ _SIDES_MEANT = (
 )  # fmt: skip
 _WORD = re.compile(r"[a-z][a-z'-]+")
 
+_MEASURES = frozenset("¤§")
+"""What stands for a length and for two sides in a marked text."""
+
 
 def read_free_areas(source: Source, parsed: Parsed) -> None:
     """Adds every free area that a source asks for to what is parsed, and takes its words out."""
@@ -42,6 +45,8 @@ def read_free_areas(source: Source, parsed: Parsed) -> None:
     marked, lengths = _marked(source.text)
     assumed: dict[int, FreeArea] = {}
     for phrase in phrases():
+        if phrase.width is None and _MEASURES.isdisjoint(marked):
+            continue
         at = 0
         while (found := phrase.pattern.search(marked, at)) is not None:
             at = max(found.end(), at + 1)
@@ -51,7 +56,7 @@ def read_free_areas(source: Source, parsed: Parsed) -> None:
             start, end = widened(marked, found.start(), found.end())
             end = start + len(source.text[start:end].rstrip())
             area = [one.model_copy(update={"span": source.span(start, end)}) for one in area]
-            if len(area) == 1 and not {"¤", "§"} & set(found[0]):
+            if len(area) == 1 and _MEASURES.isdisjoint(found[0]):
                 assumed[start] = area[0]
             parsed.free_areas += area
             filler = _filler(source.text, start, end, found)

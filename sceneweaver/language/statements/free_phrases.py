@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from functools import cache
-from typing import Any, Literal, NamedTuple
+from dataclasses import dataclass
+from functools import cache, cached_property
+from typing import Any, Literal
 
 from ..vocabulary import words
 
@@ -16,16 +17,23 @@ _THINGS = ("a", "b", "way_to")
 """Groups of the words for a thing."""
 
 
-class Phrase(NamedTuple):
+@dataclass(frozen=True)
+class Phrase:
     """One way of asking for free floor.
 
-    ``width`` [m] is what is meant where no measure is given (None: one has to be); ``side`` is that of its target.
+    ``says`` is its pattern as text, ``width`` [m] what is meant where no measure is given (None: one has to be), and
+    ``side`` that of its target.
     """
 
     kind: Literal["rectangle", "circle", "clearance", "gap", "path"]
-    pattern: re.Pattern[str]
+    says: str
     width: float | None = None
     side: str = "any"
+
+    @cached_property
+    def pattern(self) -> re.Pattern[str]:
+        """Its pattern, compiled when a text is first looked through for it: most requests give no measure."""
+        return re.compile(self.says)
 
 
 @cache
@@ -35,7 +43,7 @@ def phrases() -> tuple[Phrase, ...]:
     return tuple(
         Phrase(
             row["kind"],
-            _compiled(row["says"], data),
+            _pattern(row["says"], data),
             data["widths"][row["width"]] if "width" in row else None,
             row.get("side", "any"),
         )
@@ -49,7 +57,7 @@ def place_words() -> dict[str, str]:
     return {word: place for place, spoken in words("free_floor")["places"].items() for word in spoken}
 
 
-def _compiled(template: str, data: dict[str, Any]) -> re.Pattern[str]:
+def _pattern(template: str, data: dict[str, Any]) -> str:
     text = template
     for _ in range(2):  # words have words in them
         for name, meant in data["words"].items():
@@ -57,7 +65,7 @@ def _compiled(template: str, data: dict[str, Any]) -> re.Pattern[str]:
     text = text.replace(" ", r"\s+").replace(r"\s+?", r"\s*").replace("¤", r"¤\s*")
     for name in _THINGS:
         text = text.replace(f"<{name.upper()}>", _thing(name, data["stop"]))
-    return re.compile(rf"(?<![\w-]){text}(?![\w-])")
+    return rf"(?<![\w-]){text}(?![\w-])"
 
 
 def _thing(name: str, stop: list[str]) -> str:

@@ -14,7 +14,7 @@ from sceneweaver.assets.materials import color_named, color_words
 from sceneweaver.assets.materials import hue as hue_of
 from sceneweaver.knowledge.looks import Years, look_words, looks, time_of, unlike_words
 
-from ..model import StatedLook, StatedOpening
+from ..model import Span, StatedLook, StatedOpening
 from ..parsed import Parsed
 from ..source import Source
 from ..vocabulary import vocabulary, words
@@ -75,18 +75,26 @@ def add(parsed: Parsed, source: Source, name: str, match: re.Match[str], years: 
 
 def _schemes(source: Source, parsed: Parsed) -> None:
     """Colours that are said of somebody, and are the room's: "in the team colours navy and orange"."""
-    hue = rf"\b(?:{one_of(list(color_words()))})\b"
-    whose = one_of(words("looks")["whose_colors"])
-    listed = rf"(?P<list>{hue}(?:\s*(?:,\s*and\s|,|and|&|/)\s*{hue}){{0,4}})"
-    own = r"(?:\bin )?(?:\b(?:the|our|his|her|my|their|its) )*"
-    pattern = re.compile(rf"{own}\b{whose} colou?rs?(?: (?:are|is|of|being)|\s*:|,)?\s+{listed}")
 
     def take(match: re.Match[str]) -> str:
-        parsed.colors += re.findall(hue, match["list"])
+        parsed.colors += _hue().findall(match["list"])
         parsed.referred.append(source.span(*match.span()))
         return " "
 
-    source.blank(pattern, take)
+    source.blank(_scheme(), take)
+
+
+@cache
+def _hue() -> re.Pattern[str]:
+    return re.compile(rf"\b(?:{one_of(color_words())})\b")
+
+
+@cache
+def _scheme() -> re.Pattern[str]:
+    hue, whose = _hue().pattern, one_of(words("looks")["whose_colors"])
+    listed = rf"(?P<list>{hue}(?:\s*(?:,\s*and\s|,|and|&|/)\s*{hue}){{0,4}})"
+    own = r"(?:\bin )?(?:\b(?:the|our|his|her|my|their|its) )*"
+    return re.compile(rf"{own}\b{whose} colou?rs?(?: (?:are|is|of|being)|\s*:|,)?\s+{listed}")
 
 
 def _sun_side(source: Source, parsed: Parsed) -> None:
@@ -113,14 +121,7 @@ def row_years(match: re.Match[str]) -> bool:
 
 def _glow(source: Source, parsed: Parsed) -> None:
     """Coloured light: "neon purple", "purple neon lights", "bathed in red light"."""
-    rows = words("looks")
-    hue = one_of([name for name in color_words() if not name.startswith("neon")])
-    before, lit = r"(?:bathed in |lit in |lit by |lit with |in |with )?\b", one_of(rows["lit"])
-    forms = (
-        rf"{before}neon[ -](?P<color>{hue})(?: (?:{lit})\b)?",
-        rf"{before}(?P<color>{hue})(?: and \w+)? (?:neon )?(?:{lit})\b",
-    )
-    for form in forms:
+    for pattern in _glowing():
 
         def take(match: re.Match[str]) -> str | None:
             color = match["color"]
@@ -133,18 +134,22 @@ def _glow(source: Source, parsed: Parsed) -> None:
             parsed.room_looks.append(said)
             return " "
 
-        source.blank(re.compile(form), take)
+        source.blank(pattern, take)
+
+
+@cache
+def _glowing() -> tuple[re.Pattern[str], ...]:
+    hue = one_of([name for name in color_words() if not name.startswith("neon")])
+    before, lit = r"(?:bathed in |lit in |lit by |lit with |in |with )?\b", one_of(words("looks")["lit"])
+    return (
+        re.compile(rf"{before}neon[ -](?P<color>{hue})(?: (?:{lit})\b)?"),
+        re.compile(rf"{before}(?P<color>{hue})(?: and \w+)? (?:neon )?(?:{lit})\b"),
+    )
 
 
 def _flames(source: Source, parsed: Parsed) -> None:
     """What burns is all the light there is: "lit by torches", "nothing but candles gives light"."""
     rows: dict[str, str] = words("looks")["flames"]
-    burning = rf"(?:a |the |some |two |three |few )*(?:{one_of(list(rows))})"
-    pattern = re.compile(
-        rf"\b(?:all |the |only |its )*(?:light(?:ed|ing)?|lit|illuminated)(?: comes| is| coming)?"
-        rf"(?: only| just| solely| mainly| mostly| up)* (?:from|by|with|of)(?: only| just)? (?P<of>{burning})"
-        rf"(?:(?: and|,| or) (?:from |by )?(?P<more>{burning}))?(?: (?:only|alone))?\b"
-    )
 
     def take(match: re.Match[str]) -> str | None:
         name = next((name for word, name in rows.items() if match["of"].split()[-1] == word.split()[-1]), "candle")
@@ -154,7 +159,17 @@ def _flames(source: Source, parsed: Parsed) -> None:
         kept = [one for one in (match["of"], match["more"]) if one and _is_thing_too(one)]
         return " and ".join(kept) if kept else " "
 
-    source.blank(pattern, take)
+    source.blank(_burning(), take)
+
+
+@cache
+def _burning() -> re.Pattern[str]:
+    burning = rf"(?:a |the |some |two |three |few )*(?:{one_of(words('looks')['flames'])})"
+    return re.compile(
+        rf"\b(?:all |the |only |its )*(?:light(?:ed|ing)?|lit|illuminated)(?: comes| is| coming)?"
+        rf"(?: only| just| solely| mainly| mostly| up)* (?:from|by|with|of)(?: only| just)? (?P<of>{burning})"
+        rf"(?:(?: and|,| or) (?:from |by )?(?P<more>{burning}))?(?: (?:only|alone))?\b"
+    )
 
 
 def _is_thing_too(spoken: str) -> bool:
@@ -204,15 +219,6 @@ def _has_windows(parsed: Parsed) -> bool:
 
 def _contrast(source: Source, parsed: Parsed) -> None:
     """ "Strong contrast between floor and walls": parts of the room stand out from each other."""
-    strong = one_of(words("looks")["strong"])
-    parts = (
-        r"(?:\s(?:the|all|its|their|every)|\s(?:walls?|floors?|fittings|doors?|edges?|surfaces|frames?|and|,|from|to))*"
-    )
-    pattern = re.compile(
-        rf"\b(?:{strong}\s)*contrasts?(?:\s(?:of|in)\s(?:colou?rs?|tone))?"
-        rf"(?:\s(?:between|of|at|on|along|for|around){parts})?"
-        rf"(?=\s*(?:[a-z]|[,.;:!?)]|$))"
-    )
 
     def take(match: re.Match[str]) -> str | None:
         if _is_denied(source.text, match.start()):
@@ -220,7 +226,20 @@ def _contrast(source: Source, parsed: Parsed) -> None:
         add(parsed, source, "contrast", match)
         return " "
 
-    source.blank(pattern, take)
+    source.blank(_contrasting(), take)
+
+
+@cache
+def _contrasting() -> re.Pattern[str]:
+    strong = one_of(words("looks")["strong"])
+    parts = (
+        r"(?:\s(?:the|all|its|their|every)|\s(?:walls?|floors?|fittings|doors?|edges?|surfaces|frames?|and|,|from|to))*"
+    )
+    return re.compile(
+        rf"\b(?:{strong}\s)*contrasts?(?:\s(?:of|in)\s(?:colou?rs?|tone))?"
+        rf"(?:\s(?:between|of|at|on|along|for|around){parts})?"
+        rf"(?=\s*(?:[a-z]|[,.;:!?)]|$))"
+    )
 
 
 def _unlike(source: Source, parsed: Parsed) -> None:
@@ -261,11 +280,6 @@ def _denied_likeness() -> re.Pattern[str]:
 def _bare(source: Source, parsed: Parsed) -> None:
     """Words that are a look where they are all of a clause: "dark, only the fire burns"."""
     rows: dict[str, str] = words("looks")["bare"]
-    before = r"(?:(?:very|quite|all|rather|it is|it's|must be|should be|should feel|feels) )*"
-    pattern = re.compile(
-        rf"(?:(?<=^)|(?<=[,.;:!?] )|(?<=[,.;:!?])|(?<= and )|(?<= but )|(?<= feel )|(?<= feels ))"
-        rf"{before}(?P<look>{one_of(list(rows))})(?=\s*(?:[,.;!?]|$)| and )"
-    )
 
     def take(match: re.Match[str]) -> str | None:
         if _is_denied(source.text, match.start("look")):
@@ -273,7 +287,16 @@ def _bare(source: Source, parsed: Parsed) -> None:
         add(parsed, source, rows[match["look"]], match)
         return " "
 
-    source.blank(pattern, take)
+    source.blank(_bare_look(), take)
+
+
+@cache
+def _bare_look() -> re.Pattern[str]:
+    before = r"(?:(?:very|quite|all|rather|it is|it's|must be|should be|should feel|feels) )*"
+    return re.compile(
+        r"(?:(?<=^)|(?<=[,.;:!?] )|(?<=[,.;:!?])|(?<= and )|(?<= but )|(?<= feel )|(?<= feels ))"
+        rf"{before}(?P<look>{one_of(words('looks')['bare'])})(?=\s*(?:[,.;!?]|$)| and )"
+    )
 
 
 # ---- times -----------------------------------------------------------------------------------------------------------
@@ -281,7 +304,7 @@ def _bare(source: Source, parsed: Parsed) -> None:
 
 def _limit(source: Source, parsed: Parsed):
     """ "Nothing younger than 1940": the last year that there is, its words and their place, if there is such."""
-    rows, found = words("looks"), []
+    found: list[tuple[int, str, Span | None]] = []
 
     def take(match: re.Match[str]) -> str:
         if match["year"]:
@@ -290,39 +313,46 @@ def _limit(source: Source, parsed: Parsed):
             parsed.room_looks.append(StatedLook(name="", words=match[0], span=source.span(*match.span())))
         return " "
 
-    younger = one_of(rows["younger"])
-    source.blank(
-        re.compile(
-            rf"\b(?:nothing|no \w+|none)(?: \w+){{0,4}}? {younger} (?:than )?(?:(?P<year>\d{{4}})\b|that\b|this\b)"
-        ),
-        take,
-    )
+    source.blank(_younger(), take)
     return found[0] if found else None
+
+
+@cache
+def _younger() -> re.Pattern[str]:
+    younger = one_of(words("looks")["younger"])
+    return re.compile(
+        rf"\b(?:nothing|no \w+|none)(?: \w+){{0,4}}? {younger} (?:than )?(?:(?P<year>\d{{4}})\b|that\b|this\b)"
+    )
 
 
 def _years(source: Source, parsed: Parsed) -> None:
     """Years, decades and centuries, in digits or words."""
     rows = words("looks")
-    decades, numbers, hundred = rows["decades"], rows["ordinals"], one_of(list(rows["hundreds"]))
-    about = rf"(?:(?:{one_of(rows['about'])})[ ,]*){{0,5}}"
-    part = rf"(?:(?P<part>{one_of(list(rows['parts']))})[ -]+)?"
-    after = rf"(?:[ -]+(?:{one_of(rows['after'])})\b){{0,4}}"
-    forms = (
-        rf"\b{about}{part}(?P<year>[12]\d{{3}})(?P<s>'?s)?(?![\d,.]\d|\w){after}",
-        rf"(?<!\d)(?<!\d[.,])\b{about}{part}'?(?P<short>[2-9]0)(?P<s>'?s)(?!\w){after}",
-        rf"\b{about}{part}(?:(?P<hundred>{hundred})[ -])?(?P<decade>{one_of(list(decades))})\b{after}",
-        rf"\b{about}{part}(?P<century>\d{{1,2}}(?:st|nd|rd|th)|{one_of(list(numbers))})[ -]century{after}",
-    )
-    for form in forms:
+    for pattern in _times():
 
         def take(match: re.Match[str]) -> str | None:
-            years = _years_of(match.groupdict(), decades, numbers, rows)
+            years = _years_of(match.groupdict(), rows["decades"], rows["ordinals"], rows)
             if years is None or _counts(source.text, match):
                 return None
             add(parsed, source, time_of(years).name, match, years)
             return " "
 
-        source.blank(re.compile(form), take)
+        source.blank(pattern, take)
+
+
+@cache
+def _times() -> tuple[re.Pattern[str], ...]:
+    rows = words("looks")
+    decades, numbers, hundred = one_of(rows["decades"]), one_of(rows["ordinals"]), one_of(rows["hundreds"])
+    about = rf"(?:(?:{one_of(rows['about'])})[ ,]*){{0,5}}"
+    part = rf"(?:(?P<part>{one_of(rows['parts'])})[ -]+)?"
+    after = rf"(?:[ -]+(?:{one_of(rows['after'])})\b){{0,4}}"
+    return (
+        re.compile(rf"\b{about}{part}(?P<year>[12]\d{{3}})(?P<s>'?s)?(?![\d,.]\d|\w){after}"),
+        re.compile(rf"(?<!\d)(?<!\d[.,])\b{about}{part}'?(?P<short>[2-9]0)(?P<s>'?s)(?!\w){after}"),
+        re.compile(rf"\b{about}{part}(?:(?P<hundred>{hundred})[ -])?(?P<decade>{decades})\b{after}"),
+        re.compile(rf"\b{about}{part}(?P<century>\d{{1,2}}(?:st|nd|rd|th)|{numbers})[ -]century{after}"),
+    )
 
 
 def _years_of(said: dict, decades: dict, ordinals: dict, rows: dict) -> Years | None:
@@ -423,7 +453,12 @@ def _is_of_thing(text: str, match: re.Match[str], named: bool) -> bool:
 
 def _all_of_it(text: str, match: re.Match[str]) -> bool:
     """ "Modern furniture", "vintage decor": all that is in the room."""
-    return bool(re.match(rf"[ -]+(?:[a-z]+ )?{one_of(words('looks')['all'])}\b", text[match.end() :]))
+    return bool(_all_things().match(text[match.end() :]))
+
+
+@cache
+def _all_things() -> re.Pattern[str]:
+    return re.compile(rf"[ -]+(?:[a-z]+ )?{one_of(words('looks')['all'])}\b")
 
 
 def _light_of_thing(text: str, match: re.Match[str], scheme: bool) -> bool:

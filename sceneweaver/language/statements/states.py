@@ -194,13 +194,7 @@ def _set_tables(source: Source, parsed: Parsed, edits: Edits) -> None:
 
 def _parts_of(source: Source, parsed: Parsed, edits: Edits) -> None:
     """ "One drawer of the dresser is pulled out": the dresser is there, with one drawer out."""
-    opened = one_of(list({word for row in states() for word in row.words if row.part}))
-    pattern = re.compile(
-        r"\b(?P<of>(?:(?:one|a|an|the|its|top|bottom|lowest|middle|both|all|two|every|upper|lower)\s){0,2}"
-        rf"(?P<part>drawers?|doors?|lids?)\sof\s)(?P<owner>(?:the|a|an|my|our|his|her|their)\s(?:[a-z]+\s){{0,2}}?"
-        rf"[a-z]+)(?P<be>\s{_BE}(?P<state>{opened}))\b"
-    )
-    for found in list(pattern.finditer(source.text)):
+    for found in list(_part_of_owner().finditer(source.text)):
         noun, part = found["owner"].partition(" ")[2], singular(found["part"])
         if _meant(noun, found["state"], part) is None:
             continue
@@ -209,6 +203,16 @@ def _parts_of(source: Source, parsed: Parsed, edits: Edits) -> None:
         value = f"{found['part']} {found['state']}"
         what = Attribute(kind="state", value=value, words=" ".join(found[0].split()), span=span)
         parsed.states.append(Told(what, noun, after=False, named=True))
+
+
+@cache
+def _part_of_owner() -> re.Pattern[str]:
+    opened = one_of(list({word for row in states() for word in row.words if row.part}))
+    return re.compile(
+        r"\b(?P<of>(?:(?:one|a|an|the|its|top|bottom|lowest|middle|both|all|two|every|upper|lower)\s){0,2}"
+        rf"(?P<part>drawers?|doors?|lids?)\sof\s)(?P<owner>(?:the|a|an|my|our|his|her|their)\s(?:[a-z]+\s){{0,2}}?"
+        rf"[a-z]+)(?P<be>\s{_BE}(?P<state>{opened}))\b"
+    )
 
 
 @cache

@@ -25,6 +25,7 @@ from sceneweaver.assets.materials import (
 from sceneweaver.assets.taxonomy import members
 from sceneweaver.scene import InputError
 
+from ..alternatives import first_words, names_begin
 from ..model import Exclusion
 from ..parsed import Parsed
 from ..source import Source
@@ -42,6 +43,8 @@ def read_unwanted_looks(source: Source, parsed: Parsed) -> None:
     """Read which looks are not wanted; the words go out of the source."""
     _motifs(source, parsed)
     taken = list[tuple[int, int]]()
+    if not names_begin(source.text, _first_words()):  # the patterns take long to compile
+        return
     for pattern in _patterns():
         for found in list(pattern.finditer(source.text)):
             if any(a < found.end() and found.start() < b for a, b in taken):
@@ -190,12 +193,23 @@ def _things(noun: str) -> tuple[str, ...]:
 
 
 @cache
-def _look() -> str:
-    """One word or phrase for a colour, a material, a style or a quality that may be unwanted."""
+def _known() -> tuple[str, ...]:
+    """Words for colours, materials, styles and qualities that may be unwanted."""
     data = words("unwanted")["looks"]
     qualities = [word for row in data["qualities"].values() for word in row["words"]]
     known = {*color_words(), *material_words(), *qualities} - {*data["not_looks"]}
-    bare = one_of([word for word in known if word[0].isalpha()])
+    return tuple(sorted(word for word in known if word[0].isalpha()))
+
+
+@cache
+def _first_words() -> frozenset[str]:
+    return first_words((*_known(), *color_words()))
+
+
+@cache
+def _look() -> str:
+    """One word or phrase for a look that may be unwanted, or a colour and a material together."""
+    bare = one_of(_known())
     dyed = rf"{one_of(list(color_words()))}\s{one_of([*material_words()])}"
     return rf"\b(?:{dyed}|{bare})(?![\w-])"
 

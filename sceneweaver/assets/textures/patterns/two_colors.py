@@ -23,7 +23,7 @@ def name_of(kind: str, first: Color, second: Color) -> str:
 
 def mean_of(kind: str, first: Color, second: Color) -> Color:
     """The sRGB colour of a material on which such a texture shows its colours as they are."""
-    share = _share(kind)
+    share = SHARES.get(kind, 0.5)
     both = (1.0 - share) * to_linear(np.array(first)) + share * to_linear(np.array(second))
     shown = np.where(both <= 0.0031308, 12.92 * both, 1.055 * both ** (1 / 2.4) - 0.055)
     return round(float(shown[0]), 4), round(float(shown[1]), 4), round(float(shown[2]), 4)
@@ -55,12 +55,6 @@ def two_colored(name: str) -> Pattern | None:
 def _name() -> re.Pattern[str]:
     kinds = "|".join(re.escape(kind) for kind in ("checkered", "stripes", *PRINTS))
     return re.compile(rf"({kinds}) #([0-9a-f]{{6}}) #([0-9a-f]{{6}})")
-
-
-@cache
-def _share(kind: str) -> float:
-    """The share of the second colour."""
-    return float(PRINTS[kind][1](256).mean()) if kind in PRINTS else 0.5
 
 
 def _checks(first: np.ndarray, second: np.ndarray) -> Callable[[int], Relief]:
@@ -184,6 +178,19 @@ PRINTS: dict[str, tuple[float, Callable[[int], np.ndarray]]] = {
     "patchwork": (0.6, _patchwork),
 }
 """Side of the pattern [m], and what draws it."""
+
+SHARES = {
+    "gingham": 0.5,
+    "tartan": 0.33710937500000004,
+    "leopard": 0.24671666515452068,
+    "zebra": 0.49546265844872994,
+    "dotted": 0.20370180580723568,
+    "floral": 0.14511717499574928,
+    "camouflage": 0.4340667724609375,
+    "patchwork": 0.42662129616515004,
+}
+"""The share of the second colour in each print: what 256 pixels square show on average. Said here, as every start needs
+them for the colours of finishes, and drawing all prints for that takes long."""
 
 
 def _hex(color: Color) -> str:
