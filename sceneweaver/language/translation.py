@@ -89,9 +89,18 @@ def english_of(category: str) -> str:
     first, _, rest = own.partition(" ")
     if first in _BY_PLACE and names_of_things().get(rest) == category:
         return rest  # so that "round mirror" is still one of its own
-    meant = [name for name, one in names_of_things().items() if one == category]
+    meant = _names().get(category, ())
     plain = [name for name in meant if not {"on", "with", "in", "of"} & set(name.split())]
     return own if own in plain else (plain or meant or [own])[0]
+
+
+@cache
+def _names() -> dict[str, list[str]]:
+    """What each category is called, in the order of the names."""
+    found: dict[str, list[str]] = {}
+    for name, category in names_of_things().items():
+        found.setdefault(category, []).append(name)
+    return found
 
 
 def _contracted(phrases: Mapping[str, Entry], language: str) -> dict[str, Entry]:
