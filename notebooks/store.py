@@ -1,7 +1,8 @@
-"""Run the notebooks and store what they print and draw: ``python -m notebooks.store [NAME ...]``.
+"""Run the notebooks and store what they print and draw: ``python -m notebooks.store [--times] [NAME ...]``.
 
 The notebooks themselves are the source: edit a cell, then store. Each runs in a fresh kernel and an empty folder.
-Pictures that are large as PNG are kept as JPEG.
+Pictures that are large as PNG are kept as JPEG. The list in ``README.md`` says what each took, in seconds of processor
+time; with ``--times`` that alone is measured and written.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ import base64
 import io
 import os
 import re
+import resource
 import sys
 import tempfile
 from pathlib import Path
@@ -26,6 +28,7 @@ SWITCH = "SCENEWEAVER_NOTEBOOKS"  # set to "small", notebooks take small sizes
 PHOTO, QUALITY = 90_000, 84  # bytes of a PNG that becomes a JPEG, and how well that is kept
 CHATTER = re.compile(r"^Warp (?:CUDA warning|\d).*\n?|^Module .* load on device .*\n?|^ *\n", re.MULTILINE)
 COMPILING = re.compile(r"compil(?:ing|ed \d+ modules of) kernels")  # what a first run shows
+README = Path(__file__).with_name("README.md")
 NOTEBOOKS = sorted(Path(__file__).parent.glob("*.ipynb"))
 
 
@@ -88,14 +91,32 @@ def _tidied(output: NotebookNode) -> NotebookNode | None:
     return output
 
 
+def with_time(text: str, name: str, seconds: float) -> str:
+    """The list of notebooks with the time of one of them after its link."""
+    return re.sub(rf"(\]\({re.escape(name)}\))(?: \(\d+ s\))?:", rf"\1 ({seconds:.0f} s):", text)
+
+
+def _processor_seconds() -> float:
+    """What the processes took that have been started here and have ended, kernels and their own among them [s]."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
 def main(names: list[str]) -> int:
-    """Run and store the notebooks of these names, or all."""
+    """Run and store the notebooks of these names, or all; write how long each took."""
+    times_only = "--times" in names
+    names = [name for name in names if name != "--times"]
     for path in NOTEBOOKS:
         if not names or path.stem in names or path.stem.split("_")[0] in names:
+            began = _processor_seconds()
             book = tidied(executed(path, small=False))
+            seconds = _processor_seconds() - began
             nbformat.validate(book)
-            nbformat.write(book, path)
-            sys.stdout.write(f"{path.name}: {path.stat().st_size // 1000} kB\n")
+            if not times_only:
+                nbformat.write(book, path)
+            README.write_text(with_time(README.read_text(), path.name, seconds))
+            sys.stdout.write(f"{path.name}: {path.stat().st_size // 1000} kB, {seconds:.0f} s\n")
+            sys.stdout.flush()
     return 0
 
 

@@ -1,4 +1,4 @@
-"""What all tests share: kernels are compiled once, not by each worker, and the garbage collector rests meanwhile."""
+"""What all tests share: kernels are compiled once, long files begin first, the garbage collector rests meanwhile."""
 
 from __future__ import annotations
 
@@ -13,6 +13,29 @@ from hypothesis import settings
 from tests.sizes import WHOLE
 
 settings.register_profile(WHOLE)
+
+FIRST = (
+    *("language/test_hostile.py", "test_site.py", "jax/test_jax.py", "report/test_browser.py"),
+    *("llm/test_misbehaviour.py", "agent/test_design.py", "cli/test_program.py", "mcp/test_transports.py"),
+    *("cli/test_stopping.py", "explain/test_explain.py", "datasets/test_engines.py", "io/test_mutated_files.py"),
+    *("agent/test_deliver.py", "agent/by_model/test_design_by_model.py", "assets/test_parametric.py"),
+    *("assets/test_readers.py", "mcp/test_ending.py", "tools/test_add_objects.py", "packaging/test_wheel.py"),
+    "test_notebooks.py",
+)
+"""The files that take longest, six seconds of a core and more. A worker takes whole files: one of these as the last
+would leave the other workers without work."""
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Hand files out in the order of the tests; xdist would begin with those of most tests, which are short ones."""
+    if hasattr(config.option, "loadscopereorder"):
+        config.option.loadscopereorder = False
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """The longest files first."""
+    places = {f"tests/{name}": place for place, name in enumerate(FIRST)}
+    items.sort(key=lambda item: places.get(item.nodeid.partition("::")[0], len(places)))
 
 
 @pytest.hookimpl(tryfirst=True)  # before xdist starts its workers

@@ -11,7 +11,7 @@ import pytest
 from tests.test_repository import ROOT
 
 pytest.importorskip("nbclient")
-from notebooks.store import NOTEBOOKS, executed, tidied  # noqa: E402
+from notebooks.store import NOTEBOOKS, executed, tidied, with_time  # noqa: E402
 
 LONG = {"02", "03", "04", "05", "06", "07", "08", "09"}  # those beside a first room, each of more than a few seconds
 MACHINE = re.compile(r"(?<![\w.])/(?:home|root|Users|work|tmp)/\w|site-packages|0x[0-9a-f]{6,}")
@@ -53,4 +53,13 @@ def test_it_is_stored_with_outputs_of_one_run(path):
 
 def test_all_are_listed_in_order():
     text = (ROOT / "notebooks" / "README.md").read_text()
-    assert re.findall(r"\]\((\w+\.ipynb)\)", text) == [path.name for path in NOTEBOOKS]
+    listed = re.findall(r"\]\((\w+\.ipynb)\)(?: \((\d+) s\))?:", text)
+    assert [name for name, _ in listed] == [path.name for path in NOTEBOOKS]
+    assert all(seconds and 1 <= int(seconds) <= 60 for _, seconds in listed), "measured by: python -m notebooks.store"
+
+
+def test_the_list_takes_a_measured_time():
+    for text in ("- [A](01_a.ipynb): words", "- [A](01_a.ipynb) (99 s): words"):
+        assert with_time(text + "\n- [B](02_b.ipynb): more", "01_a.ipynb", 12.4) == (
+            "- [A](01_a.ipynb) (12 s): words\n- [B](02_b.ipynb): more"
+        )

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 import sceneweaver
+from tests.conftest import FIRST
 
 ROOT = Path(__file__).resolve().parents[1]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
@@ -172,3 +173,7 @@ def test_nothing_tells_to_install_the_package_of_another():
         if wrong.search(line[:100_000])
     ]
     assert found == []
+
+
+def test_files_that_begin_first_are_there():
+    assert [name for name in FIRST if not (ROOT / "tests" / name).is_file()] == []

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import html
 import importlib
 import importlib.util
+import inspect
+import json
 import os
 import re
 import shutil
@@ -14,6 +17,7 @@ from pathlib import Path
 import pytest
 
 from tests.report.browser import BINARY, Browser
+from tests.sizes import sizes
 from tests.test_docstrings import MODULES, PUBLIC, public
 from tests.test_repository import ROOT
 
@@ -55,6 +59,53 @@ def test_every_public_name_is_in_the_reference(site):
     assert len(anchors) > 60 and {m for m in MODULES if f"{m}." in "".join(anchors)} >= {"sceneweaver.jax"}
 
 
+def callables():
+    """Public functions, classes and methods: name, where it is defined, names of arguments."""
+    for name in PUBLIC:
+        found = public(name)
+        found = found if inspect.isroutine(found) or inspect.isclass(found) else None
+        if found is None or (inspect.isclass(found) and issubclass(found, Exception)):
+            continue
+        yield name, f"{found.__module__}.{found.__qualname__}", arguments(found)
+        for key, member in dict(vars(found)).items() if inspect.isclass(found) else ():
+            member = getattr(member, "__func__", member)
+            if inspect.isfunction(member) and not key.startswith("_") and key != "model_validate":
+                yield f"{name}.{key}", f"{found.__module__}.{found.__qualname__}.{key}", arguments(member)
+
+
+def arguments(found) -> list[str]:
+    """What can be given to it by name or place; of a model its fields."""
+    if fields := getattr(found, "model_fields", None):
+        return [name for name in fields if name != "schema_"]  # which nobody writes in Python
+    return [name for name in inspect.signature(found).parameters if name not in ("self", "cls")]
+
+
+def test_every_signature_is_whole(site):
+    shown: dict[str, str] = {}
+    heading = re.compile(r'<h\d id="(sceneweaver\.[\w.]+)" class="doc doc-heading">')
+    for path in (site / "reference").glob("*.html"):
+        parts = heading.split(path.read_text())[1:]
+        for name, text in zip(parts[::2], parts[1::2], strict=True):
+            blocks = re.findall(r'<div class="[^"]*doc-signature[^"]*">(.*?)</div>', text, re.DOTALL)
+            shown[name] = html.unescape(re.sub(r"<[^>]+>", "", " ".join(blocks)))
+    lacking, seen = {}, 0
+    for name, home, names in callables():
+        text = shown.get(name) or shown.get(home) or ""
+        absent = [one for one in names if not re.search(rf"\b{one}\b[:,=)\s]", text)]
+        seen += len(names)
+        if absent or "..." in text.replace(", ...", ""):
+            lacking[name] = absent
+    assert lacking == {} and seen > 500
+
+
+def test_the_search_finds_every_public_name(site):
+    index = json.loads((site / "search" / "search_index.json").read_text())
+    known = {entry["location"].partition("#")[2] for entry in index["docs"]}
+    assert [n for n, home, _ in callables() if n not in known and home not in known] == []
+    offline = (site / "search" / "search_index.js").read_text()
+    assert offline.startswith("var __index = {") and "reference/layouts.html" in offline
+
+
 def test_examples_are_shown_as_code(site):
     text = (site / "reference" / "layouts.html").read_text()
     assert "Examples:" in text and text.count("&gt;&gt;&gt;") > 20
@@ -77,15 +128,16 @@ def test_pages_opened_from_disk_can_be_searched(site):
 
 
 @pytest.mark.skipif(BINARY is None, reason="needs Chromium")
-def test_signatures_are_not_cut_off(site):
+@sizes("pages", "[bl]*", "*")
+def test_signatures_are_not_cut_off(site, pages):
     cut = "[...document.querySelectorAll('.doc-signature code')].filter(c => c.scrollWidth > c.clientWidth + 1).length"
     with Browser(1240, 900) as browser:
-        for name in ("building", "drawing", "layouts"):
-            browser.open((site / "reference" / f"{name}.html").as_uri())
-            assert browser.js("document.querySelectorAll('.doc-signature code').length") > 10
-            for width in (1240, 800, 420):
+        for path in sorted((site / "reference").glob(f"{pages}.html")):
+            browser.open(path.as_uri())
+            assert path.stem == "index" or browser.js("document.querySelectorAll('.doc-signature code').length") > 2
+            for width in (1240, 420):
                 browser.resize(width, 900)
-                assert browser.js(cut) == 0, (name, width)
+                assert browser.js(cut) == 0, (path.stem, width)
 
 
 def test_it_fetches_nothing(site):

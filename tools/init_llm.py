@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from typing import Any
@@ -100,26 +101,29 @@ def instructions() -> str:
 
 @cache
 def vocabulary() -> str:
-    """The words that a room may be written in, as JSON: relations, groups, arrangements, themes, categories."""
-    groups = {
-        name: {
-            "is": one.description,
-            "items": {row["id"]: row["what"] if isinstance(row["what"], str) else row["what"][0] for row in one.items},
-        }
-        for name, one in group_templates().items()
-    }
+    """The words that a room may be written in, as JSON: relations, groups, arrangements, themes, categories.
+
+    Before what a relation means stand its target and its parameters, before a group its items, as ``id:category``.
+    """
+    # Short lines of text: as objects, their keys alone would be a tenth of what a model reads.
     data = {
         "relations": {
-            name: {"means": spec.description, "target": spec.target, "params": sorted(spec.params)}
+            name: f"({' '.join([spec.target, *sorted(spec.params)])}) {spec.description}"
             for name, spec in CATALOGUE.items()
             if spec.target != "objects"
         },
-        "groups": groups,
+        "groups": {name: f"({_members(one.items)}) {one.description}" for name, one in group_templates().items()},
         "arrangements": {name: one.description for name, one in arrangements().items()},
         "themes": {name: one.description for name, one in crowds().items()},
         "categories": " ".join(name for name, one in categories().items() if one.size is not None),
     }
     return compact(data)
+
+
+def _members(rows: Sequence[Mapping[str, Any]]) -> str:
+    """Names of the items of a group, each with its category where that is called otherwise."""
+    whats = [(row["id"], row["what"] if isinstance(row["what"], str) else row["what"][0]) for row in rows]
+    return " ".join(name if name == what else f"{name}:{what}" for name, what in whats)
 
 
 def compact(data: object) -> str:

@@ -1,11 +1,14 @@
-"""Models of pydantic: their fields become a list of attributes, with the text of ``Field(description=...)``."""
+"""Models of pydantic: their fields become a list of attributes, with the text of ``Field(description=...)``.
+
+They are also the arguments of the model, which its own ``__init__(**data)`` does not say.
+"""
 
 from __future__ import annotations
 
 import ast
 from typing import Any
 
-from griffe import Class, Docstring, Extension
+from griffe import Class, Docstring, Extension, Function, Parameter, ParameterKind, Parameters, get_expression
 
 PLAIN = {"schema_"}  # fields that nobody reads in Python
 
@@ -17,7 +20,7 @@ class FieldTexts(Extension):
         """List what is written ``name: type`` or ``name: type = Field(description=...)``."""
         if not cls.docstring or not any("Field" in ast.dump(part) for part in getattr(node, "body", ())):
             return
-        lines = []
+        lines, arguments = [], [Parameter("self", kind=ParameterKind.positional_or_keyword)]
         for part in node.body:
             if not isinstance(part, ast.AnnAssign) or not isinstance(part.target, ast.Name):
                 continue
@@ -25,7 +28,12 @@ class FieldTexts(Extension):
             if name in cls.members:
                 cls.del_member(name)
             if not name.startswith("_") and name not in PLAIN:
-                lines.append(f"    {name} ({ast.unparse(plain(part.annotation))}): {text_of(part.value) or '-'}")
+                annotation = plain(part.annotation)
+                lines.append(f"    {name} ({ast.unparse(annotation)}): {text_of(part.value) or '-'}")
+                of_type = get_expression(annotation, parent=cls)
+                default = default_of(part.value)
+                arguments.append(Parameter(name, annotation=of_type, kind=ParameterKind.keyword_only, default=default))
+        cls.set_member("__init__", Function("__init__", parameters=Parameters(*arguments)))
         cls.docstring = Docstring(before_examples(cls.docstring.value, ["Attributes:", *lines]), parent=cls)
 
 
@@ -45,6 +53,16 @@ def text_of(value: ast.expr | None) -> str:
         if keyword.arg == "description" and isinstance(keyword.value, ast.Constant):
             return str(keyword.value.value)
     return ""
+
+
+def default_of(value: ast.expr | None) -> str | None:
+    """What a field is when it is not given, as written; None where it has to be."""
+    if not (isinstance(value, ast.Call) and getattr(value.func, "id", "") == "Field"):
+        return ast.unparse(value) if value else None
+    given = {keyword.arg: ast.unparse(keyword.value) for keyword in value.keywords}
+    first = ast.unparse(value.args[0]) if value.args else "..."
+    made = f"{given['default_factory']}()" if "default_factory" in given else None
+    return given.get("default") or made or (first if first != "..." else None)
 
 
 def before_examples(text: str, lines: list[str]) -> str:

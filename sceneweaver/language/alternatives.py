@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from functools import lru_cache
 from typing import Any
 
 _WORD = re.compile(r"\w+")
@@ -15,6 +16,12 @@ def one_of(names: Iterable[str]) -> str:
     The words share their beginnings (a trie), so that a pattern of hundreds of words is compiled and matched in the
     time of a few: it matches what the alternation of all, the longest first, matches.
     """
+    return _one_of(tuple(names))
+
+
+@lru_cache(maxsize=1024)  # nearly all are of the lexicon, and each request asks for those again
+def _one_of(names: tuple[str, ...]) -> str:
+    """The pattern of these words."""
     trie: dict[str, Any] = {}
     for name in sorted(names):
         node = trie

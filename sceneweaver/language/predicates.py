@@ -292,11 +292,17 @@ def _on_the_left_one(tokens: list[Token], at: int, found: list[Token]) -> int:
     return 1
 
 
+_LIST = 40
+"""Most nouns of a list without a comma; what goes on for longer is none, and is not read to its end at each noun."""
+
+
 def _bare_list(tokens: list[Token], at: int, found: list[Token]) -> int:
     """ "Bed desk lamp each": three nouns or more with nothing between them before "each" are as many things."""
     end = at
     while (token := _token(tokens, end)) is not None and token.has("noun") and not token.has("plural", *QUALITIES):
         end += 1
+        if end - at > _LIST:
+            return 0
     each = _token(tokens, end)
     if end - at < 3 or each is None or each.text not in (*EACH, "apiece") or not _ends(_token(tokens, end + 1)):
         return 0

@@ -75,3 +75,9 @@ def test_what_the_server_says_is_one_line_without_the_token(packed, hub):
 def test_a_set_that_is_not_packed_is_refused(tmp_path, hub):
     with pytest.raises(InputError, match="not packed yet"):
         push_card(tmp_path, "me/rooms", token_env="HUB")
+
+
+def test_a_server_that_is_not_there_is_one_line(packed, monkeypatch):
+    monkeypatch.setenv("HUB", TOKEN)
+    with pytest.raises(InputError, match=r"^--repo: me/rooms: [^\n]*$"):
+        push_card(packed, "me/rooms", endpoint="http://127.0.0.1:9", token_env="HUB")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from pathlib import Path
 
 import pytest
@@ -26,6 +27,9 @@ READERS = {
 
 MODULES = {"yaml", "zipfile", "tarfile", "bz2", "lzma", "shelve", "configparser"}
 
+NAMED = re.compile(rf"\b(?:{'|'.join({'open', *MODULES, *METHODS, *(name.partition('.')[2] for name in READERS)})})\b")
+"""Words of which a source has one where it opens anything."""
+
 ALONE = {
     "runtime/deadline.py": "what the system says of this process",
     "runtime/memory.py": "what the system says of this process",
@@ -44,7 +48,9 @@ def tree() -> list[Path]:
 
 def doors(source: str) -> list[str]:
     """The calls and imports of a source that open files."""
-    found = []
+    found: list[str] = []
+    if not NAMED.search(source):
+        return found
     for node in ast.walk(ast.parse(source)):
         if isinstance(node, ast.Import | ast.ImportFrom):
             names = [a.name for a in node.names] if isinstance(node, ast.Import) else [node.module or ""]

@@ -93,7 +93,7 @@ def test_a_book_is_an_error_of_one_line() -> None:
 
 @pytest.mark.parametrize(
     "unit",
-    ["ceiling of ", "red ", "law books hang "],
+    ["ceiling of ", "red ", "law books hang ", "bed "],
 )
 def test_a_long_request_is_read_in_time_that_grows_with_it(unit: str) -> None:
     """Each raised RecursionError once, or took seconds: its time grew with the square of its length."""

@@ -195,9 +195,9 @@ def test_time_grows_with_the_text_only() -> None:
     read_request(sentence)
 
     def seconds(times: int) -> float:
-        start = time.perf_counter()
+        start = time.process_time()
         read_request(sentence * times)
-        return time.perf_counter() - start
+        return time.process_time() - start
 
     short = min(seconds(10) for _ in range(3))
     assert min(seconds(80) for _ in range(2)) < 40 * short

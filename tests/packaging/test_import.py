@@ -6,7 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-HEAVY = {"warp", "jax", "pxr", "mujoco", "mujoco_warp", "coacd", "trimesh", "shapely", "manifold3d"}
+HEAVY = {"warp", "jax", "pxr", "mujoco", "mujoco_warp", "coacd", "trimesh", "shapely", "manifold3d", "scipy"}
 
 ROOT = Path(__file__).parents[2]
 
@@ -15,6 +15,7 @@ import json, sys, time
 start = time.perf_counter()
 import sceneweaver
 seconds = time.perf_counter() - start
+import sceneweaver.assets, sceneweaver.language
 print(json.dumps({"seconds": seconds, "modules": sorted({name.partition(".")[0] for name in sys.modules})}))
 """
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections import Counter
 from typing import Any
 
@@ -14,9 +15,11 @@ from sceneweaver.agent.settings import Settings
 from sceneweaver.assets import categories
 from sceneweaver.generate.room_rules import check_room, missing
 from sceneweaver.knowledge import room_type
+from sceneweaver.knowledge.load import group_templates
+from sceneweaver.knowledge.surfaces import crowds
 from sceneweaver.language import read_request
 from sceneweaver.llm import ModelClient
-from sceneweaver.scene import InputError
+from sceneweaver.scene import CATALOGUE, InputError
 from sceneweaver.tools.base import Context
 from sceneweaver.tools.init_llm import programme, vocabulary
 from sceneweaver.tools.registry import tool
@@ -165,7 +168,17 @@ def test_the_question_holds_request_and_words_and_is_the_same_for_equal_runs(lib
     proposed(library, two)
     assert one.prompts == two.prompts
     assert DORMITORY in one.prompts[0] and "against_wall" in one.prompts[0] and "bunk_bed" in one.prompts[0]
-    assert len(vocabulary()) < 45_000
+
+
+def test_the_words_hold_all_that_a_room_may_be_written_in_and_are_few():
+    words = json.loads(vocabulary())
+    for name, spec in CATALOGUE.items():
+        if spec.target != "objects":
+            assert words["relations"][name] == f"({' '.join((spec.target, *sorted(spec.params)))}) {spec.description}"
+    assert set(words["groups"]) == set(group_templates()) and set(words["themes"]) == set(crowds())
+    assert words["groups"]["desk"].startswith("(desk chair:office_chair bin:wastebasket) ")
+    assert set(words["categories"].split()) == {name for name, one in categories().items() if one.size is not None}
+    assert len(vocabulary()) < 40_000
 
 
 def test_items_are_put_in_order_and_nouns_become_categories():

@@ -6,7 +6,6 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.ndimage import gaussian_filter, maximum_filter
 
 from .. import shapes
 from ..materials import contents_of, finish
@@ -121,6 +120,8 @@ def _strips(triangles: np.ndarray, axis: int, path: Sequence[np.ndarray], wide: 
 
 def _sheet(triangles: np.ndarray) -> Piece:
     """A cloth that lies over all of a thing and hangs down to the floor in folds."""
+    from scipy.ndimage import gaussian_filter, maximum_filter
+
     low, high = triangles.min(axis=(0, 1)), triangles.max(axis=(0, 1))
     x, y = (np.linspace(low[k], high[k], CELLS) for k in (0, 1))
     inner = [np.clip(side, side[0] + 0.004, side[-1] - 0.004) for side in (x, y)]

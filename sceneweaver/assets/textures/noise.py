@@ -9,8 +9,6 @@ from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
-from scipy.ndimage import gaussian_filter, map_coordinates
-from scipy.spatial import KDTree
 
 
 @cache
@@ -43,6 +41,8 @@ def field(n: int, seed: int, wave: float | tuple[float, float], slope: float = 2
 
 def warped(image: np.ndarray, du: np.ndarray | float, dv: np.ndarray | float) -> np.ndarray:
     """An image [n, n] read at places moved by (du, dv), shares of its side."""
+    from scipy.ndimage import map_coordinates
+
     n = len(image)
     rows, columns = np.indices((n, n))
     return map_coordinates(image, [rows - dv * n, columns + du * n], order=1, mode="grid-wrap")
@@ -50,6 +50,8 @@ def warped(image: np.ndarray, du: np.ndarray | float, dv: np.ndarray | float) ->
 
 def blurred(image: np.ndarray, width: float | tuple[float, float]) -> np.ndarray:
     """An image smoothed by a Gaussian of this width, along u and v as shares of its side."""
+    from scipy.ndimage import gaussian_filter
+
     wu, wv = width if isinstance(width, tuple) else (width, width)
     return gaussian_filter(image, (wv * len(image), wu * len(image)), mode="wrap")
 
@@ -74,6 +76,8 @@ def cells(n: int, seed: int, rows: int, columns: int | None = None, jitter: floa
 
     Distances are in a frame in which the boxes are square, and 1 is the side along v.
     """
+    from scipy.spatial import KDTree
+
     columns = columns or rows
     rng = np.random.default_rng(seed)
     i, j = np.indices((columns, rows)).reshape(2, -1)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from scipy.spatial import KDTree
 
 from ..noise import Cells, blurred, cells, field, grid, spread, step, warped
 from ..registry import pattern
@@ -183,6 +182,8 @@ def _metro(n: int) -> Relief:
 @pattern("hexagon tiles", (0.6, 0.52), kind="stone")
 def _hexagon(n: int) -> Relief:
     """Hexagons of 0.1 m across in rows."""
+    from scipy.spatial import KDTree
+
     u, v = grid(n)
     pitch, rows = 0.1, 6
     points = np.array([[(i + 0.5 * (j % 2)) * pitch, j * 0.52 / rows] for j in range(rows) for i in range(6)])

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.ndimage import map_coordinates
 
 from ..noise import blurred, field, grid, spread, step
 from ..registry import Pattern, add, pattern
@@ -114,6 +113,8 @@ def plank(n: int, x: np.ndarray, y: np.ndarray, number: np.ndarray, seed: int, w
         seed: Of the random numbers.
         wood: Name of the wood.
     """
+    from scipy.ndimage import map_coordinates
+
     trunk = _drawn(512, _WOODS[wood])
     du, dv, tone, warm = (spread(number, seed + k) for k in range(4))
     rows = (1.0 - (y / _SIZE[1] + dv)) * 512
