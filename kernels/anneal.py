@@ -30,7 +30,6 @@ ANNEALING = (
     Table("active", ("candidate",), wp.int32, "", "1: the layout is valid, and annealed"),
     Table("rng", ("candidate",), wp.uint32, "", "random stream"),
     Table("root", ("root",), wp.int32, "", "roots that may move"),
-    Table("turns", ("object",), wp.int32, "", "bits: the quarter turns from the given yaw that it may take; 0: any"),
     Table("value", ("candidate", "term"), wp.float32, "", "of each term at the present poses"),
     Table("fresh", ("candidate", "term"), wp.float32, "", "of each term after the move that is tried"),
     Table("stamp", ("candidate", "term"), wp.int32, "", "the last move that changed the term"),
@@ -38,6 +37,7 @@ ANNEALING = (
     Table("best", ("candidate", "object"), wp.vec4, "m, rad", "poses of the lowest total so far"),
     Table("total", ("candidate",), wp.float32, "", "objective and soft relations at the present poses"),
     Table("least", ("candidate",), wp.float32, "", "of the best"),
+    Table("over", ("candidate",), wp.float32, "m", "how far a packing reaches out of the room"),
     Table("heat", ("candidate",), wp.float32, "", "mean gain or loss of the first moves"),
 )
 

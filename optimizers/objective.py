@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,12 +11,13 @@ import warp as wp
 from sceneweaver.kernels import load
 from sceneweaver.kernels.anneal import ANNEALING, Annealing, Cooling, anneal, begin_annealing, end_annealing
 from sceneweaver.kernels.objective import Objective
+from sceneweaver.kernels.sequence_pair import PACKING, Packing, anneal_packing, begin_packing
 
 from .base import Monitor
 from .batch import Batch
 from .run import on_threads
 
-MODULES = ("anneal", "objective")
+MODULES = ("anneal", "objective", "sequence_pair")
 PIECE = 4
 """Candidates that one CPU thread anneals at a time, to the end: what time leaves over is as it was."""
 
@@ -45,52 +46,82 @@ def cooling_of(schedule: Schedule, soft: bool) -> Cooling:
     return cooling
 
 
-def anneal_batch(
+@dataclass(frozen=True)
+class Blocks:
+    """What may be packed as rectangles, in a rectangular room or the rectangle around it.
+
+    Attributes:
+        roots: objects of the blocks, with what they carry.
+        rectangles: [blocks, 4, 4] for each quarter turn the lowest x and y, width and height [m] from the root's
+            origin, along the room's axes.
+        turns: [blocks] bits of the quarters that each may be turned by.
+        origin: corner of the room [m]; ``angle``: direction of its x axis [rad]; ``extent``: its size [m].
+    """
+
+    roots: np.ndarray
+    rectangles: np.ndarray
+    turns: np.ndarray
+    origin: tuple[float, float]
+    angle: float
+    extent: tuple[float, float]
+
+
+def minimise_batch(
     batch: Batch,
     objective: Objective,
     roots: Sequence[int],
+    blocks: Blocks | None,
     schedule: Schedule,
+    packing: Schedule,
     valid: np.ndarray,
     seeds: np.ndarray,
     soft: bool,
     monitor: Monitor,
 ) -> None:
-    """Anneal the valid candidates of a batch of one problem in place; each ends at the best layout that it passed.
+    """Lead the candidates of a batch of one problem to lower values of an objective, in place.
+
+    Each ends at the best valid layout that it passed; one that was not valid may become so by packing.
 
     Args:
         batch: the candidates.
         objective: what is minimised.
         roots: objects that may move, with what they carry.
-        schedule: how long, and how hot.
-        valid: which candidates [B] are; the others are left alone.
+        blocks: the same as rectangles, where the problem is one of packing; they are packed first.
+        schedule: how long, and how hot; ``packing``: the same for that.
+        valid: which candidates [B] are.
         seeds: of the candidates' random streams [B] uint32.
         soft: whether the problem has soft relations.
         monitor: says when time is up.
     """
     device = batch.device
-    if not len(roots) or not valid.any():
+    if not len(roots) or not (valid.any() or blocks is not None):
         return
     load(device, *MODULES)
     root = wp.array(np.asarray(roots, dtype=np.int32), dtype=wp.int32, device=device)
-    cooling = cooling_of(schedule, soft)
-    chosen = np.flatnonzero(valid)
-    size = PIECE if device == "cpu" else max(len(chosen), 1)
+    size = PIECE if device == "cpu" else batch.size
+    cuts = [(i, min(i + size, batch.size)) for i in range(0, batch.size, size)]
     look = LOOK if device == "cpu" else LOOK_GPU
-    # Pieces are ranges of candidates, which share the batch's memory.
-    cuts = [(int(chosen[i]), int(chosen[min(i + size, len(chosen)) - 1]) + 1) for i in range(0, len(chosen), size)]
+    shared = None if blocks is None else _shared(blocks, device)
 
     def piece(rows: tuple[int, int]) -> None:
         part = batch.part(*rows)
         run = _new_run(part, objective.terms, root, valid[slice(*rows)], seeds[slice(*rows)])
-        wp.launch(begin_annealing, part.size, [part.problems, objective, cooling], [part.state, run], device=device)
-        for first in range(0, schedule.moves, look):
-            if monitor.expired() or monitor.broken_off:
-                break
-            last = min(first + look, schedule.moves)
-            inputs = [part.problems, objective, cooling, first, last]
-            wp.launch(anneal, part.size, inputs, [part.state, run], device=device)
-            if device != "cpu" and monitor.deadline is not None:
-                wp.synchronize_device(device)
+        common = [part.problems, objective]
+        if blocks is not None:
+            cooling, pairs = cooling_of(packing, soft), _pairs(shared, blocks, part)
+            wp.launch(
+                begin_packing, part.size, [*common, cooling, run.active], [part.state, pairs, run], device=device
+            )
+            for first, last in _stretches(packing.moves, look, monitor, device):
+                inputs = [*common, cooling, first, last]
+                wp.launch(anneal_packing, part.size, inputs, [part.state, pairs, run], device=device)
+            run.active.fill_(1)
+            wp.launch(end_annealing, part.state.poses.shape, [part.problems, run], [part.state], device=device)
+            run.active.assign(np.isfinite(run.least.numpy()).astype(np.int32))
+        cooling = cooling_of(schedule if blocks is None else _mild(schedule), soft)
+        wp.launch(begin_annealing, part.size, [*common, cooling], [part.state, run], device=device)
+        for first, last in _stretches(schedule.moves, look, monitor, device):
+            wp.launch(anneal, part.size, [*common, cooling, first, last], [part.state, run], device=device)
         wp.launch(end_annealing, part.state.poses.shape, [part.problems, run], [part.state], device=device)
 
     if device == "cpu":
@@ -99,6 +130,47 @@ def anneal_batch(
         with wp.ScopedDevice(device):
             for rows in cuts:
                 piece(rows)
+
+
+def _mild(schedule: Schedule) -> Schedule:
+    """A schedule that keeps to the layout that it begins at: what is packed only slides into what is free."""
+    return Schedule(schedule.moves, 0.02, schedule.cold)
+
+
+def _stretches(moves: int, look: int, monitor: Monitor, device: str) -> Iterator[tuple[int, int]]:
+    """The moves in stretches between which the clock is looked at; no more once time is up."""
+    for first in range(0, moves, look):
+        if device != "cpu" and monitor.deadline is not None:
+            wp.synchronize_device(device)
+        if monitor.expired() or monitor.broken_off:
+            return
+        yield first, min(first + look, moves)
+
+
+def _shared(blocks: Blocks, device: str) -> dict[str, wp.array]:
+    """The tables of blocks that all candidates share."""
+    yaws = blocks.angle + 0.5 * np.pi * np.arange(4)
+    heading = np.stack([np.cos(yaws), np.sin(yaws), np.arctan2(np.sin(yaws), np.cos(yaws))], axis=-1)
+    return {
+        "block": wp.array(blocks.roots.astype(np.int32), dtype=wp.int32, device=device),
+        "rectangle": wp.array(blocks.rectangles.reshape(-1, 4).astype(np.float32), dtype=wp.vec4, device=device),
+        "turns": wp.array(blocks.turns.astype(np.int32), dtype=wp.int32, device=device),
+        "heading": wp.array(heading.astype(np.float32), dtype=wp.vec3, device=device),
+    }
+
+
+def _pairs(shared: dict[str, wp.array] | None, blocks: Blocks, part: Batch) -> Packing:
+    """Room for the sequence pairs of some candidates."""
+    pairs = Packing()
+    for table in PACKING:
+        if shared is not None and table.name in shared:
+            setattr(pairs, table.name, shared[table.name])
+        else:
+            array = wp.zeros((part.size, len(blocks.roots)), dtype=table.dtype, device=part.device)
+            setattr(pairs, table.name, array)
+    pairs.origin, pairs.extent = wp.vec2(*blocks.origin), wp.vec2(*blocks.extent)
+    pairs.axis = wp.vec2(float(np.cos(blocks.angle)), float(np.sin(blocks.angle)))
+    return pairs
 
 
 def _new_run(part: Batch, terms: int, root: wp.array, valid: np.ndarray, seeds: np.ndarray) -> Annealing:

@@ -13,7 +13,7 @@ from sceneweaver.kernels import load
 from sceneweaver.kernels.objective import measure_objective
 from sceneweaver.kernels.tables import FREE_PLANE, FREE_YAW, FREE_Z
 from sceneweaver.optimizers import Batch, Monitor, load_poses, streams
-from sceneweaver.optimizers.objective import Schedule, anneal_batch
+from sceneweaver.optimizers.objective import Schedule, minimise_batch
 from sceneweaver.optimizers.run import judge_in_time
 
 from .batch import make_batch
@@ -21,6 +21,7 @@ from .compile import CompiledScene, LayoutProblem
 from .measure import energy_of
 from .objective import ObjectiveTerm
 from .objective_pack import pack_objective
+from .packing import blocks_of
 from .solution import Solution
 from .surfaces import surfaces_hold
 
@@ -108,7 +109,8 @@ def _minimise(
     packed = pack_objective(scene, terms, room.size, device)
     soft = any(not relation.fault for relation in room.relations)
     seeds = streams(solution.seed ^ SALT, rows)
-    anneal_batch(batch, packed, roots, schedule, status == 0, seeds, soft, monitor)
+    blocks = blocks_of(room, roots)
+    minimise_batch(batch, packed, roots, blocks, schedule, schedule, status == 0, seeds, soft, monitor)
     verdict = judge_in_time(batch, monitor.inner(len(rows)))
     found = verdict.status.copy()
     found[(found == 0) & ~surfaces_hold(compiled, batch, 0, len(rows))] = 1
@@ -116,9 +118,10 @@ def _minimise(
     for rider, relation in room.riders.items():
         holds[:, relation] &= verdict.holds[:, rider]
     after = batch.state.poses.numpy()[:, : room.size].copy()
-    better = (found == 0) & (status == 0)
+    better = found == 0
     after[~better] = before[~better]
     relations[better] = holds[better]
+    status[better] = 0
     load_poses(batch, after)
     energy = energy_of(batch)[0].numpy()
     return after, status, relations, np.where(better, energy, solution.energy[rows]), _values(batch, compiled, terms)
