@@ -14,21 +14,21 @@ from sceneweaver.kernels.objective import measure_objective
 from sceneweaver.kernels.tables import FREE_PLANE, FREE_YAW, FREE_Z
 from sceneweaver.optimizers import Batch, Monitor, load_poses, streams
 from sceneweaver.optimizers.objective import Schedule, minimise_batch
-from sceneweaver.optimizers.run import judge_in_time
 
 from .batch import make_batch
 from .compile import CompiledScene, LayoutProblem
-from .measure import energy_of
 from .objective import ObjectiveTerm
 from .objective_pack import pack_objective
 from .packing import blocks_of
+from .rejudge import judged
 from .solution import Solution
-from .surfaces import surfaces_hold
 
 SALT = 0x0B1E
 MOVES = 1_500
 """Moves of a candidate for each root that may move, where nothing is said."""
 
+PACKED = Schedule(0, 0.3, 0.01)
+SLIDING = Schedule(0, 0.02, 0.002)
 AT_ONCE = 16_384  # candidates that a GPU anneals at once
 
 
@@ -110,18 +110,17 @@ def _minimise(
     soft = any(not relation.fault for relation in room.relations)
     seeds = streams(solution.seed ^ SALT, rows)
     blocks = blocks_of(room, roots)
-    minimise_batch(batch, packed, roots, blocks, schedule, schedule, status == 0, seeds, soft, monitor)
-    verdict = judge_in_time(batch, monitor.inner(len(rows)))
-    found = verdict.status.copy()
-    found[(found == 0) & ~surfaces_hold(compiled, batch, 0, len(rows))] = 1
-    holds = verdict.holds[:, : len(scene.relations)].copy()
-    for rider, relation in room.riders.items():
-        holds[:, relation] &= verdict.holds[:, rider]
+    if blocks is not None:  # what is packed only has to slide a little afterwards
+        packing, schedule = replace(PACKED, moves=schedule.moves), replace(SLIDING, moves=schedule.moves // 5)
+    else:
+        packing = schedule
+    minimise_batch(batch, packed, roots, blocks, schedule, packing, status == 0, seeds, soft, monitor)
     after = batch.state.poses.numpy()[:, : room.size].copy()
-    better = found == 0
+    found = judged(compiled, batch)
+    better = found.status == 0
     after[~better] = before[~better]
-    relations[better] = holds[better]
+    relations[better] = found.relations[better]
     status[better] = 0
     load_poses(batch, after)
-    energy = energy_of(batch)[0].numpy()
-    return after, status, relations, np.where(better, energy, solution.energy[rows]), _values(batch, compiled, terms)
+    energy = np.where(better, found.energy, solution.energy[rows])
+    return after, status, relations, energy, _values(batch, compiled, terms)
