@@ -12,8 +12,8 @@ import warp as wp
 from sceneweaver.kernels import user
 from sceneweaver.scene import InputError, Scene
 
-from .objective import MANHATTAN, ObjectiveTerm, check_objective
-from .objective_members import Place, feature_of, fluxes_of, members_of, pins_of, places_of
+from .objective import MANHATTAN, ObjectiveTerm, check_objective, feature_of
+from .objective_members import Place, fluxes_of, members_of, pins_of, places_of
 from .problem import Problem
 
 LEAST_DISTANCE = 0.1  # [m] below which a source of light gives no more
