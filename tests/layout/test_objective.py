@@ -50,6 +50,7 @@ def refined(scene: Scene, terms: list[ObjectiveTerm], **options: Any) -> sw.Solu
 @pytest.mark.parametrize("term", TERMS, ids=lambda term: f"{term.kind}-{len(term.objects)}-{len(term.params or {})}")
 def test_the_kernels_measure_what_float64_does(term: ObjectiveTerm) -> None:
     poses, compiled = layouts(64), compile_scene(SCENE)
+    poses = poses[:12] if term.kind == "walking" else poses
     wanted = sw.objective_of(SCENE, [term], poses)
     assert np.ptp(wanted) > 0.01  # else nothing is compared
     np.testing.assert_allclose(measured_objective(compiled, [term], compiled.bodies(poses), "cpu"), wanted, atol=2e-4)
@@ -64,6 +65,33 @@ def test_values_by_hand() -> None:
     assert values == pytest.approx([box, 3.0 * np.hypot(a[0] - b[0], a[1] - b[1])])
     problem = sw.compile(SCENE, device="cpu")
     assert sw.objective_of(problem, [net, flow], poses) == pytest.approx([values.sum()])
+
+
+def test_a_way_goes_around_what_stands_in_it() -> None:
+    """From one end of a narrow room to the other, past a wall of furniture that leaves a way at one side."""
+    data = {"schema": SCENE.schema_, "id": "alley", "room": {"type": "hall", "outline": [[0, 0], [6, 0], [6, 3], [0, 3]]}}
+    data["objects"] = [
+        {"id": name, "category": "box", "mount": "floor", "size": list(size), "pose": {"position": [x, y, 0.0]}}
+        for name, size, x, y in (
+            ("a", (0.4, 0.4, 1.0), 0.5, 0.5),
+            ("b", (0.4, 0.4, 1.0), 5.5, 0.5),
+            ("bar", (0.5, 2.4, 1.0), 3.0, 1.22),
+        )
+    ]
+    scene = Scene.from_json(data)
+    home = np.array([[(*o.pose.position, o.pose.yaw) for o in scene.objects]])
+    shut = home.copy()
+    shut[0, 2, 1] = 1.5  # 0.3 m on both sides, where who walks needs 0.4 m
+    layouts = np.concatenate([home, shut])
+    term, compiled = ObjectiveTerm("walking", ("a", "b"), params={"sides": [0, 2]}), compile_scene(scene)
+    found = sw.objective_of(scene, [term], layouts)
+    ends = np.array([1.0, 0.5]), np.array([5.0, 0.5])
+    corner = 2.42 + 0.2  # the way is above this where the bar ends
+    around = 2 * np.hypot(1.75 - 0.2, corner - 0.5) + 0.9
+    assert np.linalg.norm(ends[1] - ends[0]) == pytest.approx(4.0)
+    assert around < found[0] < 1.15 * around
+    assert found[1] == pytest.approx(4.0 + 18.0)  # no way: once around the room more
+    np.testing.assert_allclose(measured_objective(compiled, [term], layouts, "cpu"), found, rtol=1e-3)
 
 
 def test_light_follows_the_inverse_square_and_the_cosine() -> None:
