@@ -25,6 +25,7 @@ LOOK = 2_000
 """Moves between two looks at the clock on a CPU."""
 
 LOOK_GPU = 500
+BLOCK = 32  # threads: a few thousand candidates spread over all of a GPU
 SOFT = 1.0
 """What a metre of a soft relation's energy costs in units of the objective."""
 
@@ -109,18 +110,36 @@ def minimise_batch(
         common = [part.problems, objective]
         if blocks is not None:
             cooling, pairs = cooling_of(packing, soft), _pairs(shared, blocks, part)
-            wp.launch(begin_packing, part.size, [*common, cooling, run.active], [part.state, pairs, run], device=device)
+            wp.launch(
+                begin_packing,
+                part.size,
+                [*common, cooling, run.active],
+                [part.state, pairs, run],
+                device=device,
+                block_dim=BLOCK,
+            )
             for first, last in _stretches(packing.moves, look, monitor, device):
                 inputs = [*common, cooling, first, last]
-                wp.launch(anneal_packing, part.size, inputs, [part.state, pairs, run], device=device)
+                wp.launch(anneal_packing, part.size, inputs, [part.state, pairs, run], device=device, block_dim=BLOCK)
             run.active.fill_(1)
-            wp.launch(end_annealing, part.state.poses.shape, [part.problems, run], [part.state], device=device)
+            wp.launch(
+                end_annealing,
+                part.state.poses.shape,
+                [part.problems, run],
+                [part.state],
+                device=device,
+                block_dim=BLOCK,
+            )
             run.active.assign(np.isfinite(run.least.numpy()).astype(np.int32))
         cooling = cooling_of(schedule, soft)
-        wp.launch(begin_annealing, part.size, [*common, cooling], [part.state, run], device=device)
+        wp.launch(begin_annealing, part.size, [*common, cooling], [part.state, run], device=device, block_dim=BLOCK)
         for first, last in _stretches(schedule.moves, look, monitor, device):
-            wp.launch(anneal, part.size, [*common, cooling, first, last], [part.state, run], device=device)
-        wp.launch(end_annealing, part.state.poses.shape, [part.problems, run], [part.state], device=device)
+            wp.launch(
+                anneal, part.size, [*common, cooling, first, last], [part.state, run], device=device, block_dim=BLOCK
+            )
+        wp.launch(
+            end_annealing, part.state.poses.shape, [part.problems, run], [part.state], device=device, block_dim=BLOCK
+        )
 
     if device == "cpu":
         on_threads(piece, cuts, monitor)

@@ -214,10 +214,12 @@ def joined(first: Solution, second: Solution) -> Solution:
 
     rated = () if first.quality is None else ("quality",)
     rated += () if first.free_floor is None else ("free_floor",)
-    rated += () if first.objective is None else ("objective",)
+    aimed = first.objective is not None and second.objective is not None
+    rated += ("objective",) if aimed else ()
     return replace(
         first,
         **{name: both(name) for name in ("poses", "status", "relations", "energy", "walkable", *rated)},
+        **({} if aimed else {"objective": None}),
         elapsed=first.elapsed + second.elapsed,
         timed_out=first.timed_out or second.timed_out,
     )
