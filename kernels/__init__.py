@@ -14,10 +14,12 @@ USUAL_BLOCK = 256
 """Threads of a block with which a GPU launches kernels, where nothing else is said."""
 
 BLOCKS = {
+    "anneal": (32,),
     "descent": (64,),
     "gradients_gpu": (64,),
     "proposals": (128, 64),
     "rounds": (USUAL_BLOCK, 64),
+    "sequence_pair": (32,),
     "snap": (32, USUAL_BLOCK),
     "starts": (32,),
     "step": (USUAL_BLOCK, 64),

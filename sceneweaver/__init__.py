@@ -27,11 +27,13 @@ if TYPE_CHECKING:
     from sceneweaver.extend import residual_cost as residual_cost
     from sceneweaver.extend import undefine_relation as undefine_relation
     from sceneweaver.extend import undefine_term as undefine_term
+    from sceneweaver.layout import ObjectiveTerm as ObjectiveTerm
     from sceneweaver.layout import Problem as Problem
     from sceneweaver.layout import QualityTerm as QualityTerm
     from sceneweaver.layout import Solution as Solution
     from sceneweaver.layout import compile as compile
     from sceneweaver.layout import improve as improve
+    from sceneweaver.layout import objective_of as objective_of
     from sceneweaver.learning import LearnedWeights as LearnedWeights
     from sceneweaver.learning import learn_weights as learn_weights
     from sceneweaver.render import draw_top as draw_top
@@ -62,6 +64,7 @@ __all__ = [
     "LearnedWeights",
     "MissingDependencyError",
     "ObjectHandle",
+    "ObjectiveTerm",
     "Pose",
     "Problem",
     "QualityTerm",
@@ -88,6 +91,7 @@ __all__ = [
     "draw_top",
     "improve",
     "learn_weights",
+    "objective_of",
     "refine",
     "refine_many",
     "repair",
@@ -107,6 +111,7 @@ _HOME = {
     "LearnedWeights": "learning",
     "MissingDependencyError": "scene",
     "ObjectHandle": "building",
+    "ObjectiveTerm": "layout",
     "Pose": "scene",
     "Problem": "layout",
     "QualityTerm": "layout",
@@ -132,6 +137,7 @@ _HOME = {
     "draw_top": "render",
     "improve": "layout",
     "learn_weights": "learning",
+    "objective_of": "layout",
     "refine": "explain",
     "refine_many": "explain",
     "repair": "repairs",

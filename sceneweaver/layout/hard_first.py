@@ -7,16 +7,15 @@ from dataclasses import replace
 
 import numpy as np
 
-from sceneweaver.optimizers import Monitor, judge, load_poses
+from sceneweaver.optimizers import Monitor, load_poses
 
 from .access import walkable_shares
 from .batch import make_batch
 from .compile import CompiledScene, compile_scene
 from .devices import WALKED
 from .job import Job
-from .measure import energy_of
+from .rejudge import judged
 from .solution import Solution, best_of
-from .surfaces import surfaces_hold
 
 
 def failed_for_softness(
@@ -59,15 +58,11 @@ def with_rescued(
     room, scene, valid = job.compiled.room, job.compiled.scene, bare.status == 0
     batch = make_batch([room], np.zeros(rows.size, dtype=int), device)
     load_poses(batch, bare.bodies[valid])
-    verdict = judge(batch)
-    fine = (verdict.status == 0) & surfaces_hold(job.compiled, batch, 0, rows.size, monitor) & (not room.faulty)
-    holds = verdict.holds[:, : len(scene.relations)].copy()
-    for rider, relation in room.riders.items():
-        holds[:, relation] &= verdict.holds[:, rider]
-    energy = energy_of(batch)[0].numpy()
+    found = judged(job.compiled, batch)
+    fine = found.status == 0
     rows, kept = rows[fine], np.flatnonzero(valid)[fine]
     status, relations, energies = solution.status.copy(), solution.relations.copy(), solution.energy.copy()
-    status[rows], relations[rows], energies[rows] = 0, holds[fine], energy[fine]
+    status[rows], relations[rows], energies[rows] = 0, found.relations[fine], found.energy[fine]
     solution.poses[rows] = bare.poses[kept]  # in place: the layouts of several devices lie in one array
     if solution.free_floor is not None and bare.free_floor is not None:
         solution.free_floor[rows] = bare.free_floor[kept]

@@ -33,6 +33,7 @@ TABLES = {
     "looks": {"critics": 1, "grades": 5, "scenes": 3},
     "patterns": {"patterns": 29},
     "choice": {"curve": 2, "agreement": 0},
+    "objectives": {"blocks": 3, "validity": 2, "rooms": 1},
     "ablations": {"parts": 6, "tools": 4, "each": 9},
     "variety": {"rooms": 2, "variety": 11},
     "jax": {"calls": 1},
