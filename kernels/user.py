@@ -29,6 +29,11 @@ def feature_of(name: str) -> int:
     return FEATURE_USER + list(_residuals).index(name)
 
 
+def residuals() -> dict[str, wp.Function]:
+    """The registered residuals by name, in the order of their codes."""
+    return dict(_residuals)
+
+
 def register_residual(name: str, residual: wp.Function) -> None:
     """Enter a residual ``f(a, b, size_a, size_b, p) -> float``: poses as vec4, sizes as vec3, params as vec4."""
     _residuals[name] = residual

@@ -24,11 +24,13 @@ if TYPE_CHECKING:
     from sceneweaver.extend import define_term as define_term
     from sceneweaver.extend import undefine_relation as undefine_relation
     from sceneweaver.extend import undefine_term as undefine_term
+    from sceneweaver.layout import ObjectiveTerm as ObjectiveTerm
     from sceneweaver.layout import Problem as Problem
     from sceneweaver.layout import QualityTerm as QualityTerm
     from sceneweaver.layout import Solution as Solution
     from sceneweaver.layout import compile as compile
     from sceneweaver.layout import improve as improve
+    from sceneweaver.layout import objective_of as objective_of
     from sceneweaver.render import draw_top as draw_top
     from sceneweaver.repairs import Repair as Repair
     from sceneweaver.repairs import repair as repair
@@ -56,6 +58,7 @@ __all__ = [
     "InputError",
     "MissingDependencyError",
     "ObjectHandle",
+    "ObjectiveTerm",
     "Pose",
     "Problem",
     "QualityTerm",
@@ -81,6 +84,7 @@ __all__ = [
     "design",
     "draw_top",
     "improve",
+    "objective_of",
     "refine",
     "refine_many",
     "repair",
@@ -98,6 +102,7 @@ _HOME = {
     "InputError": "scene",
     "MissingDependencyError": "scene",
     "ObjectHandle": "building",
+    "ObjectiveTerm": "layout",
     "Pose": "scene",
     "Problem": "layout",
     "QualityTerm": "layout",
@@ -122,6 +127,7 @@ _HOME = {
     "design": "agent",
     "draw_top": "render",
     "improve": "layout",
+    "objective_of": "layout",
     "refine": "explain",
     "refine_many": "explain",
     "repair": "repairs",

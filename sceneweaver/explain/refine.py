@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from sceneweaver.layout import Progress, QualityTerm, Solution, StepOptimizer, engine
+from sceneweaver.layout import ObjectiveTerm, Progress, QualityTerm, Solution, StepOptimizer, engine
 from sceneweaver.runtime.deadline import Deadline, TimeUp, ending
 from sceneweaver.scene import Scene
 
@@ -38,6 +38,8 @@ def refine(
     explain: bool = True,
     snap: bool = False,
     quality: Sequence[QualityTerm] = (),
+    objective: Sequence[ObjectiveTerm] = (),
+    moves: int | None = None,
 ) -> Solution:
     """Refine many candidate layouts of a scene at once.
 
@@ -59,6 +61,10 @@ def refine(
         snap: bring valid layouts to the exact values of their relations at the end: square to the room, flush with
             walls and neighbours, centred, chairs pushed in, as far as nothing is in the way.
         quality: terms of design quality that all valid candidates are rated by (``solution.quality``) and ranked.
+        objective: terms whose weighted sum is minimised over valid layouts, see `ObjectiveTerm`: what is hard comes
+            first. Valid candidates are ranked by it (``solution.objective``).
+        moves: with an objective, how many moves are tried for each candidate (default: 1,500 for each object that may
+            move). Of a ``time_limit`` the search for valid layouts takes half at most.
 
     Raises:
         InputError: an argument is out of range.
@@ -85,6 +91,8 @@ def refine(
         progress=progress,
         snap=snap,
         quality=quality,
+        objective=objective,
+        moves=moves,
     )
     return _explained(solution, began, time_limit) if explain else solution
 
@@ -103,11 +111,13 @@ def refine_many(
     explain: bool = False,
     snap: bool = False,
     quality: Sequence[Sequence[QualityTerm]] | None = None,
+    objective: Sequence[Sequence[ObjectiveTerm]] | None = None,
+    moves: int | None = None,
 ) -> list[Solution]:
     """Refine many scenes in shared launches; each gets what ``refine`` would give it alone.
 
     Arguments and errors as for ``refine``; ``time_limit`` is for all scenes together, ``init`` is a name, and
-    ``quality`` has the terms of each scene.
+    ``quality`` and ``objective`` have the terms of each scene.
 
     Examples:
         >>> import sceneweaver as sw
@@ -128,6 +138,8 @@ def refine_many(
         progress=progress,
         snap=snap,
         quality=quality,
+        objective=objective,
+        moves=moves,
     )
     return [_explained(solution, began, time_limit) for solution in solutions] if explain else solutions
 

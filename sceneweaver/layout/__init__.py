@@ -5,6 +5,9 @@ from sceneweaver.optimizers.batch import Progress as Progress
 from .engine import refine as refine
 from .engine import refine_many as refine_many
 from .improve import improve as improve
+from .objective import ObjectiveTerm as ObjectiveTerm
+from .objective import terms_from as terms_from
+from .objective_values import objective_of as objective_of
 from .problem import Problem as Problem
 from .problem import Terms as Terms
 from .problem import compile as compile
@@ -20,6 +23,7 @@ from .stepwise import step_optimizer as step_optimizer
 
 __all__ = [
     "BuiltIn",
+    "ObjectiveTerm",
     "Problem",
     "Progress",
     "QualityTerm",
@@ -31,8 +35,10 @@ __all__ = [
     "improve",
     "joined",
     "numbered",
+    "objective_of",
     "rate",
     "refine",
     "refine_many",
     "step_optimizer",
+    "terms_from",
 ]

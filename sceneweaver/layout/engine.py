@@ -29,6 +29,8 @@ from .batch import make_batch, stacked
 from .compile import CompiledScene, LayoutProblem, compile_scene
 from .devices import WALKED, pick_devices, solve_on
 from .job import Job
+from .minimise import minimised
+from .objective import ObjectiveTerm, check_objective
 from .pack import PULL, weights
 from .pools import POOL_SALT, surface_pools
 from .problem import Problem
@@ -61,6 +63,8 @@ def refine(
     progress: Progress | None = None,
     snap: bool = False,
     quality: Sequence[QualityTerm] = (),
+    objective: Sequence[ObjectiveTerm] = (),
+    moves: int | None = None,
     compiled: CompiledScene | None = None,
     walk: bool = True,
 ) -> Solution:
@@ -70,20 +74,23 @@ def refine(
     ``compiled`` is the scene, if that has been compiled before; without ``walk`` walkable floor is not measured.
     """
     began = time.monotonic()
-    given = _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps, compiled)
+    given = _check_arguments(scene, candidates, seed, init, optimizer, time_limit, steps, compiled, moves)
     where = pick_devices(device)
     compiled = compiled or compile_scene(scene)
     check_terms(scene, quality)
+    check_objective(scene, objective)
     if given is None:
         world = _all_at(compiled.room.home, candidates)
     else:
         room = compiled.room
         world = into_domains(room.yaws, room.free != 0, room.roots, compiled.bodies(given))
     start = init if isinstance(init, str) and init != "current" else "given"
-    job = Job(compiled, world, start, seed, keep=start == "given" and given is None, walk=walk and not quality)
-    monitor = Monitor(len(world), _until(began, time_limit), progress)
+    keep = start == "given" and given is None and not objective
+    job = Job(compiled, world, start, seed, keep=keep, walk=walk and not quality and not objective)
+    monitor = Monitor(len(world), _until(began, time_limit, bool(objective)), progress)
     jobs = _prepared([job], where, optimizer, monitor)
     found = solve_on(where, jobs, lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began, snap))
+    found = _minimised(found, [compiled], [objective], moves, began, time_limit)
     return _rated(found, [compiled], [quality], began, walk)[0]
 
 
@@ -100,30 +107,56 @@ def refine_many(
     progress: Progress | None = None,
     snap: bool = False,
     quality: Sequence[Sequence[QualityTerm]] | None = None,
+    objective: Sequence[Sequence[ObjectiveTerm]] | None = None,
+    moves: int | None = None,
 ) -> list[Solution]:
     """Refine many scenes in shared launches; each gets what ``refine`` would give it alone.
 
     Arguments and errors as for ``refine``; ``time_limit`` is for all scenes together, ``init`` is a name,
-    ``candidates`` and ``seed`` are for all scenes or one for each, and ``quality`` has the terms of each scene.
+    ``candidates`` and ``seed`` are for all scenes or one for each, and ``quality`` and ``objective`` have the terms of
+    each scene.
     """
     began = time.monotonic()
     where = pick_devices(device)
     terms = [()] * len(scenes) if quality is None else quality
     if len(terms) != len(scenes):
         raise InputError(f"quality: terms of {len(terms)} scenes, but there are {len(scenes)}")
+    aims = [()] * len(scenes) if objective is None else objective
+    if len(aims) != len(scenes):
+        raise InputError(f"objective: terms of {len(aims)} scenes, but there are {len(scenes)}")
     counts, seeds = (_each(value, len(scenes), name) for name, value in (("candidates", candidates), ("seed", seed)))
     jobs = []
-    for scene, wanted, count, own in zip(scenes, terms, counts, seeds, strict=True):
-        _check_arguments(scene, count, own, init, optimizer, time_limit, steps)
+    for scene, wanted, aim, count, own in zip(scenes, terms, aims, counts, seeds, strict=True):
+        _check_arguments(scene, count, own, init, optimizer, time_limit, steps, moves=moves)
         check_terms(scene, wanted)
+        check_objective(scene, aim)
         compiled = compile_scene(scene)
         world = _all_at(compiled.room.home, count)
         current = init == "current"
-        jobs.append(Job(compiled, world, "given" if current else init, own, keep=current, walk=not wanted))
-    monitor = Monitor(sum(counts), _until(began, time_limit), progress)
+        walk = not wanted and not aim
+        jobs.append(Job(compiled, world, "given" if current else init, own, keep=current and not aim, walk=walk))
+    monitor = Monitor(sum(counts), _until(began, time_limit, any(aims)), progress)
     jobs = _prepared(jobs, where, optimizer, monitor)
     found = solve_on(where, jobs, lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began, snap))
+    found = _minimised(found, [job.compiled for job in jobs], aims, moves, began, time_limit)
     return _rated(found, [job.compiled for job in jobs], terms, began)
+
+
+def _minimised(
+    found: Sequence[Solution],
+    compiled: Sequence[CompiledScene],
+    objectives: Sequence[Sequence[ObjectiveTerm]],
+    moves: int | None,
+    began: float,
+    time_limit: float | None,
+) -> list[Solution]:
+    """The solutions of some scenes, those with an objective led to lower values of it, and their floor measured."""
+    solutions = list(found)
+    for k, terms in enumerate(objectives):
+        if terms:
+            monitor = Monitor(solutions[k].candidates, _until(began, time_limit))
+            solutions[k] = minimised(solutions[k], compiled[k], terms, moves, monitor, began)
+    return solutions
 
 
 def _each(value: int | Sequence[int], count: int, name: str) -> list[int]:
@@ -153,19 +186,29 @@ def _rated(
     return solutions
 
 
-def _until(began: float, time_limit: float | None) -> Moment | None:
-    """When to stop, by ``time.monotonic()`` [s]: after the time limit, and with the deadline of the caller."""
-    block, own = ending(), math.inf if time_limit is None else began + time_limit
+def _until(began: float, time_limit: float | None, half: bool = False) -> Moment | None:
+    """When to stop, by ``time.monotonic()`` [s]: after the time limit, or ``half`` of it, and with the deadline of the
+    caller."""
+    share = 0.5 if half else 1.0
+    block, own = ending(), math.inf if time_limit is None else began + share * time_limit
     if block is None:
         return None if math.isinf(own) else own
     return lambda: min(own, block())
 
 
 def _check_arguments(
-    scene, candidates, seed, init, optimizer, time_limit, steps, compiled: CompiledScene | None = None
+    scene,
+    candidates,
+    seed,
+    init,
+    optimizer,
+    time_limit,
+    steps,
+    compiled: CompiledScene | None = None,
+    moves: int | None = None,
 ) -> np.ndarray | None:
     """Raise InputError on anything out of range; the poses to start from when ``init`` is an array."""
-    for name, value in (("candidates", candidates), ("steps", steps)):
+    for name, value in (("candidates", candidates), ("steps", steps), ("moves", moves)):
         if value is not None and (not isinstance(value, int | np.integer) or isinstance(value, bool) or value < 1):
             raise InputError(f"{name}: {value!r} is not a whole number of at least 1")
     if not isinstance(seed, int | np.integer) or not 0 <= seed < 2**32:

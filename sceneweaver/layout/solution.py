@@ -105,6 +105,8 @@ class Solution(Shown):
         elapsed: seconds from call to return.
         quality: [B] float32, minus the points that the terms of design quality take off (0 at best), NaN where a
             candidate is not valid; None where there are no such terms.
+        objective: [B] float64, the value of the objective that was minimised, NaN where a candidate is not valid; None
+            where there was none.
         timed_out: True when the time limit cut the run off.
         free_floor: [B, F, 4] float32, poses of the bodies that stand for free areas; None where there are none.
         floors: for each of these its place among the scene's free areas; None where that has no pose of its own.
@@ -133,6 +135,7 @@ class Solution(Shown):
     timed_out: bool = False
     explanation: str | None = None
     quality: np.ndarray | None = None
+    objective: np.ndarray | None = None
     free_floor: np.ndarray | None = None
     floors: tuple[int | None, ...] = ()
 
@@ -145,11 +148,14 @@ class Solution(Shown):
     def order(self) -> np.ndarray:
         """Candidates, best first: by status, then blocked floor, then soft relations missing, then energy.
 
-        With terms of quality these come before the energy, in one sum with the soft relations.
+        With terms of quality these come before the energy, in one sum with the soft relations. An objective comes
+        right after the status.
         """
-        if self.quality is None:
-            return rank(self.source, self.status, self.relations, self.energy, self.walkable, self.moved)
         keys = _keys(self.source, self.status, self.relations, self.energy, self.walkable, self.moved)
+        if self.objective is not None:
+            keys.insert(1, np.where(np.isnan(self.objective), np.inf, self.objective))
+        if self.quality is None:
+            return np.lexsort(keys[::-1])
         worth = np.where(np.isnan(self.quality), -np.inf, self.quality)
         keys[-2] = np.round(missing_points(self.source, self.relations) - worth, 4)
         return np.lexsort(keys[::-1])
@@ -208,6 +214,7 @@ def joined(first: Solution, second: Solution) -> Solution:
 
     rated = () if first.quality is None else ("quality",)
     rated += () if first.free_floor is None else ("free_floor",)
+    rated += () if first.objective is None else ("objective",)
     return replace(
         first,
         **{name: both(name) for name in ("poses", "status", "relations", "energy", "walkable", *rated)},
