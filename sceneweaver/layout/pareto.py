@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.scene import InputError, Scene
 
 from . import engine
@@ -119,8 +120,9 @@ def pareto_front(
     In the first round each objective is minimised alone, which tells their ranges; then weighted sums of the two, scaled
     by these, evenly from one to the other, in shared launches. Every further round looks at the widest gaps of the
     front: it starts from the layouts on both sides of a gap and minimises the weighted sum whose level lines run
-    along it (adaptive weighted sums, after Kim and de Weck 2005). All valid layouts that any of these found count. Where
-    the front is not convex a sum alone has no minimum, and what is found there comes from the layouts on the way.
+    along it (adaptive weighted sums, after Kim and de Weck 2005). Where the front is straight or bends inwards no sum
+    has its least value inside a gap; so layouts between the two sides, some objects as on one, others as on the other
+    or on the way, are mended and count as they are. All valid layouts that any of these found count.
 
     Args:
         scene: what to lay out.
@@ -180,6 +182,25 @@ def pareto_front(
     compiled = compile_scene(scene) if rounds > 1 else None
     for number in range(1, rounds):
         gaps = archive.gaps(weights)
+        rng = np.random.default_rng([seed, number])
+        blends = [_blends(starts, candidates, rng) for starts, _ in gaps if len(starts) == 2]
+        if blends and not over():
+            budget = left()
+            archive.add(
+                [
+                    engine.refine(
+                        scene,
+                        candidates=candidates * len(blends),
+                        init=np.concatenate(blends),
+                        seed=(seed + STEP * number * weights - 1) % 2**32,
+                        time_limit=None if budget is None else budget / 2 / (rounds - number),
+                        device=device,
+                        steps=steps,
+                        compiled=compiled,
+                        walk=False,
+                    )
+                ]
+            )
         for k, (starts, pair) in enumerate(gaps):
             if over():
                 break
@@ -208,6 +229,16 @@ def _weighted(aims: tuple[tuple[ObjectiveTerm, ...], ...], pair: tuple[float, fl
         replace(term, weight=term.weight * weight) for terms, weight in zip(aims, pair, strict=True) for term in terms
         if weight > 0.0
     ]  # fmt: skip
+
+
+def _blends(ends: np.ndarray, count: int, rng: np.random.Generator) -> np.ndarray:
+    """Layouts [count, N, 4] between two [2, N, 4]: all on the way by one share, or each object as at either end."""
+    share = np.repeat((np.arange(count) + 0.5)[:, None, None] / count, ends.shape[1], axis=1)
+    mixed = np.arange(count) % 2 == 1
+    share[mixed] = rng.random(share[mixed].shape) < share[mixed]
+    way = ends[1].astype(np.float64) - ends[0]
+    way[:, 3] = wrap_angle(way[:, 3])
+    return ends[0] + share * way
 
 
 def _from_nothing(
@@ -288,10 +319,10 @@ class _Archive:
         chosen = [self._where[int(row)] for row in rows]
         solution = None
         if chosen:
-            names = ("poses", "status", "relations", "energy", "walkable", "objective")
+            names = ("poses", "status", "relations", "energy", "walkable")
             names += () if self._solutions[0].free_floor is None else ("free_floor",)
             arrays = {n: np.stack([getattr(self._solutions[s], n)[k] for s, k in chosen]) for n in names}
-            solution = replace(self._solutions[0], **arrays)
+            solution = replace(self._solutions[0], **arrays, objective=None, moved=None)
         return ParetoFront(
             source=self._scene,
             values=self._values[rows],
