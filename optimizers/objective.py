@@ -118,7 +118,7 @@ def minimise_batch(
             run.active.fill_(1)
             wp.launch(end_annealing, part.state.poses.shape, [part.problems, run], [part.state], device=device)
             run.active.assign(np.isfinite(run.least.numpy()).astype(np.int32))
-        cooling = cooling_of(schedule if blocks is None else _mild(schedule), soft)
+        cooling = cooling_of(schedule, soft)
         wp.launch(begin_annealing, part.size, [*common, cooling], [part.state, run], device=device)
         for first, last in _stretches(schedule.moves, look, monitor, device):
             wp.launch(anneal, part.size, [*common, cooling, first, last], [part.state, run], device=device)
@@ -130,11 +130,6 @@ def minimise_batch(
         with wp.ScopedDevice(device):
             for rows in cuts:
                 piece(rows)
-
-
-def _mild(schedule: Schedule) -> Schedule:
-    """A schedule that keeps to the layout that it begins at: what is packed only slides into what is free."""
-    return Schedule(schedule.moves, 0.02, schedule.cold)
 
 
 def _stretches(moves: int, look: int, monitor: Monitor, device: str) -> Iterator[tuple[int, int]]:

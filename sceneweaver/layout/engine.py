@@ -36,6 +36,7 @@ from .pools import POOL_SALT, surface_pools
 from .problem import Problem
 from .quality import QualityTerm, check_terms
 from .rate import rated, walked
+from .rejudge import replaced, without_soft
 from .solution import Solution, best_of
 from .stepwise import StepOptimizer, find_optimizer, modules_of, run_stepwise
 from .surfaces import BROKEN, surfaces_hold
@@ -90,6 +91,8 @@ def refine(
     monitor = Monitor(len(world), _until(began, time_limit, bool(objective)), progress)
     jobs = _prepared([job], where, optimizer, monitor)
     found = solve_on(where, jobs, lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began, snap))
+    if optimizer == "search" and steps is None:
+        found = [_hard_alone(s, job, monitor, began, snap) for s, job in zip(found, jobs, strict=True)]
     found = _minimised(found, [compiled], [objective], moves, began, time_limit)
     return _rated(found, [compiled], [quality], began, walk)[0]
 
@@ -138,8 +141,27 @@ def refine_many(
     monitor = Monitor(sum(counts), _until(began, time_limit, any(aims)), progress)
     jobs = _prepared(jobs, where, optimizer, monitor)
     found = solve_on(where, jobs, lambda jobs, device: solve(jobs, optimizer, steps, device, monitor, began, snap))
+    if optimizer == "search" and steps is None:
+        found = [_hard_alone(s, job, monitor, began, snap) for s, job in zip(found, jobs, strict=True)]
     found = _minimised(found, [job.compiled for job in jobs], aims, moves, began, time_limit)
     return _rated(found, [job.compiled for job in jobs], terms, began)
+
+
+def _hard_alone(solution: Solution, job: Job, monitor: Monitor, began: float, snap: bool) -> Solution:
+    """A solution whose candidates that are not valid were searched again without anything soft.
+
+    So soft relations and terms never cost a valid layout: what is valid without them is valid with them.
+    """
+    invalid = np.flatnonzero(solution.status != 0)
+    bare = without_soft(job.compiled) if len(invalid) and job.start != "given" and not monitor.expired() else None
+    if bare is None:
+        return solution
+    again = Job(bare, job.world[invalid], job.start, job.seed, walk=False, only=invalid)
+    inner = monitor.inner(len(invalid))
+    (other,) = solve([again], "search", None, solution.device, inner, began, snap)
+    mended = replaced(solution, job.compiled, invalid[other.status == 0], other.bodies[other.status == 0])
+    mended = replace(mended, elapsed=time.monotonic() - began, timed_out=solution.timed_out or inner.timed_out)
+    return walked(mended, job.compiled) if job.walk and mended.candidates else mended
 
 
 def _minimised(
@@ -265,7 +287,7 @@ def solve(
             batch = replace(batch, weights=weights(pull=PULL))
         _load_worlds(batch, [job.world for job in group])
         batch.state.rng.assign(
-            np.concatenate([streams(job.seed, job.first + np.arange(n)) for job, n in zip(group, sizes, strict=True)])
+            np.concatenate([streams(job.seed, job.numbers) for job in group])
         )
         if isinstance(method, StepOptimizer):
             compiled = [job.compiled for job in group]

@@ -26,3 +26,9 @@ class Job:
     first: int = 0
     into: np.ndarray | None = None
     pools: list[np.ndarray] | None = None
+    only: np.ndarray | None = None  # numbers of the candidates [B], where they do not follow one another
+
+    @property
+    def numbers(self) -> np.ndarray:
+        """Numbers [B] of the candidates, which their random streams follow from."""
+        return self.first + np.arange(len(self.world)) if self.only is None else self.only

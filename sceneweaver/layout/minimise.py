@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Sequence
 from dataclasses import replace
@@ -10,25 +11,30 @@ import numpy as np
 import warp as wp
 
 from sceneweaver.kernels import load
-from sceneweaver.kernels.objective import measure_objective
+from sceneweaver.kernels.objective import Objective, measure_objective
+from sceneweaver.kernels.objective_walk import measure_walking
+from sceneweaver.kernels.quality_floor import measure_clearance
 from sceneweaver.kernels.tables import FREE_PLANE, FREE_YAW, FREE_Z
 from sceneweaver.optimizers import Batch, Monitor, load_poses, streams
 from sceneweaver.optimizers.objective import Schedule, minimise_batch
-from sceneweaver.optimizers.run import judge_in_time
 
 from .batch import make_batch
 from .compile import CompiledScene, LayoutProblem
-from .measure import energy_of
+from .floor_grid import Grid
 from .objective import ObjectiveTerm
 from .objective_pack import pack_objective
 from .packing import blocks_of
+from .rejudge import judged
+from .shortest_ways import detour
 from .solution import Solution
-from .surfaces import surfaces_hold
 
+WAYS_AT_ONCE = 8_192
 SALT = 0x0B1E
 MOVES = 1_500
 """Moves of a candidate for each root that may move, where nothing is said."""
 
+PACKED = Schedule(0, 0.3, 0.01)
+SLIDING = Schedule(0, 0.02, 0.002)
 AT_ONCE = 16_384  # candidates that a GPU anneals at once
 
 
@@ -88,7 +94,33 @@ def _values(batch: Batch, compiled: CompiledScene, terms: Sequence[ObjectiveTerm
     value = wp.zeros((batch.size, max(len(terms), 1)), dtype=wp.float32, device=batch.device)
     shape = (batch.size, len(terms))
     wp.launch(measure_objective, shape, [batch.problems, packed, batch.state], [value], device=batch.device)
-    return value.numpy().astype(np.float64).sum(axis=1)
+    values = value.numpy().astype(np.float64)
+    on_foot = [t for t, term in enumerate(terms) if term.kind == "walking"]
+    if on_foot:
+        values[:, on_foot] = _ways(batch, compiled, packed, on_foot)
+    return values.sum(axis=1)
+
+
+def _ways(batch: Batch, compiled: CompiledScene, packed: Objective, on_foot: Sequence[int]) -> np.ndarray:
+    """Weighted lengths [B, W] of the ways of walking terms over the free floor, some candidates at a time."""
+    device, grid = batch.device, Grid(compiled.room.region.box)
+    load(device, "quality_floor", "objective_walk")
+    floor, cells, around = grid.floor, math.prod(grid.shape), detour(compiled.scene)
+    numbers = wp.array(np.asarray(on_foot, dtype=np.int32), dtype=wp.int32, device=device)
+    found = np.zeros((batch.size, len(on_foot)))
+    many = max(1, WAYS_AT_ONCE // len(on_foot))
+    for first in range(0, batch.size, many):
+        chosen = np.arange(first, min(first + many, batch.size), dtype=np.int32)
+        slots = wp.array(chosen, dtype=wp.int32, device=device)
+        level = wp.zeros((len(chosen), cells), dtype=wp.int32, device=device)
+        way = wp.zeros((len(chosen) * len(on_foot), cells), dtype=wp.float32, device=device)
+        value = wp.zeros((len(chosen), len(on_foot)), dtype=wp.float32, device=device)
+        inputs = [batch.problems, floor, slots, batch.state]
+        wp.launch(measure_clearance, level.shape, inputs, [level], device=device)
+        inputs = [batch.problems, packed, floor, numbers, around, slots, batch.state, level]
+        wp.launch(measure_walking, value.shape, inputs, [way, value], device=device)
+        found[chosen] = value.numpy()
+    return found
 
 
 def _minimise(
@@ -110,18 +142,17 @@ def _minimise(
     soft = any(not relation.fault for relation in room.relations)
     seeds = streams(solution.seed ^ SALT, rows)
     blocks = blocks_of(room, roots)
-    minimise_batch(batch, packed, roots, blocks, schedule, schedule, status == 0, seeds, soft, monitor)
-    verdict = judge_in_time(batch, monitor.inner(len(rows)))
-    found = verdict.status.copy()
-    found[(found == 0) & ~surfaces_hold(compiled, batch, 0, len(rows))] = 1
-    holds = verdict.holds[:, : len(scene.relations)].copy()
-    for rider, relation in room.riders.items():
-        holds[:, relation] &= verdict.holds[:, rider]
+    if blocks is not None:  # what is packed only has to slide a little afterwards
+        packing, schedule = replace(PACKED, moves=schedule.moves), replace(SLIDING, moves=schedule.moves // 5)
+    else:
+        packing = schedule
+    minimise_batch(batch, packed, roots, blocks, schedule, packing, status == 0, seeds, soft, monitor)
     after = batch.state.poses.numpy()[:, : room.size].copy()
-    better = found == 0
+    found = judged(compiled, batch)
+    better = found.status == 0
     after[~better] = before[~better]
-    relations[better] = holds[better]
+    relations[better] = found.relations[better]
     status[better] = 0
     load_poses(batch, after)
-    energy = energy_of(batch)[0].numpy()
-    return after, status, relations, np.where(better, energy, solution.energy[rows]), _values(batch, compiled, terms)
+    energy = np.where(better, found.energy, solution.energy[rows])
+    return after, status, relations, energy, _values(batch, compiled, terms)

@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
+from sceneweaver.kernels import user
 from sceneweaver.scene import InputError, Scene
 
 MANHATTAN, EUCLIDEAN = "manhattan", "euclidean"
@@ -154,6 +155,21 @@ def check_objective(scene: Scene, terms: Sequence[ObjectiveTerm]) -> None:
         for name in term.objects:
             if name not in known:
                 raise InputError(f'objective: {term.kind}: "{name}" is no {what} of the scene')
+        if term.kind == "user":
+            feature_of(term)
+
+
+def feature_of(term: ObjectiveTerm) -> str:
+    """The name under which the kernels know the residual of a user's term.
+
+    Raises:
+        InputError: nothing of that name is defined.
+    """
+    name = term.value("name")
+    for known in (f"term {name}", name):
+        if known in user.residuals():
+            return known
+    raise InputError(f'objective: user: "{name}" is not defined; use sw.define_term or sw.define_relation first')
 
 
 def _is_number(value: Any) -> bool:

@@ -5,8 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from sceneweaver.geometry.shell import heights
-from sceneweaver.scene import InputError, Scene, SceneObject
-from sceneweaver.kernels import user
+from sceneweaver.scene import Scene, SceneObject
 
 from .objective import ObjectiveTerm
 
@@ -88,19 +87,6 @@ def fluxes_of(scene: Scene, term: ObjectiveTerm) -> list[float]:
         else:
             found.append(LAMP)
     return found
-
-
-def feature_of(term: ObjectiveTerm) -> str:
-    """The name under which the kernels know the residual of a user's term.
-
-    Raises:
-        InputError: nothing of that name is defined.
-    """
-    name = term.value("name")
-    for known in (f"term {name}", name):
-        if known in user.residuals():
-            return known
-    raise InputError(f'objective: user: "{name}" is not defined; use sw.define_term or sw.define_relation first')
 
 
 def _before(obj: SceneObject, side: int) -> tuple[float, float, float]:

@@ -11,8 +11,8 @@ from sceneweaver.kernels import objective as k
 from sceneweaver.kernels import user
 from sceneweaver.scene import Scene
 
-from .objective import MANHATTAN, ObjectiveTerm
-from .objective_members import feature_of, fluxes_of, members_of, pins_of, places_of
+from .objective import MANHATTAN, ObjectiveTerm, feature_of
+from .objective_members import fluxes_of, members_of, pins_of, places_of
 
 CODES = {
     "wire_length": k.WIRE_LENGTH,

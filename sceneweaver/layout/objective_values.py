@@ -12,9 +12,10 @@ import warp as wp
 from sceneweaver.kernels import user
 from sceneweaver.scene import InputError, Scene
 
-from .objective import MANHATTAN, ObjectiveTerm, check_objective
-from .objective_members import Place, feature_of, fluxes_of, members_of, pins_of, places_of
+from .objective import MANHATTAN, ObjectiveTerm, check_objective, feature_of
+from .objective_members import Place, fluxes_of, members_of, pins_of, places_of
 from .problem import Problem
+from .shortest_ways import shortest_ways
 
 LEAST_DISTANCE = 0.1  # [m] below which a source of light gives no more
 
@@ -95,8 +96,7 @@ def _flow(look: _Look, term: ObjectiveTerm) -> np.ndarray:
 
 
 def _walking(look: _Look, term: ObjectiveTerm) -> np.ndarray:
-    at = look.pins(term)[..., :2]
-    return np.linalg.norm(at[:, 1] - at[:, 0], axis=-1)
+    return shortest_ways(look.scene, look.poses, look.pins(term)[..., :2])
 
 
 def _cost(look: _Look, term: ObjectiveTerm) -> np.ndarray:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -12,7 +11,6 @@ import warp as wp
 from sceneweaver.kernels import load
 from sceneweaver.kernels.quality import add_up, measure
 from sceneweaver.kernels.quality_floor import LEVELS, measure_clearance, measure_floor, widest_ways
-from sceneweaver.kernels.walk import Floor
 from sceneweaver.optimizers import Batch, load_poses
 from sceneweaver.scene import Scene
 
@@ -20,6 +18,7 @@ from .access import walkable_shares
 from .batch import first_object, make_batch
 from .compile import CompiledScene, LayoutProblem, compile_scene
 from .devices import WALKED
+from .floor_grid import Grid
 from .quality import QualityTerm, check_terms, pack_terms
 from .solution import Solution, missing_points
 
@@ -30,9 +29,6 @@ ON_FLOOR = 256
 AT_ONCE = 65_536
 """Candidates that are rated in one launch."""
 
-CELL = 0.1
-LOW, HIGH = 0.05, 1.8  # rugs are walked on, lamps are walked under
-MOST_CELLS = 4_000  # of one room; larger rooms get larger cells
 STEP = 0.5  # [m] inside of a door, where ways begin
 
 
@@ -141,12 +137,7 @@ def _points(
 
 def _measure_floor(batch: Batch, room: LayoutProblem, packed, on_grid: list[int], chosen: wp.array, value: wp.array):
     """The measures [K, T] of some rows on the free floor of the chosen candidates [K]."""
-    x0, y0, x1, y1 = room.region.box
-    floor = Floor()
-    floor.cell = max(CELL, math.sqrt((x1 - x0) * (y1 - y0) / MOST_CELLS))
-    floor.origin = wp.vec2(x0, y0)
-    floor.nx, floor.ny = (max(1, math.ceil(length / floor.cell)) for length in (x1 - x0, y1 - y0))
-    floor.radius, floor.low, floor.high = 0.0, LOW, HIGH
+    floor = Grid(room.region.box).floor
     device, count, cells = batch.device, len(chosen), floor.nx * floor.ny
     level, way, work = (wp.zeros((count, cells), dtype=wp.int32, device=device) for _ in range(3))
     head = wp.zeros((count, int(LEVELS) + 1), dtype=wp.int32, device=device)
