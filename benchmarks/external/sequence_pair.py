@@ -46,9 +46,7 @@ def reach(order: list[int], place: list[int], size: list[float], corner: list[fl
     return front[-1]
 
 
-def anneal(
-    problem: BlockProblem, seed: int, seconds: float, clock: Callable[[], float] = time.perf_counter
-) -> Packed:
+def anneal(problem: BlockProblem, seed: int, seconds: float, clock: Callable[[], float] = time.perf_counter) -> Packed:
     """Anneal for so long by a clock [s]."""
     rng = np.random.default_rng(seed)
     count, side = len(problem.sizes), problem.side

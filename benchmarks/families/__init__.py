@@ -38,6 +38,7 @@ from . import (
     stability,
     throughput,
     tight,
+    variables,
     variety,
 )
 
@@ -63,6 +64,7 @@ FAMILIES: Mapping[str, Family] = MappingProxyType(
         "patterns": patterns.run,
         "choice": choice.run,
         "objectives": objectives.run,
+        "variables": variables.run,
         "ablations": ablations.run,
         "variety": variety.run,
         "jax": jax_calls.run,

@@ -108,7 +108,14 @@ def _blocks(settings: Settings, judge: Judge, result: Result) -> None:
 
 
 def _row(
-    name: str, method: str, spent: tuple[float, float], seeds: int, candidates: int, moves: int, valid: float, found: list
+    name: str,
+    method: str,
+    spent: tuple[float, float],
+    seeds: int,
+    candidates: int,
+    moves: int,
+    valid: float,
+    found: list,
 ) -> dict[str, Any]:
     return {
         "problem": name,
@@ -154,7 +161,9 @@ def _validity(settings: Settings, judge: Judge, result: Result) -> None:
 def _with_nets(scene: Scene, pairs: list[tuple[str, ...]], weight: float) -> Scene:
     """A scene with soft relations that draw pairs of things together."""
     data = json.loads(scene.model_dump_json())
-    data["relations"] += [{"type": "near", "subject": a, "target": b, "hard": False, "weight": weight} for a, b in pairs]
+    data["relations"] += [
+        {"type": "near", "subject": a, "target": b, "hard": False, "weight": weight} for a, b in pairs
+    ]
     return Scene.from_json(data)
 
 
@@ -172,4 +181,3 @@ def _rooms(settings: Settings, judge: Judge, result: Result) -> None:
         after = solution.objective
         row = {"room": name, "before": float(before.min()), "after": float(np.nanmin(after)), "seconds": seconds}
         table.rows.append(row | {"mean_before": float(before.mean()), "mean_after": float(np.nanmean(after))})
-
