@@ -11,8 +11,7 @@ import warp as wp
 
 from .array_access import item, item_strided
 from .bodies import Candidate, body_of, candidate_of, layout_of
-from .features import TURN
-from .geometry import FAR, plane_of, turn
+from .geometry import plane_of, turn
 from .groups import members_end, set_pose
 from .objective import Objective, pin_of, term_value
 from .sample import QUARTER, normal, pick, propose, uniform
@@ -284,7 +283,9 @@ def body_holds(b: Problems, c: Candidate, s: State, bodies: wp.vec2i):
 
 
 @wp.func
-def new_move(b: Problems, o: Objective, c: Candidate, s: State, run: Annealing, scale: wp.float32, rng: wp.ref[wp.uint32]):
+def new_move(
+    b: Problems, o: Objective, c: Candidate, s: State, run: Annealing, scale: wp.float32, rng: wp.ref[wp.uint32]
+):
     """Draw a move: one body elsewhere, or two that change places."""
     t = b.tables
     roots = run.root.shape[0]
@@ -438,7 +439,9 @@ def end_annealing(
     candidate, obj = wp.tid()
     if run.active[candidate] == 0:
         return
-    if obj < item(b.tables[0].object_start, b.problem[candidate] + 1) - item(b.tables[0].object_start, b.problem[candidate]):
+    if obj < item(b.tables[0].object_start, b.problem[candidate] + 1) - item(
+        b.tables[0].object_start, b.problem[candidate]
+    ):
         pose = run.best[candidate, obj]
         s.poses[candidate, obj] = pose
         s.turns[candidate, obj] = wp.vec2(wp.cos(pose[3]), wp.sin(pose[3]))

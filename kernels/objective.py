@@ -129,7 +129,9 @@ def covered(
 
 
 @wp.func
-def exposed_wall(t: TablesRef, o: Objective, c: Candidate, s: State, first: wp.int32, last: wp.int32, depth: wp.float32):
+def exposed_wall(
+    t: TablesRef, o: Objective, c: Candidate, s: State, first: wp.int32, last: wp.int32, depth: wp.float32
+):
     """Length of the walls that nothing stands or hangs at."""
     total = float(0.0)
     for w in range(first, last):

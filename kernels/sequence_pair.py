@@ -34,7 +34,9 @@ PACKING = (
     Table("place", ("candidate", "block"), wp.int32, "", "place of each block in the second order"),
     Table("turn", ("candidate", "block"), wp.int32, "", "quarters that each block is turned by"),
     Table("corner", ("candidate", "block"), wp.vec2, "m", "lower left corner of each block"),
-    Table("front", ("candidate", "block"), wp.float32, "m", "how far blocks reach up to each place of the second order"),
+    Table(
+        "front", ("candidate", "block"), wp.float32, "m", "how far blocks reach up to each place of the second order"
+    ),
 )
 
 # ``origin`` is the room's corner, ``axis`` its x axis and ``extent`` its size along both.

@@ -109,9 +109,7 @@ def minimise_batch(
         common = [part.problems, objective]
         if blocks is not None:
             cooling, pairs = cooling_of(packing, soft), _pairs(shared, blocks, part)
-            wp.launch(
-                begin_packing, part.size, [*common, cooling, run.active], [part.state, pairs, run], device=device
-            )
+            wp.launch(begin_packing, part.size, [*common, cooling, run.active], [part.state, pairs, run], device=device)
             for first, last in _stretches(packing.moves, look, monitor, device):
                 inputs = [*common, cooling, first, last]
                 wp.launch(anneal_packing, part.size, inputs, [part.state, pairs, run], device=device)

@@ -65,8 +65,8 @@ def run(settings: Settings, judge: Judge) -> Result:
     result = Result(
         "objectives",
         "Objectives",
-        "What is minimised over valid layouts: quality next to time, with a rival in the same run, and whether anything "
-        "soft costs a valid layout.",
+        "What is minimised over valid layouts: quality next to time, with a rival in the same run, and whether "
+        "anything soft costs a valid layout.",
     )
     _blocks(settings, judge, result)
     _validity(settings, judge, result)

@@ -123,6 +123,12 @@ def refine(
         str,
         typer.Option(metavar="NAME", help="How the layouts are improved: OPTIMIZERS, or one of a package."),
     ] = "search",
+    objective: Annotated[
+        Path | None,
+        typer.Option(
+            help="A JSON file with a list of terms that are minimised over valid layouts.", show_default=False
+        ),
+    ] = None,
     time_limit: TimeLimit = None,
     as_json: Json = False,
     picture: Picture = True,
@@ -138,6 +144,7 @@ def refine(
         init=init.value,
         device=device,
         optimizer=optimizer,
+        objective=objective,
         time_limit=time_limit,
         as_json=as_json,
         picture=picture,

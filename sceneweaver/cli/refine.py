@@ -5,12 +5,13 @@ from __future__ import annotations
 import time
 from dataclasses import dataclass, replace
 from importlib.metadata import version
+from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 import typer
 
-from sceneweaver.io import write_atomic
+from sceneweaver.io import load_json, write_atomic
 from sceneweaver.scene import Scene
 
 from .clock import Clock, clock, keep_for
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
     from sceneweaver.verify import Report
 
 SCENE, METRICS, PICTURE = "scene.json", "metrics.json", "views/top_annotated.png"
+TERMS = 'a JSON list of terms, such as [{"kind": "flow", "objects": ["a", "b"]}]'
 
 
 @dataclass(frozen=True)
@@ -40,6 +42,13 @@ class Result:
         return int((self.solution.status == 0).sum())
 
     @property
+    def objective(self) -> float | None:
+        """The value of the objective in the best layout; None where there is none."""
+        values = self.solution.objective
+        best = None if values is None else float(values[self.solution.order[0]])
+        return None if best is None or not isfinite(best) else best
+
+    @property
     def exit_code(self) -> int:
         """0, or 3 when the best scene is not valid, or 5 when time was up before all was judged and written."""
         return self.until.code(0 if self.report is not None and self.report.valid else NOT_VALID)
@@ -53,6 +62,7 @@ class Result:
             "valid_candidates": self.valid_candidates,
             "seconds": float(self.solution.elapsed),
             "timed_out": bool(self.solution.timed_out),
+            "objective": self.objective,
             "explanation": self.solution.explanation,
             "device": str(self.solution.device),
             "seed": int(self.solution.seed),
@@ -72,6 +82,7 @@ def run_refine(
     device: str,
     optimizer: str,
     time_limit: float | None,
+    objective: Path | None = None,
     as_json: bool,
     picture: bool,
     began: float,
@@ -80,9 +91,10 @@ def run_refine(
 
     The time limit [s] of all, files included, counts from ``began``, by ``time.monotonic()``.
     """
-    from sceneweaver.layout import find_optimizer
+    from sceneweaver.layout import find_optimizer, terms_from
 
     find_optimizer(optimizer)
+    terms = {} if objective is None else {"objective": terms_from(load_json(objective, wanted=TERMS))}
     result = _run(
         Scene.load(source),
         out,
@@ -94,6 +106,7 @@ def run_refine(
         device=device,
         optimizer=optimizer,
         time_limit=time_limit,
+        **terms,
     )
     if as_json:
         print_json(result.to_dict())
@@ -109,6 +122,8 @@ def run_refine(
         f"  {result.valid_candidates} of {solution.candidates} candidates valid in {solution.elapsed:.2f} s "
         f"on {solution.device}"
     )
+    if result.objective is not None:
+        typer.echo(f"  objective {result.objective:.6g}")
     result.until.tell()
     list_files(list(result.files.values()))
     return result.exit_code

@@ -286,9 +286,7 @@ def solve(
         if start == "given":
             batch = replace(batch, weights=weights(pull=PULL))
         _load_worlds(batch, [job.world for job in group])
-        batch.state.rng.assign(
-            np.concatenate([streams(job.seed, job.numbers) for job in group])
-        )
+        batch.state.rng.assign(np.concatenate([streams(job.seed, job.numbers) for job in group]))
         if isinstance(method, StepOptimizer):
             compiled = [job.compiled for job in group]
             problem = Problem(

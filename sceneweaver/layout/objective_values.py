@@ -150,12 +150,11 @@ def _light(look: _Look, term: ObjectiveTerm) -> np.ndarray:
 
 def _user(look: _Look, term: ObjectiveTerm) -> np.ndarray:
     residual = user.residuals()[feature_of(term)].func
+    assert residual is not None  # of built-in functions alone
     a, b = look.index[term.objects[0]], look.index[term.objects[-1]]
     sizes = [wp.vec3(*look.scene.objects[i].size) for i in (a, b)]
     values = [*map(float, term.value("values")), 0.0, 0.0, 0.0, 0.0][:4]
-    return np.array(
-        [float(residual(wp.vec4(*p[a]), wp.vec4(*p[b]), *sizes, wp.vec4(*values))) for p in look.poses]
-    )
+    return np.array([float(residual(wp.vec4(*p[a]), wp.vec4(*p[b]), *sizes, wp.vec4(*values))) for p in look.poses])
 
 
 _VALUES: dict[str, Callable[[_Look, ObjectiveTerm], Any]] = {

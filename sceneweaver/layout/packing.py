@@ -37,7 +37,9 @@ def blocks_of(room: LayoutProblem, roots: Sequence[int]) -> Blocks | None:
     n = room.region.planes[0]
     angle = math.atan2(n[1], n[0])
     axes = np.array([[math.cos(angle), math.sin(angle)], [-math.sin(angle), math.cos(angle)]])
-    corners = np.array([_meet(room.region.planes[k - 1], room.region.planes[k]) for k in range(len(room.region.planes))])
+    corners = np.array(
+        [_meet(room.region.planes[k - 1], room.region.planes[k]) for k in range(len(room.region.planes))]
+    )
     low, high = (corners @ axes.T).min(axis=0), (corners @ axes.T).max(axis=0)
     rectangles = np.array([[_rectangle(room, i, quarter) for quarter in range(4)] for i in roots])
     origin = axes.T @ low

@@ -39,7 +39,9 @@ def _way(scene: Scene, layout: np.ndarray, pins: np.ndarray) -> float:
     middles = shapely.points(*np.meshgrid(x, y))
     solid = shapely.unary_union(_plans(scene, layout))
     inside = shapely.contains(outline, middles) & (shapely.distance(outline.exterior, middles) >= WALKER)
-    free = inside & (shapely.distance(solid, middles) >= WALKER if not solid.is_empty else True)
+    free = np.asarray(inside)
+    if not solid.is_empty:
+        free = free & (shapely.distance(solid, middles) >= WALKER)
     straight = math.dist(*pins)
     if not free.any():
         return straight + detour(scene)

@@ -25,6 +25,8 @@ class FakeSolution:
     elapsed: float = 0.5
     timed_out: bool = False
     explanation: str | None = None
+    objective: np.ndarray | None = None
+    order: np.ndarray = field(default_factory=lambda: np.arange(4))
     status: np.ndarray = field(default_factory=lambda: np.array([0, 0, 1, 2], dtype=np.int8))
 
 

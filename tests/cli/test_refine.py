@@ -57,6 +57,23 @@ def test_options_reach_the_engine(run, bedroom, tmp_path, calls):
     }
 
 
+def test_an_objective_comes_from_a_file(run, bedroom, tmp_path, calls):
+    terms = tmp_path / "terms.json"
+    terms.write_text('[{"kind": "flow", "objects": ["bed", "wardrobe"], "weight": 2.0}]')
+    assert run("refine", bedroom, "-o", tmp_path / "out", "--objective", terms).code == 0
+    (term,) = calls[0]["objective"]
+    assert (term.kind, term.objects, term.weight) == ("flow", ("bed", "wardrobe"), 2.0)
+
+
+@pytest.mark.parametrize("text", ['{"kind": "flow"}', '[{"kind": "flow", "objects": ["bed"]}]', "[", "[7]"])
+def test_a_file_that_is_no_objective_is_named(run, bedroom, tmp_path, calls, text):
+    terms = tmp_path / "terms.json"
+    terms.write_text(text)
+    ended = run("refine", bedroom, "-o", tmp_path / "out", "--objective", terms)
+    assert_one_line(ended.err)
+    assert not calls and not (tmp_path / "out").exists()
+
+
 def test_no_picture(run, bedroom, tmp_path, calls):
     assert run("refine", bedroom, "-o", tmp_path / "out", "--no-picture").code == 0
     assert listing(tmp_path / "out") == ["metrics.json", "scene.json"]

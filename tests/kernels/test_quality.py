@@ -13,8 +13,8 @@ from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.geometry.walls import walls_of
 from sceneweaver.kernels.quality_floor import ENTRY, LEVEL, LEVELS
 from sceneweaver.layout.compile import compile_scene
-from sceneweaver.layout.quality import KINDS, QualityTerm
 from sceneweaver.layout.floor_grid import CELL, HIGH, LOW
+from sceneweaver.layout.quality import KINDS, QualityTerm
 from sceneweaver.layout.rate import STEP, measures
 from sceneweaver.scene import Scene
 from tests.kernels.harness import ZOO
