@@ -25,7 +25,7 @@ from sceneweaver.layout import (
 from sceneweaver.layout.pareto import non_dominated
 from sceneweaver.scene import SCHEMA, Scene
 
-SEEDS, QUICK_SEEDS = 5, 1
+SEEDS, QUICK_SEEDS = 3, 1
 HEIGHT = 0.5
 
 OPTIMA = (
