@@ -23,7 +23,6 @@ from .verdict import contacts_hold, relation_holds, room_holds
 wp.set_module_options({"enable_backward": False})
 from .yaw_domain import yaw_at, yaw_count
 
-
 TRIALS = wp.constant(48)
 """Moves whose gain or loss tells how hot an annealing begins."""
 

@@ -40,6 +40,15 @@ class VariableSolution(Shown):
         best: [G] the lowest worth after each generation.
         elapsed: seconds from call to return.
         timed_out: True when the time limit cut the run off.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> bed = sw.Variable("size", "bed", "width", 1.4, 1.8, cost=-1.0)
+        >>> found = sw.optimize_variables(
+        ...     sw.Scene.example("bedroom"), [bed], population=4, candidates=4, generations=1, device="cpu"
+        ... )
+        >>> found.tried.shape, found.worth.shape, found.valid == (found.explanation is None)
+        ((4, 1), (4,), True)
     """
 
     variables: tuple[Variable, ...]

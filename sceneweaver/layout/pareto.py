@@ -32,6 +32,15 @@ class ParetoFront:
         found: [T, 2] the objectives of all valid layouts that were found.
         elapsed: seconds from call to return.
         timed_out: True when the time limit cut the run off.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> first, second = ([sw.ObjectiveTerm("flow", ("bed", to))] for to in ("wardrobe", "window"))
+        >>> front = sw.pareto_front(
+        ...     sw.Scene.example("bedroom"), first, second, weights=2, candidates=4, rounds=1, moves=200, device="cpu"
+        ... )
+        >>> sw.check(front.scene(0)).valid, (front.values[1:, 0] > front.values[:-1, 0]).all().item()
+        (True, True)
     """
 
     source: Scene
@@ -73,7 +82,7 @@ def non_dominated(values: np.ndarray) -> np.ndarray:
     return order[better]
 
 
-def hypervolume(values: np.ndarray, reference: Sequence[float] | np.ndarray) -> float:
+def hypervolume(values: np.ndarray | Sequence[Sequence[float]], reference: Sequence[float] | np.ndarray) -> float:
     """The area of all points that some of ``values`` [B, 2] dominates and that dominate ``reference`` [2].
 
     It is exact: a sum of rectangles (Zitzler and Thiele 1998). Points that do not dominate the reference add nothing.

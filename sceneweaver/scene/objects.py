@@ -18,7 +18,6 @@ from .intent import Intent
 from .limits import MAX_PARTS
 from .messages import FieldError
 
-
 QUARTERS = (0.0, 90.0, 180.0, 270.0)
 """Yaws [deg] of the domain "quarter_turns"."""
 
@@ -129,8 +128,8 @@ class SceneObject(FrozenModel):
     fixed: Flag = Field(default=False, description="Whether it must stay where it is")
     yaw_domain: Literal["quarter_turns"] | YawSet | None = Field(
         default=None,
-        description="Yaws that it may have in the frame of the room, or of what carries it: quarter_turns, or a list of "
-        "angles [deg]; null: any",
+        description="Yaws that it may have in the frame of the room, or of what carries it: quarter_turns, or a list "
+        "of angles [deg]; null: any",
     )
     intent: Intent = Field(default=Intent.model_construct(), description="What it is there for; changes no validity")
     attributes: JsonDict = Field(

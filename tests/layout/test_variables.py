@@ -12,9 +12,9 @@ from sceneweaver.layout.variables import with_values
 QUICK = {"device": "cpu", "population": 8, "candidates": 6, "generations": 6}
 
 
-def box(id, size, at=(1.0, 1.0), **more):
+def box(name, size, at=(1.0, 1.0), **more):
     pose = {"position": [*at, 0.0], "quaternion": [0.0, 0.0, 0.0, 1.0]}
-    return {"id": id, "category": "box", "size": list(size), "pose": pose, **more}
+    return {"id": name, "category": "box", "size": list(size), "pose": pose, **more}
 
 
 def scene(objects, outline=(4.0, 3.0), **room):
@@ -73,13 +73,13 @@ def test_where_nothing_is_valid_it_says_so():
         room, [sw.Variable("size", "b", "depth", 1.5, 1.9)], device="cpu", population=4, candidates=2, generations=1
     )
     assert not found.valid and math.isnan(found.objective) and np.isnan(found.worth).all()
-    assert "b.depth" in found.explanation and 1.5 <= found.values[0] <= 1.9
+    assert found.explanation and "b.depth" in found.explanation and 1.5 <= found.values[0] <= 1.9
     none = sw.optimize_variables(
         scene([box("a", (0.5, 0.5, 0.5))], doors=[DOOR]),
         [sw.Variable("opening", "door", "offset", 3.9, 5.0)],
         device="cpu", population=4, candidates=2, generations=1,
     )  # fmt: skip
-    assert not none.valid and none.solution is None and "openings do not fit" in none.explanation
+    assert not none.valid and none.solution is None and none.explanation and "openings do not fit" in none.explanation
 
 
 def test_what_belongs_to_a_size_and_a_room_follows():
