@@ -19,9 +19,9 @@ from .tables import FREE_PLANE, FREE_TURNS, FREE_YAW, FREE_Z, Problems, State, T
 from .terms_contacts import reach_of_pair
 from .terms_relations import ALL_RELATIONS, relation_energy, relation_of
 from .verdict import contacts_hold, relation_holds, room_holds
+from .yaw_domain import yaw_at, yaw_count
 
 wp.set_module_options({"enable_backward": False})
-from .yaw_domain import yaw_at, yaw_count
 
 TRIALS = wp.constant(48)
 """Moves whose gain or loss tells how hot an annealing begins."""

@@ -124,9 +124,9 @@ def run(settings: Settings, judge: Judge) -> Result:
     for name, make in FRONT_PROBLEMS.items() if not settings.quick else [next(iter(FRONT_PROBLEMS.items()))]:
         fronts.rows.append(_front(settings, judge, result, name, *make(), seeds))
     result.notes.append(
-        "Worst miss: of the value found from the known optimum, over it, in the worst seed; the judge lets bodies sink in "
-        "by 1 mm, so a value may be better than arithmetic says. Hypervolume: over the box from the best values of both "
-        "methods to the worst of their fronts, so 1 would be a single layout best by both; the mean over seeds."
+        "Worst miss: of the value found from the known optimum, over it, in the worst seed; the judge lets bodies sink "
+        "in by 1 mm, so a value may be better than arithmetic says. Hypervolume: over the box from the best values of "
+        "both methods to the worst of their fronts, so 1 would be a single layout best by both; the mean over seeds."
     )
     return result
 

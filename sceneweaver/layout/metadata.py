@@ -24,8 +24,8 @@ class ObjectInfo:
         free: which of x, y, z, yaw an optimiser may change; none of a fixed or carried object,
             and no yaw of a set.
         lower, upper: box [4] of its poses: the place's bounding box, heights, a whole turn. Equal where it is not free.
-        yaws: the yaws [rad] that it may have where these are a set: then an optimiser may not change its yaw by a little,
-            and the box holds all of them; none where it may have any.
+        yaws: the yaws [rad] that it may have where these are a set: then an optimiser may not change its yaw by a
+            little, and the box holds all of them; none where it may have any.
         root: index of the object at the bottom of the stack that it is in; its own, if it is not carried.
     """
 

@@ -115,7 +115,7 @@ def with_values(scene: Scene, variables: Sequence[Variable], values: Sequence[fl
         if variable.kind == "size":
             size = sizes.setdefault(variable.target, list(scene.object(variable.target).size))
             size[SIZES.index(variable.axis)] = value
-    scene, _ = apply_all(scene, [SetSize(id=id, size=(s[0], s[1], s[2])) for id, s in sizes.items()])
+    scene, _ = apply_all(scene, [SetSize(id=name, size=(s[0], s[1], s[2])) for name, s in sizes.items()])
     room = {variable.axis: value for variable, value in given if variable.kind == "room"}
     openings: dict[str, dict[str, float]] = {}
     for variable, value in given:
@@ -126,7 +126,7 @@ def with_values(scene: Scene, variables: Sequence[Variable], values: Sequence[fl
 
 def _in_room(scene: Scene, extents: dict[str, float], openings: dict[str, dict[str, float]]) -> Scene:
     """The scene in a room of other extents and openings."""
-    data = scene.room.to_json() if hasattr(scene.room, "to_json") else scene.room.model_dump(by_alias=True)
+    data = scene.room.model_dump(by_alias=True)
     corners = np.asarray(scene.room.outline, dtype=np.float64)
     low, reach = corners.min(axis=0), np.ptp(corners, axis=0)
     factor = np.array([extents.get(axis, reach[k]) / reach[k] for k, axis in enumerate("xy")])
@@ -146,7 +146,8 @@ def _in_room(scene: Scene, extents: dict[str, float], openings: dict[str, dict[s
                 length = after[opening["wall"]].length
                 middle = min(max(middle, opening["width"] / 2), max(length - opening["width"] / 2, 0.0))
             if after is not None or changed:
-                opening["offset"] = max(changed.get("offset", middle - opening["width"] / 2), 0.0)
+                offset = float(changed.get("offset", middle - opening["width"] / 2))
+                opening["offset"] = max(offset, 0.0)
     room = type(scene.room).model_validate(data)
     poses = {}
     moved: dict[str, np.ndarray] = {}

@@ -33,7 +33,7 @@ def test_hypervolume_is_the_dominated_area(seed):
     rng = np.random.default_rng(seed)
     values = rng.integers(0, 10, size=(12, 2)).astype(float)
     cells = np.stack(np.meshgrid(np.arange(9) + 0.5, np.arange(9) + 0.5), axis=-1).reshape(-1, 2)
-    below = (cells[:, None] > values[None]).all(axis=2).any(axis=1)
+    below = np.any(np.all(cells[:, None] > values[None], axis=2), axis=1)
     assert sw.hypervolume(values, (9.0, 9.0)) == pytest.approx(below.sum())
 
 
