@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-SMOOTHING = 0.8
+SMOOTHING = 0.6
 """How much of the elite's mean and spread the next generation takes over."""
 
 FLOOR = 0.15
 """Least spread of the first generation, as a share of the box; it falls with every one by `COOLING`."""
 
-COOLING = 0.6
+COOLING = 0.7
 
 
 class CrossEntropy:

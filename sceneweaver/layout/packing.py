@@ -26,8 +26,8 @@ EVERY_QUARTER = 15
 def blocks_of(room: LayoutProblem, roots: Sequence[int]) -> Blocks | None:
     """The blocks of a problem whose roots ``roots`` may move; None where packing is not what it is about.
 
-    It is where every root may go anywhere on the floor and turn by quarters at least, and nothing hard says
-    where: no fixed object, no hard relation. Blocks are rectangles around all that has to stay apart: bodies with hard zones.
+    It is where every root may go anywhere on the floor and turn by quarters at least, and nothing hard says where: no
+    fixed object, no hard relation. Blocks are rectangles around all that has to stay apart: bodies with hard zones.
     """
     kinds = (FREE_PLANE | FREE_YAW, FREE_PLANE | FREE_TURNS)
     every = [i for i in range(room.size) if room.roots[i] == i]

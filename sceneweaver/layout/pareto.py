@@ -127,8 +127,8 @@ def pareto_front(
     """The valid layouts of a scene that are best by two objectives, none better than another by both.
 
     In the first round each objective is minimised alone, which tells their ranges; then weighted sums of the two,
-    scaled by these, evenly from one to the other, in shared launches. Every further round looks at the widest gaps of the
-    front: it starts from the layouts on both sides of a gap and minimises the weighted sum whose level lines run
+    scaled by these, evenly from one to the other, in shared launches. Every further round looks at the widest gaps of
+    the front: it starts from the layouts on both sides of a gap and minimises the weighted sum whose level lines run
     along it (adaptive weighted sums, after Kim and de Weck 2005). Where the front is straight or bends inwards no sum
     has its least value inside a gap; so layouts between the two sides, some objects as on one, others as on the other
     or on the way, are mended and count as they are. All valid layouts that any of these found count.

@@ -146,8 +146,9 @@ def _in_room(scene: Scene, extents: dict[str, float], openings: dict[str, dict[s
                 length = after[opening["wall"]].length
                 middle = min(max(middle, opening["width"] / 2), max(length - opening["width"] / 2, 0.0))
             if after is not None or changed:
-                offset = float(changed.get("offset", middle - opening["width"] / 2))
-                opening["offset"] = max(offset, 0.0)
+                opening["offset"] = (
+                    changed["offset"] if "offset" in changed else max(middle - opening["width"] / 2, 0.0)
+                )
     room = type(scene.room).model_validate(data)
     poses = {}
     moved: dict[str, np.ndarray] = {}
