@@ -124,7 +124,8 @@ def optimize_variables(
         >>> found = sw.optimize_variables(
         ...     sw.Scene.example("study"), [desk], population=4, candidates=4, generations=2, device="cpu"
         ... )
-        >>> found.valid, 1.0 <= found.values[0] <= 1.8, found.scene.object("desk").size[1] == found.values[0]
+        >>> width = float(found.values[0])
+        >>> found.valid, 1.0 <= width <= 1.8, found.scene.object("desk").size[1] == width
         (True, True, True)
     """
     began = time.monotonic()
