@@ -15,10 +15,11 @@ from .geometry import plane_of, turn
 from .groups import members_end, set_pose
 from .objective import Objective, pin_of, term_value
 from .sample import QUARTER, normal, pick, propose, uniform
-from .tables import FREE_PLANE, FREE_YAW, FREE_Z, Problems, State, Table, TablesRef, struct_of
+from .tables import FREE_PLANE, FREE_TURNS, FREE_YAW, FREE_Z, Problems, State, Table, TablesRef, struct_of
 from .terms_contacts import reach_of_pair
 from .terms_relations import ALL_RELATIONS, relation_energy, relation_of
 from .verdict import contacts_hold, relation_holds, room_holds
+from .yaw_domain import yaw_at, yaw_count
 
 wp.set_module_options({"enable_backward": False})
 
@@ -110,6 +111,10 @@ def elsewhere(
         return propose(b, c, root, s, scale, 0.3, 0.3, rng)
     if u < 0.3 and (free & FREE_YAW) != 0:
         pose[3] = pose[3] + QUARTER * float(1 + pick(rng, 3))
+        if u < 0.2:
+            return pose
+    if u < 0.3 and (free & FREE_TURNS) != 0:
+        pose[3] = yaw_at(t, c.first_object + root, pick(rng, yaw_count(t, c.first_object + root)))
         if u < 0.2:
             return pose
     if (free & FREE_PLANE) != 0:

@@ -42,6 +42,7 @@ from .warp_primitives import (
     warp_size,
     warp_sum,
 )
+from .yaw_domain import nearest_yaw
 
 # Fast sines on a GPU are good to a few micrometres; the judge gets exact ones (`set_turns`).
 wp.set_module_options({"enable_backward": False, "fast_math": True, "default_grid_stride": False})
@@ -96,6 +97,7 @@ def draw_proposals(
             back = item(s.anchors, candidate, d.obj) - pose
             back[3] = wrap(back[3], TURN)
             pose = pose + (1.0 - float(k) / float(BACK_STEPS)) * back
+        pose[3] = nearest_yaw(t, c.first_object + d.obj, pose[3])
         proposals.poses[candidate, k] = pose
         proposals.drafts[candidate, k] = draft
     if d.job == MOVE:

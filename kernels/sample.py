@@ -20,6 +20,7 @@ from .tables import (
     FEATURE_CONSTANT,
     FEATURE_YAW,
     FREE_PLANE,
+    FREE_TURNS,
     FREE_YAW,
     FREE_Z,
     Problems,
@@ -27,6 +28,7 @@ from .tables import (
     TablesRef,
 )
 from .terms_relations import best_option, relation_of
+from .yaw_domain import nearest_yaw, yaw_at, yaw_count
 
 wp.set_module_options({"enable_backward": False})
 
@@ -74,12 +76,15 @@ def random_start(t: TablesRef, p: wp.int32, o: wp.int32, pose: wp.vec4, rng: wp.
             pose[3] = wp.atan2(n[1], n[0]) + QUARTER * float(pick(rng, 4))
         else:
             pose[3] = TURN * uniform(rng)
+    if free & FREE_TURNS:
+        pose[3] = yaw_at(t, o, pick(rng, yaw_count(t, o)))
     return pose
 
 
 @wp.func
-def jitter(o_free: wp.int32, pose: wp.vec4, scale: wp.float32, rng: wp.ref[wp.uint32]):
-    """A pose within about ``scale`` metres of a given one; once in twenty also turned by quarters."""
+def jitter(t: TablesRef, o: wp.int32, pose: wp.vec4, scale: wp.float32, rng: wp.ref[wp.uint32]):
+    """A pose within about ``scale`` metres of a given one; once in twenty also turned by quarters, or anew."""
+    o_free = item(t[0].object_free, o)
     if o_free & FREE_PLANE:
         pose[0] = pose[0] + scale * normal(rng)
         pose[1] = pose[1] + scale * normal(rng)
@@ -88,6 +93,9 @@ def jitter(o_free: wp.int32, pose: wp.vec4, scale: wp.float32, rng: wp.ref[wp.ui
     if o_free & FREE_YAW:
         if uniform(rng) < 0.05:
             pose[3] = pose[3] + QUARTER * float(1 + pick(rng, 3))
+    if o_free & FREE_TURNS:
+        if uniform(rng) < 0.15:
+            pose[3] = yaw_at(t, o, pick(rng, yaw_count(t, o)))
     return pose
 
 
@@ -143,6 +151,11 @@ def project_option(t: TablesRef, option: wp.int32, x: Relation, free: wp.int32, 
                         if kind == FEATURE_YAW and uniform(rng) < 0.7:
                             d = wp.clamp(0.0, aim[0], aim[1]) - value  # people set furniture square
                         x.a = turned(x.a, d * g[3])
+                    elif free & FREE_TURNS:
+                        if kind == FEATURE_YAW:
+                            d = wp.clamp(0.0, aim[0], aim[1]) - value
+                        yaw = nearest_yaw(t, x.a.index, x.a.pose[3] + d * g[3])
+                        x.a = turned(x.a, yaw - x.a.pose[3])
                 else:
                     x.a.pose = shifted(x.a.pose, d, g, free)
     return x.a.pose
@@ -273,7 +286,7 @@ def propose(
     if fresh:
         pose = random_start(t, c.problem, o, pose, rng)
     else:
-        pose = jitter(item(t[0].object_free, o), pose, scale, rng)
+        pose = jitter(t, o, pose, scale, rng)
     pose = project_onto_relations(b, c, obj, pose, s, fresh, rng)
     pose = keep_inside(t, c.problem, o, pose, b.margins.bounds_aim)
     if uniform(rng) < flush:

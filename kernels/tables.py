@@ -25,6 +25,7 @@ PAIR_POLYGON = 16  # one of them has prisms that are no boxes
 FREE_PLANE = 1  # x, y
 FREE_YAW = 2
 FREE_Z = 4
+FREE_TURNS = 8  # yaw, among the values of a set; never together with FREE_YAW
 
 # Kinds of static prisms, ``Tables.fixture_kind``.
 FIXTURE_SOLID = 0  # outside of the room, or a part of the furniture that carries a surface
@@ -102,7 +103,9 @@ TABLES = (
     Table("object_size", OBJECT, wp.vec3, "m", "depth along the front, width, height"),
     Table("object_radius", OBJECT, wp.vec2, "m", "reach of the solids, and of solids and hard zones, from the origin"),
     Table("object_z", OBJECT, wp.vec2, "m", "lowest and highest point of the solids above the origin"),
-    Table("object_free", OBJECT, wp.int32, "", "bits FREE_PLANE, FREE_YAW, FREE_Z"),
+    Table("object_free", OBJECT, wp.int32, "", "bits FREE_PLANE, FREE_YAW, FREE_Z, FREE_TURNS"),
+    Table("yaw_start", OBJECT_1, wp.int32, "", "range of the yaws that an object may take; empty: any"),
+    Table("yaw", ("yaw",), wp.float32, "rad", "yaws that an object may take, in the problem's frame"),
     Table("object_clear", OBJECT, wp.int32, "", "1: must keep openings clear"),
     Table("object_boxes", OBJECT, wp.int32, "", "1: all its prisms are boxes"),
     Table("object_terms", OBJECT, wp.int32, "", "bits: the kinds of terms that it may have"),

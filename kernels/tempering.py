@@ -19,8 +19,9 @@ from .features import TURN
 from .geometry import plane_of, turn
 from .sample import QUARTER
 from .step import Gradients, freedom, noise, place_members, stream, total_of, turning_arm
-from .tables import FREE_PLANE, FREE_YAW, Problems, State, TablesRef
+from .tables import FREE_PLANE, FREE_TURNS, FREE_YAW, Problems, State, TablesRef
 from .warp_primitives import WARP_SIZE
+from .yaw_domain import yaw_at, yaw_count
 
 wp.set_module_options({"enable_backward": False})
 
@@ -218,7 +219,13 @@ def jump(
         spin = QUARTER * wp.floor(4.0 * wp.randf(draw))
     else:
         spin = TURN * wp.randf(draw)
-    if (t[0].object_free[t[0].object_start[p] + root] & FREE_YAW) == 0:
+    o = t[0].object_start[p] + root
+    if (t[0].object_free[o] & FREE_TURNS) != 0:
+        spin = (
+            yaw_at(t, o, wp.min(int(wp.randf(draw) * float(yaw_count(t, o))), yaw_count(t, o) - 1))
+            - poses[row, root][3]
+        )
+    elif (t[0].object_free[o] & FREE_YAW) == 0:
         spin = 0.0
     at = plane_of(poses[row, root])
     pose = plane_of(poses[row, obj])
@@ -267,5 +274,7 @@ def make_moves(
         d[3] = d[3] / turning_arm(t, o)
     elif jumps_with(t, o - obj, move, obj):
         seed = stream(s.rng[row], ladder.clock[candidate], OF_ROW + 2)
+        if (t[0].object_free[o] & FREE_TURNS) != 0:
+            free[3] = 1.0
         d = wp.cw_mul(free, jump(t, b.problem[row], row, move % GROUP, obj, seed, s.poses))
     place_members(t, o, obj, row, d, s.poses, proposal.poses, proposal.turns)

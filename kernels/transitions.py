@@ -41,6 +41,7 @@ from .state_machine import (
     next_phase,
 )
 from .tables import FREE_YAW, State, TablesRef, View
+from .yaw_domain import nearest_yaw
 
 wp.set_module_options({"enable_backward": False})
 
@@ -139,7 +140,9 @@ def apply_move(t: TablesRef, c: Candidate, x: JobResult, d: SearchState, s: Stat
     layout.view = view
     for k in range(d.first, d.last):
         obj = item(t[0].group, k)
-        set_pose(s, c.index, obj, viewed_body(layout, obj).pose)
+        pose = viewed_body(layout, obj).pose
+        pose[3] = nearest_yaw(t, c.first_object + obj, pose[3])
+        set_pose(s, c.index, obj, pose)
         if crowded(c.objects, s):
             change_cell(t, c.problem, c.index, obj, s)
 

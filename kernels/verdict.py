@@ -12,6 +12,7 @@ from .geometry import overlap_in_z, plane_of, prisms_apart, turn
 from .tables import Problems, State, TablesRef
 from .terms_contacts import CONTACTS, FIXTURE, Contact, contact_of, meets_fixture, reach_of_pair
 from .terms_relations import relation_of
+from .yaw_domain import in_yaw_domain
 
 wp.set_module_options({"enable_backward": False})
 
@@ -119,7 +120,7 @@ def judge_objects(
     if not wp.isfinite(x.pose):
         verdict_out.fault[candidate, obj] = wp.int8(DIVERGED)
         return
-    ok = room_holds(b, c.problem, x)
+    ok = in_yaw_domain(t, x.index, x.pose[3]) and room_holds(b, c.problem, x)
     row = item(t[0].pair_start, c.problem) + obj * c.objects
     for j in range(c.objects):
         flags = int(item(t[0].pair_flags, row + j))

@@ -28,12 +28,18 @@ if TYPE_CHECKING:
     from sceneweaver.extend import undefine_relation as undefine_relation
     from sceneweaver.extend import undefine_term as undefine_term
     from sceneweaver.layout import ObjectiveTerm as ObjectiveTerm
+    from sceneweaver.layout import ParetoFront as ParetoFront
     from sceneweaver.layout import Problem as Problem
     from sceneweaver.layout import QualityTerm as QualityTerm
     from sceneweaver.layout import Solution as Solution
+    from sceneweaver.layout import Variable as Variable
+    from sceneweaver.layout import VariableSolution as VariableSolution
     from sceneweaver.layout import compile as compile
+    from sceneweaver.layout import hypervolume as hypervolume
     from sceneweaver.layout import improve as improve
     from sceneweaver.layout import objective_of as objective_of
+    from sceneweaver.layout import optimize_variables as optimize_variables
+    from sceneweaver.layout import pareto_front as pareto_front
     from sceneweaver.learning import LearnedWeights as LearnedWeights
     from sceneweaver.learning import learn_weights as learn_weights
     from sceneweaver.render import draw_top as draw_top
@@ -65,6 +71,7 @@ __all__ = [
     "MissingDependencyError",
     "ObjectHandle",
     "ObjectiveTerm",
+    "ParetoFront",
     "Pose",
     "Problem",
     "QualityTerm",
@@ -78,8 +85,9 @@ __all__ = [
     "SceneObject",
     "SceneWeaverError",
     "Solution",
+    "Variable",
+    "VariableSolution",
     "Violation",
-    "__version__",
     "build",
     "check",
     "check_gradient",
@@ -89,9 +97,12 @@ __all__ = [
     "define_term",
     "design",
     "draw_top",
+    "hypervolume",
     "improve",
     "learn_weights",
     "objective_of",
+    "optimize_variables",
+    "pareto_front",
     "refine",
     "refine_many",
     "repair",
@@ -100,6 +111,7 @@ __all__ = [
     "undefine_check",
     "undefine_relation",
     "undefine_term",
+    "__version__",
 ]
 
 _HOME = {
@@ -112,6 +124,7 @@ _HOME = {
     "MissingDependencyError": "scene",
     "ObjectHandle": "building",
     "ObjectiveTerm": "layout",
+    "ParetoFront": "layout",
     "Pose": "scene",
     "Problem": "layout",
     "QualityTerm": "layout",
@@ -125,6 +138,8 @@ _HOME = {
     "SceneObject": "scene",
     "SceneWeaverError": "scene",
     "Solution": "layout",
+    "Variable": "layout",
+    "VariableSolution": "layout",
     "Violation": "verify",
     "build": "building",
     "check": "verify",
@@ -135,9 +150,12 @@ _HOME = {
     "define_term": "extend",
     "design": "agent",
     "draw_top": "render",
+    "hypervolume": "layout",
     "improve": "layout",
     "learn_weights": "learning",
     "objective_of": "layout",
+    "optimize_variables": "layout",
+    "pareto_front": "layout",
     "refine": "explain",
     "refine_many": "explain",
     "repair": "repairs",

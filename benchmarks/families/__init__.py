@@ -39,6 +39,7 @@ from . import (
     stability,
     throughput,
     tight,
+    variables,
     variety,
     weights,
 )
@@ -67,6 +68,7 @@ FAMILIES: Mapping[str, Family] = MappingProxyType(
         "patterns": patterns.run,
         "choice": choice.run,
         "objectives": objectives.run,
+        "variables": variables.run,
         "ablations": ablations.run,
         "variety": variety.run,
         "jax": jax_calls.run,

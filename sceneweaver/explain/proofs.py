@@ -25,6 +25,7 @@ WORDS = {
     "unsupported": "{0} is not held as its mount says",
     "blocked_zone": "{1} is in the access zone of {0}",
     "blocked_opening": "{0} is in the clearance of {1}",
+    "yaw_domain": "{0} is turned to none of the yaws that it may have",
 }
 
 

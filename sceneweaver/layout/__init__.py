@@ -8,6 +8,11 @@ from .improve import improve as improve
 from .objective import ObjectiveTerm as ObjectiveTerm
 from .objective import terms_from as terms_from
 from .objective_values import objective_of as objective_of
+from .optimize import VariableSolution as VariableSolution
+from .optimize import optimize_variables as optimize_variables
+from .pareto import ParetoFront as ParetoFront
+from .pareto import hypervolume as hypervolume
+from .pareto import pareto_front as pareto_front
 from .problem import Problem as Problem
 from .problem import Terms as Terms
 from .problem import compile as compile
@@ -20,22 +25,29 @@ from .stepwise import BuiltIn as BuiltIn
 from .stepwise import StepOptimizer as StepOptimizer
 from .stepwise import find_optimizer as find_optimizer
 from .stepwise import step_optimizer as step_optimizer
+from .variables import Variable as Variable
 
 __all__ = [
     "BuiltIn",
     "ObjectiveTerm",
+    "ParetoFront",
     "Problem",
     "Progress",
     "QualityTerm",
     "Solution",
     "StepOptimizer",
     "Terms",
+    "Variable",
+    "VariableSolution",
     "compile",
     "find_optimizer",
+    "hypervolume",
     "improve",
     "joined",
     "numbered",
     "objective_of",
+    "optimize_variables",
+    "pareto_front",
     "rate",
     "refine",
     "refine_many",

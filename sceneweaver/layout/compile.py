@@ -25,6 +25,7 @@ from .region import Region, enclosure, room_region
 from .rows import INF, CompiledRelation, Frame, compile_relation, mounting, spread_before
 from .shapes import Prism, footprint_of, solids_of, zones_of
 from .user import compiled_terms
+from .yaw_domain import into_domain, into_domains, turns_along, yaws_of
 
 
 @dataclass
@@ -43,7 +44,8 @@ class LayoutProblem:
     ``home`` holds the scene's poses [object, 4] (x, y, z, yaw) in the problem's frame; ``relations`` the scene's
     relations first (``relation_ids`` names them), then what the engine adds: riders (conditions that belong to a
     relation before them), the mountings of wall objects, and terms of the user's own. ``walker`` is the
-    radius [m] of who has to get about, where the scene says one. ``packed`` keeps by device
+    radius [m] of who has to get about, where the scene says one. ``yaws`` are the yaws [rad] that each object may take,
+    in the problem's frame; none: any. ``packed`` keeps by device
     tables with it and its number there, see `make_batch`.
     """
 
@@ -63,6 +65,7 @@ class LayoutProblem:
     relations: list[CompiledRelation]
     relation_ids: list[int]
     riders: dict[int, int]
+    yaws: list[tuple[float, ...]]
     faulty: bool = False
     walker: float | None = None
     surfaces: list[SupportSurface] = field(default_factory=list)
@@ -127,9 +130,15 @@ def _roots(objects: Sequence[SceneObject], index: dict[str, int]) -> np.ndarray:
     return roots
 
 
-def _families(relations: Sequence[Relation], index: dict[str, int], roots: np.ndarray, free: np.ndarray):
+def _families(
+    relations: Sequence[Relation],
+    index: dict[str, int],
+    roots: np.ndarray,
+    free: np.ndarray,
+    yaws: Sequence[tuple[float, ...]],
+):
     """Who goes along with whom: each root's group (itself and what it carries, then the groups of the objects that
-    relations place by it) and each root's parent (-1: none)."""
+    relations place by it, if its turns keep them in their domains of yaw) and each root's parent (-1: none)."""
     n = len(roots)
     parents = np.full(n, -1, dtype=np.int32)
     placing = CATALOGUE.with_role("placing")
@@ -141,7 +150,7 @@ def _families(relations: Sequence[Relation], index: dict[str, int], roots: np.nd
             chain = parent
             while chain >= 0 and chain != child:
                 chain = parents[chain]
-            if chain < 0:  # no object is its own ancestor
+            if chain < 0 and turns_along(yaws[child], yaws[parent]):  # no object is its own ancestor
                 parents[child] = parent
 
     carried: dict[int, list[int]] = {}
@@ -174,7 +183,8 @@ def _parents_first(parents: Sequence[int] | np.ndarray) -> list[int]:
 def _freedom(obj: SceneObject, carried: bool) -> int:
     if obj.fixed or carried:
         return 0
-    return k.FREE_PLANE | k.FREE_YAW | (k.FREE_Z if obj.mount == "wall" else 0)
+    turning = k.FREE_YAW if obj.yaw_domain is None else k.FREE_TURNS
+    return k.FREE_PLANE | turning | (k.FREE_Z if obj.mount == "wall" else 0)
 
 
 def _keeps_clear(obj: SceneObject) -> bool:
@@ -244,7 +254,8 @@ def _compile(
     roots = _roots(objects, index) if in_room else np.arange(len(objects))
     free = np.array([_freedom(o, in_room and roots[i] != i) for i, o in enumerate(objects)], dtype=np.int32)
     stated = [r for _, r in relations]
-    groups, parents = _families([*stated, *plates.relations], index, roots, free)
+    yaws = [() if roots[i] != i else yaws_of(o) for i, o in enumerate(objects)]
+    groups, parents = _families([*stated, *plates.relations], index, roots, free, yaws)
     ties = _ties(stated, index)
     flags = flags_of(_flags(zones, roots, ties, [o.fixed for o in objects]), plates, ties, roots)
     clear = [_keeps_clear(o) for o in objects]
@@ -266,6 +277,7 @@ def _compile(
         relations=compiled,
         relation_ids=[i for i, _ in relations],
         riders=riders,
+        yaws=yaws,
     )
 
 
@@ -280,7 +292,9 @@ def poses_of(scene: Scene) -> tuple[np.ndarray, bool]:
                 faulty |= abs(home[i, 2] - height) > 1.8e-3
             else:
                 home[i, 2] = height
-    return home, faulty
+    index = {o.id: i for i, o in enumerate(scene.objects)}
+    yaws, movable = [yaws_of(o) for o in scene.objects], [not o.fixed for o in scene.objects]
+    return into_domains(yaws, movable, _roots(scene.objects, index), home[None])[0], faulty
 
 
 def _domain_region(supporter: SceneObject, name: str) -> tuple[Region, float]:
@@ -316,6 +330,9 @@ def compile_scene(scene: Scene, *, terms: bool = True) -> CompiledScene:
         region, z = _domain_region(scene.objects[supporter], surface)
         local = relative(home[members], home[supporter][None, :])
         local[:, 2] = 0.0
+        for row, i in zip(local, members, strict=True):
+            if not scene.objects[i].fixed:
+                row[3] = into_domain(yaws_of(scene.objects[i]), row[3])
         ids = {scene.objects[i].id for i in members}
         relations = [
             (j, r) for j, r in enumerate(scene.relations) if r.subject in ids and _targets(r) and _targets(r) <= ids

@@ -40,6 +40,7 @@ from .rate import rated, walked
 from .solution import Solution, best_of
 from .stepwise import StepOptimizer, find_optimizer, modules_of, run_stepwise
 from .surfaces import BROKEN, surfaces_hold
+from .yaw_domain import into_domains
 
 INITS = ("sample", "random", "current")
 DIVERGED = 3
@@ -79,7 +80,11 @@ def refine(
     compiled = compiled or compile_scene(scene)
     check_terms(scene, quality)
     check_objective(scene, objective)
-    world = _all_at(compiled.room.home, candidates) if given is None else compiled.bodies(given)
+    if given is None:
+        world = _all_at(compiled.room.home, candidates)
+    else:
+        room = compiled.room
+        world = into_domains(room.yaws, room.free != 0, room.roots, compiled.bodies(given))
     start = init if isinstance(init, str) and init != "current" else "given"
     keep = start == "given" and given is None and not objective
     job = Job(compiled, world, start, seed, keep=keep, walk=walk and not quality and not objective)
@@ -461,7 +466,8 @@ def _locals(compiled: CompiledScene, world: np.ndarray) -> list[np.ndarray]:
         members, supporter = world[:, domain.surface.members], world[:, None, domain.surface.supporter]
         local = relative(members.astype(np.float64), supporter.astype(np.float64))
         local[..., 2] = 0.0
-        poses.append(local)
+        room = domain.problem
+        poses.append(into_domains(room.yaws, room.free != 0, room.roots, local))
     return poses
 
 

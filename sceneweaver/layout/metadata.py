@@ -21,8 +21,11 @@ class ObjectInfo:
     Attributes:
         id: its id in the scene.
         size: depth along its front, width, height [m].
-        free: which of x, y, z, yaw an optimiser may change; none of a fixed or carried object.
+        free: which of x, y, z, yaw an optimiser may change; none of a fixed or carried object,
+            and no yaw of a set.
         lower, upper: box [4] of its poses: the place's bounding box, heights, a whole turn. Equal where it is not free.
+        yaws: the yaws [rad] that it may have where these are a set: then an optimiser may not change its yaw by a
+            little, and the box holds all of them; none where it may have any.
         root: index of the object at the bottom of the stack that it is in; its own, if it is not carried.
     """
 
@@ -32,6 +35,7 @@ class ObjectInfo:
     lower: tuple[float, float, float, float]
     upper: tuple[float, float, float, float]
     root: int
+    yaws: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -103,16 +107,23 @@ def bounds_of(layout: LayoutProblem) -> tuple[np.ndarray, np.ndarray]:
     upper = np.tile([x1, y1, 0.0, np.pi], (layout.size, 1))
     upper[:, 2] = top
     free = freedom_of(layout)
-    return np.where(free, lower, layout.home), np.where(free, upper, layout.home)
+    lower, upper = np.where(free, lower, layout.home), np.where(free, upper, layout.home)
+    for i, yaws in enumerate(layout.yaws):
+        if yaws and layout.free[i]:
+            lower[i, 3], upper[i, 3] = min(yaws), max(yaws)
+    return lower, upper
 
 
 def metadata_of(layout: LayoutProblem) -> Metadata:
     """What stands where in the arrays of a layout's problem."""
     free, (lower, upper) = freedom_of(layout), bounds_of(layout)
     objects = tuple(
-        ObjectInfo(name, *map(tuple, row), root)  # pyright: ignore[reportCallIssue]
-        for name, *row, root in zip(
-            layout.ids, *(a.tolist() for a in (layout.sizes, free, lower, upper, layout.roots)), strict=True
+        ObjectInfo(name, *map(tuple, row), root, yaws)  # pyright: ignore[reportCallIssue]
+        for name, *row, root, yaws in zip(
+            layout.ids,
+            *(a.tolist() for a in (layout.sizes, free, lower, upper, layout.roots)),
+            layout.yaws,
+            strict=True,
         )
     )
     named = [*layout.relation_ids, *([None] * (len(layout.relations) - len(layout.relation_ids)))]

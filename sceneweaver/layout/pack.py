@@ -204,6 +204,7 @@ def _add_objects(columns: _Columns, problem: LayoutProblem, pools: Sequence[np.n
             object_parent=problem.parents[i],
             object_root=problem.roots[i],
         )
+        columns.add_range("yaw", problem.yaws[i])
         columns.add_range("group", problem.groups[i])
         columns.add_range("member", problem.groups[i][: carried[i]] if problem.roots[i] == i else [])
         columns.add_range("incidence", [r for r, _ in incidences[i]])

@@ -7,10 +7,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from sceneweaver.kernels.tables import FREE_PLANE, FREE_YAW
+from sceneweaver.geometry.angles import wrap_angle
+from sceneweaver.kernels.tables import FREE_PLANE, FREE_TURNS, FREE_YAW
 from sceneweaver.optimizers.objective import Blocks
 
 from .compile import LayoutProblem
+from .yaw_domain import SAME
 
 LEAST = 3
 """Blocks from which on orders of them are worth trying."""
@@ -24,13 +26,13 @@ EVERY_QUARTER = 15
 def blocks_of(room: LayoutProblem, roots: Sequence[int]) -> Blocks | None:
     """The blocks of a problem whose roots ``roots`` may move; None where packing is not what it is about.
 
-    It is where every root may go and turn anywhere on the floor, and nothing hard says where: no fixed object, no hard
-    relation. Blocks are rectangles around all that has to stay apart: bodies with hard zones.
+    It is where every root may go anywhere on the floor and turn by quarters at least, and nothing hard says where: no
+    fixed object, no hard relation. Blocks are rectangles around all that has to stay apart: bodies with hard zones.
     """
-    free = FREE_PLANE | FREE_YAW
+    kinds = (FREE_PLANE | FREE_YAW, FREE_PLANE | FREE_TURNS)
     every = [i for i in range(room.size) if room.roots[i] == i]
     bound = any(relation.fault for relation in room.relations)
-    if len(roots) < LEAST or bound or any(room.free[i] != free for i in every) or not len(room.region.planes):
+    if len(roots) < LEAST or bound or any(room.free[i] not in kinds for i in every) or not len(room.region.planes):
         return None
     n = room.region.planes[0]
     angle = math.atan2(n[1], n[0])
@@ -42,8 +44,19 @@ def blocks_of(room: LayoutProblem, roots: Sequence[int]) -> Blocks | None:
     rectangles = np.array([[_rectangle(room, i, quarter) for quarter in range(4)] for i in roots])
     origin = axes.T @ low
     extent = (float(high[0] - low[0]), float(high[1] - low[1]))
-    turns = np.full(len(roots), EVERY_QUARTER, dtype=np.int32)
+    turns = np.array([_quarters(room, i, angle) for i in roots], dtype=np.int32)
+    if not turns.all():
+        return None
     return Blocks(np.array(roots), rectangles, turns, (float(origin[0]), float(origin[1])), angle, extent)
+
+
+def _quarters(room: LayoutProblem, root: int, angle: float) -> int:
+    """Which quarters from an angle [rad] a root may be turned by, as bits."""
+    if not room.yaws[root]:
+        return EVERY_QUARTER
+    turned = (angle + quarter * math.pi / 2 for quarter in range(4))
+    allowed = [any(abs(wrap_angle(yaw - t)) <= SAME for yaw in room.yaws[root]) for t in turned]
+    return sum(1 << quarter for quarter, good in enumerate(allowed) if good)
 
 
 def _meet(a: np.ndarray, b: np.ndarray) -> np.ndarray:

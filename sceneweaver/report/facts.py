@@ -22,6 +22,7 @@ KINDS = {
     "relation": "Relation",
     "soft_relation": "Soft relation",
     "unstable": "Falls or slides",
+    "yaw_domain": "Yaw off its domain",
     "dropped": "Dropped",
 }
 

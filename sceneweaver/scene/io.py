@@ -17,7 +17,7 @@ from .migrate import migrate
 EXAMPLES = tuple(sorted(p.stem for p in (Path(__file__).parent / "examples").glob("*.json")))
 """Names for ``Scene.example``."""
 
-_OMIT_EMPTY = ("description", "parts", "intent", "attributes")
+_OMIT_EMPTY = ("description", "parts", "yaw_domain", "intent", "attributes")
 
 
 class SceneFile(FrozenModel):

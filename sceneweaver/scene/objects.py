@@ -18,6 +18,14 @@ from .intent import Intent
 from .limits import MAX_PARTS
 from .messages import FieldError
 
+QUARTERS = (0.0, 90.0, 180.0, 270.0)
+"""Yaws [deg] of the domain "quarter_turns"."""
+
+MAX_YAWS = 72
+"""Most angles of a domain of yaw: every 5 degrees."""
+
+YawSet = Annotated[tuple[Number, ...], Field(min_length=1, max_length=MAX_YAWS)]
+
 
 class Pose(FrozenModel):
     """World position of an object's bottom centre and its rotation as an xyzw quaternion.
@@ -118,6 +126,11 @@ class SceneObject(FrozenModel):
         default=(), description="What others may stand on"
     )
     fixed: Flag = Field(default=False, description="Whether it must stay where it is")
+    yaw_domain: Literal["quarter_turns"] | YawSet | None = Field(
+        default=None,
+        description="Yaws that it may have in the frame of the room, or of what carries it: quarter_turns, or a list "
+        "of angles [deg]; null: any",
+    )
     intent: Intent = Field(default=Intent.model_construct(), description="What it is there for; changes no validity")
     attributes: JsonDict = Field(
         default_factory=dict, description="Free data on how it looks: color, material, style ..."
@@ -140,6 +153,14 @@ class SceneObject(FrozenModel):
                 raise FieldError(("surfaces", i, "name"), f"{show(surface.name)} is taken; choose another")
             names.add(surface.name)
         return self
+
+    @property
+    def yaws(self) -> tuple[float, ...]:
+        """The yaws [deg] of its domain, ascending, from 0 to less than 360; none where it may have any."""
+        if self.yaw_domain is None:
+            return ()
+        given = QUARTERS if self.yaw_domain == "quarter_turns" else self.yaw_domain
+        return tuple(sorted({angle % 360.0 for angle in given}))
 
     @property
     def solids(self) -> tuple[Part, ...]:

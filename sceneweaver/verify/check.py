@@ -14,7 +14,7 @@ from sceneweaver.io.messages import is_number, show
 from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.runtime.package import package_version
 from sceneweaver.scene import Relation, Scene
-from sceneweaver.verify import bounds, collisions, free_floor, stability, support, zones
+from sceneweaver.verify import bounds, collisions, free_floor, stability, support, turned, zones
 from sceneweaver.verify import walkable as access
 from sceneweaver.verify.measure import Judgement
 from sceneweaver.verify.meshes import MeshSet
@@ -84,6 +84,7 @@ def check(
     clock.lap("support")
     found += zones.find(placed, warnings)
     clock.lap("zones")
+    found += turned.find(scene)
     if scene.free_areas:
         found += free_floor.find(placed)
         clock.lap("free floor")

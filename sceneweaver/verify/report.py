@@ -31,6 +31,7 @@ Kind = Literal[
     "soft_relation",
     "unstable",
     "blocked_link",
+    "yaw_domain",
     "dropped",
 ]
 
@@ -58,9 +59,9 @@ class Violation:
             object or door, then what is in its way: an object, door, wall, "floor" or "ceiling".
         detail: one sentence with numbers and units.
         amount: how much, 0 when it has no size. Metres: depth of a collision or in a zone, distance outside the room,
-            height or length that is wrong under an object. Of a relation the worst excess over what is allowed, in
-            metres, or in degrees where the angle is worst; angles are compared with lengths on an arm of half a metre.
-            Of a blocked link the share of its range by which it opens too little.
+            height or length that is wrong under an object. Degrees: of a yaw off its domain. Of a relation the worst
+            excess over what is allowed, in metres, or in degrees where the angle is worst; angles are compared with
+            lengths on an arm of half a metre. Of a blocked link the share of its range by which it opens too little.
         relation: the relation that does not hold; None for other kinds.
         zone: name of the blocked zone among those of its owner; None for other kinds.
         measurement: what was measured, and the interval in which it should lie, the tolerance of the judge aside. Of

@@ -45,6 +45,7 @@ TABLES = {
     "stability": {"rooms": 2, "seeds": 1},
     "openable": {"rooms": 2, "seeds": 1},
     "by_model": {"rooms": 2},
+    "variables": {"optima": 1, "fronts": 1},
 }
 
 

@@ -56,7 +56,7 @@ PROPERTIES = {
         "items": {
             "type": "object",
             "properties": {
-                "kind": {"enum": [*KINDS, "unstable", "blocked_link"]},
+                "kind": {"enum": [*KINDS, "unstable", "blocked_link", "yaw_domain"]},
                 "objects": {"type": "array", "items": {"type": "string"}, "minItems": 1},
                 "detail": {"type": "string", "pattern": "^[^\n]+$"},
                 "amount": {"type": "number", "minimum": 0},

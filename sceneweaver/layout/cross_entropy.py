@@ -1,0 +1,47 @@
+"""The cross-entropy method over a box: draws, and what their ranks make of the next draws."""
+
+from __future__ import annotations
+
+import numpy as np
+
+SMOOTHING = 0.6
+"""How much of the elite's mean and spread the next generation takes over."""
+
+FLOOR = 0.15
+"""Least spread of the first generation, as a share of the box; it falls with every one by `COOLING`."""
+
+COOLING = 0.7
+
+
+class CrossEntropy:
+    """Normal draws in the unit box, with mean and spread of the best of the last generation.
+
+    After Rubinstein and Kroese, The Cross-Entropy Method (2004), with smoothed updates, a least spread that falls
+    geometrically, and the best point so far kept among the elite.
+    """
+
+    def __init__(self, dimensions: int, seed: int, elite: float) -> None:
+        self._rng = np.random.default_rng([seed, dimensions])
+        self._elite = elite
+        self._mean, self._spread = np.full(dimensions, 0.5), np.full(dimensions, 0.3)
+        self._best: np.ndarray | None = None
+        self._generation = 0
+
+    def draw(self, count: int) -> np.ndarray:
+        """Points [count, V] in the unit box: first a Latin hypercube, then normal draws; outside goes to the edge."""
+        dimensions = len(self._mean)
+        if self._best is None:
+            ranks = np.stack([self._rng.permutation(count) for _ in range(dimensions)], axis=1)
+            return (ranks + self._rng.random((count, dimensions))) / count
+        return np.clip(self._mean + self._spread * self._rng.normal(size=(count, dimensions)), 0.0, 1.0)
+
+    def learn(self, points: np.ndarray, order: np.ndarray, best: np.ndarray) -> None:
+        """Take in a generation's points [count, V], their order (best first), and the best point of all so far."""
+        count = max(2, round(self._elite * len(points)))
+        elite = np.concatenate([points[order[:count]], best[None]])
+        self._generation += 1
+        weight = 1.0 if self._best is None else SMOOTHING
+        self._mean = (1 - weight) * self._mean + weight * elite.mean(axis=0)
+        least = FLOOR * COOLING**self._generation
+        self._spread = np.maximum((1 - weight) * self._spread + weight * elite.std(axis=0), least)
+        self._best = best
