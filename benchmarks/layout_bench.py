@@ -1,8 +1,8 @@
 """``python -m benchmarks layout_bench``: freeze Layout Bench, measure its tiers, take over better layouts from results.
 
-``--tiers`` runs the search (and with ``--open`` longer runs) in processes side by side and writes what each problem
-came to; ``--best`` takes the best layouts that the judge finds valid out of result files; ``--freeze`` makes every split
-anew and writes the manifest. The problems of "test" need ``--seed-file``.
+``--tiers`` runs the search in processes side by side, first for a second of two cores, then for longer, and tells the
+tier of each problem; ``--best`` takes the best layouts that the judge finds valid out of result files; ``--freeze``
+makes every split anew and writes the manifest. The problems of "test" need ``--seed-file``.
 """
 
 from __future__ import annotations

@@ -83,7 +83,9 @@ class Row:
         float | None, "float64", "lowest objective of a valid layout known before, or null: being valid is all"
     ] = None
     layout: Annotated[
-        bytes | None, "binary", "at the last look the best valid candidate: poses [N, 4], float32, little-endian; or null"
+        bytes | None,
+        "binary",
+        "at the last look the best valid candidate: poses [N, 4], float32, little-endian; or null",
     ] = None
     outcome: Annotated[str, "string", '"running"; at the last look "ended", "budget", "failed" or "killed"'] = "running"
     reason: Annotated[str, "string", "why it failed or was killed, in one line; empty otherwise"] = ""

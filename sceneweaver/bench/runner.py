@@ -23,7 +23,6 @@ from .execute import Prepared, blank, execute, settle
 from .results import Folder, Row
 from .settings import Settings
 
-
 LOOK = 0.5  # [s] between looks at what a process takes
 
 
@@ -67,7 +66,7 @@ class Worker:
                 break
             try:
                 found = end.recv()
-            except EOFError:
+            except (EOFError, ConnectionError):
                 reason = f"the process ended by itself, exit code {self.close()}"
                 break
             if isinstance(found, bool):

@@ -95,7 +95,7 @@ def make(split: str, seed_file: Path | str | None = None, family: str | None = N
         if kind == "infeasible":
             case = generate_infeasible(row[1], row[0], seed, name=name)
         else:
-            more = {("shape" if isinstance(x, str) else "density"): x for x in row[2:]}
+            more: Json = {("shape" if isinstance(x, str) else "density"): x for x in row[2:]}
             case = generate(kind, row[0], row[1], seed, name=name, **more)
         found.append(with_reference(case))
     if not found:

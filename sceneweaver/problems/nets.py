@@ -48,7 +48,7 @@ def nets(kind: str, ids: Sequence[str], sizes: Sequence[Any], pads: Sequence[str
         pins = 2
         while pins < min(MOST_PINS, len(ids)) and rng.random() < MORE_PINS[kind]:
             pins += 1
-        pad = [pads[rng.integers(len(pads))]] if pads and rng.random() < WITH_PAD else []
+        pad = [pads[int(rng.integers(len(pads)))]] if pads and rng.random() < WITH_PAD else []
         chosen = sorted(members(order, pins - len(pad), rng))
         names = (*(ids[k] for k in chosen), *pad)
         if kind == "gsrc":

@@ -170,8 +170,10 @@ def _beside(plan: Plan, rng: np.random.Generator) -> None:
     for a in range(len(feet)):
         for b in range(a):
             gap = float(feet[a].distance(feet[b]))
-            near = feet[a].buffer(gap / 2 + 0.01, join_style="mitre").intersection(
-                feet[b].buffer(gap / 2 + 0.01, join_style="mitre")
+            near = (
+                feet[a]
+                .buffer(gap / 2 + 0.01, join_style="mitre")
+                .intersection(feet[b].buffer(gap / 2 + 0.01, join_style="mitre"))
             )
             if gap < 1.0 and near.length / 2 > TOUCH:
                 pairs.append((a, b, gap))
@@ -252,5 +254,3 @@ PLANS: dict[str, tuple[Callable[[int, float, str, np.random.Generator], Plan], t
     "warehouses": (warehouses, ("rows", "mixed")),
 }
 """What makes a plan of each family, and its kinds; the first one unless said."""
-
-

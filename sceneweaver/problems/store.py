@@ -202,5 +202,7 @@ def _verify_reference(case: ProblemCase) -> None:
     valid, value = case.judge(layout)
     if not valid:
         raise InputError(f"problem {case.name}: the layout of its best objective is not valid")
-    if value is None or (case.best_layout is not None and abs(value - case.best_objective) > ROUNDING * max(value, 1.0)):
+    if value is None or (
+        case.best_layout is not None and abs(value - case.best_objective) > ROUNDING * max(value, 1.0)
+    ):
         raise InputError(f"problem {case.name}: the layout of its best objective has {value}")
