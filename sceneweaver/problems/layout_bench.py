@@ -33,6 +33,7 @@ MANIFEST, LAYOUTS = "layout_bench.json", "layout_bench_layouts.json"
 SPLITS = ("dev", "test", "tuning")
 PUBLISHED = {"dev": "Layout Bench 1.0, dev", "tuning": "Layout Bench 1.0, tuning"}
 TIERS = ("solved", "hard", "open", "infeasible")
+ATTEMPTS = 20  # seeds that are tried for a problem
 LEAST_SECRET = 16  # characters
 
 
@@ -66,9 +67,25 @@ def rows_of(split: str) -> Iterator[tuple[str, str, list[Any]]]:
             yield f"{family}/{title}-{split}", family, row
 
 
-def seed_of(secret: str, name: str) -> int:
-    """The seed of a problem, from 0 to 2**32 - 1."""
-    return int.from_bytes(hashlib.sha256(f"{secret}\n{name}".encode()).digest()[:4])
+def seed_of(secret: str, name: str, attempt: int = 0) -> int:
+    """The seed of a problem, from 0 to 2**32 - 1; further attempts have others."""
+    text = f"{secret}\n{name}" + (f"\n{attempt}" if attempt else "")
+    return int.from_bytes(hashlib.sha256(text.encode()).digest()[:4])
+
+
+def _made(secret: str, name: str, family: str, row: list[Any]) -> ProblemCase:
+    """The problem of a row, from the first seed that the generator finds one with."""
+    more: Json = {("shape" if isinstance(x, str) else "density"): x for x in row[2:]}
+    for attempt in range(ATTEMPTS):
+        seed = seed_of(secret, name, attempt)
+        try:
+            if family == "infeasible":
+                return generate_infeasible(row[1], row[0], seed, name=name)
+            return generate(family, row[0], row[1], seed, name=name, **more)
+        except InputError:
+            if attempt + 1 == ATTEMPTS:
+                raise
+    raise AssertionError
 
 
 def make(split: str, seed_file: Path | str | None = None, family: str | None = None) -> list[ProblemCase]:
@@ -91,13 +108,7 @@ def make(split: str, seed_file: Path | str | None = None, family: str | None = N
     for name, kind, row in rows_of(split):
         if family not in (None, kind):
             continue
-        seed = seed_of(secret, name)
-        if kind == "infeasible":
-            case = generate_infeasible(row[1], row[0], seed, name=name)
-        else:
-            more: Json = {("shape" if isinstance(x, str) else "density"): x for x in row[2:]}
-            case = generate(kind, row[0], row[1], seed, name=name, **more)
-        found.append(with_reference(case))
+        found.append(with_reference(_made(secret, name, kind, row)))
     if not found:
         raise InputError(f"family: {family!r} is none of those of Layout Bench")
     return sorted(found, key=lambda case: case.name)
