@@ -9,6 +9,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -74,7 +75,8 @@ def wilcoxon(differences: np.ndarray) -> float:
 
     if not np.any(np.abs(differences) > 1e-12):
         return 1.0
-    return float(stats.wilcoxon(differences, zero_method="pratt", method="approx").pvalue)
+    found: Any = stats.wilcoxon(differences, zero_method="pratt", method="approx")
+    return float(found.pvalue)
 
 
 def holm(values: Sequence[float]) -> list[float]:

@@ -77,7 +77,7 @@ class Row:
     ] = None
     median_energy: Annotated[float | None, "float64", "of all candidates [m]"] = None
     best_objective: Annotated[
-        float | None, "float64", "lowest objective of a valid candidate; null: none is valid, or there is no objective"
+        float | None, "float64", "lowest objective of a valid candidate; null: none is valid, or no objective"
     ] = None
     known_objective: Annotated[
         float | None, "float64", "lowest objective of a valid layout known before, or null: being valid is all"

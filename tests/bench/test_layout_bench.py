@@ -102,6 +102,7 @@ def test_pairs_are_of_what_both_were_run_on():
     assert pair.difference == pytest.approx(np.mean([0.4, 0.3, 0.0])) and pair.low <= pair.difference <= pair.high
 
 
+@pytest.mark.slow
 def test_the_protocol_goes_through_and_goes_on(tmp_path):
     cases = [problems.load(FACTORY), problems.load("packing/n020-t60-dev")]
     went = []
