@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from benchmarks import dataset_layouts, dataset_scenes, noun_table, plots, problems, report
+from benchmarks import dataset_layouts, dataset_scenes, layout_bench, noun_table, plots, problems, report
 from benchmarks.console import console, print_result, say
 from benchmarks.families import FAMILIES, ablations
 from benchmarks.judging import Judge
@@ -33,6 +33,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         if words[:1] == ["problems"]:
             return problems.main(words[1:])
+        if words[:1] == ["layout_bench"]:
+            return layout_bench.main(words[1:])
         if words[:1] == ["layouts"]:
             return dataset_layouts.main(words[1:])
         if words[:1] == ["datasets"]:

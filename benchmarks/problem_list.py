@@ -4,14 +4,10 @@ from __future__ import annotations
 
 import gzip
 
-import numpy as np
-
 from benchmarks.settings import ROOT
 from benchmarks.tight_rooms import tight_room
 from sceneweaver.problems import ProblemCase, generate, generate_infeasible
-from sceneweaver.problems.case import from_plain
-from sceneweaver.problems.generator import scattered
-from sceneweaver.problems.measures import facts_of
+from sceneweaver.problems.generator import planted
 from sceneweaver.scene import Scene
 
 DESIGNS = ROOT / "benchmarks" / "data" / "strict_eyes"
@@ -77,8 +73,4 @@ def _design(kind: str) -> ProblemCase:
 
 def _found(family: str, title: str, scene: Scene, seed: int) -> ProblemCase:
     """The problem of a scene that is valid as it is."""
-    witness = np.array([(*o.pose.position, o.pose.yaw) for o in scene.objects]).round(5).tolist()
-    name = f"{family}/n{len(scene.objects):03d}-{title}"
-    data = scattered(scene, seed).model_copy(update={"id": name.replace("/", "-")}).to_json()
-    plain = {"name": name, "family": family, "version": 1, "scene": data, "certificate": None}
-    return from_plain({**plain, "witness": witness}, facts_of(scene))
+    return planted(family, f"{family}/n{len(scene.objects):03d}-{title}", scene, seed)

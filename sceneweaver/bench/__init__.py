@@ -8,6 +8,10 @@ from .curves import Target as Target
 from .curves import data_profile as data_profile
 from .curves import performance_profile as performance_profile
 from .entries import Method as Method
+from .leaderboard import board_markdown as board_markdown
+from .leaderboard import leaderboard as leaderboard
+from .paired import Pair as Pair
+from .paired import paired as paired
 from .plots import plot as plot
 from .results import Run as Run
 from .results import read_about as read_about
@@ -20,7 +24,10 @@ from .tables import markdown as markdown
 
 __all__ = [
     "Line",
+    "board_markdown",
+    "leaderboard",
     "Method",
+    "Pair",
     "Profile",
     "Run",
     "Settings",
@@ -28,6 +35,7 @@ __all__ = [
     "compare",
     "data_profile",
     "markdown",
+    "paired",
     "performance_profile",
     "plot",
     "read_about",

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -26,6 +26,7 @@ class Method:
     Attributes:
         name: in results.
         source: a name of the registry or of an entry point, ``package.module:Name``, or a `StepOptimizer`.
+        settings: fields of the optimiser, a dataclass, that are to be other than its own.
 
     Examples:
         >>> from sceneweaver import bench
@@ -36,6 +37,7 @@ class Method:
 
     name: str
     source: str | StepOptimizer
+    settings: Mapping[str, Any] = field(default_factory=dict)
 
     def make(self) -> StepOptimizer:
         """The optimiser. What its modules need is imported now, and may be missing.
@@ -43,6 +45,15 @@ class Method:
         Raises:
             InputError: what the source names is no `StepOptimizer`. ImportError: something is missing.
         """
+        found = self._found()
+        if not self.settings:
+            return found
+        try:
+            return cast(StepOptimizer, replace(cast(Any, found), **self.settings))
+        except TypeError as error:
+            raise InputError(f'optimizers: "{self.name}" does not take {", ".join(self.settings)} ({error})') from None
+
+    def _found(self) -> StepOptimizer:
         if not isinstance(self.source, str):
             return self.source
         if ":" in self.source:
@@ -115,6 +126,12 @@ class SceneTask:
     name: str
     family: str = "scenes"
     best_energy: float | None = None
+    best_objective: float | None = None
+
+    @property
+    def objective(self) -> tuple[problems.Term, ...]:
+        """None: being valid is all."""
+        return ()
 
     @property
     def hash(self) -> str:
@@ -136,6 +153,10 @@ class SceneTask:
         else:
             moved = home + rng.normal(0.0, (NOISE_M, NOISE_M, 0.0, NOISE_RAD), home.shape)
         return problem.carry(np.where(problem.free[0], moved, home))
+
+    def objective_of(self, poses: np.ndarray) -> np.ndarray:
+        """0 for each layout [B, N, 4]: a scene alone has no objective."""
+        return np.zeros(len(poses))
 
 
 Task = problems.ProblemCase | SceneTask

@@ -98,43 +98,63 @@ MOST_DISTINCT = 256  # valid layouts that are compared with one another: the fir
 
 @dataclass(frozen=True)
 class Layouts:
-    """Candidates of one problem, measured: poses [B, N, 4], energy [B] (inf where it is no number), feasible [B]."""
+    """Candidates of one problem, measured.
+
+    Poses [B, N, 4], energy [B] (inf where it is no number), feasible [B], objective [B] float64 or None without one.
+    """
 
     poses: np.ndarray
     energy: np.ndarray
     feasible: np.ndarray
+    objective: np.ndarray | None = None
+
+    @property
+    def score(self) -> np.ndarray:
+        """What tells valid layouts apart [B]: the lower the better."""
+        return self.energy if self.objective is None else np.where(self.feasible, self.objective, self.energy)
 
     def better_of(self, other: Layouts | None) -> Layouts:
-        """Of two layouts of each candidate the better: a feasible one, then that of lower energy."""
+        """Of two layouts of each candidate the better: a feasible one, then that of lower objective or energy."""
         if other is None:
             return self
-        mine = np.where(self.feasible == other.feasible, self.energy <= other.energy, self.feasible)
+        mine = np.where(self.feasible == other.feasible, self.score <= other.score, self.feasible)
+        objective = None
+        if self.objective is not None and other.objective is not None:
+            objective = np.where(mine, self.objective, other.objective)
         return Layouts(
             np.where(mine[:, None, None], self.poses, other.poses),
             np.where(mine, self.energy, other.energy),
             self.feasible | other.feasible,
+            objective,
         )
+
+    def best(self) -> int | None:
+        """The best valid candidate; None: none is valid."""
+        return int(np.where(self.feasible, self.score, np.inf).argmin()) if self.feasible.any() else None
 
     def columns(self) -> dict[str, Any]:
         """What goes into columns of `results.COLUMNS`."""
         finite, good = self.energy[np.isfinite(self.energy)], self.energy[self.feasible]
+        best = self.best()
         return {
             "valid": float(self.feasible.mean()),
             "distinct": count_distinct(self.poses[self.feasible][:MOST_DISTINCT]),
             "best_energy": float(finite.min()) if finite.size else None,
             "best_valid_energy": float(good.min()) if good.size else None,
+            "best_objective": None if best is None or self.objective is None else float(self.objective[best]),
             "median_energy": float(np.median(finite)) if finite.size else None,
         }
 
 
-def measure(problem: Problem, poses: np.ndarray) -> Layouts:
-    """Measure poses [B, N, 4] of one scene."""
+def measure(problem: Problem, poses: np.ndarray, task: Task) -> Layouts:
+    """Measure poses [B, N, 4] of a task."""
     energy = np.asarray(problem.energy(poses), dtype=np.float64)
     energy[~np.isfinite(energy)] = np.inf
-    return Layouts(poses, energy, np.asarray(problem.feasible(poses), dtype=bool) & np.isfinite(energy))
+    feasible = np.asarray(problem.feasible(poses), dtype=bool) & np.isfinite(energy)
+    return Layouts(poses, energy, feasible, task.objective_of(poses) if task.objective else None)
 
 
-def look(optimizer: StepOptimizer, state: Any, problem: Problem, given: np.ndarray) -> Layouts:
+def look(optimizer: StepOptimizer, state: Any, problem: Problem, given: np.ndarray, task: Task) -> Layouts:
     """An optimiser's best, as `sceneweaver.refine` takes it: free coordinates, and what is carried goes along.
 
     ``given`` [B, N, 4] is where it began.
@@ -142,7 +162,13 @@ def look(optimizer: StepOptimizer, state: Any, problem: Problem, given: np.ndarr
     best = np.asarray(poses_from(optimizer.best(state), problem.objects, problem.device).numpy())
     if best.shape != given.shape:
         raise ValueError(f"best gave an array of shape {best.shape}; poses are {given.shape}")
-    return measure(problem, problem.carry(np.where(problem.free[0], best, given), like=given))
+    return measure(problem, problem.carry(np.where(problem.free[0], best, given), like=given), task)
+
+
+def configured(optimizer: StepOptimizer, task: Task, settings: Settings) -> StepOptimizer:
+    """The optimiser of a run: told of the objective and the budget, where it wants to know (``configure``)."""
+    configure = getattr(optimizer, "configure", None)
+    return optimizer if configure is None else configure(task.objective, settings.seconds)
 
 
 def count_distinct(layouts: np.ndarray) -> int:
@@ -162,17 +188,19 @@ class Prepared:
 
     def of(self, task: Task, settings: Settings) -> Starts:
         """The task of that name with its starts, and with what it has compiled; others are let go."""
-        if task.name not in self.starts:
+        if task.name not in self.starts or self.starts[task.name].settings != settings:
             self.starts, self.optimizers = {task.name: Starts(task, settings)}, {}
         return self.starts[task.name]
 
-    def optimizer(self, method: Method, problem: Problem, given: np.ndarray, seed: int) -> tuple[StepOptimizer, float]:
+    def optimizer(
+        self, method: Method, problem: Problem, given: np.ndarray, seed: int, starts: Starts
+    ) -> tuple[StepOptimizer, float]:
         """The method's optimiser, after a first step that compiles what there is to compile; its wall time [s]."""
         if method.name not in self.optimizers:
             began = time.perf_counter()
-            optimizer = method.make()
+            optimizer = configured(method.make(), starts.task, starts.settings)
             state = optimizer.step(optimizer.init(problem, _on_device(problem, given), seed))
-            look(optimizer, state, problem, given)
+            look(optimizer, state, problem, given, starts.task)
             settle(problem.device, state)
             self.optimizers[method.name] = optimizer, time.perf_counter() - began
         return self.optimizers[method.name]
@@ -186,8 +214,8 @@ def execute(method: Method, task: Task, seed: int, settings: Settings, prepared:
         problem = starts.task.compile(settings.device)
         row = replace(row, objects=problem.objects, variables=int(problem.free.sum()))
         given, _ = starts.draw(seed)
-        optimizer, setup = prepared.optimizer(method, problem, given, seed)
-        row = replace(row, checkpoint=0, setup_seconds=setup, **measure(problem, given).columns())
+        optimizer, setup = prepared.optimizer(method, problem, given, seed, starts)
+        row = replace(row, checkpoint=0, setup_seconds=setup, **measure(problem, given, task).columns())
         yield row
         for seen in _Course(optimizer, problem, starts, row).rows():
             row = seen
@@ -207,6 +235,7 @@ def blank(method: Method, task: Task, seed: int, settings: Settings) -> Row:
         objects=0,
         variables=0,
         best_known=task.best_energy,
+        known_objective=task.best_objective,
         seed=seed,
         candidates=settings.candidates,
         checkpoint=-1,
@@ -236,7 +265,7 @@ class _Course:
             yield from self._round()
 
     def _round(self) -> Iterator[Row]:
-        optimizer, problem = self.optimizer, self.problem
+        optimizer, problem, task = self.optimizer, self.problem, self.starts.task
         most, done = (getattr(optimizer, name, None) for name in ("steps", "done"))
         given, seed = self.starts.draw(self.row.seed, self.rounds)
         poses, before = _on_device(problem, given), tuple(self.counted)
@@ -252,11 +281,11 @@ class _Course:
             if not (over or spent or self.seconds >= self.due):
                 self.row = replace(self.row, steps=self.row.steps + 1)
                 continue
-            now = look(optimizer, state, problem, given).better_of(self.kept)
+            now = look(optimizer, state, problem, given, task).better_of(self.kept)
             outcome = "budget" if spent else "running"
             if over and not spent:
                 self.kept = now
-                if now.feasible.all() or not self.settings.restarts:
+                if (now.feasible.all() and not task.objective) or not self.settings.restarts:
                     outcome = "ended"
             self.row = self._seen(now, outcome)
             if outcome != "running" or self.seconds >= self.due:
@@ -279,6 +308,7 @@ class _Course:
         return state
 
     def _seen(self, layouts: Layouts, outcome: str) -> Row:
+        best = layouts.best()
         return replace(
             self.row,
             steps=self.row.steps + 1,
@@ -289,8 +319,14 @@ class _Course:
             energy_calls=self.counted[0],
             evaluations=self.counted[1],
             outcome=outcome,
+            layout=None if outcome == "running" or best is None else _bytes_of(layouts.poses[best]),
             **layouts.columns(),
         )
+
+
+def _bytes_of(poses: np.ndarray) -> bytes:
+    """Poses [N, 4] as the column ``layout`` has them."""
+    return np.ascontiguousarray(poses, dtype="<f4").tobytes()
 
 
 def _on_device(problem: Problem, poses: np.ndarray) -> Any:

@@ -76,6 +76,17 @@ class Row:
         float | None, "float64", "lowest energy of a valid candidate [m]; null: none is valid"
     ] = None
     median_energy: Annotated[float | None, "float64", "of all candidates [m]"] = None
+    best_objective: Annotated[
+        float | None, "float64", "lowest objective of a valid candidate; null: none is valid, or no objective"
+    ] = None
+    known_objective: Annotated[
+        float | None, "float64", "lowest objective of a valid layout known before, or null: being valid is all"
+    ] = None
+    layout: Annotated[
+        bytes | None,
+        "binary",
+        "at the last look the best valid candidate: poses [N, 4], float32, little-endian; or null",
+    ] = None
     outcome: Annotated[str, "string", '"running"; at the last look "ended", "budget", "failed" or "killed"'] = "running"
     reason: Annotated[str, "string", "why it failed or was killed, in one line; empty otherwise"] = ""
 
@@ -167,7 +178,7 @@ class Folder:
 
     def close(self) -> Path:
         """Put all runs into one file."""
-        if not _files(self.path):
+        if not (self.path / PARTS).exists() or not _files(self.path):
             return self.path / RESULTS
         runs = sorted(read_runs(self.path), key=lambda run: (run.key[1], run.key[0], run.key[2]))
         rows = [dict(zip(COLUMNS, values, strict=True)) for run in runs for values in _rows_of(run)]

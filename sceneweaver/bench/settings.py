@@ -27,6 +27,7 @@ class Settings:
         restarts: a method that ends before the budget is spent begins again from new starts, as long as a candidate is
             not valid; each candidate keeps its best layout.
         limit: wall seconds after which a run is killed, with all that is not in its budget (compiling, looks).
+        memory: GiB of memory that the process of a run may take before it is killed; None: any.
 
     Raises:
         InputError: a value out of range.
@@ -46,6 +47,7 @@ class Settings:
     checkpoints: int = 16
     restarts: bool = True
     limit: float = 300.0
+    memory: float | None = None
 
     def __post_init__(self) -> None:
         for name in ("candidates", "checkpoints"):
@@ -56,6 +58,8 @@ class Settings:
         for name in ("seconds", "limit"):
             if not (math.isfinite(getattr(self, name)) and getattr(self, name) > 0):
                 raise InputError(f"{name}: {getattr(self, name)!r} is not a number of seconds above 0")
+        if self.memory is not None and not self.memory > 0:
+            raise InputError(f"memory: {self.memory!r} is not above 0 GiB")
         if self.clock not in CLOCKS:
             raise InputError(f'clock: "{self.clock}" is not one of {", ".join(CLOCKS)}')
         if self.start not in STARTS:

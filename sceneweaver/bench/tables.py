@@ -133,12 +133,12 @@ def markdown(runs: Sequence[Run], target: Target | None = None) -> str:
     target = target or Target("valid", 0.5)
     lines = compare(runs, target)
     rows = [[cell(line) for cell in _CELLS.values()] for line in lines]
-    parts = [f"Target: {target}.", "", *_table([*_CELLS], rows)]
+    parts = [f"Target: {target}.", "", *rows_in_markdown([*_CELLS], rows)]
     families = by_family(runs)
     names = sorted({name for row in families.values() for name in row})
     if len(names) > 1:
         values = [[line.method, *(_share(families[line.method].get(name)) for name in names)] for line in lines]
-        parts += ["", "Valid at the end, by family:", "", *_table(["method", *names], values)]
+        parts += ["", "Valid at the end, by family:", "", *rows_in_markdown(["method", *names], values)]
     if wrong := failures(runs):
         parts += ["", "Failed:", "", *(f"- {text}" for text in wrong)]
     return "\n".join(parts)
@@ -171,6 +171,7 @@ def _number(value: float) -> str:
     return f"{value:,.0f}" if abs(value) >= 100 else f"{value:.3g}"
 
 
-def _table(head: list[str], rows: list[list[str]]) -> list[str]:
+def rows_in_markdown(head: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
+    """A table in Markdown, line by line; all but the first column is to the right."""
     rule = ["---", *["---:"] * (len(head) - 1)]
     return ["| " + " | ".join(cells) + " |" for cells in (head, rule, *rows)]

@@ -34,6 +34,7 @@ from .dataset import dataset
 from .exit_codes import BAD_INPUT, INTERRUPTED, MISSING
 from .extensions import load_extensions
 from .knowledge import knowledge
+from .layout_bench import app as layout_bench
 from .model_options import (
     BaseUrl,
     MaxCalls,
@@ -601,6 +602,7 @@ def assets_infinigen(
 
 bench = typer.Typer(name="bench", help="Compare optimisers on many problems: curves, profiles, tables, plots.")
 app.add_typer(bench)
+bench.add_typer(layout_bench)
 
 Results = Annotated[
     Path, typer.Argument(metavar="DIR", help="The folder of results, or a Parquet file.", show_default=False)
@@ -750,12 +752,23 @@ def problems_verify(
     name: Annotated[
         str | None, typer.Argument(metavar="[NAME]", help="A problem (default: all).", show_default=False)
     ] = None,
+    split: Annotated[
+        str | None,
+        typer.Option(
+            metavar="dev|test|tuning",
+            help="Make a split of Layout Bench anew, and check its hash as well.",
+            show_default=False,
+        ),
+    ] = None,
+    seed_file: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="The secret of the split test.", show_default=False)
+    ] = None,
     as_json: Json = False,
 ) -> int:
-    """Check hash, witness or proof of one problem or of all; 3 when something is wrong."""
+    """Check hash, witness or proof of one problem, of all or of a split; 3 when something is wrong."""
     from .problems import run_verify
 
-    return run_verify(name, as_json=as_json)
+    return run_verify(name, split=split, seed_file=seed_file, as_json=as_json)
 
 
 @cache

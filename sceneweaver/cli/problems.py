@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -68,28 +69,49 @@ def run_export(name: str, out: Path, *, as_json: bool) -> int:
     return 0
 
 
-def run_verify(name: str | None, *, as_json: bool) -> int:
-    """Verify one problem, or all."""
+def run_verify(name: str | None, *, split: str | None, seed_file: Path | None, as_json: bool) -> int:
+    """Verify one problem, all, or those of a split, which are made anew."""
     from sceneweaver import problems
 
     wrong: dict[str, str] = {}
-    chosen = problems.names() if name is None else (problems.load(name).name,)
+    if split is None:
+        if seed_file is not None:
+            raise InputError("--seed-file: is for --split test")
+        chosen = problems.names() if name is None else (problems.load(name).name,)
+        found = {each: partial(problems.load, each) for each in chosen}
+    else:
+        if name is not None:
+            raise InputError(f"--split: a split is verified as a whole; leave {name} out")
+        cases = problems.layout_bench.make(split, seed_file)
+        chosen = tuple(case.name for case in cases)
+        found = {case.name: partial(_itself, case) for case in cases}
+        try:
+            problems.layout_bench.verify_split(split, seed_file)
+        except SceneWeaverError as error:
+            wrong[f"the split {split}"] = str(error)
     for each in chosen:
         try:
             with no_chatter():
-                problems.verify(problems.load(each))
+                problems.verify(found[each]())
         except SceneWeaverError as error:
             wrong[each] = str(error)
+    right = sum(each not in wrong for each in chosen)
     if as_json:
-        print_json({"verified": len(chosen) - len(wrong), "wrong": wrong})
+        print_json({"verified": right, "wrong": wrong})
     else:
-        typer.echo(f"{len(chosen) - len(wrong)} of {len(chosen)} problems are in order")
+        typer.echo(f"{right} of {len(chosen)} problems are in order")
         for text in wrong.values():
             typer.echo(f"  {text}")
     return NOT_VALID if wrong else 0
 
 
+def _itself(case: ProblemCase) -> ProblemCase:
+    return case
+
+
 def _facts(case: ProblemCase) -> dict[str, Any]:
+    from sceneweaver import problems
+
     return {
         "name": case.name,
         "family": case.family,
@@ -100,6 +122,9 @@ def _facts(case: ProblemCase) -> dict[str, Any]:
         "feasible": case.feasible,
         "facts": dict(case.facts),
         "best_energy": case.best_energy,
+        "objective": [term.to_dict() for term in case.objective],
+        "best_objective": case.best_objective,
+        "tier": problems.layout_bench.tier_of(case.name) or None,
         "certificate": case.certificate,
         "difficulty": dict(case.difficulty),
         "starts": list(case.starts),

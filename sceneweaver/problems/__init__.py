@@ -11,11 +11,13 @@ Examples:
     (8,)
 """
 
+from . import layout_bench as layout_bench
 from .case import ProblemCase as ProblemCase
 from .case import canonical as canonical
 from .certificates import prove as prove
 from .generator import generate as generate
 from .infeasible import generate_infeasible as generate_infeasible
+from .objective import Term as Term
 from .recipes import families as families
 from .store import load as load
 from .store import names as names
@@ -23,10 +25,12 @@ from .store import verify as verify
 
 __all__ = [
     "ProblemCase",
+    "Term",
     "canonical",
     "families",
     "generate",
     "generate_infeasible",
+    "layout_bench",
     "load",
     "names",
     "prove",

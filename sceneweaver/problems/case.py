@@ -15,8 +15,10 @@ import numpy as np
 from sceneweaver.geometry.se2 import absolute, relative
 from sceneweaver.io import packaged
 from sceneweaver.scene import SCHEMA, InputError, Pose, Scene
+from sceneweaver.verify import check
 
 from .certificates import prove
+from .objective import Term, value_of
 from .recipes import MOST_SEED, families, whole_number
 
 if TYPE_CHECKING:
@@ -40,12 +42,15 @@ class ProblemCase:
         scene: the scene at a bad start: all that may move lies anywhere.
         witness: a valid layout [N, 4] float32 (x, y, z [m], yaw [rad]); None where there is none.
         certificate: a proof that no layout is valid, which `prove` checks; None where there is one.
+        objective: terms to be minimised among valid layouts; without any, being valid is all.
         facts: measured figures: ``tightness`` (share of the floor that footprints and hard zones take, the doors' own
             floor left out), ``density`` (hard relations an object), ``wishes`` (soft ones), ``wall_fill`` (share of the
             walls that backs stand at), ``surface_tightness``.
         best_energy: the lowest energy [m] of a valid layout that is known; None where nothing was measured.
         best: a layout [N, 4] float32 of that energy; None where it is the witness's, or nothing was measured.
         difficulty: for each optimiser that was tried its share of valid layouts, with the budget.
+        best_objective: the lowest objective of a valid layout that is known; None without an objective.
+        best_layout: a layout [N, 4] float32 that has it; None where it is the witness's.
         starts: names that `start` knows.
 
     Examples:
@@ -67,6 +72,9 @@ class ProblemCase:
     best_energy: float | None = None
     best: np.ndarray | None = None
     difficulty: Mapping[str, Any] = field(default_factory=dict)
+    objective: tuple[Term, ...] = ()
+    best_objective: float | None = None
+    best_layout: np.ndarray | None = None
     _compiled: dict[str, Problem] = field(default_factory=dict, init=False, repr=False)
 
     def __repr__(self) -> str:
@@ -130,6 +138,19 @@ class ProblemCase:
         """
         return placed(self.scene, poses)
 
+    def objective_of(self, poses: np.ndarray) -> np.ndarray:
+        """The objective of layouts [B, N, 4], as [B] float64, whether they are valid or not; 0 without terms."""
+        return value_of(self.scene, self.objective, poses)
+
+    def judge(self, poses: np.ndarray) -> tuple[bool, float | None]:
+        """Whether the judge, which is not the engine, finds a layout [N, 4] valid, and its objective; None without one.
+
+        Raises:
+            InputError: ``poses`` has another shape.
+        """
+        valid = check(self.layout(poses), walkable=False).valid
+        return valid, float(self.objective_of(np.asarray(poses)[None])[0]) if self.objective else None
+
 
 def placed(scene: Scene, poses: np.ndarray) -> Scene:
     """A scene at poses [N, 4] (x, y, z, yaw)."""
@@ -141,7 +162,7 @@ def placed(scene: Scene, poses: np.ndarray) -> Scene:
 
 def plain(case: ProblemCase) -> Json:
     """The problem as plain JSON data: what its hash is of. What a scene leaves to its defaults is left out."""
-    return {
+    data = {
         "name": case.name,
         "family": case.family,
         "version": case.version,
@@ -149,6 +170,9 @@ def plain(case: ProblemCase) -> Json:
         "witness": None if case.witness is None else [[float(str(v)) for v in row] for row in case.witness],
         "certificate": case.certificate,
     }
+    if case.objective:
+        data["objective"] = [term.to_dict() for term in case.objective]
+    return data
 
 
 def canonical(case: ProblemCase) -> bytes:
@@ -171,7 +195,8 @@ def from_plain(data: Json, facts: Mapping[str, float], **known: Any) -> ProblemC
         witness.flags.writeable = False
     scene = Scene.from_json({"schema": SCHEMA, **data["scene"]})
     rest = {key: data[key] for key in ("name", "family", "version", "certificate")}
-    case = ProblemCase(hash="", scene=scene, witness=witness, facts=facts, **rest, **known)
+    objective = tuple(Term.from_dict(row) for row in data.get("objective", ()))
+    case = ProblemCase(hash="", scene=scene, witness=witness, facts=facts, objective=objective, **rest, **known)
     return replace(case, hash=hashlib.sha256(canonical(case)).hexdigest())
 
 

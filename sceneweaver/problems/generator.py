@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -19,6 +19,7 @@ from . import cells
 from .case import ProblemCase, draw, from_plain, placed
 from .cells import Box, NoFit, with_walls
 from .measures import facts_of, footprint, tightness_of
+from .plans import PLANS
 from .recipes import MOST_SEED, RECIPES, UNITS, Recipe, Unit, whole_number
 from .units import Draft, Spot
 
@@ -113,7 +114,9 @@ def generate(
             reached to 0.01. For surfaces it is that of the things on their boards as well.
         seed: from 0 to 2**32 - 1; equal arguments give equal problems.
         density: hard relations an object, drawn among those that hold; by default what the family has.
-        shape: of the room ("rectangle", "L", "T", "U", "S"); by default one of the family's.
+        shape: of the room ("rectangle", "L", "T", "U", "S"); by default one of the family's. Of chips it is "gsrc" or
+            "mcnc" (the circuits whose sizes and nets they are like), of facilities "equal" or "unequal", of warehouses
+            "rows" or "mixed".
         name: by default made of the family and the numbers.
 
     Raises:
@@ -125,6 +128,8 @@ def generate(
         >>> abs(case.facts["tightness"] - 0.5) < 0.01
         True
     """
+    if family in PLANS:
+        return _planned(family, objects, tightness, seed, shape, name)
     recipe = _recipe(family, objects, tightness, seed, density, shape)
     for attempt in range(TRIES):
         rng = np.random.default_rng([seed, objects, attempt])
@@ -136,18 +141,40 @@ def generate(
             continue
         if recipe.turned:
             scene = _turned(scene, float(rng.uniform(0.1, 1.4)))
-        if not check(scene, walkable=False).valid:
-            continue
-        witness = [[*o.pose.position, o.pose.yaw] for o in scene.objects]
-        facts = facts_of(scene)
-        title = name or f"{family}/n{objects:03d}-t{100 * tightness:02.0f}-s{seed}"
-        data = scattered(scene, seed).model_copy(update={"id": title.replace("/", "-")}).to_json()
-        rounded = np.array(witness).round(5).tolist()
-        return from_plain(
-            {"name": title, "family": family, "version": 1, "scene": data, "witness": rounded, "certificate": None},
-            facts,
-        )
+        if check(scene, walkable=False).valid:
+            return planted(family, name or _title(family, objects, tightness, seed), scene, seed)
     raise InputError(f"tightness: no room of {objects} objects of {family} was found at {tightness}; try a lower one")
+
+
+def _title(family: str, objects: int, tightness: float, seed: int) -> str:
+    return f"{family}/n{objects:03d}-t{100 * tightness:02.0f}-s{seed}"
+
+
+def _planned(family: str, objects: int, tightness: float, seed: int, kind: str | None, name: str | None) -> ProblemCase:
+    """A plan of blocks of a family of `PLANS`."""
+    make, kinds = PLANS[family]
+    whole_number("objects", objects, 4, MOST_OBJECTS), whole_number("seed", seed, 0, MOST_SEED)
+    if not 0.3 <= tightness <= 0.95:
+        raise InputError(f"tightness: {tightness!r} is not from 0.3 to 0.95")
+    if kind is not None and kind not in kinds:
+        raise InputError(f"shape: {kind!r} is none that {family} can have; give one of {', '.join(kinds)}")
+    for attempt in range(TRIES):
+        try:
+            plan = make(objects, tightness, kind or kinds[0], np.random.default_rng([seed, objects, attempt]))
+        except NoFit:
+            continue
+        scene = plan.scene()
+        if check(scene, walkable=False).valid:
+            return planted(family, name or _title(family, objects, tightness, seed), scene, seed, plan.objective)
+    raise InputError(f"tightness: no plan of {objects} blocks of {family} was found at {tightness}; try other numbers")
+
+
+def planted(family: str, name: str, scene: Scene, seed: int, objective: Sequence[Json] = ()) -> ProblemCase:
+    """The problem whose witness is a scene that is valid as it is; it begins with all that may move anywhere."""
+    witness = np.array([(*o.pose.position, o.pose.yaw) for o in scene.objects]).round(5).tolist()
+    data = scattered(scene, seed).model_copy(update={"id": name.replace("/", "-")}).to_json()
+    plain: Json = {"name": name, "family": family, "version": 1, "scene": data, "certificate": None}
+    return from_plain({**plain, "witness": witness, "objective": list(objective)}, facts_of(scene))
 
 
 def scattered(scene: Scene, seed: int) -> Scene:

@@ -16,6 +16,7 @@ from sceneweaver.io import load_json, load_packed_json, write_atomic
 from sceneweaver.scene import InputError
 from sceneweaver.verify import check
 
+from . import layout_bench
 from .case import ProblemCase, canonical, from_plain, plain
 from .certificates import prove
 from .recipes import families
@@ -102,7 +103,7 @@ def load(name: str) -> ProblemCase:
     )
     if case.hash != row["hash"]:
         raise InputError(f"problem {name}: its data have hash {case.hash[:12]}, the manifest says {row['hash'][:12]}")
-    return case
+    return layout_bench.with_reference(case)
 
 
 def freeze(cases: Iterable[ProblemCase], folder: Path = DATA) -> None:
@@ -181,6 +182,7 @@ def verify(case: ProblemCase) -> None:
     poses = np.array(case.witness)[None]
     if not problem.feasible(poses)[0]:
         raise InputError(f"problem {case.name}: the engine finds the witness not feasible")
+    _verify_reference(case)
     if case.best_energy is None:
         return
     if case.best_energy > float(problem.energy(poses)[0]) + ROUNDING:
@@ -189,3 +191,18 @@ def verify(case: ProblemCase) -> None:
         energy = float(problem.energy(case.best[None])[0])
         if abs(energy - case.best_energy) > ROUNDING or not check(case.layout(case.best), walkable=False).valid:
             raise InputError(f"problem {case.name}: its best layout is not valid, or has {energy:.6f} m")
+
+
+def _verify_reference(case: ProblemCase) -> None:
+    """The layout of the best objective that is known is valid and has it."""
+    if case.best_objective is None:
+        return
+    layout = case.witness if case.best_layout is None else case.best_layout
+    assert layout is not None
+    valid, value = case.judge(layout)
+    if not valid:
+        raise InputError(f"problem {case.name}: the layout of its best objective is not valid")
+    if value is None or (
+        case.best_layout is not None and abs(value - case.best_objective) > ROUNDING * max(value, 1.0)
+    ):
+        raise InputError(f"problem {case.name}: the layout of its best objective has {value}")

@@ -22,6 +22,14 @@ def memory() -> tuple[int, int]:
     return pages * resource.getpagesize(), peak
 
 
+def resident(pid: int) -> int:
+    """Resident memory of a process [bytes]; 0 where the system does not say, or the process is gone."""
+    try:
+        return int(Path(f"/proc/{pid}/statm").read_text().split()[1]) * resource.getpagesize()
+    except OSError:
+        return 0
+
+
 @contextmanager
 def freed_memory_given_back() -> Iterator[None]:
     """At the end, give the system back what was freed within.
