@@ -14,7 +14,7 @@ from typing import Any, cast
 import numpy as np
 
 from sceneweaver import problems
-from sceneweaver.layout import Problem, StepOptimizer, find_optimizer, step_optimizer
+from sceneweaver.layout import ObjectiveTerm, Problem, StepOptimizer, find_optimizer, step_optimizer
 from sceneweaver.layout import compile as compile_problem
 from sceneweaver.scene import InputError, Scene
 
@@ -129,7 +129,7 @@ class SceneTask:
     best_objective: float | None = None
 
     @property
-    def objective(self) -> tuple[problems.Term, ...]:
+    def objective(self) -> tuple[ObjectiveTerm, ...]:
         """None: being valid is all."""
         return ()
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from sceneweaver.layout import Problem, StepOptimizer, refine
+from sceneweaver.layout import BuiltIn, MinimiseSteps, Problem, StepOptimizer, refine
 from sceneweaver.layout.arrays import poses_from
 from sceneweaver.layout.solution import differ
 
@@ -166,7 +166,12 @@ def look(optimizer: StepOptimizer, state: Any, problem: Problem, given: np.ndarr
 
 
 def configured(optimizer: StepOptimizer, task: Task, settings: Settings) -> StepOptimizer:
-    """The optimiser of a run: told of the objective and the budget, where it wants to know (``configure``)."""
+    """The optimiser of a run: told of the objective and the budget, where it wants to know (``configure``).
+
+    The built-in search minimises the objective once it has found layouts.
+    """
+    if isinstance(optimizer, BuiltIn) and optimizer.name == "search" and task.objective:
+        return MinimiseSteps(task.objective, settings.seconds, optimizer)
     configure = getattr(optimizer, "configure", None)
     return optimizer if configure is None else configure(task.objective, settings.seconds)
 

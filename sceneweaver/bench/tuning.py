@@ -44,7 +44,9 @@ def space_of(method: Method) -> Mapping[str, Any]:
     """The settings that may be drawn for a method; none: it runs as it is."""
     if isinstance(method.source, str) and method.source in BUILT_IN:
         return BUILT_IN[method.source]
-    return getattr(method.make(), "space", {})
+    made = method.make()
+    choices = {name: ("choice", values) for name, values in getattr(made, "SETTINGS", {}).items()}
+    return getattr(made, "space", choices)
 
 
 def draw(space: Mapping[str, Any], rng: np.random.Generator) -> dict[str, Any]:

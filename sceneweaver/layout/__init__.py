@@ -5,6 +5,7 @@ from sceneweaver.optimizers.batch import Progress as Progress
 from .engine import refine as refine
 from .engine import refine_many as refine_many
 from .improve import improve as improve
+from .minimise_steps import MinimiseSteps as MinimiseSteps
 from .objective import ObjectiveTerm as ObjectiveTerm
 from .objective import terms_from as terms_from
 from .objective_values import objective_of as objective_of
@@ -30,6 +31,7 @@ from .variables import Variable as Variable
 __all__ = [
     "BuiltIn",
     "ObjectiveTerm",
+    "MinimiseSteps",
     "ParetoFront",
     "Problem",
     "Progress",

@@ -123,6 +123,30 @@ def _ways(batch: Batch, compiled: CompiledScene, packed: Objective, on_foot: Seq
     return found
 
 
+def anneal_room(
+    batch: Batch,
+    compiled: CompiledScene,
+    terms: Sequence[ObjectiveTerm],
+    schedule: Schedule,
+    roots: Sequence[int],
+    valid: np.ndarray,
+    seeds: np.ndarray,
+    monitor: Monitor,
+) -> None:
+    """Lead the candidates of a batch of one scene to lower values of an objective, in place.
+
+    Where the scene is one of packing, orders of its blocks are annealed first, which may make valid what was not.
+    ``roots`` may move, ``valid`` [B] says which candidates are valid, ``seeds`` [B] are of their random streams.
+    """
+    room = compiled.room
+    packed = pack_objective(compiled.scene, terms, room.size, batch.device)
+    soft = any(not relation.fault for relation in room.relations)
+    blocks, packing = blocks_of(room, roots), schedule
+    if blocks is not None:  # what is packed only has to slide a little afterwards
+        packing, schedule = replace(PACKED, moves=schedule.moves), replace(SLIDING, moves=schedule.moves // 5)
+    minimise_batch(batch, packed, roots, blocks, schedule, packing, valid, seeds, soft, monitor)
+
+
 def _minimise(
     solution: Solution,
     compiled: CompiledScene,
@@ -133,20 +157,13 @@ def _minimise(
     monitor: Monitor,
 ) -> tuple[np.ndarray, ...]:
     """Poses of all bodies, status, relations, energy and objective of some candidates, minimised."""
-    room, device, scene = compiled.room, solution.device, compiled.scene
+    room = compiled.room
     before = np.ascontiguousarray(solution.bodies[rows], dtype=np.float32)
-    batch = make_batch([room], np.zeros(len(rows), dtype=np.int32), device)
+    batch = make_batch([room], np.zeros(len(rows), dtype=np.int32), solution.device)
     load_poses(batch, before)
     status, relations = solution.status[rows].copy(), solution.relations[rows].copy()
-    packed = pack_objective(scene, terms, room.size, device)
-    soft = any(not relation.fault for relation in room.relations)
     seeds = streams(solution.seed ^ SALT, rows)
-    blocks = blocks_of(room, roots)
-    if blocks is not None:  # what is packed only has to slide a little afterwards
-        packing, schedule = replace(PACKED, moves=schedule.moves), replace(SLIDING, moves=schedule.moves // 5)
-    else:
-        packing = schedule
-    minimise_batch(batch, packed, roots, blocks, schedule, packing, status == 0, seeds, soft, monitor)
+    anneal_room(batch, compiled, terms, schedule, roots, status == 0, seeds, monitor)
     after = batch.state.poses.numpy()[:, : room.size].copy()
     found = judged(compiled, batch)
     better = found.status == 0

@@ -17,7 +17,6 @@ from .case import canonical as canonical
 from .certificates import prove as prove
 from .generator import generate as generate
 from .infeasible import generate_infeasible as generate_infeasible
-from .objective import Term as Term
 from .recipes import families as families
 from .store import load as load
 from .store import names as names
@@ -25,7 +24,6 @@ from .store import verify as verify
 
 __all__ = [
     "ProblemCase",
-    "Term",
     "canonical",
     "families",
     "generate",

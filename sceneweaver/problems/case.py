@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
@@ -18,11 +18,10 @@ from sceneweaver.scene import SCHEMA, InputError, Pose, Scene
 from sceneweaver.verify import check
 
 from .certificates import prove
-from .objective import Term, value_of
 from .recipes import MOST_SEED, families, whole_number
 
 if TYPE_CHECKING:
-    from sceneweaver.layout import Problem
+    from sceneweaver.layout import ObjectiveTerm, Problem
 
 Json = dict[str, Any]
 
@@ -72,7 +71,7 @@ class ProblemCase:
     best_energy: float | None = None
     best: np.ndarray | None = None
     difficulty: Mapping[str, Any] = field(default_factory=dict)
-    objective: tuple[Term, ...] = ()
+    objective: tuple[ObjectiveTerm, ...] = ()
     best_objective: float | None = None
     best_layout: np.ndarray | None = None
     _compiled: dict[str, Problem] = field(default_factory=dict, init=False, repr=False)
@@ -140,7 +139,9 @@ class ProblemCase:
 
     def objective_of(self, poses: np.ndarray) -> np.ndarray:
         """The objective of layouts [B, N, 4], as [B] float64, whether they are valid or not; 0 without terms."""
-        return value_of(self.scene, self.objective, poses)
+        from sceneweaver.layout import objective_of
+
+        return objective_of(self.scene, self.objective, poses)
 
     def judge(self, poses: np.ndarray) -> tuple[bool, float | None]:
         """Whether the judge, which is not the engine, finds a layout [N, 4] valid, and its objective; None without one.
@@ -195,9 +196,15 @@ def from_plain(data: Json, facts: Mapping[str, float], **known: Any) -> ProblemC
         witness.flags.writeable = False
     scene = Scene.from_json({"schema": SCHEMA, **data["scene"]})
     rest = {key: data[key] for key in ("name", "family", "version", "certificate")}
-    objective = tuple(Term.from_dict(row) for row in data.get("objective", ()))
+    objective = _terms(data["objective"]) if data.get("objective") else ()
     case = ProblemCase(hash="", scene=scene, witness=witness, facts=facts, objective=objective, **rest, **known)
     return replace(case, hash=hashlib.sha256(canonical(case)).hexdigest())
+
+
+def _terms(rows: Sequence[Json]) -> tuple[ObjectiveTerm, ...]:
+    from sceneweaver.layout import terms_from  # the engine is loaded where it is needed
+
+    return tuple(terms_from(rows))
 
 
 def card_of(case: ProblemCase) -> str:
