@@ -42,8 +42,8 @@ class LayoutProblem:
 
     ``home`` holds the scene's poses [object, 4] (x, y, z, yaw) in the problem's frame; ``relations`` the scene's
     relations first (``relation_ids`` names them), then what the engine adds: riders (conditions that belong to a
-    relation before them), the mountings of wall objects, and terms of the user's own. ``walker`` is the
-    radius [m] of who has to get about, where the scene says one. ``packed`` keeps by device
+    relation before them), the mountings of wall objects, and terms of the user's own (``terms`` says whose).
+    ``walker`` is the radius [m] of who has to get about, where the scene says one. ``packed`` keeps by device
     tables with it and its number there, see `make_batch`.
     """
 
@@ -63,6 +63,7 @@ class LayoutProblem:
     relations: list[CompiledRelation]
     relation_ids: list[int]
     riders: dict[int, int]
+    terms: dict[int, str] = field(default_factory=dict)
     faulty: bool = False
     walker: float | None = None
     surfaces: list[SupportSurface] = field(default_factory=list)
@@ -231,6 +232,7 @@ def _compile(
         checkpoint()
         compiled.append(compile_relation(frame, rel))
     riders: dict[int, int] = {}
+    terms: dict[int, str] = {}
     for i, (_, rel) in enumerate(relations):
         extra = spread_before(frame, rel) if rel.type == "around" else None
         if extra is not None:
@@ -238,7 +240,9 @@ def _compile(
             compiled.append(extra)
     if in_room:
         compiled += [mounting(frame, i) for i, o in enumerate(objects) if o.mount == "wall"]
-        compiled += compiled_terms(frame)
+        for name, term in compiled_terms(frame):
+            terms[len(compiled)] = name
+            compiled.append(term)
         compiled += [compile_relation(frame, rel) for rel in plates.relations]
     roots = _roots(objects, index) if in_room else np.arange(len(objects))
     free = np.array([_freedom(o, in_room and roots[i] != i) for i, o in enumerate(objects)], dtype=np.int32)
@@ -265,6 +269,7 @@ def _compile(
         relations=compiled,
         relation_ids=[i for i, _ in relations],
         riders=riders,
+        terms=terms,
     )
 
 
@@ -322,13 +327,23 @@ def compile_scene(scene: Scene) -> CompiledScene:
         objects = [scene.objects[i] for i in members]
         problem = _compile(objects, local, region, relations, None)
         domains.append(Domain(SupportSurface(supporter, z, members), problem))
-    plates = stand_ins(scene, home)
-    objects, stated = [*scene.objects, *plates.objects], list(enumerate(scene.relations))
-    home = np.concatenate([home, np.array(plates.home, dtype=np.float64).reshape(-1, 4)])
-    room = _compile(objects, home, room_region(scene.room), stated, scene.room, plates)
+    room, plates = _compile_room(scene, home)
     room.faulty, room.walker = faulty, walker(scene)
     room.surfaces = [d.surface for d in domains]
     return CompiledScene(scene, room, domains, plates)
+
+
+def compile_room(scene: Scene) -> LayoutProblem:
+    """The room's problem alone, without what is asked of surfaces and of those who walk there."""
+    return _compile_room(scene, poses_of(scene)[0])[0]
+
+
+def _compile_room(scene: Scene, home: np.ndarray) -> tuple[LayoutProblem, StandIns]:
+    """The room's problem, and the stand-ins of its free areas."""
+    plates = stand_ins(scene, home)
+    objects, stated = [*scene.objects, *plates.objects], list(enumerate(scene.relations))
+    home = np.concatenate([home, np.array(plates.home, dtype=np.float64).reshape(-1, 4)])
+    return _compile(objects, home, room_region(scene.room), stated, scene.room, plates), plates
 
 
 def _targets(rel: Relation) -> set[str]:

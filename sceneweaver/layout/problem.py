@@ -21,6 +21,7 @@ from sceneweaver.scene import InputError, Scene
 from .arrays import Array, HostArray, SharesMemory, from_dlpack, handed_out, poses_from
 from .batch import make_batch
 from .compile import CompiledScene, LayoutProblem, compile_scene
+from .derivatives import Differentiable
 from .devices import pick_devices
 from .measure import KINDS, batch_at, energy_of, feasible_of, items_on, residuals_of, shares_of, violations_of
 from .metadata import Metadata, bounds_of, freedom_of, metadata_of
@@ -53,7 +54,7 @@ class Terms(Generic[A]):
     violation: A
 
 
-class Problem:
+class Problem(Differentiable):
     """The layout problem of one or several scenes: a function of poses that is zero where a layout is in order.
 
     Poses are [B, N, 4] float32: x, y, z [m] and yaw [rad] of N objects, in the scene's order and in the room's frame.

@@ -66,16 +66,16 @@ def leave_term(name: str) -> None:
     user.unregister_residual(TERMS.pop(name).feature)
 
 
-def compiled_terms(frame: Frame) -> list[CompiledRelation]:
-    """What the terms mean in a room: a soft condition that belongs to no relation, for each object or pair."""
+def compiled_terms(frame: Frame) -> list[tuple[str, CompiledRelation]]:
+    """What the terms mean in a room, by name: a soft condition that belongs to no relation, for each object or pair."""
     found = []
-    for term in TERMS.values():
+    for name, term in TERMS.items():
         row = _row(term.feature, term.params, term.scale, 0.0)
         for i, subject in enumerate(frame.objects):
             if subject.category not in term.subjects:
                 continue
             for j in _partners(frame, term, i):
-                found.append(CompiledRelation((i, j, -1), [[row]], SOFT_WEIGHT * term.weight, 0, False))
+                found.append((name, CompiledRelation((i, j, -1), [[row]], SOFT_WEIGHT * term.weight, 0, False)))
     return found
 
 
