@@ -30,12 +30,14 @@ MOST, QUICK_MOST = 24, 4  # parameters of a kind that are looked at in one probl
 STEP = {"relation": 8e-3, "size": 8e-3, "outline": 8e-3, "opening": 8e-3, "weight": 0.25, "term": 0.25}
 DEGREES = 0.5
 FLOOR = 0.1  # share of a kind's largest slope in a problem, below which errors are shares of that
-FINE = 2e-3  # by how much, as such a share, slopes over two steps may differ, where no kink is near
+LEAST = 0.01  # [m/m, m/rad] below which a slope is below what float32 leaves of a difference
+FINE = 5e-4  # by how much, as such a share, slopes over two steps may differ, where no kink is near
 
 COLUMNS = (
     Column("kind", "kind"),
     Column("problems", "problems", "count"),
     Column("samples", "samples", "count"),
+    Column("sloped", "of which above 0.01", "count"),
     Column("kinks", "at kinks, left out", "count"),
     Column("lost", "without derivative", "count"),
     Column("median", "median error", "number"),
@@ -64,9 +66,14 @@ class Compared:
 
     @property
     def errors(self) -> np.ndarray:
-        """Errors [sample] as shares of the slope, of small ones as shares of `FLOOR` times the largest."""
-        size = np.abs(self.expected)
-        return np.abs(self.found - self.expected) / np.maximum(size, FLOOR * size.max(initial=1e-9))
+        """Errors [sample] as shares of `sizes_of` the slopes."""
+        return np.abs(self.found - self.expected) / sizes_of(self.expected)
+
+
+def sizes_of(slopes: np.ndarray) -> np.ndarray:
+    """What errors of slopes are shares of: their size, of small ones `FLOOR` times the largest, or `LEAST`."""
+    size = np.abs(slopes)
+    return np.maximum(size, max(LEAST, FLOOR * size.max(initial=0.0)))
 
 
 @contextmanager
@@ -127,7 +134,10 @@ def compare(name: str, problem: sw.Problem, kind: str, poses: np.ndarray, most: 
             values = base.copy()
             values[places[i]] += h
             try:
-                sides.append((energies(problem.at({kind: values}), poses) - here).sum(axis=1) / h)
+                there = energies(problem.at({kind: values}), poses)
+                # items come and go where a number is no longer that of a neighbour
+                rise = (there - here).sum(1) if there.shape == here.shape else there.sum(1) - here.sum(1)
+                sides.append(rise / h)
             except sw.InputError:  # an opening that would leave its wall, say
                 break
         if len(sides) < 4:
@@ -135,13 +145,13 @@ def compare(name: str, problem: sw.Problem, kind: str, poses: np.ndarray, most: 
         ahead, behind, half_ahead, half_behind = sides
         whole, half = 0.5 * (ahead + behind), 0.5 * (half_ahead + half_behind)
         bend = np.maximum(np.abs(whole - half), 0.5 * np.abs((ahead - behind) - 2.0 * (half_ahead - half_behind)))
-        rows.append((found[(slice(None), *places[i][1:])], whole, bend, labels[i]))
+        unit = np.degrees(1.0) if labels[i].endswith("degrees") else 1.0
+        rows.append((unit * found[(slice(None), *places[i][1:])], unit * whole, unit * bend, labels[i]))
     if not rows:
         return Compared(name, kind, np.zeros(0), np.zeros(0), [], 0, 0)
     slopes, expected, bend = (np.stack([row[c] for row in rows]) for c in range(3))  # pyright: ignore[reportCallIssue, reportArgumentType]
     lost = np.isnan(slopes)
-    scale = np.maximum(np.abs(expected), FLOOR * np.abs(expected).max())
-    kinks = ~lost & (bend > FINE * np.maximum(scale, 1e-9))
+    kinks = ~lost & (bend > FINE * sizes_of(expected))
     used = ~lost & ~kinks
     names = [row[3] for row in rows]
     where = [names[i] for i, _ in np.argwhere(used).tolist()]
@@ -153,8 +163,8 @@ def run(settings: Settings, judge: Judge) -> Result:
     about = (
         "Derivatives of the energy by parameters (`problem.parameter_gradient`) beside central differences of problems "
         f"compiled anew, in {len(scenes())} problems: rooms of `tests/zoo`, examples, and made ones. Errors are shares "
-        f"of the slope, of slopes below {FLOOR:g} of the largest of their kind in a problem shares of that. Samples "
-        "are left out as lying at kinks where differences over two steps disagree."
+        f"of the slope, of slopes below {FLOOR:g} of the largest of their kind in a problem shares of that; angles are "
+        "radians. Samples are left out as lying at kinks where differences over two steps disagree."
     )
     result = Result("derivatives", "Derivatives", about)
     table = result.add("kinds", "Errors by kind of parameter", COLUMNS)
@@ -179,6 +189,7 @@ def run(settings: Settings, judge: Judge) -> Result:
                 "kind": kind,
                 "problems": sum(part.errors.size > 0 for part in parts),
                 "samples": errors.size,
+                "sloped": sum(int((np.abs(part.expected) > LEAST).sum()) for part in parts),
                 "kinks": sum(part.kinks for part in parts),
                 "lost": sum(part.lost for part in parts),
                 "median": float(np.median(errors)) if errors.size else 0.0,

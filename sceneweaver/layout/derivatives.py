@@ -20,8 +20,10 @@ from .arrays import Array, poses_from
 from .compile import CompiledScene, LayoutProblem, compile_scene
 from .differences import difference
 from .jacobian import Jacobian, entries_on, jacobian_of, weight_slopes
+from .pack import PULL
 from .pack import WEIGHTS as WEIGHT
 from .parameters import KINDS, WEIGHTS, Parameters, Slot, parameters_of, scene_with, slots_of
+from .sensitivity import Objective, Stationary, right_side, stationary_energy, stationary_projection
 
 if TYPE_CHECKING:
     from .problem import Problem
@@ -168,6 +170,70 @@ class Differentiable:
             return self.parameter_slopes(*self._read(moved, several), None, 0, kinds).numpy()
 
         return self._by_kind(difference(np, slopes, slopes(x), x, v), rows, kinds)
+
+    def sensitivity(
+        self: Problem,
+        poses: Array,
+        which: Array | None = None,
+        *,
+        of: str | Iterable[str],
+        anchors: Array | None = None,
+        objective: Objective = "projection",
+        pull: float = PULL,
+    ) -> dict[str, np.ndarray]:
+        """How solved layouts move when a parameter moves: their derivatives by the parameters of their scenes.
+
+        Args:
+            poses, which: layouts that are solved: projected, or of least energy.
+            of: one kind of parameters or several, see `Parameters`.
+            anchors: [B, N, 4]: what was projected; the rows under force hold, and what no force acts on stays. Left
+                out, all that is active at a layout (contacts, ends of intervals) stays at its limit, by the least
+                movement.
+            objective: "projection", or "energy": the least of `energy`, and of ``pull`` times half the squared
+                distance of coordinates from anchors that need not be given.
+            pull: [1/m], 0: none; then what nothing pulls stays.
+
+        Returns:
+            float64 by kind, [B, N, 4, ...] with the dimensions of a scene's parameters behind: "size" [B, N, 4, N, 3].
+            What is carried moves along. NaN where a row, or the compiler, has a kink to both sides.
+
+        Raises:
+            InputError: no such kind or objective, or as for `energy`.
+
+        Examples:
+            >>> import sceneweaver as sw
+            >>> problem = sw.compile(sw.Scene.example("bedroom"), device="cpu")
+            >>> moves = problem.sensitivity(problem.home, of="outline")["outline"]
+            >>> moves.shape == (1, problem.objects, 4, 4, 2)
+            True
+        """
+        if objective not in ("projection", "energy"):
+            raise InputError(f'objective: {objective!r}; give "projection" or "energy"')
+        given, rows = self._read(poses, which)
+        kinds, scenes = kinds_of(of), np.asarray(rows.numpy(), dtype=np.int32)
+        near = None if anchors is None else poses_from(anchors, self.objects, self.device).numpy()
+        shapes = {kind: self.parameters.values[kind].shape[1:] for kind in kinds}
+        found = {kind: np.zeros((len(scenes), self.objects, 4, *shape)) for kind, shape in shapes.items()}
+        for b, (layout, scene) in enumerate(zip(given.numpy(), scenes.tolist(), strict=True)):
+            equation = self.stationary(layout, None if near is None else near[b], scene, objective, pull)
+            slots = [slot for slot in self._slots[scene] if slot.kind in kinds]
+            moved = equation.moves(right_side(equation, slots, objective))
+            for slot, move in zip(slots, moved, strict=True):
+                found[slot.kind][(b, slice(None), slice(None), *slot.index)] = move
+        return found
+
+    def stationary(
+        self: Problem,
+        poses: np.ndarray,
+        anchor: np.ndarray | None,
+        scene: int,
+        objective: Objective = "projection",
+        pull: float = PULL,
+    ) -> Stationary:
+        """The equation that one solved layout [N, 4] solves; arguments as for `sensitivity`."""
+        if objective == "energy":
+            return stationary_energy(self, poses, pull, scene)
+        return stationary_projection(self, poses, anchor, scene)
 
     # What follows takes flat values [F] of all parameters, kind after kind, or slopes [B, P] by those of a scene.
 
