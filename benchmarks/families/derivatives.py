@@ -31,7 +31,8 @@ STEP = {"relation": 8e-3, "size": 8e-3, "outline": 8e-3, "opening": 8e-3, "weigh
 DEGREES = 0.5
 FLOOR = 0.1  # share of a kind's largest slope in a problem, below which errors are shares of that
 LEAST = 0.01  # [m/m, m/rad] below which a slope is below what float32 leaves of a difference
-FINE = 5e-4  # by how much, as such a share, slopes over two steps may differ, where no kink is near
+FINE = 5e-4  # share of a slope, at least of `NOISY`, by which those over two steps may differ where no kink is near
+NOISY = 0.2  # [m/m, m/rad]
 
 COLUMNS = (
     Column("kind", "kind"),
@@ -151,7 +152,7 @@ def compare(name: str, problem: sw.Problem, kind: str, poses: np.ndarray, most: 
         return Compared(name, kind, np.zeros(0), np.zeros(0), [], 0, 0)
     slopes, expected, bend = (np.stack([row[c] for row in rows]) for c in range(3))  # pyright: ignore[reportCallIssue, reportArgumentType]
     lost = np.isnan(slopes)
-    kinks = ~lost & (bend > FINE * sizes_of(expected))
+    kinks = ~lost & (bend > FINE * np.maximum(np.abs(expected), NOISY))
     used = ~lost & ~kinks
     names = [row[3] for row in rows]
     where = [names[i] for i, _ in np.argwhere(used).tolist()]

@@ -2,9 +2,15 @@
 
 from sceneweaver.optimizers.batch import Progress as Progress
 
+from .differences import difference as difference
 from .engine import refine as refine
 from .engine import refine_many as refine_many
+from .functional import Functional as Functional
+from .functional import bits_of as bits_of
+from .functional import kinds_from as kinds_from
 from .improve import improve as improve
+from .parameters import KINDS as PARAMETER_KINDS
+from .parameters import Parameters as Parameters
 from .problem import Problem as Problem
 from .problem import Terms as Terms
 from .problem import compile as compile
@@ -19,17 +25,23 @@ from .stepwise import find_optimizer as find_optimizer
 from .stepwise import step_optimizer as step_optimizer
 
 __all__ = [
+    "PARAMETER_KINDS",
     "BuiltIn",
+    "Functional",
+    "Parameters",
     "Problem",
     "Progress",
     "QualityTerm",
     "Solution",
     "StepOptimizer",
     "Terms",
+    "bits_of",
     "compile",
+    "difference",
     "find_optimizer",
     "improve",
     "joined",
+    "kinds_from",
     "numbered",
     "rate",
     "refine",

@@ -216,7 +216,7 @@ class Differentiable:
         found = {kind: np.zeros((len(scenes), self.objects, 4, *shape)) for kind, shape in shapes.items()}
         for b, (layout, scene) in enumerate(zip(given.numpy(), scenes.tolist(), strict=True)):
             equation = self.stationary(layout, None if near is None else near[b], scene, objective, pull)
-            slots = [slot for slot in self._slots[scene] if slot.kind in kinds]
+            _, slots = self.slots_of(scene, kinds)
             moved = equation.moves(right_side(equation, slots, objective))
             for slot, move in zip(slots, moved, strict=True):
                 found[slot.kind][(b, slice(None), slice(None), *slot.index)] = move
@@ -280,6 +280,11 @@ class Differentiable:
         for s, (row, of_scene) in enumerate(zip(found, self._slots, strict=True)):
             row[: len(of_scene)] = [number[slot.kind][(s, *slot.index)] for slot in of_scene]
         return found
+
+    def slots_of(self: Problem, scene: int, kinds: Sequence[str]) -> tuple[list[int], list[Slot]]:
+        """The parameters of a scene that are of some kinds: their numbers there, and what they are."""
+        found = [(i, slot) for i, slot in enumerate(self._slots[scene]) if slot.kind in kinds]
+        return [i for i, _ in found], [slot for _, slot in found]
 
     def parameter_slopes(
         self: Problem,

@@ -19,7 +19,6 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 import scipy.linalg
-import scipy.optimize
 
 from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.scene import InputError
@@ -62,6 +61,8 @@ class Stationary:
     @cached_property
     def inverse(self) -> np.ndarray:
         """Of the matrix; where several movements will do, the least one."""
+        import scipy.linalg
+
         return scipy.linalg.pinv(self.matrix, rtol=SINGULAR)
 
     def moves(self, right: np.ndarray) -> np.ndarray:
@@ -116,6 +117,8 @@ def stationary_projection(problem: Problem, poses: np.ndarray, anchor: np.ndarra
     weight = movement_weights(problem.objects)[free]
     force = np.zeros(near.size)
     if anchor is not None:
+        import scipy.optimize
+
         moved = (poses - anchor).astype(np.float64)
         moved[:, 3] -= 2 * np.pi * np.round(moved[:, 3] / (2 * np.pi))
         root = np.sqrt(weight)
