@@ -31,8 +31,8 @@ STEP = {"relation": 8e-3, "size": 8e-3, "outline": 8e-3, "opening": 8e-3, "weigh
 DEGREES = 0.5
 FLOOR = 0.1  # share of a kind's largest slope in a problem, below which errors are shares of that
 LEAST = 0.01  # [m/m, m/rad] below which a slope is below what float32 leaves of a difference
-FINE = 5e-4  # share of a slope, at least of `NOISY`, by which those over two steps may differ where no kink is near
-NOISY = 0.2  # [m/m, m/rad]
+FINE = 3e-4  # share of a slope, at least of `NOISY`, by which those over two steps may differ where no kink is near
+NOISY = 0.33  # [m/m, m/rad]
 
 COLUMNS = (
     Column("kind", "kind"),

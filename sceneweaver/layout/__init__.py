@@ -6,6 +6,7 @@ from .differences import difference as difference
 from .engine import refine as refine
 from .engine import refine_many as refine_many
 from .functional import Functional as Functional
+from .functional import Joint as Joint
 from .functional import bits_of as bits_of
 from .functional import kinds_from as kinds_from
 from .improve import improve as improve
@@ -28,6 +29,7 @@ __all__ = [
     "PARAMETER_KINDS",
     "BuiltIn",
     "Functional",
+    "Joint",
     "Parameters",
     "Problem",
     "Progress",

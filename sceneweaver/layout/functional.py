@@ -161,3 +161,45 @@ class Functional:
         device = g.problem.device
         weights = None if up is None else wp.array(np.ascontiguousarray(up[g.rows]), dtype=wp.float32, device=device)
         return g.spread(g.problem.parameter_slopes(there, rows, weights, roots, self.kinds).numpy())
+
+
+class Joint:
+    """Energy [B, 1] or residuals [B, M] of coordinates u [B, U], poses and then values, with products of their
+    Jacobian J."""
+
+    def __init__(self, problem: Problem, kinds: Sequence[str], residuals: bool) -> None:
+        """Of a problem, with its parameters of some kinds."""
+        self.functional, self.of_residuals = Functional(problem, kinds), residuals
+
+    def value(self, u: np.ndarray, which: np.ndarray) -> np.ndarray:
+        """The measurement [B, M]."""
+        f = self.functional
+        return f.residuals(*self._taken(u, which))[0] if self.of_residuals else f.energy(*self._taken(u, which))[0][:, None]
+
+    def push(self, u: np.ndarray, which: np.ndarray, v: np.ndarray) -> np.ndarray:
+        """J v [B, M]."""
+        f, (poses, _, values) = self.functional, self._taken(u, which)
+        moves, _, along = self._taken(v, which)
+        if not self.of_residuals:
+            _, gradient, slope = f.energy(poses, which, values)
+            return (np.sum(gradient * moves, axis=(1, 2)) + np.sum(slope * along, axis=1))[:, None]
+        slope = f.residuals(poses, which, values)[1]
+        layout, objects = np.arange(len(u))[:, None, None], np.maximum(f.problem.item_objects[which], 0)
+        return np.sum(slope * moves[layout, objects], axis=(2, 3)) + f.residuals_along(poses, which, values, along)
+
+    def pull(self, u: np.ndarray, which: np.ndarray, w: np.ndarray) -> np.ndarray:
+        """J^T w [B, U]."""
+        f, (poses, _, values) = self.functional, self._taken(u, which)
+        if not self.of_residuals:
+            _, gradient, slope = f.energy(poses, which, values)
+            return w * np.concatenate([gradient.reshape(len(u), -1), slope], axis=1)
+        slope = f.residuals(poses, which, values)[1]
+        layout, objects = np.arange(len(u))[:, None, None], np.maximum(f.problem.item_objects[which], 0)
+        pulled = np.zeros_like(poses)
+        np.add.at(pulled, (np.broadcast_to(layout, objects.shape), objects), slope * w[:, :, None, None])
+        return np.concatenate([pulled.reshape(len(u), -1), f.residuals_pulled(poses, which, values, w)], axis=1)
+
+    def _taken(self, u: np.ndarray, which: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Poses, scenes and values of coordinates."""
+        size = 4 * self.functional.problem.objects
+        return np.ascontiguousarray(u[:, :size]).reshape(len(u), -1, 4), which, np.ascontiguousarray(u[:, size:])
