@@ -46,7 +46,9 @@ def add_wall_rows(b: Problems, c: Candidate, x: Body, n: RowCount, s: State, sys
                 elif v >= 0 and d < system.reach:
                     g = wp.vec4(normal[0], normal[1], 0.0, wp.dot(normal, perp(turn(x.turn, t[0].vertex[v]))))
                     key = KEY_WALL - (k * 32768 + v)
-                    added = add_own_row(t, c, x.obj, x.obj * ROWS + n.count, g, wanting(d, hold, system), key, s, system)
+                    added = add_own_row(
+                        t, c, x.obj, x.obj * ROWS + n.count, g, wanting(d, hold, system), key, s, system
+                    )
                     n.count += added
                     mobile += added
             if mobile > 0:

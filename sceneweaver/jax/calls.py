@@ -170,7 +170,9 @@ def projection_pulled(
     _on_host(number, kinds, lambda f: f.projection_pulled, (poses, which, values, nearest, up), (by_poses, by_values))
 
 
-def _on_host(number: int, kinds: int, measure: Callable, inputs: Sequence[wp.array], outputs: Sequence[wp.array]) -> None:
+def _on_host(
+    number: int, kinds: int, measure: Callable, inputs: Sequence[wp.array], outputs: Sequence[wp.array]
+) -> None:
     """Measure by NumPy; a problem is compiled for the values that come."""
     problem = _problem(number, inputs[0])
     with own_stream(problem.device):

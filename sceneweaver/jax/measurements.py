@@ -33,9 +33,7 @@ class Coordinates:
     def call(self, function: Any, u: jax.Array, which: jax.Array, *more: jax.Array, dims: Any) -> tuple:
         """A call of one of `calls` that takes values."""
         poses, values = self.taken(u)
-        return calls.call(
-            function, self.problem, poses, which, values, *more, output_dims=dims, kinds=self.kinds
-        )
+        return calls.call(function, self.problem, poses, which, values, *more, output_dims=dims, kinds=self.kinds)
 
 
 @dataclass(frozen=True)

@@ -1,8 +1,8 @@
 """Products with derivatives of measurements, as operations of JAX that have derivatives themselves.
 
 A measurement f maps coordinates u [B, U] of layouts (poses, then values of parameters) to numbers [B, M]. Its
-derivative J is never a matrix: ``push`` is J v, ``pull`` is J^T w, each linear in its last argument and the other turned
-round. Their own change along u is ``bend_push`` and ``bend_pull``, differences of gradients over 1 mm and 1 mrad
+derivative J is never a matrix: ``push`` is J v, ``pull`` is J^T w, each linear in its last argument and the other
+turned round. Their own change along u is ``bend_push`` and ``bend_pull``, differences of gradients over 1 mm and 1 mrad
 (`sceneweaver.layout.difference`); as second derivatives are symmetric, these are each other turned round as well. So
 everything may be differentiated twice, in any order of forwards and backwards. A third derivative raises an error.
 """
@@ -15,6 +15,7 @@ from typing import Any, NamedTuple, Protocol
 
 import jax
 import jax.numpy as jnp
+from jax.core import ShapedArray
 from jax.extend.core import Primitive
 from jax.interpreters import ad, batching, mlir
 
@@ -25,7 +26,10 @@ from sceneweaver.scene import InputError
 class Measurement(Protocol):
     """A function of coordinates, hashable: what an operation is about."""
 
-    problem: Problem
+    @property
+    def problem(self) -> Problem:
+        """What it is of."""
+        ...
 
     def hint(self, u: jax.Array, which: jax.Array) -> jax.Array:
         """What `push` and `pull` want to know of a place [B, ...]."""
@@ -77,7 +81,7 @@ def _bend_pull(u: Any, which: Any, hint: Any, w: Any, along: Any, *, of: Measure
 def _operation(name: str, compute: Callable) -> Operation:
     primitive = Primitive(f"sceneweaver_{name}")
     primitive.def_impl(jax.jit(compute, static_argnames="of"))
-    primitive.def_abstract_eval(lambda *args, of: jax.core.ShapedArray(*_shape(compute, args, of)))
+    primitive.def_abstract_eval(lambda *args, of: ShapedArray(*_shape(compute, args, of)))
     mlir.register_lowering(primitive, mlir.lower_fun(compute, multiple_results=False))
     batching.primitive_batchers[primitive] = partial(_batched, primitive)
     return Operation(primitive, compute)
@@ -103,6 +107,11 @@ PUSH, PULL = _operation("push", _push), _operation("pull", _pull)
 BEND_PUSH, BEND_PULL = _operation("bend_push", _bend_push), _operation("bend_pull", _bend_pull)
 
 
+def _nothing(value: Any) -> Any:
+    """The tangent of a constant."""
+    return ad.Zero.from_primal_value(value)  # pyright: ignore[reportAttributeAccessIssue]
+
+
 def _sum(*terms: Any) -> Any:
     """Tangents added up, those that are nothing left out."""
     found = None
@@ -118,7 +127,7 @@ def _jvp(this: Operation, bend: Operation, primals: tuple, tangents: tuple, *, o
     bent = None if type(du) is ad.Zero else bend.primitive.bind(u, which, hint, v, du, of=of)
     other = None if type(dv) is ad.Zero else this.primitive.bind(u, which, hint, dv, of=of)
     found = _sum(bent, other)
-    return value, ad.Zero.from_primal_value(value) if found is None else found
+    return value, _nothing(value) if found is None else found
 
 
 def _bend_jvp(this: Operation, primals: tuple, tangents: tuple, *, of: Measurement) -> tuple[Any, Any]:
@@ -131,7 +140,7 @@ def _bend_jvp(this: Operation, primals: tuple, tangents: tuple, *, of: Measureme
         None if type(dv) is ad.Zero else this.primitive.bind(u, which, hint, dv, along, of=of),
         None if type(da) is ad.Zero else this.primitive.bind(u, which, hint, v, da, of=of),
     )
-    return value, ad.Zero.from_primal_value(value) if found is None else found
+    return value, _nothing(value) if found is None else found
 
 
 def _turned(other: Operation, up: Any, u: Any, which: Any, hint: Any, v: Any, *, of: Measurement) -> tuple:

@@ -7,7 +7,7 @@ poses or parameters are a little different.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 import warp as wp
@@ -19,8 +19,7 @@ from sceneweaver.kernels.projection import choose_options
 from sceneweaver.optimizers import Batch, Monitor
 from sceneweaver.optimizers.projection import new_system
 
-if TYPE_CHECKING:
-    from .problem import Problem
+Problem = Any  # its module imports this one, so it cannot be named here
 
 REACH = 0.01
 """[m] clearance below which something gets a row."""
@@ -58,7 +57,11 @@ def batch_for(problem: Problem, poses: np.ndarray, which: np.ndarray) -> Batch:
         everyone = wp.array(np.arange(batch.size, dtype=np.int32), dtype=wp.int32, device=batch.device)
         load_for(choose_options, batch.device)
         wp.launch(
-            choose_options, (batch.size, batch.relations), [batch.problems, everyone], [batch.state], device=batch.device
+            choose_options,
+            (batch.size, batch.relations),
+            [batch.problems, everyone],
+            [batch.state],
+            device=batch.device,
         )
     return batch
 

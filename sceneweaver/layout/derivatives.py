@@ -6,7 +6,7 @@ from collections import OrderedDict
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import warp as wp
@@ -25,8 +25,7 @@ from .pack import WEIGHTS as WEIGHT
 from .parameters import KINDS, WEIGHTS, Parameters, Slot, parameters_of, scene_with, slots_of
 from .sensitivity import Objective, Stationary, right_side, stationary_energy, stationary_projection
 
-if TYPE_CHECKING:
-    from .problem import Problem
+Problem = Any  # its module imports this one, so it cannot be named here
 
 KEPT = 8
 """Problems at other parameters that a problem keeps."""
@@ -57,27 +56,6 @@ class Differentiable:
         if not self._compiled:
             raise InputError("parameters: this problem is that of a surface; ask the problem of its room")
         return [slots_of(scene) for scene in self.scenes]
-
-    def at(self: Problem, parameters: Mapping[str, Any]) -> Problem:
-        """The problem with other values of some parameters, compiled anew; the last few are kept.
-
-        Args:
-            parameters: arrays by kind, as in `parameters`; what is left out stays. Problems at other values are about
-                scenes with those, and poses mean the same to all of them.
-
-        Raises:
-            InputError: no such kind, another shape, a number outside of its bounds, or an impossible room.
-
-        Examples:
-            >>> import sceneweaver as sw
-            >>> problem = sw.compile(sw.Scene.example("bedroom"), device="cpu")
-            >>> wider = problem.parameters.values["size"] * 1.05
-            >>> problem.at({"size": wider}).scenes[0].objects[0].size[1] > problem.scenes[0].objects[0].size[1]
-            True
-        """
-        return self.at_flat(
-            np.concatenate([v.ravel() for v in (self.parameters.merged(parameters)[kind] for kind in KINDS)])
-        )
 
     def energy_at(self: Problem, poses: Array, parameters: Mapping[str, Any], which: Array | None = None) -> Any:
         """Energy [B] [m] of layouts at other values of some parameters: ``problem.at(parameters).energy(poses)``."""
@@ -335,7 +313,7 @@ class Differentiable:
             ]
             offset = np.zeros(self.slots.shape, dtype=np.float32)
             for row, jacobian in zip(offset, jacobians, strict=True):
-                row[: jacobian.lost.size][jacobian.lost] = np.nan
+                np.asarray(row)[: jacobian.lost.size][jacobian.lost] = np.nan
             entries = entries_on(jacobians, self.device)
             self._entries_of[kinds] = entries, wp.array(offset, dtype=wp.float32, device=self.device)
         return self._entries_of[kinds]

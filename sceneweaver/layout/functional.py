@@ -154,9 +154,7 @@ class Functional:
         there = wp.array(np.ascontiguousarray(poses[g.rows]), dtype=wp.vec4, device=device)
         return there, wp.array(which[g.rows].astype(np.int32), dtype=wp.int32, device=device)
 
-    def _pulled(
-        self, g: Group, poses: np.ndarray, which: np.ndarray, up: np.ndarray | None, roots: int
-    ) -> np.ndarray:
+    def _pulled(self, g: Group, poses: np.ndarray, which: np.ndarray, up: np.ndarray | None, roots: int) -> np.ndarray:
         there, rows = self._on_device(g, poses, which)
         device = g.problem.device
         weights = None if up is None else wp.array(np.ascontiguousarray(up[g.rows]), dtype=wp.float32, device=device)
@@ -174,7 +172,11 @@ class Joint:
     def value(self, u: np.ndarray, which: np.ndarray) -> np.ndarray:
         """The measurement [B, M]."""
         f = self.functional
-        return f.residuals(*self._taken(u, which))[0] if self.of_residuals else f.energy(*self._taken(u, which))[0][:, None]
+        return (
+            f.residuals(*self._taken(u, which))[0]
+            if self.of_residuals
+            else f.energy(*self._taken(u, which))[0][:, None]
+        )
 
     def push(self, u: np.ndarray, which: np.ndarray, v: np.ndarray) -> np.ndarray:
         """J v [B, M]."""

@@ -60,6 +60,11 @@ class Parameters:
         """All values [F], kind after kind."""
         return np.concatenate([self.values[kind].ravel() for kind in KINDS])
 
+    def flattened(self, changes: Mapping[str, Any]) -> np.ndarray:
+        """All values [F], with those of some kinds changed; errors as for `merged`."""
+        found = self.merged(changes)
+        return np.concatenate([found[kind].ravel() for kind in KINDS])
+
     def merged(self, changes: Mapping[str, Any]) -> dict[str, np.ndarray]:
         """All values, with those of some kinds changed.
 

@@ -15,10 +15,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Literal
+from typing import Any, Literal
 
 import numpy as np
-import scipy.linalg
 
 from sceneweaver.runtime.deadline import checkpoint
 from sceneweaver.scene import InputError
@@ -26,8 +25,7 @@ from sceneweaver.scene import InputError
 from .active_rows import NEAR, Rows, batch_for, movement_weights, rows_of
 from .parameters import WEIGHTS, Slot
 
-if TYPE_CHECKING:
-    from .problem import Problem
+Problem = Any  # its module imports this one, so it cannot be named here
 
 MOVE = 1.0e-3
 """[m, rad] by which poses go for differences of rows."""
@@ -63,12 +61,14 @@ class Stationary:
         """Of the matrix; where several movements will do, the least one."""
         import scipy.linalg
 
-        return scipy.linalg.pinv(self.matrix, rtol=SINGULAR)
+        return np.asarray(scipy.linalg.pinv(self.matrix, rtol=SINGULAR))
 
     def moves(self, right: np.ndarray) -> np.ndarray:
         """The movements [K, N, 4] that keep F where it is, by changes ``right`` [D + R, K] of it."""
-        return np.stack([self.whole(v) for v in -(self.inverse @ right)[: self.anchor.size].T]) if right.size else (
-            np.zeros((right.shape[1], *self.free.shape))
+        return (
+            np.stack([self.whole(v) for v in -(self.inverse @ right)[: self.anchor.size].T])
+            if right.size
+            else (np.zeros((right.shape[1], *self.free.shape)))
         )
 
     def whole(self, vector: np.ndarray) -> np.ndarray:
@@ -140,7 +140,9 @@ def stationary_energy(problem: Problem, poses: np.ndarray, pull: float, scene: i
     moves = np.zeros((size, *poses.shape), dtype=np.float32)
     moves[np.arange(size), *np.nonzero(free)] = 1.0
     roots = problem.roots[scene]
-    moves = np.array([along_with_roots(m, poses, roots) for m in moves], dtype=np.float32).reshape(moves.shape)
+    moves = np.array([along_with_roots(np.asarray(m), poses, roots) for m in moves], dtype=np.float32).reshape(
+        moves.shape
+    )
     which = np.full(size, scene, dtype=np.int32)
     product = problem.hessian_product(np.repeat(poses[None], size, axis=0), moves, which)
     hessian = np.einsum("inc,jnc->ij", product.astype(np.float64), moves.astype(np.float64))
@@ -162,7 +164,7 @@ def _curvature(
     size = int(free.sum())
     steps = np.zeros((size, *poses.shape), dtype=np.float32)
     steps[np.arange(size), *np.nonzero(free)] = MOVE
-    moved = np.array([along_with_roots(m, poses, problem.roots[scene]) for m in steps], dtype=np.float32)
+    moved = np.array([along_with_roots(np.asarray(m), poses, problem.roots[scene]) for m in steps], dtype=np.float32)
     both = np.concatenate([poses + moved, poses - moved])
     which = np.full(2 * size, scene, dtype=np.int32)
     found = [r.matched(keys)[1][:, free] for r in rows_of(problem, both, which, np.repeat(options, 2 * size, axis=0))]

@@ -209,10 +209,11 @@ class Last(torch.autograd.Function):
 
     @staticmethod
     def setup_context(ctx: Any, inputs: tuple, output: Any) -> None:
-        pass
+        """Keep nothing."""
 
     @staticmethod
     def backward(ctx: Any, *_: Any) -> Any:
+        """Refuse."""
         raise InputError("energy and residuals have first and second derivatives; a third one was asked for")
 
 

@@ -171,8 +171,14 @@ def test_scenes_have_to_be_said():
 @pytest.mark.parametrize(
     ("asked", "says"),
     [
-        (lambda problem: jax.grad(lambda x: swj.energy_and_grad(problem, x)[1].sum()), "energy_and_grad has no derivative"),
-        (lambda problem: jax.hessian(lambda x: swj.project(problem, x).sum()), "forward-mode|second derivatives of project"),
+        (
+            lambda problem: jax.grad(lambda x: swj.energy_and_grad(problem, x)[1].sum()),
+            "energy_and_grad has no derivative",
+        ),
+        (
+            lambda problem: jax.hessian(lambda x: swj.project(problem, x).sum()),
+            "forward-mode|second derivatives of project",
+        ),
         (lambda problem: jax.grad(lambda x: third(problem, x)), "third derivatives are not available"),
     ],
     ids=["gradient", "project", "third"],
@@ -184,7 +190,9 @@ def test_what_has_no_derivative_says_so(asked, says):
 
 
 def third(problem, x):
-    penalty = lambda y: (jax.grad(lambda z: swj.energy(problem, z))(y) ** 2).sum()
+    def penalty(y):
+        return (jax.grad(lambda z: swj.energy(problem, z))(y) ** 2).sum()
+
     return (jax.grad(penalty)(x) ** 2).sum()
 
 

@@ -63,7 +63,9 @@ def test_second_derivatives_of_residuals_do_not_depend_on_the_order():
         np.testing.assert_allclose(other(layout), first, atol=2e-3 * float(jnp.abs(first).max()))
 
 
-@pytest.mark.parametrize("kind", ["size", *(pytest.param(k, marks=pytest.mark.slow) for k in ("weight", "relation", "outline"))])
+@pytest.mark.parametrize(
+    "kind", ["size", *(pytest.param(k, marks=pytest.mark.slow) for k in ("weight", "relation", "outline"))]
+)
 def test_derivatives_by_parameters(kind):
     problem, poses = small()
 
@@ -88,7 +90,10 @@ def test_derivatives_by_parameters(kind):
 @pytest.mark.slow
 def test_residuals_forwards_and_backwards_by_parameters():
     problem, poses = small()
-    total = lambda v: (swj.residuals(problem, jnp.asarray(poses), parameters={"size": v}) ** 2).sum()
+
+    def total(v):
+        return (swj.residuals(problem, jnp.asarray(poses), parameters={"size": v}) ** 2).sum()
+
     along = jnp.ones_like(of("size"))
     _, forwards = jax.jvp(total, (of("size"),), (along,))
     np.testing.assert_allclose(forwards, (jax.grad(total)(of("size")) * along).sum(), rtol=1e-4)
@@ -97,7 +102,10 @@ def test_residuals_forwards_and_backwards_by_parameters():
 def test_a_projection_moves_with_the_room():
     problem, poses = small()
     weight = jnp.asarray(np.random.default_rng(3).normal(size=poses.shape), dtype=jnp.float32)
-    total = lambda x, walls: (swj.project(problem, x, parameters={"outline": walls}) * weight).sum()
+
+    def total(x, walls):
+        return (swj.project(problem, x, parameters={"outline": walls}) * weight).sum()
+
     by_poses, by_walls = jax.jit(jax.grad(total, argnums=(0, 1)))(jnp.asarray(poses), of("outline"))
     solved = problem.project(poses)
     moves = problem.sensitivity(solved, of="outline", anchors=poses)["outline"]

@@ -1,4 +1,4 @@
-"""Derivatives by parameters, second ones, and of solved layouts, beside differences of what is compiled and solved anew.
+"""Derivatives by parameters, second ones, and of solved layouts, beside differences of what is made and solved anew.
 
 ``python -m benchmarks derivatives`` compares twenty problems.
 """
