@@ -98,7 +98,7 @@ def add_contact_rows(
                                 g[0] = wp.vec4(-out[0], -out[1], 0.0, -wp.dot(out, perp(point - first.at)))
                                 g[1] = wp.vec4(out[0], out[1], 0.0, wp.dot(out, perp(point - second.at)))
                                 who = wp.vec3i(x.obj, other.obj, -1)
-                                want = wanting(d, contact.hold)
+                                want = wanting(d, contact.hold, system)
                                 key = parting.face * 32768 + v
                                 added = add_row(t, c, x.obj * ROWS + n.count, who, g, want, key, s, system)
                                 n.count += added

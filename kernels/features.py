@@ -223,6 +223,12 @@ def user_value(kind: wp.int32, a: wp.vec4, b: wp.vec4, size_a: wp.vec3, size_b: 
 
 
 @wp.func(inline=False)
+def user_residual(kind: wp.int32, a: wp.vec4, b: wp.vec4, size_a: wp.vec3, size_b: wp.vec3, p: wp.vec4):
+    """`user_value` for other modules, which would keep the one that they imported."""
+    return user_value(kind, a, b, size_a, size_b, p)
+
+
+@wp.func(inline=False)
 def user_feature(kind: wp.int32, role: wp.int32, a: wp.vec4, b: wp.vec4, size_a: wp.vec3, size_b: wp.vec3, p: wp.vec4):
     """A user's residual and its gradient by central differences (Warp cannot differentiate inside nested functions)."""
     grad = wp.vec4(0.0, 0.0, 0.0, 0.0)

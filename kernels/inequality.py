@@ -42,6 +42,7 @@ class InequalitySystem:
     """
 
     reach: wp.float32  # [m] clearance below which something gets a row
+    plain: wp.int32  # 1: goals are what rows lack of `SLACK`, of those as well that may stay as they are
     rows: wp.array2d(dtype=Inequality)  # [candidate, slot]
     keys: wp.array2d(dtype=wp.int32)  # [candidate, slot]
     force: wp.array2d(dtype=wp.float32)  # [candidate, slot]
@@ -143,12 +144,12 @@ def add_own_row(
 
 
 @wp.func
-def wanting(clearance: wp.float32, hold: wp.float32):
+def wanting(clearance: wp.float32, hold: wp.float32, system: InequalitySystem):
     """What a clearance is to gain: when it is violated, enough for a little more than the limit.
 
     Contacts that the verdict accepts keep what they have, so that what is in order need not move.
     """
     want = hold + SLACK - clearance
-    if clearance >= hold + CONTENT:
+    if clearance >= hold + CONTENT and system.plain == 0:
         want = wp.min(want, 0.0)
     return want

@@ -46,7 +46,9 @@ def add_wall_rows(b: Problems, c: Candidate, x: Body, n: RowCount, s: State, sys
                 elif v >= 0 and d < system.reach:
                     g = wp.vec4(normal[0], normal[1], 0.0, wp.dot(normal, perp(turn(x.turn, t[0].vertex[v]))))
                     key = KEY_WALL - (k * 32768 + v)
-                    added = add_own_row(t, c, x.obj, x.obj * ROWS + n.count, g, wanting(d, hold), key, s, system)
+                    added = add_own_row(
+                        t, c, x.obj, x.obj * ROWS + n.count, g, wanting(d, hold, system), key, s, system
+                    )
                     n.count += added
                     mobile += added
             if mobile > 0:
@@ -84,7 +86,7 @@ def add_height_rows(b: Problems, c: Candidate, x: Body, n: RowCount, s: State, s
             n.missed += wp.max(b.margins.bounds_hold - clear, 0.0)
             if clear < system.reach and n.count < ROWS:
                 g = wp.vec4(0.0, 0.0, rise, 0.0)
-                want = wanting(clear, b.margins.bounds_hold)
+                want = wanting(clear, b.margins.bounds_hold, system)
                 n.count += add_own_row(t, c, x.obj, x.obj * ROWS + n.count, g, want, key, s, system)
     return n
 
@@ -148,7 +150,7 @@ def add_relation_rows(t: TablesRef, c: Candidate, subject: Body, n: RowCount, s:
                         added = int(1)
                         inset = wp.min(SLACK, 0.4 * width)
                         want = inset - clear
-                        if clear > 0.1 * inset:
+                        if clear > 0.1 * inset and system.plain == 0:
                             want = wp.min(want, 0.0)
                         if n.count < ROWS:
                             key = KEY_RELATION + 2 * k + side

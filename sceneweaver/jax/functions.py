@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import cache, partial
 from math import prod
 from typing import Any
@@ -14,25 +14,35 @@ import warp as wp
 from jax.core import Tracer
 from jax.typing import ArrayLike
 
-from sceneweaver.layout import Problem
+from sceneweaver.layout import PARAMETER_KINDS, Problem, bits_of
 from sceneweaver.scene import InputError
 
 from . import calls
+from .measurements import EnergyOf, ProjectionOf, ResidualsOf, measure, nearest
 
 Array = jax.Array | np.ndarray
 
 
-def energy(problem: Problem, poses: Array, which: ArrayLike | None = None) -> jax.Array:
-    """Energy [...] float32 [m] of layouts [..., N, 4]: `Problem.energy`, differentiable once, forwards and backwards.
+def energy(
+    problem: Problem,
+    poses: Array,
+    which: ArrayLike | None = None,
+    parameters: Mapping[str, Array] | None = None,
+) -> jax.Array:
+    """Energy [...] float32 [m] of layouts [..., N, 4]: `Problem.energy`, differentiable twice, forwards and backwards.
+
+    The second derivative is a difference of gradients over 1 mm and 1 mrad, at a kink that of one side.
 
     Args:
         problem: from `sceneweaver.compile`; static under ``jit``.
         poses: x, y, z [m] and yaw [rad], float32.
         which: the scene of each layout, whole numbers that broadcast against the leading dimensions; numbers out of
             range count as the nearest. Left out, [B, N, 4] has equal parts, scene after scene.
+        parameters: other values of some kinds of `Problem.parameters`, of the shapes there, for all layouts; the energy
+            is differentiable by them as well. A scene is compiled anew for values that were not seen lately.
 
     Raises:
-        InputError: another shape or type of number, or no ``which`` where it takes one.
+        InputError: another shape or type of number, or no ``which`` where it takes one; a third derivative.
 
     Examples:
         >>> import jax, sceneweaver as sw, sceneweaver.jax as swj
@@ -40,8 +50,11 @@ def energy(problem: Problem, poses: Array, which: ArrayLike | None = None) -> ja
         >>> poses = swj.sample(problem, jax.random.key(0), 8)
         >>> jax.jit(jax.vmap(jax.grad(lambda x: swj.energy(problem, x))))(poses).shape == poses.shape
         True
+        >>> by_size = jax.grad(lambda size: swj.energy(problem, poses, parameters={"size": size}).sum())
+        >>> by_size(problem.parameters.values["size"]).shape == problem.parameters.values["size"].shape
+        True
     """
-    return _flat(_energy, problem, poses, which)
+    return _measured(EnergyOf, problem, poses, which, parameters)[..., 0]
 
 
 def energy_and_grad(problem: Problem, poses: Array, which: ArrayLike | None = None) -> tuple[jax.Array, jax.Array]:
@@ -60,10 +73,15 @@ def energy_and_grad(problem: Problem, poses: Array, which: ArrayLike | None = No
     return _flat(_measured_energy, problem, poses, which)
 
 
-def residuals(problem: Problem, poses: Array, which: ArrayLike | None = None) -> jax.Array:
+def residuals(
+    problem: Problem,
+    poses: Array,
+    which: ArrayLike | None = None,
+    parameters: Mapping[str, Array] | None = None,
+) -> jax.Array:
     """Residuals [..., M] in metres: `Problem.residuals`; ``jacfwd``, ``jacrev`` and least-squares solvers take it.
 
-    The energy is the sum of their squares over 0.1 m. Errors as for `energy`.
+    The energy is the sum of their squares over 0.1 m. Arguments, derivatives and errors as for `energy`.
 
     Examples:
         >>> import jax, sceneweaver as sw, sceneweaver.jax as swj
@@ -75,7 +93,7 @@ def residuals(problem: Problem, poses: Array, which: ArrayLike | None = None) ->
         >>> jax.jacrev(lambda x: swj.residuals(problem, x))(poses[0]).shape == (problem.items, problem.objects, 4)
         True
     """
-    return _flat(_residuals, problem, poses, which)
+    return _measured(ResidualsOf, problem, poses, which, parameters)
 
 
 def feasible(problem: Problem, poses: Array, which: ArrayLike | None = None) -> jax.Array:
@@ -91,8 +109,17 @@ def feasible(problem: Problem, poses: Array, which: ArrayLike | None = None) -> 
     return _flat(_launch_feasible, problem, jax.lax.stop_gradient(poses), which)  # yes or no does not change gradually
 
 
-def project(problem: Problem, poses: Array, which: ArrayLike | None = None) -> jax.Array:
-    """The feasible layouts [..., N, 4] nearest to poses: `Problem.project`. It has no derivative. Errors as above.
+def project(
+    problem: Problem,
+    poses: Array,
+    which: ArrayLike | None = None,
+    parameters: Mapping[str, Array] | None = None,
+) -> jax.Array:
+    """The feasible layouts [..., N, 4] nearest to poses: `Problem.project`, differentiable once, backwards.
+
+    The derivative is that of the equation that nearest layouts solve, see `Problem.sensitivity`: by the coordinates of
+    poses that are free, and by ``parameters``. It is worked out on the host, layout by layout. Arguments and errors as
+    for `energy`.
 
     Examples:
         >>> import jax, sceneweaver as sw, sceneweaver.jax as swj
@@ -101,8 +128,12 @@ def project(problem: Problem, poses: Array, which: ArrayLike | None = None) -> j
         >>> near = swj.project(problem, poses)
         >>> bool((swj.energy(problem, near) <= swj.energy(problem, poses)).all())
         True
+        >>> walls = problem.parameters.values["outline"]
+        >>> north = lambda o: swj.project(problem, poses[:1], parameters={"outline": o})[..., 1].mean()
+        >>> bool(jax.numpy.isfinite(jax.grad(north)(walls)).all())
+        True
     """
-    return _flat(_projected, problem, poses, which)
+    return _measured(ProjectionOf, problem, poses, which, parameters)
 
 
 def sample(problem: Problem, key: Array, count: int) -> jax.Array:
@@ -186,6 +217,44 @@ def unravel(problem: Problem, vector: Array, like: Array, which: ArrayLike | Non
     return _flat(_unravel, problem, like, which, rows=jnp.broadcast_to(vector, (*like.shape[:-2], vector.shape[-1])))
 
 
+def _measured(
+    kind: type[EnergyOf | ResidualsOf | ProjectionOf],
+    problem: Problem,
+    poses: Array,
+    which: ArrayLike | None,
+    parameters: Mapping[str, Array] | None,
+) -> jax.Array:
+    """A measurement of layouts, at values of parameters where there are any."""
+    kinds, values = _values(problem, parameters)
+    of = kind(problem, kinds)
+
+    def flat(problem: Problem, poses: jax.Array, which: jax.Array) -> jax.Array:
+        u = poses.reshape(len(poses), -1)
+        if values is not None:
+            u = jnp.concatenate([u, jnp.broadcast_to(values, (len(u), *values.shape))], axis=1)
+        return nearest(of, u, which) if isinstance(of, ProjectionOf) else measure(of, u, which)
+
+    return _flat(flat, problem, poses, which)
+
+
+def _values(problem: Problem, parameters: Mapping[str, Array] | None) -> tuple[int, jax.Array | None]:
+    """Values of parameters as an array [F], and the bits of their kinds."""
+    if not parameters:
+        return 0, None
+    unknown = [kind for kind in parameters if kind not in PARAMETER_KINDS]
+    if unknown:
+        raise InputError(f"parameters: no kind {unknown[0]!r}; there are {', '.join(PARAMETER_KINDS)}")
+    kinds = [kind for kind in PARAMETER_KINDS if kind in parameters]
+    rows = []
+    for kind in kinds:
+        shape = problem.parameters.values[kind].shape
+        given = jnp.asarray(parameters[kind], dtype=jnp.float32)
+        if given.shape != shape:
+            raise InputError(f"parameters: {kind} is an array of shape {given.shape}; give {shape}")
+        rows.append(_placed(problem, given).ravel())
+    return bits_of(kinds), jnp.concatenate(rows)
+
+
 def _flat(
     function: Callable, problem: Problem, poses: Array, which: ArrayLike | None, *more: Array, rows: Array | None = None
 ) -> Any:
@@ -231,27 +300,8 @@ _static = partial(jax.jit, static_argnums=0)  # without it each call from outsid
 
 
 @_static
-def _launch_energy(problem: Problem, poses: jax.Array, which: jax.Array) -> tuple[jax.Array, jax.Array]:
-    dims = {"energy": poses.shape[:1], "gradient": poses.shape[:2]}
-    energies, gradients = calls.call(calls.energy, problem, poses, which, output_dims=dims)
-    return energies, gradients
-
-
-@_static
-def _launch_residuals(problem: Problem, poses: jax.Array, which: jax.Array) -> tuple[jax.Array, jax.Array]:
-    dims = {"residual": (len(poses), problem.items), "slope": (len(poses), problem.items, 3)}
-    values, slopes = calls.call(calls.residuals, problem, poses, which, output_dims=dims)
-    return values, slopes
-
-
-@_static
 def _launch_feasible(problem: Problem, poses: jax.Array, which: jax.Array) -> jax.Array:
     return calls.call(calls.feasible, problem, poses, which, output_dims=poses.shape[:1])[0]
-
-
-@_static
-def _launch_project(problem: Problem, poses: jax.Array, which: jax.Array) -> jax.Array:
-    return calls.call(calls.project, problem, poses, which, output_dims=poses.shape[:2])[0]
 
 
 @_static
@@ -259,50 +309,15 @@ def _launch_sample(problem: Problem, rng: jax.Array, which: jax.Array) -> jax.Ar
     return calls.call(calls.sample, problem, rng, which, output_dims=(len(rng), problem.objects))[0]
 
 
-def _without_derivative(function: Callable, says: str) -> Callable:
-    """The function, with one line where JAX asks for a derivative of it."""
-
-    @partial(jax.custom_jvp, nondiff_argnums=(0,))
-    def measured(problem: Problem, poses: jax.Array, which: jax.Array) -> Any:
-        return function(problem, poses, which)
-
-    @measured.defjvp
-    def _(problem: Problem, primals: tuple, tangents: tuple) -> Any:
-        raise InputError(f"{says}; jax.lax.stop_gradient takes it as a constant")
-
-    return measured
-
-
-_ONCE = "second derivatives are not available: energy and residuals are differentiable once"
-_measured_energy = _without_derivative(_launch_energy, _ONCE)
-_measured_residuals = _without_derivative(_launch_residuals, _ONCE)
-_projected = _without_derivative(_launch_project, "project has no derivative")
-
-
 @partial(jax.custom_jvp, nondiff_argnums=(0,))
-def _energy(problem: Problem, poses: jax.Array, which: jax.Array) -> jax.Array:
-    return _launch_energy(problem, poses, which)[0]
+def _measured_energy(problem: Problem, poses: jax.Array, which: jax.Array) -> tuple[jax.Array, jax.Array]:
+    energies, gradients = EnergyOf(problem).measured(poses.reshape(len(poses), -1), which)
+    return energies[:, 0], gradients.reshape(poses.shape)
 
 
-@_energy.defjvp
-def _energy_jvp(problem: Problem, primals: tuple, tangents: tuple) -> tuple[jax.Array, jax.Array]:
-    """The derivative along a tangent is linear in it, so JAX turns it round for ``grad`` itself."""
-    value, gradient = _measured_energy(problem, *primals)
-    return value, jnp.sum(gradient * tangents[0], axis=(1, 2))
-
-
-@partial(jax.custom_jvp, nondiff_argnums=(0,))
-def _residuals(problem: Problem, poses: jax.Array, which: jax.Array) -> jax.Array:
-    return _launch_residuals(problem, poses, which)[0]
-
-
-@_residuals.defjvp
-def _residuals_jvp(problem: Problem, primals: tuple, tangents: tuple) -> tuple[jax.Array, jax.Array]:
-    """Each item moves with its three objects at most."""
-    value, slope = _measured_residuals(problem, *primals)
-    objects = jnp.maximum(jnp.asarray(problem.item_objects)[primals[1]], 0)  # slopes of missing ones are zero
-    moved = jax.vmap(lambda tangent, rows: tangent[rows])(tangents[0], objects)
-    return value, jnp.sum(slope * moved, axis=(2, 3))
+@_measured_energy.defjvp
+def _(problem: Problem, primals: tuple, tangents: tuple) -> Any:
+    raise InputError("energy_and_grad has no derivative; take those of energy, or jax.lax.stop_gradient of it")
 
 
 def _carry(problem: Problem, poses: jax.Array, which: jax.Array, like: jax.Array | None = None) -> jax.Array:

@@ -45,8 +45,7 @@ class LayoutProblem:
     relations first (``relation_ids`` names them), then what the engine adds: riders (conditions that belong to a
     relation before them), the mountings of wall objects, and terms of the user's own. ``walker`` is the
     radius [m] of who has to get about, where the scene says one. ``yaws`` are the yaws [rad] that each object may take,
-    in the problem's frame; none: any. ``packed`` keeps by device
-    tables with it and its number there, see `make_batch`.
+    in the problem's frame; none: any. ``packed`` keeps by device tables with it and its number there, see `make_batch`.
     """
 
     ids: list[str]
@@ -340,13 +339,23 @@ def compile_scene(scene: Scene, *, terms: bool = True) -> CompiledScene:
         objects = [scene.objects[i] for i in members]
         problem = _compile(objects, local, region, relations, None)
         domains.append(Domain(SupportSurface(supporter, z, members), problem))
-    plates = stand_ins(scene, home)
-    objects, stated = [*scene.objects, *plates.objects], list(enumerate(scene.relations))
-    home = np.concatenate([home, np.array(plates.home, dtype=np.float64).reshape(-1, 4)])
-    room = _compile(objects, home, room_region(scene.room), stated, scene.room, plates, terms)
+    room, plates = _compile_room(scene, home, terms)
     room.faulty, room.walker = faulty, walker(scene)
     room.surfaces = [d.surface for d in domains]
     return CompiledScene(scene, room, domains, plates)
+
+
+def compile_room(scene: Scene) -> LayoutProblem:
+    """The room's problem alone, without what is asked of surfaces and of those who walk there."""
+    return _compile_room(scene, poses_of(scene)[0])[0]
+
+
+def _compile_room(scene: Scene, home: np.ndarray, terms: bool = True) -> tuple[LayoutProblem, StandIns]:
+    """The room's problem, and the stand-ins of its free areas; without ``terms`` as if the user had defined none."""
+    plates = stand_ins(scene, home)
+    objects, stated = [*scene.objects, *plates.objects], list(enumerate(scene.relations))
+    home = np.concatenate([home, np.array(plates.home, dtype=np.float64).reshape(-1, 4)])
+    return _compile(objects, home, room_region(scene.room), stated, scene.room, plates, terms), plates
 
 
 def _targets(rel: Relation) -> set[str]:

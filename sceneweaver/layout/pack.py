@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache, reduce
 from operator import or_
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 import warp as wp
@@ -16,7 +16,7 @@ from sceneweaver.kernels import tables as k
 from sceneweaver.kernels.cells import CELLS
 
 from .compile import LayoutProblem
-from .rows import Row
+from .rows import Row, Snap
 from .shapes import Prism, reach_of
 
 # The judge lets bodies sink in by 1 mm, zones by 5 mm; the verdict keeps well inside of that, the energy aims at air.
@@ -289,12 +289,10 @@ def _add_terms(columns: _Columns, problem: LayoutProblem, which: int) -> None:
         columns.add(object_terms=reduce(or_, (kinds[r] for r in mine), always))
 
 
-def pack(problems: Sequence[LayoutProblem], device: str, pools: Sequence[Sequence[np.ndarray]] | None = None) -> Packed:
-    """Concatenate the tables of problems (``kernels.tables.TABLES``) and put them on a device.
-
-    ``pools`` gives, for every surface of every problem, layouts [entries, members, 4] in the supporter's frame, the
-    same number of entries throughout; without it searches leave surfaces as they are.
-    """
+def _columns(
+    problems: Sequence[LayoutProblem], pools: Sequence[Sequence[np.ndarray]] | None
+) -> tuple[_Columns, list[Row]]:
+    """The tables of problems but for the rows of exact values, which are the second."""
     columns, exact = _Columns(), []
     for which, problem in enumerate(problems):
         first_object = columns.of["object_start"][-1]
@@ -302,9 +300,25 @@ def pack(problems: Sequence[LayoutProblem], device: str, pools: Sequence[Sequenc
         _add_place(columns, problem)
         exact += _add_relations(columns, problem, first_object)
         _add_terms(columns, problem, which)
+    return columns, exact
+
+
+def columns_of(problem: LayoutProblem) -> dict[str, list]:
+    """The tables of one problem as lists of float64, by name, without the rows of exact values."""
+    return _columns([problem], None)[0].of
+
+
+def pack(problems: Sequence[LayoutProblem], device: str, pools: Sequence[Sequence[np.ndarray]] | None = None) -> Packed:
+    """Concatenate the tables of problems (``kernels.tables.TABLES``) and put them on a device.
+
+    ``pools`` gives, for every surface of every problem, layouts [entries, members, 4] in the supporter's frame, the
+    same number of entries throughout; without it searches leave surfaces as they are.
+    """
+    columns, exact = _columns(problems, pools)
     first_exact = columns.count("row_feature")
     for row in exact:  # behind all others, which the energy reads; rows with prisms have no exact value
-        _add_row(columns, row, (row.exact.value, row.exact.alike), row.exact.within, -1)
+        snap = cast(Snap, row.exact)
+        _add_row(columns, row, (snap.value, snap.alike), snap.within, -1)
     columns.of["snap_start"] = [first_exact + start for start in columns.of["snap_start"]]
     tables = columns.arrays(device)
     tables.pool_size = len(next((entries for layouts in pools or () for entries in layouts), ()))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import count
@@ -21,6 +21,7 @@ from sceneweaver.scene import InputError, Scene
 from .arrays import Array, HostArray, SharesMemory, WarpArray, from_dlpack, handed_out, poses_from
 from .batch import make_batch
 from .compile import CompiledScene, LayoutProblem, compile_scene
+from .derivatives import Differentiable
 from .devices import pick_devices
 from .measure import KINDS, batch_at, energy_of, feasible_of, items_on, residuals_of, shares_of, violations_of
 from .metadata import Metadata, bounds_of, freedom_of, metadata_of
@@ -53,7 +54,7 @@ class Terms(Generic[A]):
     violation: A
 
 
-class Problem:
+class Problem(Differentiable):
     """The layout problem of one or several scenes: a function of poses that is zero where a layout is in order.
 
     Poses are [B, N, 4] float32: x, y, z [m] and yaw [rad] of N objects, in the scene's order and in the room's frame.
@@ -279,6 +280,25 @@ class Problem:
         offset = relative(model.astype(np.float64), np.take_along_axis(model, roots, axis=1).astype(np.float64))
         moved = absolute(offset, np.take_along_axis(layouts, roots, axis=1))
         return np.where(roots != np.arange(self.objects)[:, None], moved, layouts).astype(np.float32)
+
+    def at(self, parameters: Mapping[str, Any]) -> Problem:
+        """The problem with other values of some parameters, compiled anew; the last few are kept.
+
+        Args:
+            parameters: arrays by kind, as in `parameters`; what is left out stays. Problems at other values are about
+                scenes with those, and poses mean the same to all of them.
+
+        Raises:
+            InputError: no such kind, another shape, a number outside of its bounds, or an impossible room.
+
+        Examples:
+            >>> import sceneweaver as sw
+            >>> problem = sw.compile(sw.Scene.example("bedroom"), device="cpu")
+            >>> wider = problem.parameters.values["size"] * 1.05
+            >>> problem.at({"size": wider}).scenes[0].objects[0].size[1] > problem.scenes[0].objects[0].size[1]
+            True
+        """
+        return self.at_flat(self.parameters.flattened(parameters))
 
     def scene_of(self, count: int, which: Array | None = None) -> np.ndarray:
         """The scene [B] int32 of each of so many layouts, as ``which`` says or leaves to be said."""

@@ -8,6 +8,7 @@ functions. PyTorch is not installed along with sceneweaver: ``pip install torch`
 from .functions import energy as energy
 from .functions import feasible as feasible
 from .functions import free as free
+from .functions import project as project
 from .functions import residuals as residuals
 
-__all__ = ["energy", "feasible", "free", "residuals"]
+__all__ = ["energy", "feasible", "free", "project", "residuals"]

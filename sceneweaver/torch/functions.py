@@ -5,19 +5,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from math import prod
 from typing import TYPE_CHECKING, Any
 
-from sceneweaver.layout import Problem
+from sceneweaver.layout import PARAMETER_KINDS, Problem, bits_of
 from sceneweaver.scene import InputError, MissingDependencyError
 
 if TYPE_CHECKING:
     import torch  # pyright: ignore[reportMissingImports]
     from torch import Tensor  # pyright: ignore[reportMissingImports]
 
+ENERGY, NEAREST = -1, 0  # beside numbers of residuals
 
-def energy(problem: Problem, poses: Tensor, which: Tensor | None = None) -> Tensor:
+
+def energy(
+    problem: Problem, poses: Tensor, which: Tensor | None = None, parameters: Mapping[str, Tensor] | None = None
+) -> Tensor:
     """Energy [...] in metres of layouts [..., N, 4]: `Problem.energy`, differentiable by the poses.
 
     The first derivative is the engine's gradient. The second one is a central difference of it over 1 mm and 1 mrad,
@@ -29,6 +33,8 @@ def energy(problem: Problem, poses: Tensor, which: Tensor | None = None) -> Tens
         poses: x, y, z [m] and yaw [rad], float32 or float64, on the problem's device.
         which: the scene of each layout, whole numbers that broadcast against the leading dimensions. Left out,
             [B, N, 4] has equal parts, scene after scene.
+        parameters: other values of some kinds of `Problem.parameters`, of the shapes there, for all layouts; the energy
+            is differentiable by them as well, backwards. A scene is compiled anew for values not seen lately.
 
     Raises:
         InputError: another shape, type of number or device, or a third derivative.
@@ -41,11 +47,19 @@ def energy(problem: Problem, poses: Tensor, which: Tensor | None = None) -> Tens
         >>> swt.energy(problem, x).sum().backward()
         >>> x.grad.shape == x.shape
         True
+        >>> weight = torch.tensor(problem.parameters.values["weight"], requires_grad=True)
+        >>> swt.energy(problem, x.detach(), parameters={"weight": weight}).sum().backward()
+        >>> bool((weight.grad >= 0).all())
+        True
     """
+    if parameters:
+        return _with_parameters(problem, poses, which, parameters, ENERGY)[..., 0]
     return _flat(lambda ops, x, rows: ops.energy(x, rows, problem.number), problem, poses, which)
 
 
-def residuals(problem: Problem, poses: Tensor, which: Tensor | None = None) -> Tensor:
+def residuals(
+    problem: Problem, poses: Tensor, which: Tensor | None = None, parameters: Mapping[str, Tensor] | None = None
+) -> Tensor:
     """Residuals [..., M] in metres: `Problem.residuals`. Arguments, derivatives and errors as for `energy`.
 
     Examples:
@@ -56,6 +70,8 @@ def residuals(problem: Problem, poses: Tensor, which: Tensor | None = None) -> T
         >>> torch.allclose((r * r).sum(-1) / 0.1, swt.energy(problem, x), rtol=1e-4)
         True
     """
+    if parameters:
+        return _with_parameters(problem, poses, which, parameters, problem.items)
     return _flat(lambda ops, x, rows: ops.residuals(x, rows, problem.number, problem.items), problem, poses, which)
 
 
@@ -70,6 +86,27 @@ def feasible(problem: Problem, poses: Tensor, which: Tensor | None = None) -> Te
         torch.bool
     """
     return _flat(lambda ops, x, rows: ops.feasible(x, rows, problem.number), problem, poses, which)
+
+
+def project(
+    problem: Problem, poses: Tensor, which: Tensor | None = None, parameters: Mapping[str, Tensor] | None = None
+) -> Tensor:
+    """The feasible layouts [..., N, 4] nearest to poses: `Problem.project`, differentiable once, backwards.
+
+    The derivative is that of the equation that nearest layouts solve, see `Problem.sensitivity`: by the coordinates of
+    poses that are free, and by ``parameters``. It is worked out on the host, layout by layout. Arguments and errors as
+    for `energy`.
+
+    Examples:
+        >>> import torch, sceneweaver as sw, sceneweaver.torch as swt
+        >>> problem = sw.compile(sw.Scene.example("bedroom"), device="cpu")
+        >>> walls = torch.tensor(problem.parameters.values["outline"], requires_grad=True)
+        >>> near = swt.project(problem, torch.tensor(problem.sample(0, 1)), parameters={"outline": walls})
+        >>> near.sum().backward()
+        >>> bool(walls.grad.isfinite().all())
+        True
+    """
+    return _with_parameters(problem, poses, which, parameters or {}, NEAREST)
 
 
 def free(problem: Problem, device: torch.device | str | None = None) -> Tensor:
@@ -93,6 +130,34 @@ def _torch() -> Any:
     except ImportError:
         raise MissingDependencyError("PyTorch is not installed; pip install torch") from None
     return torch
+
+
+def _with_parameters(
+    problem: Problem, poses: Tensor, which: Tensor | None, parameters: Mapping[str, Tensor], width: int
+) -> Tensor:
+    """Residuals of so many numbers, the `ENERGY`, or the `NEAREST` poses, at values of parameters."""
+    torch = _torch()
+    unknown = [kind for kind in parameters if kind not in PARAMETER_KINDS]
+    if unknown:
+        raise InputError(f"parameters: no kind {unknown[0]!r}; there are {', '.join(PARAMETER_KINDS)}")
+    kinds = [kind for kind in PARAMETER_KINDS if kind in parameters]
+    rows = []
+    for kind in kinds:
+        given, shape = torch.as_tensor(parameters[kind]), problem.parameters.values[kind].shape
+        if tuple(given.shape) != shape:
+            raise InputError(f"parameters: {kind} is an array of shape {tuple(given.shape)}; give {shape}")
+        rows.append(given.to(dtype=torch.float32, device=getattr(poses, "device", None)).reshape(-1))
+
+    def measured(_: Any, x: Tensor, scenes: Tensor) -> Tensor:
+        from . import parameters as operators
+
+        values = torch.cat(rows) if rows else x.new_zeros(0)
+        u = torch.cat([x.reshape(x.shape[0], -1), values.expand(x.shape[0], -1)], dim=1)
+        if width == NEAREST:
+            return operators.Projected.apply(u, scenes, problem.number, bits_of(kinds))
+        return operators.Measured.apply(u, scenes, problem.number, bits_of(kinds), width)
+
+    return _flat(measured, problem, poses, which)
 
 
 def _flat(function: Callable, problem: Problem, poses: Tensor, which: Tensor | None) -> Tensor:

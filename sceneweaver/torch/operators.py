@@ -16,14 +16,8 @@ from typing import Any
 import torch  # pyright: ignore[reportMissingImports]
 from torch import Tensor  # pyright: ignore[reportMissingImports]
 
-from sceneweaver.layout import numbered
+from sceneweaver.layout import difference, numbered
 from sceneweaver.scene import InputError
-
-STEP = 1.0e-3
-"""How far [m, rad] the coordinate that moves most goes either way, for a difference of gradients."""
-
-APART = 0.1
-"""Share by which the differences ahead and behind may be apart; more is a kink."""
 
 
 @torch.library.custom_op("sceneweaver::energy", mutates_args=())
@@ -67,16 +61,17 @@ def _(poses: Tensor, which: Tensor, number: int) -> Tensor:
     return poses.new_empty(poses.shape[0], dtype=torch.bool)
 
 
-def _one_batch(operator: Callable) -> Callable:
+def one_batch(operator: Callable) -> Callable:
     """The rule of ``vmap`` for an operator: layouts of all examples are one batch."""
 
     def rule(info: Any, in_dims: Sequence[int | None], *given: Any) -> tuple[Any, Any]:
         count = info.batch_size
         tensors = [
             x.expand(count, *x.shape) if dim is None else x.movedim(dim, 0)
-            for x, dim in zip(given[:2], in_dims[:2], strict=True)
+            for x, dim in zip(given, in_dims, strict=True)
+            if isinstance(x, Tensor)
         ]
-        found = operator(*(x.reshape(-1, *x.shape[2:]) for x in tensors), *given[2:])
+        found = operator(*(x.reshape(-1, *x.shape[2:]) for x in tensors), *given[len(tensors) :])
         if isinstance(found, Tensor):
             return found.reshape(count, -1, *found.shape[1:]), 0
         return tuple(x.reshape(count, -1, *x.shape[1:]) for x in found), (0,) * len(found)
@@ -85,7 +80,7 @@ def _one_batch(operator: Callable) -> Callable:
 
 
 for _operator in (_measure_energy, _measure_residuals, feasible):
-    _operator.register_vmap(_one_batch(_operator))
+    _operator.register_vmap(one_batch(_operator))
 
 
 def energy(poses: Tensor, which: Tensor, number: int) -> Tensor:
@@ -207,30 +202,31 @@ def _variant(function: type[torch.autograd.Function]) -> type[torch.autograd.Fun
     return function if torch.compiler.is_compiling() else _BOTH_WAYS[function]
 
 
-class _Last(torch.autograd.Function):
+class Last(torch.autograd.Function):
     """A measurement that has no derivative of its own."""
 
     generate_vmap_rule = True
 
     @staticmethod
     def setup_context(ctx: Any, inputs: tuple, output: Any) -> None:
-        pass
+        """Keep nothing."""
 
     @staticmethod
     def backward(ctx: Any, *_: Any) -> Any:
+        """Refuse."""
         raise InputError("energy and residuals have first and second derivatives; a third one was asked for")
 
 
-class _Curvature(_Last):
+class _Curvature(Last):
     """The change [B, N, 4] of the energy's gradient along a movement of the poses [B, N, 4]."""
 
     @staticmethod
     def forward(poses: Tensor, along: Tensor, which: Tensor, gradient: Tensor, number: int) -> Tensor:
         twice = torch.cat([which, which])
-        return _difference(lambda moved: _measure_energy(moved, twice, number)[1], gradient, poses, along)
+        return difference(torch, lambda moved: _measure_energy(moved, twice, number)[1], gradient, poses, along)
 
 
-class _Bend(_Last):
+class _Bend(Last):
     """The change [B, N, 4] of `_Pull` along a movement of the poses [B, N, 4]."""
 
     @staticmethod
@@ -248,7 +244,7 @@ class _Bend(_Last):
             _, slope, objects = _measure_residuals(moved, torch.cat([which, which]), number, items)
             return _pulled(slope, objects, torch.cat([up, up]), moved)
 
-        return _difference(pull, _pulled(slope, objects, up, poses), poses, along)
+        return difference(torch, pull, _pulled(slope, objects, up, poses), poses, along)
 
 
 def _pulled(slope: Tensor, objects: Tensor, up: Tensor, poses: Tensor) -> Tensor:
@@ -261,18 +257,3 @@ def _pushed(slope: Tensor, objects: Tensor, along: Tensor) -> Tensor:
     """By how much residuals [B, M] change with a movement of the poses [B, N, 4]."""
     index = objects.flatten(1, 2)[..., None].expand(-1, -1, 4)
     return (slope * along.gather(1, index).reshape(slope.shape)).sum((2, 3))
-
-
-def _difference(function: Callable[[Tensor], Tensor], here: Tensor, poses: Tensor, along: Tensor) -> Tensor:
-    """The derivative [B, N, 4] along a movement of a function that is ``here`` at the poses; one call.
-
-    By central differences over `STEP`. Where those ahead and behind are apart a kink lies between, and the smaller one
-    is that of the smooth side.
-    """
-    most = along.abs().amax((1, 2), keepdim=True)
-    step = along * (STEP / torch.where(most > 0, most, 1.0))
-    ahead, behind = function(torch.cat([poses + step, poses - step])).chunk(2)
-    ahead, behind = (ahead - here) / STEP, (here - behind) / STEP
-    smooth = (ahead - behind).abs() <= APART * (1.0 + torch.maximum(ahead.abs(), behind.abs()))
-    smaller = torch.where(ahead.abs() < behind.abs(), ahead, behind)
-    return most * torch.where(smooth, (ahead + behind) / 2, smaller)

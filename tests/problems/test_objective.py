@@ -24,7 +24,7 @@ def by_hand(case: problems.ProblemCase, poses: np.ndarray) -> float:
         points = []
         for k, name in enumerate(term.objects):
             if name in at:
-                dx, dy = (term.pins[k] if term.kind == "wire_length" else (0.0, 0.0))
+                dx, dy = term.pins[k] if term.kind == "wire_length" else (0.0, 0.0)
                 where, yaw = at[name]
                 points.append(where + complex(dx, dy) * complex(math.cos(yaw), math.sin(yaw)))
             else:
