@@ -119,8 +119,8 @@ def measure_parameter_slopes(
     s: State,
     up: wp.array2d(dtype=wp.float32),
     roots: wp.int32,
-    # State out:
-    total_out: wp.array2d(dtype=wp.int64),
+    # State in and out:
+    total: wp.array2d(dtype=wp.int64),
 ):
     """Derivatives by parameters [candidate, parameter] of a sum of items, or of items [candidate, item] along a change.
 
@@ -141,7 +141,7 @@ def measure_parameter_slopes(
         if e <= LEAST:
             return
         by = by * wp.sqrt(b.weights.knee / (2.0 * e))
-    sink = Sink(entries, candidate, k, along, total_out)
+    sink = Sink(entries, candidate, k, along, total)
     x = body_of(c, objects[0], s)
     if rel >= 0:
         push_relation(b, c, rel, by, s, sink)

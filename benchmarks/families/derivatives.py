@@ -50,8 +50,8 @@ COLUMNS = (
 @wp.func
 def near_the_middle(a: wp.vec4, b: wp.vec4, size_a: wp.vec3, size_b: wp.vec3, p: wp.vec4):
     """A term to weigh: how far [m] from a point, less a share of the depth."""
-    to = wp.vec2(a[0] - p[0], a[1] - p[1])  # pyright: ignore[reportOperatorIssue]
-    return wp.sqrt(wp.dot(to, to) + 1.0e-4) - 0.5 * size_a[0]  # pyright: ignore[reportOperatorIssue]
+    to = wp.vec2(a[0] - p[0], a[1] - p[1])  # pyright: ignore
+    return wp.sqrt(wp.dot(to, to) + 1.0e-4) - 0.5 * size_a[0]  # pyright: ignore
 
 
 @dataclass

@@ -158,7 +158,7 @@ def nearest(of: ProjectionOf, u: jax.Array, which: jax.Array) -> jax.Array:
 
 
 def _nearest_fwd(of: ProjectionOf, u: jax.Array, which: jax.Array) -> tuple[jax.Array, tuple]:
-    found = of.measured(u, which)
+    found = of.measured(jax.lax.stop_gradient(u), which)  # `_once` refuses a second derivative
     return found, (u, which, found)
 
 

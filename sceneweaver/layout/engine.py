@@ -242,11 +242,12 @@ def hard_first(
     """Solve jobs, so that no soft row makes a search lose a hard one.
 
     A candidate that its search leaves invalid is searched once more as if nothing soft were there, from the same start
-    with the same random stream: so it is valid wherever it would be without soft rows.
+    with the same random stream: so it is valid wherever it would be without soft rows. Whoever says how often to try
+    (``steps``) gets that and no more.
     """
     worlds = [job.world for job in jobs]
     solutions = solve(jobs, optimizer, steps, device, monitor, began, snap)
-    if optimizer != "search":
+    if optimizer != "search" or steps is not None:
         return solutions
     again = failed_for_softness(jobs, worlds, solutions)
     if not again or monitor.expired():

@@ -37,6 +37,7 @@ TABLES = {
     "ablations": {"parts": 6, "tools": 4, "each": 9},
     "variety": {"rooms": 2, "variety": 11},
     "jax": {"calls": 1},
+    "derivatives": {"kinds": 6},
     "requests": {"requests": 1, "reported": 0},
     "odd": {"odd": 3},
     "physics": {"worlds": 2},
@@ -57,7 +58,7 @@ def settings(tmp_path):
 
 SLOW = (
     *("openable", "odd", "pictures", "ablations", "by_model", "requests", "stability", "variety"),
-    *("cold", "memory", "throughput", "design", "quality", "patterns", "large", "soft_rows", "weights"),
+    *("cold", "memory", "throughput", "design", "quality", "patterns", "large", "soft_rows", "weights", "derivatives"),
 )
 """Families whose design is one that another family makes as well, and what takes longest."""
 

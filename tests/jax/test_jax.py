@@ -177,7 +177,7 @@ def test_scenes_have_to_be_said():
         ),
         (
             lambda problem: jax.hessian(lambda x: swj.project(problem, x).sum()),
-            "forward-mode|second derivatives of project",
+            "second derivatives of project",
         ),
         (lambda problem: jax.grad(lambda x: third(problem, x)), "third derivatives are not available"),
     ],
@@ -185,7 +185,7 @@ def test_scenes_have_to_be_said():
 )
 def test_what_has_no_derivative_says_so(asked, says):
     problem = problem_of("bedroom-small")
-    with pytest.raises((sw.InputError, TypeError), match=says):
+    with pytest.raises(sw.InputError, match=says):
         asked(problem)(jnp.asarray(poses_of("bedroom-small", 1)[0]))
 
 

@@ -353,4 +353,4 @@ def test_energy_calls_and_measured_layouts_are_counted():
 def test_what_comes_back_has_a_type(name):
     """NumPy and lists are answered with NumPy, all else with Warp arrays; type checkers see it as well."""
     host, device = (str(inspect.signature(f).return_annotation) for f in get_overloads(getattr(Problem, name)))
-    assert "np.ndarray" in host and "wp.array" in device and "Any" not in host + device
+    assert "np.ndarray" in host and "WarpArray" in device and "Any" not in host + device
