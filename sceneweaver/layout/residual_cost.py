@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import warp as wp
 
-from sceneweaver.kernels import residual_cost
+from sceneweaver.kernels import user_cost
 from sceneweaver.runtime import compiling
 from sceneweaver.scene import InputError
 
@@ -67,14 +67,14 @@ def residual_cost(residual: wp.Function, *, device: str = "auto") -> ResidualCos
         raise InputError("residual: it is not a wp.func; decorate it with @wp.func")
     where = pick_devices(device)[0]
     mine, seconds = _measured(residual, where)
-    plain, _ = _measured(residual_cost.box_gap, where)
+    plain, _ = _measured(user_cost.box_gap, where)
     return ResidualCost(mine, plain, seconds, where)
 
 
 def _measured(residual: wp.Function, device: str) -> tuple[float, float]:
     """Nanoseconds of an evaluation, and seconds that it took to compile."""
     began = time.perf_counter()
-    kernel = residual_cost.spender(residual)
+    kernel = user_cost.spender(residual)
     try:
         compiling.load(device, [kernel.module])
     except Exception as error:  # Warp's own errors have no common type
