@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 import warp as wp
 
+from sceneweaver.kernels.bookkeeping import set_turns
 from sceneweaver.optimizers import Monitor, streams
 from sceneweaver.optimizers.objective import Schedule
 
@@ -22,8 +23,9 @@ from .stepwise import BuiltIn, BuiltInRun
 FIRST = 100
 """Moves of a candidate for each root in the first annealing."""
 
-SPENT = 0.9
-"""Share of the time left that an annealing is planned for, as moves take unlike times."""
+SPENT, TRIAL = 0.85, 0.15
+"""Shares of the time left that an annealing is planned for: the last one, and one before it that tells what moves take.
+Cold moves take longer than hot ones, so less than all."""
 
 
 @dataclass
@@ -36,6 +38,7 @@ class MinimiseRun:
     search: BuiltInRun
     key: int
     began: float
+    searches: bool = True
     annealings: int = 0
     moves: int = 0
     last: tuple[int, float] | None = None  # moves and seconds of the annealing before
@@ -46,8 +49,8 @@ class MinimiseRun:
 class MinimiseSteps:
     """The search, then annealings of an objective from the best layouts so far.
 
-    Where it is known how long the whole may take, the second annealing takes all that is left; else each takes twice as
-    long as the last, so that half of the time at least goes into the last one that ends.
+    Where it is known how long the whole may take, the last annealing takes most of what short ones leave; else each
+    takes twice as long as the last, so that half of the time at least goes into the last one that ends.
 
     Attributes:
         objective: what is minimised.
@@ -68,21 +71,29 @@ class MinimiseSteps:
 
     def step(self, state: MinimiseRun) -> MinimiseRun:
         """A round of the search, or the next annealing."""
-        if not state.search.done:
+        batch, before = state.search.batch, _clock(state.problem.device)
+        if state.searches and not state.search.done and not self._late(state, before):
             state.search.advance()
             return state
-        batch, before = state.search.batch, _clock(state.problem.device)
+        if state.searches:
+            wp.copy(batch.state.poses, state.search.best())
+            wp.launch(set_turns, batch.state.poses.shape, [batch.state.poses], [batch.state.turns], device=batch.device)
+            state.searches = False
+        valid = state.problem.feasible(batch.state.poses.numpy())
         moves = self._moves(state, before)
-        if moves == 0 or not state.roots:
+        if moves == 0 or not state.roots or (state.annealings and not valid.any()):
             state.done = True
             return state
         seeds = streams(state.key ^ SALT ^ state.annealings << 20, np.arange(batch.size))
-        valid = state.problem.feasible(batch.state.poses.numpy())
         schedule, monitor = Schedule(moves), Monitor(batch.size)
         anneal_room(batch, state.compiled, self.objective, schedule, state.roots, valid, seeds, monitor)
         state.annealings, state.moves = state.annealings + 1, state.moves + moves
         state.last = moves, _clock(state.problem.device) - before
         return state
+
+    def _late(self, state: MinimiseRun, now: float) -> bool:
+        """Whether half of the time is over: some candidates may never get valid, and the others wait for them."""
+        return self.seconds is not None and now - state.began > 0.5 * self.seconds
 
     def _moves(self, state: MinimiseRun, now: float) -> int:
         """How many moves of a candidate the next annealing takes; 0: there is no time for more than the first took."""
@@ -92,12 +103,14 @@ class MinimiseSteps:
         moves, took = state.last
         if self.seconds is None:
             return 2 * moves
-        fits = int(SPENT * (self.seconds - (now - state.began)) * moves / max(took, 1e-6))
+        left = self.seconds - (now - state.began)
+        share = SPENT if took > 0.5 * TRIAL * left else TRIAL
+        fits = int(share * left * moves / max(took, 1e-6))
         return fits if fits > first else 0
 
     def best(self, state: MinimiseRun) -> Array:
         """The best poses of each candidate so far."""
-        return state.search.best()
+        return state.search.best() if state.searches else wp.clone(state.search.batch.state.poses)
 
     def done(self, state: MinimiseRun) -> bool:
         """Whether no time is left for another annealing, or nothing may move."""
