@@ -14,7 +14,7 @@ from benchmarks.console import console
 from benchmarks.problem_list import made
 from benchmarks.settings import ROOT
 from sceneweaver.layout import refine
-from sceneweaver.problems import ProblemCase, families, load, names, verify
+from sceneweaver.problems import ProblemCase, families, layout_bench, load, names, verify
 from sceneweaver.problems.store import freeze, manifest, measured, record
 from sceneweaver.verify import check
 
@@ -104,16 +104,23 @@ def summary(row: dict[str, Any]) -> str:
     return ", ".join(shares) + (f"; best {row['best_energy']:.4g} m" if "best_energy" in row else "")
 
 
+def zoo_names(family: str | None = None) -> tuple[str, ...]:
+    """Names of the problems, of one family or all, that are measured here: Layout Bench has a protocol of its own."""
+    apart = set(layout_bench.names())
+    return tuple(name for name in names(family) if name not in apart)
+
+
 def page_lines() -> list[str]:
-    """The families and all problems, as tables in Markdown."""
+    """The families and all problems but those of Layout Bench, as tables in Markdown."""
     lines = ["| family | problems | objects | what it is |", "| --- | ---: | ---: | --- |"]
     for family, about in families().items():
-        sizes = [manifest()[name]["objects"] for name in names(family)]
-        lines.append(f"| {family} | {len(sizes)} | {min(sizes)} to {max(sizes)} | {about} |")
+        sizes = [manifest()[name]["objects"] for name in zoo_names(family)]
+        if sizes:
+            lines.append(f"| {family} | {len(sizes)} | {min(sizes)} to {max(sizes)} | {about} |")
     kinds = [optimizer for optimizer, _ in RUNS]
     lines += ["", "| problem | objects | tightness | relations | best energy [m] | " + " | ".join(kinds) + " |"]
     lines.append("| --- | ---: | ---: | ---: | ---: |" + " ---: |" * len(kinds))
-    for name in names():
+    for name in zoo_names():
         case = load(name)
         best = "-" if case.best_energy is None else f"{case.best_energy:.4g}"
         shares = [f"{case.difficulty[k]['valid']:.0%}" if k in case.difficulty else "-" for k in kinds]

@@ -110,6 +110,13 @@ def leaderboard(out: Path | str, cases: Mapping[str, ProblemCase]) -> dict[str, 
 
     Raises:
         InputError: there are no results, or they are on problems that are not among ``cases``.
+
+    Examples:
+        >>> from sceneweaver.bench import leaderboard
+        >>> leaderboard("no such folder", {})
+        Traceback (most recent call last):
+        ...
+        sceneweaver.io.errors.InputError: no such folder: no results of Layout Bench; sceneweaver bench layout-bench run writes some
     """
     results = read_protocol(out)
     found = verdicts(out, results, cases)
@@ -132,7 +139,16 @@ def leaderboard(out: Path | str, cases: Mapping[str, ProblemCase]) -> dict[str, 
 
 
 def board_markdown(data: Mapping[str, Any]) -> str:
-    """The tables of a leaderboard in Markdown."""
+    """The tables of a leaderboard in Markdown.
+
+    Examples:
+        >>> from sceneweaver.bench import board_markdown
+        >>> of = {"machine": {"system": "Linux", "cores": 2}, "settings": {"clock": "cpu", "device": "cpu"}}
+        >>> of["settings"]["candidates"] = 8
+        >>> text = board_markdown({**of, "version": "1.0.0", "hash": "0" * 64, "budgets": []})
+        >>> text.splitlines()[0]
+        'Version 1.0.0 (000000000000); Linux, 2 cores, cpu; budgets in processor time, 8 candidates.'
+    """
     machine, settings = data["machine"], data["settings"]
     clock = "processor time" if settings["clock"] == "cpu" else "wall time"
     parts = [
@@ -160,12 +176,13 @@ def board_markdown(data: Mapping[str, Any]) -> str:
         parts += ["", title, "", *rows_in_markdown(head, rows)]
         if false := [f"{row['method']} {row['faults']}" for row in budget["places"] if row["faults"]]:
             parts += ["", f"Runs that said what is not so, and count as nothing found: {', '.join(false)}."]
-    parts += ["", *_pairs([Pair(**pair) for pair in data["budgets"][-1]["pairs"]])]
+    parts += ["", *_pairs([Pair(**pair) for budget in data["budgets"][-1:] for pair in budget["pairs"]])]
     return "\n".join(parts)
 
 
 def _pairs(pairs: Sequence[Pair]) -> list[str]:
-    """The pairs of the largest budget; neighbours in rank and what is close is what one wants to know, so all."""
+    """The pairs of the largest budget that the first method is in: with twenty methods there are 200 in all."""
+    pairs = [pair for pair in pairs if pairs[0].first in (pair.first, pair.second)]
     if not pairs:
         return []
     rows = [

@@ -52,6 +52,13 @@ def paired(qualities: Mapping[str, np.ndarray]) -> list[Pair]:
     """Every pair of methods, by arrays [problem, seed] of qualities with NaN where there is no run; the better first.
 
     Problems and seeds that one of the two has not are left out.
+
+    Examples:
+        >>> import numpy as np
+        >>> from sceneweaver.bench import paired
+        >>> (pair,) = paired({"a": np.zeros((8, 2)), "b": np.ones((8, 2))})
+        >>> pair.first, pair.second, float(pair.difference)
+        ('b', 'a', 1.0)
     """
     found = []
     for a, b in itertools.combinations(qualities, 2):

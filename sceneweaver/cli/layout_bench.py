@@ -11,7 +11,6 @@ import typer
 
 from .exit_codes import NOT_VALID, UNFINISHED
 from .options import Device, Json
-from .output import list_files, print_json
 from .streams import no_chatter
 
 if TYPE_CHECKING:
@@ -110,6 +109,8 @@ def tune(
             device=device,
             progress=_teller(terminal),
         )
+    from .output import list_files
+
     list_files([path])
     return 0
 
@@ -122,6 +123,8 @@ def compare(source: Results, seed_file: SeedFile = None, as_json: Json = False) 
     with no_chatter():
         data = leaderboard(source, _cases(seed_file))
     if as_json:
+        from .output import print_json
+
         print_json(data)
     else:
         typer.echo(board_markdown(data))
@@ -143,6 +146,8 @@ def verify(source: Results, seed_file: SeedFile = None, as_json: Json = False) -
     ]
     total = sum(map(len, found.values()))
     if as_json:
+        from .output import print_json
+
         print_json({"runs": total, "faults": faults})
     else:
         typer.echo(f"{total - len(faults)} of {total} runs are as they say")
@@ -169,6 +174,8 @@ def page(
             plot_anytime(source, picture)
             text += f"\n\n![Quality over time]({os.path.relpath(picture, into.parent)})"
         write_page(into, text)
+    from .output import list_files
+
     list_files([into, *([picture] if picture is not None else [])])
     return 0
 

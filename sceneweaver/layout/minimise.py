@@ -29,6 +29,9 @@ from .shortest_ways import detour
 from .solution import Solution
 
 WAYS_AT_ONCE = 8_192
+MODULES = ("anneal", "objective", "objective_walk", "sequence_pair")
+"""Kernel modules of a minimisation."""
+
 SALT = 0x0B1E
 MOVES = 1_500
 """Moves of a candidate for each root that may move, where nothing is said."""

@@ -15,7 +15,7 @@ from sceneweaver.optimizers.objective import Schedule
 
 from .arrays import Array
 from .compile import CompiledScene, compile_scene
-from .minimise import SALT, anneal_room, movable_roots
+from .minimise import MODULES, SALT, anneal_room, movable_roots
 from .objective import ObjectiveTerm
 from .problem import Problem
 from .stepwise import BuiltIn, BuiltInRun
@@ -123,7 +123,7 @@ class MinimiseSteps:
 
     def modules_on(self, device: str) -> tuple[str, ...]:
         """The kernel modules that it launches on a device."""
-        return (*self.search.modules_on(device), "anneal", "objective", "sequence_pair")
+        return (*self.search.modules_on(device), *MODULES)
 
 
 def _clock(device: str) -> float:

@@ -10,12 +10,13 @@ from sceneweaver.optimizers.snap import MODULES as SNAP
 from sceneweaver.runtime.compiling import Variant
 
 from .live import MODULES as LIVE
+from .minimise import MODULES as MINIMISED
 from .rate import MODULES as RATED
 
 
 def kernel_modules(device: str) -> list[Variant]:
-    """The modules of a refinement by any built-in optimiser, of edits, of what rates layouts, and of data sets."""
-    names = ["bookkeeping", "verdict", "walk", "residuals", *SNAP, *RATED, *LIVE, *CHAINS]
+    """The modules of a refinement by any built-in optimiser, of edits, of what rates layouts, of objectives and of data sets."""
+    names = ["bookkeeping", "verdict", "walk", "residuals", *SNAP, *RATED, *LIVE, *CHAINS, *MINIMISED]
     for optimizer in OPTIMIZERS.values():
         names += optimizer.modules_on(device)
     names += MEASURED if device == "cpu" else MEASURED_ON_GPU

@@ -31,6 +31,13 @@ class LearnedWeights:
         silent: kinds that pull at nothing in any room, so that nothing is learned of them.
         left: share of the forces that do not cancel out: 0 where the rooms minimise what was learned, 1 at most.
         rooms: how many rooms were looked at.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> learned = sw.LearnedWeights({"near": 1.5, "facing": 0.5}, {"near": 0.1, "facing": 0.2}, (), 0.1, 12)
+        >>> scene = learned.applied(sw.Scene.example("bedroom"))
+        >>> {r.weight for r in scene.relations if r.type == "near" and not r.hard} <= {1.5}
+        True
     """
 
     weights: dict[str, float]
@@ -82,7 +89,7 @@ def learn_weights(
     Examples:
         >>> import sceneweaver as sw
         >>> rooms = [sw.Scene.example("bedroom"), sw.Scene.example("study")]
-        >>> learned = sw.learn_weights([sw.refine(r, candidates=4, device="cpu").best for r in rooms])
+        >>> learned = sw.learn_weights([sw.refine(r, candidates=16, device="cpu").best for r in rooms])
         >>> min(learned.weights.values()) >= 0
         True
     """

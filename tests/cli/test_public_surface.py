@@ -20,8 +20,11 @@ PUBLIC = [
     "EditSession",
     "Fault",
     "InputError",
+    "LearnedWeights",
     "MissingDependencyError",
     "ObjectHandle",
+    "ObjectiveTerm",
+    "ParetoFront",
     "Pose",
     "Problem",
     "QualityTerm",
@@ -35,8 +38,9 @@ PUBLIC = [
     "SceneObject",
     "SceneWeaverError",
     "Solution",
+    "Variable",
+    "VariableSolution",
     "Violation",
-    "__version__",
     "build",
     "check",
     "check_gradient",
@@ -46,14 +50,21 @@ PUBLIC = [
     "define_term",
     "design",
     "draw_top",
+    "hypervolume",
     "improve",
+    "learn_weights",
+    "objective_of",
+    "optimize_variables",
+    "pareto_front",
     "refine",
     "refine_many",
     "repair",
     "repair_report",
+    "residual_cost",
     "undefine_check",
     "undefine_relation",
     "undefine_term",
+    "__version__",
 ]
 
 
@@ -73,8 +84,9 @@ def test_every_public_name_is_there(name):
 def test_type_checkers_see_the_same_names():
     text = Path(sceneweaver.__file__).read_text()
     block = text.partition("if TYPE_CHECKING:")[2].partition("__all__")[0]
-    assert sorted({*re.findall(r"import (\w+) as \1", block), "__version__"}) == PUBLIC
-    assert sorted({*sceneweaver._HOME, "__version__"}) == PUBLIC
+    parts = {"datasets", "problems"}  # modules that are there without an import of their own
+    assert sorted({*re.findall(r"import (\w+) as \1", block), "__version__"} - parts) == PUBLIC
+    assert sorted({*sceneweaver._HOME, "__version__"} - parts) == PUBLIC
 
 
 def test_an_unknown_name_is_an_attribute_error():
