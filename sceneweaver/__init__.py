@@ -88,6 +88,7 @@ __all__ = [
     "Variable",
     "VariableSolution",
     "Violation",
+    "__version__",
     "build",
     "check",
     "check_gradient",
@@ -111,7 +112,6 @@ __all__ = [
     "undefine_check",
     "undefine_relation",
     "undefine_term",
-    "__version__",
 ]
 
 _HOME = {

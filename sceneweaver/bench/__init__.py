@@ -3,15 +3,15 @@
 It needs the extra ``bench`` (pyarrow, matplotlib).
 """
 
+from .board import board_markdown as board_markdown
+from .board import leaderboard as leaderboard
 from .curves import Profile as Profile
 from .curves import Target as Target
 from .curves import data_profile as data_profile
 from .curves import performance_profile as performance_profile
 from .entries import Method as Method
-from .leaderboard import board_markdown as board_markdown
-from .leaderboard import leaderboard as leaderboard
-from .paired import Pair as Pair
-from .paired import paired as paired
+from .pairs import Pair as Pair
+from .pairs import paired as paired
 from .plots import plot as plot
 from .results import Run as Run
 from .results import read_about as read_about

@@ -118,7 +118,7 @@ def tune(
 @app.command("compare")
 def compare(source: Results, seed_file: SeedFile = None, as_json: Json = False) -> int:
     """Print the leaderboard of results; every layout is judged anew."""
-    from sceneweaver.bench.leaderboard import board_markdown, leaderboard
+    from sceneweaver.bench.board import board_markdown, leaderboard
 
     with no_chatter():
         data = leaderboard(source, _cases(seed_file))
@@ -166,7 +166,7 @@ def page(
     seed_file: SeedFile = None,
 ) -> int:
     """Write the leaderboard of results into a page, between its marks, and draw the curves over time."""
-    from sceneweaver.bench.leaderboard import board_markdown, leaderboard, plot_anytime, write_page
+    from sceneweaver.bench.board import board_markdown, leaderboard, plot_anytime, write_page
 
     with no_chatter():
         text = board_markdown(leaderboard(source, _cases(seed_file)))

@@ -58,7 +58,7 @@ class Differentiable:
         return [slots_of(scene) for scene in self.scenes]
 
     def energy_at(self: Problem, poses: Array, parameters: Mapping[str, Any], which: Array | None = None) -> Any:
-        """Energy in metres [B] of layouts at other values of some parameters: ``problem.at(parameters).energy(poses)``."""
+        """Energy in metres [B] of layouts at other values of parameters: ``problem.at(parameters).energy(poses)``."""
         return self.at(parameters).energy(poses, which)
 
     def parameter_gradient(

@@ -15,7 +15,7 @@ from .rate import MODULES as RATED
 
 
 def kernel_modules(device: str) -> list[Variant]:
-    """The modules of a refinement by any built-in optimiser, of edits, of what rates layouts, of objectives and of data sets."""
+    """The modules of a refinement by any built-in optimiser, of edits, ratings, objectives and data sets."""
     names = ["bookkeeping", "verdict", "walk", "residuals", *SNAP, *RATED, *LIVE, *CHAINS, *MINIMISED]
     for optimizer in OPTIMIZERS.values():
         names += optimizer.modules_on(device)

@@ -88,8 +88,12 @@ def learn_weights(
 
     Examples:
         >>> import sceneweaver as sw
-        >>> rooms = [sw.Scene.example("bedroom"), sw.Scene.example("study")]
-        >>> learned = sw.learn_weights([sw.refine(r, candidates=16, device="cpu").best for r in rooms])
+        >>> room = sw.Scene.example("bedroom")
+        >>> pull = {"type": "near", "subject": "armchair", "params": {"max": 0.0}, "hard": False}
+        >>> pulls = [sw.Relation(target=target, **pull) for target in ("bed", "wardrobe")]
+        >>> room = room.model_copy(update={"relations": (*room.relations, *pulls)})
+        >>> rooms = [sw.refine(room, candidates=4, seed=seed, device="cpu").best for seed in range(3)]
+        >>> learned = sw.learn_weights(rooms)
         >>> min(learned.weights.values()) >= 0
         True
     """

@@ -13,8 +13,8 @@ from scipy import stats
 
 from sceneweaver import bench, problems
 from sceneweaver.bench import results, runner
-from sceneweaver.bench.leaderboard import BEGIN, END, anytime, places, write_page
-from sceneweaver.bench.paired import holm, wilcoxon
+from sceneweaver.bench.board import BEGIN, END, anytime, places, write_page
+from sceneweaver.bench.pairs import holm, wilcoxon
 from sceneweaver.bench.protocol import problems_of, read_protocol, run_protocol, verdicts
 from sceneweaver.bench.quality import judged
 from sceneweaver.bench.tuning import draw, trials_of, tune

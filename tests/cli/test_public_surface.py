@@ -41,6 +41,7 @@ PUBLIC = [
     "Variable",
     "VariableSolution",
     "Violation",
+    "__version__",
     "build",
     "check",
     "check_gradient",
@@ -64,7 +65,6 @@ PUBLIC = [
     "undefine_check",
     "undefine_relation",
     "undefine_term",
-    "__version__",
 ]
 
 

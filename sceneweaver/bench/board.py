@@ -15,7 +15,7 @@ from sceneweaver.problems import ProblemCase, layout_bench
 from sceneweaver.scene import InputError
 
 from .curves import interval, methods, table, value_at
-from .paired import Pair, paired
+from .pairs import Pair, paired
 from .protocol import SOLVED, folder_of, read_protocol, verdicts
 from .quality import Judged
 from .results import Key, Run, needed, read_about
@@ -116,7 +116,7 @@ def leaderboard(out: Path | str, cases: Mapping[str, ProblemCase]) -> dict[str, 
         >>> leaderboard("no such folder", {})
         Traceback (most recent call last):
         ...
-        sceneweaver.io.errors.InputError: no such folder: no results of Layout Bench; sceneweaver bench layout-bench run writes some
+        sceneweaver.io.errors.InputError: no such folder: no results of Layout Bench; ...
     """
     results = read_protocol(out)
     found = verdicts(out, results, cases)

@@ -90,7 +90,7 @@ def holm(values: Sequence[float]) -> list[float]:
     """p after Holm's step-down correction.
 
     Examples:
-        >>> from sceneweaver.bench.paired import holm
+        >>> from sceneweaver.bench.pairs import holm
         >>> holm([0.01, 0.04, 0.03])
         [0.03, 0.06, 0.06]
     """
