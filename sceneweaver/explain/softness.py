@@ -60,7 +60,7 @@ def lost_wishes(solution: Solution) -> list[str]:
     lines = []
     for what, lost in (
         ("Soft relations", [relation_words(scene.relations[j]) for j in never]),
-        ("Terms of your own", list(dict.fromkeys(problem.metadata[0].relations[r].term for r in terms))),
+        ("Terms of your own", list(dict.fromkeys(str(problem.metadata[0].relations[r].term) for r in terms))),
     ):
         if lost:
             lines.append(
@@ -69,7 +69,7 @@ def lost_wishes(solution: Solution) -> list[str]:
             )
     info = problem.metadata[0]
     place = {relation.index: r for r, relation in enumerate(info.relations) if relation.index is not None}
-    return [*lines, *map(str, fights(problem, poses, [*(place[j] for j in never), *terms])[: LINES + 1])]
+    return [*lines, *map(str, fights(problem, poses, [*(place[int(j)] for j in never), *terms])[: LINES + 1])]
 
 
 def fights(problem: Problem, poses: np.ndarray, rows: Sequence[int]) -> list[Fight]:

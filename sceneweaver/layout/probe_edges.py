@@ -106,7 +106,8 @@ def check_edge(
             k, value = wrong[0], float(values(at)[wrong[0]])
             raise InputError(
                 f"{label}: engine and judge draw the line elsewhere: where the residual is {value:.2g}, just {words} "
-                f"its edge, `holds` says {not holds} at {len(wrong)} of {len(rows)} sample poses, as at {at.words(k)}"
+                f"its edge, `holds` says {not holds} at {len(wrong)} of {len(rows)} sample poses, "
+                f"as at {at.words(int(k))}"
             )
 
 

@@ -153,7 +153,8 @@ def _title(family: str, objects: int, tightness: float, seed: int) -> str:
 def _planned(family: str, objects: int, tightness: float, seed: int, kind: str | None, name: str | None) -> ProblemCase:
     """A plan of blocks of a family of `PLANS`."""
     make, kinds = PLANS[family]
-    whole_number("objects", objects, 4, MOST_OBJECTS), whole_number("seed", seed, 0, MOST_SEED)
+    whole_number("objects", objects, 4, MOST_OBJECTS)
+    whole_number("seed", seed, 0, MOST_SEED)
     if not 0.3 <= tightness <= 0.95:
         raise InputError(f"tightness: {tightness!r} is not from 0.3 to 0.95")
     if kind is not None and kind not in kinds:
