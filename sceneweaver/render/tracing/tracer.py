@@ -58,7 +58,7 @@ class Quality:
     bounces: int = 4
     suns: int = 2
     spacing: int = 1
-    levels: int = 3
+    levels: int = 5
     rays: int = 6
     plain_rays: int = 1
 
@@ -71,7 +71,7 @@ class Quality:
     @classmethod
     def draft(cls) -> Quality:
         """For a quick look."""
-        return cls(windows=3, lamps=2, bounces=4, suns=2, spacing=2, levels=3, rays=4)
+        return cls(windows=3, lamps=2, bounces=4, suns=2, spacing=2, levels=4, rays=4)
 
     @classmethod
     def normal(cls) -> Quality:
@@ -81,7 +81,7 @@ class Quality:
     @classmethod
     def fine(cls) -> Quality:
         """For a front page."""
-        return cls(windows=12, lamps=8, bounces=24, suns=8, levels=3, rays=16, plain_rays=4)
+        return cls(windows=12, lamps=8, bounces=24, suns=8, levels=4, rays=16, plain_rays=4)
 
 
 @dataclass(frozen=True)
