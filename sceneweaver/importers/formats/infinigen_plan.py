@@ -28,7 +28,7 @@ def _matches(path: Path, head: bytes) -> bool:
     if path.suffix.lower() != ".json" or b'"rooms"' not in head:
         return False
     return (
-        re.search(rb'"(?:operation|shape)"\s*:|:\s*"(?:shapely\.)?(?:geometry\.)?(?:box|Polygon)\s*\(', head)
+        re.search(rb'"(?:operation|shape)"\s*:|:\s*"\s*(?:shapely\.)?(?:geometry\.)?(?:box|Polygon)\s*\(', head)
         is not None
     )
 
