@@ -163,3 +163,15 @@ def test_broken_files(tmp_path):
         ("none.json", {"roomsize": [4, 5]}, ("'objects' is missing",)),
     ):
         require_error(written(tmp_path, name, data), "sceneweaver", *words)
+
+
+def test_a_folder_is_the_last_step_of_a_run(tmp_path):
+    for step in (0, 2, 10):
+        data = changed(layout(), [1.52, 1.3 + step / 100, 0.0], "objects", BED, "location")
+        written(tmp_path, f"run/record_scene/layout_{step}.json", data)
+    written(tmp_path, "run/record_scene/layout_9.txt", "no layout")
+    (room,) = rooms_of("sceneweaver", tmp_path / "run" / "record_scene").values()
+    require_pose(things_of(room)[BED], (1.52, 1.4, 0.275), compass(0.3))
+    assert room.name == "layout_10"
+    assert any("2 earlier steps" in note for note in room.notes)
+    assert len(list(sw.read_scenes(tmp_path / "run", assets="boxes"))) == 1

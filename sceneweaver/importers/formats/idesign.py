@@ -44,14 +44,14 @@ def _read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
 def _shell(things: dict[str, Entry]) -> tuple[tuple[tuple[float, float], ...] | None, float | None]:
     """Outline and height [m] of the room: its least corner is the origin."""
     ceiling = things.get("ceiling")
-    height = ceiling["position"]["z"].length() if ceiling is not None else None
+    height = ceiling["position"]["z"].length() if ceiling is not None and ceiling.has("position") else None
     for name in ("ceiling", "middle of the room"):
-        if name in things:
+        if name in things and things[name].has("size_in_meters"):
             size = things[name]["size_in_meters"]
             x, y, _ = size.sides([*size.named(("length", "width"), 0.0), 1.0])
             return rectangle(x, y), height
-    if "east_wall" in things and "north_wall" in things:
-        east, north = things["east_wall"], things["north_wall"]
+    east, north = things.get("east_wall"), things.get("north_wall")
+    if east is not None and north is not None and east.has("position") and north.has("position"):
         x, y, _ = east.sides((east["position"]["x"].length(), north["position"]["y"].length(), 1.0))
         return rectangle(x, y), east["size_in_meters"]["height"].length()
     return None, height

@@ -41,7 +41,8 @@ def _read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
 def _room(room: Entry, doors: dict[str, list[str]], text: str) -> SourceRoom:
     name = room["id"].text()
     notes: list[str] = []
-    left, below, floor = room["position"].named("xyz")
+    left, below = room["position"].named("xy")
+    floor = room["position"]["z"].number() if room["position"].has("z") else 0.0
     size = room["dimensions"]
     x, y, height = size.sides(size.named(("width", "length", "height")))
     if room.has("ceiling_height"):

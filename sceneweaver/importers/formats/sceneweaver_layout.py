@@ -26,6 +26,8 @@ _ON = {"ontop", "on_top", "on", "inside"}
 
 
 def _matches(path: Path, head: bytes) -> bool:
+    if path.is_dir():
+        return _last(path) is not None
     if path.suffix.lower() != ".json":
         return False
     if re.search(rb'"(?:roomsize|Roomsize|room_size)"\s*:', head) is not None:
@@ -34,11 +36,33 @@ def _matches(path: Path, head: bytes) -> bool:
     return (named or b'"structure"' in head) and b'"objects"' in head and b'"location"' in head
 
 
+def _steps(folder: Path) -> list[tuple[int, Path]]:
+    """The layouts of a folder by the number of their step."""
+    named = ((re.fullmatch(r"layout_(\d{1,9})\.json", p.name), p) for p in folder.iterdir())
+    return sorted((int(match[1]), p) for match, p in named if match)
+
+
+def _last(folder: Path) -> Path | None:
+    """The last step of a run, as its record_scene has them; None where the folder is none."""
+    steps = _steps(folder)
+    if not steps or folder.name != "record_scene":
+        return None
+    return steps[-1][1]
+
+
 def _read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
+    if not path.is_dir():
+        yield from _layout(path, [])
+        return
+    last = _last(path) or path / "layout_0.json"
+    earlier = len(_steps(path)) - 1
+    yield from _layout(last, [f"{last.name} is read; {earlier} earlier steps are passed over"] if earlier else [])
+
+
+def _layout(path: Path, notes: list[str]) -> Iterator[SourceRoom]:
     data = Entry.of(path, load_json(path))
     things = dict(_things(data))
     size = next((data[k] for k in ("roomsize", "Roomsize", "room_size") if data.has(k)), None)
-    notes: list[str] = []
     level = _level(things)
     inset = WALL if abs(level - WALL) < 0.03 else 0.0
     if level:
@@ -190,7 +214,7 @@ FORMAT = SourceFormat(
         "width, height. A room has one corner at the origin. Where the floor lies at 0.14 m, as the executor has it, "
         "everything is moved down by it and the walls are inset by it.",
         "Assumed: a door or window is as wide as the longer side of its box, around its location.",
-        "Relations to parents are kept with the object; what lies on or in a parent is carried by it.",
+        "A folder record_scene is one scene, that of its last step. Relations to parents are kept with the object; what lies on or in a parent is carried by it.",
     ),
     licence="BSD-3-Clause (code); the scenes are the user's",
 )
