@@ -1,0 +1,52 @@
+"""Floor plans of several rooms: which room a point is in, and which walls a line lies on."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+Outline = Sequence[tuple[float, float]]
+
+REACH = 0.5
+"""Farthest [m] from a room that an object's centre may lie to be taken as its own: hung in a wall, or on a sill."""
+
+
+def room_at(outlines: Mapping[str, Outline], x: float, y: float, reach: float = REACH) -> str | None:
+    """The room whose outline holds a point, or else the nearest one within ``reach`` [m]; None: there is none."""
+    import shapely
+
+    point = shapely.Point(x, y)
+    far = {name: float(shapely.Polygon(outline).distance(point)) for name, outline in outlines.items()}
+    best = min(far, key=lambda name: far[name], default=None)
+    return best if best is not None and far[best] <= reach else None
+
+
+def on_wall(outline: Outline, start: Sequence[float], end: Sequence[float], reach: float = 0.05) -> bool:
+    """Whether a segment lies along one wall of an outline, both of its ends within ``reach`` [m] of that wall."""
+    ring = np.asarray(outline, dtype=float)
+    ends = np.array((start, end), dtype=float)
+    for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True):
+        along = b - a
+        length = float(np.hypot(*along))
+        if length < 1e-9:
+            continue
+        along = along / length
+        t = (ends - a) @ along
+        across = np.abs((ends - a) @ np.array((-along[1], along[0])))
+        if across.max() <= reach and t.min() >= -reach and t.max() <= length + reach:
+            return True
+    return False
+
+
+def rectangle(x: float, y: float, left: float = 0.0, below: float = 0.0) -> tuple[tuple[float, float], ...]:
+    """The outline of a room of ``x`` by ``y`` [m] with its least corner at (left, below), counter-clockwise."""
+    return (left, below), (left + x, below), (left + x, below + y), (left, below + y)
+
+
+def along(a: Sequence[float], b: Sequence[float], low: float, high: float) -> tuple[tuple[float, float], ...]:
+    """The points at ``low`` and ``high`` [m] from ``a`` on the way to ``b``, which lies elsewhere."""
+    p, q = np.asarray(a, dtype=float)[:2], np.asarray(b, dtype=float)[:2]
+    step = (q - p) / np.hypot(*(q - p))
+    first, last = p + low * step, p + high * step
+    return (float(first[0]), float(first[1])), (float(last[0]), float(last[1]))
