@@ -8,7 +8,7 @@ from typing import Any
 
 from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.geometry.rotations import tilt_of
-from sceneweaver.scene import Scene
+from sceneweaver.scene import Relation, Scene
 from sceneweaver.verify import Report, Violation
 
 from .upright import UPRIGHT
@@ -34,7 +34,11 @@ class Repair:
         before, after: the judge on both, with all relations taken for soft when they were not asked for.
         moves: the objects that moved, in the scene's order.
         notes: what the engine cannot represent and so left as it was.
-        explanation: why nothing valid was found; None otherwise.
+        explanation: why nothing valid was found with all objects; None otherwise.
+        proof: the same where it is proved, by arithmetic; None where it was searched for, or nothing is to explain.
+        taken_out: the objects that were taken out so that the rest is valid; only where that was allowed.
+        held: the soft relations that held before, where they were to go on holding.
+        lost: those of them that do not hold any more.
         seed, device: of the run; the device is None when nothing had to be solved.
         seconds: from call to return.
         timed_out: True when the time limit cut the run off.
@@ -57,6 +61,10 @@ class Repair:
     device: str | None
     seconds: float
     timed_out: bool = False
+    proof: str | None = None
+    taken_out: tuple[str, ...] = ()
+    held: tuple[Relation, ...] = ()
+    lost: tuple[Relation, ...] = ()
 
     @property
     def valid(self) -> bool:
@@ -79,6 +87,9 @@ class Repair:
             "device": self.device,
             "seconds": self.seconds,
             "timed_out": self.timed_out,
+            "proved": self.proof is not None,
+            "taken_out": list(self.taken_out),
+            "relations_kept": {"held": len(self.held), "lost": [r.model_dump(mode="json", exclude_defaults=True) for r in self.lost]},
             "before": self.before.to_dict(),
             "metrics": self.after.to_dict(),
         }
