@@ -27,6 +27,8 @@ if TYPE_CHECKING:
     from sceneweaver.extend import residual_cost as residual_cost
     from sceneweaver.extend import undefine_relation as undefine_relation
     from sceneweaver.extend import undefine_term as undefine_term
+    from sceneweaver.importers import ImportedScene as ImportedScene
+    from sceneweaver.importers import read_scenes as read_scenes
     from sceneweaver.layout import ObjectiveTerm as ObjectiveTerm
     from sceneweaver.layout import ParetoFront as ParetoFront
     from sceneweaver.layout import Problem as Problem
@@ -67,6 +69,7 @@ __all__ = [
     "EditResult",
     "EditSession",
     "Fault",
+    "ImportedScene",
     "InputError",
     "LearnedWeights",
     "MissingDependencyError",
@@ -105,6 +108,7 @@ __all__ = [
     "objective_of",
     "optimize_variables",
     "pareto_front",
+    "read_scenes",
     "refine",
     "refine_many",
     "repair",
@@ -121,6 +125,7 @@ _HOME = {
     "EditResult": "editing",
     "EditSession": "editing",
     "Fault": "critic",
+    "ImportedScene": "importers",
     "InputError": "scene",
     "LearnedWeights": "learning",
     "MissingDependencyError": "scene",
@@ -158,6 +163,7 @@ _HOME = {
     "objective_of": "layout",
     "optimize_variables": "layout",
     "pareto_front": "layout",
+    "read_scenes": "importers",
     "refine": "explain",
     "refine_many": "explain",
     "repair": "repairs",
