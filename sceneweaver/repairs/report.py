@@ -39,6 +39,8 @@ class Repair:
         taken_out: the objects that were taken out so that the rest is valid; only where that was allowed.
         held: the soft relations that held before, where they were to go on holding.
         lost: those of them that do not hold any more.
+        nearly: the soft relations that were missed by 30 cm at most, where soft ones count.
+        unmended: those of them that are missed still.
         seed, device: of the run; the device is None when nothing had to be solved.
         seconds: from call to return.
         timed_out: True when the time limit cut the run off.
@@ -65,6 +67,8 @@ class Repair:
     taken_out: tuple[str, ...] = ()
     held: tuple[Relation, ...] = ()
     lost: tuple[Relation, ...] = ()
+    nearly: tuple[Relation, ...] = ()
+    unmended: tuple[Relation, ...] = ()
 
     @property
     def valid(self) -> bool:
@@ -89,10 +93,19 @@ class Repair:
             "timed_out": self.timed_out,
             "proved": self.proof is not None,
             "taken_out": list(self.taken_out),
-            "relations_kept": {"held": len(self.held), "lost": [r.model_dump(mode="json", exclude_defaults=True) for r in self.lost]},
+            "soft_relations": {
+                "held": len(self.held),
+                "lost": [_named(r) for r in self.lost],
+                "nearly": len(self.nearly),
+                "unmended": [_named(r) for r in self.unmended],
+            },
             "before": self.before.to_dict(),
             "metrics": self.after.to_dict(),
         }
+
+
+def _named(relation: Relation) -> dict[str, Any]:
+    return relation.model_dump(mode="json", exclude_defaults=True)
 
 
 def moves_between(before: Scene, after: Scene) -> tuple[Move, ...]:

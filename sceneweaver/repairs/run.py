@@ -12,9 +12,8 @@ from sceneweaver.runtime.deadline import Deadline
 from sceneweaver.scene import InputError, Scene
 
 from .report import Repair, notes_on
-from .solving import Budget, Work, judged, mend
+from .solving import Budget, Work, mend
 from .taking_out import take_out
-from .wishes import holding
 
 
 def repair(
@@ -37,8 +36,8 @@ def repair(
     Args:
         scene: a scene from anywhere: objects may overlap, float, or be outside of the room.
         relations: whether hard relations are to hold afterwards, too.
-        soft: whether soft relations that hold are to go on holding as far as they can; one of them is worth 25 cm of
-            movement.
+        soft: whether soft relations that hold are to go on holding as far as they can, and those that nearly hold
+            (30 cm) are to be mended; one of the first is worth 25 cm of movement, one of the others 10 cm.
         drop: whether objects may be taken out where nothing valid was found with all of them: as few as it takes, the
             smallest of those. Fixed ones stay.
         candidates: how many repairs to choose from (default: 4 to 64, fewer the more objects there are).
@@ -129,10 +128,7 @@ def repair_many(
     """
     began = time.monotonic()
     _check_arguments(candidates, seed, time_limit)
-    work = []
-    for scene in scenes:
-        before = judged(scene, relations)
-        work.append(Work(scene, before, relations, holding(scene) if soft and not before.valid else frozenset()))
+    work = [Work.on(scene, relations, soft) for scene in scenes]
     broken = [each for each in work if not each.before.valid]
     budget = Budget(candidates, seed, device)
     clock = Deadline(math.inf if time_limit is None else began + time_limit)
@@ -162,8 +158,10 @@ def _outcome(work: Work, seed: int, seconds: float, explanation: str | None, pro
         timed_out=solution is not None and (solution.timed_out or work.unjudged),
         proof=proof,
         taken_out=best.taken_out,
-        held=tuple(work.scene.relations[k] for k in sorted(work.wishes)),
+        held=tuple(work.scene.relations[k] for k in sorted(work.held)),
         lost=tuple(work.scene.relations[k] for k in sorted(best.lost)),
+        nearly=tuple(work.scene.relations[k] for k in sorted(work.wishes - work.held)),
+        unmended=tuple(work.scene.relations[k] for k in sorted(best.unmet)),
     )
 
 

@@ -15,31 +15,35 @@ from sceneweaver.verify import Report, check
 
 from .report import Move, moves_between
 from .upright import engine_scene, put_back
-from .wishes import holding
+from .wishes import NEARLY, holding
 
 MOST, LEAST, WORK = 64, 4, 1280  # candidates: as many as WORK objects, within these bounds
 TRIES = 4  # of a candidate from the first feasible one on
 TRIED = 4  # layouts that are judged when none is valid, and of each pass where wishes count
 ROUNDS = 3  # passes with wishes
 JUDGED = 0.5  # [s] beyond a time limit in which what was found is judged
-LOST = 0.25  # [m] of movement that a relation is worth that would go on holding
+LOST = 0.25  # [m] of movement that a relation is worth that held before
+UNMET = 0.1  # [m] the same of one that nearly did
 
 
 @dataclass(frozen=True)
 class Option:
-    """A layout to choose from: the scene in it, the judge on it, who moved, the wishes that it loses, who is gone."""
+    """A layout to choose from: the scene in it, the judge on it, who moved, the wishes that it loses (those that held
+    before) and leaves unmet (those that nearly did), who is gone."""
 
     scene: Scene
     report: Report
     moves: tuple[Move, ...]
     lost: frozenset[int] = frozenset()
+    unmet: frozenset[int] = frozenset()
     taken_out: tuple[str, ...] = ()
 
     @property
     def badness(self) -> tuple[int, float]:
         """Order of options: by how many things are wrong, then by how far objects went and what got lost."""
         wrong = sum(v.hard for v in self.report.violations)
-        return wrong, sum(m.distance + abs(m.rise) for m in self.moves) + LOST * len(self.lost)
+        price = LOST * len(self.lost) + UNMET * len(self.unmet)
+        return wrong, sum(m.distance + abs(m.rise) for m in self.moves) + price
 
 
 @dataclass
@@ -50,7 +54,8 @@ class Work:
         scene: as it was.
         before: the judge on it.
         relations: whether its hard relations are to hold.
-        wishes: soft relations that hold and should go on holding.
+        held: soft relations that hold and should go on holding.
+        wishes: these, and those that nearly hold.
         options: what was found so far.
         solution: of the pass with all that is hard and nothing else; None before.
     """
@@ -58,6 +63,7 @@ class Work:
     scene: Scene
     before: Report
     relations: bool
+    held: frozenset[int] = frozenset()
     wishes: frozenset[int] = frozenset()
     options: list[Option] = field(default_factory=list)
     solution: Solution | None = None
@@ -66,7 +72,16 @@ class Work:
     @property
     def best(self) -> Option:
         """The best of the options and the scene as it was."""
-        return min([*self.options, Option(self.scene, self.before, ())], key=lambda option: option.badness)
+        as_it_was = Option(self.scene, self.before, (), unmet=self.wishes - self.held)
+        return min([*self.options, as_it_was], key=lambda option: option.badness)
+
+    @classmethod
+    def on(cls, scene: Scene, relations: bool, soft: bool) -> Work:
+        """Work on a scene, with its soft relations for wishes where they count and something is to be mended."""
+        before = judged(scene, relations)
+        if not soft or before.valid:
+            return cls(scene, before, relations)
+        return cls(scene, before, relations, holding(scene), holding(scene, slack=NEARLY))
 
 
 @dataclass(frozen=True)
@@ -145,8 +160,9 @@ def _chosen(solution: Solution, wishes: bool) -> np.ndarray:
 
 def _judge(work: Work, scene: Scene) -> None:
     report = judged(scene, work.relations)
-    lost = work.wishes - holding(scene, work.wishes)
-    work.options.append(Option(scene, report, moves_between(work.scene, scene), lost))
+    missed = work.wishes - holding(scene, work.wishes)
+    moves = moves_between(work.scene, scene)
+    work.options.append(Option(scene, report, moves, missed & work.held, missed - work.held))
 
 
 def hard_relations(scene: Scene) -> frozenset[int]:

@@ -49,9 +49,10 @@ def _as_option(work: Work, option: Work) -> Option:
     """The best layout of what is left, as an option of the whole scene."""
     best, left = option.best, {o.id for o in option.scene.objects}
     kept = [k for k, r in enumerate(work.scene.relations) if left.issuperset({r.subject, *r.targets} & _ids(work.scene))]
-    lost = {kept[k] for k in best.lost} | (work.wishes - set(kept))
+    lost = {kept[k] for k in best.lost} | (work.held - set(kept))
+    unmet = {kept[k] for k in best.unmet} | (work.wishes - work.held - set(kept))
     taken = tuple(o.id for o in work.scene.objects if o.id not in left)
-    return replace(best, lost=frozenset(lost), taken_out=taken)
+    return replace(best, lost=frozenset(lost), unmet=frozenset(unmet), taken_out=taken)
 
 
 def _at_fault(work: Work) -> list[str]:
@@ -79,8 +80,10 @@ def _without(work: Work, names: Sequence[str]) -> Work:
     kept = [k for k, r in enumerate(scene.relations) if not gone.intersection((r.subject, *r.targets))]
     relations = tuple(scene.relations[k] for k in kept)
     smaller = scene.model_copy(update={"objects": objects, "relations": relations})
-    wishes = frozenset(new for new, old in enumerate(kept) if old in work.wishes)
-    return Work(smaller, judged(smaller, work.relations), work.relations, wishes)
+    held, wishes = (
+        frozenset(new for new, old in enumerate(kept) if old in numbers) for numbers in (work.held, work.wishes)
+    )
+    return Work(smaller, judged(smaller, work.relations), work.relations, held, wishes)
 
 
 def _with_carried(scene: Scene, names: Iterable[str]) -> set[str]:
