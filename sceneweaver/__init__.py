@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from sceneweaver.render import draw_top as draw_top
     from sceneweaver.repairs import Repair as Repair
     from sceneweaver.repairs import repair as repair
+    from sceneweaver.repairs import repair_many as repair_many
     from sceneweaver.repairs import repair_report as repair_report
     from sceneweaver.scene import Dropped as Dropped
     from sceneweaver.scene import InputError as InputError
@@ -111,6 +112,7 @@ __all__ = [
     "refine",
     "refine_many",
     "repair",
+    "repair_many",
     "repair_report",
     "residual_cost",
     "undefine_check",
@@ -165,6 +167,7 @@ _HOME = {
     "refine": "explain",
     "refine_many": "explain",
     "repair": "repairs",
+    "repair_many": "repairs",
     "repair_report": "repairs",
     "residual_cost": "extend",
     "undefine_check": "critic",

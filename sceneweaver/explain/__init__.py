@@ -11,6 +11,7 @@ Everything is bounded by work, and the same call finds the same; the clock only 
 
 from .refine import refine as refine
 from .refine import refine_many as refine_many
+from .report import certificate as certificate
 from .report import explain as explain
 
-__all__ = ["explain", "refine", "refine_many"]
+__all__ = ["certificate", "explain", "refine", "refine_many"]

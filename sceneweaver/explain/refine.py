@@ -94,7 +94,7 @@ def refine(
         objective=objective,
         moves=moves,
     )
-    return _explained(solution, began, time_limit) if explain else solution
+    return explained(solution, began, time_limit) if explain else solution
 
 
 def refine_many(
@@ -141,10 +141,10 @@ def refine_many(
         objective=objective,
         moves=moves,
     )
-    return [_explained(solution, began, time_limit) for solution in solutions] if explain else solutions
+    return [explained(solution, began, time_limit) for solution in solutions] if explain else solutions
 
 
-def _explained(solution: Solution, began: float, time_limit: float | None) -> Solution:
+def explained(solution: Solution, began: float, time_limit: float | None) -> Solution:
     """The solution with the reason why nothing in it is valid, where that is so, and what else is odd about it.
 
     A run that its time limit cut off has a little more time to say why. Where that is not enough, nothing is said:

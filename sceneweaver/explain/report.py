@@ -12,6 +12,7 @@ import shapely
 from sceneweaver.layout import Solution
 from sceneweaver.scene import Room, Scene
 
+from .pairs import misfits
 from .proofs import arithmetic, fixed_faults, hints, most_unmet, never
 from .search import CHUNK, CROWD, FIRM, SURE, Search
 from .study import LOOK, OutOfTime, Study
@@ -233,3 +234,26 @@ def _timed_out(solution: Solution, proved: bool) -> list[str]:
         return []
     proof = "but more time would not have helped" if proved else "which is no proof that there is none"
     return [f"The time limit stopped the run after {solution.elapsed:.1f} s, before any layout was valid, {proof}."]
+
+
+def certificate(scene: Scene, solution: Solution, *, device: str) -> str | None:
+    """Why a scene has no valid layout at all, by arithmetic: lines that prove it; None where that proves nothing.
+
+    Args:
+        scene: what was refined.
+        solution: what came of it; objects at fault in all of its layouts are looked at.
+        device: as for ``refine``; nothing is searched there.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> from sceneweaver.explain import certificate
+        >>> room = sw.Room(outline=((0, 0), (4, 0), (4, 3), (0, 3)))
+        >>> scene = sw.Scene(id="hall", room=room, objects=(sw.SceneObject(id="raft", category="raft", size=(6, 2, 1)),))
+        >>> solution = sw.refine(scene, candidates=2, device="cpu", explain=False)
+        >>> print(certificate(scene, solution, device="cpu"))
+        raft (6 m x 2 m) fits nowhere in the room: its floor is 4 m x 3 m.
+    """
+    if np.any(solution.status == 0):
+        return None
+    study = Study(scene, solution, device, time.monotonic() + LONGEST)
+    return "\n".join(arithmetic(study) or list(never(study)) or list(misfits(study))) or None

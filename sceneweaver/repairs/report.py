@@ -8,7 +8,7 @@ from typing import Any
 
 from sceneweaver.geometry.angles import wrap_angle
 from sceneweaver.geometry.rotations import tilt_of
-from sceneweaver.scene import Scene
+from sceneweaver.scene import Relation, Scene
 from sceneweaver.verify import Report, Violation
 
 from .upright import UPRIGHT
@@ -34,7 +34,13 @@ class Repair:
         before, after: the judge on both, with all relations taken for soft when they were not asked for.
         moves: the objects that moved, in the scene's order.
         notes: what the engine cannot represent and so left as it was.
-        explanation: why nothing valid was found; None otherwise.
+        explanation: why nothing valid was found with all objects; None otherwise.
+        proof: the same where it is proved, by arithmetic; None where it was searched for, or nothing is to explain.
+        taken_out: the objects that were taken out so that the rest is valid; only where that was allowed.
+        held: the soft relations that held before, where they were to go on holding.
+        lost: those of them that do not hold any more.
+        nearly: the soft relations that were missed by 30 cm at most, where soft ones count.
+        unmended: those of them that are missed still.
         seed, device: of the run; the device is None when nothing had to be solved.
         seconds: from call to return.
         timed_out: True when the time limit cut the run off.
@@ -57,6 +63,12 @@ class Repair:
     device: str | None
     seconds: float
     timed_out: bool = False
+    proof: str | None = None
+    taken_out: tuple[str, ...] = ()
+    held: tuple[Relation, ...] = ()
+    lost: tuple[Relation, ...] = ()
+    nearly: tuple[Relation, ...] = ()
+    unmended: tuple[Relation, ...] = ()
 
     @property
     def valid(self) -> bool:
@@ -79,9 +91,21 @@ class Repair:
             "device": self.device,
             "seconds": self.seconds,
             "timed_out": self.timed_out,
+            "proved": self.proof is not None,
+            "taken_out": list(self.taken_out),
+            "soft_relations": {
+                "held": len(self.held),
+                "lost": [_named(r) for r in self.lost],
+                "nearly": len(self.nearly),
+                "unmended": [_named(r) for r in self.unmended],
+            },
             "before": self.before.to_dict(),
             "metrics": self.after.to_dict(),
         }
+
+
+def _named(relation: Relation) -> dict[str, Any]:
+    return relation.model_dump(mode="json", exclude_defaults=True)
 
 
 def moves_between(before: Scene, after: Scene) -> tuple[Move, ...]:

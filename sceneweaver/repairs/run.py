@@ -1,34 +1,27 @@
-"""Repair a scene: solve it from where it is, judge what comes out, keep the better one."""
+"""Repair scenes: solve them from where they are, judge what comes out, keep the best."""
 
 from __future__ import annotations
 
 import math
 import time
-from contextlib import suppress
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
 
 import numpy as np
 
-from sceneweaver.runtime.deadline import Deadline, TimeUp
+from sceneweaver.runtime.deadline import Deadline
 from sceneweaver.scene import InputError, Scene
-from sceneweaver.verify import Report, check
 
-from .report import Move, Repair, moves_between, notes_on
-from .upright import engine_scene, put_back
-
-if TYPE_CHECKING:
-    from sceneweaver.layout import Solution
-
-MOST, LEAST, WORK = 64, 4, 1280  # candidates: as many as WORK objects, within these bounds
-TRIES = 4  # of a candidate from the first feasible one on
-TRIED = 4  # layouts that are judged when none is valid
-JUDGED = 0.5  # [s] beyond a time limit in which what was found is judged
+from .report import Repair, notes_on
+from .solving import Budget, Work, mend
+from .taking_out import take_out
 
 
 def repair(
     scene: Scene,
     *,
     relations: bool = True,
+    soft: bool = False,
+    drop: bool = False,
     candidates: int | None = None,
     seed: int = 0,
     device: str = "auto",
@@ -36,12 +29,17 @@ def repair(
 ) -> Scene:
     """The scene with its objects moved as little as makes it valid; a scene that is valid is returned as it is.
 
-    Nothing is added, dropped, resized or tilted, and fixed objects stay. When no valid layout is found, the scene
+    Nothing is added, resized or tilted, nothing is taken out unless ``drop`` says so, and fixed objects stay. What
+    stands on an object moves along with it. When no valid layout is found, the scene
     has what the judge objects to least, which may be the scene as it was; ``sw.check`` or ``repair_report`` tell.
 
     Args:
         scene: a scene from anywhere: objects may overlap, float, or be outside of the room.
         relations: whether hard relations are to hold afterwards, too.
+        soft: whether soft relations that hold are to go on holding as far as they can, and those that nearly hold
+            (30 cm) are to be mended; one of the first is worth 25 cm of movement, one of the others 10 cm.
+        drop: whether objects may be taken out where nothing valid was found with all of them: as few as it takes, the
+            smallest of those. Fixed ones stay.
         candidates: how many repairs to choose from (default: 4 to 64, fewer the more objects there are).
         seed: with the same seed and kind of device, the same result.
         device: "auto", "cpu", "cuda" or "cuda:k".
@@ -59,7 +57,14 @@ def repair(
         True
     """
     return repair_report(
-        scene, relations=relations, candidates=candidates, seed=seed, device=device, time_limit=time_limit
+        scene,
+        relations=relations,
+        soft=soft,
+        drop=drop,
+        candidates=candidates,
+        seed=seed,
+        device=device,
+        time_limit=time_limit,
     ).scene
 
 
@@ -67,6 +72,8 @@ def repair_report(
     scene: Scene,
     *,
     relations: bool = True,
+    soft: bool = False,
+    drop: bool = False,
     candidates: int | None = None,
     seed: int = 0,
     device: str = "auto",
@@ -84,67 +91,90 @@ def repair_report(
         >>> repaired.valid, "plant" in [move.id for move in repaired.moves]
         (True, True)
     """
+    return repair_many(
+        [scene],
+        relations=relations,
+        soft=soft,
+        drop=drop,
+        candidates=candidates,
+        seed=seed,
+        device=device,
+        time_limit=time_limit,
+    )[0]
+
+
+def repair_many(
+    scenes: Sequence[Scene],
+    *,
+    relations: bool = True,
+    soft: bool = False,
+    drop: bool = False,
+    candidates: int | None = None,
+    seed: int = 0,
+    device: str = "auto",
+    time_limit: float | None = None,
+    explain: bool = True,
+) -> list[Repair]:
+    """Repair many scenes in shared launches, different rooms side by side; each as `repair_report` does it alone.
+
+    Arguments and errors as for `repair`; ``time_limit`` is for all scenes together. ``explain`` says of scenes that
+    stay invalid why, which takes up to 10 s each. ``Repair.seconds`` is each scene's equal share.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> scenes = [sw.Scene.example("bedroom"), sw.Scene.example("study")]
+        >>> [done.valid for done in sw.repair_many(scenes, device="cpu")]
+        [True, True]
+    """
     began = time.monotonic()
     _check_arguments(candidates, seed, time_limit)
-    before = _judge(scene, relations)
-    if before.valid:
-        return Repair(
-            source=scene,
-            scene=scene,
-            before=before,
-            after=before,
-            moves=(),
-            notes=(),
-            explanation=None,
-            seed=seed,
-            device=None,
-            seconds=time.monotonic() - began,
-        )
-    budget = {"candidates": candidates, "seed": seed, "device": device}
+    work = [Work.on(scene, relations, soft) for scene in scenes]
+    broken = [each for each in work if not each.before.valid]
+    budget = Budget(candidates, seed, device)
     clock = Deadline(math.inf if time_limit is None else began + time_limit)
-    solution, options = _solve(scene, relations, time_limit=clock.time_limit, **budget)
-    judged: list[tuple[Scene, Report, tuple[Move, ...]]] = []
-    with suppress(TimeUp), clock.enforced(lambda: JUDGED):
-        if relations and solution.status.min() != 0:  # where relations cannot hold, everything else still can
-            options += _solve(scene, False, time_limit=clock.time_limit, explain=False, **budget)[1]
-        for option in options:
-            judged.append((option, _judge(option, relations), moves_between(scene, option)))
-    fixed, after, moves = min([*judged, (scene, before, ())], key=_badness)
+    mend(broken, budget, clock)
+    if drop:
+        for each in broken:
+            if not each.best.report.valid:
+                take_out(each, budget, clock)
+    reasons = {id(each): _reasons(each, seed, began, time_limit) for each in broken if explain}
+    seconds = (time.monotonic() - began) / max(1, len(work))
+    return [_outcome(each, seed, seconds, *reasons.get(id(each), (None, None))) for each in work]
+
+
+def _outcome(work: Work, seed: int, seconds: float, explanation: str | None, proof: str | None) -> Repair:
+    best, solution = work.best, work.solution
     return Repair(
-        source=scene,
-        scene=fixed,
-        before=before,
-        after=after,
-        moves=moves,
-        notes=notes_on(scene),
-        explanation=None if after.valid else solution.explanation,
+        source=work.scene,
+        scene=best.scene,
+        before=work.before,
+        after=best.report,
+        moves=best.moves,
+        notes=() if solution is None else notes_on(work.scene),
+        explanation=explanation,
         seed=seed,
-        device=solution.device,
-        seconds=time.monotonic() - began,
-        timed_out=solution.timed_out or len(judged) < len(options),
+        device=None if solution is None else solution.device,
+        seconds=seconds,
+        timed_out=solution is not None and (solution.timed_out or work.unjudged),
+        proof=proof,
+        taken_out=best.taken_out,
+        held=tuple(work.scene.relations[k] for k in sorted(work.held)),
+        lost=tuple(work.scene.relations[k] for k in sorted(best.lost)),
+        nearly=tuple(work.scene.relations[k] for k in sorted(work.wishes - work.held)),
+        unmended=tuple(work.scene.relations[k] for k in sorted(best.unmet)),
     )
 
 
-def _solve(
-    scene: Scene, relations: bool, *, candidates: int | None, explain: bool = True, **options: Any
-) -> tuple[Solution, list[Scene]]:
-    """Project the scene; the solution, and its best layout as a scene, or when none is valid a few to choose from."""
-    from sceneweaver.explain import refine
+def _reasons(work: Work, seed: int, began: float, time_limit: float | None) -> tuple[str | None, str | None]:
+    """Why a scene could not be mended as it was, and whether that is proved: (None, None) where it was."""
+    best, solution = work.best, work.solution
+    if solution is None or (best.report.valid and not best.taken_out):
+        return None, None
+    from sceneweaver.explain import certificate
+    from sceneweaver.explain.refine import explained
 
-    model, lift = engine_scene(scene, relations)
-    solution = refine(
-        model,
-        candidates=candidates or max(LEAST, min(MOST, WORK // max(1, len(scene.objects)))),
-        init="current",
-        optimizer="projection",
-        steps=TRIES,
-        explain=explain,
-        **options,
-    )
-    chosen = solution.order[:1]
-    if solution.status[chosen[0]] != 0:  # those with the least left to mend, too
-        chosen = np.unique(np.concatenate([chosen, np.argsort(solution.energy, kind="stable")[:TRIED]]))
-    return solution, [put_back(scene, lift, solution.poses[i]) for i in chosen]
+    proof = certificate(solution.source, solution, device=solution.device)
+    return proof or explained(solution, began, time_limit).explanation, proof
 
 
 def _check_arguments(candidates: int | None, seed: int, time_limit: float | None) -> None:
@@ -155,17 +185,3 @@ def _check_arguments(candidates: int | None, seed: int, time_limit: float | None
         raise InputError(f"seed: {seed!r} is not a whole number from 0 to 2**32 - 1")
     if time_limit is not None and not time_limit > 0:
         raise InputError(f"time_limit: {time_limit!r} is not a positive number of seconds")
-
-
-def _judge(scene: Scene, relations: bool) -> Report:
-    if not relations:
-        soft = tuple(r.model_copy(update={"hard": False}) for r in scene.relations)
-        scene = scene.model_copy(update={"relations": soft})
-    return check(scene)
-
-
-def _badness(result: tuple[Scene, Report, tuple[Move, ...]]) -> tuple[int, float]:
-    """Order of results: by how many things are wrong, then by how far objects went."""
-    _, report, moves = result
-    wrong = sum(v.hard for v in report.violations)
-    return wrong, sum(m.distance + abs(m.rise) for m in moves)

@@ -45,6 +45,15 @@ def judge_relation(placed: Placed, relation: Relation) -> Judgement:
     return HOLDS if judgement else fails("does not hold")
 
 
+def nearly_holds(placed: Placed, relation: Relation, slack: float) -> bool:
+    """Whether a relation holds, or each measure of it that can be a little off is so by ``slack`` [m] at most.
+
+    Degrees are compared with lengths as the judge does it, 0.5 m for a radian.
+    """
+    judgement = judge_relation(placed, relation)
+    return judgement.holds or (judgement.worst is not None and judgement.worst.weight <= slack)
+
+
 def register_judge(relation_type: str, function: Judge) -> None:
     """Judge relations of a registered type with ``function``: Case -> Judgement, or a bool."""
     if relation_type in BUILT_IN:

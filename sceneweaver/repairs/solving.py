@@ -1,0 +1,216 @@
+"""Passes of projections over many scenes at once: with what is hard, with what is wished for as well, with neither."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from sceneweaver.layout import Solution, engine
+from sceneweaver.runtime.deadline import Deadline, TimeUp
+from sceneweaver.scene import Relation, Scene
+from sceneweaver.verify import Report, check
+
+from .report import Move, moves_between
+from .upright import engine_scene, put_back
+from .wishes import NEARLY, holding
+
+MOST, LEAST, WORK = 64, 4, 1280  # candidates: as many as WORK objects, within these bounds
+TRIES = 4  # of a candidate from the first feasible one on
+TRIED = 4  # layouts that are judged when none is valid, and of each pass where wishes count
+ROUNDS = 3  # passes with wishes
+JUDGED = 0.5  # [s] beyond a time limit in which what was found is judged
+LOST = 0.25  # [m] of movement that a relation is worth that held before
+UNMET = 0.1  # [m] the same of one that nearly did
+
+
+@dataclass(frozen=True)
+class Option:
+    """A layout to choose from: the scene in it, the judge on it, who moved, the wishes that it loses (those that held
+    before) and leaves unmet (those that nearly did), who is gone."""
+
+    scene: Scene
+    report: Report
+    moves: tuple[Move, ...]
+    lost: frozenset[int] = frozenset()
+    unmet: frozenset[int] = frozenset()
+    taken_out: tuple[str, ...] = ()
+
+    @property
+    def badness(self) -> tuple[int, float]:
+        """Order of options: by how many things are wrong, then by how far objects went and what got lost."""
+        wrong = sum(v.hard for v in self.report.violations)
+        price = LOST * len(self.lost) + UNMET * len(self.unmet)
+        return wrong, sum(m.distance + abs(m.rise) for m in self.moves) + price
+
+
+@dataclass
+class Work:
+    """A scene under repair.
+
+    Attributes:
+        scene: as it was.
+        before: the judge on it.
+        relations: whether its hard relations are to hold.
+        held: soft relations that hold and should go on holding.
+        wishes: these, and those that nearly hold.
+        options: what was found so far.
+        solution: of the pass with all that is hard and nothing else; None before.
+    """
+
+    scene: Scene
+    before: Report
+    relations: bool
+    held: frozenset[int] = frozenset()
+    wishes: frozenset[int] = frozenset()
+    options: list[Option] = field(default_factory=list)
+    solution: Solution | None = None
+    unjudged: bool = False
+
+    @property
+    def best(self) -> Option:
+        """The best of the options and the scene as it was."""
+        as_it_was = Option(self.scene, self.before, (), unmet=self.wishes - self.held)
+        return min([*self.options, as_it_was], key=lambda option: option.badness)
+
+    @classmethod
+    def on(cls, scene: Scene, relations: bool, soft: bool) -> Work:
+        """Work on a scene, with its soft relations for wishes where they count and something is to be mended."""
+        before = judged(scene, relations)
+        if not soft or before.valid:
+            return cls(scene, before, relations)
+        return cls(scene, before, relations, holding(scene), holding(scene, slack=NEARLY))
+
+
+@dataclass(frozen=True)
+class Budget:
+    """How much a pass may do."""
+
+    candidates: int | None
+    seed: int
+    device: str
+    steps: int = TRIES
+
+    def count(self, scene: Scene) -> int:
+        """Candidates of a scene."""
+        return self.candidates or max(LEAST, min(MOST, WORK // max(1, len(scene.objects))))
+
+
+def judged(scene: Scene, relations: bool) -> Report:
+    """The judge on a scene, with all relations taken for soft when they were not asked for."""
+    if not relations:
+        soft = tuple(r.model_copy(update={"hard": False}) for r in scene.relations)
+        scene = scene.model_copy(update={"relations": soft})
+    return check(scene)
+
+
+Hard = Sequence[frozenset[int]]
+"""The numbers of the relations that are to hold, of each scene."""
+
+Found = list[tuple[Solution, np.ndarray]]
+"""Of each scene its solution, and how far its objects were lifted for the engine [m]."""
+
+
+def project(work: Sequence[Work], hard: Hard, budget: Budget, clock: Deadline) -> Found:
+    """Solve scenes in shared launches with the relations of these numbers to hold."""
+    models = [engine_scene(_with_hard(each.scene, numbers), True) for each, numbers in zip(work, hard, strict=True)]
+    solutions = engine.refine_many(
+        [model for model, _ in models],
+        candidates=[budget.count(each.scene) for each in work],
+        init="current",
+        optimizer="projection",
+        steps=budget.steps,
+        seed=budget.seed,
+        device=budget.device,
+        time_limit=clock.time_limit,
+    )
+    return [(solution, lift) for solution, (_, lift) in zip(solutions, models, strict=True)]
+
+
+def judge(work: Sequence[Work], found: Found) -> list[Solution]:
+    """Make the best layout of each scene an option, or where none is valid or wishes count a few; the solutions."""
+    for each in work:
+        each.unjudged = True
+    for each, (solution, lift) in zip(work, found, strict=True):
+        for k in _chosen(solution, bool(each.wishes)):
+            _judge(each, put_back(each.scene, lift, solution.poses[k]))
+        each.unjudged = False
+    return [solution for solution, _ in found]
+
+
+def _with_hard(scene: Scene, numbers: frozenset[int]) -> Scene:
+    """The scene with the relations of these numbers hard and all others soft."""
+
+    def with_hardness(k: int, relation: Relation) -> Relation:
+        return relation if relation.hard == (k in numbers) else relation.model_copy(update={"hard": k in numbers})
+
+    relations = tuple(with_hardness(k, r) for k, r in enumerate(scene.relations))
+    return scene.model_copy(update={"relations": relations})
+
+
+def _chosen(solution: Solution, wishes: bool) -> np.ndarray:
+    """The layouts of a solution that are worth a look by the judge."""
+    chosen = solution.order[:1]
+    if solution.status[chosen[0]] != 0:  # those with the least left to mend, too
+        return np.unique(np.concatenate([chosen, np.argsort(solution.energy, kind="stable")[:TRIED]]))
+    return solution.ranked[:TRIED] if wishes else chosen
+
+
+def _judge(work: Work, scene: Scene) -> None:
+    report = judged(scene, work.relations)
+    missed = work.wishes - holding(scene, work.wishes)
+    moves = moves_between(work.scene, scene)
+    work.options.append(Option(scene, report, moves, missed & work.held, missed - work.held))
+
+
+def hard_relations(scene: Scene) -> frozenset[int]:
+    """The numbers of the hard relations of a scene."""
+    return frozenset(k for k, r in enumerate(scene.relations) if r.hard)
+
+
+def mend(work: Sequence[Work], budget: Budget, clock: Deadline) -> None:
+    """Project scenes: with all that is hard, with their wishes too, and where that cannot be with those that can.
+
+    Wishes take part as if they were hard. Where they cannot all hold, those stay that hold in the best layout of the
+    pass that failed. Where hard relations cannot hold everything else still can.
+    """
+    if not work:
+        return
+    asked = [hard_relations(each.scene) if each.relations else frozenset() for each in work]
+    found = project(work, asked, budget, clock)
+    for each, (solution, _) in zip(work, found, strict=True):
+        each.solution = solution
+    with suppress(TimeUp), clock.enforced(lambda: JUDGED):
+        judge(work, found)
+        bare = [each for each, numbers in zip(work, asked, strict=True) if numbers and _failed(each.solution)]
+        if bare:
+            judge(bare, project(bare, [frozenset()] * len(bare), budget, clock))
+        _mend_wishing([(each, numbers | each.wishes) for each, numbers in zip(work, asked, strict=True)], budget, clock)
+
+
+def _mend_wishing(wishing: list[tuple[Work, frozenset[int]]], budget: Budget, clock: Deadline) -> None:
+    """Passes in which wishes have to hold, each with those that held in the one before."""
+    wishing = [(each, numbers) for each, numbers in wishing if each.wishes]
+    for _ in range(ROUNDS):
+        if not wishing or clock.passed:
+            return
+        scenes = [each for each, _ in wishing]
+        solutions = judge(scenes, project(scenes, [numbers for _, numbers in wishing], budget, clock))
+        left = []
+        for (each, numbers), solution in zip(wishing, solutions, strict=True):
+            fewer = numbers - (each.wishes & _unmet(solution))
+            if _failed(solution) and fewer != numbers:
+                left.append((each, fewer))
+        wishing = left
+
+
+def _failed(solution: Solution | None) -> bool:
+    return solution is not None and bool(solution.status.min() != 0)
+
+
+def _unmet(solution: Solution) -> frozenset[int]:
+    """Relations that do not hold in the layout that is nearest to valid."""
+    nearest = int(np.argmin(solution.energy))
+    return frozenset(np.flatnonzero(~solution.relations[nearest]).tolist())
