@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Literal, NamedTuple
 
-Needs = Literal["objects", "sizes", "room", "openings", "prompts", "reference", "fronts", "physics", "several"]
+Needs = Literal["objects", "sizes", "room", "openings", "prompts", "reference", "physics", "several"]
 """What a figure cannot do without: sizes of objects, the room's outline, its doors and windows, an annotated request, a
-reference set, fronts of objects, a simulation, several scenes."""
+reference set, a simulation, several scenes."""
 
 PAPER = "SceneWeaver (table of quantitative results): #Obj, #OB, #CN"
 SCENE_EVAL = "SceneEval (Tam et al. 2025), github.com/3dlg-hcvc/SceneEval"
@@ -129,7 +129,7 @@ METRICS = (
         "accessibility",
         "share",
         "more",
-        ("sizes", "room", "fronts"),
+        ("sizes", "room"),
         "Of each thing on the floor that is used from a side: how much of a strip of 0.2 m, 5 cm before that side, is "
         "floor of the room without another's box; of several sides the best. Mean over the things.",
         f"{SCENE_EVAL}: accessibility; the taxonomy says which sides, where SceneEval asks a language model",
@@ -251,7 +251,6 @@ ABSENT: dict[Needs, str] = {
     "openings": "doors and windows are not in the files",
     "prompts": "no annotated request was given for these scenes (--prompts)",
     "reference": "no reference set was given (--reference)",
-    "fronts": "fronts are not in the files",
     "physics": "not simulated (--no-stability)",
     "several": "takes two scenes",
 }
