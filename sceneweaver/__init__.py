@@ -19,6 +19,10 @@ if TYPE_CHECKING:
     from sceneweaver.critic import undefine_check as undefine_check
     from sceneweaver.editing import EditResult as EditResult
     from sceneweaver.editing import EditSession as EditSession
+    from sceneweaver.evaluation import Comparison as Comparison
+    from sceneweaver.evaluation import Evaluation as Evaluation
+    from sceneweaver.evaluation import compare as compare
+    from sceneweaver.evaluation import evaluate as evaluate
     from sceneweaver.explain import refine as refine
     from sceneweaver.explain import refine_many as refine_many
     from sceneweaver.extend import check_gradient as check_gradient
@@ -65,9 +69,11 @@ if TYPE_CHECKING:
     __version__: str
 
 __all__ = [
+    "Comparison",
     "Dropped",
     "EditResult",
     "EditSession",
+    "Evaluation",
     "Fault",
     "ImportedScene",
     "InputError",
@@ -96,12 +102,14 @@ __all__ = [
     "build",
     "check",
     "check_gradient",
+    "compare",
     "compile",
     "define_check",
     "define_relation",
     "define_term",
     "design",
     "draw_top",
+    "evaluate",
     "hypervolume",
     "improve",
     "learn_weights",
@@ -121,9 +129,11 @@ __all__ = [
 ]
 
 _HOME = {
+    "Comparison": "evaluation",
     "Dropped": "scene",
     "EditResult": "editing",
     "EditSession": "editing",
+    "Evaluation": "evaluation",
     "Fault": "critic",
     "ImportedScene": "importers",
     "InputError": "scene",
@@ -151,12 +161,14 @@ _HOME = {
     "build": "building",
     "check": "verify",
     "check_gradient": "extend",
+    "compare": "evaluation",
     "compile": "layout",
     "define_check": "critic",
     "define_relation": "extend",
     "define_term": "extend",
     "design": "agent",
     "draw_top": "render",
+    "evaluate": "evaluation",
     "hypervolume": "layout",
     "improve": "layout",
     "learn_weights": "learning",

@@ -332,6 +332,140 @@ def import_scenes(
     )
 
 
+CompareFrom = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--from",
+        metavar="[NAME=]FORMAT",
+        help="How files are read: auto, sceneweaver, or a format of docs/importers.md.",
+        show_default=False,
+    ),
+]
+CompareFolder = Annotated[
+    list[str] | None,
+    typer.Option(metavar="[NAME=]DIR", help="Their assets, meshes or metadata.", show_default=False),
+]
+CompareSizes = Annotated[
+    list[str] | None,
+    typer.Option(metavar="[NAME=]FILE", help="Sizes by asset or label, .json or .csv.", show_default=False),
+]
+CompareAssets = Annotated[
+    str, typer.Option(metavar="own|theirs|boxes", help="What stands for objects: our furniture, their meshes, boxes.")
+]
+AssumeSizes = Annotated[
+    bool, typer.Option("--assume-sizes", help="Judge usual sizes where the files have none; such figures are marked.")
+]
+Prompts = Annotated[
+    Path | None,
+    typer.Option(metavar="FILE", help="Annotated requests: a CSV file as of SceneEval.", show_default=False),
+]
+Reference = Annotated[
+    str | None,
+    typer.Option(metavar="NAME|PATH", help="Scenes whose categories are compared with.", show_default=False),
+]
+Stability = Annotated[bool, typer.Option("--stability/--no-stability", help="Simulate each scene for 5 s by MuJoCo.")]
+SceneCount = Annotated[int | None, typer.Option(min=1, help="Most scenes of each system.", show_default=False)]
+SceneLimit = Annotated[float, typer.Option(callback=positive_seconds, help="Seconds that a scene may take.")]
+Jobs = Annotated[int, typer.Option(min=1, help="Processes that judge.")]
+Shown = Annotated[int, typer.Option(min=0, max=24, help="Scenes of each system that are drawn.")]
+Table = Annotated[
+    Path,
+    typer.Option("--out", "-o", metavar="OUT", help="A folder; a run into it again goes on.", show_default=False),
+]
+
+
+@app.command()
+def evaluate(
+    context: typer.Context,
+    sources: Annotated[
+        list[str],
+        typer.Argument(metavar="SCENES...", help="Files or folders of scenes of one system.", show_default=False),
+    ],
+    out: Table,
+    formats: CompareFrom = None,
+    assets: CompareAssets = "own",
+    asset_folder: CompareFolder = None,
+    sizes: CompareSizes = None,
+    assume_sizes: AssumeSizes = False,
+    prompts: Prompts = None,
+    reference: Reference = None,
+    stability: Stability = True,
+    limit: SceneCount = None,
+    scene_limit: SceneLimit = 120.0,
+    jobs: Jobs = 1,
+    pictures: Shown = 3,
+    time_limit: TimeLimit = None,
+    as_json: Json = False,
+) -> int:
+    """Judge scenes of any format: collisions, stability, support, access, what was asked, sizes, diversity."""
+    from .comparing import CompareOptions, run_compare
+
+    options = CompareOptions(
+        formats=formats or (),
+        folders=asset_folder or (),
+        sizes=sizes or (),
+        assets=assets,
+        assume_sizes=assume_sizes,
+        prompts=prompts,
+        reference=reference,
+        stability=stability,
+        limit=limit,
+        jobs=jobs,
+        scene_limit=scene_limit,
+        pictures=pictures,
+        time_limit=time_limit,
+        as_json=as_json,
+    )
+    return run_compare(sources, out, options, "evaluation", context.obj)
+
+
+@app.command()
+def compare(
+    context: typer.Context,
+    systems: Annotated[
+        list[str],
+        typer.Argument(
+            metavar="[NAME=]PATH...", help="Files or folders of scenes, one for each system.", show_default=False
+        ),
+    ],
+    out: Table,
+    formats: CompareFrom = None,
+    assets: CompareAssets = "own",
+    asset_folder: CompareFolder = None,
+    sizes: CompareSizes = None,
+    assume_sizes: AssumeSizes = False,
+    prompts: Prompts = None,
+    reference: Reference = None,
+    stability: Stability = True,
+    limit: SceneCount = None,
+    scene_limit: SceneLimit = 120.0,
+    jobs: Jobs = 1,
+    pictures: Shown = 3,
+    time_limit: TimeLimit = None,
+    as_json: Json = False,
+) -> int:
+    """Put systems side by side: their scenes, of any format, judged alike, in one table with definitions."""
+    from .comparing import CompareOptions, run_compare
+
+    options = CompareOptions(
+        formats=formats or (),
+        folders=asset_folder or (),
+        sizes=sizes or (),
+        assets=assets,
+        assume_sizes=assume_sizes,
+        prompts=prompts,
+        reference=reference,
+        stability=stability,
+        limit=limit,
+        jobs=jobs,
+        scene_limit=scene_limit,
+        pictures=pictures,
+        time_limit=time_limit,
+        as_json=as_json,
+    )
+    return run_compare(systems, out, options, "comparison", context.obj)
+
+
 @app.command()
 def export(
     context: typer.Context,

@@ -74,7 +74,7 @@ def _measure(placed: Placed, radius: float) -> Access | None:
     grid = Grid(placed)
     if grid.cells > MOST_CELLS:
         return None
-    free = _free(placed, grid, radius)
+    free = free_for(placed, grid, radius)
     regions, count = label(free)
     sizes = np.bincount(regions.ravel(), minlength=count + 1)
     sizes[0] = 0
@@ -85,7 +85,8 @@ def _measure(placed: Placed, radius: float) -> Access | None:
     return Access(walkable, 1.0 - len(missed) / standing if standing else 1.0, missed)
 
 
-def _free(placed: Placed, grid: Grid, radius: float) -> np.ndarray:
+def free_for(placed: Placed, grid: Grid, radius: float) -> np.ndarray:
+    """Which cells of a grid a robot of some radius [m] may stand on."""
     parts = placed.parts
     solid = (parts.z[:, 0] < CLEARANCE) & (parts.z[:, 1] > STEP)
     walls = np.stack([grid.outline, np.roll(grid.outline, -1, axis=0)], axis=1)
