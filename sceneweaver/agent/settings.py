@@ -5,6 +5,7 @@ from __future__ import annotations
 from pydantic import Field
 
 from sceneweaver.knowledge.small_things import CLUTTER
+from sceneweaver.runtime.options import Init
 from sceneweaver.scene.base import FrozenModel
 
 ASKED = 4.0
@@ -56,6 +57,11 @@ class Settings(FrozenModel):
         default=CLUTTER, ge=0, le=1, description="How lived-in the room looks, from 0, a show room, to 1"
     )
     settle: bool = Field(default=False, description="Prefer what physics leaves alone, and keep its settled poses")
+    init: Init = Field(default="auto", description="What the room begins with; auto: as the planner likes")
+    scenes: str | None = Field(default=None, description="Folder of the scenes that a library is; None: our own")
+    scene_model: str | None = Field(default=None, description="What makes scenes for init model, by its name")
+    start: str | None = Field(default=None, description="File of the scene that is gone on from")
+    source: str = Field(default="auto", description="Format of that file, and of the outputs of a model")
     choice: bool = True
     rules: bool = True
     reflect: bool = True
