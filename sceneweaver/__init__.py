@@ -27,6 +27,8 @@ if TYPE_CHECKING:
     from sceneweaver.extend import residual_cost as residual_cost
     from sceneweaver.extend import undefine_relation as undefine_relation
     from sceneweaver.extend import undefine_term as undefine_term
+    from sceneweaver.importers import ImportedScene as ImportedScene
+    from sceneweaver.importers import read_scenes as read_scenes
     from sceneweaver.layout import ObjectiveTerm as ObjectiveTerm
     from sceneweaver.layout import ParetoFront as ParetoFront
     from sceneweaver.layout import Problem as Problem
@@ -66,6 +68,7 @@ __all__ = [
     "EditResult",
     "EditSession",
     "Fault",
+    "ImportedScene",
     "InputError",
     "LearnedWeights",
     "MissingDependencyError",
@@ -104,6 +107,7 @@ __all__ = [
     "objective_of",
     "optimize_variables",
     "pareto_front",
+    "read_scenes",
     "refine",
     "refine_many",
     "repair",
@@ -119,6 +123,7 @@ _HOME = {
     "EditResult": "editing",
     "EditSession": "editing",
     "Fault": "critic",
+    "ImportedScene": "importers",
     "InputError": "scene",
     "LearnedWeights": "learning",
     "MissingDependencyError": "scene",
@@ -156,6 +161,7 @@ _HOME = {
     "objective_of": "layout",
     "optimize_variables": "layout",
     "pareto_front": "layout",
+    "read_scenes": "importers",
     "refine": "explain",
     "refine_many": "explain",
     "repair": "repairs",

@@ -281,6 +281,57 @@ def render(
     return run_render(source, out, view, size, plain=plain, **common)
 
 
+@app.command("import")
+def import_scenes(
+    source: Annotated[Path, typer.Argument(metavar="FILE|DIR", help="Scenes of another system.", show_default=False)],
+    out: Annotated[
+        Path,
+        typer.Option("--out", "-o", metavar="OUT", help="A folder, or for one scene a .json file.", show_default=False),
+    ],
+    format_name: Annotated[
+        str, typer.Option("--from", metavar="FORMAT", help="The system that wrote it; docs/importers.md lists them.")
+    ] = "auto",
+    assets: Annotated[
+        str,
+        typer.Option(metavar="own|theirs|boxes", help="What stands for objects: our furniture, their meshes, boxes."),
+    ] = "own",
+    asset_folder: Annotated[
+        Path | None, typer.Option(metavar="DIR", help="Their assets, meshes or metadata.", show_default=False)
+    ] = None,
+    sizes: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE",
+            help="Sizes by asset or label, .json or .csv, where the files have none.",
+            show_default=False,
+        ),
+    ] = None,
+    room: Annotated[
+        str | None, typer.Option(metavar="NAME", help="Only this room of a home.", show_default=False)
+    ] = None,
+    relations: Annotated[
+        bool, typer.Option("--relations/--no-relations", help="Keep what holds between the objects as soft relations.")
+    ] = True,
+    limit: Annotated[int | None, typer.Option(min=1, help="Most scenes.", show_default=False)] = None,
+    as_json: Json = False,
+) -> int:
+    """Bring scenes of other systems into scene files: poses kept, categories, sizes and supports found."""
+    from .importing import run_import
+
+    return run_import(
+        source,
+        out,
+        format_name=format_name,
+        assets=assets,  # type: ignore[arg-type]
+        folder=asset_folder,
+        sizes=sizes,
+        room=room,
+        relations=relations,
+        limit=limit,
+        as_json=as_json,
+    )
+
+
 @app.command()
 def export(
     context: typer.Context,

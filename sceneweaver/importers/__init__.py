@@ -1,0 +1,34 @@
+"""Scenes of other systems: their files read, brought to our frame, categories and relations.
+
+A format is a small module in `formats`; what all need is here: frames, sizes, categories, openings, supports.
+"""
+
+from .categories import category_of as category_of
+from .formats import formats as formats
+from .model import ReadOptions as ReadOptions
+from .model import SourceFormat as SourceFormat
+from .model import SourceObject as SourceObject
+from .model import SourceOpening as SourceOpening
+from .model import SourceRoom as SourceRoom
+from .read import AUTO as AUTO
+from .read import format_of as format_of
+from .read import read_scenes as read_scenes
+from .read import sources as sources
+from .scene import ImportedScene as ImportedScene
+from .scene import to_scene as to_scene
+
+__all__ = [
+    "AUTO",
+    "ImportedScene",
+    "ReadOptions",
+    "SourceFormat",
+    "SourceObject",
+    "SourceOpening",
+    "SourceRoom",
+    "category_of",
+    "format_of",
+    "formats",
+    "read_scenes",
+    "sources",
+    "to_scene",
+]
