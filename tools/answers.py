@@ -108,9 +108,7 @@ def _source_object(row: Any, where: str) -> SourceObject:
     )
 
 
-def _numbers(
-    value: Any, where: str, many: int, low: float = -FARTHEST, high: float = FARTHEST
-) -> tuple[float, ...]:
+def _numbers(value: Any, where: str, many: int, low: float = -FARTHEST, high: float = FARTHEST) -> tuple[float, ...]:
     if hasattr(value, "tolist"):
         value = value.tolist()
     if not isinstance(value, list | tuple) or len(value) != many:

@@ -30,8 +30,8 @@ class ToolCard(FrozenModel):
     """What is known about a tool.
 
     ``inputs`` is a JSON schema; ``confidence`` in 0..1 is how far it is trusted before it was ever called. ``needs``
-    says what the tool cannot do without: a language model, or a model of scenes. ``withheld`` names inputs that a model may not give, such as
-    paths and angles.
+    says what the tool cannot do without: a language model, or a model of scenes. ``withheld`` names inputs that a
+    language model may not give, such as paths and angles.
     """
 
     name: Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]*$")]

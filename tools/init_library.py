@@ -56,9 +56,7 @@ class InitLibrary:
         given = folder.load(name)
         opened, said = with_openings(context, given.scene)
         scene, notes, unmet = adapted(context, opened, self.name, name)
-        scene = scene.model_copy(
-            update={"room": scene.room.model_copy(update={"type": context.room_type.name})}
-        )
+        scene = scene.model_copy(update={"room": scene.room.model_copy(update={"type": context.room_type.name})})
         by = f" ({given.source})" if given.source else ""
         first = (f"begun with the library scene {name}{by}{score}", *folder.left_out, *given.notes, said)
         return Proposal(

@@ -33,9 +33,7 @@ class InitModel:
         except InputError as error:
             raise InputError(f"tool {self.name}: {given.name}: {error}") from error
         said = f"begun with a scene of {given.name}, {len(made.scene.objects)} objects"
-        return Proposal(
-            scene=scene, notes=(said, *made.notes, *notes), unmet=tuple(unmet), origin=made.scene
-        )
+        return Proposal(scene=scene, notes=(said, *made.notes, *notes), unmet=tuple(unmet), origin=made.scene)
 
 
 def request_of(context: Context) -> SceneRequest:

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
+from sceneweaver.importers import AUTO
 from sceneweaver.knowledge.library import SceneCard
 from sceneweaver.knowledge.scene_words import text_likeness
 from sceneweaver.scene import InputError
 
-from .scene_files import GivenScene, scenes_in
-from .scene_folder import card_for, scene_folder
+from .scene_files import GivenScene
+from .scene_folder import cards_in, scene_folder, scene_named
 from .scene_model import SceneRequest
 
 
@@ -29,33 +29,28 @@ class ModelOutputs:
     """
 
     path: Path
-    source: str = "auto"
+    source: str = AUTO
     name: str = ""
 
-    def generate(self, request: SceneRequest) -> Any:
-        """The scene as the importers read it, with a note on why it is this one; InputError where there is none."""
-        return self._of_folder(request) if self.path.is_dir() and self.source == "auto" else self._of_file(request)
+    def generate(self, request: SceneRequest) -> GivenScene:
+        """The scene as the importers read it, with a note on why it is this one.
 
-    def _of_folder(self, request: SceneRequest) -> GivenScene:
-        folder = scene_folder(self.path)
-        cards = [card for card in folder.cards if not self.name or card.name == self.name]
+        Raises:
+            InputError: there is none, or its file is damaged.
+        """
+        folder, left_out = None, tuple[str, ...]()
+        if self.path.is_dir() and self.source == AUTO:
+            folder = scene_folder(self.path)
+            cards, left_out = list(folder.cards), folder.left_out
+        else:
+            cards = cards_in("", self.path, self.source)
+        cards = [card for card in cards if self.name in ("", card.name, card.part)]
         if not cards:
-            lost = f"; {folder.left_out[0]}" if folder.left_out else ""
+            lost = f"; {left_out[0]}" if left_out else ""
             raise InputError(f"{self.path} holds no scene{f' {self.name!r}' if self.name else ''}{lost}")
         card, why = chosen(cards, request)
-        one = folder.load(card.name)
-        return GivenScene(one.scene, card.name, one.source, (*folder.left_out, why, *one.notes))
-
-    def _of_file(self, request: SceneRequest) -> GivenScene:
-        found = [one for one in scenes_in(self.path, self.source) if not self.name or one.name == self.name]
-        if not found:
-            raise InputError(f"{self.path} holds no scene{f' {self.name!r}' if self.name else ''}")
-        if len(found) == 1:
-            return found[0]
-        cards = [card_for(str(k), one) for k, one in enumerate(found)]
-        card, why = chosen(cards, request)
-        one = found[int(card.name)]
-        return GivenScene(one.scene, one.name, one.source, (why.replace(f"'{card.name}'", f"'{one.name}'"), *one.notes))
+        one = folder.load(card.name) if folder is not None else scene_named(self.path, card, self.source)
+        return GivenScene(one.scene, card.name, one.source, (*left_out, *([why] if why else ()), *one.notes))
 
 
 def chosen(cards: list[SceneCard], request: SceneRequest) -> tuple[SceneCard, str]:
@@ -67,9 +62,9 @@ def chosen(cards: list[SceneCard], request: SceneRequest) -> tuple[SceneCard, st
     for card in cards:
         if _plain(card.name.rpartition("/")[2]) == text:
             return card, f"took '{card.name}', which is called like the request"
+    if len(cards) == 1:
+        return cards[0], ""
     own = [card for card in cards if card.room.replace(" ", "_") == request.kind] or cards
-    if len(own) == 1:
-        return own[0], f"took '{own[0].name}'"
     alike = text_likeness(request.text, [words_of(card) for card in own])
     best = max(range(len(own)), key=lambda k: (round(alike[k], 9), -k))
     return own[best], f"took '{own[best].name}' of {len(cards)} scenes, {alike[best]:.0%} alike in words"

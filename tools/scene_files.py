@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from sceneweaver.io import InputError, open_regular, read_bytes
+from sceneweaver.importers import AUTO, format_of, read_scenes
+from sceneweaver.io import InputError, open_regular, parse_json, read_bytes
 from sceneweaver.scene import Scene
 
 HEAD = 4096
 """Bytes within which a scene of ours says what it is."""
 
 OURS = b"sceneweaver.scene/"
+
 
 @dataclass(frozen=True)
 class GivenScene:
@@ -31,41 +33,49 @@ class GivenScene:
     notes: tuple[str, ...] = ()
 
 
-def scenes_in(path: Path, source: str = "auto") -> Iterator[GivenScene]:
+def scenes_in(
+    path: Path,
+    source: str = AUTO,
+    *,
+    part: str | None = None,
+    plain: bool = False,
+    on_error: Callable[[str], None] | None = None,
+) -> Iterator[GivenScene]:
     """The scenes of a file or a folder, one after the other.
 
     Args:
         path: a scene.json, or whatever an importer reads.
         source: the format; "auto" looks at the file.
+        part: only rooms of this name.
+        plain: boxes in the place of furniture, and no relations: for a look at what there is.
+        on_error: called with a line for a room of a file that is broken; None: it is raised.
 
     Raises:
         InputError: it cannot be read, is damaged, or is of no known format.
     """
-    if source in ("auto", "sceneweaver") and path.is_file() and _is_ours(path):
+    if source == AUTO and path.is_file() and _is_ours(path):
         yield GivenScene(Scene.load(path))
         return
-    from sceneweaver.importers import read_scenes
-
-    for one in read_scenes(path, source):
+    assets = "boxes" if plain else "own"
+    for one in read_scenes(path, source, assets=assets, room=part, relations=not plain, on_error=on_error):
         yield GivenScene(one.scene, one.room, one.format, one.notes)
 
 
 def is_damaged(path: Path) -> bool:
-    """Whether a file that cannot be read as scenes was meant to be one: a reader knows it, or its text is broken."""
-    from sceneweaver.importers import detect
-    from sceneweaver.io import parse_json
-
+    """Whether what cannot be read as scenes was meant to be some: a reader knows it, or it is JSON that is broken."""
+    if path.is_dir():
+        return True
     try:
         if _is_ours(path):
             return True
-        detect(path)
-        return True
+        format_of(path)
     except InputError:
         pass
-    if path.suffix.lower() != ".json":
-        return False
+    else:
+        return True
     try:
-        parse_json(read_bytes(path))
+        if path.suffix.lower() == ".json":
+            parse_json(read_bytes(path))
     except InputError:
         return True
     return False

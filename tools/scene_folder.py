@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from itertools import islice
@@ -13,6 +13,7 @@ from typing import ClassVar, Literal
 
 from pydantic import Field
 
+from sceneweaver.importers import AUTO, format_of
 from sceneweaver.io import parse_json, read_bytes, write_atomic
 from sceneweaver.io.messages import shorten, suggest
 from sceneweaver.knowledge import match_room
@@ -78,13 +79,14 @@ class SceneFolder:
         Raises:
             InputError: there is none of that name, or its file is damaged by now.
         """
+        card = next((card for card in self.cards if card.name == name), None)
+        if card is None:
+            raise InputError(f"library: there is no scene '{name}'{suggest(name, [card.name for card in self.cards])}")
         for file in _files(self.place):
             stem = _stem(self.place, file)
             if name == stem or name.startswith(f"{stem}#"):
-                for found, one in _scenes(stem, file):
-                    if found == name:
-                        return one
-        raise InputError(f"library: there is no scene '{name}'{suggest(name, [card.name for card in self.cards])}")
+                return scene_named(file, card)
+        raise InputError(f"library: the file of scene '{name}' is gone")
 
 
 def scene_folder(place: str | Path) -> SceneFolder:
@@ -132,16 +134,26 @@ def kind_named(words: str, categories: tuple[str, ...] = ()) -> str:
 def _row(folder: Path, file: Path, old: Indexed | None) -> Indexed:
     """What a file holds: as the index says, or as it says itself."""
     name = str(file.relative_to(folder))
-    state = file.stat()
-    if old is not None and (old.size, old.changed) == (state.st_size, state.st_mtime_ns):
+    size, changed = _state(file)
+    if old is not None and (old.size, old.changed) == (size, changed):
         return old
-    cards, broken = list[SceneCard](), ""
+    cards, lost, broken = list[SceneCard](), list[str](), ""
     try:
-        cards = [card_for(found, one) for found, one in _scenes(_stem(folder, file), file)]
+        cards = cards_in(_stem(folder, file), file, on_error=lost.append)
     except InputError as error:
         if is_damaged(file):
-            broken = shorten(str(error).removeprefix(f"{file}: "), 200)
-    return Indexed(file=name, size=state.st_size, changed=state.st_mtime_ns, cards=tuple(cards), broken=broken)
+            lost.append(str(error))
+    if lost:
+        more = f" (and {len(lost) - 1} more)" if len(lost) > 1 else ""
+        broken = shorten(lost[0].removeprefix(f"{file}: "), 200) + more
+    return Indexed(file=name, size=size, changed=changed, cards=tuple(cards), broken=broken)
+
+
+def _state(path: Path) -> tuple[int, int]:
+    """Size [bytes] of a file, or of all in a folder that is one scene, and when the last of it was written [ns]."""
+    found = [path, *sorted(path.rglob("*"))] if path.is_dir() else [path]
+    states = [one.lstat() for one in found[:MOST_FILES]]
+    return sum(state.st_size for state in states), max(state.st_mtime_ns for state in states)
 
 
 def card_for(name: str, one: GivenScene) -> SceneCard:
@@ -158,17 +170,40 @@ def card_for(name: str, one: GivenScene) -> SceneCard:
     return card.model_copy(update={"room": kind, "source": one.source, "text": text})
 
 
-def _scenes(stem: str, file: Path) -> list[tuple[str, GivenScene]]:
-    """The scenes of a file with their names."""
-    found = list(islice(scenes_in(file), MOST_SCENES))
-    if len(found) == 1:
-        return [(stem, found[0])]
-    names = [one.name or str(k) for k, one in enumerate(found)]
-    twice = {name for name, many in Counter(names).items() if many > 1}
-    return [
-        (f"{stem}#{name}-{k}" if name in twice else f"{stem}#{name}", one)
-        for k, (name, one) in enumerate(zip(names, found, strict=True))
+def cards_in(
+    stem: str, file: Path, source: str = AUTO, on_error: Callable[[str], None] | None = None
+) -> list[SceneCard]:
+    """What the scenes of a file hold, under names of their own.
+
+    Raises:
+        InputError: it holds none, or is damaged and nobody hears of it.
+    """
+    found = [
+        card_for(one.name, one) for one in islice(scenes_in(file, source, plain=True, on_error=on_error), MOST_SCENES)
     ]
+    if len(found) == 1:
+        return [found[0].model_copy(update={"name": stem, "part": found[0].name})]
+    many, seen, cards = Counter(card.name for card in found), Counter[str](), list[SceneCard]()
+    for k, card in enumerate(found):
+        part, nth = card.name, seen[card.name]
+        seen[part] += 1
+        own = f"{part or k}-{nth}" if many[part] > 1 and part else str(part or k)
+        cards.append(card.model_copy(update={"name": f"{stem}#{own}" if stem else own, "part": part, "nth": nth}))
+    return cards
+
+
+def scene_named(file: Path, card: SceneCard, source: str = AUTO) -> GivenScene:
+    """The scene of a card, with its furniture.
+
+    Raises:
+        InputError: the file is damaged, or does not hold it any more.
+    """
+    lost = list[str]()
+    found = scenes_in(file, source, part=card.part or None, on_error=lost.append)
+    one = next(islice(found, card.nth, None), None)
+    if one is None:
+        raise InputError(lost[0] if lost else f"{file}: it does not hold scene '{card.name}' any more")
+    return one
 
 
 def _kept(folder: Path) -> Index:
@@ -195,7 +230,9 @@ def _files(folder: Path) -> list[Path]:
             if path.name.startswith(".") or path.is_symlink():
                 continue
             if path.is_dir():
-                if deep < DEEP and not run and path.name not in OF_RUNS:
+                if _is_one_scene(path):
+                    found.append(path)
+                elif deep < DEEP and not run and path.name not in OF_RUNS:
                     waiting.append((path, deep + 1))
             elif path.is_file() and path.name not in (INDEX, "index.json") and (not run or path.name == "scene.json"):
                 found.append(path)
@@ -204,7 +241,18 @@ def _files(folder: Path) -> list[Path]:
     return sorted(found)
 
 
+def _is_one_scene(folder: Path) -> bool:
+    """Whether an importer reads a folder as a whole."""
+    try:
+        format_of(folder)
+    except InputError:
+        return False
+    return True
+
+
 def _stem(folder: Path, file: Path) -> str:
     path = file.relative_to(folder)
     named = path.parent if path.name == "scene.json" and path.parent != Path() else path.with_suffix("")
+    if file.is_dir():
+        named = path
     return named.as_posix()

@@ -1,4 +1,4 @@
-"""Models that make scenes: the protocol that any of them fits, where one is found, and how one is asked in time."""
+"""Models that make scenes: the protocol that any of them fits, and how one is asked in time."""
 
 from __future__ import annotations
 
@@ -8,15 +8,10 @@ import threading
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from importlib import import_module, metadata
-from pathlib import Path
 from typing import Any, Protocol, runtime_checkable
 
-from sceneweaver.io.messages import shorten, suggest
+from sceneweaver.io.messages import shorten
 from sceneweaver.scene import InputError, Room
-
-GROUP = "sceneweaver.scene_models"
-"""Entry points that name models: ``name = "package.module:attribute"``."""
 
 SECONDS, POLL = 60.0, 0.1
 """Time [s] that a model has for one answer, and between two looks whether there is time left."""
@@ -72,62 +67,9 @@ class SceneModel(Protocol):
         ...
 
 
-def scene_model(named: Any, source: str = "auto") -> SceneModel:
-    """The model that a name or an object stands for.
-
-    Args:
-        named: a model, a class of one, the name of an entry point of the group ``sceneweaver.scene_models``,
-            "package.module:attribute", or a path: a folder of a model's outputs, or a file with some.
-        source: the format of outputs at a path; "auto" looks at each file.
-
-    Raises:
-        InputError: nothing is there, it does not load, or it is no model.
-    """
-    if not isinstance(named, str | Path):
-        return _checked(named, f"scene_model: {type(named).__name__}")
-    if Path(named).exists():
-        from .model_outputs import ModelOutputs
-
-        return ModelOutputs(Path(named), source)
-    text = str(named)
-    points = {point.name: point for point in metadata.entry_points(group=GROUP)}
-    target = points[text].value if text in points else text
-    module, colon, path = target.partition(":")
-    if not colon or not path or not all(part.isidentifier() for part in (*module.split("."), *path.split("."))):
-        hint = suggest(text, points) if points else ""
-        raise InputError(
-            f'scene_model: "{shorten(text)}" is no folder or file, no "module:attribute" and no entry point of '
-            f"{GROUP}{hint}"
-        )
-    try:
-        found = import_module(module)
-        for part in path.split("."):
-            found = getattr(found, part)
-    except Exception as error:
-        raise InputError(f"scene_model: {target} does not load: {_line(error)}") from error
-    return _checked(found, f"scene_model: {target}")
-
-
-def name_of(named: Any) -> str:
-    """What a model is called in reports and states: its path or target, or the class of an object."""
-    if isinstance(named, str | Path):
-        return str(named)
-    kind = named if isinstance(named, type) else type(named)
-    return f"{kind.__module__}:{kind.__qualname__}"
-
-
-def _checked(found: Any, label: str) -> SceneModel:
-    if isinstance(found, type):
-        try:
-            found = found()
-        except Exception as error:
-            raise InputError(f"{label} cannot be made without arguments: {_line(error)}; give an object") from error
-    if not callable(getattr(found, "generate", None)):
-        raise InputError(f"{label} is no model; it needs a method generate(request) that returns a scene")
-    return found
-
-
-def asked(model: SceneModel, request: SceneRequest, seconds: float, left: Callable[[], float] = lambda: math.inf) -> Any:
+def asked(
+    model: SceneModel, request: SceneRequest, seconds: float, left: Callable[[], float] = lambda: math.inf
+) -> Any:
     """What a model answers, in time.
 
     It runs in a thread of its own, which is left to itself when its time is over: an exception ends it at the next line
@@ -162,7 +104,7 @@ def asked(model: SceneModel, request: SceneRequest, seconds: float, left: Callab
     if isinstance(error, InputError):
         raise InputError(shorten(str(error), 300)) from error
     if error is not None:
-        raise InputError(f"it failed: {shorten(_line(error), 200)}") from error
+        raise InputError(f"it failed: {shorten(line_of(error), 200)}") from error
     if box.get("answer") is None:
         raise InputError("it has no scene for this request")
     return box["answer"]
@@ -174,5 +116,6 @@ def _broken_off(thread: threading.Thread) -> None:
         ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread.ident), ctypes.py_object(SystemExit))
 
 
-def _line(error: BaseException) -> str:
+def line_of(error: BaseException) -> str:
+    """An error as one line."""
     return " ".join(f"{type(error).__name__}: {error}".split()) if str(error) else type(error).__name__

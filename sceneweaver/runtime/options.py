@@ -114,8 +114,8 @@ class DesignOptions(TypedDict, total=False):
         Init,
         Option(
             "auto",
-            "What the room begins with: the best scene of a library, one of --scene-model, what a language model writes "
-            "down, or poses of the learned prior (default: as the planner likes).",
+            "What the room begins with: the best scene of a library, one of --scene-model, what a language model "
+            "writes down, or poses of the learned prior (default: as the planner likes).",
             command={"panel": STARTS, "show_default": False},
         ),
     ]
