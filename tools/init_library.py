@@ -23,8 +23,9 @@ NEAR_BEST = 0.04
 """Difference of scores within which the seed decides."""
 
 
-TEXT = 2.0
-"""How much the words of a scene from a folder count, beside its floor and each thing that is asked for."""
+TEXT, KIND = 2.0, 1.0
+"""How much the words of a scene from a folder count, and that it is of the very kind that is asked for, beside each
+thing that is."""
 
 
 class InitLibrary:
@@ -51,7 +52,7 @@ class InitLibrary:
         folder = scene_folder(place)
         score = ""
         if name is None:
-            card, value = _best(folder.cards, context, f"folder '{place}'", with_words=True)
+            card, value = _best(folder.cards, context, f"folder '{place}'", theirs=True)
             name, score = card.name, f", {value:.0%} alike, of {len(folder.cards)}"
         given = folder.load(name)
         opened, said = with_openings(context, given.scene)
@@ -68,32 +69,42 @@ class InitLibrary:
         )
 
 
-def _best(
-    cards: Sequence[SceneCard], context: Context, where: str, *, with_words: bool = False
-) -> tuple[SceneCard, float]:
-    """The card most like what is asked for, among equally good ones by seed."""
+def _best(cards: Sequence[SceneCard], context: Context, where: str, *, theirs: bool = False) -> tuple[SceneCard, float]:
+    """The card most like what is asked for, among equally good ones by seed.
+
+    Of ``theirs``, scenes of any origin, rooms of a near kind may serve too, and their words count.
+    """
     kind = context.room_type.name
-    own = [card for card in cards if card.room.replace(" ", "_") == kind]
+    own = [card for card in cards if _kind_of(card) == kind or (theirs and _near(_kind_of(card), kind))]
     if not own:
         raise InputError(f"tool init_library: {where} holds no {kind.replace('_', ' ')}; use init_prior")
-    words: list[float | None] = [None] * len(own)
-    if with_words:
-        words = list(text_likeness(context.brief.text, [words_of(card) for card in own]))
-    scored = [(likeness(card, context.brief, word), card) for card, word in zip(own, words, strict=True)]
+    more: list[tuple[tuple[float, float], ...]] = [()] * len(own)
+    if theirs:
+        words = text_likeness(context.brief.text, [words_of(card) for card in own])
+        kinds = [1.0 if _kind_of(card) == kind else 0.0 for card in own]
+        more = [((TEXT, word), (KIND, same)) for word, same in zip(words, kinds, strict=True)]
+    scored = [(likeness(card, context.brief, terms), card) for card, terms in zip(own, more, strict=True)]
     top = max(score for score, _ in scored)
     pool = sorted((row for row in scored if row[0] >= top - NEAR_BEST), key=lambda row: row[1].name)
     score, card = random.Random(context.seed).choice(pool)
     return card, score
 
 
-def likeness(card: SceneCard, brief: SceneGraph, words: float | None = None) -> float:
+def _kind_of(card: SceneCard) -> str:
+    return card.room.replace(" ", "_")
+
+
+def _near(kind: str, other: str) -> bool:
+    """Whether two kinds of rooms are forms of one: a master bedroom and a bedroom."""
+    return kind.rpartition("_")[2] == other.rpartition("_")[2]
+
+
+def likeness(card: SceneCard, brief: SceneGraph, more: Sequence[tuple[float, float]] = ()) -> float:
     """How near a library scene is to a request, 0 to 1: its objects first, then floor, shape, openings and style.
 
-    ``words`` is how alike their texts are, 0 to 1; None: that does not count.
+    ``more`` are other weights with what they are of, 0 to 1.
     """
-    terms: list[tuple[float, float]] = [(0.5, 1.0)]
-    if words is not None:
-        terms.append((TEXT, words))
+    terms: list[tuple[float, float]] = [(0.5, 1.0), *more]
     for asked in brief.entities:
         least = asked.count[0] if asked.count else 1
         terms.append((1.0, min(1.0, card.categories.get(asked.category, 0) / max(1, least))))
