@@ -11,6 +11,8 @@ from sceneweaver.generate.setup import Setup
 from sceneweaver.knowledge.small_things import CLUTTER
 from sceneweaver.llm import ModelClient
 
+from .beginning import Beginning
+
 
 @dataclass(frozen=True)
 class Context(Setup):
@@ -20,6 +22,7 @@ class Context(Setup):
     that is drawn; ``instruction`` is a sentence, ``inputs`` what the tool's card asks for. ``hurried`` says whether
     much of the time is over: what could be drawn once more is then left as it is. ``clutter`` in 0..1 is how lived-in
     the room should look. ``client`` asks a model; None: there is none, and a tool that needs one says so.
+    ``beginning`` says where scenes to begin with come from.
     """
 
     instruction: str = ""
@@ -27,6 +30,7 @@ class Context(Setup):
     hurried: Callable[[], bool] = bool
     clutter: float = CLUTTER
     client: ModelClient | None = None
+    beginning: Beginning = Beginning()
 
 
 class Tool(Protocol):

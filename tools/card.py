@@ -30,8 +30,8 @@ class ToolCard(FrozenModel):
     """What is known about a tool.
 
     ``inputs`` is a JSON schema; ``confidence`` in 0..1 is how far it is trusted before it was ever called. ``needs``
-    says what the tool cannot do without: a language model. ``withheld`` names inputs that a model may not give, such as
-    paths and angles.
+    says what the tool cannot do without: a language model, or a model of scenes. ``withheld`` names inputs that a
+    language model may not give, such as paths and angles.
     """
 
     name: Annotated[str, Field(pattern=r"^[a-z][a-z0-9_]*$")]
@@ -44,7 +44,7 @@ class ToolCard(FrozenModel):
     rooms: Literal["all"] | tuple[str, ...] = "all"
     inputs: dict[str, Any]
     example: Example
-    needs: Literal["model"] | None = None
+    needs: Literal["model", "scene_model"] | None = None
     withheld: tuple[str, ...] = ()
     confidence: Annotated[float, Field(ge=0.0, le=1.0)] = 0.5
 

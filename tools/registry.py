@@ -27,6 +27,7 @@ OWN: Mapping[str, str] = {
     "init_prior": "InitPrior",
     "init_library": "InitLibrary",
     "init_llm": "InitLlm",
+    "init_model": "InitModel",
     "add_objects": "AddObjects",
     "add_tabletop": "AddTabletop",
     "add_crowd": "AddCrowd",

@@ -11,6 +11,7 @@ from sceneweaver.critic import Review
 from sceneweaver.runtime.deadline import TimeUp
 from sceneweaver.verify import Report
 
+from .changed import Start, start_of
 from .executor import Executor, Outcome
 from .lived_in import lived_in
 from .loop import Run
@@ -60,9 +61,10 @@ def closed(run: Run, remarks: Sequence[str], began: float, use: Callable[[], Mod
     best = _seen(run, best)
     unmet = tuple(dict.fromkeys((*run.memory.unmet, *run.unmet, *_unmet(best.review))))
     models = use()
+    start = _start(run, best)
     return Result(
         scene=best.scene,
-        report=_complete(best.report, best.review, run, began, models),
+        report=_complete(best.report, best.review, run, began, models, start),
         review=best.review,
         brief=brief,
         steps=run.memory.steps,
@@ -76,7 +78,16 @@ def closed(run: Run, remarks: Sequence[str], began: float, use: Callable[[], Mod
         undone=run.undone + ((f"what would have come after {stopped}",) if run.cut_off and stopped else ()),
         out=run.folder.path if run.folder else None,
         models=models,
+        start=start,
     )
+
+
+def _start(run: Run, best: Outcome) -> Start | None:
+    """What became of the scene of somebody else that the run began with."""
+    if run.origin is None:
+        return None
+    name = run.starting.name or str(best.scene.provenance.get("library", "library"))
+    return start_of(name, run.origin, best.scene)
 
 
 def _seen(run: Run, best: Outcome) -> Outcome:
@@ -91,7 +102,9 @@ def _unmet(review: Review) -> list[str]:
     return [fault.reason for fault in review.faults if fault.criterion == "alignment"]
 
 
-def _complete(report: Report, review: Review, run: Run, began: float, models: ModelUse | None) -> Report:
+def _complete(
+    report: Report, review: Review, run: Run, began: float, models: ModelUse | None, start: Start | None
+) -> Report:
     from importlib.metadata import version
 
     settings = run.settings
@@ -110,4 +123,5 @@ def _complete(report: Report, review: Review, run: Run, began: float, models: Mo
         seconds={"total": round(time.monotonic() - began, 3), **steps},
         versions={**report.versions, "warp-lang": version("warp-lang")},
         models=models.to_dict() if models is not None else None,
+        start=start.to_dict() if start is not None else None,
     )

@@ -43,6 +43,7 @@ from .result import Result
 from .roles import Roles
 from .schedule import EXPECTED, LEAST, Schedule
 from .settings import Settings
+from .starting import Starting, check_tools
 
 TIME, TIME_BY_MODEL = 120.0, 600.0
 """Time limit [s] where none is given, without and with a model."""
@@ -91,7 +92,7 @@ OBJECTS = dict.fromkeys(("out", "said", "ready", "began", "stop", "library", "li
 NO_SETTINGS = {
     *OBJECTS,
     *("planner", "time_limit", "pictures", "export", "model", "base_url", "reader", "critic", "samples"),
-    *("stream", "replay", "strict"),
+    *("stream", "replay", "strict", "init", "scenes", "scene_model", "start", "source"),
 }
 """Options that are no fields of `Settings`."""
 
@@ -122,6 +123,16 @@ def design(prompt: str = "", **options: Unpack[AllOptions]) -> Result:
         began: when the time began to run, by ``time.monotonic()``; None: now.
         stop: asks it to end before, with what is best then.
         library: where assets come from; None: the library of this user.
+        init: what the room begins with: "library", the scene of ``scenes`` that is most like the request, adapted to
+            it; "model", what ``scene_model`` answers; "llm", what a language model writes for the request; "prior", a
+            draft of our own whose poses the learned prior draws; "auto": what the planner likes. Where that brings
+            nothing, a draft of our own takes its place, and the result says so.
+        scenes: a folder of scenes, of ours or of other systems; None: the scenes that come with the library.
+        scene_model: an object with ``generate(request)`` (`SceneModel`), "module:attribute", the name of an entry
+            point of the group "sceneweaver.scene_models", or a folder or file of a model's outputs.
+        start: a scene to go on from, instead: a `Scene`, or a file of ours or of another system; "FILE#NAME" takes one
+            of several. Without a request, that which the file gives is taken. ``result.start`` says what was changed.
+        source: the format of that file, or of the outputs; "auto" looks at them.
         model: what is asked where a model does something: "openai:NAME", "anthropic:NAME", a name at ``base_url``, a
             client, or a model of pydantic-ai; None: what the environment names (SCENEWEAVER_MODEL).
         base_url: where the model is, such as "http://127.0.0.1:11434/v1"; None: as the environment says.
@@ -156,17 +167,22 @@ def design(prompt: str = "", **options: Unpack[AllOptions]) -> Result:
     )
     formats = formats_named(USUAL if given["export"] is None else given["export"])
     pictures = _picture_set(given["pictures"])
-    chosen = {name: value for name, value in given.items() if name not in NO_SETTINGS}
+    starting = Starting.of(given)
+    prompt = starting.prompt(prompt)
+    chosen: dict[str, Any] = {name: value for name, value in given.items() if name not in NO_SETTINGS}
+    chosen["begin"] = starting.kept
     who = given["planner"], given["reader"], given["critic"], given["samples"]
     if asking.replay is None:
         roles = Roles.of(*who)
-        usual = TIME_BY_MODEL if roles.by_model else TIME
+        by_model = roles.by_model or starting.by_model
+        usual = TIME_BY_MODEL if by_model else TIME
         settings = Settings(seconds=usual if time_limit == "auto" else time_limit, **chosen)
-        asking.check(roles)
+        asking.check(by_model)
     else:
         state = recorded(asking.replay)
         prompt, roles = prompt_of(state, prompt), roles_of(state, *who)
         settings = settings_of(state, chosen if time_limit == "auto" else {**chosen, "seconds": time_limit})
+        starting = Starting.of({**given, **settings.begin.model_dump()})
     offline = read_request(prompt)
     folder = RunFolder(Path(out)) if out is not None else None
     limit = Deadline(began + (settings.seconds or math.inf), stop=given["stop"] or Stop())
@@ -174,15 +190,23 @@ def design(prompt: str = "", **options: Unpack[AllOptions]) -> Result:
         if folder is not None:
             folder.check_roles(roles)  # before a model is asked in vain
         session = Session.opened(
-            roles, asking, limit, folder.path / RECORDS if folder is not None else None, time.monotonic() - began
+            roles,
+            asking,
+            limit,
+            folder.path / RECORDS if folder is not None else None,
+            time.monotonic() - began,
+            begins=starting.by_model,
         )
         with session.known_rooms(prompt):
             brief = in_time(session.read(offline, folder))
             room_type, remarks = chosen_room(brief)
             brief = with_stands(with_people(brief, room_type), room_type)
-            tools = {n: tool for n, tool in registered().items() if usable(n, tool, settings, room_type, session.plans)}
+            there = session.in_tools, starting.model is not None
+            tools = {n: tool for n, tool in registered().items() if usable(n, tool, settings, room_type, *there)}
+            check_tools(starting, tools)
             library = given["library"] or Library()
             run = Run(brief, room_type, settings, tools, session.planner, library, folder=folder, said=given["said"])
+            run.starting = starting
             run.deadline = run.limit = limit
             session.serve(run)
             if folder is None:
@@ -215,10 +239,17 @@ def _picture_set(value: PictureSet | bool) -> PictureSet:
     return value
 
 
-def usable(name: str, tool: Registered, settings: Settings, room_type: RoomType, by_model: bool = False) -> bool:
+def usable(
+    name: str,
+    tool: Registered,
+    settings: Settings,
+    room_type: RoomType,
+    by_model: bool = False,
+    scene_model: bool = False,
+) -> bool:
     """Whether a tool may be called: the settings name it or none, its card is for such a room, and it needs no model
-    where none works in tools."""
-    if tool.card.needs == "model" and not by_model:
+    where none works in tools, and no model of scenes where there is none."""
+    if not {None: True, "model": by_model, "scene_model": scene_model}[tool.card.needs]:
         return False
     return (settings.tools is None or name in settings.tools) and tool.card.suits(room_type.name)
 
@@ -258,3 +289,4 @@ def _resume(run: Run, folder: RunFolder) -> None:
             memory = memory.model_copy(update={"finished": "", "spent": False})
         run.memory = memory
         run.best = Executor(run.room_type, run.brief, run.settings, run.library).judged(kept[1])
+        run.origin = folder.origin()

@@ -8,6 +8,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
+import numpy as np
+
 from sceneweaver.assets import Library
 from sceneweaver.critic import Review, review_scene
 from sceneweaver.generate.carry import carried, has_place
@@ -22,6 +24,7 @@ from sceneweaver.verify import Report, Violation, check
 
 from .choice import choice_terms
 from .coarse import coarse
+from .learned_starts import Starts
 from .relaxation import eased, left_out, lightened, pruned, relaxed
 from .riders import at_rest, searched, with_riders
 from .settings import ASKED, Settings
@@ -104,7 +107,8 @@ class Executor:
 
     ``library`` is where the assets of the scenes come from. ``attempts`` counts the layouts begun anew, for all
     candidates. ``found`` is told of every layout of a new room that is better than those before it: it is what there is
-    when time is up before `run` ends.
+    when time is up before `run` ends. ``starts`` draws the poses that the search of a new room begins with; None: the
+    engine draws them by the relations.
     """
 
     room_type: RoomType
@@ -114,6 +118,7 @@ class Executor:
     deadline: Deadline = NEVER
     attempts: int = 0
     found: Callable[[Outcome], None] | None = None
+    starts: Starts | None = None
 
     def run(self, scene: Scene, proposal: Proposal, seed: int, rival: Outcome | None = None) -> Outcome:
         """The best scene that follows from a proposal.
@@ -387,7 +392,8 @@ class Executor:
         """Layouts of a whole scene drawn anew."""
         count = self.settings.layouts
         first = count if count >= MANY else min(count, AT_FIRST)
-        solution = self._searched(scene, terms, first, seed, attempts)
+        how = self.starts(scene, first, seed) if self.starts is not None else "sample"
+        solution = self._searched(scene, terms, first, seed, attempts, how)
         if first < count and 0 < len(solution.ranked) < FEW and not self.deadline.passed:
             solution = joined(solution, self._searched(scene, terms, count - first, (seed + 1) % 2**32, attempts))
         return solution
@@ -399,7 +405,7 @@ class Executor:
         candidates: int,
         seed: int,
         attempts: int,
-        init: Literal["sample", "current"] = "sample",
+        init: Literal["sample", "current"] | np.ndarray = "sample",
     ) -> Solution:
         """So many layouts of a scene."""
         return refine(

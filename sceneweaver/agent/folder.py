@@ -22,7 +22,7 @@ from .memory import Memory
 from .roles import Roles
 from .settings import Settings
 
-STATE, SCENE = "state.json", "scene.json"
+STATE, SCENE, ORIGIN = "state.json", "scene.json", "start.json"
 MAX_STATE = 16 * 2**20
 """Most bytes of a state file that are read; a run of a hundred steps writes about one million."""
 
@@ -41,6 +41,7 @@ RELEVANT = (
     "clutter",
     "memory_length",
     "tools",
+    "begin",
 )
 """Settings that must be the same for a run to go on; budgets may grow."""
 
@@ -156,6 +157,14 @@ class RunFolder:
         """Write the best valid scene so far as the scene of the folder: it is there however the run ends."""
         self._save(scene, self.path / SCENE)
         self._write(self.path / "metrics.json", replace(report, cut_off=report.cut_off or UNDONE).to_json() + "\n")
+
+    def began(self, scene: Scene) -> None:
+        """Write the scene of somebody else that the run began with, as it was."""
+        self._write(self.path / ORIGIN, scene.dumps())
+
+    def origin(self) -> Scene | None:
+        """That scene; None where the run began with none."""
+        return self.scene(ORIGIN) if (self.path / ORIGIN).exists() else None
 
     def _save(self, scene: Scene, path: Path) -> None:
         """Write a scene. What a step leads to is most often what the folder keeps too: its text is made once."""

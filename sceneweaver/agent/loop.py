@@ -24,6 +24,7 @@ from sceneweaver.verify import check
 from .executor import Executor, Outcome
 from .faults import fault
 from .folder import RunFolder
+from .learned_starts import learned_starts
 from .memory import Call, Memory, Step, Thought
 from .planner import Planner, Situation, Thinker
 from .plans import next_calls
@@ -31,6 +32,7 @@ from .relaxation import REASON, cleared
 from .schedule import EXPECTED, GROWTH, LEAST, Schedule
 from .settings import Settings
 from .sight import Look, looked
+from .starting import Starting
 
 GRACE, FIRST_GRACE, LEAST_GRACE = 0.1, 0.4, 1.0
 """How much of the time kept for what comes after a step has to end in good order, how much as long as there is no
@@ -41,6 +43,9 @@ REVIEW = 0.5
 
 JUDGED = 0.25
 """Share of the time kept for what comes after the search that the judgement may take at most."""
+
+WAIT = 0.5
+"""Share of the time left that a model of scenes may take for its answer."""
 
 HURRY = 0.5
 """Share of the time left when a tool begins after which it has to hurry."""
@@ -76,7 +81,8 @@ class Run:
     broke down (``undone``). ``limit`` is when all has to be done, ``deadline`` when the search has, and ``schedule``
     says how much is kept in between; what it keeps for the judgement is in ``closing``. ``client`` is for tools that
     ask a model, ``fill`` and ``look`` ask one; None where there is none. ``kept`` is called when a step is over and
-    written. ``thought`` is the last plan.
+    written. ``thought`` is the last plan. ``starting`` says what the room begins with, ``origin`` is the scene of
+    somebody else that it began with, as it was; None: it began with none.
     """
 
     brief: SceneGraph
@@ -95,6 +101,8 @@ class Run:
     look: Look | None = None
     kept: Callable[[], None] | None = None
     thought: Thought | None = None
+    starting: Starting = Starting()
+    origin: Scene | None = None
     memory: Memory = Memory()
     best: Outcome | None = None
     first: Outcome | None = None
@@ -103,6 +111,7 @@ class Run:
     undone: tuple[str, ...] = ()
     cut_off: str = ""
     _judgement: float = 0.0
+    _origins: dict[int, Scene | None] = field(default_factory=dict)
 
     def go(self) -> Outcome:
         """Take steps until the scene is good, nothing more can be mended, or the budget is spent.
@@ -116,6 +125,9 @@ class Run:
             InputError: when not even a first scene can be made.
         """
         executor = Executor(self.room_type, self.brief, self.settings, self.library, self.deadline, found=self._offer)
+        if self.starting.kept.init == "prior":
+            executor.starts, why = learned_starts()
+            self.notes = (*self.notes, *([why] if why else ()))
         if self.best is None and self.folder is not None:
             bare = bare_scene(self.brief, self.room_type, self.settings.seed)
             self.folder.keep(bare, check(bare))
@@ -255,6 +267,7 @@ class Run:
             self.settings,
             best.report if best else None,
             self.library,
+            begin_by=self.starting.tool,
         )
         planned = next_calls(self.planner, situation)
         self.memory, self.thought = planned.memory, planned.thought
@@ -275,6 +288,7 @@ class Run:
                     scene = self.best.scene if self.best else empty_scene(self.brief, self.room_type)
                     call = calls[k] = self._filled(call, scene)
                     proposal = self._propose(tool, call, scene)
+                    self._origins[k] = proposal.origin
                     if self.best and not proposal.edits and not proposal.fresh and proposal.scene is None:
                         row["failed"] = "nothing to change" + (f": {proposal.unmet[0]}" if proposal.unmet else "")
                     else:
@@ -294,7 +308,8 @@ class Run:
             row["seconds"] = round(time.monotonic() - began, 3)
             tried.append(row)
             hard = executor.attempts >= MANY_SEARCHES * self.settings.attempts[0]
-            if self.best is None and k in outcomes and (hard or _complete(outcomes[k])):
+            told = call.tool == self.starting.tool and self.starting.kept.init != "prior"
+            if self.best is None and k in outcomes and (told or hard or _complete(outcomes[k])):
                 break  # another draw of the room costs as much again
         return outcomes, tried
 
@@ -334,7 +349,17 @@ class Run:
         clutter = self.settings.clutter
         if clutter == CLUTTER and self.brief.density == "full":
             clutter = MESSY
-        return Context(self.brief, self.room_type, scene, self.library, seed, clutter=clutter, client=self.client)
+        beginning = self.starting.beginning(lambda: WAIT * self.deadline.left)
+        return Context(
+            self.brief,
+            self.room_type,
+            scene,
+            self.library,
+            seed,
+            clutter=clutter,
+            client=self.client,
+            beginning=beginning,
+        )
 
     def _take(
         self, outcomes: dict[int, Outcome], tried: list[dict[str, Any]], calls: list[Call], spent: float, attempts: int
@@ -352,6 +377,10 @@ class Run:
             vain = [k for k in vain if k != winner] if accepted else [*vain, winner]
         losers = [] if free else [calls[k] for k in vain]
         if accepted and winner is not None:
+            if old is None and (origin := self._origins.get(winner)) is not None:
+                self.origin = origin
+                if self.folder is not None:
+                    self.folder.began(origin)
             self.best = outcomes[winner]
         current = self.best
         failed = next((row["failed"] for row in tried if "failed" in row), "no better than before")

@@ -51,7 +51,8 @@ LEAST = 0.15
 class Situation:
     """What a planner knows; ``scene``, ``review`` and ``report`` are None before the first step.
 
-    ``whole`` asks for all calls from here to the end, which are carried out in order without looking again.
+    ``begin_by`` is the initialiser that a room has to begin with; None: any. ``whole`` asks for all calls from here to
+    the end, which are carried out in order without looking again.
     """
 
     brief: SceneGraph
@@ -64,6 +65,7 @@ class Situation:
     report: Report | None = None
     library: Library | None = None
     whole: bool = False
+    begin_by: str | None = None
 
 
 class Planner(Protocol):
@@ -154,6 +156,22 @@ def beginnings(situation: Situation) -> list[Call]:
     again = [c for c in others if c.tool == first.tool]
     rest = [c for c in others if c.tool != first.tool]
     return [first, *again[:1], *rest, *again[1:]][: settings.side_by_side]
+
+
+def told_beginnings(situation: Situation) -> list[Call]:
+    """The initialiser that somebody told the room to begin with, then the best other one in case that it brings
+    nothing; empty where nobody told any, or both brought nothing."""
+    tool, memory = situation.begin_by, situation.memory
+    if tool is None:
+        return []
+    usual = beginnings(situation)
+    if situation.cards[tool].needs is None and any(call.tool == tool for call in usual):
+        own = [call for call in usual if call.tool == tool]
+    else:
+        reason = "the design was told to begin so"
+        own = [Call(tool=tool, instruction=situation.brief.text, seed=situation.settings.seed, reason=reason)]
+    others = [call for call in usual if call.tool != tool][:1] if situation.settings.begin.start is None else []
+    return [call for call in (*own, *others) if call.signature not in memory.failed]
 
 
 def _anew(call: Call) -> bool:

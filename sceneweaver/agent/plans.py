@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from .memory import Call, Memory, Thought
-from .planner import LISTS, Planner, RulesPlanner, Situation, Thinker
+from .planner import LISTS, Planner, RulesPlanner, Situation, Thinker, told_beginnings
 
 BLIND_PLAN = ("init_prior", "add_tabletop", "add_crowd", "add_wall_objects", "update_layout")
 """What is done, in this order, when there is no reflection: the tools that need not be told where to act."""
@@ -32,6 +32,8 @@ def next_calls(planner: Planner, situation: Situation) -> Planned:
     """What to try next; no calls when nothing is left to do."""
     settings, memory = situation.settings, situation.memory
     at = len(memory.steps)
+    if situation.scene is None and (told := told_beginnings(situation)):
+        return Planned(tuple(told), memory)
     free = not settings.reflect or settings.one_shot
     if situation.scene is None and at >= (1 if free else settings.steps) and isinstance(planner, Thinker):
         return _rescued(situation)

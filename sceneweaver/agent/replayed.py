@@ -26,7 +26,7 @@ def recorded(folder: Path) -> State:
     state = RunFolder(folder).kept()
     if state is None:
         raise InputError(f"replay: {folder} holds no run; give the folder of a design that asked a model")
-    if not state.roles.by_model:
+    if not state.roles.by_model and state.settings.begin.init != "llm":
         raise InputError(f"replay: no model was asked in the run in {folder}; it needs none to be made again")
     if cut_off := _cut_off(folder):
         raise InputError(

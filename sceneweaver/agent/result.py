@@ -12,6 +12,7 @@ from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Scene
 from sceneweaver.verify import Report
 
+from .changed import Start
 from .memory import Step
 from .roles import Roles
 
@@ -71,6 +72,7 @@ class Result:
         left_out: files that there was no time for, by the paths that they would have.
         out: the folder that was written; None: none.
         models: what a model did; None: none had anything to do.
+        start: the scene of somebody else that it began with, and what was changed of it; None: it began with none.
 
     Examples:
         >>> import sceneweaver as sw
@@ -94,6 +96,7 @@ class Result:
     left_out: tuple[str, ...] = ()
     out: Path | None = None
     models: ModelUse | None = None
+    start: Start | None = None
 
     @property
     def satisfied(self) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pydantic import Field
 
 from sceneweaver.knowledge.small_things import CLUTTER
+from sceneweaver.runtime.options import Init
 from sceneweaver.scene.base import FrozenModel
 
 ASKED = 4.0
@@ -17,6 +18,16 @@ ON_CPU, ON_GPU = 64, 256
 eyes: docs/gpu.md has the figures."""
 
 
+class Begin(FrozenModel):
+    """What a room begins with, as text: objects by the names of their classes."""
+
+    init: Init = "auto"
+    scenes: str | None = Field(default=None, description="Folder of the scenes that a library is; null: our own")
+    scene_model: str | None = Field(default=None, description="What makes scenes")
+    start: str | None = Field(default=None, description="The scene that is gone on from")
+    source: str = Field(default="auto", description="Format of that scene, or of the outputs of the model")
+
+
 class Settings(FrozenModel):
     """Budgets and switches of a run; equal settings and seed give equal scenes unless a time limit cuts them off.
 
@@ -25,7 +36,7 @@ class Settings(FrozenModel):
     nor the critic that the agent hears knows the design rules. Without ``reflect`` the plan is fixed
     beforehand and nothing is taken back; with ``one_shot`` the critic is heard once, after the first step, and what it
     asks for is done without looking again; without ``physics`` layouts are drawn from the relations and not optimised.
-    ``memory_length`` and ``replans`` matter where a model plans.
+    ``begin`` says what the room begins with. ``memory_length`` and ``replans`` matter where a model plans.
     """
 
     seed: int = Field(default=0, ge=0, le=2**32 - 1)
@@ -56,6 +67,7 @@ class Settings(FrozenModel):
         default=CLUTTER, ge=0, le=1, description="How lived-in the room looks, from 0, a show room, to 1"
     )
     settle: bool = Field(default=False, description="Prefer what physics leaves alone, and keep its settled poses")
+    begin: Begin = Begin()
     choice: bool = True
     rules: bool = True
     reflect: bool = True

@@ -45,7 +45,7 @@ def run_design(prompt: str, out: Path, options: Mapping[str, Any], *, as_json: b
         began: the moment of ``time.monotonic()`` [s] from which the time limit counts.
     """
     given = {name: value for name, value in options.items() if value is not None}
-    prompt = request_of(prompt, given.get("replay"))
+    prompt = request_of(prompt, given.get("replay") or given.get("start"))
     if out.suffix in (".json", ".html", ".png", ".glb") or out.is_file():
         raise InputError(f"--out: {out} is no folder; give a folder")
     if not as_json:
@@ -96,6 +96,8 @@ def _verdict(result: Result) -> None:
     headline(result.scene.room.type, report.valid, f"{report.placed} objects, {relations_line(report)}")
     typer.echo("  grades  " + ", ".join(f"{name} {value:.1f}" for name, value in grades.items()))
     typer.echo(f"  request {_became(result)}")
+    for text in result.start.lines if result.start is not None else ():
+        typer.echo(f"  start   {text}")
     list_violations(report)
     for text in result.unmet:
         typer.secho(f"  unmet   {text}", fg="yellow")
@@ -156,5 +158,6 @@ def _json(result: Result, out: Path, code: int) -> dict[str, Any]:
         "files": [str(out / name) for name in _files(result, out)],
         "left_out": [str(out / name) for name in result.left_out],
         "models": result.models.to_dict() if result.models is not None else None,
+        "start": result.start.to_dict() if result.start is not None else None,
         "metrics": result.report.to_dict(),
     }

@@ -105,15 +105,15 @@ def limits_of(
     return {"limits": limits, "prices": Prices.load(prices) if prices is not None else None}
 
 
-def request_of(prompt: str, replay: Path | None) -> str:
-    """The request; only a replay can do without.
+def request_of(prompt: str, given: Path | str | None) -> str:
+    """The request; only a run to replay, or a scene to go on from, that has one can do without.
 
     Raises:
         InputError: when it is missing.
     """
     from sceneweaver.scene import InputError
 
-    if not prompt and replay is None:
+    if not prompt and given is None:
         raise InputError("prompt: is missing; say what room to make, as in: sceneweaver design 'a bedroom' --out out")
     return prompt
 
@@ -131,6 +131,7 @@ def announce(given: Mapping[str, Any]) -> None:
     done = {
         "plans": planner == "llm",
         "reads the request": given.get("reader", planner) == "llm",
+        "writes down the room": given.get("init") == "llm",
         "looks at scenes": critic == "vlm" or (planner == "llm" and critic is None),
     }
     doing = [words for words, does in done.items() if does]

@@ -19,6 +19,7 @@ from .exchange import exchanged
 from .meant import matches
 from .objects import added
 from .relations import in_room
+from .reshape import reshaped
 from .setup import Setup
 
 CORNERS = {"rectangle": 4, "L": 6, "T": 8, "U": 8, "round": 12}
@@ -31,13 +32,12 @@ SMALLEST = 0.02
 """Relative change of a floor below which it is left as it is."""
 
 
-def adapted(setup: Setup, scene: Scene, tool: str, name: str) -> tuple[Scene, list[str], list[str]]:
-    """The scene as the request wants it, what was decided, and what could not be done."""
-    brief, notes, unmet = setup.brief, list[str](), list[str]()
-    scene = scene.model_copy(
+def begun_with(setup: Setup, scene: Scene, tool: str, name: str) -> Scene:
+    """The scene under this request: what an older one asked for is forgotten, and where it comes from is told."""
+    return scene.model_copy(
         update={
             "id": setup.room_type.name,
-            "prompt": brief.text,
+            "prompt": setup.brief.text,
             "dropped": (),
             "objects": tuple(_unasked(o) for o in scene.objects),
             "relations": tuple(r.model_copy(update={"asked": False}) for r in scene.relations),
@@ -50,7 +50,17 @@ def adapted(setup: Setup, scene: Scene, tool: str, name: str) -> tuple[Scene, li
             },
         }
     )
-    scene = _floor(scene, brief, notes, unmet)
+
+
+def adapted(setup: Setup, scene: Scene, tool: str, name: str) -> tuple[Scene, list[str], list[str]]:
+    """The scene as the request wants it, what was decided, and what could not be done."""
+    brief, notes, unmet = setup.brief, list[str](), list[str]()
+    scene = begun_with(setup, scene, tool, name)
+    if is_of_another_shape(scene, brief):
+        scene, said = reshaped(setup, scene)
+        notes += said
+    else:
+        scene = _floor(scene, brief, notes, unmet)
     scene = _without(scene, brief, notes)
     made: dict[str, list[str]] = {}
     later: list[Entity] = []
@@ -64,16 +74,21 @@ def adapted(setup: Setup, scene: Scene, tool: str, name: str) -> tuple[Scene, li
         scene = _removed(scene, [o.id for o in scene.objects if o.id not in named and o.mount != "ceiling"])
     for asked in later:
         scene = _added(setup, scene, asked, made, notes, unmet)
-    return _related(scene, brief, made, unmet), notes, unmet
+    return related(scene, brief, made, unmet), notes, unmet
+
+
+def is_of_another_shape(scene: Scene, brief: SceneGraph) -> bool:
+    """Whether the request names a shape that the floor of a scene does not have."""
+    return brief.shape is not None and len(scene.room.outline) != CORNERS[brief.shape]
 
 
 def _unasked(obj: SceneObject) -> SceneObject:
     """What an older request asked for is not what this one asks for."""
     priority = "usual" if obj.intent.priority == "asked" else obj.intent.priority
-    return _with_intent(obj, request=None, priority=priority)
+    return with_intent(obj, request=None, priority=priority)
 
 
-def _with_intent(obj: SceneObject, **intent: str | None) -> SceneObject:
+def with_intent(obj: SceneObject, **intent: str | None) -> SceneObject:
     """The object with some fields of its intent changed."""
     return obj.model_copy(update={"intent": obj.intent.model_copy(update=intent)})
 
@@ -98,8 +113,6 @@ def _floor(scene: Scene, brief: SceneGraph, notes: list[str], unmet: list[str]) 
     height = brief.height or room.height
     if abs(fx - 1) < SMALLEST and abs(fy - 1) < SMALLEST and height == room.height:
         fx = fy = 1.0
-    if brief.shape is not None and len(room.outline) != CORNERS[brief.shape]:
-        unmet.append(f"the room is no {brief.shape} shape; the library has none")
     if fx == fy == 1.0 and height == room.height:
         return scene
 
@@ -178,7 +191,7 @@ def _found(setup: Setup, scene: Scene, asked: Entity, notes: list[str]) -> tuple
         for id in ids:
             if not _suits(scene.object(id), asked):
                 scene, _ = _swapped(setup, scene, id, asked, notes)
-    objects = tuple(_with_intent(o, request=asked.id, priority="asked") if o.id in ids else o for o in scene.objects)
+    objects = tuple(with_intent(o, request=asked.id, priority="asked") if o.id in ids else o for o in scene.objects)
     return scene.model_copy(update={"objects": objects}), ids
 
 
@@ -265,7 +278,7 @@ def _added(
 # ---- relations ------------------------------------------------------------------------------------------------------
 
 
-def _related(scene: Scene, brief: SceneGraph, made: Mapping[str, list[str]], unmet: list[str]) -> Scene:
+def related(scene: Scene, brief: SceneGraph, made: Mapping[str, list[str]], unmet: list[str]) -> Scene:
     """The scene with the relations that were asked for."""
     draft = Draft.of(scene)
     things = {name: [_thing(draft.objects[id]) for id in ids if id in draft.objects] for name, ids in made.items()}

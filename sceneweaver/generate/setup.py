@@ -31,7 +31,8 @@ class Proposal:
     layouts of all variants the best wins. ``rooms`` are others for the same things, with as many walls, doors and
     windows: where the scene's own does not do, the best is taken; ``larger`` ones are for what was asked for and has
     no place. ``notes`` say what was decided, ``unmet`` what could not be done and why. ``fresh`` asks for a layout from
-    scratch instead of the least movement.
+    scratch instead of the least movement. ``origin`` is the scene of somebody else that ``scene`` was made of, as it
+    was.
     """
 
     edits: tuple[AnyEdit, ...] = ()
@@ -42,3 +43,4 @@ class Proposal:
     fresh: bool = False
     notes: tuple[str, ...] = ()
     unmet: tuple[str, ...] = ()
+    origin: Scene | None = None

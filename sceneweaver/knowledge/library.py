@@ -34,6 +34,10 @@ class SceneCard(FrozenModel):
     people: int | None = None
     categories: dict[str, int] = Field(default={}, description="How many objects of each category")
     grade: float | None = Field(default=None, description="Mean grade 0 to 10 of the critic")
+    source: str = Field(default="", description="Format of the file that it was read from; empty: one of ours")
+    text: str = Field(default="", description="Other words that it came with: labels of another system")
+    part: str = Field(default="", description="Name of its room in a file of several")
+    nth: int = Field(default=0, description="Its place among the rooms of that name")
 
 
 def own_folder() -> Path:

@@ -14,8 +14,12 @@ from typing import Annotated, Any, Literal, TypedDict, get_args, get_type_hints
 PictureSet = Literal["full", "hero", "none"]
 """Which pictures a design leaves: all, those from above and the best at eye level, or none and no report either."""
 
-MODELS = "Models"
-"""Heading of the options of models in the help of commands."""
+MODELS, STARTS = "Models", "Starts"
+"""Headings of the options of models, and of what a design begins with, in the help of commands."""
+
+Init = Literal["auto", "library", "model", "llm", "prior"]
+"""What begins a room: the planner's choice, a scene of a library, a model's, what a language model writes, or a draft
+whose poses the learned prior draws."""
 
 
 @dataclass(frozen=True)
@@ -104,6 +108,47 @@ class DesignOptions(TypedDict, total=False):
             False,
             "Prefer layouts that physics leaves alone; let things settle.",
             command={"flags": ("--settle/--no-settle",)},
+        ),
+    ]
+    init: Annotated[
+        Init,
+        Option(
+            "auto",
+            "What the room begins with: the best scene of a library, one of --scene-model, what a language model "
+            "writes down, or poses of the learned prior (default: as the planner likes).",
+            command={"panel": STARTS, "show_default": False},
+        ),
+    ]
+    scenes: Annotated[
+        str | Path | None,
+        Option(
+            None,
+            "Folder of scenes, of ours or of other systems, that --init library chooses among (default: our own).",
+            command={"type": Path | None, "metavar": "DIR", "panel": STARTS, "show_default": False},
+        ),
+    ]
+    scene_model: Annotated[
+        Any,
+        Option(
+            None,
+            "What --init model asks: module:attribute, an entry point, or a folder or file of a model's outputs.",
+            command={"type": str | None, "metavar": "MODEL", "panel": STARTS, "show_default": False},
+        ),
+    ]
+    start: Annotated[
+        str | Path | None,
+        Option(
+            None,
+            "The scene to go on from, of ours or of another system; FILE#NAME takes one of several.",
+            command={"type": str | None, "metavar": "FILE", "panel": STARTS, "show_default": False},
+        ),
+    ]
+    source: Annotated[
+        str,
+        Option(
+            "auto",
+            "Format of --start and of outputs of --scene-model (default: told by the file).",
+            command={"flags": ("--from",), "metavar": "FORMAT", "panel": STARTS, "show_default": False},
         ),
     ]
     model: Annotated[

@@ -196,7 +196,8 @@ class Report(Displayed):
     So does ``cut_off``, what ended that run before it was done (None: nothing did), and ``left_out``, the files that it
     had no time for. ``seconds`` is wall time, in all and by step. ``warnings`` say where meshes or measures had to be
     done without. ``models`` says what a language or vision model did in the run that made the scene, as docs/agent.md
-    has it (None: no model was asked).
+    has it (None: no model was asked), ``start`` what it changed of a scene that it began with (None: it began with
+    none of somebody else).
 
     Examples:
         >>> import sceneweaver as sw
@@ -239,6 +240,7 @@ class Report(Displayed):
     versions: Mapping[str, str] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
     models: Mapping[str, Any] | None = None
+    start: Mapping[str, Any] | None = None
 
     @property
     def unmet(self) -> tuple[Violation, ...]:
@@ -246,7 +248,10 @@ class Report(Displayed):
         return tuple(v for kind in ("relation", "soft_relation") for v in self.violations if v.kind == kind)
 
     def to_dict(self) -> dict[str, Any]:
-        """Return plain JSON data; ``left_out``, ``warnings``, ``models``, ``robot_radius`` are there only where set."""
+        """Return plain JSON data.
+
+        ``left_out``, ``warnings``, ``models``, ``start`` and ``robot_radius`` are there only where set.
+        """
         data: dict[str, Any] = {"schema": SCHEMA, **asdict(self)}
         data["violations"] = [v.to_dict() for v in self.violations]
         if self.blocked_links is not None:
@@ -255,7 +260,7 @@ class Report(Displayed):
             data[name] = list(data[name])
             if not data[name]:
                 del data[name]
-        for name in ("models", "robot_radius"):
+        for name in ("models", "start", "robot_radius"):
             if data[name] is None:
                 del data[name]
         return data

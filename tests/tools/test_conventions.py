@@ -16,6 +16,7 @@ FILES = sorted(p for folder in FOLDERS for p in folder.glob("*.py") if p.name !=
 MAY_POSE = {
     "carry": "what stands on something goes where it goes",
     "library": "a room of the library is mirrored and stretched with its poses",
+    "reshape": "a room of the library goes into another shape with its poses",
     "surface_setting": "what stands on surfaces: placed in Python so far",
     "update_rotation": "the turn that the request says in words",
     "wall_objects": "free rectangles of walls: searched in Python so far",

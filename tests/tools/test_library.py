@@ -10,7 +10,7 @@ import sceneweaver as sw
 from benchmarks.library_scenes import collect
 from sceneweaver.knowledge.library import library_scenes, load_scene, own_folder
 from sceneweaver.language import Entity, Exclusion, SceneGraph, StatedRelation
-from sceneweaver.scene import InputError, Intent, Scene
+from sceneweaver.scene import InputError, Intent, Relation, Scene
 
 
 @pytest.fixture
@@ -99,8 +99,18 @@ def test_the_floor_is_made_as_asked(call, folder, lounge):
     vase, table = scene.object("vase-0").pose, scene.object("coffee_table-0").pose
     assert vase.position[0] - table.position[0] == pytest.approx(0.2, abs=1e-6)
     assert scene.room.doors[0].width == lounge.room.doors[0].width
+
+
+def test_the_room_gets_the_shape_that_is_asked_for(call, folder, lounge):
+    walled = Relation(type="against_wall", subject="sofa-0", target="wall:2")
+    lounge.model_copy(update={"relations": (*lounge.relations, walled)}).save(folder / "lounge.json")
     scene, proposal = begun(call, folder, SceneGraph(text="x", shape="L"))
-    assert any("L shape" in line for line in proposal.unmet)
+    assert len(scene.room.outline) == 6 and proposal.fresh and not proposal.unmet
+    assert scene.ids == lounge.ids
+    (wall,) = [r.target for r in scene.relations if r.type == "against_wall"]
+    assert scene.room.walls[int(wall[5:])].inward == pytest.approx(lounge.room.walls[2].inward)
+    area = sum(w.start[0] * w.end[1] - w.end[0] * w.start[1] for w in scene.room.walls) / 2
+    assert area == pytest.approx(30.0, rel=0.05)
 
 
 def test_only_what_is_named(call, folder):

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.agent.roles import Roles
 from sceneweaver.llm import Endpoint, Limits, ModelClient, Prices, open_client, redact
 from sceneweaver.llm.opening import check_price
 from sceneweaver.llm.records import Recorder
@@ -40,14 +39,17 @@ class Asking:
     strict: bool = False
     replay: Path | None = None
 
-    def check(self, roles: Roles) -> None:
+    def check(self, needed: bool) -> None:
         """Find what is wrong before anything is written.
+
+        Args:
+            needed: whether a model has anything to do.
 
         Raises:
             InputError: when something is wrong with an argument.
-            MissingDependencyError: when the roles ask for a model and none is configured, or its key is missing.
+            MissingDependencyError: when a model is needed and none is configured, or its key is missing.
         """
-        if not roles.by_model or self.replay is not None:
+        if not needed or self.replay is not None:
             return
         if self.model is None or isinstance(self.model, str):
             Endpoint.of(self.model, self.base_url, stream=self.stream)

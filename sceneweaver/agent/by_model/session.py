@@ -55,6 +55,7 @@ class Session:
     The client is told how much time is left by ``deadline``, that of the run once there is one, and whether its stop is
     asked for. ``waited`` are the
     seconds that it took to read the request, ``reserve`` those that it may not take as long as there is no room.
+    ``begins`` says whether it writes down the room that the run begins with, whoever plans.
     """
 
     roles: Roles
@@ -68,20 +69,27 @@ class Session:
     waited: float = 0.0
     reserve: float = 0.0
     run: Run | None = None
+    begins: bool = False
 
     @classmethod
     def opened(
-        cls, roles: Roles, asking: Asking, deadline: Deadline, records: Path | None, started: float = 0.0
+        cls,
+        roles: Roles,
+        asking: Asking,
+        deadline: Deadline,
+        records: Path | None,
+        started: float = 0.0,
+        begins: bool = False,
     ) -> Self:
-        """A session with a model, if the roles ask for one, in a run that took so many seconds to start.
+        """A session with a model, if the roles ask for one or it begins, in a run that took so many seconds to start.
 
         Raises:
             InputError: when something is wrong with an argument.
             MissingDependencyError: when a model is needed and none is there.
         """
-        session = cls(roles, deadline=deadline)
+        session = cls(roles, deadline=deadline, begins=begins)
         session.reserve = 0.0 if math.isinf(deadline.left) else min(SHARE * deadline.left, max(LEAST, RULES * started))
-        if roles.by_model:
+        if roles.by_model or begins:
             session.records, session.replay = records, records_of(asking.replay) if asking.replay else None
             session.client = asking.client(
                 records,
@@ -159,8 +167,10 @@ class Session:
         self.run = run
         if self.client is not None:
             run.kept = self.keep
+        if self.in_tools:
+            run.client = self.client
         if self.plans:
-            run.client, run.fill = self.client, self.fill
+            run.fill = self.fill
         if self.roles.critic == "vlm":
             run.look = self.look
 
@@ -173,6 +183,11 @@ class Session:
     def plans(self) -> bool:
         """Whether a model plans, and so works in tools as well."""
         return self.roles.planner == "llm"
+
+    @property
+    def in_tools(self) -> bool:
+        """Whether a model works in tools."""
+        return self.plans or self.begins
 
     def fill(self, tool: Registered, context: Context, call: Call) -> Call:
         """A call that a model chose, with inputs that were tried out: those that it gave, or where these are refused or
