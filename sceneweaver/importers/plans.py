@@ -22,6 +22,13 @@ def room_at(outlines: Mapping[str, Outline], x: float, y: float, reach: float = 
     return best if best is not None and far[best] <= reach else None
 
 
+def holds(outline: Outline, x: float, y: float) -> bool:
+    """Whether an outline holds a point."""
+    import shapely
+
+    return bool(shapely.Polygon(outline).contains(shapely.Point(x, y)))
+
+
 def on_wall(outline: Outline, start: Sequence[float], end: Sequence[float], reach: float = 0.05) -> bool:
     """Whether a segment lies along one wall of an outline, both of its ends within ``reach`` [m] of that wall."""
     ring = np.asarray(outline, dtype=float)

@@ -248,13 +248,30 @@ def test_a_state_as_infinigen_writes_it_has_no_poses(tmp_path):
     require_error(written(tmp_path, "solve_state.json", bare), "infinigen", "no object has a pose", "USD")
 
 
+@pytest.mark.parametrize(
+    ("generator", "obj", "label"),
+    [
+        ("KitchenCabinetFactory(780816)", "x", "KitchenCabinet"),
+        ("ACDC", "MonitorFactory(3610974).spawn_asset(964244)", "Monitor"),
+        (None, "BookStackFactory(12).spawn_asset(3)", "BookStack"),
+        (None, "780816_LargeShelfFactory", "LargeShelf"),
+    ],
+)
+def test_labels(tmp_path, generator, obj, label):
+    data = state()
+    data["objs"]["thing"] = {**data["objs"][SOFA], "generator": generator, "obj": obj}
+    data["objs"]["thing"]["relations"] = [{"relation": {}, "target_name": None}, *data["objs"][SOFA]["relations"]]
+    things = things_of(rooms_of("infinigen", written(tmp_path, "solve_state.json", data))["living-room_0/0"])
+    assert things["thing"].label == label
+
+
 def test_broken_states(tmp_path):
     whole = state()
     text = written(tmp_path, "whole.json", whole).read_text()
     for name, data, words in (
         ("cut.json", text[:-30], ("cut off",)),
         ("type.json", changed(whole, {"x": 1}, "objs", SOFA, "location"), ("location", "list")),
-        ("missing.json", without(whole, "objs", SOFA, "relations", 0, "target_name"), ("'target_name'",)),
+        ("missing.json", without(state(), "objs"), ("'objs' is missing",)),
         ("nan.json", changed(whole, float("nan"), "objs", SOFA, "dimensions", 1), ("dimensions[1]", "NaN")),
         ("empty.json", "", ("empty",)),
         ("mirror.json", changed(whole, np.diag([1, -1, 1, 1]).tolist(), "objs", VASE, "matrix_world"), ("mirrors",)),

@@ -25,7 +25,11 @@ WINDOWS = {"window", "openable_window", "fixed_window"}
 def _matches(path: Path, head: bytes) -> bool:
     if path.suffix.lower() != ".json" or b'"' not in head:
         return False
-    return b'"objects_info"' in head or b'"object_registry"' in head or (b'"init_info"' in head and b'"DatasetObject"' in head)
+    return (
+        b'"objects_info"' in head
+        or b'"object_registry"' in head
+        or (b'"init_info"' in head and b'"DatasetObject"' in head)
+    )
 
 
 @dataclass

@@ -59,6 +59,8 @@ def _tags(item: Entry) -> set[str]:
 def _relations(item: Entry) -> Iterator[tuple[str, set[str], set[str]]]:
     """Target, parts of this object and parts of the target, of each relation."""
     for entry in item.listed("relations"):
+        if not entry.has("target_name"):
+            continue
         relation = entry.find("relation")
         tags = [
             {tag for tag in (relation.value.get(key) or ()) if isinstance(tag, str)} if relation is not None else set()
@@ -134,9 +136,10 @@ def _held(item: Entry, placed: dict[str, Entry], rooms: list[str]) -> tuple[str 
 
 
 def _label(name: str, item: Entry) -> str:
-    """The category: of its generator, such as SofaFactory(1234), or the first word of its name."""
-    word = re.split(r"[(.]", item.word("generator") or name)[0]
-    return re.sub(r"(?:Factory)?(?:_\d+)?$", "", word) or name
+    """The category: of its generator, such as SofaFactory(1234), or of its name, such as 780816_SofaFactory."""
+    words = [item.word("generator"), name, item.word("obj")]
+    word = next((w for w in words if "Factory" in w), words[0] or name)
+    return re.sub(r"^\d+_|(?:Factory)?(?:_\d+)?$", "", re.split(r"[(.]", word)[0]) or name
 
 
 def _outline(room: Entry) -> tuple[tuple[float, float], ...] | None:

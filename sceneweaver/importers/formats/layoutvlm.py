@@ -47,7 +47,7 @@ def _read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
         ]
         outline = tuple((c[0], c[1]) for c in corners)
         height = boundary["wall_height"].length() if boundary.has("wall_height") else None
-        assets = _assets(task, options.folder)
+        assets = _assets(task, options.folder, set(layout.mapping()))
     objects = []
     for name, item in layout.items():
         if not isinstance(item.value, dict) or not item.has("position"):
@@ -81,14 +81,14 @@ def _task(path: Path, folder: Path | None) -> Entry | None:
     return None
 
 
-def _assets(task: Entry, folder: Path | None) -> dict[str, Entry]:
+def _assets(task: Entry, folder: Path | None, placed: set[str]) -> dict[str, Entry]:
     """What is known of each object, by its name in the layout; boxes have x along the front.
 
-    A prepared input has these names and boxes already. A raw one has ``<uid>-<i>``: its entries, or
+    A prepared input has these names (``placed``) and boxes already. A raw one has ``<uid>-<i>``: its entries, or
     ``<folder>/<uid>/data.json``, have x and y the other way round and get the names that LayoutVLM gives them.
     """
     given = dict(task["assets"].items())
-    if any("asset_var_name" in e.mapping() or "uid" in e.mapping() for e in given.values()):
+    if placed & set(given) or any("asset_var_name" in e.mapping() for e in given.values()):
         return given
     known: dict[str, list[Entry]] = defaultdict(list)
     for name, entry in given.items():
@@ -118,7 +118,8 @@ def _annotation(folder: Path | None, uid: str) -> Entry | None:
 
 
 def _variable(entry: Entry) -> str:
-    category = entry.word("category") or entry["annotations"].word("category", "object")
+    annotations = entry.find("annotations")
+    category = entry.word("category") or (annotations.word("category") if annotations is not None else "") or "object"
     return re.sub(r"[-' /,]", "_", category).lower()
 
 

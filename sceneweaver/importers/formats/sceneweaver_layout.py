@@ -214,7 +214,8 @@ FORMAT = SourceFormat(
         "width, height. A room has one corner at the origin. Where the floor lies at 0.14 m, as the executor has it, "
         "everything is moved down by it and the walls are inset by it.",
         "Assumed: a door or window is as wide as the longer side of its box, around its location.",
-        "A folder record_scene is one scene, that of its last step. Relations to parents are kept with the object; what lies on or in a parent is carried by it.",
+        "A folder record_scene is one scene, that of its last step.",
+        "Relations to parents are kept with the object; what lies on or in a parent is carried by it.",
     ),
     licence="BSD-3-Clause (code); the scenes are the user's",
 )
