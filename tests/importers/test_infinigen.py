@@ -240,6 +240,27 @@ def test_a_state_with_poses(tmp_path):
     assert any("LampFactory(9)" in note and "left out" in note for note in room.notes)
 
 
+def test_doors_and_windows_of_a_state(tmp_path):
+    """What is cut from the walls of rooms, by its box: on the wall at x = 5.3, and on that at y = 4.6."""
+    data = state()
+    for name, rooms, place, yaw in (
+        ("door.001", ("living-room_0/0", "kitchen_0/0"), [5.3, 1.1, 0.0], math.pi / 2),
+        ("window", ("living-room_0/0",), [1.2, 4.6, 1.5], 0.0),
+    ):
+        cut = [{"relation": {"relation_type": "CutFrom"}, "target_name": room} for room in rooms]
+        pose = {"location": place, "rotation_euler": [0, 0, yaw], "dimensions": [0.95, 0.1, 1.2]}
+        data["objs"][name] = {"obj": name, "generator": None, "tags": [], "relations": cut, **pose}
+    rooms = rooms_of("infinigen", written(tmp_path, "solve_state.json", data))
+    door, window = rooms["living-room_0/0"].openings
+    np.testing.assert_allclose((door.start, door.end), ((5.3, 0.625), (5.3, 1.575)), atol=1e-9)
+    assert (door.kind, door.leads_to, door.bottom) == ("door", "kitchen_0/0", 0.0)
+    np.testing.assert_allclose((window.start, window.end), ((0.725, 4.6), (1.675, 4.6)), atol=1e-9)
+    assert (window.kind, window.leads_to) == ("window", None)
+    assert window.bottom == pytest.approx(0.9)
+    assert [o.name for o in rooms["kitchen_0/0"].openings] == ["door.001"]
+    assert "window" not in things_of(rooms["living-room_0/0"])
+
+
 def test_a_state_as_infinigen_writes_it_has_no_poses(tmp_path):
     bare = state()
     for item in bare["objs"].values():

@@ -13,9 +13,9 @@ from sceneweaver.io import InputError, load_packed_json
 
 from ..entries import Entry
 from ..frames import quaternion_matrix
-from ..model import ReadOptions, SourceFormat, SourceObject, SourceOpening, SourceRoom
+from ..model import ReadOptions, SourceFormat, SourceObject, SourceRoom
 from ..omnigibson import box_offset, native_box
-from ..plans import room_at
+from ..plans import opening_of_box, room_at
 
 WALLS = {"walls", "ceilings", "roof", "background", "lawn", "driveway", "fence", "rail_fence"}
 DOORS = {"door", "sliding_door", "garage_door", "gate"}
@@ -167,7 +167,14 @@ def _room(
             if thing.size is None:
                 notes.append(f"{thing.name}: a {thing.category} of unknown size; left out")
             else:
-                openings.append(_opening(thing, [r for r in homes[thing.name] if r != room], level))
+                others = [r for r in homes[thing.name] if r != room]
+                middle = thing.middle - (0.0, 0.0, level)
+                window = thing.category in WINDOWS
+                openings.append(
+                    opening_of_box(
+                        thing.name, window, middle, thing.rotation, thing.size, others[0] if others else None
+                    )
+                )
         else:
             objects.append(_object(thing, level, room))
     return SourceRoom(
@@ -178,24 +185,6 @@ def _room(
         tuple(openings),
         tuple(objects),
         notes=tuple(notes),
-    )
-
-
-def _opening(thing: _Thing, others: list[str], level: float) -> SourceOpening:
-    """A door or window: as wide as the longer horizontal side of its box."""
-    assert thing.size is not None
-    depth, width, height = thing.size
-    half = thing.rotation @ ((depth / 2, 0.0, 0.0) if depth >= width else (0.0, width / 2, 0.0))
-    a, b = thing.middle - half, thing.middle + half
-    window = thing.category in WINDOWS
-    return SourceOpening(
-        thing.name,
-        "window" if window else "door",
-        (float(a[0]), float(a[1])),
-        (float(b[0]), float(b[1])),
-        max(0.0, float(thing.middle[2]) - height / 2 - level) if window else 0.0,
-        height,
-        leads_to=others[0] if others else None,
     )
 
 

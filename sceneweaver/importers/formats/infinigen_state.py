@@ -13,7 +13,8 @@ from sceneweaver.io import load_packed_json
 
 from ..entries import Entry
 from ..frames import affine, euler_matrix
-from ..model import Mount, ReadOptions, SourceFormat, SourceObject, SourceRoom
+from ..model import Mount, ReadOptions, SourceFormat, SourceObject, SourceOpening, SourceRoom
+from ..plans import opening_of_box
 
 _ROOM = "Semantics(room)"
 _POSES = ("location", "position", "matrix_world")
@@ -35,9 +36,13 @@ def _read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
             "no object has a pose: Infinigen keeps them in scene.blend; export it and import the USD or GLB"
         )
     lost = [f"{name}: no pose in the file; left out" for name in things if name not in placed]
+    cut = {name: _cut_from(item, rooms) for name, item in placed.items()}
     homes = {name: _home(name, state, rooms) for name in placed}
     for room in rooms or [path.stem]:
-        mine = [name for name in placed if homes[name] == room or not rooms]
+        mine = [name for name in placed if homes[name] == room or room in cut[name] or not rooms]
+        openings = [_opening(name, placed[name], cut[name], room) for name in mine if cut[name]]
+        openings = [opening for opening in openings if opening is not None]
+        mine = [name for name in mine if not cut[name]]
         stray = [name for name in placed if homes[name] is None and rooms and room == rooms[0]]
         notes = [f"{name}: related to no room; left out" for name in stray]
         yield SourceRoom(
@@ -45,7 +50,7 @@ def _read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
             re.sub(r"_\d+(?:/\d+)?$", "", room) if rooms else "",
             _outline(state[room]) if rooms else None,
             None,
-            (),
+            tuple(openings),
             tuple(_object(name, placed[name], placed, rooms) for name in mine),
             notes=tuple((lost if not rooms or room == rooms[0] else []) + notes),
         )
@@ -67,6 +72,22 @@ def _relations(item: Entry) -> Iterator[tuple[str, set[str], set[str]]]:
             for key in ("child_tags", "parent_tags")
         ]
         yield entry["target_name"].text(), tags[0], tags[1]
+
+
+def _cut_from(item: Entry, rooms: list[str]) -> list[str]:
+    """The rooms whose walls an object is cut from, as doors and windows are."""
+    cut = [
+        r for r in item.listed("relations") if r.has("relation") and r["relation"].word("relation_type") == "CutFrom"
+    ]
+    return [r.word("target_name") for r in cut if r.word("target_name") in rooms]
+
+
+def _opening(name: str, item: Entry, rooms: list[str], room: str) -> SourceOpening | None:
+    """A door or window by the box of its model; None where that is not known."""
+    place, rotation, size = _placed(item)
+    others = [other for other in rooms if other != room]
+    window = name.startswith("window")
+    return opening_of_box(name, window, place, rotation, size, others[0] if others else None) if size else None
 
 
 def _home(name: str, state: dict[str, Entry], rooms: list[str]) -> str | None:
@@ -92,7 +113,8 @@ def _pose_of(item: Entry) -> Entry | None:
     return None
 
 
-def _object(name: str, item: Entry, placed: dict[str, Entry], rooms: list[str]) -> SourceObject:
+def _placed(item: Entry) -> tuple[np.ndarray, np.ndarray, tuple[float, float, float] | None]:
+    """Position [3] [m], rotation [3, 3] and sides [m] of an object that has a pose."""
     pose = _pose_of(item)
     assert pose is not None
     if pose.has("matrix_world"):
@@ -105,13 +127,18 @@ def _object(name: str, item: Entry, placed: dict[str, Entry], rooms: list[str]) 
         turn = next((pose[key] for key in ("rotation_euler", "rotation") if pose.has(key)), None)
         rotation = euler_matrix([math.degrees(v) for v in turn.numbers(3)]) if turn is not None else np.eye(3)
     sides = next((p[key] for p in (pose, item) for key in ("dimensions", "size") if p.has(key)), None)
+    return place, rotation, sides.sides(sides.numbers(3)) if sides is not None else None
+
+
+def _object(name: str, item: Entry, placed: dict[str, Entry], rooms: list[str]) -> SourceObject:
+    place, rotation, size = _placed(item)
     support, mount = _held(item, placed, rooms)
     return SourceObject(
         name,
         _label(name, item),
         (float(place[0]), float(place[1]), float(place[2])),
         rotation,
-        sides.sides(sides.numbers(3)) if sides is not None else None,
+        size,
         anchor="bottom",
         asset=item.word("generator") or None,
         support=support,
@@ -159,6 +186,7 @@ FORMAT = SourceFormat(
         "Read: objs with generator, tags, relations, and the pose where the file has it (location with rotation_euler "
         "[rad] and dimensions, or matrix_world). What stands on or hangs on what comes from the relations' tags.",
         "Infinigen itself writes no poses there: import the USD or GLB of its export; a file without is refused.",
+        "What is cut from walls of rooms is a door or, by its name, a window; its location is the middle of its width.",
         "Assumed: origins at the middle of the bottom, the front +x. Objects go to the room they are related to.",
     ),
     licence="BSD-3-Clause",

@@ -16,7 +16,7 @@ from sceneweaver.io import load_json
 from ..entries import Entry
 from ..frames import euler_matrix
 from ..model import Mount, ReadOptions, SourceFormat, SourceObject, SourceOpening, SourceRoom
-from ..plans import rectangle
+from ..plans import opening_of_box, rectangle
 
 WALL = 0.14
 """Half the thickness [m] of its executor's walls: there the floor lies and the walls end, within ``roomsize``."""
@@ -187,20 +187,11 @@ def _label(name: str) -> str:
 
 
 def _opening(name: str, item: Entry, level: float) -> SourceOpening:
-    """A door ("entrance..") or window by the box of its model: its width is the longer side on the floor."""
+    """A door ("entrance..") or window by the box of its model."""
     x, y, z = item["location"].numbers(3)
-    a, b, height = item["size"].sides(item["size"].numbers(3))
+    size = item["size"].sides(item["size"].numbers(3))
     turn = euler_matrix([math.degrees(v) for v in item["rotation"].numbers(3)])
-    half = turn @ ((a / 2, 0.0, 0.0) if a >= b else (0.0, b / 2, 0.0))
-    window = name.startswith("window")
-    return SourceOpening(
-        name,
-        "window" if window else "door",
-        (x - float(half[0]), y - float(half[1])),
-        (x + float(half[0]), y + float(half[1])),
-        max(0.0, z - level - height / 2) if window else 0.0,
-        height,
-    )
+    return opening_of_box(name, name.startswith("window"), (x, y, z - level), turn, size)
 
 
 FORMAT = SourceFormat(
