@@ -121,7 +121,7 @@ def _gaps(house: Entry, walls: Mapping[str, Entry]) -> list[tuple[str, tuple[flo
     """Walls that are not built: those that ProcTHOR calls empty, and the open walls of Holodeck."""
     gaps = []
     for name, wall in walls.items():
-        base = _base(wall) if wall.value.get("empty") is True else None
+        base = _base(wall) if wall.get("empty") is True else None
         if base is not None:
             gaps.append((name, *base))
     open_walls = house.find("open_walls")

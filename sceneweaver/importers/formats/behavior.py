@@ -103,10 +103,7 @@ def _things(scene: Entry, folder: Path | None, notes: list[str]) -> Iterator[_Th
         offset = box_offset(folder, category, model)
         if offset is not None:
             middle = middle + rotation @ (scale * offset)
-        given = args.value.get("in_rooms")
-        given = [given] if isinstance(given, str) else given if isinstance(given, list) else []
-        rooms = [room for room in given if isinstance(room, str) and room]
-        yield _Thing(name, category, model, args, rooms, middle, rotation, size)
+        yield _Thing(name, category, model, args, args.words("in_rooms"), middle, rotation, size)
 
 
 def _size(args: Entry, folder: Path | None, category: str, model: str):
@@ -197,7 +194,7 @@ def _object(thing: _Thing, level: float, room: str) -> SourceObject:
         thing.rotation,
         thing.size,
         asset=f"{thing.category}/{thing.model}" if thing.model else None,
-        fixed=thing.args.value.get("fixed_base") is True,
+        fixed=thing.args.get("fixed_base") is True,
         keep={"in_rooms": thing.rooms},
     )
 

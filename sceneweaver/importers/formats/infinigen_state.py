@@ -57,8 +57,7 @@ def _read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
 
 
 def _tags(item: Entry) -> set[str]:
-    found = item.mapping().get("tags")
-    return {tag for tag in found if isinstance(tag, str)} if isinstance(found, list) else set()
+    return set(item.words("tags"))
 
 
 def _relations(item: Entry) -> Iterator[tuple[str, set[str], set[str]]]:
@@ -67,10 +66,7 @@ def _relations(item: Entry) -> Iterator[tuple[str, set[str], set[str]]]:
         if not entry.has("target_name"):
             continue
         relation = entry.find("relation")
-        tags = [
-            {tag for tag in (relation.value.get(key) or ()) if isinstance(tag, str)} if relation is not None else set()
-            for key in ("child_tags", "parent_tags")
-        ]
+        tags = [set(relation.words(key)) if relation else set[str]() for key in ("child_tags", "parent_tags")]
         yield entry["target_name"].text(), tags[0], tags[1]
 
 
@@ -143,7 +139,7 @@ def _object(name: str, item: Entry, placed: dict[str, Entry], rooms: list[str]) 
         asset=item.word("generator") or None,
         support=support,
         mount=mount,
-        keep={"tags": sorted(_tags(item)), "relations": item.value.get("relations") or []},
+        keep={"tags": sorted(_tags(item)), "relations": item.get("relations") or []},
     )
 
 
@@ -172,7 +168,7 @@ def _label(name: str, item: Entry) -> str:
 def _outline(room: Entry) -> tuple[tuple[float, float], ...] | None:
     """The outline of a room where the file has it as points."""
     for key in ("contour", "polygon", "outline"):
-        if isinstance(room.value.get(key), list):
+        if isinstance(room.get(key), list):
             return tuple((x, y) for x, y in (corner.numbers(2) for corner in room[key].entries()))
     return None
 

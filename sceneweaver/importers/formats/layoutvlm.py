@@ -126,7 +126,7 @@ def _variable(entry: Entry) -> str:
 def _turned(entry: Entry, uid: str) -> dict[str, Any]:
     """A raw entry as a prepared one: flags and category at the top, x and y of its box exchanged."""
     box = entry["assetMetadata"]["boundingBox"].mapping()
-    annotations = entry.value.get("annotations")
+    annotations = entry.get("annotations")
     top = annotations if isinstance(annotations, dict) else {}
     turned = {"x": box.get("y"), "y": box.get("x"), "z": box.get("z")}
     return {**top, **entry.value, "uid": uid, "assetMetadata": {"boundingBox": turned}}
@@ -142,9 +142,7 @@ def _object(name: str, item: Entry, asset: Entry | None, notes: list[str]) -> So
     description = ""
     if asset is not None:
         label, uid, description = asset.word("category", label), asset.word("uid"), asset.word("description")
-        for flag, kind in MOUNTS if isinstance(asset.value, dict) else ():
-            if mount is None and asset.value.get(flag) is True:
-                mount = kind
+        mount = next((kind for flag, kind in MOUNTS if asset.get(flag) is True), None)
         if asset.has("assetMetadata"):
             box = asset["assetMetadata"]["boundingBox"]
             size = box.sides(box.named("xyz"))

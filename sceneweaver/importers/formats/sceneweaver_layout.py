@@ -7,7 +7,6 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 from statistics import median
-from typing import Any
 
 import numpy as np
 
@@ -133,7 +132,7 @@ def _place(item: Entry) -> list[float]:
 
 def _relations(item: Entry) -> Iterator[tuple[str, str]]:
     """Pairs of a parent's name and a relation: ``[[name, relation], ..]``, ``[category, number, relation]``."""
-    parent: Any = item.value.get("parent") if isinstance(item.value, dict) else None
+    parent = item.get("parent")
     if not isinstance(parent, list) or not parent:
         return
     if all(isinstance(p, str) for p in parent):
@@ -176,7 +175,7 @@ def _object(name: str, item: Entry, names: set[str], level: float) -> SourceObje
         anchor="bottom",
         support=support,
         mount=mount,
-        keep={"parent": item.value["parent"]} if item.has("parent") else {},
+        keep=item.kept("parent"),
     )
 
 

@@ -143,7 +143,7 @@ def _thing(item: Entry, home: _Home, parent: str | None, parent_room: str | None
             asset=asset or None,
             support=parent or _receptacle(name, home),
             mount=mount,
-            keep={key: item.value[key] for key in ("kinematic", "openness", "isOn") if key in item.value},
+            keep=item.kept("kinematic", "openness", "isOn"),
         )
     )
     for child in item.listed("children"):
