@@ -261,6 +261,47 @@ def test_doors_and_windows_of_a_state(tmp_path):
     assert "window" not in things_of(rooms["living-room_0/0"])
 
 
+def test_poses_from_the_export_beside_a_state(tmp_path):
+    """By names as USD has them; what carries what is still the state's."""
+    pytest.importorskip("sceneweaver.importers.formats.usd")
+    from pxr import Gf, Usd, UsdGeom
+
+    bare = state()
+    for item in bare["objs"].values():
+        for key in ("location", "rotation_euler", "dimensions", "pose", "matrix_world", "size"):
+            item.pop(key, None)
+    path = written(tmp_path, "export/solve_state.json", bare)
+    (tmp_path / "export" / "export_scene.blend").mkdir()
+    stage = Usd.Stage.CreateNew(str(tmp_path / "export" / "export_scene.blend" / "export_scene.usdc"))
+    UsdGeom.SetStageUpAxis(stage, "Z")
+    UsdGeom.SetStageMetersPerUnit(stage, 1.0)
+    stage.SetDefaultPrim(UsdGeom.Xform.Define(stage, "/root").GetPrim())
+    boxes = {  # bottom, yaw, sides
+        SOFA: ((1.4, 1.1, 0.0), 0.3, (0.95, 2.05, 0.8)),
+        TABLE: ((4.2, 1.0, 0.0), -1.2, (0.7, 1.2, 0.45)),
+        VASE: ((4.1, 1.05, 0.45), 2.4, (0.2, 0.22, 0.35)),
+    }
+    for name, (place, yaw, (x, y, z)) in boxes.items():
+        prim = UsdGeom.Xform.Define(stage, "/root/" + "".join(c if c.isalnum() else "_" for c in name))
+        prim.AddTranslateOp().Set(Gf.Vec3d(*place))
+        prim.AddRotateZOp().Set(math.degrees(yaw))
+        mesh = UsdGeom.Mesh.Define(stage, f"{prim.GetPath()}/mesh")
+        corners = [(i * x / 2, j * y / 2, k * z) for i in (-1, 1) for j in (-1, 1) for k in (0, 1)]
+        mesh.GetPointsAttr().Set([Gf.Vec3f(*c) for c in corners])
+        mesh.GetFaceVertexCountsAttr().Set([4] * 6)
+        faces = [0, 1, 3, 2, 4, 6, 7, 5, 0, 4, 5, 1, 2, 3, 7, 6, 0, 2, 6, 4, 1, 5, 7, 3]
+        mesh.GetFaceVertexIndicesAttr().Set(faces)
+    stage.GetRootLayer().Save()
+    room = rooms_of("infinigen", path)["living-room_0/0"]
+    things = things_of(room)
+    require_pose(things[SOFA], (1.4, 1.1, 0.4), compass(0.3))
+    require_pose(things[TABLE], (4.2, 1.0, 0.225), compass(-1.2))
+    require_pose(things[VASE], (4.1, 1.05, 0.625), compass(2.4))
+    np.testing.assert_allclose(things[SOFA].size, (0.95, 2.05, 0.8), atol=1e-6)
+    assert (things[VASE].support, things[SOFA].mount, ART in things) == (TABLE, "floor", False)
+    assert any("export_scene.usdc" in note for note in room.notes)
+
+
 def test_a_state_as_infinigen_writes_it_has_no_poses(tmp_path):
     bare = state()
     for item in bare["objs"].values():
