@@ -48,6 +48,23 @@ class Entry:
             raise self.error(f"{quote(key)} is missing")
         return Entry(self.value[key], self.file, f"{self.place}.{key}" if self.place else key)
 
+    def get(self, key: str) -> Any:
+        """The plain value under a key of an object, None where that is missing."""
+        return self.mapping().get(key)
+
+    def kept(self, *keys: str) -> dict[str, Any]:
+        """The plain values under those keys that it has, for what is kept as it is."""
+        return {key: self.value[key] for key in keys if key in self.mapping()}
+
+    def words(self, key: str) -> list[str]:
+        """The texts in the list under a key, whatever else is in it; a text alone is a list of one."""
+        found = self.get(key)
+        return [
+            w
+            for w in ([found] if isinstance(found, str) else found if isinstance(found, list) else [])
+            if isinstance(w, str) and w
+        ]
+
     def mapping(self) -> dict[str, Any]:
         """It as an object."""
         if not isinstance(self.value, dict):

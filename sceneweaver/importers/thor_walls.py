@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 
 from .entries import Entry
 from .model import SourceOpening
-from .plans import Outline, along, on_wall
+from .plans import Outline, along, holds, on_wall
 
 
 def wall_heights(house: Entry) -> dict[str, float]:
@@ -39,7 +40,8 @@ def openings_of(
                     notes[room].append(f"{item.word('id', key)}: it has no wall with a hole; left out")
                     continue
                 others = [r for r in rooms if r != room]
-                found[room].append(_leading(opening, others[0] if others else None))
+                swings = key == "doors" and not item.has("doorSegment") and _swings_out(opening, outlines[room])
+                found[room].append(_leading(opening, others[0] if others else None, swings))
             if not rooms:
                 notes[next(iter(outlines))].append(f"{item.word('id', key)}: belongs to no room; left out")
     for name, start, end in _gaps(house, walls):
@@ -48,14 +50,21 @@ def openings_of(
             others = [r for r in rooms if r != room]
             if not any(o.kind == "passage" and _same(o, start, end) for o in found[room]):
                 gap = SourceOpening(name, "passage", start, end, 0.0, None)
-                found[room].append(_leading(gap, others[0] if others else None))
+                found[room].append(_leading(gap, others[0] if others else None, False))
     return found
 
 
-def _leading(opening: SourceOpening, room: str | None) -> SourceOpening:
-    return SourceOpening(
-        opening.name, opening.kind, opening.start, opening.end, opening.bottom, opening.height, leads_to=room
-    )
+def _leading(opening: SourceOpening, room: str | None, out: bool) -> SourceOpening:
+    swing = "out" if out and opening.kind == "door" else None
+    return replace(opening, swing=swing, leads_to=room)
+
+
+def _swings_out(opening: SourceOpening, outline: Outline) -> bool:
+    """Whether a door turns away from a room: ProcTHOR's turn to the left of their wall's direction, seen from above."""
+    start, end = np.array(opening.start), np.array(opening.end)
+    along = (end - start) / np.hypot(*(end - start))
+    x, y = (start + end) / 2 + 0.1 * np.array((-along[1], along[0]))
+    return not holds(outline, float(x), float(y))
 
 
 def _opening(item: Entry, walls: Mapping[str, Entry], is_door: bool) -> SourceOpening | None:
@@ -112,7 +121,7 @@ def _gaps(house: Entry, walls: Mapping[str, Entry]) -> list[tuple[str, tuple[flo
     """Walls that are not built: those that ProcTHOR calls empty, and the open walls of Holodeck."""
     gaps = []
     for name, wall in walls.items():
-        base = _base(wall) if wall.value.get("empty") is True else None
+        base = _base(wall) if wall.get("empty") is True else None
         if base is not None:
             gaps.append((name, *base))
     open_walls = house.find("open_walls")

@@ -50,7 +50,7 @@ def thing(category, model, size, place, yaw, floor=True, wall=False, scale=(1.0,
 
 INFO = {
     "resolution": [720, 1280],
-    "scene_graph": "/home/somebody/acdc_output/step_3_output/scene_0/scene_0_graph.json",
+    "scene_graph": "/data/acdc_output/step_3_output/scene_0/scene_0_graph.json",
     "cam_pose": list(CAMERA),
     "objects": {
         "cabinet_0": thing("bottom_cabinet", "jhymlr", (0.45, 0.9, 0.8), (2.1, 0.6, 0.4), 0.3, scale=(1.2, 0.9, 1.1)),

@@ -240,6 +240,68 @@ def test_a_state_with_poses(tmp_path):
     assert any("LampFactory(9)" in note and "left out" in note for note in room.notes)
 
 
+def test_doors_and_windows_of_a_state(tmp_path):
+    """What is cut from the walls of rooms, by its box: on the wall at x = 5.3, and on that at y = 4.6."""
+    data = state()
+    for name, rooms, place, yaw in (
+        ("door.001", ("living-room_0/0", "kitchen_0/0"), [5.3, 1.1, 0.0], math.pi / 2),
+        ("window", ("living-room_0/0",), [1.2, 4.6, 1.5], 0.0),
+    ):
+        cut = [{"relation": {"relation_type": "CutFrom"}, "target_name": room} for room in rooms]
+        pose = {"location": place, "rotation_euler": [0, 0, yaw], "dimensions": [0.95, 0.1, 1.2]}
+        data["objs"][name] = {"obj": name, "generator": None, "tags": [], "relations": cut, **pose}
+    rooms = rooms_of("infinigen", written(tmp_path, "solve_state.json", data))
+    door, window = rooms["living-room_0/0"].openings
+    np.testing.assert_allclose((door.start, door.end), ((5.3, 0.625), (5.3, 1.575)), atol=1e-9)
+    assert (door.kind, door.leads_to, door.bottom) == ("door", "kitchen_0/0", 0.0)
+    np.testing.assert_allclose((window.start, window.end), ((0.725, 4.6), (1.675, 4.6)), atol=1e-9)
+    assert (window.kind, window.leads_to) == ("window", None)
+    assert window.bottom == pytest.approx(0.9)
+    assert [o.name for o in rooms["kitchen_0/0"].openings] == ["door.001"]
+    assert "window" not in things_of(rooms["living-room_0/0"])
+
+
+def test_poses_from_the_export_beside_a_state(tmp_path):
+    """By names as USD has them; what carries what is still the state's."""
+    pytest.importorskip("sceneweaver.importers.formats.usd")
+    from pxr import Gf, Usd, UsdGeom
+
+    bare = state()
+    for item in bare["objs"].values():
+        for key in ("location", "rotation_euler", "dimensions", "pose", "matrix_world", "size"):
+            item.pop(key, None)
+    path = written(tmp_path, "export/solve_state.json", bare)
+    (tmp_path / "export" / "export_scene.blend").mkdir()
+    stage = Usd.Stage.CreateNew(str(tmp_path / "export" / "export_scene.blend" / "export_scene.usdc"))
+    UsdGeom.SetStageUpAxis(stage, "Z")
+    UsdGeom.SetStageMetersPerUnit(stage, 1.0)
+    stage.SetDefaultPrim(UsdGeom.Xform.Define(stage, "/root").GetPrim())
+    boxes = {  # bottom, yaw, sides
+        SOFA: ((1.4, 1.1, 0.0), 0.3, (0.95, 2.05, 0.8)),
+        TABLE: ((4.2, 1.0, 0.0), -1.2, (0.7, 1.2, 0.45)),
+        VASE: ((4.1, 1.05, 0.45), 2.4, (0.2, 0.22, 0.35)),
+    }
+    for name, (place, yaw, (x, y, z)) in boxes.items():
+        prim = UsdGeom.Xform.Define(stage, "/root/" + "".join(c if c.isalnum() else "_" for c in name))
+        prim.AddTranslateOp().Set(Gf.Vec3d(*place))
+        prim.AddRotateZOp().Set(math.degrees(yaw))
+        mesh = UsdGeom.Mesh.Define(stage, f"{prim.GetPath()}/mesh")
+        corners = [(i * x / 2, j * y / 2, k * z) for i in (-1, 1) for j in (-1, 1) for k in (0, 1)]
+        mesh.GetPointsAttr().Set([Gf.Vec3f(*c) for c in corners])
+        mesh.GetFaceVertexCountsAttr().Set([4] * 6)
+        faces = [0, 1, 3, 2, 4, 6, 7, 5, 0, 4, 5, 1, 2, 3, 7, 6, 0, 2, 6, 4, 1, 5, 7, 3]
+        mesh.GetFaceVertexIndicesAttr().Set(faces)
+    stage.GetRootLayer().Save()
+    room = rooms_of("infinigen", path)["living-room_0/0"]
+    things = things_of(room)
+    require_pose(things[SOFA], (1.4, 1.1, 0.4), compass(0.3))
+    require_pose(things[TABLE], (4.2, 1.0, 0.225), compass(-1.2))
+    require_pose(things[VASE], (4.1, 1.05, 0.625), compass(2.4))
+    np.testing.assert_allclose(things[SOFA].size, (0.95, 2.05, 0.8), atol=1e-6)
+    assert (things[VASE].support, things[SOFA].mount, ART in things) == (TABLE, "floor", False)
+    assert any("export_scene.usdc" in note for note in room.notes)
+
+
 def test_a_state_as_infinigen_writes_it_has_no_poses(tmp_path):
     bare = state()
     for item in bare["objs"].values():
@@ -248,13 +310,30 @@ def test_a_state_as_infinigen_writes_it_has_no_poses(tmp_path):
     require_error(written(tmp_path, "solve_state.json", bare), "infinigen", "no object has a pose", "USD")
 
 
+@pytest.mark.parametrize(
+    ("generator", "obj", "label"),
+    [
+        ("KitchenCabinetFactory(780816)", "x", "KitchenCabinet"),
+        ("ACDC", "MonitorFactory(3610974).spawn_asset(964244)", "Monitor"),
+        (None, "BookStackFactory(12).spawn_asset(3)", "BookStack"),
+        (None, "780816_LargeShelfFactory", "LargeShelf"),
+    ],
+)
+def test_labels(tmp_path, generator, obj, label):
+    data = state()
+    data["objs"]["thing"] = {**data["objs"][SOFA], "generator": generator, "obj": obj}
+    data["objs"]["thing"]["relations"] = [{"relation": {}, "target_name": None}, *data["objs"][SOFA]["relations"]]
+    things = things_of(rooms_of("infinigen", written(tmp_path, "solve_state.json", data))["living-room_0/0"])
+    assert things["thing"].label == label
+
+
 def test_broken_states(tmp_path):
     whole = state()
     text = written(tmp_path, "whole.json", whole).read_text()
     for name, data, words in (
         ("cut.json", text[:-30], ("cut off",)),
         ("type.json", changed(whole, {"x": 1}, "objs", SOFA, "location"), ("location", "list")),
-        ("missing.json", without(whole, "objs", SOFA, "relations", 0, "target_name"), ("'target_name'",)),
+        ("missing.json", without(state(), "objs"), ("'objs' is missing",)),
         ("nan.json", changed(whole, float("nan"), "objs", SOFA, "dimensions", 1), ("dimensions[1]", "NaN")),
         ("empty.json", "", ("empty",)),
         ("mirror.json", changed(whole, np.diag([1, -1, 1, 1]).tolist(), "objs", VASE, "matrix_world"), ("mirrors",)),

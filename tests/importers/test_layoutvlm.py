@@ -90,6 +90,15 @@ def test_beside_a_raw_input_that_has_its_boxes(tmp_path):
     require_room(room)
 
 
+def test_an_input_under_the_names_of_the_layout(tmp_path):
+    """Then it is a prepared one, whatever else it lacks: x is along the front."""
+    plain = {name: {"assetMetadata": entry["assetMetadata"]} for name, entry in PREPARED["assets"].items()}
+    written(tmp_path, "input.json", {**PREPARED, "assets": plain})
+    (room,) = rooms_of("layoutvlm", written(tmp_path, "layout.json", LAYOUT)).values()
+    assert things_of(room)["sofa-0"].size == (0.85, 1.95, 0.84)
+    assert things_of(room)["sofa-0"].label == "sofa"
+
+
 def test_alone(tmp_path):
     (room,) = rooms_of("layoutvlm", written(tmp_path, "layout.json", LAYOUT)).values()
     assert room.outline is None

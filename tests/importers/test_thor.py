@@ -162,6 +162,15 @@ def test_a_kitchen_of_procthor(tmp_path):
     assert not rooms["room|3"].objects
 
 
+def test_a_scaled_thing(tmp_path):
+    """Factors along Unity's axes: x is the width, y the height, z the depth."""
+    written(tmp_path, "assets/asset-database.json", ASSETS)
+    house = changed(KITCHEN, {"x": 2.0, "y": 0.5, "z": 1.5}, "objects", 1, "scale")
+    rooms = rooms_of("ai2thor", written(tmp_path, "house.json", house), tmp_path / "assets")
+    size = things_of(rooms["room|2"])["Fridge|2|1"].size
+    assert size == pytest.approx((0.70640993 * 1.5, 0.85345548 * 2, 1.69260526 / 2))
+
+
 def test_holes_count_from_the_first_corner_of_their_wall(tmp_path):
     rooms = rooms_of("ai2thor", written(tmp_path, "house.json", KITCHEN))
     (door,) = rooms["room|3"].openings
@@ -175,6 +184,15 @@ def test_holes_count_from_the_first_corner_of_their_wall(tmp_path):
     np.testing.assert_allclose((window.start, window.end), ((14.028, 0.04993898), (14.028, 1.26649959)), atol=1e-8)
     assert window.bottom == pytest.approx(0.6693971)
     assert window.height == pytest.approx(1.9420564320 - 0.6693971005)
+
+
+def test_doors_turn_away_from_their_first_room(tmp_path):
+    """The wall of room 3 runs west along its south side, so that its left is outside: in room 2."""
+    leaf = changed(KITCHEN, "Doorway_Double_2", "doors", 0, "assetId")
+    rooms = rooms_of("ai2thor", written(tmp_path, "house.json", leaf))
+    (there,) = rooms["room|3"].openings
+    here = next(o for o in rooms["room|2"].openings if o.kind == "door")
+    assert (there.swing, here.swing) == ("out", None)
 
 
 def test_the_older_schema(tmp_path):

@@ -91,7 +91,7 @@ def _object(
         asset=f"{category}/{model}" if model else None,
         support=below if on else None,
         mount=mount,
-        keep={"mount": item.value["mount"]} if item.has("mount") else {},
+        keep=item.kept("mount"),
     )
 
 
@@ -102,7 +102,7 @@ def _below(name: str, graph: Entry | None) -> str | None:
 
 def _hung(item: Entry) -> bool:
     """Whether a thing hangs on a wall and does not stand: ``{"floor": false, "wall": true}``."""
-    mount = item.value.get("mount")
+    mount = item.get("mount")
     return isinstance(mount, dict) and bool(mount.get("wall")) and not mount.get("floor")
 
 

@@ -13,9 +13,9 @@ from sceneweaver.io import InputError, load_packed_json
 
 from ..entries import Entry
 from ..frames import quaternion_matrix
-from ..model import ReadOptions, SourceFormat, SourceObject, SourceOpening, SourceRoom
+from ..model import ReadOptions, SourceFormat, SourceObject, SourceRoom
 from ..omnigibson import box_offset, native_box
-from ..plans import room_at
+from ..plans import opening_of_box, room_at
 
 WALLS = {"walls", "ceilings", "roof", "background", "lawn", "driveway", "fence", "rail_fence"}
 DOORS = {"door", "sliding_door", "garage_door", "gate"}
@@ -25,7 +25,11 @@ WINDOWS = {"window", "openable_window", "fixed_window"}
 def _matches(path: Path, head: bytes) -> bool:
     if path.suffix.lower() != ".json" or b'"' not in head:
         return False
-    return b'"objects_info"' in head or b'"object_registry"' in head or (b'"init_info"' in head and b'"DatasetObject"' in head)
+    return (
+        b'"objects_info"' in head
+        or b'"object_registry"' in head
+        or (b'"init_info"' in head and b'"DatasetObject"' in head)
+    )
 
 
 @dataclass
@@ -99,10 +103,7 @@ def _things(scene: Entry, folder: Path | None, notes: list[str]) -> Iterator[_Th
         offset = box_offset(folder, category, model)
         if offset is not None:
             middle = middle + rotation @ (scale * offset)
-        given = args.value.get("in_rooms")
-        given = [given] if isinstance(given, str) else given if isinstance(given, list) else []
-        rooms = [room for room in given if isinstance(room, str) and room]
-        yield _Thing(name, category, model, args, rooms, middle, rotation, size)
+        yield _Thing(name, category, model, args, args.words("in_rooms"), middle, rotation, size)
 
 
 def _size(args: Entry, folder: Path | None, category: str, model: str):
@@ -163,7 +164,14 @@ def _room(
             if thing.size is None:
                 notes.append(f"{thing.name}: a {thing.category} of unknown size; left out")
             else:
-                openings.append(_opening(thing, [r for r in homes[thing.name] if r != room], level))
+                others = [r for r in homes[thing.name] if r != room]
+                middle = thing.middle - (0.0, 0.0, level)
+                window = thing.category in WINDOWS
+                openings.append(
+                    opening_of_box(
+                        thing.name, window, middle, thing.rotation, thing.size, others[0] if others else None
+                    )
+                )
         else:
             objects.append(_object(thing, level, room))
     return SourceRoom(
@@ -177,24 +185,6 @@ def _room(
     )
 
 
-def _opening(thing: _Thing, others: list[str], level: float) -> SourceOpening:
-    """A door or window: as wide as the longer horizontal side of its box."""
-    assert thing.size is not None
-    depth, width, height = thing.size
-    half = thing.rotation @ ((depth / 2, 0.0, 0.0) if depth >= width else (0.0, width / 2, 0.0))
-    a, b = thing.middle - half, thing.middle + half
-    window = thing.category in WINDOWS
-    return SourceOpening(
-        thing.name,
-        "window" if window else "door",
-        (float(a[0]), float(a[1])),
-        (float(b[0]), float(b[1])),
-        max(0.0, float(thing.middle[2]) - height / 2 - level) if window else 0.0,
-        height,
-        leads_to=others[0] if others else None,
-    )
-
-
 def _object(thing: _Thing, level: float, room: str) -> SourceObject:
     x, y, z = (float(v) for v in thing.middle)
     return SourceObject(
@@ -204,7 +194,7 @@ def _object(thing: _Thing, level: float, room: str) -> SourceObject:
         thing.rotation,
         thing.size,
         asset=f"{thing.category}/{thing.model}" if thing.model else None,
-        fixed=thing.args.value.get("fixed_base") is True,
+        fixed=thing.args.get("fixed_base") is True,
         keep={"in_rooms": thing.rooms},
     )
 

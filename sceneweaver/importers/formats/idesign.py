@@ -76,7 +76,7 @@ def _object(name: str, item: Entry, things: dict[str, Entry], notes: list[str]) 
         support=support,
         mount=mount,
         description=" ".join(w for w in (item.word("style"), item.word("material")) if w),
-        keep={key: item.value[key] for key in ("facing", "placement", "cluster") if key in item.value},
+        keep=item.kept("facing", "placement", "cluster"),
     )
 
 
@@ -87,14 +87,14 @@ def _held(item: Entry, things: dict[str, Entry]) -> tuple[str | None, Mount | No
         for other in placement.listed("objects_in_room"):
             if other.word("preposition") == "on" and other.word("object_id") in things:
                 return other.word("object_id"), "surface"
-        if item.value.get("is_on_the_floor") is not True:
+        if item.get("is_on_the_floor") is not True:
             for part in placement.listed("room_layout_elements"):
                 where = part.word("layout_element_id")
                 if where == "ceiling":
                     return None, "ceiling"
                 if where in FACING and part.word("preposition") == "on":
                     return None, "wall"
-    return None, "floor" if item.value.get("is_on_the_floor") is True else None
+    return None, "floor" if item.get("is_on_the_floor") is True else None
 
 
 FORMAT = SourceFormat(

@@ -24,13 +24,14 @@ WINDOW = 0.9, 1.2
 """Sill and height [m] that windows get."""
 
 
+_SHAPE = re.compile(
+    rb'"operation"\s*:\s*"shapely\.|"shape"\s*:\s*(?:\{\s*"operation"|"\s*(?:shapely\.|box|Polygon))'
+    rb'|:\s*"\s*(?:shapely\.)?(?:geometry\.)?(?:box|Polygon)\s*\('
+)
+
+
 def _matches(path: Path, head: bytes) -> bool:
-    if path.suffix.lower() != ".json" or b'"rooms"' not in head:
-        return False
-    return (
-        re.search(rb'"(?:operation|shape)"\s*:|:\s*"\s*(?:shapely\.)?(?:geometry\.)?(?:box|Polygon)\s*\(', head)
-        is not None
-    )
+    return path.suffix.lower() == ".json" and b'"rooms"' in head and _SHAPE.search(head) is not None
 
 
 def _read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:

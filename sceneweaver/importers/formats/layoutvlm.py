@@ -47,7 +47,7 @@ def _read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
         ]
         outline = tuple((c[0], c[1]) for c in corners)
         height = boundary["wall_height"].length() if boundary.has("wall_height") else None
-        assets = _assets(task, options.folder)
+        assets = _assets(task, options.folder, set(layout.mapping()))
     objects = []
     for name, item in layout.items():
         if not isinstance(item.value, dict) or not item.has("position"):
@@ -81,14 +81,14 @@ def _task(path: Path, folder: Path | None) -> Entry | None:
     return None
 
 
-def _assets(task: Entry, folder: Path | None) -> dict[str, Entry]:
+def _assets(task: Entry, folder: Path | None, placed: set[str]) -> dict[str, Entry]:
     """What is known of each object, by its name in the layout; boxes have x along the front.
 
-    A prepared input has these names and boxes already. A raw one has ``<uid>-<i>``: its entries, or
+    A prepared input has these names (``placed``) and boxes already. A raw one has ``<uid>-<i>``: its entries, or
     ``<folder>/<uid>/data.json``, have x and y the other way round and get the names that LayoutVLM gives them.
     """
     given = dict(task["assets"].items())
-    if any("asset_var_name" in e.mapping() or "uid" in e.mapping() for e in given.values()):
+    if placed & set(given) or any("asset_var_name" in e.mapping() for e in given.values()):
         return given
     known: dict[str, list[Entry]] = defaultdict(list)
     for name, entry in given.items():
@@ -118,14 +118,15 @@ def _annotation(folder: Path | None, uid: str) -> Entry | None:
 
 
 def _variable(entry: Entry) -> str:
-    category = entry.word("category") or entry["annotations"].word("category", "object")
+    annotations = entry.find("annotations")
+    category = entry.word("category") or (annotations.word("category") if annotations is not None else "") or "object"
     return re.sub(r"[-' /,]", "_", category).lower()
 
 
 def _turned(entry: Entry, uid: str) -> dict[str, Any]:
     """A raw entry as a prepared one: flags and category at the top, x and y of its box exchanged."""
     box = entry["assetMetadata"]["boundingBox"].mapping()
-    annotations = entry.value.get("annotations")
+    annotations = entry.get("annotations")
     top = annotations if isinstance(annotations, dict) else {}
     turned = {"x": box.get("y"), "y": box.get("x"), "z": box.get("z")}
     return {**top, **entry.value, "uid": uid, "assetMetadata": {"boundingBox": turned}}
@@ -141,9 +142,7 @@ def _object(name: str, item: Entry, asset: Entry | None, notes: list[str]) -> So
     description = ""
     if asset is not None:
         label, uid, description = asset.word("category", label), asset.word("uid"), asset.word("description")
-        for flag, kind in MOUNTS if isinstance(asset.value, dict) else ():
-            if mount is None and asset.value.get(flag) is True:
-                mount = kind
+        mount = next((kind for flag, kind in MOUNTS if asset.get(flag) is True), None)
         if asset.has("assetMetadata"):
             box = asset["assetMetadata"]["boundingBox"]
             size = box.sides(box.named("xyz"))

@@ -14,6 +14,9 @@ from ..frames import euler_matrix, facing
 from ..model import Mount, ReadOptions, SourceFormat, SourceObject, SourceOpening, SourceRoom
 from ..plans import along, rectangle
 
+_MOST = 1000
+"""Walls of a room that are tried to be put in a ring."""
+
 _TURN = facing("y").T  # at 0 degrees a thing faces +y, as their solver has it
 
 
@@ -68,7 +71,7 @@ def _room(room: Entry, doors: dict[str, list[str]], text: str) -> SourceRoom:
 def _ring(walls: list[Entry]) -> tuple[tuple[float, float], ...] | None:
     """The outline [m] along the walls, whatever their order and direction; None where they form no ring."""
     ends = [tuple(tuple(w[k].named("xy")) for k in ("start_point", "end_point")) for w in walls]
-    if len(ends) < 3:
+    if not 3 <= len(ends) <= _MOST:
         return None
     (first, at), rest = ends[0], ends[1:]
     ring = [first]
@@ -89,7 +92,7 @@ def _opening(
     name = item["id"].text()
     wall = walls.get(item["wall_id"].text())
     if wall is None:
-        notes.append(f"{name}: its wall {item.value['wall_id']} is not in the room; left out")
+        notes.append(f"{name}: its wall {item.word('wall_id')} is not in the room; left out")
         return None
     a, b = (wall[key].named("xy") for key in ("start_point", "end_point"))
     length = float(np.hypot(*np.subtract(b, a)))
@@ -103,7 +106,7 @@ def _opening(
     others = [r for r in doors[name] if r != room]
     return SourceOpening(
         name,
-        "passage" if item.value.get("opening") is True else "door",
+        "passage" if item.get("opening") is True else "door",
         start,
         end,
         0.0,
@@ -136,7 +139,7 @@ def _object(item: Entry, room: str, walls: dict[str, Entry], names: set[str], fl
         support=place if place in names else None,
         mount=mount,
         description=item.word("description"),
-        keep={key: item.value[key] for key in ("placement_constraints", "mass", "source") if key in item.value},
+        keep=item.kept("placement_constraints", "mass", "source"),
     )
 
 

@@ -7,7 +7,6 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 from statistics import median
-from typing import Any
 
 import numpy as np
 
@@ -16,7 +15,7 @@ from sceneweaver.io import load_json
 from ..entries import Entry
 from ..frames import euler_matrix
 from ..model import Mount, ReadOptions, SourceFormat, SourceObject, SourceOpening, SourceRoom
-from ..plans import rectangle
+from ..plans import opening_of_box, rectangle
 
 WALL = 0.14
 """Half the thickness [m] of its executor's walls: there the floor lies and the walls end, within ``roomsize``."""
@@ -133,7 +132,7 @@ def _place(item: Entry) -> list[float]:
 
 def _relations(item: Entry) -> Iterator[tuple[str, str]]:
     """Pairs of a parent's name and a relation: ``[[name, relation], ..]``, ``[category, number, relation]``."""
-    parent: Any = item.value.get("parent") if isinstance(item.value, dict) else None
+    parent = item.get("parent")
     if not isinstance(parent, list) or not parent:
         return
     if all(isinstance(p, str) for p in parent):
@@ -176,7 +175,7 @@ def _object(name: str, item: Entry, names: set[str], level: float) -> SourceObje
         anchor="bottom",
         support=support,
         mount=mount,
-        keep={"parent": item.value["parent"]} if item.has("parent") else {},
+        keep=item.kept("parent"),
     )
 
 
@@ -187,20 +186,11 @@ def _label(name: str) -> str:
 
 
 def _opening(name: str, item: Entry, level: float) -> SourceOpening:
-    """A door ("entrance..") or window by the box of its model: its width is the longer side on the floor."""
+    """A door ("entrance..") or window by the box of its model."""
     x, y, z = item["location"].numbers(3)
-    a, b, height = item["size"].sides(item["size"].numbers(3))
+    size = item["size"].sides(item["size"].numbers(3))
     turn = euler_matrix([math.degrees(v) for v in item["rotation"].numbers(3)])
-    half = turn @ ((a / 2, 0.0, 0.0) if a >= b else (0.0, b / 2, 0.0))
-    window = name.startswith("window")
-    return SourceOpening(
-        name,
-        "window" if window else "door",
-        (x - float(half[0]), y - float(half[1])),
-        (x + float(half[0]), y + float(half[1])),
-        max(0.0, z - level - height / 2) if window else 0.0,
-        height,
-    )
+    return opening_of_box(name, name.startswith("window"), (x, y, z - level), turn, size)
 
 
 FORMAT = SourceFormat(
@@ -214,7 +204,8 @@ FORMAT = SourceFormat(
         "width, height. A room has one corner at the origin. Where the floor lies at 0.14 m, as the executor has it, "
         "everything is moved down by it and the walls are inset by it.",
         "Assumed: a door or window is as wide as the longer side of its box, around its location.",
-        "A folder record_scene is one scene, that of its last step. Relations to parents are kept with the object; what lies on or in a parent is carried by it.",
+        "A folder record_scene is one scene, that of its last step.",
+        "Relations to parents are kept with the object; what lies on or in a parent is carried by it.",
     ),
     licence="BSD-3-Clause (code); the scenes are the user's",
 )

@@ -139,11 +139,11 @@ def _thing(item: Entry, home: _Home, parent: str | None, parent_room: str | None
             _label(item, name),
             (float(position[0]), float(position[1]), float(position[2])),
             frames.rotation(frames.UNITY, theirs) @ _TURN,
-            box(home.sizes, asset) or size,
+            _scaled(box(home.sizes, asset), item) or size,
             asset=asset or None,
             support=parent or _receptacle(name, home),
             mount=mount,
-            keep={key: item.value[key] for key in ("kinematic", "openness", "isOn") if key in item.value},
+            keep=item.kept("kinematic", "openness", "isOn"),
         )
     )
     for child in item.listed("children"):
@@ -166,6 +166,15 @@ def _receptacle(name: str, home: _Home) -> str | None:
     """What carries a small thing of Holodeck: ``mug-0|desk-0 (office)``."""
     carrier = name.split("|", 1)[1] if "|" in name else ""
     return carrier if carrier in home.ids else None
+
+
+def _scaled(size: Size | None, item: Entry) -> Size | None:
+    """The box of an asset, as large as the house has it."""
+    if size is None or not item.has("scale"):
+        return size
+    x, y, z = item["scale"].named("xyz", 0.0)
+    depth, width, height = size
+    return item["scale"].sides((depth * z, width * x, height * y))
 
 
 def _label(item: Entry, name: str) -> str:
@@ -206,7 +215,8 @@ FORMAT = SourceFormat(
         "Houses have no boxes: they come from ProcTHOR's asset-database.json or objathor's annotations in the asset "
         "folder, or, for Holodeck's things on the floor, from their corners less the 10 cm that it adds.",
         "A door of Holodeck lies at its doorSegment; its holePolygon counts from where two rooms meet.",
-        "Lost: materials, lights, agents' poses, which way doors turn.",
+        "A door turns to the left of the direction of its wall, as ProcTHOR keeps it free; hinges are not in the file.",
+        "Lost: materials, lights, agents' poses.",
     ),
     licence="Apache-2.0 (ProcTHOR, Holodeck); assets have their own",
 )
