@@ -12,6 +12,7 @@ import pytest
 import sceneweaver as sw
 from sceneweaver.export.scenestate import write_scenestate
 from sceneweaver.importers.categories import category_of
+from tests.importers.meshes import box_obj
 from tests.importers.reading import (
     changed,
     compass,
@@ -62,15 +63,6 @@ def document() -> dict:
     arch = {"elements": [floor, *walls], "scaleToMeters": 1, "regions": [{"id": "r", "type": "Bedroom"}]}
     head = {"version": "scene@1.0.2", "up": [0, 0, 1], "front": [0, 1, 0], "unit": 1.0, "assetSource": ["test"]}
     return {"format": "sceneState", "scene": {**head, "arch": arch, "object": things}, "selected": []}
-
-
-def box_obj(folder: Path, name: str, low, high) -> None:
-    """A mesh ``<name>/raw_model.obj``: the box between two corners."""
-    points = [[(low, high)[b][k] for k, b in enumerate(bits)] for bits in np.ndindex(2, 2, 2)]
-    faces = [(1, 2, 4), (1, 4, 3), (5, 7, 8), (5, 8, 6), (1, 5, 6), (1, 6, 2), (3, 4, 8), (3, 8, 7)]
-    faces += [(1, 3, 7), (1, 7, 5), (2, 6, 8), (2, 8, 4)]
-    text = [f"v {x} {y} {z}" for x, y, z in points] + [f"f {a} {b} {c}" for a, b, c in faces]
-    written(folder, f"{name}/raw_model.obj", "\n".join(text))
 
 
 def test_an_l_shaped_room(tmp_path):
