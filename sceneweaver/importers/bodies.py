@@ -37,6 +37,8 @@ def with_body(thing: SceneObject, source: SourceObject, named: Named, assets: As
     """
     if assets == "theirs" and source.mesh is not None:
         return _stretched(thing, _imported(source, named.category, thing.mount))
+    if source.parts:
+        return _hollow(thing, source)
     if assets == "theirs":
         notes.append(f"{thing.id}: no mesh in the asset folder; our own furniture stands for it")
     if assets != "boxes":
@@ -127,6 +129,17 @@ def _stretched(thing: SceneObject, asset: Asset) -> SceneObject:
             "attributes": {**asset.attributes, **thing.attributes},
         }
     )
+
+
+def _hollow(thing: SceneObject, source: SourceObject) -> SceneObject:
+    """The object as the boxes that its file says it consists of; the tops of all of them carry."""
+    parts = tuple(
+        Part(polygon=((x0, y0), (x1, y0), (x1, y1), (x0, y1)), z=(z0, z1)) for (x0, y0, z0), (x1, y1, z1) in source.parts
+    )
+    tops = [p for p in parts if p.z[1] < thing.size[2] - 1e-6]
+    surfaces = [Surface(name=f"part_{k}", polygon=p.polygon, z=p.z[1]) for k, p in enumerate(tops)]
+    made = _box(thing)
+    return made.model_copy(update={"parts": parts, "surfaces": (*made.surfaces, *surfaces)})
 
 
 def _box(thing: SceneObject) -> SceneObject:

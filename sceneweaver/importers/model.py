@@ -26,6 +26,9 @@ class SourceObject:
 
     ``mesh`` is a file of the user's that shows it; ``mesh_axes`` [3, 3] turns the mesh's frame into the object's after
     its coordinates are multiplied by ``scale``. ``support`` is the name of what carries it, as the file says.
+
+    ``parts`` are least and largest corners [m] of the boxes that a hollow thing consists of, in the object's frame with
+    the origin in the middle of its bottom; empty: it fills its box.
     """
 
     name: str
@@ -42,6 +45,7 @@ class SourceObject:
     mount: Mount | None = None
     description: str = ""
     fixed: bool = False
+    parts: tuple[tuple[tuple[float, float, float], tuple[float, float, float]], ...] = ()
     keep: dict[str, Any] = field(default_factory=dict)
 
 
