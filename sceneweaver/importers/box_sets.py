@@ -10,7 +10,7 @@ scaled to [-1, 1] by the bounds in ``dataset_stats.txt``. Negative half sizes te
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -154,7 +154,7 @@ def boxes_of(data: Mapping[str, Any], statistics: Statistics, where: str) -> Box
     kept = [k for k, label in enumerate(labels) if label not in PADDING]
     notes = []
     if "objectness" in data and count:
-        scores = numbers(np.asarray(data["objectness"]).reshape(-1), (count,), f"{where}: objectness")
+        scores = _column(data["objectness"], count, f"{where}: objectness")
         absent = [k for k in kept if scores[k] < 0] if (scores < 0).any() else [k for k in kept if scores[k] < 0.5]
         if 0 < len(absent) < len(kept):
             notes.append(f"{len(absent)} boxes whose objectness says that they are none are left out")
@@ -233,25 +233,31 @@ def things(boxes: Boxes, origin: np.ndarray, assets: list[str] | None = None) ->
     )
 
 
-def several(data: Mapping[str, Any], where: str) -> Iterator[tuple[int, dict[str, Any]]]:
-    """The rooms of arrays with one axis more, ``[room][slot][..]``; of arrays of one room that room alone.
+def several(data: Mapping[str, Any], where: str) -> tuple[list[dict[str, Any]], bool]:
+    """The rooms of arrays with one axis more, ``[room][slot][..]``, or the one of arrays of one; and whether many.
 
     Raises:
         InputError: arrays of unequal numbers of rooms.
     """
-    import numpy as np
-
     first = member(data, "translations", where)
-    deep = np.ndim(first[0]) if len(first) else 1
-    if deep < 2:
-        yield 0, dict(data)
-        return
+    if _depth(first) < 3:
+        return [dict(data)], False
     names = [key for key in (*ARRAYS, "objectness") if key in data]
     for key in names:
-        if len(data[key]) != len(first):
-            raise InputError(f"{where}: {key}: {len(data[key])} rooms, but translations has {len(first)}")
-    for k in range(len(first)):
-        yield k, {**{key: value for key, value in data.items() if key not in names}, **{n: data[n][k] for n in names}}
+        if _depth(data[key]) < 2 or len(data[key]) != len(first):
+            found = len(data[key]) if _depth(data[key]) else "no"
+            raise InputError(f"{where}: {key}: {found} rooms, but translations has {len(first)}")
+    rest = {key: value for key, value in data.items() if key not in names}
+    return [{**rest, **{name: data[name][k] for name in names}} for k in range(len(first))], True
+
+
+def _depth(value: Any) -> int:
+    """Axes of an array or of nested lists, by their first entries."""
+    if hasattr(value, "ndim"):
+        return int(value.ndim)
+    if not isinstance(value, list):
+        return 0
+    return 1 + (_depth(value[0]) if value else 0)
 
 
 def _unscaled(values: np.ndarray, bounds: np.ndarray) -> np.ndarray:
@@ -269,8 +275,14 @@ def _angles(value: Any, count: int, where: str) -> tuple[np.ndarray, bool]:
     if array.ndim == 2 and array.shape[1] == 2:
         pairs = numbers(array, (count, 2), f"{where}: angles")
         return np.arctan2(pairs[:, 1], pairs[:, 0]), True
-    column = array.reshape(-1) if array.ndim == 2 and array.shape[1] == 1 else array
-    return numbers(column, (count,), f"{where}: angles"), False
+    return _column(value, count, f"{where}: angles"), False
+
+
+def _column(value: Any, count: int, where: str) -> np.ndarray:
+    """Numbers [n], written as n or as n x 1."""
+    if _depth(value) == 2:
+        return numbers(value, (count, 1), where)[:, 0]
+    return numbers(value, (count,), where)
 
 
 def _names(value: Any, where: str) -> tuple[str, ...]:

@@ -35,14 +35,15 @@ def read_sampled(path: Path, options: ReadOptions, data: Mapping[str, Any] | Non
     beside = path.parent / "description.txt"
     text = read_text(beside, max_bytes=100_000).strip() if beside.is_file() else ""
     centres = data.get("floor_plan_centroid")
-    for k, arrays in several(data, where):
-        place = f"{where}: room {k}" if np.ndim(data["translations"]) != 2 else where
+    found, many = several(data, where)
+    for k, arrays in enumerate(found):
+        place = f"{where}: room {k}" if many else where
         boxes = boxes_of(arrays, statistics, place)
         centre = np.zeros(3)
         if centres is not None:
             rows = numbers(np.asarray(centres).reshape(-1, 3), (None, 3), f"{where}: floor_plan_centroid")
             centre = rows[min(k, len(rows) - 1)] * np.array([1.0, 0.0, 1.0])
-        name = names[k] if k < len(names) else "" if not k and "room" not in place else f"{k:04d}"
+        name = names[k] if k < len(names) else f"{k:04d}" if many else ""
         yield SourceRoom(
             name=name,
             type=_type_of(name),

@@ -28,6 +28,9 @@ DOOR = 0.8
 UNIT = 0.01
 """Metres of a unit in a plan without doors."""
 
+MOST = 2000
+"""Rooms, doors and windows of a plan."""
+
 REACH = 0.45  # [m] from the middle of an opening to the face of its wall
 LEAST = 0.3  # [m2] least room
 _NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
@@ -51,6 +54,8 @@ def read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
     fixtures = _walk(root, spaces, holes, where)
     if not spaces:
         raise InputError(f'{where}: no room in it; rooms are groups with class="Space ..." and a polygon')
+    if len(spaces) + len(holes) > MOST:
+        raise InputError(f"{where}: {len(spaces)} rooms and {len(holes)} openings; at most {MOST} are read")
     unit, said = _unit(holes)
     rooms = [(kind, corners * np.array([unit, -unit])) for kind, corners in spaces]
     middles = [(kind, *middle_line(corners * np.array([unit, -unit]))) for kind, corners in holes]
@@ -148,6 +153,8 @@ def _transform(text: str, where: str) -> np.ndarray:
     for name, inside in _CALL.findall(text):
         v = [float(n) for n in _NUMBER.findall(inside)]
         counts = {"matrix": (6,), "translate": (1, 2), "scale": (1, 2), "rotate": (1, 3)}[name]
+        if v and not max(map(abs, v)) <= LARGEST:
+            raise InputError(f"{where}: transform {show(text[:40])}: too large for a plan")
         if len(v) not in counts:
             raise InputError(f"{where}: transform {show(text[:40])}: {name} has {len(v)} numbers")
         step = np.eye(3)

@@ -37,6 +37,9 @@ ROOMS = {
     16: "room",
 }
 FRONT_DOOR, INNER_DOOR = 15, 17
+MOST = 500
+"""Rooms and doors of a plan."""
+
 REACH = 8 * PIXEL  # of a door's middle from the face of its wall
 CLOSE = 1.5 * PIXEL  # ends of edges nearer than this meet
 
@@ -44,7 +47,7 @@ CLOSE = 1.5 * PIXEL  # ends of edges nearer than this meet
 def matches(path: Path, head: bytes) -> bool:
     """JSON with types of rooms, edges and the rooms of edges."""
     names = keys_seen(head)
-    return head.lstrip()[:1] == b"{" and "room_type" in names and bool({"ed_rm", "boxes", "edges"} & names)
+    return head.lstrip()[:1] == b"{" and {"room_type", "ed_rm"} <= names
 
 
 def read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
@@ -53,6 +56,8 @@ def read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
     data = loaded(path)
     types = numbers(member(data, "room_type", where), (None,), f"{where}: room_type").astype(int).tolist()
     edges = numbers(member(data, "edges", where), (None, None), f"{where}: edges")
+    if len(types) > MOST or len(edges) > 20 * MOST:
+        raise InputError(f"{where}: {len(types)} rooms and {len(edges)} edges; at most {MOST} and {20 * MOST} are read")
     if not len(types):
         raise InputError(f"{where}: room_type: no room in it")
     if len(edges) and edges.shape[1] < 4:

@@ -53,7 +53,7 @@ def _split(data: dict[str, Any], where: str) -> dict[str, Any]:
         raise InputError(f"{where}: 'objs' is missing; boxes need the class of each slot")
     try:
         boxes = np.asarray(data["boxes"], dtype=float)
-    except (TypeError, ValueError):
+    except (OverflowError, TypeError, ValueError):
         raise InputError(f"{where}: boxes: n x 8 numbers are needed, of each room alike") from None
     if boxes.ndim not in (2, 3) or boxes.shape[-1] not in (7, 8):
         raise InputError(f"{where}: boxes: 8 numbers a slot are needed: translation, half size, cos and sin")

@@ -62,7 +62,8 @@ def matches(path: Path, head: bytes) -> bool:
     if "FeatureCollection" in head.decode("utf-8", "replace")[:4096]:
         text = head.decode("utf-8", "replace").lower()
         return any(f'"{room}' in text for room in ROOMS) and any(f'"{name}"' in text for name in NAMES)
-    return len(names & {*ROOMS, *OPENINGS, "inner", "wall"}) >= 2 and not names & {"objects", "room_type"}
+    shapes = b'"coordinates"' in head or b"POLYGON" in head
+    return shapes and bool(names & {*ROOMS}) and bool(names & {*OPENINGS, "inner", "wall"})
 
 
 def read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
@@ -165,15 +166,16 @@ def _shape(value: Any, place: str, known: bool) -> Any:
     from shapely.geometry import shape as of_mapping
 
     try:
-        if isinstance(value, str):
-            found = shapely.from_wkt(value)
-        elif isinstance(value, dict) and ("coordinates" in value or "geometries" in value):
-            found = of_mapping(value)
-        elif known:
-            raise ValueError("neither a GeoJSON object nor a WKT text")
-        else:
-            return None
-    except (shapely.errors.ShapelyError, ValueError, TypeError, KeyError, IndexError, AttributeError) as error:
+        with np.errstate(invalid="ignore"):  # NaN, which is refused below
+            if isinstance(value, str):
+                found = shapely.from_wkt(value)
+            elif isinstance(value, dict) and ("coordinates" in value or "geometries" in value):
+                found = of_mapping(value)
+            elif known:
+                raise ValueError("neither a GeoJSON object nor a WKT text")
+            else:
+                return None
+    except (shapely.errors.ShapelyError, ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
         if not known:
             return None
         shown = f"{value.get('type')} of wrong coordinates" if isinstance(value, dict) else show(value)
@@ -196,7 +198,7 @@ def _unit(plan: Mapping[str, Any], layers: Mapping[str, list[Any]], rooms: list[
     """Metres of a unit, and how that was found."""
     area = plan.get("area")
     inner = sum(shape.area for shape in layers.get("inner", []))
-    if isinstance(area, int | float) and math.isfinite(area) and area > 0 and inner > 0:
+    if isinstance(area, int | float) and 0 < area < LARGEST and inner > 0:
         unit = math.sqrt(float(area) / inner)
         return unit, f"a unit is {unit:.6g} m, by the area that the plan states"
     if max(float(np.abs(shape.bounds).max()) for _, shape in rooms) > CANVAS:

@@ -38,6 +38,7 @@ _FIELDS = {
 }
 MEET = 0.1  # [m] ends of walls nearer than this meet
 LEAST = 1.0  # [m2] least room
+MOST = 1000  # walls
 MAX_BYTES = 2**24
 
 
@@ -60,6 +61,8 @@ def read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
     layout = _parse(read_text(path, max_bytes=MAX_BYTES), where)
     if not layout.walls and not layout.boxes:
         raise InputError(f"{where}: no line is a wall or a box; give lines such as wall_0={_FIELDS['wall']}")
+    if len(layout.walls) > MOST or len(layout.boxes) + len(layout.openings) > 10 * MOST:
+        raise InputError(f"{where}: over {MOST} walls or {10 * MOST} boxes; split it into smaller files")
     floor = min((v for w in layout.walls.values() for v in (w[2], w[5])), default=0.0)
     objects = [_object(*entry, floor) for entry in layout.boxes]
     ends = np.array([[w[0], w[1], w[3], w[4]] for w in layout.walls.values()]).reshape(-1, 4)
