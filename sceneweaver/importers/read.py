@@ -11,6 +11,7 @@ from sceneweaver.io import InputError, open_regular, reason
 from sceneweaver.io.messages import path_name, quote, suggest
 
 from .bodies import Assets
+from .box_sets import PICKLE, is_pickle
 from .formats import formats
 from .model import HEAD, ReadOptions, SourceFormat, SourceRoom
 from .scene import ImportedScene, to_scene
@@ -35,6 +36,8 @@ def format_of(path: Path, name: str = AUTO) -> SourceFormat:
         raise InputError(f"{path_name(path)}: no such file or folder")
     head = _head(path)
     found = [f for f in known.values() if _matches(f, path, head)]
+    if not found and is_pickle(path, head):
+        raise InputError(f"{path_name(path)}: it is {PICKLE}")
     if not found:
         raise InputError(
             f"{path_name(path)}: no format recognises it; say which with --from, one of {', '.join(known)}"

@@ -1,0 +1,123 @@
+"""ATISS: 3D-FRONT rooms as its preprocessing writes them, ``<room>/boxes.npz`` with ``dataset_stats.txt`` above.
+
+`sceneweaver.importers.box_sets` says how boxes are meant. The floor plan's vertices are those of the house and are NOT
+moved, whereas translations are relative to ``floor_plan_centroid``, the centre of the floor plan's box.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from sceneweaver.io import InputError
+from sceneweaver.io.messages import path_name
+
+from ..box_sets import Statistics, boxes_of, is_archive, load_arrays, members, things
+from ..frames import Y_UP
+from ..model import ReadOptions, SourceFormat, SourceRoom
+from ..outlines import of_triangles
+from ..values import numbers, word
+
+FILE = "boxes.npz"
+
+
+def matches(path: Path, head: bytes) -> bool:
+    """A boxes.npz, or a folder of folders with one each."""
+    if path.is_dir():
+        return next(_files(path), None) is not None
+    return is_archive(path, head) and {"floor_plan_vertices", "translations", "class_labels"} <= members(path)
+
+
+def read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
+    """Its room; of a folder, room after room by name."""
+    statistics = Statistics.near(path, options)
+    some = False
+    for file in _files(path) if path.is_dir() else [path]:
+        some = True
+        yield _room(file, statistics)
+    if not some:
+        raise InputError(f"{path_name(path)}: no folder in it has a {FILE}; give the folder of the rooms")
+
+
+def _files(folder: Path) -> Iterator[Path]:
+    yield from sorted(file for file in folder.glob(f"*/{FILE}") if file.is_file())
+
+
+def _room(file: Path, statistics: Statistics) -> SourceRoom:
+    import numpy as np
+
+    name = path_name(file)
+    data = load_arrays(file)
+    boxes = boxes_of(data, statistics, name)
+    notes = list(boxes.notes)
+    outline, floor = None, 0.0
+    if "floor_plan_vertices" in data:
+        vertices = numbers(data["floor_plan_vertices"], (None, 3), f"{name}: floor_plan_vertices")
+        faces = _faces(data.get("floor_plan_faces"), len(vertices), name)
+        corners, left = of_triangles((vertices @ Y_UP.T)[:, :2], faces)
+        notes += left
+        if corners is not None:
+            outline, floor = tuple((float(x), float(y)) for x, y in corners), float(vertices[:, 1].min())
+    centroid = np.zeros(3)
+    if "floor_plan_centroid" in data:
+        centroid = numbers(data["floor_plan_centroid"], (3,), f"{name}: floor_plan_centroid")
+    elif outline is not None:
+        centroid = (vertices.min(axis=0) + vertices.max(axis=0)) / 2
+        notes.append("no floor_plan_centroid: the centre of the floor plan's box is taken")
+    if abs(floor) > 1e-9:
+        notes.append(f"the floor lies at {floor:g} m in the house; it is moved to 0")
+    room = file.parent.name
+    return SourceRoom(
+        name=room,
+        type=_text(data.get("scene_type")) or _type_in(room),
+        outline=outline,
+        objects=things(boxes, centroid - np.array([0.0, floor, 0.0]), _texts(data.get("jids"))),
+        notes=tuple(notes),
+    )
+
+
+def _faces(value: Any, count: int, name: str) -> Any:
+    import numpy as np
+
+    if value is None:
+        raise InputError(f"{name}: 'floor_plan_faces' is missing; floor_plan_vertices alone are no outline")
+    faces = numbers(value, (None, 3), f"{name}: floor_plan_faces").astype(np.int64)
+    if len(faces) and not 0 <= faces.min() <= faces.max() < count:
+        raise InputError(f"{name}: floor_plan_faces: {int(faces.max())} is no index of the {count} vertices")
+    return faces
+
+
+def _text(value: Any) -> str:
+    """A text that an array of no axes holds."""
+    return word(value.item()) if getattr(value, "shape", None) == () else word(value)
+
+
+def _texts(value: Any) -> list[str]:
+    return [word(v) for v in value.tolist()] if getattr(value, "ndim", 0) == 1 else []
+
+
+def _type_in(room: str) -> str:
+    """ "masterbedroom" of a folder such as ``<house>_MasterBedroom-1234``."""
+    return room.rpartition("_")[2].partition("-")[0].lower() if "_" in room and "-" in room else ""
+
+
+FORMAT = SourceFormat(
+    name="atiss",
+    title="ATISS (boxes.npz)",
+    matches=matches,
+    read=read,
+    notes=(
+        "Read: boxes.npz of ATISS' preprocessing, and of what follows it (DiffuScene, InstructScene, MiDiffusion), one "
+        "or a folder of many, room after room; names of the classes from dataset_stats.txt beside or above it, or in "
+        "--asset-folder.",
+        "Meaning: y up; sizes are half extents; angles turn about y with the front along +z; translations are relative "
+        "to floor_plan_centroid, and the floor plan's vertices are not moved: rooms lie where they are in their house.",
+        "Assumed: the outline is the union of the floor plan's triangles; lamps of the classes pendant_lamp and "
+        "ceiling_lamp hang from the ceiling.",
+        "Lost: doors, windows and the height of the room (the file has none), room_layout (a picture of the outline), "
+        "descriptions (pickles are not read).",
+    ),
+    licence="3D-FRONT's terms of use",
+    priority=1,
+)
