@@ -20,9 +20,9 @@ from .wishes import NEARLY, holding
 MOST, LEAST, WORK = 64, 4, 1280  # candidates: as many as WORK objects, within these bounds
 TRIES = 4  # of a candidate from the first feasible one on
 TRIED = 4  # layouts that are judged when none is valid, and of each pass where wishes count
-ROUNDS = 3  # passes with wishes
+VARIANTS = 6  # of a scene that loses wishes
 JUDGED = 0.5  # [s] beyond a time limit in which what was found is judged
-LOST = 0.25  # [m] of movement that a relation is worth that held before
+LOST = 1.0  # [m] of movement that a relation is worth that held before
 UNMET = 0.1  # [m] the same of one that nearly did
 
 
@@ -91,11 +91,11 @@ class Budget:
     candidates: int | None
     seed: int
     device: str
-    steps: int = TRIES
+    times: int = 1
 
     def count(self, scene: Scene) -> int:
-        """Candidates of a scene."""
-        return self.candidates or max(LEAST, min(MOST, WORK // max(1, len(scene.objects))))
+        """Candidates of a scene, so many times as many as asked for or by its size."""
+        return self.times * (self.candidates or max(LEAST, min(MOST, WORK // max(1, len(scene.objects)))))
 
 
 def judged(scene: Scene, relations: bool) -> Report:
@@ -121,7 +121,7 @@ def project(work: Sequence[Work], hard: Hard, budget: Budget, clock: Deadline) -
         candidates=[budget.count(each.scene) for each in work],
         init="current",
         optimizer="projection",
-        steps=budget.steps,
+        steps=TRIES,
         seed=budget.seed,
         device=budget.device,
         time_limit=clock.time_limit,
@@ -155,7 +155,12 @@ def _chosen(solution: Solution, wishes: bool) -> np.ndarray:
     chosen = solution.order[:1]
     if solution.status[chosen[0]] != 0:  # those with the least left to mend, too
         return np.unique(np.concatenate([chosen, np.argsort(solution.energy, kind="stable")[:TRIED]]))
-    return solution.ranked[:TRIED] if wishes else chosen
+    if not wishes:
+        return chosen
+    before = np.array([o.pose.position for o in solution.source.objects])
+    shift = np.linalg.norm(solution.poses[..., :3] - before, axis=-1).sum(axis=-1)
+    near = solution.ranked[np.argsort(shift[solution.ranked], kind="stable")[:TRIED]]
+    return np.unique(np.concatenate([chosen, near]))
 
 
 def _judge(work: Work, scene: Scene) -> None:
@@ -173,8 +178,8 @@ def hard_relations(scene: Scene) -> frozenset[int]:
 def mend(work: Sequence[Work], budget: Budget, clock: Deadline) -> None:
     """Project scenes: with all that is hard, with their wishes too, and where that cannot be with those that can.
 
-    Wishes take part as if they were hard. Where they cannot all hold, those stay that hold in the best layout of the
-    pass that failed. Where hard relations cannot hold everything else still can.
+    Where hard relations cannot hold everything else still can. Scenes that stay invalid, and of which nothing proves
+    that they are so, are projected once more with more candidates.
     """
     if not work:
         return
@@ -187,23 +192,41 @@ def mend(work: Sequence[Work], budget: Budget, clock: Deadline) -> None:
         bare = [each for each, numbers in zip(work, asked, strict=True) if numbers and _failed(each.solution)]
         if bare:
             judge(bare, project(bare, [frozenset()] * len(bare), budget, clock))
-        _mend_wishing([(each, numbers | each.wishes) for each, numbers in zip(work, asked, strict=True)], budget, clock)
+        _mend_wishing([(each, numbers) for each, numbers in zip(work, asked, strict=True) if each.wishes], budget, clock)
 
 
-def _mend_wishing(wishing: list[tuple[Work, frozenset[int]]], budget: Budget, clock: Deadline) -> None:
-    """Passes in which wishes have to hold, each with those that held in the one before."""
-    wishing = [(each, numbers) for each, numbers in wishing if each.wishes]
-    for _ in range(ROUNDS):
-        if not wishing or clock.passed:
-            return
-        scenes = [each for each, _ in wishing]
-        solutions = judge(scenes, project(scenes, [numbers for _, numbers in wishing], budget, clock))
-        left = []
-        for (each, numbers), solution in zip(wishing, solutions, strict=True):
-            fewer = numbers - (each.wishes & _unmet(solution))
-            if _failed(solution) and fewer != numbers:
-                left.append((each, fewer))
-        wishing = left
+Trial = tuple[Work, frozenset[int]]
+"""A scene with the relations that are to hold in a pass."""
+
+
+def _mend_wishing(scenes: Sequence[Trial], budget: Budget, clock: Deadline) -> None:
+    """Passes in which wishes have to hold as if they were hard.
+
+    First all wishes; where that fails those that held before; where that fails those that hold in the layout nearest to
+    valid. Then, of scenes that lose some that held, each of these again beside all others that need not be lost.
+
+    Args:
+        scenes: with the relations that have to hold anyway.
+    """
+
+    def run(trials: Sequence[Trial]) -> list[tuple[Trial, Solution]]:
+        if not trials or clock.passed:
+            return []
+        some = [each for each, _ in trials]
+        return list(zip(trials, judge(some, project(some, [n for _, n in trials], budget, clock)), strict=True))
+
+    tried = run([(each, numbers | each.wishes) for each, numbers in scenes])
+    failed = {id(each) for (each, _), solution in tried if _failed(solution)}
+    tried = run([(each, n | each.held) for each, n in scenes if id(each) in failed and each.held != each.wishes])
+    tried = [((each, numbers), solution) for (each, numbers), solution in tried if _failed(solution)]
+    run([(each, numbers - (each.held & _unmet(solution))) for (each, numbers), solution in tried])
+    trials = []
+    for each, numbers in scenes:
+        lost = each.best.lost
+        if lost and each.best.report.valid:
+            trials += [(each, numbers | (each.held - {k})) for k in sorted(each.held)[:VARIANTS] if len(lost) > 1]
+            trials += [(each, numbers | (each.held - lost) | {k}) for k in sorted(lost)[:VARIANTS]]
+    run(trials)
 
 
 def _failed(solution: Solution | None) -> bool:
