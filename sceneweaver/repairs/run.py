@@ -13,7 +13,7 @@ from sceneweaver.runtime.deadline import Deadline
 from sceneweaver.scene import InputError, Scene
 
 from .report import Repair, notes_on
-from .solving import Budget, Work, mend
+from .solving import Budget, Work, judged, lay_out_anew, mend
 from .taking_out import take_out
 
 AGAIN = 8  # times as many candidates for a scene that stays invalid, and of which nothing proves that it is
@@ -136,9 +136,11 @@ def repair_many(
     budget = Budget(candidates, seed, device)
     clock = Deadline(math.inf if time_limit is None else began + time_limit)
     mend(broken, budget, clock)
-    proofs = {id(each): _proof(each) for each in broken if explain and not each.best.report.valid}
+    proofs = {id(each): _proof(each) for each in broken if not each.best.report.valid}
     again = [each for each in broken if not each.best.report.valid and not proofs.get(id(each)) and not clock.passed]
     mend(again, replace(budget, times=AGAIN), clock)
+    again = [each for each in again if not each.best.report.valid and not clock.passed]
+    lay_out_anew(again, replace(budget, times=AGAIN), clock)
     if drop:
         for each in broken:
             if not each.best.report.valid:
@@ -157,7 +159,7 @@ def _outcome(work: Work, seed: int, seconds: float, explanation: str | None, pro
         source=work.scene,
         scene=best.scene,
         before=work.before,
-        after=best.report,
+        after=work.before if best.scene is work.scene else judged(best.scene, work.relations),
         moves=best.moves,
         notes=() if solution is None else notes_on(work.scene),
         explanation=explanation,

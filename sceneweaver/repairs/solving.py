@@ -98,12 +98,12 @@ class Budget:
         return self.times * (self.candidates or max(LEAST, min(MOST, WORK // max(1, len(scene.objects)))))
 
 
-def judged(scene: Scene, relations: bool) -> Report:
+def judged(scene: Scene, relations: bool, *, walkable: bool = True) -> Report:
     """The judge on a scene, with all relations taken for soft when they were not asked for."""
     if not relations:
         soft = tuple(r.model_copy(update={"hard": False}) for r in scene.relations)
         scene = scene.model_copy(update={"relations": soft})
-    return check(scene)
+    return check(scene, walkable=walkable)
 
 
 Hard = Sequence[frozenset[int]]
@@ -113,15 +113,16 @@ Found = list[tuple[Solution, np.ndarray]]
 """Of each scene its solution, and how far its objects were lifted for the engine [m]."""
 
 
-def project(work: Sequence[Work], hard: Hard, budget: Budget, clock: Deadline) -> Found:
-    """Solve scenes in shared launches with the relations of these numbers to hold."""
+def project(work: Sequence[Work], hard: Hard, budget: Budget, clock: Deadline, *, anew: bool = False) -> Found:
+    """Solve scenes in shared launches with the relations of these numbers to hold; ``anew``: not from where they are
+    but from layouts that are searched for."""
     models = [engine_scene(_with_hard(each.scene, numbers), True) for each, numbers in zip(work, hard, strict=True)]
     solutions = engine.refine_many(
         [model for model, _ in models],
         candidates=[budget.count(each.scene) for each in work],
-        init="current",
-        optimizer="projection",
-        steps=TRIES,
+        init="sample" if anew else "current",
+        optimizer="search" if anew else "projection",
+        steps=None if anew else TRIES,
         seed=budget.seed,
         device=budget.device,
         time_limit=clock.time_limit,
@@ -129,12 +130,15 @@ def project(work: Sequence[Work], hard: Hard, budget: Budget, clock: Deadline) -
     return [(solution, lift) for solution, (_, lift) in zip(solutions, models, strict=True)]
 
 
-def judge(work: Sequence[Work], found: Found) -> list[Solution]:
-    """Make the best layout of each scene an option, or where none is valid or wishes count a few; the solutions."""
+def judge(work: Sequence[Work], found: Found, nearest: bool = False) -> list[Solution]:
+    """Make the best layout of each scene an option, or where none is valid or wishes count a few; the solutions.
+
+    ``nearest``: a few of those that moved least anyway.
+    """
     for each in work:
         each.unjudged = True
     for each, (solution, lift) in zip(work, found, strict=True):
-        for k in _chosen(solution, bool(each.wishes)):
+        for k in _chosen(solution, nearest or bool(each.wishes)):
             _judge(each, put_back(each.scene, lift, solution.poses[k]))
         each.unjudged = False
     return [solution for solution, _ in found]
@@ -150,12 +154,13 @@ def _with_hard(scene: Scene, numbers: frozenset[int]) -> Scene:
     return scene.model_copy(update={"relations": relations})
 
 
-def _chosen(solution: Solution, wishes: bool) -> np.ndarray:
-    """The layouts of a solution that are worth a look by the judge."""
+def _chosen(solution: Solution, nearest: bool) -> np.ndarray:
+    """The layouts of a solution that are worth a look by the judge: the best, and with ``nearest`` those that moved
+    least; where none is valid those with the least left to mend."""
     chosen = solution.order[:1]
-    if solution.status[chosen[0]] != 0:  # those with the least left to mend, too
+    if solution.status[chosen[0]] != 0:
         return np.unique(np.concatenate([chosen, np.argsort(solution.energy, kind="stable")[:TRIED]]))
-    if not wishes:
+    if not nearest:
         return chosen
     before = np.array([o.pose.position for o in solution.source.objects])
     shift = np.linalg.norm(solution.poses[..., :3] - before, axis=-1).sum(axis=-1)
@@ -164,7 +169,7 @@ def _chosen(solution: Solution, wishes: bool) -> np.ndarray:
 
 
 def _judge(work: Work, scene: Scene) -> None:
-    report = judged(scene, work.relations)
+    report = judged(scene, work.relations, walkable=False)  # floor is measured of what is chosen
     missed = work.wishes - holding(scene, work.wishes)
     moves = moves_between(work.scene, scene)
     work.options.append(Option(scene, report, moves, missed & work.held, missed - work.held))
@@ -192,7 +197,18 @@ def mend(work: Sequence[Work], budget: Budget, clock: Deadline) -> None:
         bare = [each for each, numbers in zip(work, asked, strict=True) if numbers and _failed(each.solution)]
         if bare:
             judge(bare, project(bare, [frozenset()] * len(bare), budget, clock))
-        _mend_wishing([(each, numbers) for each, numbers in zip(work, asked, strict=True) if each.wishes], budget, clock)
+        wishing = [(each, numbers) for each, numbers in zip(work, asked, strict=True) if each.wishes]
+        _mend_wishing([trial for trial in wishing if not _failed(trial[0].solution)], budget, clock)
+
+
+def lay_out_anew(work: Sequence[Work], budget: Budget, clock: Deadline) -> None:
+    """Search layouts of scenes that no projection made valid; those with the least movement become options."""
+    if not work:
+        return
+    asked = [hard_relations(each.scene) if each.relations else frozenset() for each in work]
+    found = project(work, asked, budget, clock, anew=True)
+    with suppress(TimeUp), clock.enforced(lambda: JUDGED):
+        judge(work, found, nearest=True)
 
 
 Trial = tuple[Work, frozenset[int]]
