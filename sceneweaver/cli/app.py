@@ -156,37 +156,71 @@ def refine(
 @app.command()
 def repair(
     context: typer.Context,
-    source: Input,
+    source: Annotated[
+        Path,
+        typer.Argument(metavar="IN", help="A scene.json, or a folder or file of any known format.", show_default=False),
+    ],
     out: Out,
     relations: Annotated[
         bool, typer.Option("--relations/--no-relations", help="Make hard relations hold as well.")
     ] = True,
+    soft: Annotated[
+        bool | None,
+        typer.Option(
+            "--soft/--no-soft",
+            help="Keep soft relations that hold (default: of many scenes, with those that geometry shows).",
+            show_default=False,
+        ),
+    ] = None,
+    drop: Annotated[
+        bool, typer.Option("--drop", help="Take out the least that makes an overfull scene feasible, and say so.")
+    ] = False,
     candidates: Annotated[
         int | None,
         typer.Option(
             min=1, help="How many repairs to choose from (default: by the size of the scene).", show_default=False
         ),
     ] = None,
+    format_name: Annotated[
+        str,
+        typer.Option("--from", metavar="FORMAT", help="The system that wrote it, or sceneweaver, of many scenes."),
+    ] = "auto",
+    assets: Annotated[
+        str, typer.Option(metavar="own|theirs|boxes", help="Of other systems: what stands for their objects.")
+    ] = "own",
+    asset_folder: Annotated[
+        Path | None, typer.Option(metavar="DIR", help="Their assets, meshes or metadata.", show_default=False)
+    ] = None,
+    sizes: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Sizes by asset or label, .json or .csv.", show_default=False)
+    ] = None,
+    jobs: Annotated[int, typer.Option(min=1, help="Processes, of many scenes.")] = 1,
+    limit: Annotated[int | None, typer.Option(min=1, help="Most scenes.", show_default=False)] = None,
     seed: Seed = 0,
     device: Device = "auto",
     time_limit: TimeLimit = None,
     as_json: Json = False,
     picture: Picture = True,
 ) -> int:
-    """Move the objects of a broken scene as little as makes it valid."""
+    """Move the objects of a broken scene, or of each scene of a data set, as little as makes it valid."""
     from .repair import run_repair
+    from .repair_many import choose, is_single, run_repair_many
 
-    return run_repair(
+    options = {"relations": relations, "drop": drop, "candidates": candidates, "seed": seed, "device": device}
+    common: Any = {"time_limit": time_limit, "as_json": as_json, "began": context.obj}
+    if is_single(source, format_name):
+        return run_repair(source, out, **options, soft=bool(soft), picture=picture, **common)  # type: ignore[arg-type]
+    return run_repair_many(
         source,
         out,
-        relations=relations,
-        candidates=candidates,
-        seed=seed,
-        device=device,
-        time_limit=time_limit,
-        as_json=as_json,
-        picture=picture,
-        began=context.obj,
+        choice=choose(soft is not False, options),
+        format_name=format_name,
+        assets=assets,
+        folder=asset_folder,
+        sizes=sizes,
+        jobs=jobs,
+        limit=limit,
+        **common,
     )
 
 

@@ -31,6 +31,8 @@ def run_repair(
     out: Path,
     *,
     relations: bool,
+    soft: bool,
+    drop: bool,
     candidates: int | None,
     seed: int,
     device: str,
@@ -47,7 +49,7 @@ def run_repair(
     single = out.suffix == ".json"
     folder, scene_name = (out.parent, out.name) if single else (out, SCENE)
     names = [scene_name] if single else [scene_name, METRICS, *([PICTURE] if picture else [])]
-    budget = {"candidates": candidates, "seed": seed, "device": device}
+    budget = {"soft": soft, "drop": drop, "candidates": candidates, "seed": seed, "device": device}
     with no_chatter():  # before the clock listens to signals, so that one ends a command at once that still starts
         import sceneweaver.layout  # noqa: F401 - what a repair loads where there is something to repair
         from sceneweaver.repairs import repair_report
@@ -98,6 +100,10 @@ def _tell(done: Repair, until: Clock) -> None:
     else:
         _tables(done)
     list_violations(done.after)
+    if done.taken_out:
+        typer.echo(f"  taken out: {', '.join(done.taken_out)}")
+    if done.held:
+        typer.echo(f"  {len(done.held) - len(done.lost)} of {len(done.held)} soft relations that held still do")
     for note in done.notes:
         typer.echo(f"  note: {note}")
     if done.timed_out:

@@ -91,14 +91,18 @@ def _centre(points: np.ndarray) -> np.ndarray:
 def _farthest(body: Body, planes: np.ndarray, normals: np.ndarray, centre: np.ndarray) -> np.ndarray:
     """For each normal [L, 2] the largest d so that the body's part may lie where ``n @ (x - centre) >= d``; [L]."""
     places, turned = _places(body.whole, planes, body.part)
+    there = ~np.isnan(places[..., 0])
+    some = there.any(axis=1)  # yaws at which the body fits at all
+    if not some.any():
+        return np.full(len(normals), -np.inf)
+    places, turned, there = places[some] - centre, turned[some], there[some]
     reach = float(np.max(np.hypot(*body.part.T)))
-    farthest = np.full(len(normals), -np.inf)
+    farthest = np.empty(len(normals))
     for first in range(0, len(normals), CHUNK):
-        some = normals[first : first + CHUNK]
-        lowest = np.einsum("ymk,lk->lym", turned, some).min(axis=2)  # [line, yaw]
-        at = np.einsum("yck,lk->lyc", places - centre, some)
-        at = np.where(np.isnan(at), -np.inf, at).max(axis=2)
-        farthest[first : first + CHUNK] = (at + lowest).max(axis=1)
+        few = normals[first : first + CHUNK].T
+        lowest = (turned @ few).min(axis=1)  # [yaw, line]
+        at = np.where(there[..., None], places @ few, -np.inf).max(axis=1)
+        farthest[first : first + CHUNK] = (at + lowest).max(axis=0)
     return farthest + reach * math.pi / YAWS
 
 

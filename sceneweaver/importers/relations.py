@@ -48,7 +48,7 @@ def relations_of(scene: Scene) -> tuple[Relation, ...]:
     """The soft relations that a scene has as it is, at most a few for each object.
 
     A floor object against a wall; a seat at a table; what stands beside a bed or a sofa; a lamp over a table; a sofa
-    that looks at a screen; things side by side or front to front.
+    that looks at a screen; things side by side.
     """
     placed = Placed.of(scene)
     found: dict[tuple[str, str, Any], Relation] = {}
@@ -73,7 +73,6 @@ def _candidates(scene: Scene) -> Iterator[tuple[Relation, float]]:
         for other in _nearest(one, floor, NEIGHBOURS):
             if one.id < other.id:
                 yield _soft("leftright_to_leftright", one.id, other.id), 0.0
-                yield _soft("front_to_front", one.id, other.id), 0.0
 
 
 def _soft(kind: str, subject: str, target: str | None = None, params: dict[str, Any] | None = None) -> Relation:

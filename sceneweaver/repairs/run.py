@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -12,8 +13,10 @@ from sceneweaver.runtime.deadline import Deadline
 from sceneweaver.scene import InputError, Scene
 
 from .report import Repair, notes_on
-from .solving import Budget, Work, mend
+from .solving import Budget, Work, judged, lay_out_anew, mend
 from .taking_out import take_out
+
+AGAIN = 8  # times as many candidates for a scene that stays invalid, and of which nothing proves that it is
 
 
 def repair(
@@ -37,7 +40,7 @@ def repair(
         scene: a scene from anywhere: objects may overlap, float, or be outside of the room.
         relations: whether hard relations are to hold afterwards, too.
         soft: whether soft relations that hold are to go on holding as far as they can, and those that nearly hold
-            (30 cm) are to be mended; one of the first is worth 25 cm of movement, one of the others 10 cm.
+            (30 cm) are to be mended; one of the first is worth 1 m of movement, one of the others 10 cm.
         drop: whether objects may be taken out where nothing valid was found with all of them: as few as it takes, the
             smallest of those. Fixed ones stay.
         candidates: how many repairs to choose from (default: 4 to 64, fewer the more objects there are).
@@ -133,13 +136,21 @@ def repair_many(
     budget = Budget(candidates, seed, device)
     clock = Deadline(math.inf if time_limit is None else began + time_limit)
     mend(broken, budget, clock)
+    proofs = {id(each): _proof(each) for each in broken if not each.best.report.valid}
+    again = [each for each in broken if not each.best.report.valid and not proofs.get(id(each)) and not clock.passed]
+    mend(again, replace(budget, times=AGAIN), clock)
+    again = [each for each in again if not each.best.report.valid and not clock.passed]
+    lay_out_anew(again, replace(budget, times=AGAIN), clock)
     if drop:
         for each in broken:
             if not each.best.report.valid:
                 take_out(each, budget, clock)
-    reasons = {id(each): _reasons(each, seed, began, time_limit) for each in broken if explain}
+    reasons = {}
+    for each in broken if explain else ():
+        if not each.best.report.valid or each.best.taken_out:
+            reasons[id(each)] = proofs.get(id(each)) or _reason(each, began, time_limit)
     seconds = (time.monotonic() - began) / max(1, len(work))
-    return [_outcome(each, seed, seconds, *reasons.get(id(each), (None, None))) for each in work]
+    return [_outcome(each, seed, seconds, reasons.get(id(each)), proofs.get(id(each))) for each in work]
 
 
 def _outcome(work: Work, seed: int, seconds: float, explanation: str | None, proof: str | None) -> Repair:
@@ -148,7 +159,7 @@ def _outcome(work: Work, seed: int, seconds: float, explanation: str | None, pro
         source=work.scene,
         scene=best.scene,
         before=work.before,
-        after=best.report,
+        after=work.before if best.scene is work.scene else judged(best.scene, work.relations),
         moves=best.moves,
         notes=() if solution is None else notes_on(work.scene),
         explanation=explanation,
@@ -156,7 +167,7 @@ def _outcome(work: Work, seed: int, seconds: float, explanation: str | None, pro
         device=None if solution is None else solution.device,
         seconds=seconds,
         timed_out=solution is not None and (solution.timed_out or work.unjudged),
-        proof=proof,
+        proof=proof if explanation else None,
         taken_out=best.taken_out,
         held=tuple(work.scene.relations[k] for k in sorted(work.held)),
         lost=tuple(work.scene.relations[k] for k in sorted(best.lost)),
@@ -165,16 +176,19 @@ def _outcome(work: Work, seed: int, seconds: float, explanation: str | None, pro
     )
 
 
-def _reasons(work: Work, seed: int, began: float, time_limit: float | None) -> tuple[str | None, str | None]:
-    """Why a scene could not be mended as it was, and whether that is proved: (None, None) where it was."""
-    best, solution = work.best, work.solution
-    if solution is None or (best.report.valid and not best.taken_out):
-        return None, None
+def _proof(work: Work) -> str | None:
+    """Why no layout of a scene is valid, where arithmetic proves it."""
     from sceneweaver.explain import certificate
+
+    solution = work.solution
+    return None if solution is None else certificate(solution.source, solution, device=solution.device)
+
+
+def _reason(work: Work, began: float, time_limit: float | None) -> str | None:
+    """Why nothing valid was found, as searches tell it."""
     from sceneweaver.explain.refine import explained
 
-    proof = certificate(solution.source, solution, device=solution.device)
-    return proof or explained(solution, began, time_limit).explanation, proof
+    return None if work.solution is None else explained(work.solution, began, time_limit).explanation
 
 
 def _check_arguments(candidates: int | None, seed: int, time_limit: float | None) -> None:

@@ -20,9 +20,9 @@ from .wishes import NEARLY, holding
 MOST, LEAST, WORK = 64, 4, 1280  # candidates: as many as WORK objects, within these bounds
 TRIES = 4  # of a candidate from the first feasible one on
 TRIED = 4  # layouts that are judged when none is valid, and of each pass where wishes count
-ROUNDS = 3  # passes with wishes
+VARIANTS = 6  # of a scene that loses wishes
 JUDGED = 0.5  # [s] beyond a time limit in which what was found is judged
-LOST = 0.25  # [m] of movement that a relation is worth that held before
+LOST = 1.0  # [m] of movement that a relation is worth that held before
 UNMET = 0.1  # [m] the same of one that nearly did
 
 
@@ -91,19 +91,19 @@ class Budget:
     candidates: int | None
     seed: int
     device: str
-    steps: int = TRIES
+    times: int = 1
 
     def count(self, scene: Scene) -> int:
-        """Candidates of a scene."""
-        return self.candidates or max(LEAST, min(MOST, WORK // max(1, len(scene.objects))))
+        """Candidates of a scene, so many times as many as asked for or by its size."""
+        return self.times * (self.candidates or max(LEAST, min(MOST, WORK // max(1, len(scene.objects)))))
 
 
-def judged(scene: Scene, relations: bool) -> Report:
+def judged(scene: Scene, relations: bool, *, walkable: bool = True) -> Report:
     """The judge on a scene, with all relations taken for soft when they were not asked for."""
     if not relations:
         soft = tuple(r.model_copy(update={"hard": False}) for r in scene.relations)
         scene = scene.model_copy(update={"relations": soft})
-    return check(scene)
+    return check(scene, walkable=walkable)
 
 
 Hard = Sequence[frozenset[int]]
@@ -113,15 +113,16 @@ Found = list[tuple[Solution, np.ndarray]]
 """Of each scene its solution, and how far its objects were lifted for the engine [m]."""
 
 
-def project(work: Sequence[Work], hard: Hard, budget: Budget, clock: Deadline) -> Found:
-    """Solve scenes in shared launches with the relations of these numbers to hold."""
+def project(work: Sequence[Work], hard: Hard, budget: Budget, clock: Deadline, *, anew: bool = False) -> Found:
+    """Solve scenes in shared launches with the relations of these numbers to hold; ``anew``: not from where they are
+    but from layouts that are searched for."""
     models = [engine_scene(_with_hard(each.scene, numbers), True) for each, numbers in zip(work, hard, strict=True)]
     solutions = engine.refine_many(
         [model for model, _ in models],
         candidates=[budget.count(each.scene) for each in work],
-        init="current",
-        optimizer="projection",
-        steps=budget.steps,
+        init="sample" if anew else "current",
+        optimizer="search" if anew else "projection",
+        steps=None if anew else TRIES,
         seed=budget.seed,
         device=budget.device,
         time_limit=clock.time_limit,
@@ -129,12 +130,15 @@ def project(work: Sequence[Work], hard: Hard, budget: Budget, clock: Deadline) -
     return [(solution, lift) for solution, (_, lift) in zip(solutions, models, strict=True)]
 
 
-def judge(work: Sequence[Work], found: Found) -> list[Solution]:
-    """Make the best layout of each scene an option, or where none is valid or wishes count a few; the solutions."""
+def judge(work: Sequence[Work], found: Found, nearest: bool = False) -> list[Solution]:
+    """Make the best layout of each scene an option, or where none is valid or wishes count a few; the solutions.
+
+    ``nearest``: a few of those that moved least anyway.
+    """
     for each in work:
         each.unjudged = True
     for each, (solution, lift) in zip(work, found, strict=True):
-        for k in _chosen(solution, bool(each.wishes)):
+        for k in _chosen(solution, nearest or bool(each.wishes)):
             _judge(each, put_back(each.scene, lift, solution.poses[k]))
         each.unjudged = False
     return [solution for solution, _ in found]
@@ -150,16 +154,22 @@ def _with_hard(scene: Scene, numbers: frozenset[int]) -> Scene:
     return scene.model_copy(update={"relations": relations})
 
 
-def _chosen(solution: Solution, wishes: bool) -> np.ndarray:
-    """The layouts of a solution that are worth a look by the judge."""
+def _chosen(solution: Solution, nearest: bool) -> np.ndarray:
+    """The layouts of a solution that are worth a look by the judge: the best, and with ``nearest`` those that moved
+    least; where none is valid those with the least left to mend."""
     chosen = solution.order[:1]
-    if solution.status[chosen[0]] != 0:  # those with the least left to mend, too
+    if solution.status[chosen[0]] != 0:
         return np.unique(np.concatenate([chosen, np.argsort(solution.energy, kind="stable")[:TRIED]]))
-    return solution.ranked[:TRIED] if wishes else chosen
+    if not nearest:
+        return chosen
+    before = np.array([o.pose.position for o in solution.source.objects])
+    shift = np.linalg.norm(solution.poses[..., :3] - before, axis=-1).sum(axis=-1)
+    near = solution.ranked[np.argsort(shift[solution.ranked], kind="stable")[:TRIED]]
+    return np.unique(np.concatenate([chosen, near]))
 
 
 def _judge(work: Work, scene: Scene) -> None:
-    report = judged(scene, work.relations)
+    report = judged(scene, work.relations, walkable=False)  # floor is measured of what is chosen
     missed = work.wishes - holding(scene, work.wishes)
     moves = moves_between(work.scene, scene)
     work.options.append(Option(scene, report, moves, missed & work.held, missed - work.held))
@@ -173,8 +183,8 @@ def hard_relations(scene: Scene) -> frozenset[int]:
 def mend(work: Sequence[Work], budget: Budget, clock: Deadline) -> None:
     """Project scenes: with all that is hard, with their wishes too, and where that cannot be with those that can.
 
-    Wishes take part as if they were hard. Where they cannot all hold, those stay that hold in the best layout of the
-    pass that failed. Where hard relations cannot hold everything else still can.
+    Where hard relations cannot hold everything else still can. Scenes that stay invalid, and of which nothing proves
+    that they are so, are projected once more with more candidates.
     """
     if not work:
         return
@@ -187,23 +197,52 @@ def mend(work: Sequence[Work], budget: Budget, clock: Deadline) -> None:
         bare = [each for each, numbers in zip(work, asked, strict=True) if numbers and _failed(each.solution)]
         if bare:
             judge(bare, project(bare, [frozenset()] * len(bare), budget, clock))
-        _mend_wishing([(each, numbers | each.wishes) for each, numbers in zip(work, asked, strict=True)], budget, clock)
+        wishing = [(each, numbers) for each, numbers in zip(work, asked, strict=True) if each.wishes]
+        _mend_wishing([trial for trial in wishing if not _failed(trial[0].solution)], budget, clock)
 
 
-def _mend_wishing(wishing: list[tuple[Work, frozenset[int]]], budget: Budget, clock: Deadline) -> None:
-    """Passes in which wishes have to hold, each with those that held in the one before."""
-    wishing = [(each, numbers) for each, numbers in wishing if each.wishes]
-    for _ in range(ROUNDS):
-        if not wishing or clock.passed:
-            return
-        scenes = [each for each, _ in wishing]
-        solutions = judge(scenes, project(scenes, [numbers for _, numbers in wishing], budget, clock))
-        left = []
-        for (each, numbers), solution in zip(wishing, solutions, strict=True):
-            fewer = numbers - (each.wishes & _unmet(solution))
-            if _failed(solution) and fewer != numbers:
-                left.append((each, fewer))
-        wishing = left
+def lay_out_anew(work: Sequence[Work], budget: Budget, clock: Deadline) -> None:
+    """Search layouts of scenes that no projection made valid; those with the least movement become options."""
+    if not work:
+        return
+    asked = [hard_relations(each.scene) if each.relations else frozenset() for each in work]
+    found = project(work, asked, budget, clock, anew=True)
+    with suppress(TimeUp), clock.enforced(lambda: JUDGED):
+        judge(work, found, nearest=True)
+
+
+Trial = tuple[Work, frozenset[int]]
+"""A scene with the relations that are to hold in a pass."""
+
+
+def _mend_wishing(scenes: Sequence[Trial], budget: Budget, clock: Deadline) -> None:
+    """Passes in which wishes have to hold as if they were hard.
+
+    First all wishes; where that fails those that held before; where that fails those that hold in the layout nearest to
+    valid. Then, of scenes that lose some that held, each of these again beside all others that need not be lost.
+
+    Args:
+        scenes: with the relations that have to hold anyway.
+    """
+
+    def run(trials: Sequence[Trial]) -> list[tuple[Trial, Solution]]:
+        if not trials or clock.passed:
+            return []
+        some = [each for each, _ in trials]
+        return list(zip(trials, judge(some, project(some, [n for _, n in trials], budget, clock)), strict=True))
+
+    tried = run([(each, numbers | each.wishes) for each, numbers in scenes])
+    failed = {id(each) for (each, _), solution in tried if _failed(solution)}
+    tried = run([(each, n | each.held) for each, n in scenes if id(each) in failed and each.held != each.wishes])
+    tried = [((each, numbers), solution) for (each, numbers), solution in tried if _failed(solution)]
+    run([(each, numbers - (each.held & _unmet(solution))) for (each, numbers), solution in tried])
+    trials = []
+    for each, numbers in scenes:
+        lost = each.best.lost
+        if lost and each.best.report.valid:
+            trials += [(each, numbers | (each.held - {k})) for k in sorted(each.held)[:VARIANTS] if len(lost) > 1]
+            trials += [(each, numbers | (each.held - lost) | {k}) for k in sorted(lost)[:VARIANTS]]
+    run(trials)
 
 
 def _failed(solution: Solution | None) -> bool:

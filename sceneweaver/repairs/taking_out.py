@@ -83,7 +83,7 @@ def _without(work: Work, names: Sequence[str]) -> Work:
     held, wishes = (
         frozenset(new for new, old in enumerate(kept) if old in numbers) for numbers in (work.held, work.wishes)
     )
-    return Work(smaller, judged(smaller, work.relations), work.relations, held, wishes)
+    return Work(smaller, judged(smaller, work.relations, walkable=False), work.relations, held, wishes)
 
 
 def _with_carried(scene: Scene, names: Iterable[str]) -> set[str]:

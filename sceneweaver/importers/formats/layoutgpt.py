@@ -159,12 +159,12 @@ class _Room:
         return pixel
 
     def _height(self, unit: float) -> float | None:
-        """Where the highest lamp hangs from, and no lower than what stands there [m]; None: no lamp says."""
+        """Where the highest lamp hangs from, and no lower than anything is tall [m]; None: no lamp says."""
         tops = {label: unit * (box["depth"] + box["height"] / 2) for label, box in self.boxes if label in HANGING}
         highest = max(tops.values(), default=0.0)
         if not CEILING[0] <= highest <= CEILING[1]:
             return None
-        return max(unit * (box["depth"] + box["height"] / 2) for _, box in self.boxes)
+        return unit * max(max(box["depth"] + box["height"] / 2, box["height"]) for _, box in self.boxes)
 
 
 def _object(label: str, box: Mapping[str, float], unit: float, number: int) -> SourceObject:
