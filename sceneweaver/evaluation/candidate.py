@@ -181,5 +181,3 @@ def guessed_sizes(scene: Scene) -> tuple[str, ...]:
     return tuple(
         str(name) for name, row in objects.items() if isinstance(row, Mapping) and row.get("size_from") == _GUESSED
     )
-
-

@@ -191,6 +191,8 @@ def compare(  # noqa: PLR0913 - keyword-only, each with its default
         if on_error is not None:
             on_error(name, line)
 
+    if isinstance(reference, str) and reference not in systems and not os.path.exists(reference):
+        raise InputError(f"reference: {clean(reference)} is no file or folder, nor one of {', '.join(systems)}")
     settings = _settings(stability, requests, limit, scene_limit, how)
     rows: dict[str, list[tuple[int, SceneRow]]] = {name: [] for name in systems}
     shown: dict[str, list[Candidate]] = {name: [] for name in systems}
@@ -279,8 +281,6 @@ def _reference(
         return None
     if isinstance(reference, str) and reference in systems:
         return [row.categories for _, row in rows[reference]]
-    if isinstance(reference, str) and not os.path.exists(reference):
-        raise InputError(f"reference: {clean(reference)} is no file or folder, nor one of {', '.join(systems)}")
     return [_categories(candidate.scene) for candidate in candidates(reference)]
 
 

@@ -113,7 +113,7 @@ def judge_scene(
     """
     began = time.perf_counter()
     scene = candidate.scene
-    named = {
+    named: dict[str, Any] = {
         "system": system,
         "scene": candidate.name,
         "format": candidate.format,

@@ -107,12 +107,7 @@ def _pictures(found: Comparison, deadline: Deadline | None) -> list[list[dict[st
     """Lines of pictures, one of each system in a line."""
     most = max((len(some) for some in found.shown.values()), default=0)
     return [
-        [
-            _picture(name, some[k], deadline)
-            for name, some in found.shown.items()
-            if k < len(some)
-        ]
-        for k in range(most)
+        [_picture(name, some[k], deadline) for name, some in found.shown.items() if k < len(some)] for k in range(most)
     ]
 
 
