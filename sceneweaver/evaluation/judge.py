@@ -167,7 +167,7 @@ class _Figures:
             self.lacks["sizes"] = ABSENT["objects"]
         for metric in METRICS:
             reason = next((self.lacks[need] for need in metric.needs if need in self.lacks), None)
-            if reason is not None and not metric.of_set:
+            if reason is not None:
                 self.missing[metric.key] = reason
         self._put("objects", len(self.scene.objects), 1)
         placed = Placed.of(self.scene)

@@ -22,9 +22,11 @@ BEDROOM = Scene.example("bedroom")
 BROKEN = BEDROOM.replace_poses({"wardrobe": BEDROOM.object("bed").pose})
 
 
-def imported(scene: Scene, *, sizes: str = "file", boundary: str = "file", openings: bool = True) -> Scene:
+def imported(
+    scene: Scene, *, sizes: str = "file", boundary: str = "file", openings: bool = True, sure: float = 1.0
+) -> Scene:
     """A scene as the importers leave it, with what its file is said to hold."""
-    told = {name: {"size_from": sizes, "label": "x"} for name in scene.ids}
+    told = {name: {"size_from": sizes, "label": "x", "confidence": sure} for name in scene.ids}
     room = scene.room if openings else scene.room.model_copy(update={"doors": (), "windows": ()})
     provenance = {"imported": {"format": "layoutgpt", "boundary": boundary, "objects": told}}
     return scene.model_copy(update={"provenance": provenance, "room": room, "relations": (), "free_areas": ()})
@@ -54,6 +56,7 @@ def test_what_the_judge_counts():
     [
         ({"sizes": "category"}, ("collisions", "out_of_bounds", "supported_objects", "sizes_usual"), ("objects",)),
         ({"boundary": "objects"}, ("out_of_bounds", "navigability", "openings_clear"), ("collisions", "sizes_usual")),
+        ({"sure": 0.0}, ("category_diversity", "sizes_usual", "accessibility"), ("collisions", "objects")),
         ({"openings": False}, ("openings_clear", "openings_covered"), ("navigability", "collisions")),
     ],
 )
@@ -72,6 +75,8 @@ def test_assumed_sizes_are_marked():
     assert figure.value == 0.0 and figure.assumed and figure.text(METRICS[2]).startswith("~ ")
     assert found.figures["sizes_usual"].value is None
     assert not found.figures["objects"].assumed
+    unnamed = evaluate(imported(STUDY, sizes="category", sure=0.0), stability=False, reading=Reading(assume_sizes=True))
+    assert unnamed.figures["collisions"].value is None, "what is not known has no usual size"
 
 
 def test_stability():
