@@ -7,6 +7,7 @@ import math
 import re
 import subprocess
 import sys
+import textwrap
 from collections import Counter
 from collections.abc import Sequence
 from itertools import islice
@@ -20,9 +21,12 @@ from benchmarks.settings import ROOT
 from sceneweaver.assets.category import read_yaml
 from sceneweaver.assets.roles import with_role
 from sceneweaver.evaluation import (
+    METRICS,
     Candidate,
     Comparison,
     Evaluation,
+    Figure,
+    Metric,
     Reading,
     SceneRow,
     candidates,
@@ -32,6 +36,7 @@ from sceneweaver.evaluation import (
 )
 from sceneweaver.evaluation.files import add_row, read_known, row_file, write_all
 from sceneweaver.evaluation.openings import openings
+from sceneweaver.evaluation.summary import number_text
 from sceneweaver.runtime.threads import cores
 from sceneweaver.scene import InputError
 from sceneweaver.verify import check
@@ -49,6 +54,9 @@ LIMIT = 180
 
 CLOSE = 0.05
 """Difference of two shares that counts as agreement."""
+
+LONGEST = 120
+"""Characters of a line of the page."""
 
 TABLES = {"bedroom": "Bedrooms", "living room": "Living rooms", "sample": "SceneEval's samples", "other": "Other rooms"}
 
@@ -206,7 +214,8 @@ def _text(
         own = [system for system in found.systems if kinds[system.name] == kind]
         if not own:
             continue
-        lines += [f"### {title}", "", Comparison(tuple(own), found.settings).table()]
+        lines += [f"### {title}", ""]
+        lines += tables(own)
         for system in own:
             lines += _told(system, origin.get(system.name, ""))
         lines.append("")
@@ -219,6 +228,42 @@ def _text(
     return "\n".join(lines) + "\n"
 
 
+def tables(systems: Sequence[Evaluation]) -> list[str]:
+    """The figures of some systems as Markdown, in as many tables as keep their lines short; what none of them can have
+    without requests or a reference set is left out."""
+    heads = [f"{s.name} (n = {s.judged})" for s in systems]
+    lines = ["| figure | " + " | ".join(heads) + " |", "| --- |" + " ---: |" * len(heads)]
+    for metric in METRICS:
+        figures = [s.figures[metric.key] for s in systems]
+        if any(f.value is not None or "not in the files" in f.missing for f in figures) and not _asks(metric):
+            lines.append(f"| {metric.title} | " + " | ".join(_cell(f, metric) for f in figures) + " |")
+    if len(systems) > 1 and max(map(len, lines)) > LONGEST:
+        middle = (len(systems) + 1) // 2
+        return [*tables(systems[:middle]), *tables(systems[middle:])]
+    return [*lines, ""]
+
+
+def _asks(metric: Metric) -> bool:
+    return not {"prompts", "reference"}.isdisjoint(metric.needs)
+
+
+def _cell(figure: Figure, metric: Metric) -> str:
+    if figure.value is None:
+        return "not in the files" if "not in the files" in figure.missing else "-"
+    shown = number_text(figure.value, metric)
+    if figure.low is not None and figure.high is not None:
+        shown += f" ({_bare(figure.low, metric)} to {_bare(figure.high, metric)})"
+    return shown
+
+
+def _bare(value: float, metric: Metric) -> str:
+    return number_text(value, metric).removesuffix(" %").removesuffix(" mm")
+
+
+def _wrapped(text: str) -> list[str]:
+    return textwrap.wrap(text, LONGEST, subsequent_indent="  ", break_long_words=False, break_on_hyphens=False)
+
+
 def _told(system: Evaluation, origin: str) -> list[str]:
     """What there is to say of a system's files, a line each."""
     lines = [f"- **{system.name}**" + (f" ({origin})" if origin else " (designs by seed, without pictures)") + ":"]
@@ -228,7 +273,7 @@ def _told(system: Evaluation, origin: str) -> list[str]:
     lines[0] += " " + ("; ".join(missing) or "nothing is missing") + "."
     if system.failed or system.refused:
         lines[0] += f" {len(system.failed)} scenes could not be judged, {len(system.refused)} not be read."
-    return lines
+    return [line for text in lines for line in _wrapped(text)]
 
 
 def _write(page: Path, text: str) -> None:

@@ -52,7 +52,7 @@ class Comparison:
         >>> examples = {name: sw.Scene.example(name) for name in ("bedroom", "study")}
         >>> found = sw.compare(examples, stability=False)
         >>> [round(system.figures["objects"].value) for system in found.systems]
-        [16, 10]
+        [16, 17]
     """
 
     systems: tuple[Evaluation, ...]
@@ -126,7 +126,7 @@ def evaluate(scenes: Sources, *, name: str = "scenes", reading: Reading | None =
         >>> import sceneweaver as sw
         >>> found = sw.evaluate([sw.Scene.example("bedroom"), sw.Scene.example("study")], stability=False)
         >>> found.judged, found.figures["collisions"].value, found.figures["objects"].value
-        (2, 0.0, 13.0)
+        (2, 0.0, 16.5)
     """
     readings = {} if reading is None else {name: reading}
     return compare({name: scenes}, readings=readings, **options).systems[0]

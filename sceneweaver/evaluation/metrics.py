@@ -65,7 +65,7 @@ METRICS = (
     ),
     Metric(
         "clean_scenes",
-        "scenes without",
+        "scenes without either",
         "share",
         "more",
         _INSIDE,
@@ -74,7 +74,7 @@ METRICS = (
     ),
     Metric(
         "penetrating_objects",
-        "objects that penetrate",
+        "penetrating objects",
         "share",
         "less",
         _SOLID,
@@ -83,7 +83,7 @@ METRICS = (
     ),
     Metric(
         "penetrating_scenes",
-        "scenes that penetrate",
+        "penetrating scenes",
         "share",
         "less",
         _SOLID,
@@ -174,7 +174,7 @@ METRICS = (
     ),
     Metric(
         "object_relations_met",
-        "relations (OOR)",
+        "object relations (OOR)",
         "share",
         "more",
         ("labels", "prompts", "sizes"),
@@ -183,7 +183,7 @@ METRICS = (
     ),
     Metric(
         "room_relations_met",
-        "relations to the room (OAR)",
+        "room relations (OAR)",
         "share",
         "more",
         ("labels", "prompts", "sizes", "room"),
