@@ -119,8 +119,11 @@ def _own_files(path: Path) -> Iterator[Path]:
     if path.is_dir():
         for folder, folders, files in os.walk(path):
             folders.sort()
-            here = ["scene.json"] if "scene.json" in files else sorted(f for f in files if f.endswith(".json"))
-            yield from (Path(folder) / file for file in here if _is_own(Path(folder) / file))
+            if "scene.json" in files and _is_own(Path(folder) / "scene.json"):
+                folders.clear()  # its steps are no scenes of their own
+                yield Path(folder) / "scene.json"
+                continue
+            yield from (Path(folder) / f for f in sorted(files) if f.endswith(".json") and _is_own(Path(folder) / f))
     elif _is_own(path):
         yield path
 

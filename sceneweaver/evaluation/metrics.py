@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import Literal, NamedTuple
 
 Needs = Literal["objects", "labels", "sizes", "room", "openings", "prompts", "reference", "physics", "several"]
-"""What a figure cannot do without: what objects are, their sizes, the room's outline, its doors and windows, an annotated request, a
-reference set, a simulation, several scenes."""
+"""What a figure cannot do without: what objects are, their sizes, the room's outline, its doors and windows, an
+annotated request, a reference set, a simulation, several scenes."""
 
 PAPER = "SceneWeaver (table of quantitative results): #Obj, #OB, #CN"
 SCENE_EVAL = "SceneEval (Tam et al. 2025), github.com/3dlg-hcvc/SceneEval"
-SCENE_SMITH = "SceneSmith (Pfaff et al. 2026): stable within 1 cm and 0.1 rad"
+SCENE_SMITH = "SceneSmith, github.com/nepfaff/scenesmith: static equilibrium, 5 s, 1 cm and 0.1 rad"
 PHY_SCENE = "PhyScene (Yang et al. 2024), scripts/eval"
 OWN = "this library's judge, sceneweaver.check"
 

@@ -102,6 +102,8 @@ def test_sources(tmp_path):
     (tmp_path / "one").mkdir()
     BEDROOM.save(tmp_path / "one" / "scene.json")
     (tmp_path / "one" / "metrics.json").write_text("{}")
+    (tmp_path / "one" / "steps" / "1").mkdir(parents=True)
+    BEDROOM.save(tmp_path / "one" / "steps" / "1" / "scene.json")
     STUDY.save(tmp_path / "study.json")
     assert [c.name for c in candidates(tmp_path)] == ["study", "one"]
     assert [c.name for c in candidates([tmp_path / "study.json", BEDROOM])] == ["study", BEDROOM.id]
