@@ -2,8 +2,8 @@
 
 Points, rays and pictures where the library has exact areas: what SceneEval (github.com/3dlg-hcvc/SceneEval, `metrics/`)
 says of collision, out of bounds, support, navigability, accessibility and opening clearance, with its numbers
-(`configs/metrics.yaml`), written anew for bodies of convex parts. A vision model that SceneEval asks is replaced by what
-the scene says: what holds an object, and from which sides it is used.
+(`configs/metrics.yaml`), written anew for bodies of convex parts. What SceneEval asks a vision model for is taken from
+the scene: what holds an object, and from which sides it is used.
 """
 
 from __future__ import annotations
@@ -167,8 +167,7 @@ def supported(scene: Scene, things: Sequence[Thing], seed: int = 0) -> dict[str,
     random = np.random.default_rng(seed)
     shell = _shell(scene)
     return {
-        thing.item.id: _held(thing, [t.triangles for t in things if t is not thing] + shell, random)
-        for thing in things
+        thing.item.id: _held(thing, [t.triangles for t in things if t is not thing] + shell, random) for thing in things
     }
 
 
@@ -300,7 +299,9 @@ def accessibility(scene: Scene, things: Sequence[Thing]) -> dict[str, float]:
                 continue
             depth, width = (thing.item.size[0], thing.item.size[1])[:: 1 if turn % 2 == 0 else -1]
             near = depth / 2 + OFFSET
-            local = np.array([(near, -width / 2), (near + STRIP, -width / 2), (near + STRIP, width / 2), (near, width / 2)])
+            local = np.array(
+                [(near, -width / 2), (near + STRIP, -width / 2), (near + STRIP, width / 2), (near, width / 2)]
+            )
             quarter = np.array([[0.0, -1.0], [1.0, 0.0]])
             local = local @ np.linalg.matrix_power(quarter, turn).T
             world = local @ thing.rotation[:2, :2].T + thing.centre[:2]
@@ -312,7 +313,9 @@ def accessibility(scene: Scene, things: Sequence[Thing]) -> dict[str, float]:
     return found
 
 
-def openings_covered(scene: Scene, things: Sequence[Thing], leave_out: frozenset[str] = frozenset()) -> dict[str, float]:
+def openings_covered(
+    scene: Scene, things: Sequence[Thing], leave_out: frozenset[str] = frozenset()
+) -> dict[str, float]:
     """Of each door and window the share of its area before which something is, on a grid of points in that space;
     categories in ``leave_out`` do not count."""
     from matplotlib.path import Path as Polygon

@@ -119,8 +119,11 @@ def _own_files(path: Path) -> Iterator[Path]:
     if path.is_dir():
         for folder, folders, files in os.walk(path):
             folders.sort()
-            here = ["scene.json"] if "scene.json" in files else sorted(f for f in files if f.endswith(".json"))
-            yield from (Path(folder) / file for file in here if _is_own(Path(folder) / file))
+            if "scene.json" in files and _is_own(Path(folder) / "scene.json"):
+                folders.clear()  # its steps are no scenes of their own
+                yield Path(folder) / "scene.json"
+                continue
+            yield from (Path(folder) / f for f in sorted(files) if f.endswith(".json") and _is_own(Path(folder) / f))
     elif _is_own(path):
         yield path
 
@@ -159,11 +162,13 @@ def _of_scene(scene: Scene, name: str, how: Reading) -> Candidate:
 
 def _lacks(scene: Scene, told: Mapping[str, Any], assume_sizes: bool) -> dict[Needs, str]:
     lacks: dict[Needs, str] = {}
-    objects = told.get("objects")
-    rows = list(objects.values()) if isinstance(objects, Mapping) else []
-    guessed = sum(isinstance(row, Mapping) and row.get("size_from") == _GUESSED for row in rows)
-    if guessed and not assume_sizes:
-        some = "" if guessed == len(rows) else f" for {guessed} of {len(rows)} objects"
+    rows = _told_objects(scene).values()
+    unnamed = [row for row in rows if not row.get("confidence", 1.0)]
+    guessed = [row for row in rows if row.get("size_from") == _GUESSED]
+    if 2 * len(unnamed) > len(rows):
+        lacks["labels"] = ABSENT["labels"]
+    if guessed and (not assume_sizes or any(row in unnamed for row in guessed)):  # what it is says how large
+        some = "" if len(guessed) == len(rows) else f" for {len(guessed)} of {len(rows)} objects"
         lacks["sizes"] = f"{ABSENT['sizes']}{some}"
     if told.get("boundary") == "objects":
         lacks["room"] = ABSENT["room"]
@@ -172,14 +177,15 @@ def _lacks(scene: Scene, told: Mapping[str, Any], assume_sizes: bool) -> dict[Ne
     return lacks
 
 
-def guessed_sizes(scene: Scene) -> tuple[str, ...]:
-    """Ids of the objects of an imported scene whose size is in no file."""
+def _told_objects(scene: Scene) -> dict[str, Mapping[str, Any]]:
+    """What is known of the objects of an imported scene, by id."""
     told = scene.provenance.get("imported") if isinstance(scene.provenance, Mapping) else None
     objects = told.get("objects") if isinstance(told, Mapping) else None
     if not isinstance(objects, Mapping):
-        return ()
-    return tuple(
-        str(name) for name, row in objects.items() if isinstance(row, Mapping) and row.get("size_from") == _GUESSED
-    )
+        return {}
+    return {str(name): row for name, row in objects.items() if isinstance(row, Mapping)}
 
 
+def guessed_sizes(scene: Scene) -> tuple[str, ...]:
+    """Ids of the objects of an imported scene whose size is in no file."""
+    return tuple(name for name, row in _told_objects(scene).items() if row.get("size_from") == _GUESSED)

@@ -52,7 +52,7 @@ class Comparison:
         >>> examples = {name: sw.Scene.example(name) for name in ("bedroom", "study")}
         >>> found = sw.compare(examples, stability=False)
         >>> [round(system.figures["objects"].value) for system in found.systems]
-        [16, 10]
+        [16, 17]
     """
 
     systems: tuple[Evaluation, ...]
@@ -126,7 +126,7 @@ def evaluate(scenes: Sources, *, name: str = "scenes", reading: Reading | None =
         >>> import sceneweaver as sw
         >>> found = sw.evaluate([sw.Scene.example("bedroom"), sw.Scene.example("study")], stability=False)
         >>> found.judged, found.figures["collisions"].value, found.figures["objects"].value
-        (2, 0.0, 13.0)
+        (2, 0.0, 16.5)
     """
     readings = {} if reading is None else {name: reading}
     return compare({name: scenes}, readings=readings, **options).systems[0]
@@ -191,6 +191,8 @@ def compare(  # noqa: PLR0913 - keyword-only, each with its default
         if on_error is not None:
             on_error(name, line)
 
+    if isinstance(reference, str) and reference not in systems and not os.path.exists(reference):
+        raise InputError(f"reference: {clean(reference)} is no file or folder, nor one of {', '.join(systems)}")
     settings = _settings(stability, requests, limit, scene_limit, how)
     rows: dict[str, list[tuple[int, SceneRow]]] = {name: [] for name in systems}
     shown: dict[str, list[Candidate]] = {name: [] for name in systems}
@@ -279,8 +281,6 @@ def _reference(
         return None
     if isinstance(reference, str) and reference in systems:
         return [row.categories for _, row in rows[reference]]
-    if isinstance(reference, str) and not os.path.exists(reference):
-        raise InputError(f"reference: {clean(reference)} is no file or folder, nor one of {', '.join(systems)}")
     return [_categories(candidate.scene) for candidate in candidates(reference)]
 
 

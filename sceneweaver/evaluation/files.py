@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import IO, Any
 
 from sceneweaver.datasets.tables import arrow, write_table
-from sceneweaver.io import InputError, load_json_lines, open_writable, reason, whole, write_atomic
+from sceneweaver.io import InputError, lines_unpacked, open_writable, parse_json, reason, whole, write_atomic
 from sceneweaver.io.messages import clean
 from sceneweaver.runtime.deadline import Deadline
 
@@ -27,19 +27,14 @@ def read_known(folder: Path) -> dict[str, SceneRow]:
     path, found = folder / ROWS, dict[str, SceneRow]()
     if not path.is_file():
         return found
-    lines = load_json_lines(path)
-    while True:
+    for line in lines_unpacked(path):
         try:
-            data = next(lines, None)
-            if data is None:
-                return found
-            row = SceneRow.from_dict(data)
-        except InputError:  # cut off while it was written: the reader ends there
-            return found
-        except (TypeError, ValueError, KeyError):
+            row = SceneRow.from_dict(parse_json(line, unique=False))
+        except (InputError, AttributeError, TypeError, ValueError, KeyError):  # cut off while it was written
             continue
         if row.key and not row.error:
             found[row.key] = row
+    return found
 
 
 @contextmanager

@@ -113,7 +113,7 @@ def judge_scene(
     """
     began = time.perf_counter()
     scene = candidate.scene
-    named = {
+    named: dict[str, Any] = {
         "system": system,
         "scene": candidate.name,
         "format": candidate.format,
@@ -167,7 +167,7 @@ class _Figures:
             self.lacks["sizes"] = ABSENT["objects"]
         for metric in METRICS:
             reason = next((self.lacks[need] for need in metric.needs if need in self.lacks), None)
-            if reason is not None and not metric.of_set:
+            if reason is not None:
                 self.missing[metric.key] = reason
         self._put("objects", len(self.scene.objects), 1)
         placed = Placed.of(self.scene)

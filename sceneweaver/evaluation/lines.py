@@ -170,7 +170,7 @@ def _between_objects(survey: Survey, line: Line, matched: Mapping[str, list[Body
     anchor, others = names[index], [name for k, name in enumerate(names) if k != index]
     pools = [list(combinations(matched[name], others.count(name))) for name in dict.fromkeys(others)]
     good = 0
-    for one, *parts in islice(product(matched[anchor], *pools), MOST_GROUPS):
+    for one, parts in islice(product(matched[anchor], product(*pools)), MOST_GROUPS):
         checkpoint()
         group = [body for part in parts for body in part]
         if one in group:
@@ -225,9 +225,7 @@ def _ruled(survey: Survey, said: StatedRelation, chosen: Mapping[str, Sequence[B
     """What the critic says of a relation between chosen objects; None where it cannot be measured."""
     things = tuple(_entities(chosen))
     graph = SceneGraph(text="", entities=things, relations=(said,))
-    view = _Chosen(
-        survey.scene, survey.report, survey.room_type, graph, survey.placed, whole=survey, chosen=chosen
-    )
+    view = _Chosen(survey.scene, survey.report, survey.room_type, graph, survey.placed, whole=survey, chosen=chosen)
     (item,) = asked_relations.outcomes(view)
     return None if item.outcome.status == "not_understood" else item.outcome.status == "met"
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import Literal, NamedTuple
 
-Needs = Literal["objects", "sizes", "room", "openings", "prompts", "reference", "physics", "several"]
-"""What a figure cannot do without: sizes of objects, the room's outline, its doors and windows, an annotated request, a
-reference set, a simulation, several scenes."""
+Needs = Literal["objects", "labels", "sizes", "room", "openings", "prompts", "reference", "physics", "several"]
+"""What a figure cannot do without: what objects are, their sizes, the room's outline, its doors and windows, an
+annotated request, a reference set, a simulation, several scenes."""
 
 PAPER = "SceneWeaver (table of quantitative results): #Obj, #OB, #CN"
 SCENE_EVAL = "SceneEval (Tam et al. 2025), github.com/3dlg-hcvc/SceneEval"
-SCENE_SMITH = "SceneSmith (Pfaff et al. 2026): stable within 1 cm and 0.1 rad"
+SCENE_SMITH = "SceneSmith, github.com/nepfaff/scenesmith: static equilibrium, 5 s, 1 cm and 0.1 rad"
 PHY_SCENE = "PhyScene (Yang et al. 2024), scripts/eval"
 OWN = "this library's judge, sceneweaver.check"
 
@@ -65,7 +65,7 @@ METRICS = (
     ),
     Metric(
         "clean_scenes",
-        "scenes without",
+        "scenes without either",
         "share",
         "more",
         _INSIDE,
@@ -74,7 +74,7 @@ METRICS = (
     ),
     Metric(
         "penetrating_objects",
-        "objects that penetrate",
+        "penetrating objects",
         "share",
         "less",
         _SOLID,
@@ -83,7 +83,7 @@ METRICS = (
     ),
     Metric(
         "penetrating_scenes",
-        "scenes that penetrate",
+        "penetrating scenes",
         "share",
         "less",
         _SOLID,
@@ -129,7 +129,7 @@ METRICS = (
         "accessibility",
         "share",
         "more",
-        ("sizes", "room"),
+        ("labels", "sizes", "room"),
         "Of each thing on the floor that is used from a side: how much of a strip of 0.2 m, 5 cm before that side, is "
         "floor of the room without another's box; of several sides the best. Mean over the things.",
         f"{SCENE_EVAL}: accessibility; the taxonomy says which sides, where SceneEval asks a language model",
@@ -158,7 +158,7 @@ METRICS = (
         "counts (CNT)",
         "share",
         "more",
-        ("prompts",),
+        ("labels", "prompts"),
         "Lines of ObjCount that hold: as many objects of the category as asked.",
         f"{SCENE_EVAL}: CNT; the taxonomy matches objects, where SceneEval asks a vision model",
     ),
@@ -167,26 +167,26 @@ METRICS = (
         "attributes (ATR)",
         "share",
         "more",
-        ("prompts",),
+        ("labels", "prompts"),
         "Lines of ObjAttr that hold, of those that a scene file can tell (size, colour, material, style, shape); a "
         "missing object fails.",
         f"{SCENE_EVAL}: ATR; this library's critic judges",
     ),
     Metric(
         "object_relations_met",
-        "relations (OOR)",
+        "object relations (OOR)",
         "share",
         "more",
-        ("prompts", "sizes"),
+        ("labels", "prompts", "sizes"),
         "Lines of OORel that hold: as many groups of objects as asked stand to each other as said.",
         f"{SCENE_EVAL}: OOR; words mean what sceneweaver/rules/stated.yaml says",
     ),
     Metric(
         "room_relations_met",
-        "relations to the room (OAR)",
+        "room relations (OAR)",
         "share",
         "more",
-        ("prompts", "sizes", "room"),
+        ("labels", "prompts", "sizes", "room"),
         "Lines of OARel that hold: as many objects as asked stand to walls, openings and the room as said.",
         f"{SCENE_EVAL}: OAR; words mean what sceneweaver/rules/stated.yaml says",
     ),
@@ -195,7 +195,7 @@ METRICS = (
         "usual sizes",
         "share",
         "more",
-        ("sizes",),
+        ("labels", "sizes"),
         "Objects of known categories of which depth, width and height are all in the usual range of the taxonomy.",
         "sceneweaver/assets/categories",
     ),
@@ -204,7 +204,7 @@ METRICS = (
         "size off by",
         "",
         "less",
-        ("sizes",),
+        ("labels", "sizes"),
         "Absolute logarithm of the ratio of an extent to the nearest end of its usual range, 0 inside: mean over "
         "depth, width and height of objects of known categories (0.1 is about 10 %).",
         "sceneweaver/assets/categories",
@@ -214,7 +214,7 @@ METRICS = (
         "category KL",
         "nat",
         "less",
-        ("objects", "reference"),
+        ("labels", "reference"),
         "Sum of p (log(p + 1e-6) - log(q + 1e-6)) over categories: p their frequencies in the reference set, q in the "
         "system's scenes.",
         f"{PHY_SCENE}/calc_ckl.py (CKL)",
@@ -224,7 +224,7 @@ METRICS = (
         "diversity of things",
         "share",
         "more",
-        ("objects", "several"),
+        ("labels", "several"),
         "Mean over pairs of scenes of 1 - (sum of least counts) / (sum of largest counts) of categories: 0 where all "
         "scenes hold the same things.",
         OWN,
@@ -246,11 +246,12 @@ BY_KEY = {metric.key: metric for metric in METRICS}
 
 ABSENT: dict[Needs, str] = {
     "objects": "no objects",
+    "labels": "what objects are is not in the files",
     "sizes": "sizes are not in the files",
     "room": "the room's outline is not in the files",
     "openings": "doors and windows are not in the files",
-    "prompts": "no annotated request was given for these scenes (--prompts)",
-    "reference": "no reference set was given (--reference)",
+    "prompts": "no annotated request (--prompts)",
+    "reference": "no reference set (--reference)",
     "physics": "not simulated (--no-stability)",
     "several": "takes two scenes",
 }

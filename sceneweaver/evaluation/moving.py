@@ -45,7 +45,7 @@ def accessibility(placed: Placed) -> list[float]:
     several sides)."""
     import shapely
 
-    boxes = shapely.polygons(np.array([_box(body) for body in placed.bodies])) if placed.bodies else np.empty(0, object)
+    boxes = np.array([shapely.Polygon(_box(body)) for body in placed.bodies], dtype=object)
     low = np.array([sum(body.z) / 2 <= OVERHEAD and body.z[1] > STEP for body in placed.bodies], dtype=bool)
     obstacles = boxes[low]
     found = []

@@ -46,12 +46,12 @@ def _covered(placed: Placed, opening: Opening) -> Covered:
     for row in rows:
         body = placed.bodies[int(parts.owner[row])]
         clipped = shapely.intersection(parts.polygons[row], space)
-        if clipped.area <= LEAST * LEAST or body.item.category in dressing:
+        if float(shapely.area(clipped)) <= LEAST * LEAST or body.item.category in dressing:
             continue
         along, _ = wall.coordinates(shapely.get_coordinates(clipped).T)
         z0, z1 = parts.z[row]
         rectangles.append(shapely.box(along.min(), max(z0, low), along.max(), min(z1, high)))
         names[body.id] = None
     whole = item.width * (high - low)
-    area = float(shapely.union_all(rectangles).area) if rectangles else 0.0
+    area = float(shapely.area(shapely.union_all(rectangles))) if rectangles else 0.0
     return Covered(item.id, min(1.0, area / whole), tuple(names))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import time
 from functools import cache
 from typing import Any
 
@@ -39,7 +41,7 @@ def page(found: Comparison, deadline: Deadline | None = None) -> str:
     several = len(found.systems) > 1
     return _template().render(
         title="Systems side by side" if several else f"Scenes of {names}",
-        about=f"Scenes of {names}, judged by {found.settings.get('version', '')}".rstrip(", "),
+        about=f"Scenes of {names}, judged by sceneweaver {found.settings.get('version', '')}.".replace(" .", "."),
         style=packaged.text("sceneweaver.evaluation", "web", "style.css"),
         systems=[_system(system) for system in found.systems],
         rows=[_row(metric, found) for metric in METRICS],
@@ -106,12 +108,9 @@ def _cell(metric: Metric, figure: Figure) -> dict[str, str]:
 def _pictures(found: Comparison, deadline: Deadline | None) -> list[list[dict[str, str]]]:
     """Lines of pictures, one of each system in a line."""
     most = max((len(some) for some in found.shown.values()), default=0)
+    none = {"system": "", "scene": "", "url": "", "alt": ""}
     return [
-        [
-            _picture(name, some[k], deadline)
-            for name, some in found.shown.items()
-            if k < len(some)
-        ]
+        [_picture(name, some[k], deadline) if k < len(some) else none for name, some in found.shown.items()]
         for k in range(most)
     ]
 
@@ -120,17 +119,19 @@ def _picture(system: str, candidate: Candidate, deadline: Deadline | None) -> di
     shown = {"system": system, "scene": candidate.name, "url": "", "alt": "no time was left to draw it"}
     if deadline is not None and deadline.passed:
         return shown
-    import time
-
-    end = Deadline(min(time.monotonic() + PATIENCE, deadline.moment if deadline is not None else float("inf")))
+    end = Deadline(min(time.monotonic() + PATIENCE, deadline.moment if deadline is not None else math.inf))
     try:
         with end.enforced():
             from sceneweaver.render import draw_top
 
-            report = check(candidate.scene, walkable=False)
-            wrong = [v for v in report.violations if v.kind in ("collision", "out_of_bounds")]
+            wrong, said = [], "where things are; their sizes are not in the files"
+            if "sizes" not in candidate.lacks:
+                report, said = check(candidate.scene, walkable=False), ""
+                wrong = [v for v in report.violations if v.kind in ("collision", "out_of_bounds")]
             drawn = draw_top(candidate.scene, width=2 * PIXELS, annotated=False, violations=wrong)
-            return {**shown, "url": picture_url(drawn, PIXELS), "alt": f"{candidate.name} from above"}
+            name = f"{candidate.name}: {said}" if said else candidate.name
+            url = picture_url(drawn, PIXELS)
+            return {**shown, "scene": name, "url": url, "alt": f"{candidate.name} from above"}
     except TimeUp:
         return shown
     except SceneWeaverError as error:

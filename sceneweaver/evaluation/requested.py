@@ -2,9 +2,9 @@
 
 The columns are those of SceneEval's CSV. A line is, of ObjCount ``quantifier,number,category``; of ObjAttr the same and
 attributes; of OORel ``quantifier,number,words,anchor,category,category...`` (``anchor`` says which of them is it); of
-OARel ``quantifier,number,words,category,element``. SceneEval has a vision-language model match objects to categories and
-judge attributes, and another choose among its own relations. Here the taxonomy matches, and the critic judges what words
-mean (``rules/stated.yaml``), as it does for designs from requests.
+OARel ``quantifier,number,words,category,element``. SceneEval has a vision-language model match objects to categories
+and judge attributes, and another choose among its own relations. Here the taxonomy matches, and the critic judges what
+words mean (``rules/stated.yaml``), as it does for designs from requests.
 """
 
 from __future__ import annotations
@@ -42,9 +42,7 @@ class Line(NamedTuple):
     def enough(self, count: int) -> bool:
         """Whether so many meet it."""
         n = self.number
-        return {"eq": count == n, "lt": count < n, "gt": count > n, "le": count <= n, "ge": count >= n}[
-            self.quantifier
-        ]
+        return {"eq": count == n, "lt": count < n, "gt": count > n, "le": count <= n, "ge": count >= n}[self.quantifier]
 
 
 @dataclass(frozen=True)

@@ -184,29 +184,30 @@ def _reason(key: str, rows: Sequence[SceneRow]) -> str:
 
 
 def _of_set(metric: Metric, rows: Sequence[SceneRow], reference: Sequence[Mapping[str, int]] | None) -> Figure:
-    solid = [row for row in rows if "collisions" in row.figures]
+    having = [row for row in rows if metric.key not in row.missing]
+    if metric.key == "category_kl" and reference is None:
+        return Figure(None, missing=ABSENT["reference"])
+    if not having:
+        return Figure(None, missing=_reason(metric.key, rows))
+    count, assumed = len(having), _assumed(metric, having)
     if metric.key == "category_kl":
-        if reference is None:
-            return Figure(None, missing=ABSENT["reference"])
-        found = category_kl(reference, [row.categories for row in rows])
+        found = category_kl(reference or (), [row.categories for row in having])
         if found is None:
             return Figure(None, missing="no object to compare")
         low, high = found[1] if found[1] is not None else (None, None)
-        return Figure(found[0], low, high, len(rows))
-    if metric.key == "category_diversity":
-        value = category_diversity([row.categories for row in rows])
-        return Figure(value, scenes=len(rows), missing="" if value is not None else ABSENT["several"])
-    if not solid:
-        return Figure(None, missing=_reason("collisions", rows))
-    if metric.key == "layout_diversity":
-        value = layout_diversity([row.plan for row in solid])
-        missing = "" if value is not None else ABSENT["several"]
-        return Figure(value, scenes=len(solid), missing=missing, assumed=_assumed(metric, solid))
-    depths = [depth for row in solid for depth in row.depths]
+        return Figure(found[0], low, high, count)
+    if metric.key in ("category_diversity", "layout_diversity"):
+        by_things = metric.key == "category_diversity"
+        value = (
+            category_diversity([row.categories for row in having])
+            if by_things
+            else layout_diversity([row.plan for row in having])
+        )
+        return Figure(value, scenes=count, missing="" if value is not None else ABSENT["several"], assumed=assumed)
+    depths = [depth for row in having for depth in row.depths]
     if not depths:
-        return Figure(None, scenes=len(solid), missing="nothing penetrates")
-    value = float(np.percentile(depths, _PERCENTILES[metric.key]))
-    return Figure(value, scenes=len(solid), assumed=_assumed(metric, solid))
+        return Figure(None, scenes=count, missing="nothing penetrates")
+    return Figure(float(np.percentile(depths, _PERCENTILES[metric.key])), scenes=count, assumed=assumed)
 
 
 def _notes(rows: Sequence[SceneRow]) -> tuple[tuple[str, int], ...]:

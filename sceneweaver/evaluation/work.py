@@ -156,4 +156,3 @@ def _end(processes: ProcessPoolExecutor) -> None:
     for process in running:
         with contextlib.suppress(ValueError, OSError):
             process.kill()
-
