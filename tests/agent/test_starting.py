@@ -137,7 +137,8 @@ def test_poses_of_a_learned_prior_are_where_the_search_begins(monkeypatch):
 def test_a_language_model_writes_the_room_down():
     items = [
         item("shelf", "metal_shelf", need="needed", count=[1, 1], place=[place("against_wall")], fill="boxes"),
-        item("ladder", "step_ladder", place=[place("against_wall")]),
+        item("bin", "plastic_bin", place=[place("against_wall")]),
+        item("box", "cardboard_box", place=[place("against_wall")]),
         item("light", "ceiling_light", need="needed", place=[place("on_grid")]),
     ]
     room = {**PROGRAMME, "kind": "store room", "area": 8, "people": 1, "style": "", "items": items}
