@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from pathlib import Path
 
+from sceneweaver.geometry.polygons import signed_area
 from sceneweaver.importers import AUTO
+from sceneweaver.knowledge.kin import is_one
 from sceneweaver.knowledge.library import SceneCard
 from sceneweaver.knowledge.scene_words import text_likeness
 from sceneweaver.scene import InputError
@@ -20,7 +23,7 @@ class ModelOutputs:
     """Answers with the scene that a model made for a request.
 
     That is the one whose prompt is the request, else a file called like it, else among those of the kind of room the
-    one whose words are most alike: its prompt and what is in it.
+    one with most of what is asked for, whose words are most alike: its prompt and what is in it.
 
     Attributes:
         path: a file, or a folder.
@@ -65,9 +68,32 @@ def chosen(cards: list[SceneCard], request: SceneRequest) -> tuple[SceneCard, st
     if len(cards) == 1:
         return cards[0], ""
     own = [card for card in cards if card.room.replace(" ", "_") == request.kind] or cards
-    alike = text_likeness(request.text, [words_of(card) for card in own])
-    best = max(range(len(own)), key=lambda k: (round(alike[k], 9), -k))
-    return own[best], f"took '{own[best].name}' of {len(cards)} scenes, {alike[best]:.0%} alike in words"
+    words = text_likeness(request.text, [words_of(card) for card in own])
+    scores = [round(word + _fit(card, request), 9) for card, word in zip(own, words, strict=True)]
+    best = max(range(len(own)), key=lambda k: (scores[k], -k))
+    there = _asked(own[best], request)
+    return own[best], (
+        f"took '{own[best].name}' of {len(cards)} scenes: {sum(there.values()):g} of {len(there)} kinds of things that "
+        f"are asked for, {words[best]:.0%} alike in words"
+    )
+
+
+def _asked(card: SceneCard, request: SceneRequest) -> dict[str, float]:
+    """By category that is asked for which share of its number a scene has, 0 to 1."""
+    have = card.categories.items()
+    return {
+        want: min(1.0, sum(many for name, many in have if is_one(name, want, want)) / least)
+        for want, least in request.categories.items()
+    }
+
+
+def _fit(card: SceneCard, request: SceneRequest) -> float:
+    """How much of what is asked for a scene has, 0 to 1, and where a room is fixed how near its floor comes to that."""
+    found = _asked(card, request)
+    fit = sum(found.values()) / len(found) if found else 0.0
+    if request.room is not None:
+        fit += math.exp(-1.5 * abs(math.log(max(card.area, 1e-6) / signed_area(request.room.outline))))
+    return fit
 
 
 def words_of(card: SceneCard) -> str:

@@ -127,6 +127,12 @@ def kind_named(words: str, categories: tuple[str, ...] = ()) -> str:
             found = match_room(" ".join(spoken[start : start + length]))
             if found is not None and found[1] == 1.0:
                 return found[0]
+    for word in spoken:  # "masterbedroom": both parts, else the last one
+        cuts = range(2, len(word) - 2)
+        for text in (*(f"{word[:k]} {word[k:]}" for k in cuts), *(word[k:] for k in cuts)):
+            found = match_room(text)
+            if found is not None and found[1] == 1.0:
+                return found[0]
     likely = likeliest_room(categories)
     return likely.name if likely is not None else "_".join(spoken) or "room"
 

@@ -392,8 +392,8 @@ class Executor:
         """Layouts of a whole scene drawn anew."""
         count = self.settings.layouts
         first = count if count >= MANY else min(count, AT_FIRST)
-        how = self.starts(scene, first, seed) if self.starts is not None else "sample"
-        solution = self._searched(scene, terms, first, seed, attempts, how)
+        drawn = self.starts(scene, first, seed) if self.starts is not None else None
+        solution = self._searched(scene, terms, first, seed, attempts, "sample" if drawn is None else drawn)
         if first < count and 0 < len(solution.ranked) < FEW and not self.deadline.passed:
             solution = joined(solution, self._searched(scene, terms, count - first, (seed + 1) % 2**32, attempts))
         return solution

@@ -11,8 +11,8 @@ from sceneweaver.io import SceneWeaverError
 from sceneweaver.io.messages import shorten
 from sceneweaver.scene import Scene
 
-Starts = Callable[[Scene, int, int], np.ndarray]
-"""Poses [candidates, objects, 4] of x, y, z, yaw for a scene, a number of candidates and a seed."""
+Starts = Callable[[Scene, int, int], np.ndarray | None]
+"""Poses [candidates, objects, 4] of x, y, z, yaw for a scene, a number of candidates and a seed; None: none are drawn."""
 
 NONE = "init prior: the learned prior is not installed; poses are drawn as usual"
 
@@ -29,7 +29,10 @@ def learned_starts() -> tuple[Starts | None, str]:
     except (SceneWeaverError, OSError, ValueError) as error:
         return None, f"{NONE} ({shorten(str(error), 120)})"
 
-    def starts(scene: Scene, candidates: int, seed: int) -> np.ndarray:
-        return np.asarray(prior.sample(scene, candidates=candidates, seed=seed), dtype=np.float64)
+    def starts(scene: Scene, candidates: int, seed: int) -> np.ndarray | None:
+        try:
+            return np.asarray(prior.sample(scene, candidates=candidates, seed=seed), dtype=np.float64)
+        except SceneWeaverError:  # more walls or things than it looks at
+            return None
 
     return starts, ""

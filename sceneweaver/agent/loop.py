@@ -404,7 +404,7 @@ class Run:
             notes, unmet = outcomes[winner].notes, outcomes[winner].unmet
             asked = self.tools[calls[winner].tool].card.role == "initializer"  # the others act on faults, not on wishes
             new = (notes, unmet) if asked else ((*notes, *unmet), ())
-        self.memory = self.memory.after(step, losers, *new, attempts)
+        self.memory = self.memory.after(step, losers, *new, attempts).noted(self._instead(old, step))
         if self.folder is not None and current is not None:
             self.folder.step(
                 step.number, current.scene, current.report, current.review, self.memory, self.brief, self.settings
@@ -414,6 +414,13 @@ class Run:
             self.kept()
         if self.said is not None:
             self.said(step)
+
+    def _instead(self, old: Outcome | None, step: Step) -> str:
+        """What is said where the room does not begin as it was told to; empty where it does."""
+        why = next((row["failed"] for row in step.tried if row["tool"] == self.starting.tool and "failed" in row), "")
+        if old is not None or not why or not step.accepted or step.call is None or step.call.tool == self.starting.tool:
+            return ""
+        return f"{why}; the room was begun by {step.call.tool} instead"
 
 
 def _left(outcome: Outcome) -> dict[str, list[str]]:

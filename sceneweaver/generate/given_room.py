@@ -67,9 +67,13 @@ def with_openings(setup: Setup, scene: Scene) -> tuple[Scene, str]:
             break
     if best is None or not best[1].doors:
         return scene, "the room has no door, and no wall of it takes one"
-    doors, windows = len(best[1].doors), len(best[1].windows)
+    made = best[1]
+    if best[0] > 0.0:  # its leaf would need floor that is taken
+        out = tuple(d.model_copy(update={"swing": "out"}) for d in made.doors)
+        made = made.model_copy(update={"doors": out})
+    doors, windows = len(made.doors), len(made.windows)
     said = f"the room came without openings: {doors} door{'s' * (doors > 1)} and {windows} windows were added"
-    return scene.model_copy(update={"room": best[1]}), said
+    return scene.model_copy(update={"room": made}), said
 
 
 def _corners(size: tuple[float, float, float]) -> list[tuple[float, float]]:
