@@ -18,7 +18,7 @@ from sceneweaver.layout import Problem
 
 from .objectives import objective_of
 
-FITS = 0.9  # of the time that is left: what a step takes beyond its limit fits in as well
+FITS, POLISHED = 0.9, 0.6  # of the time that is left: what a step takes beyond its limit fits in as well
 WARM = 0.02  # [s] of a step that loads what there is to load
 
 
@@ -83,7 +83,7 @@ class OneByOne:
     def step(self: Any, state: Solving) -> Solving:
         row = state.turn % len(state.given)
         began = time.process_time()
-        left = FITS * (self.seconds - state.spent)
+        left = (POLISHED if self.polish else FITS) * (self.seconds - state.spent)
         ends = began + (min(self.limit, left) if left > 0 else self.limit)
         seed = (state.key * 7919 + state.turn) % 2**31
         found = self.solve(state.problem, state.given[row].astype(np.float64), seed, lambda: time.process_time() > ends)

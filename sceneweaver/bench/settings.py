@@ -28,7 +28,8 @@ class Settings:
         restarts: a method that ends before the budget is spent begins again from new starts, as long as a candidate is
             not valid; each candidate keeps its best layout.
         enough: a run ends with the first look at a valid layout, where the problem has no objective.
-        limit: wall seconds after which a run is killed, with all that is not in its budget (compiling, looks).
+        limit: seconds by ``clock`` after which a run is killed, with all that is not in its budget (compiling, looks);
+            where the clock is "cpu" six times as many by the wall clock as well.
         memory: GiB of memory that a run may add to its process before it is killed; None: any.
 
     Raises:
