@@ -6,6 +6,7 @@ valid one first, then that of the lower objective, then of the lower energy.
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
@@ -16,6 +17,9 @@ import numpy as np
 from sceneweaver.layout import Problem
 
 from .objectives import objective_of
+
+FITS, POLISHED = 0.9, 0.6  # of the time that is left: what a step takes beyond its limit fits in as well
+WARM = 0.02  # [s] of a step that loads what there is to load
 
 
 @dataclass
@@ -28,6 +32,7 @@ class Solving:
     key: int
     turn: int = 0
     notes: dict[str, Any] = field(default_factory=dict)
+    spent: float = 0.0  # processor time of all steps [s]
 
 
 class Solver(Protocol):
@@ -47,11 +52,13 @@ class OneByOne:
 
     Attributes:
         limit: processor time of a step [s].
+        seconds: processor time of all steps [s]; the last one is cut to fit, as a step that ends late is worth nothing.
         polish: whether what was found goes to the engine's projection, and the better is kept.
         objective: terms (kind, objects, weight, params) that are to be minimised, see `configure`.
     """
 
     limit: float = 1.0
+    seconds: float = math.inf
     polish: bool = False
     objective: tuple[Any, ...] = ()
 
@@ -63,15 +70,21 @@ class OneByOne:
         Where something is to be minimised a candidate gets half of the budget: the best layout is what counts then.
         """
         limit = 0.5 * seconds if objective else min(self.limit, seconds)
-        return replace(self, objective=tuple(objective), limit=limit)
+        return replace(self, objective=tuple(objective), limit=limit, seconds=seconds)
 
     def init(self, problem: Problem, poses: Any, key: int) -> Solving:
         given = np.asarray(poses.numpy(), dtype=np.float32)
         return Solving(problem, given, given.copy(), key)
 
+    def warm_up(self: Any, problem: Problem, poses: Any, key: int) -> Solving:
+        """A step that is cut short: it loads what there is to load."""
+        return replace(self, limit=WARM).step(self.init(problem, poses, key))
+
     def step(self: Any, state: Solving) -> Solving:
         row = state.turn % len(state.given)
-        ends = time.process_time() + self.limit
+        began = time.process_time()
+        left = (POLISHED if self.polish else FITS) * (self.seconds - state.spent)
+        ends = began + (min(self.limit, left) if left > 0 else self.limit)
         seed = (state.key * 7919 + state.turn) % 2**31
         found = self.solve(state.problem, state.given[row].astype(np.float64), seed, lambda: time.process_time() > ends)
         if found is not None:
@@ -79,6 +92,7 @@ class OneByOne:
         if self.polish and not state.problem.feasible(state.poses[row : row + 1])[0]:
             keep_best(state, row, state.problem.project(state.poses[row : row + 1]), self.objective)
         state.turn += 1
+        state.spent += time.process_time() - began
         return state
 
     def best(self, state: Solving) -> np.ndarray:

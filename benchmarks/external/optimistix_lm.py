@@ -18,10 +18,10 @@ from .optimistix_bfgs import Descent, begin
 
 @dataclass(frozen=True)
 class LevenbergMarquardt:
-    steps: int = 10
-    iterations: int = 10  # in a step, after which the damping begins anew
+    steps: int = 33
+    iterations: int = 3  # in a step, after which the damping begins anew; a longer step is over when the budget is
 
-    SETTINGS: ClassVar[dict[str, list[Any]]] = {"iterations": [5, 10, 30]}
+    SETTINGS: ClassVar[dict[str, list[Any]]] = {"iterations": [3, 10, 30]}
 
     def init(self, problem: Problem, poses: Any, key: int) -> Descent:
         return begin(problem, poses)

@@ -51,7 +51,7 @@ class Placement:
 
 
 def NumpyDescent() -> Placement:
-    return Placement("numpy descent", numpy_descent.RUNS * (numpy_descent.STEPS + 1))
+    return Placement("numpy descent", numpy_descent.RUNS * (numpy_descent.STEPS + 1), at_once=1)
 
 
 def TorchPositions() -> Placement:

@@ -16,13 +16,14 @@ from sceneweaver.scene import InputError
 
 from .curves import interval, methods, table, value_at
 from .pairs import Pair, paired
-from .protocol import SOLVED, folder_of, read_protocol, verdicts
+from .protocol import SOLVED, read_budgets, read_protocol, verdicts, whole_seeds
 from .quality import Judged
 from .results import Key, Run, needed, read_about
 from .tables import rows_in_markdown
 
 BEGIN, END = "<!-- leaderboard: written by a command -->", "<!-- end -->"
 POINTS = 40
+STYLES = ("-", "--", ":")
 
 
 @dataclass(frozen=True)
@@ -89,18 +90,15 @@ def _solved(one: Judged, share: float) -> bool:
     return one.valid and one.quality >= 1.0 / (1.0 + share) - 1e-9
 
 
-def anytime(runs: Sequence[Run], points: np.ndarray) -> dict[str, np.ndarray]:
-    """Mean quality at times [K] of each method, by what the engine said at the looks (they keep no layouts)."""
+def anytime(runs: Sequence[Run], points: np.ndarray, cases: Mapping[str, ProblemCase]) -> dict[str, np.ndarray]:
+    """Mean quality at times [K] of each method, by what the engine said at the looks (most keep no layouts)."""
     found: dict[str, list[np.ndarray]] = {}
     for run in runs:
-        valid = value_at(run, "valid", "seconds", points) > 0
-        best = run.last("known_objective")
-        if best is not None and not np.isnan(best):
+        valid, best = value_at(run, "valid", "seconds", points) > 0, cases[run.key[1]].best_objective
+        quality = valid.astype(float)
+        if best is not None:
             with np.errstate(divide="ignore", invalid="ignore"):
-                share = np.minimum(best / value_at(run, "best_objective", "seconds", points), 1.0)
-            quality = np.where(valid, share, 0.0)
-        else:
-            quality = valid.astype(float)
+                quality *= np.minimum(best / value_at(run, "best_objective", "seconds", points), 1.0)
         found.setdefault(run.key[0], []).append(np.nan_to_num(quality))
     return {method: np.mean(rows, axis=0) for method, rows in found.items()}
 
@@ -118,23 +116,21 @@ def leaderboard(out: Path | str, cases: Mapping[str, ProblemCase]) -> dict[str, 
         ...
         sceneweaver.io.errors.InputError: no such folder: no results of Layout Bench; ...
     """
-    results = read_protocol(out)
-    found = verdicts(out, results, cases)
+    runs, about = whole_seeds(read_protocol(out)), read_about(out)
     budgets = []
-    for seconds, runs in results.items():
-        board = places(runs, found[seconds], seconds)
-        pairs = paired({row.method: qualities(runs, found[seconds])[row.method] for row in board})
+    for seconds, found in verdicts(out, runs, read_budgets(out), cases).items():
+        read = [run.at(seconds) for run in runs]
+        board, own = places(read, found, seconds), qualities(read, found)
         budgets.append(
             {
                 "seconds": seconds,
                 "problems": len({run.key[1] for run in runs}),
                 "seeds": len({run.key[2] for run in runs}),
                 "places": [asdict(row) for row in board],
-                "pairs": [asdict(pair) for pair in pairs],
+                "pairs": [asdict(pair) for pair in paired({row.method: own[row.method] for row in board})],
             }
         )
     manifest = layout_bench.manifest()
-    about = read_about(folder_of(out, max(results)))
     return {"version": layout_bench.VERSION, "hash": manifest.get("hash", ""), "budgets": budgets, **about}
 
 
@@ -174,15 +170,15 @@ def board_markdown(data: Mapping[str, Any]) -> str:
         ]
         title = f"**{budget['seconds']:g} s**, {budget['problems']} problems, {budget['seeds']} seeds:"
         parts += ["", title, "", *rows_in_markdown(head, rows)]
+        parts += ["", *_pairs([Pair(**pair) for pair in budget["pairs"]])]
         if false := [f"{row['method']} {row['faults']}" for row in budget["places"] if row["faults"]]:
             parts += ["", f"Runs that said what is not so, and count as nothing found: {', '.join(false)}."]
-    parts += ["", *_pairs([Pair(**pair) for budget in data["budgets"][-1:] for pair in budget["pairs"]])]
     return "\n".join(parts)
 
 
 def _pairs(pairs: Sequence[Pair]) -> list[str]:
-    """The pairs of the largest budget that the first method is in: with twenty methods there are 200 in all."""
-    pairs = [pair for pair in pairs if pairs[0].first in (pair.first, pair.second)]
+    """The pairs that the first method is in: with twenty methods there are 200 in all."""
+    count, pairs = len(pairs), [pair for pair in pairs if pairs[0].first in (pair.first, pair.second)]
     if not pairs:
         return []
     rows = [
@@ -196,7 +192,11 @@ def _pairs(pairs: Sequence[Pair]) -> list[str]:
         for pair in pairs
     ]
     head = ["first - second", "difference", "95 %", "p (Wilcoxon)", "p (Holm)"]
-    return ["Pairs, with the largest budget:", "", *rows_in_markdown(head, rows)]
+    return [
+        f"The first against each of the others, p after Holm for all {count} pairs:",
+        "",
+        *rows_in_markdown(head, rows),
+    ]
 
 
 def write_page(page: Path | str, text: str) -> None:
@@ -213,16 +213,17 @@ def write_page(page: Path | str, text: str) -> None:
     write_atomic(Path(page), re.sub(pattern, lambda _: whole, before, flags=re.DOTALL))
 
 
-def plot_anytime(out: Path | str, picture: Path | str) -> Path:
-    """Draw the mean quality over time in the runs of the largest budget."""
-    results = read_protocol(out)
-    seconds = max(results)
-    points = np.geomspace(seconds / 1000.0, seconds, POINTS)
-    figure = needed("matplotlib.figure").Figure(figsize=(7, 4.2), layout="constrained")
-    axes, curves = figure.subplots(), anytime(results[seconds], points)
-    for method in sorted(methods(results[seconds]), key=lambda name: -curves[name][-1]):
-        axes.plot(points, curves[method], label=method)
+def plot_anytime(out: Path | str, picture: Path | str, cases: Mapping[str, ProblemCase]) -> Path:
+    """Draw the mean quality over time."""
+    runs, budgets = whole_seeds(read_protocol(out)), read_budgets(out)
+    points = np.geomspace(budgets[-1] / 1000.0, budgets[-1], POINTS)
+    figure = needed("matplotlib.figure").Figure(figsize=(7, 4.8), layout="constrained")
+    axes, curves = figure.subplots(), anytime(runs, points, cases)
+    for k, method in enumerate(sorted(methods(runs), key=lambda name: -curves[name][-1])):
+        axes.plot(points, curves[method], label=method, color=f"C{k % 10}", linestyle=STYLES[k // 10 % len(STYLES)])
+    for budget in budgets[:-1]:
+        axes.axvline(budget, color="0.8", linewidth=0.8, zorder=0)
     axes.set(xscale="log", ylim=(0, 1.02), xlabel="seconds", ylabel="mean quality")
-    axes.legend(fontsize=7, loc="upper left")
+    axes.legend(fontsize=6, loc="upper left", ncols=2)
     figure.savefig(picture, dpi=110)
     return Path(picture)

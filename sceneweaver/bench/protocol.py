@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -13,15 +14,17 @@ from sceneweaver.scene import InputError
 
 from .entries import Method, find_methods
 from .quality import Judged, judge_all
-from .results import Key, Run, read_runs
+from .results import Key, Run, read_about, read_runs
 from .runner import Progress, run
 from .settings import Settings
 
-BUDGETS = (1.0, 10.0, 60.0)
-"""Seconds of a run: of processor time on a CPU, of the wall clock on a GPU."""
+BUDGETS = (0.1, 0.3, 1.0)
+"""Seconds at which a run is read, the last its length: of processor time on a CPU, of the wall clock on a GPU."""
 SEEDS = 5
 CANDIDATES, ON_GPU = 16, 1024
-MEMORY = 8.0  # [GiB] of a run's process
+MEMORY = 8.0  # [GiB] that a run may take
+LIMIT = 20.0, 10.0
+"""After which a run is killed, with what compiles [s]: so much, and so many times its budget."""
 SOLVED = (0.05, 0.01)
 """How far the objective of a valid layout may be above the best known for the problem to count as solved."""
 
@@ -43,6 +46,19 @@ def problems_of(split: str, seed_file: Path | str | None = None, only: Sequence[
     return [case for case in cases if not only or words[case.name] & set(only)]
 
 
+def methods_without(optimizers: Sequence[Any], names: Sequence[str]) -> list[Method]:
+    """The methods without some of them, by name.
+
+    Raises:
+        InputError: as for `find_methods`; no method has such a name.
+    """
+    methods = find_methods(optimizers)
+    for name in names:
+        if name not in {method.name for method in methods}:
+            raise InputError(f'without: no method is called "{name}"')
+    return [method for method in methods if method.name not in names]
+
+
 def tuned_methods(optimizers: Sequence[Any], tuned: Path | str | None = None) -> list[Method]:
     """The methods, with the settings that tuning wrote into a file; those that are not in it keep their own."""
     methods = find_methods(optimizers)
@@ -50,22 +66,19 @@ def tuned_methods(optimizers: Sequence[Any], tuned: Path | str | None = None) ->
     return [Method(m.name, m.source, chosen.get(m.name, {}).get("settings", {})) for m in methods]
 
 
-def settings_of(seconds: float, device: str, candidates: int | None = None) -> Settings:
+def settings_of(budgets: Sequence[float], device: str, candidates: int | None = None) -> Settings:
     """What a run of the protocol is made with."""
-    gpu = device.startswith("cuda")
+    gpu, longest = device.startswith("cuda"), max(budgets)
     return Settings(
         candidates=candidates or (ON_GPU if gpu else CANDIDATES),
-        seconds=seconds,
+        seconds=longest,
+        budgets=tuple(sorted(budgets)),
+        enough=True,
         clock="wall" if gpu else "cpu",
         device=device,
-        limit=120.0 + 10.0 * seconds,
+        limit=LIMIT[0] + LIMIT[1] * longest,
         memory=None if gpu else MEMORY,
     )
-
-
-def folder_of(out: Path | str, seconds: float) -> Path:
-    """The folder of a budget's results."""
-    return Path(out) / f"{seconds:g}s"
 
 
 def run_protocol(
@@ -82,14 +95,15 @@ def run_protocol(
     tuned: Path | str | None = None,
     progress: Progress | None = None,
 ) -> bool:
-    """Run methods on problems with every budget, the smallest first; what is there is not run again.
+    """Run methods on problems, the first seed of all first; what is there is not run again.
 
     Args:
         optimizers: see `find_methods`.
         cases: see `problems_of`.
-        out: folder of the results, one in it for each budget.
-        budgets, seeds, device, candidates: of the protocol unless said.
-        jobs: processes side by side; on a GPU one, or times are not those of a method alone.
+        out: folder of the results.
+        budgets: where each run is read [s]; it goes on until the longest.
+        seeds, device, candidates: of the protocol unless said.
+        jobs: processes side by side; on GPUs one to each, or times are not those of a method alone.
         minutes: after which it ends with what is done; started again it goes on.
         tuned: the file that `tune` wrote.
         progress: told of every run.
@@ -100,49 +114,48 @@ def run_protocol(
     Raises:
         InputError: as for `run`.
     """
-    until = float("inf") if minutes is None else time.monotonic() + 60.0 * minutes
-    methods, wanted = tuned_methods(optimizers, tuned), 0
-    for seconds in sorted(budgets):
-        settings, folder = settings_of(seconds, device, candidates), folder_of(out, seconds)
-        wanted += len(methods) * len(cases) * seeds
-        if time.monotonic() < until:
-            run(
-                methods, cases, folder, seeds=seeds, settings=settings, isolate=True, jobs=jobs, until=until,
-                progress=progress,
-            )  # fmt: skip
-    names = {m.name for m in methods}, {c.name for c in cases}
-    there = [r for runs in read_protocol(out, required=False).values() for r in runs]
-    done = [r for r in there if r.key[0] in names[0] and r.key[1] in names[1] and r.key[2] < seeds]
-    return len(done) >= wanted
+    until = math.inf if minutes is None else time.monotonic() + 60.0 * minutes
+    methods = tuned_methods(optimizers, tuned)
+    run(
+        methods, cases, out, seeds=seeds, settings=settings_of(budgets, device, candidates), isolate=True, jobs=jobs,
+        until=until, progress=progress,
+    )  # fmt: skip
+    there = {r.key for r in read_protocol(out, required=False)}
+    return all((m.name, c.name, seed) in there for m in methods for c in cases for seed in range(seeds))
 
 
-def read_protocol(out: Path | str, *, required: bool = True) -> dict[float, list[Run]]:
-    """The runs of each budget, the smallest first.
+def read_protocol(out: Path | str, *, required: bool = True) -> list[Run]:
+    """The runs of a folder.
 
     Raises:
         InputError: there are none.
     """
-    folders = {float(p.name[:-1]): p for p in Path(out).glob("*s") if p.is_dir() and _is_number(p.name[:-1])}
-    found = {}
-    for seconds, folder in sorted(folders.items()):
-        try:
-            found[seconds] = read_runs(folder)
-        except InputError:
-            continue  # begun, and nothing done
-    if required and not found:
-        raise InputError(f"{out}: no results of Layout Bench; sceneweaver bench layout-bench run writes some")
-    return found
-
-
-def _is_number(text: str) -> bool:
     try:
-        return float(text) > 0
-    except ValueError:
-        return False
+        return read_runs(out)
+    except InputError:
+        if not required:
+            return []
+        raise InputError(f"{out}: no results of Layout Bench; sceneweaver bench layout-bench run writes some") from None
+
+
+def read_budgets(out: Path | str) -> list[float]:
+    """The budgets [s] at which the runs of a folder are read, the shortest first."""
+    settings = read_about(out)["settings"]
+    return sorted({*settings.get("budgets", ()), settings["seconds"]})
+
+
+def whole_seeds(runs: Sequence[Run]) -> list[Run]:
+    """The runs of the seeds that every method has of every problem; all of them, where there is no such seed."""
+    rows: dict[int, set[tuple[str, str]]] = {}
+    for each in runs:
+        rows.setdefault(each.key[2], set()).add(each.key[:2])
+    everything = set().union(*rows.values())
+    whole = {seed for seed, there in rows.items() if len(there) == len(everything)}
+    return [each for each in runs if each.key[2] in whole or not whole]
 
 
 def verdicts(
-    out: Path | str, results: Mapping[float, Sequence[Run]], cases: Mapping[str, ProblemCase]
+    out: Path | str, runs: Sequence[Run], budgets: Sequence[float], cases: Mapping[str, ProblemCase]
 ) -> dict[float, dict[Key, Judged]]:
-    """What the judge says of the runs of each budget."""
-    return {seconds: judge_all(runs, cases, folder_of(out, seconds)) for seconds, runs in results.items()}
+    """What the judge says of the runs at each budget."""
+    return {budget: judge_all([each.at(budget) for each in runs], cases, out) for budget in budgets}

@@ -9,6 +9,7 @@ import platform
 import shutil
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass
+from functools import cache
 from importlib import import_module
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
@@ -65,7 +66,7 @@ class Row:
     wall_seconds: Annotated[float, "float64", "the same by the wall clock, the device synchronised"] = 0.0
     cpu_seconds: Annotated[float, "float64", "the same as processor time of all threads"] = 0.0
     setup_seconds: Annotated[
-        float, "float64", "wall time of the uncounted first step: kernels and functions are compiled"
+        float, "float64", "wall time of the uncounted first steps: kernels and functions are compiled"
     ] = 0.0
     energy_calls: Annotated[int, "int64", "how often the method asked for energies"] = 0
     evaluations: Annotated[int, "int64", "layouts whose energy it measured"] = 0
@@ -82,10 +83,13 @@ class Row:
     known_objective: Annotated[
         float | None, "float64", "lowest objective of a valid layout known before, or null: being valid is all"
     ] = None
+    budget: Annotated[
+        float | None, "float64", "of the settings, [s]: the look is at what there was when it was spent; or null"
+    ] = None
     layout: Annotated[
         bytes | None,
         "binary",
-        "at the last look the best valid candidate: poses [N, 4], float32, little-endian; or null",
+        "where a budget is spent and at the end the best valid candidate: poses [N, 4], little-endian float32; or null",
     ] = None
     outcome: Annotated[str, "string", '"running"; at the last look "ended", "budget", "failed" or "killed"'] = "running"
     reason: Annotated[str, "string", "why it failed or was killed, in one line; empty otherwise"] = ""
@@ -145,6 +149,19 @@ class Run:
         """Method, problem and seed."""
         return str(self.last("method")), str(self.last("problem")), int(self.last("seed"))
 
+    def at(self, budget: float) -> Run:
+        """The run as if its budget had been ``budget`` [s], one of its settings; what happened later is left out.
+
+        A run that ended before stays as it is, and so does one that failed or was killed before.
+        """
+        there = np.flatnonzero(np.asarray(self["budget"], dtype=float) == budget)
+        if not there.size:
+            return self
+        cut = {name: values[: there[0] + 1] for name, values in self.columns.items()}
+        outcome = cut["outcome"].copy()
+        outcome[-1] = "budget"
+        return Run({**cut, "outcome": outcome})
+
     @property
     def failed(self) -> bool:
         """Whether it failed or was killed."""
@@ -160,14 +177,14 @@ class Folder:
         pyarrow()
         (path / PARTS).mkdir(parents=True, exist_ok=True)
         note = path / SETTINGS
-        if note.exists():
+        if note.exists() and _files(path):
             before = load_json(note)
             other = [name for name, value in settings.to_dict().items() if before.get(name) != value]
             if other:
                 raise InputError(f"out: {path} holds runs with another {', '.join(other)}; give another folder")
         else:
             write_atomic(note, json.dumps(settings.to_dict(), indent=1) + "\n")
-        self.done = {run.key for run in read_runs(path)} if any(_files(path)) else set()
+        self.done = {run.key for run in read_runs(path)} if _files(path) else set()
 
     def add(self, rows: Sequence[Row]) -> None:
         """Write the rows of one run."""
@@ -194,6 +211,7 @@ class Folder:
         os.replace(partly, path)
 
 
+@cache
 def describe(settings: Settings) -> dict[str, Any]:
     """What the rows are of: settings, versions, machine."""
     import warp as wp

@@ -25,7 +25,7 @@ from .results import read_runs
 from .runner import Progress, run
 
 TRIALS = 16
-SECONDS = 10.0
+SECONDS = 1.0
 BUILT_IN: Mapping[str, Mapping[str, Any]] = {
     name: {"budget": ("logint", low, high)}
     for name, low, high in (
@@ -116,7 +116,7 @@ def tune(
     methods, known, chosen = find_methods(optimizers), {case.name: case for case in cases}, {}
     drawn = {method.name: trials_of(method, trials) for method in methods}
     everything = [trial for rows in drawn.values() for trial in rows]
-    folder, settings = Path(out) / "trials", settings_of(seconds, device, candidates)
+    folder, settings = Path(out) / "trials", settings_of([seconds], device, candidates)
     run(
         everything, cases, folder, seeds=seeds, settings=settings, isolate=True, jobs=jobs, until=until,
         progress=progress,

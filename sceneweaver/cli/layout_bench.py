@@ -18,7 +18,9 @@ if TYPE_CHECKING:
 
 app = typer.Typer(name="layout-bench", help="Layout Bench: run, tune, compare, verify and the page of its protocol.")
 
-Results = Annotated[Path, typer.Argument(metavar="DIR", help="The folder of results.", show_default=False)]
+Results = Annotated[
+    list[Path], typer.Argument(metavar="DIR...", help="Folders of results, one a machine.", show_default=False)
+]
 Out = Annotated[Path, typer.Option("--out", "-o", metavar="DIR", help="Folder for the results.", show_default=False)]
 Optimizers = Annotated[
     str, typer.Option(metavar="A,B", help="As for `sceneweaver bench run`; several with commas.", show_default=False)
@@ -42,10 +44,15 @@ Candidates = Annotated[
 def run(
     out: Out,
     optimizers: Optimizers = "search,adam,langevin,tempering,lbfgs,projection",
+    without: Annotated[
+        str, typer.Option(metavar="A,B", help="Names of methods to leave out.", show_default=False)
+    ] = "",
     split: Split = "dev",
     seed_file: SeedFile = None,
     only: Only = "",
-    budgets: Annotated[str, typer.Option(metavar="S,S", help="Seconds of a run.")] = "1,10,60",
+    budgets: Annotated[
+        str, typer.Option(metavar="S,S", help="Seconds at which a run is read, the last its length.")
+    ] = "0.1,0.3,1",
     seeds: Seeds = 5,
     candidates: Candidates = None,
     tuned: Annotated[
@@ -55,14 +62,17 @@ def run(
     minutes: Minutes = None,
     device: Device = "cpu",
 ) -> int:
-    """Run methods with every budget; 5 when the time was over before all was done. What is there is not run again."""
-    from sceneweaver.bench.protocol import problems_of, run_protocol
+    """Run methods, and read every run at each budget. What is there is not run again.
+
+    It ends with 5 when the time was over before all was done.
+    """
+    from sceneweaver.bench.protocol import methods_without, problems_of, run_protocol
 
     sys.path.insert(0, os.getcwd())
     cases = problems_of(split, seed_file, _words(only))
     with open(os.dup(2), "w", encoding="utf-8") as terminal, no_chatter():
         complete = run_protocol(
-            _words(optimizers),
+            methods_without(_words(optimizers), [name.strip() for name in without.split(",") if name.strip()]),
             cases,
             out,
             budgets=_numbers(budgets),
@@ -84,7 +94,7 @@ def tune(
     optimizers: Optimizers = "search,adam,langevin,tempering,lbfgs,projection",
     only: Only = "",
     trials: Annotated[int, typer.Option(min=1, help="Settings tried of each method, its own among them.")] = 16,
-    seconds: Annotated[float, typer.Option(help="Budget of a run.")] = 10.0,
+    seconds: Annotated[float, typer.Option(help="Budget of a run.")] = 1.0,
     seeds: Seeds = 1,
     candidates: Candidates = None,
     jobs: Jobs = 1,
@@ -116,41 +126,45 @@ def tune(
 
 
 @app.command("compare")
-def compare(source: Results, seed_file: SeedFile = None, as_json: Json = False) -> int:
-    """Print the leaderboard of results; every layout is judged anew."""
+def compare(sources: Results, seed_file: SeedFile = None, as_json: Json = False) -> int:
+    """Print the leaderboard of each folder of results; every layout is judged anew."""
     from sceneweaver.bench.board import board_markdown, leaderboard
 
     with no_chatter():
-        data = leaderboard(source, _cases(seed_file))
+        cases = _cases(seed_file)
+        boards = [leaderboard(source, cases) for source in sources]
     if as_json:
         from .output import print_json
 
-        print_json(data)
+        print_json({"boards": boards})
     else:
-        typer.echo(board_markdown(data))
+        typer.echo("\n\n".join(board_markdown(data) for data in boards))
     return 0
 
 
 @app.command("verify")
-def verify(source: Results, seed_file: SeedFile = None, as_json: Json = False) -> int:
+def verify(sources: Results, seed_file: SeedFile = None, as_json: Json = False) -> int:
     """Judge the layouts of results anew; 3 when a run says what is not so."""
-    from sceneweaver.bench.protocol import read_protocol, verdicts
+    from sceneweaver.bench.protocol import read_budgets, read_protocol, verdicts
 
+    faults, total = [], 0
     with no_chatter():
-        found = verdicts(source, read_protocol(source), _cases(seed_file))
-    faults = [
-        {"seconds": seconds, "method": key[0], "problem": key[1], "seed": key[2], "fault": one.fault}
-        for seconds, rows in found.items()
-        for key, one in rows.items()
-        if one.fault
-    ]
-    total = sum(map(len, found.values()))
+        cases = _cases(seed_file)
+        for source in sources:
+            runs = read_protocol(source)
+            total += len(runs)
+            for seconds, rows in verdicts(source, runs, read_budgets(source), cases).items():
+                for (method, problem, seed), one in rows.items():
+                    if one.fault:
+                        row = {"method": method, "problem": problem, "seed": seed, "seconds": seconds}
+                        faults.append({"source": str(source), **row, "fault": one.fault})
+    wrong = len({(row["source"], row["method"], row["problem"], row["seed"]) for row in faults})
     if as_json:
         from .output import print_json
 
         print_json({"runs": total, "faults": faults})
     else:
-        typer.echo(f"{total - len(faults)} of {total} runs are as they say")
+        typer.echo(f"{total - wrong} of {total} runs are as they say")
         for row in faults:
             typer.echo(f"  {row['method']} {row['problem']} seed {row['seed']}, {row['seconds']:g} s: {row['fault']}")
     return NOT_VALID if faults else 0
@@ -158,25 +172,34 @@ def verify(source: Results, seed_file: SeedFile = None, as_json: Json = False) -
 
 @app.command("page")
 def page(
-    source: Results,
+    sources: Results,
     into: Annotated[Path, typer.Option(metavar="FILE", help="A page with marks for the leaderboard.")],
-    picture: Annotated[
-        Path | None, typer.Option(metavar="PNG", help="Where the curves over time go.", show_default=False)
+    pictures: Annotated[
+        list[Path] | None,
+        typer.Option(
+            "--picture", metavar="PNG", help="Where the curves over time go; once for each folder.", show_default=False
+        ),
     ] = None,
     seed_file: SeedFile = None,
 ) -> int:
-    """Write the leaderboard of results into a page, between its marks, and draw the curves over time."""
+    """Write the leaderboards of results into a page, between its marks, and draw the curves over time."""
     from sceneweaver.bench.board import board_markdown, leaderboard, plot_anytime, write_page
+    from sceneweaver.scene import InputError
 
+    if pictures and len(pictures) != len(sources):
+        raise InputError(f"picture: {len(pictures)} for {len(sources)} folders; give one for each")
+    parts = []
     with no_chatter():
-        text = board_markdown(leaderboard(source, _cases(seed_file)))
-        if picture is not None:
-            plot_anytime(source, picture)
-            text += f"\n\n![Quality over time]({os.path.relpath(picture, into.parent)})"
-        write_page(into, text)
+        cases = _cases(seed_file)
+        for k, source in enumerate(sources):
+            parts.append(board_markdown(leaderboard(source, cases)))
+            if pictures:
+                plot_anytime(source, pictures[k], cases)
+                parts.append(f"![Quality over time]({os.path.relpath(pictures[k], into.parent)})")
+        write_page(into, "\n\n".join(parts))
     from .output import list_files
 
-    list_files([into, *([picture] if picture is not None else [])])
+    list_files([into, *(pictures or [])])
     return 0
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import warp as wp
@@ -22,6 +22,9 @@ from .stepwise import BuiltIn, BuiltInRun
 
 FIRST = 100
 """Moves of a candidate for each root in the first annealing."""
+
+LEAST = 4
+"""The same where the time is known: what it tells of the time that moves take has to fit into the time itself."""
 
 SPENT, TRIAL = 0.85, 0.15
 """Shares of the time left that an annealing is planned for: the last one, and one before it that tells what moves take.
@@ -69,6 +72,12 @@ class MinimiseSteps:
         began, search = _clock(problem.device), self.search.init(problem, poses, key)
         return MinimiseRun(problem, compiled, movable_roots(compiled.room), search, key, began)
 
+    def warm_up(self, problem: Problem, poses: Array, key: int) -> MinimiseRun:
+        """A round of the search and a short annealing, so that what comes later has nothing to compile or to load."""
+        state = self.init(problem, poses, key)
+        state.search.advance()
+        return replace(self, seconds=0.0).step(state)  # no time is left for more than the shortest
+
     def step(self, state: MinimiseRun) -> MinimiseRun:
         """A round of the search, or the next annealing."""
         batch, before = state.search.batch, _clock(state.problem.device)
@@ -97,7 +106,7 @@ class MinimiseSteps:
 
     def _moves(self, state: MinimiseRun, now: float) -> int:
         """How many moves of a candidate the next annealing takes; 0: there is no time for more than the first took."""
-        first = FIRST * max(len(state.roots), 1)
+        first = (FIRST if self.seconds is None else LEAST) * max(len(state.roots), 1)
         if state.last is None:
             return first
         moves, took = state.last

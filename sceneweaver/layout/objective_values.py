@@ -43,18 +43,88 @@ def objective_of(scene: Scene | Problem, terms: Sequence[ObjectiveTerm], poses: 
 
 def term_values(scene: Scene | Problem, terms: Sequence[ObjectiveTerm], poses: np.ndarray) -> np.ndarray:
     """The weighted value [B, T] float64 of every term; arguments and errors as for `objective_of`."""
-    if isinstance(scene, Problem):
-        if len(scene.scenes) != 1:
-            raise InputError(f"objective: a problem of one scene is needed, not of {len(scene.scenes)}")
-        scene = scene.scenes[0]
-    check_objective(scene, terms)
-    layouts = np.asarray(poses, dtype=np.float64)
-    count = len(scene.objects)
-    if layouts.ndim != 3 or layouts.shape[1] < count or layouts.shape[2] != 4:
-        raise InputError(f"poses: an array of shape {layouts.shape} is not [B, {count}, 4]")
-    look = _Look(scene, layouts)
-    columns = [term.weight * _VALUES[term.kind](look, term) for term in terms]
-    return np.stack(columns, axis=1) if columns else np.zeros((len(layouts), 0))
+    return ObjectiveValues(scene, terms)(poses)
+
+
+class ObjectiveValues:
+    """An objective of a scene, made ready for many layouts; arguments and errors as for `objective_of`.
+
+    Examples:
+        >>> import numpy as np, sceneweaver as sw
+        >>> from sceneweaver.layout.objective_values import ObjectiveValues
+        >>> scene = sw.Scene.example("bedroom")
+        >>> values = ObjectiveValues(scene, [sw.ObjectiveTerm("flow", ("bed", "bed"))])
+        >>> values(np.array([[(*o.pose.position, o.pose.yaw) for o in scene.objects]]))
+        array([[0.]])
+    """
+
+    def __init__(self, scene: Scene | Problem, terms: Sequence[ObjectiveTerm]) -> None:
+        if isinstance(scene, Problem):
+            if len(scene.scenes) != 1:
+                raise InputError(f"objective: a problem of one scene is needed, not of {len(scene.scenes)}")
+            scene = scene.scenes[0]
+        check_objective(scene, terms)
+        self.scene, self.terms = scene, list(terms)
+        self._nets = _Nets(scene, self.terms)
+
+    def __call__(self, poses: np.ndarray) -> np.ndarray:
+        """The weighted value [B, T] of every term at poses [B, N, 4]."""
+        layouts = np.asarray(poses, dtype=np.float64)
+        count = len(self.scene.objects)
+        if layouts.ndim != 3 or layouts.shape[1] < count or layouts.shape[2] != 4:
+            raise InputError(f"poses: an array of shape {layouts.shape} is not [B, {count}, 4]")
+        values = np.zeros((len(layouts), len(self.terms)))
+        self._nets.add_to(values, layouts)
+        others = [(k, term) for k, term in enumerate(self.terms) if term.kind not in _Nets.KINDS]
+        look = _Look(self.scene, layouts)
+        for k, term in others:
+            values[:, k] = term.weight * _VALUES[term.kind](look, term)
+        return values
+
+
+class _Nets:
+    """The terms that look at pins alone, all at once: one by one they take most of the time there is."""
+
+    KINDS = ("wire_length", "flow")
+    ROWS = 64  # layouts at a time, so that all pins of them fit into a cache
+
+    def __init__(self, scene: Scene, terms: Sequence[ObjectiveTerm]) -> None:
+        index, places = {name: i for i, name in enumerate(scene.ids)}, places_of(scene)
+        self.columns = [k for k, term in enumerate(terms) if term.kind in self.KINDS]
+        own = [terms[k] for k in self.columns]
+        objects, pins, first = [], [], []
+        for term in own:
+            first.append(len(objects))
+            offsets = term.pins if term.kind == "wire_length" else [(0.0, 0.0)] * len(term.objects)
+            for name, (x, y) in zip(term.objects, offsets, strict=True):
+                if name not in index:  # of a place x is into the room
+                    (mx, my), (c, s) = places[name].middle, places[name].inward
+                    x, y = mx + c * x - s * y, my + s * x + c * y
+                objects.append(index.get(name, -1))
+                pins.append((x, y))
+        self.objects, self.first = np.array(objects, dtype=int), np.array(first, dtype=int)
+        self.pins = np.array(pins, dtype=np.float64).reshape(-1, 2)
+        self.weights = np.array([term.weight for term in own])
+        flows = [(i, term.value("metric")) for i, term in enumerate(own) if term.kind == "flow"]
+        self.flows = {m: np.array([i for i, own in flows if own == m], dtype=int) for m in {m for _, m in flows}}
+
+    def add_to(self, values: np.ndarray, poses: np.ndarray) -> None:
+        if not self.columns:
+            return
+        for row in range(0, len(poses), self.ROWS):
+            values[row : row + self.ROWS, self.columns] = self._of(poses[row : row + self.ROWS]) * self.weights
+
+    def _of(self, poses: np.ndarray) -> np.ndarray:
+        px, py, _, yaw = np.moveaxis(poses[:, self.objects], -1, 0)
+        still = self.objects < 0
+        c, s, (x, y) = np.cos(yaw), np.sin(yaw), self.pins.T
+        at = np.stack([px + c * x - s * y, py + s * x + c * y], axis=-1)  # [B, P, 2]
+        at[:, still] = self.pins[still]
+        wide = np.maximum.reduceat(at, self.first, axis=1) - np.minimum.reduceat(at, self.first, axis=1)
+        found = wide.sum(axis=-1)
+        for metric, rows in self.flows.items():
+            found[:, rows] = _length(at[:, self.first[rows] + 1] - at[:, self.first[rows]], metric)
+        return found
 
 
 class _Look:
@@ -83,16 +153,6 @@ class _Look:
 
 def _length(way: np.ndarray, metric: str) -> np.ndarray:
     return np.abs(way).sum(axis=-1) if metric == MANHATTAN else np.hypot(way[..., 0], way[..., 1])
-
-
-def _wire_length(look: _Look, term: ObjectiveTerm) -> np.ndarray:
-    at = look.pins(term)[..., :2]
-    return np.ptp(at, axis=1).sum(axis=-1)
-
-
-def _flow(look: _Look, term: ObjectiveTerm) -> np.ndarray:
-    at = look.pins(term)[..., :2]
-    return _length(at[:, 1] - at[:, 0], term.value("metric"))
 
 
 def _walking(look: _Look, term: ObjectiveTerm) -> np.ndarray:
@@ -158,8 +218,6 @@ def _user(look: _Look, term: ObjectiveTerm) -> np.ndarray:
 
 
 _VALUES: dict[str, Callable[[_Look, ObjectiveTerm], Any]] = {
-    "wire_length": _wire_length,
-    "flow": _flow,
     "walking": _walking,
     "cost": _cost,
     "exposed_wall": _exposed_wall,

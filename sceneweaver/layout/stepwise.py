@@ -10,6 +10,7 @@ from typing import Any, Protocol, cast, runtime_checkable
 import numpy as np
 import warp as wp
 
+from sceneweaver.kernels import load
 from sceneweaver.kernels.bookkeeping import set_turns
 from sceneweaver.optimizers import OPTIMIZERS, Batch, Monitor, OptimizerResult, streams
 from sceneweaver.optimizers.base import BlockOptimizer, Checkpoint, RunInBlocks
@@ -169,6 +170,11 @@ def modules_of(optimizer: StepOptimizer, device: str) -> tuple[str, ...]:
     """The modules of ``sceneweaver.kernels`` that a run is likely to need on a device."""
     own = getattr(optimizer, "modules_on", lambda _: ())(device)
     return (*own, "starts", *(MEASURED if device == "cpu" else MEASURED_ON_GPU), "residuals")
+
+
+def load_modules(optimizer: StepOptimizer, device: str) -> None:
+    """Compile and load ahead what a run is likely to need on a device, so that no step waits for it."""
+    load(device, *modules_of(optimizer, device))
 
 
 def find_optimizer(optimizer: str | StepOptimizer) -> str | StepOptimizer:

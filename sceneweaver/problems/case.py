@@ -7,6 +7,7 @@ import json
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import jinja2
@@ -22,6 +23,7 @@ from .recipes import MOST_SEED, families, whole_number
 
 if TYPE_CHECKING:
     from sceneweaver.layout import ObjectiveTerm, Problem
+    from sceneweaver.layout.objective_values import ObjectiveValues
 
 Json = dict[str, Any]
 
@@ -139,9 +141,13 @@ class ProblemCase:
 
     def objective_of(self, poses: np.ndarray) -> np.ndarray:
         """The objective of layouts [B, N, 4], as [B] float64, whether they are valid or not; 0 without terms."""
-        from sceneweaver.layout import objective_of
+        return self._values(poses).sum(axis=1)
 
-        return objective_of(self.scene, self.objective, poses)
+    @cached_property
+    def _values(self) -> ObjectiveValues:
+        from sceneweaver.layout.objective_values import ObjectiveValues
+
+        return ObjectiveValues(self.scene, self.objective)
 
     def judge(self, poses: np.ndarray) -> tuple[bool, float | None]:
         """Whether the judge, which is not the engine, finds a layout [N, 4] valid, and its objective; None without one.

@@ -14,6 +14,7 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
 from multiprocessing.connection import Connection
+from pathlib import Path
 from typing import Any
 
 SPAWN = get_context("spawn")  # a fork of a process that has used CUDA or JAX is of no use
@@ -30,6 +31,15 @@ PR_SET_PDEATHSIG = 1
 def cores() -> int:
     """How many cores this process may use; a worker has one thread, whatever OMP_NUM_THREADS says."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def processor_seconds(pid: int) -> float:
+    """Processor time of a process in all its threads [s]; 0 where the system does not say, or the process is gone."""
+    try:
+        after_name = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
+        return (int(after_name[11]) + int(after_name[12])) / os.sysconf("SC_CLK_TCK")
+    except (OSError, IndexError, ValueError):
+        return 0.0
 
 
 @contextlib.contextmanager

@@ -49,6 +49,30 @@ class Slow(Momentum):
         return super().best(state)
 
 
+class Naps(Momentum):
+    """Sleeps a tenth of a second in each step."""
+
+    steps = None
+
+    def step(self, state):
+        time.sleep(0.1)
+        return state
+
+
+class NapsThenFails(Naps):
+    """Breaks down at its fourth step."""
+
+    def init(self, problem, poses, key):
+        self.taken = 0
+        return super().init(problem, poses, key)
+
+    def step(self, state):
+        self.taken += 1
+        if self.taken > 3:
+            raise ZeroDivisionError
+        return super().step(state)
+
+
 class Counting(Momentum):
     """Says itself what it costs."""
 
@@ -109,6 +133,15 @@ class Solved(Momentum):
         problem, x, speed, given = state
         problem.energy(x)
         return problem, np.repeat(problem.home, len(x), axis=0), speed, given
+
+
+class SolvesOne(Endless):
+    """Puts the first layout at the poses of the scene, and leaves the others."""
+
+    def step(self, state):
+        problem, x, speed, given = state
+        time.sleep(0.01)
+        return problem, np.concatenate([problem.home, given[1:]]), speed, given
 
 
 SOME = {"a": "tests.bench.optimizers:Momentum", "b": "tests.bench.optimizers:Endless"}

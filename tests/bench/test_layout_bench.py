@@ -12,10 +12,10 @@ import pytest
 from scipy import stats
 
 from sceneweaver import bench, problems
-from sceneweaver.bench import results, runner
+from sceneweaver.bench import results, worker
 from sceneweaver.bench.board import BEGIN, END, anytime, places, write_page
 from sceneweaver.bench.pairs import holm, wilcoxon
-from sceneweaver.bench.protocol import problems_of, read_protocol, run_protocol, verdicts
+from sceneweaver.bench.protocol import problems_of, read_budgets, read_protocol, run_protocol, verdicts, whole_seeds
 from sceneweaver.bench.quality import judged
 from sceneweaver.bench.tuning import draw, trials_of, tune
 from sceneweaver.cli import main
@@ -109,21 +109,28 @@ def test_the_protocol_goes_through_and_goes_on(tmp_path):
     say = lambda done, total, row: went.append((row.method, row.problem, row.seed))  # noqa: E731
     arguments = {"budgets": [0.05, 0.1], "seeds": 1, "candidates": 4}
     assert run_protocol(["search"], cases[:1], tmp_path, progress=say, **arguments)
-    assert len(went) == 2
+    assert len(went) == 1
     assert run_protocol(["search", "adam"], cases, tmp_path, progress=say, jobs=2, **arguments)
-    assert len(went) == 8 and run_protocol(["search", "adam"], cases, tmp_path, progress=say, **arguments)
-    assert len(went) == 8, "what is there is not run again"
+    assert len(went) == 4 and run_protocol(["search", "adam"], cases, tmp_path, progress=say, **arguments)
+    assert len(went) == 4, "what is there is not run again"
     found, known = read_protocol(tmp_path), {case.name: case for case in cases}
-    judged_runs = verdicts(tmp_path, found, known)
-    assert list(found) == [0.05, 0.1] and not any(v.fault for rows in judged_runs.values() for v in rows.values())
-    board = places(found[0.1], judged_runs[0.1], 0.1)
+    assert read_budgets(tmp_path) == [0.05, 0.1]
+    judged_runs = verdicts(tmp_path, found, [0.05, 0.1], known)
+    assert list(judged_runs) == [0.05, 0.1] and not any(v.fault for rows in judged_runs.values() for v in rows.values())
+    board = places([run.at(0.1) for run in found], judged_runs[0.1], 0.1)
     assert {row.method for row in board} == {"search", "adam"} and board[0].quality >= board[1].quality
     assert board[0].quality > 0.3 and board[0].killed == board[0].failed == 0
-    curve = anytime(found[0.1], np.array([1e-9, 1e3]))[board[0].method]
-    assert curve[0] == 0.0 and curve[1] == pytest.approx(board[0].quality, abs=1e-3)
+    curve = anytime(found, np.array([1e-9, 0.05, 0.1]), known)[board[0].method]
+    before = places([run.at(0.05) for run in found], judged_runs[0.05], 0.05)
+    first = next(row.quality for row in before if row.method == board[0].method)
+    assert curve == pytest.approx([0.0, first, board[0].quality], abs=1e-3), "a curve meets the table at each budget"
     data = bench.leaderboard(tmp_path, known)
     text = bench.board_markdown(json.loads(json.dumps(data)))
-    assert "**0.1 s**, 2 problems, 1 seeds:" in text and f"{board[0].method} - {board[1].method}" in text
+    assert (
+        "**0.1 s**, 2 problems, 1 seeds:" in text
+        and "**0.05 s**" in text
+        and f"{board[0].method} - {board[1].method}" in text
+    )
     page = tmp_path / "page.md"
     page.write_text(f"# Title\n{BEGIN}\nold\n{END}\nrest\n")
     assert main(["bench", "layout-bench", "page", str(tmp_path), "--into", str(page)]) == 0
@@ -131,18 +138,26 @@ def test_the_protocol_goes_through_and_goes_on(tmp_path):
     assert main(["bench", "layout-bench", "verify", str(tmp_path)]) == 0
 
 
+def test_a_table_is_of_seeds_that_are_whole():
+    case = problems.load(FACTORY)
+    runs = [run_of(case, method=m, seed=seed) for m, seed in (("a", 0), ("b", 0), ("a", 1), ("b", 2), ("a", 2))]
+    assert [run.key[2] for run in whole_seeds(runs)] == [0, 0, 2, 2]
+    assert len(whole_seeds(runs[2:4])) == 2, "where none is whole all count"
+
+
 def test_time_that_is_over_leaves_the_rest_for_another_time(tmp_path):
     cases = [problems.load(FACTORY)]
     assert not run_protocol(["search"], cases, tmp_path, budgets=[0.05], seeds=1, candidates=4, minutes=1e-6)
-    assert read_protocol(tmp_path, required=False) == {}
+    assert read_protocol(tmp_path, required=False) == []
     began = time.monotonic()
     endless = bench.Method("endless", optimizers.Endless())
     assert not run_protocol([endless], cases, tmp_path, budgets=[50.0], seeds=1, candidates=4, minutes=0.05)
-    assert time.monotonic() - began < 30.0 and read_protocol(tmp_path, required=False) == {}
+    assert time.monotonic() - began < 30.0 and read_protocol(tmp_path, required=False) == []
 
 
 def test_what_takes_too_much_memory_is_killed_and_says_so(tmp_path, monkeypatch):
-    monkeypatch.setattr(runner, "resident", lambda pid: 3 * 2**30)
+    taken = iter([2**30])
+    monkeypatch.setattr(worker, "resident", lambda pid: next(taken, 4 * 2**30))
     settings = bench.Settings(candidates=4, seconds=30.0, clock="cpu", memory=2.0)
     path = bench.run([optimizers.Endless()], ["packing/n005-t60"], tmp_path, seeds=1, settings=settings, isolate=True)
     (run,) = bench.read_runs(path)

@@ -10,9 +10,10 @@ import pytest
 
 import sceneweaver as sw
 from sceneweaver import problems
-from sceneweaver.bench import Method, Settings, read_about, read_runs, run
-from sceneweaver.bench.execute import Starts
+from sceneweaver.bench import Method, Settings, read_about, read_runs, run, runner
 from sceneweaver.bench.results import COLUMNS, Row
+from sceneweaver.bench.runner import Queue, devices_of
+from sceneweaver.bench.starts import Starts
 from tests.bench import optimizers
 from tests.kernels.harness import ZOO
 from tests.layout.made import BOX, relation, scene, thing
@@ -62,10 +63,51 @@ def test_own_counts_are_taken(tmp_path):
 
 def test_a_budget_ends_what_goes_on(tmp_path):
     found = one(tmp_path, optimizers.Endless())
-    assert found.last("outcome") == "budget" and found.last("seconds") >= 0.2
+    assert found.last("outcome") == "budget" and 0.1 < found.last("seconds") <= 0.2 and found.last("budget") == 0.2
     few = Settings(candidates=8, seconds=60.0, evaluations=100)
     found = one(tmp_path / "few", optimizers.Endless(), settings=few)
     assert found.last("outcome") == "budget" and found.last("evaluations") == 104
+
+
+def test_a_run_is_read_to_the_step(tmp_path):
+    """Sleeping takes the same time always: what counts at a budget is the last step that ended by then."""
+    settings = Settings(candidates=2, seconds=1.0, budgets=(0.25, 0.05), checkpoints=1)
+    found = one(tmp_path, optimizers.Naps(), settings=settings)
+    assert list(found["budget"][1:]) == [0.05, 0.25, 1.0] and found.last("outcome") == "budget"
+    assert list(found["steps"]) == [0, 0, 2, 9] and (found["seconds"][1:] <= found["budget"][1:]).all()
+    for budget, steps in ((0.05, 0), (0.25, 2), (1.0, 9)):
+        cut = found.at(budget)
+        assert (cut.last("steps"), cut.last("outcome"), cut.failed) == (steps, "budget", False)
+    assert found.at(0.7) is found
+
+
+def test_what_was_read_before_a_failure_counts(tmp_path):
+    found = one(tmp_path, optimizers.NapsThenFails(), settings=Settings(candidates=2, seconds=60.0, budgets=(0.15,)))
+    assert found.failed and found.at(60.0).failed and found.last("layout") is None
+    assert not found.at(0.15).failed and found.at(0.15).last("steps") == 1
+
+
+def test_enough_is_one_valid_layout(tmp_path):
+    room = sw.Scene.load(ZOO / "bedroom-small.json")
+    settings = Settings(candidates=4, seconds=60.0, enough=True)
+    found = one(tmp_path, optimizers.SolvesOne(), room, settings)
+    assert found.last("outcome") == "ended" and found.last("valid") == 0.25 and found.last("layout")
+    assert found.last("seconds") < 60.0 and found.at(60.0) is found
+
+
+def test_a_queue_goes_by_seeds_and_stays_with_problems():
+    cases = [problems.load(f"packing/{name}") for name in ("n005-t60", "n010-t70")]
+    everything = [(Method(m, m), case, seed) for case in cases for m in "ab" for seed in (0, 1)]
+    queue, taken = Queue(list(everything)), []
+    while len(taken) < 8:
+        taken += [(k, *(one.name for one in queue.take(k)[:2])) for k in (0, 1)]
+    assert queue.take(0) is None
+    for k, name in ((0, "packing/n005-t60"), (1, "packing/n010-t70")):
+        assert [(m, p) for worker, m, p in taken if worker == k] == [("a", name), ("b", name)] * 2
+    alone = Queue(list(everything))
+    assert [alone.take(0)[2] for _ in range(8)] == [0] * 4 + [1] * 4
+    helped = Queue(everything[:4])
+    assert [helped.take(k)[0].name for k in (0, 1)] == ["a", "b"], "who has nothing left helps"
 
 
 def test_what_ends_early_begins_again_and_keeps_the_best(tmp_path):
@@ -196,6 +238,8 @@ def test_what_is_no_results(tmp_path, text):
         ("clock", "sun"),
         ("start", "anywhere"),
         ("checkpoints", 0),
+        ("budgets", (0.0,)),
+        ("budgets", (99.0,)),
     ],
 )
 def test_what_is_no_setting(field, value):
@@ -207,3 +251,25 @@ def test_results_need_pyarrow(tmp_path, monkeypatch):
     monkeypatch.setitem(__import__("sys").modules, "pyarrow.parquet", None)
     with pytest.raises(sw.MissingDependencyError, match=r"pyarrow is not installed \(extra 'bench'\); install it with"):
         run(["adam"], [PAIR], tmp_path, settings=SHORT)
+
+
+def test_a_gpu_has_one_worker(monkeypatch):
+    monkeypatch.setattr(runner, "pick_devices", lambda name: ["cuda:0", "cuda:1"] if name == "cuda:all" else [name])
+    assert devices_of("cpu", 3) == ["cpu"] * 3
+    assert devices_of("cuda", 1) == ["cuda:0"] and devices_of("cuda", 2) == ["cuda:0", "cuda:1"]
+    assert devices_of("cuda:1", 1) == ["cuda:1"]
+    for name, jobs in (("cuda", 3), ("cuda:0", 2)):
+        with pytest.raises(sw.InputError, match="a GPU has one worker"):
+            devices_of(name, jobs)
+
+
+def test_results_do_not_depend_on_what_ran_before(tmp_path):
+    """A worker that has made other runs, and one that has not, find the same."""
+    few = Settings(candidates=4, seconds=60.0, evaluations=4 * 60)
+    tasks = [problems.load(name) for name in ("packing/n010-t70", "walls/n010-t55")]
+    run(["search", "adam"], tasks, tmp_path / "long", seeds=2, settings=few, isolate=True)
+    run(["adam"], tasks[1:], tmp_path / "short", seeds=[1], settings=few, isolate=True)
+    (alone,) = read_runs(tmp_path / "short")
+    other = next(r for r in read_runs(tmp_path / "long") if r.key == alone.key)
+    for name in ("best_energy", "median_energy", "valid", "layout", "evaluations"):
+        assert other.last(name) == alone.last(name)
