@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 import time
+from dataclasses import replace
 from io import BytesIO
 from pathlib import Path
 from typing import Any
@@ -15,9 +16,12 @@ from benchmarks.console import say
 from benchmarks.prior_data import all_words, read_parts
 from sceneweaver.io import read_arrays, write_atomic
 from sceneweaver.prior.network import Shape, layout_of
-from sceneweaver.prior.training import Recipe, State, train, trained_names
+from sceneweaver.prior.training import Recipe, State, split_rooms, tested, train, trained_names
 from sceneweaver.prior.vocabulary import Words
 from sceneweaver.prior.weights import save_weights
+
+TESTED = 40
+"""One in so many rooms is left out, to measure the loss in."""
 
 SMALL = {"wide": 32, "deep": 2, "heads": 4, "slim": 32, "steps": 2, "eyes": 4}
 """A network to see that everything works."""
@@ -40,7 +44,13 @@ def main(arguments: list[str] | None = None) -> int:
     data, words = trained_names(read_parts(asked.data), all_words())
     small = SMALL if asked.quick else {}
     shape = Shape(len(words.categories), len(words.kinds), len(words.relations), **small)
-    recipe = Recipe(rooms=8, layouts=4, low="float32") if asked.quick else Recipe()
+    sides = (words.relation("left_of"), words.relation("right_of"))
+    assert None not in sides
+    recipe = Recipe(sides=sides)  # pyright: ignore[reportArgumentType]
+    recipe = replace(recipe, rooms=8, layouts=4, low="float32") if asked.quick else recipe
+    test = np.arange(len(data["counts"])) % TESTED == 0
+    measure = tested(split_rooms(data, test), shape, recipe)
+    data = split_rooms(data, ~test)
     path, state = asked.work / "state.npz", None
     asked.work.mkdir(parents=True, exist_ok=True)
     if path.exists():
@@ -72,14 +82,20 @@ def main(arguments: list[str] | None = None) -> int:
             return 1
         if time.monotonic() - last >= asked.stage:
             rate = (step - first[1]) / max(time.monotonic() - first[0], 1e-9)
-            say(f"step {step}: loss {np.mean([v for _, v in losses[kept:]]):.4f}, {rate:.1f} steps/s")
+            stage = now()
+            mean, other = np.mean([v for _, v in losses[kept:]]), measure(stage.average)
+            say(f"step {step}: loss {mean:.4f}, {other:.4f} in rooms left out, {rate:.1f} steps/s")
+            about |= {"loss": round(float(mean), 4), "test_loss": round(other, 4)}
             last, kept = time.monotonic(), len(losses)
-            _keep(asked, path, now(), shape, words, about, losses)
+            _keep(asked, path, stage, shape, words, about, losses)
         if asked.stop is not None and time.monotonic() - began >= asked.stop:
             break
     if now is not None:
-        _keep(asked, path, now(), shape, words, about, losses)
-        say(f"stopped at step {losses[-1][0]}: loss {np.mean([v for _, v in losses[-8:]]):.4f}")
+        stage = now()
+        mean, other = np.mean([v for _, v in losses[-8:]]), measure(stage.average)
+        about |= {"loss": round(float(mean), 4), "test_loss": round(other, 4)}
+        _keep(asked, path, stage, shape, words, about, losses)
+        say(f"stopped at step {losses[-1][0]}: loss {mean:.4f}, {other:.4f} in rooms left out")
     return 0
 
 

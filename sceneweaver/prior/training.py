@@ -3,9 +3,9 @@
 A pose is four numbers, x and y in units of the room and cosine and sine of the yaw. Between noise x0 ~ N(0, 1) and a
 layout x1 the path is straight, x_t = (1 - t) x0 + t x1, and the network learns its velocity x1 - x0 (Lipman et al.,
 2023; Liu et al., 2023), at moments t = sigmoid(z), z ~ N(0, 1) (Esser et al., 2024). A step takes some rooms, turns
-each by a random quarter, and several layouts and moments of each, so that the encoder reads a room once for all.
-Names of categories and kinds, relations, and some objects' places are left out or given away at random: so the network
-knows what to do without them.
+each by a random quarter, and several layouts and moments of each, so that the encoder reads a room once for all. Half of
+them are mirrored. Names of categories and kinds, relations, and places of some objects are left out or given away at
+random: so the network knows what to do without them.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -37,6 +38,7 @@ class Recipe:
         no_names, no_relations, some_given: how often categories are left out (of an object, and for a quarter of that
             of a whole room), relations of a room, and how often some objects' places are given.
         low: numbers of products of matrices, "bfloat16" or "float32".
+        sides: numbers of the relation types that a mirror exchanges; -1: none.
     """
 
     rooms: int = 192
@@ -50,6 +52,7 @@ class Recipe:
     no_relations: float = 0.1
     some_given: float = 0.15
     low: str = "bfloat16"
+    sides: tuple[int, int] = (-1, -1)
 
 
 def trained_names(data: dict[str, np.ndarray], words: Words, least: int = 2) -> tuple[dict[str, np.ndarray], Words]:
@@ -120,31 +123,16 @@ def train(
     import jax.numpy as jnp
     import optax
 
-    kind = jnp.dtype(recipe.low)
-
-    def product(x: Any, w: Any) -> Any:
-        return jnp.matmul(x.astype(kind), w.astype(kind), preferred_element_type=jnp.float32)
-
-    low = None if recipe.low == "float32" else product
-    starts = np.concatenate([[0], np.cumsum(data["counts"])[:-1]])
-    kept = {k.removeprefix("token."): jnp.asarray(v) for k, v in data.items() if k.startswith("token.")}
-    kept |= {"start": jnp.asarray(starts.astype(np.int32)), "count": jnp.asarray(data["counts"].astype(np.int32))}
-    poses, rooms = jnp.asarray(data["poses"]), len(starts)
+    low = _product(recipe, jax)
+    kept, poses = _on_device(data, jnp)
+    rooms = len(data["counts"])
     rule = optax.chain(
         optax.clip_by_global_norm(1.0),
         optax.scale_by_adam(0.9, 0.98),
         optax.add_decayed_weights(recipe.decay, mask={name: "norm" not in name for name in first_weights(shape, 0)}),
     )
 
-    def loss(weights: Any, tokens: Any, x1: Any, there: Any, key: Any) -> Any:
-        noise, moment = jax.random.split(key)
-        x0 = jax.random.normal(noise, x1.shape)
-        t = jax.nn.sigmoid(jax.random.normal(moment, x1.shape[:2]))
-        fixed = tokens["objects"][:, None, :, 10:11]
-        x = jnp.where(fixed > 0, x1, x0 + t[..., None, None] * (x1 - x0))
-        found = velocity(weights, shape, encode(weights, shape, tokens, jnp, low), x, t, jnp, low)
-        wanted = there[:, None, :, None] * (1.0 - fixed)
-        return (wanted * (found - (x1 - x0)) ** 2).sum() / (4.0 * wanted.sum() * x1.shape[1])
+    loss = partial(_loss, shape=shape, low=low, jax=jax)
 
     def chunk(weights: Any, average: Any, moments: Any, step: Any, rate: Any, key: Any, kept: Any, poses: Any) -> Any:
         def one(carry: Any, key: Any) -> Any:
@@ -190,10 +178,69 @@ def train(
         yield now, float(value), step
 
 
+def tested(
+    data: dict[str, np.ndarray], shape: Shape, recipe: Recipe, batches: int = 8
+) -> Callable[[Mapping[str, np.ndarray]], float]:
+    """What gives the loss that weights have on data, always at the same rooms, noise and moments."""
+    import jax
+    import jax.numpy as jnp
+
+    kept, poses = _on_device(data, jnp)
+    rooms, loss = len(data["counts"]), partial(_loss, shape=shape, low=_product(recipe, jax), jax=jax)
+
+    def one(weights: Any, key: Any, kept: Any, poses: Any) -> Any:
+        keys = jax.random.split(key)
+        return loss(weights, *_batch(keys[0], kept, poses, rooms, recipe, jax), keys[1])
+
+    run = jax.jit(one)
+
+    def found(weights: Mapping[str, np.ndarray]) -> float:
+        there = {k: jnp.asarray(v) for k, v in weights.items()}
+        return float(np.mean([run(there, jax.random.key(k), kept, poses) for k in range(batches)]))
+
+    return found
+
+
+def _on_device(data: dict[str, np.ndarray], jnp: Any) -> tuple[dict[str, Any], Any]:
+    """Arrays of rooms, with where their layouts begin and how many they are, and the layouts."""
+    starts = np.concatenate([[0], np.cumsum(data["counts"])[:-1]]).astype(np.int32)
+    kept = {k.removeprefix("token."): jnp.asarray(v) for k, v in data.items() if k.startswith("token.")}
+    kept |= {"start": jnp.asarray(starts), "count": jnp.asarray(data["counts"].astype(np.int32))}
+    return kept, jnp.asarray(data["poses"])
+
+
+def _product(recipe: Recipe, jax: Any) -> Any:
+    """What computes products of matrices: numbers of fewer bits, sums in 32."""
+    if recipe.low == "float32":
+        return None
+    jnp, kind = jax.numpy, jax.numpy.dtype(recipe.low)
+    return lambda x, w: jnp.matmul(x.astype(kind), w.astype(kind), preferred_element_type=jnp.float32)
+
+
+def _loss(weights: Any, tokens: Any, x1: Any, there: Any, key: Any, *, shape: Shape, low: Any, jax: Any) -> Any:
+    """Mean squared error of the velocity of what is not fixed."""
+    jnp = jax.numpy
+    noise, moment = jax.random.split(key)
+    x0 = jax.random.normal(noise, x1.shape)
+    t = jax.nn.sigmoid(jax.random.normal(moment, x1.shape[:2]))
+    fixed = tokens["objects"][:, None, :, 10:11]
+    x = jnp.where(fixed > 0, x1, x0 + t[..., None, None] * (x1 - x0))
+    found = velocity(weights, shape, encode(weights, shape, tokens, jnp, low), x, t, jnp, low)
+    wanted = there[:, None, :, None] * (1.0 - fixed)
+    return (wanted * (found - (x1 - x0)) ** 2).sum() / (4.0 * wanted.sum() * x1.shape[1])
+
+
+def split_rooms(data: dict[str, np.ndarray], rooms: np.ndarray) -> dict[str, np.ndarray]:
+    """The data of some rooms [S] bool alone."""
+    layouts = np.repeat(rooms, data["counts"])
+    sizes = {len(rooms): rooms, len(layouts): layouts}
+    return {name: values[sizes[len(values)]] for name, values in data.items()}
+
+
 def _batch(key: Any, kept: Mapping[str, Any], poses: Any, rooms: int, recipe: Recipe, jax: Any) -> tuple[Any, Any, Any]:
     """Tokens of some rooms, layouts [S, K, N, 4] of each, and which objects [S, N] there are."""
     jnp = jax.numpy
-    keys = jax.random.split(key, 9)
+    keys = jax.random.split(key, 10)
     count, layouts, objects = recipe.rooms, recipe.layouts, poses.shape[1]
     rows = jax.random.randint(keys[0], (count,), 0, rooms)
     tokens = {k: v[rows] for k, v in kept.items() if k not in ("start", "count")}
@@ -218,6 +265,7 @@ def _batch(key: Any, kept: Mapping[str, Any], poses: Any, rooms: int, recipe: Re
     same = jnp.eye(tokens["edges"].shape[1], dtype=jnp.int32) * tokens["mask"][:, None]
     tokens["edges"] = jnp.where(bare[:, None, None], same, tokens["edges"])
     tokens["unary"] = jnp.where(bare[:, None, None], 0.0, tokens["unary"])
+    tokens, x1 = _mirrored(tokens, x1, jax.random.bernoulli(keys[9], 0.5, (count,)), recipe.sides, jnp)
     quarter = jax.random.randint(keys[8], (count,), 0, 4)
     c, s = jnp.array([1.0, 0.0, -1.0, 0.0])[quarter], jnp.array([0.0, 1.0, 0.0, -1.0])[quarter]
     tokens["walls"] = _turned(tokens["walls"], (0, 2, 4), c, s, jnp)
@@ -225,6 +273,34 @@ def _batch(key: Any, kept: Mapping[str, Any], poses: Any, rooms: int, recipe: Re
     tokens["given"] = _turned(tokens["given"], (0, 2), c, s, jnp)
     flat = _turned(x1.reshape(count, layouts * objects, 4), (0, 2), c, s, jnp)
     return tokens, flat.reshape(x1.shape), there
+
+
+def _mirrored(tokens: Any, x1: Any, chosen: Any, sides: tuple[int, int], jnp: Any) -> tuple[Any, Any]:
+    """Some of the rooms as in a mirror in their y axis: what is left becomes right."""
+    out = dict(tokens)
+    here = chosen[:, None, None]
+
+    def flipped(rows: Any, columns: tuple[int, ...]) -> Any:
+        sign = jnp.ones(rows.shape[-1]).at[jnp.array(columns)].set(-1.0)
+        return jnp.where(chosen.reshape(-1, *(1,) * (rows.ndim - 1)), rows * sign, rows)
+
+    walls = flipped(tokens["walls"], (0, 2, 4))
+    out["walls"] = jnp.where(here, walls[..., jnp.array([2, 3, 0, 1, 4, 5, 6, 7])], walls)  # still counter-clockwise
+    out["openings"] = flipped(tokens["openings"], (0, 2))
+    out["given"] = flipped(tokens["given"], (0, 2))
+    swapped = jnp.array([*range(14), 15, 14])
+    out["objects"] = jnp.where(here, tokens["objects"][..., swapped], tokens["objects"])
+    a, b = sides
+    if min(sides) >= 0:
+        edges, unary = tokens["edges"], tokens["unary"]
+        pairs = ((2 + 2 * a, 2 + 2 * b), (3 + 2 * a, 3 + 2 * b))
+        other = edges
+        for one, two in pairs:
+            other = jnp.where(edges == one, two, jnp.where(edges == two, one, other))
+        out["edges"] = jnp.where(here, other, edges)
+        order = jnp.arange(unary.shape[-1]).at[jnp.array([a, b])].set(jnp.array([b, a]))
+        out["unary"] = jnp.where(here, unary[..., order], unary)
+    return out, flipped(x1, (0, 2))
 
 
 def _turned(rows: Any, columns: tuple[int, ...], c: Any, s: Any, jnp: Any) -> Any:
