@@ -3,8 +3,8 @@
 A pose is four numbers, x and y in units of the room and cosine and sine of the yaw. Between noise x0 ~ N(0, 1) and a
 layout x1 the path is straight, x_t = (1 - t) x0 + t x1, and the network learns its velocity x1 - x0 (Lipman et al.,
 2023; Liu et al., 2023), at moments t = sigmoid(z), z ~ N(0, 1) (Esser et al., 2024). A step takes some rooms, turns
-each by a random quarter, and several layouts and moments of each, so that the encoder reads a room once for all. Half of
-them are mirrored. Names of categories and kinds, relations, and places of some objects are left out or given away at
+each by a random quarter, mirrors half of them, and takes several layouts and moments of each, so that the encoder reads
+a room once for all. Names of categories and kinds, relations, and places of some objects are left out or given away at
 random: so the network knows what to do without them.
 """
 
