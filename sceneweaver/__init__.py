@@ -42,6 +42,7 @@ if TYPE_CHECKING:
     from sceneweaver.layout import pareto_front as pareto_front
     from sceneweaver.learning import LearnedWeights as LearnedWeights
     from sceneweaver.learning import learn_weights as learn_weights
+    from sceneweaver.prior import LayoutPrior as LayoutPrior
     from sceneweaver.render import draw_top as draw_top
     from sceneweaver.repairs import Repair as Repair
     from sceneweaver.repairs import repair as repair
@@ -67,6 +68,7 @@ __all__ = [
     "EditSession",
     "Fault",
     "InputError",
+    "LayoutPrior",
     "LearnedWeights",
     "MissingDependencyError",
     "ObjectHandle",
@@ -120,6 +122,7 @@ _HOME = {
     "EditSession": "editing",
     "Fault": "critic",
     "InputError": "scene",
+    "LayoutPrior": "prior",
     "LearnedWeights": "learning",
     "MissingDependencyError": "scene",
     "ObjectHandle": "building",
