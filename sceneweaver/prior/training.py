@@ -172,8 +172,8 @@ def train(
 
         def now(w: Any = weights, a: Any = average, m: Any = moments, n: int = step) -> State:
             leaves = [np.asarray(x) for x in jax.tree.leaves(m)]
-            arrays = ({k: np.asarray(v) for k, v in tree.items()} for tree in (w, a))
-            return State(*arrays, leaves, n, before + time.monotonic() - began)
+            weights, average = ({k: np.asarray(v) for k, v in tree.items()} for tree in (w, a))
+            return State(weights, average, leaves, n, before + time.monotonic() - began)
 
         yield now, float(value), step
 
