@@ -95,7 +95,8 @@ def run(settings: Settings, judge: Judge) -> Result:
         "Rooms of 40 kinds that the prior was trained on, with seeds that it was not, and of 10 kinds that it never "
         "saw. `sample`: the engine's own starts, drawn from the relations; `prior`: poses that the network draws, "
         "whose time is in the seconds. Points are what terms of design quality take off that the agent chooses by, of "
-        "the best layout and of the median valid one; spread is how far apart the same object stands in two layouts."
+        "the best layout and of the median valid one; spread is how far apart the same object stands in two layouts. "
+        "Both are brought to the exact values of their relations at the end (`snap=True`), as the agent does."
     )
     result = Result("prior", "A learned prior", about)
     kind = "cpu" if device == "cpu" else "gpu"
@@ -197,7 +198,8 @@ def _solved(
     began = time.perf_counter()
     start = prior.sample(scene, size, seed, device=drawn_on) if init == "prior" else "sample"
     drawing = time.perf_counter() - began
-    found = refine(scene, candidates=size, seed=seed, init=start, device=device, compiled=compiled, walk=False)
+    options = {"device": device, "compiled": compiled, "walk": False, "snap": True}
+    found = refine(scene, candidates=size, seed=seed, init=start, **options)
     return found, drawing, time.perf_counter() - began
 
 
