@@ -9,7 +9,18 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from benchmarks import dataset_layouts, dataset_scenes, layout_bench, noun_table, plots, problems, report, system_scenes
+from benchmarks import (
+    dataset_layouts,
+    dataset_scenes,
+    layout_bench,
+    noun_table,
+    plots,
+    prior_data,
+    prior_train,
+    problems,
+    report,
+    system_scenes,
+)
 from benchmarks.console import console, print_result, say
 from benchmarks.families import FAMILIES, ablations
 from benchmarks.judging import Judge
@@ -39,6 +50,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return dataset_layouts.main(words[1:])
         if words[:1] == ["datasets"]:
             return dataset_scenes.main(words[1:])
+        if words[:1] == ["prior_data"]:
+            return prior_data.main(words[1:])
+        if words[:1] == ["prior_train"]:
+            return prior_train.main(words[1:])
         if words[:1] == ["nouns"]:
             return noun_table.main(words[1:])
         if words[:1] == ["comparison"]:
@@ -64,7 +79,8 @@ def parser() -> argparse.ArgumentParser:
         description="Measure sceneweaver. Ends with 1 when an answer is wrong, never because it is slow.",
         epilog="python -m benchmarks report --help: write the page of results; problems --help: the zoo of problems; "
         "layouts --help: layouts as a data set; datasets --help: scenes of one; "
-        "nouns --help: the table of nouns; comparison --help: our scenes beside those of other systems.",
+        "prior_data --help, prior_train --help: the learned prior; nouns --help: the table of nouns; "
+        "comparison --help: our scenes beside those of other systems.",
     )
     p.add_argument("families", nargs="*", metavar="FAMILY", help=f"some of {', '.join(FAMILIES)} (default: all)")
     p.add_argument("--rooms", default="", metavar="A,B", help="rooms of the zoo, with commas between them")

@@ -48,6 +48,7 @@ if TYPE_CHECKING:
     from sceneweaver.layout import pareto_front as pareto_front
     from sceneweaver.learning import LearnedWeights as LearnedWeights
     from sceneweaver.learning import learn_weights as learn_weights
+    from sceneweaver.prior import LayoutPrior as LayoutPrior
     from sceneweaver.render import draw_top as draw_top
     from sceneweaver.repairs import Repair as Repair
     from sceneweaver.repairs import repair as repair
@@ -77,6 +78,7 @@ __all__ = [
     "Fault",
     "ImportedScene",
     "InputError",
+    "LayoutPrior",
     "LearnedWeights",
     "MissingDependencyError",
     "ObjectHandle",
@@ -137,6 +139,7 @@ _HOME = {
     "Fault": "critic",
     "ImportedScene": "importers",
     "InputError": "scene",
+    "LayoutPrior": "prior",
     "LearnedWeights": "learning",
     "MissingDependencyError": "scene",
     "ObjectHandle": "building",

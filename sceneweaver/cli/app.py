@@ -85,6 +85,7 @@ class Init(StrEnum):
     SAMPLE = "sample"
     RANDOM = "random"
     CURRENT = "current"
+    PRIOR = "prior"
 
 
 class Transport(StrEnum):

@@ -11,6 +11,7 @@ from dataclasses import replace
 import numpy as np
 
 from sceneweaver.layout import ObjectiveTerm, Progress, QualityTerm, Solution, StepOptimizer, engine
+from sceneweaver.layout.devices import pick_devices
 from sceneweaver.runtime.deadline import Deadline, TimeUp, ending
 from sceneweaver.scene import Scene
 
@@ -20,6 +21,7 @@ from .words import free_floor_words
 
 GRACE = 1.0  # [s] beyond a time limit in which to explain why nothing is valid
 HANGS = 0.2  # [s] after which an explanation that comes to no checkpoint is broken off
+PRIOR = "prior"  # the name of the starts that the learned prior draws; the engine is given their poses
 WALKED_OVER = 32  # layouts that are looked at with no floor kept free
 
 
@@ -48,7 +50,8 @@ def refine(
         candidates: how many layouts B to refine.
         seed: with the same seed and kind of device, the same bits.
         init: "sample" draws starts from the relations, "random" anywhere, "current" begins with the scene's poses;
-            an array [B, N, 4] of world poses (x, y, z, yaw) begins with those.
+            "prior" draws layouts from what was learned (`LayoutPrior`), an array [B, N, 4] of world poses
+            (x, y, z, yaw) begins with those.
         device: "auto", "cpu", "cuda", "cuda:k" or "cuda:all", which splits the candidates over all GPUs.
         optimizer: a name in ``sceneweaver.optimizers.OPTIMIZERS``, that of an entry point in the group
             ``sceneweaver.optimizers``, or an object with ``init``, ``step`` and ``best``.
@@ -83,7 +86,7 @@ def refine(
         scene,
         candidates=candidates,
         seed=seed,
-        init=init,
+        init=_poses(scene, candidates, seed, device) if isinstance(init, str) and init == PRIOR else init,
         device=device,
         optimizer=optimizer,
         time_limit=time_limit,
@@ -130,7 +133,7 @@ def refine_many(
         scenes,
         candidates=candidates,
         seed=seed,
-        init=init,
+        init=[_poses(scene, candidates, seed, device) for scene in scenes] if init == PRIOR else init,
         device=device,
         optimizer=optimizer,
         time_limit=time_limit,
@@ -142,6 +145,13 @@ def refine_many(
         moves=moves,
     )
     return [explained(solution, began, time_limit) for solution in solutions] if explain else solutions
+
+
+def _poses(scene: Scene, candidates: int, seed: int, device: str) -> np.ndarray:
+    """Poses [B, N, 4] to begin with that the learned prior draws."""
+    from sceneweaver.prior import LayoutPrior
+
+    return LayoutPrior.load().sample(scene, candidates, seed, device=pick_devices(device)[0])
 
 
 def explained(solution: Solution, began: float, time_limit: float | None) -> Solution:

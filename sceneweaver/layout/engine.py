@@ -80,11 +80,7 @@ def refine(
     compiled = compiled or compile_scene(scene)
     check_terms(scene, quality)
     check_objective(scene, objective)
-    if given is None:
-        world = _all_at(compiled.room.home, candidates)
-    else:
-        room = compiled.room
-        world = into_domains(room.yaws, room.free != 0, room.roots, compiled.bodies(given))
+    world = _begin(compiled, given, candidates)
     start = init if isinstance(init, str) and init != "current" else "given"
     keep = start == "given" and given is None and not objective
     job = Job(compiled, world, start, seed, keep=keep, walk=walk and not quality and not objective)
@@ -100,7 +96,7 @@ def refine_many(
     *,
     candidates: int | Sequence[int] = 64,
     seed: int | Sequence[int] = 0,
-    init: str = "sample",
+    init: str | Sequence[np.ndarray] = "sample",
     device: str = "auto",
     optimizer: str | StepOptimizer = "search",
     time_limit: float | None = None,
@@ -113,9 +109,9 @@ def refine_many(
 ) -> list[Solution]:
     """Refine many scenes in shared launches; each gets what ``refine`` would give it alone.
 
-    Arguments and errors as for ``refine``; ``time_limit`` is for all scenes together, ``init`` is a name,
-    ``candidates`` and ``seed`` are for all scenes or one for each, and ``quality`` and ``objective`` have the terms of
-    each scene.
+    Arguments and errors as for ``refine``; ``time_limit`` is for all scenes together, ``init`` is a name or an array of
+    poses for each scene, ``candidates`` and ``seed`` are for all scenes or one for each, and ``quality`` and
+    ``objective`` have the terms of each scene.
     """
     began = time.monotonic()
     where = pick_devices(device)
@@ -126,17 +122,20 @@ def refine_many(
     if len(aims) != len(scenes):
         raise InputError(f"objective: terms of {len(aims)} scenes, but there are {len(scenes)}")
     counts, seeds = (_each(value, len(scenes), name) for name, value in (("candidates", candidates), ("seed", seed)))
+    inits = [init] * len(scenes) if isinstance(init, str) else list(init)
+    if len(inits) != len(scenes):
+        raise InputError(f"init: poses of {len(inits)} scenes, but there are {len(scenes)}")
     jobs = []
-    for scene, wanted, aim, count, own in zip(scenes, terms, aims, counts, seeds, strict=True):
-        _check_arguments(scene, count, own, init, optimizer, time_limit, steps, moves=moves)
+    for scene, wanted, aim, count, own, first in zip(scenes, terms, aims, counts, seeds, inits, strict=True):
+        compiled = compile_scene(scene)
+        given = _check_arguments(scene, count, own, first, optimizer, time_limit, steps, compiled, moves)
         check_terms(scene, wanted)
         check_objective(scene, aim)
-        compiled = compile_scene(scene)
-        world = _all_at(compiled.room.home, count)
-        current = init == "current"
-        walk = not wanted and not aim
-        jobs.append(Job(compiled, world, "given" if current else init, own, keep=current and not aim, walk=walk))
-    monitor = Monitor(sum(counts), _until(began, time_limit, any(aims)), progress)
+        world = _begin(compiled, given, count)
+        start = first if isinstance(first, str) and first != "current" else "given"
+        keep = start == "given" and given is None and not aim
+        jobs.append(Job(compiled, world, start, own, keep=keep, walk=not wanted and not aim))
+    monitor = Monitor(sum(len(job.world) for job in jobs), _until(began, time_limit, any(aims)), progress)
     jobs = _prepared(jobs, where, optimizer, monitor)
     found = solve_on(where, jobs, lambda jobs, device: hard_first(jobs, optimizer, steps, device, monitor, began, snap))
     found = _minimised(found, [job.compiled for job in jobs], aims, moves, began, time_limit)
@@ -378,6 +377,14 @@ def _same(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     d = np.abs(b - a)
     d[..., 3] = np.abs(wrap_angle(d[..., 3]))
     return np.all(d < (ROUNDING, ROUNDING, 5e-4, ROUNDING), axis=-1, keepdims=True)
+
+
+def _begin(compiled: CompiledScene, given: np.ndarray | None, candidates: int) -> np.ndarray:
+    """World poses [B, N, 4] to begin with: those given, or the scene's own for all candidates."""
+    if given is None:
+        return _all_at(compiled.room.home, candidates)
+    room = compiled.room
+    return into_domains(room.yaws, room.free != 0, room.roots, compiled.bodies(given))
 
 
 def _all_at(home: np.ndarray, candidates: int) -> np.ndarray:
