@@ -30,9 +30,8 @@ MARGIN = 0.02
 SAME = 1e-4
 """Corners nearer than this [m] are one."""
 
-DOOR = (0.8, 2.05)
-WINDOW = 1.2
-SILL = 0.9
+DOOR, WINDOW, SILL = 2.05, 1.2, 0.9
+"""Heights [m] of a door, of a window and of its sill that no file states; a passage reaches the ceiling."""
 
 
 def outline_of(room: SourceRoom, footprints: Sequence[np.ndarray], notes: list[str]) -> tuple[Outline, bool]:
@@ -110,7 +109,7 @@ def room_of(room: SourceRoom, outline: Outline, top: float, kind: str, notes: li
             tall = min(opening.height or WINDOW, height - sill)
             windows.append(Window(id=name, wall=wall, offset=offset, width=width, sill=sill, height=tall))
         else:
-            tall = min(opening.height or DOOR[1], height)
+            tall = min(opening.height or (height if opening.kind == "passage" else DOOR), height)
             swing = opening.swing or ("slide" if opening.kind == "passage" else "in-left")
             doors.append(Door(id=name, wall=wall, offset=offset, width=width, height=tall, swing=swing))
     return Room(type=kind, outline=outline, height=height, doors=tuple(doors), windows=tuple(windows))

@@ -34,6 +34,14 @@ class ImportedScene:
     ``scene`` has the poses of the file to the last digit. ``boundary`` says whether the outline is the "file"'s or
     drawn around the "objects". ``confidence`` is that of the category (0 to 1) by object id, ``sizes_from`` where the
     size comes from ("file", "mesh", "table", "category"). ``notes`` say what was assumed or left out.
+
+    Examples:
+        >>> from sceneweaver.importers import SourceObject, SourceRoom, to_scene
+        >>> bed = SourceObject("b1", "king-size bed", (2.0, 1.1, 0.3), size=(2.1, 1.8, 0.6))
+        >>> room = SourceRoom("r", "Bedroom", ((0, 0), (4, 0), (4, 3), (0, 3)), height=2.6, objects=(bed,))
+        >>> imported = to_scene(room, "mine", name="first")
+        >>> imported.scene.objects[0].category, imported.boundary, imported.confidence
+        ('king_bed', 'file', {'b1': 0.95})
     """
 
     scene: Scene

@@ -22,6 +22,9 @@ SizeTable = Mapping[str, Size]
 LEAST = 0.002
 """Least side [m] of an object: what a file has as flat is as thick as a sheet of board."""
 
+BELIEVED = 2.5
+"""Factor from the usual height within which the height of an object's middle is taken for half of its own."""
+
 Origin = Literal["file", "mesh", "table", "category"]
 
 
@@ -69,7 +72,7 @@ def find_size(thing: SourceObject, category: str, table: SizeTable) -> Found:
     for key in (thing.asset, thing.label):
         if key and key.lower() in table:
             return Found(table[key.lower()], "table")
-    return Found(usual_size(category), "category")
+    return Found(_standing(thing, category, usual_size(category)), "category")
 
 
 def usual_size(category: str) -> Size:
@@ -79,6 +82,15 @@ def usual_size(category: str) -> Size:
         return 0.3, 0.3, 0.3
     d, w, h = (math.sqrt(low * high) for low, high in sizes.ranges)
     return round(d, 3), round(w, 3), round(h, 3)
+
+
+def _standing(thing: SourceObject, category: str, size: Size) -> Size:
+    """A usual size with the height that a thing on the floor has when only its middle is known: twice as high up."""
+    tall = 2 * thing.position[2]
+    on_floor = thing.mount in (None, "floor") and category_named(category).mount[0] == "floor"
+    if thing.anchor == "centre" and on_floor and 1 / BELIEVED <= tall / size[2] <= BELIEVED:
+        return size[0], size[1], tall
+    return size
 
 
 def _bounds(thing: SourceObject) -> tuple[np.ndarray, np.ndarray]:
