@@ -167,6 +167,26 @@ def test_from_file_to_judge(tmp_path):
     assert sw.check(worse.scene).out_of_bounds
 
 
+def test_meshes_beside_the_plan(tmp_path):
+    """A wedge that is high at +y, its front: in the scene it is high where the shelf faces."""
+    corners = [(x, y, 0.0) for x in (-0.45, 0.45) for y in (-0.15, 0.15)] + [(-0.45, 0.15, 1.9), (0.45, 0.15, 1.9)]
+    faces = [(0, 1, 3), (0, 3, 2), (1, 4, 5), (1, 5, 3), (0, 2, 5), (0, 5, 4), (0, 4, 1), (2, 3, 5)]
+    lines = ["ply", "format ascii 1.0", "element vertex 6", *(f"property float {a}" for a in "xyz")]
+    lines += ["element face 8", "property list uchar int vertex_indices", "end_header"]
+    lines += [*(" ".join(map(str, c)) for c in corners), *("3 " + " ".join(map(str, f)) for f in faces)]
+    written(tmp_path, "generation/src_o2.ply", "\n".join(lines) + "\n")
+    shelf = things_of(rooms_of("sage", written(tmp_path, "plan.json", PLAN))["r1"])["o2"]
+    assert shelf.mesh is not None and shelf.mesh.name == "src_o2.ply"
+    world = np.array(corners) @ (shelf.rotation @ shelf.mesh_axes).T + (5.5, 0.2, 0.0)
+    # at 90 degrees it faces west: the high edge is at x = 5.5 - 0.15
+    np.testing.assert_allclose(world[4:, 0], 5.35, atol=1e-9)
+    np.testing.assert_allclose((world[:, 1].min(), world[:, 1].max()), (-0.25, 0.65), atol=1e-9)
+    outside = changed(PLAN, "../../etc/passwd", "rooms", 0, "objects", 1, "source_id")
+    assert things_of(rooms_of("sage", written(tmp_path, "outside.json", outside))["r1"])["o2"].mesh is None
+    made = next(iter(sw.read_scenes(tmp_path / "plan.json", assets="theirs")))
+    assert made.sizes_from["o2"] == "file"
+
+
 def test_broken_files(tmp_path):
     text = written(tmp_path, "whole.json", PLAN).read_text()
     thing = ("rooms", 0, "objects", 1)

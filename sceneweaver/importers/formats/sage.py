@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from sceneweaver.io import load_json
+from sceneweaver.io.references import named_inside
 
 from ..entries import Entry
 from ..frames import euler_matrix, facing
@@ -37,11 +38,12 @@ def _read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
     for room in rooms:
         for door in room.listed("doors"):
             doors.setdefault(door["id"].text(), []).append(room["id"].text())
+    folders = [path.parent, *([options.folder] if options.folder is not None else [])]
     for room in rooms:
-        yield _room(room, doors, text)
+        yield _room(room, doors, text, folders)
 
 
-def _room(room: Entry, doors: dict[str, list[str]], text: str) -> SourceRoom:
+def _room(room: Entry, doors: dict[str, list[str]], text: str, folders: list[Path]) -> SourceRoom:
     name = room["id"].text()
     notes: list[str] = []
     left, below = room["position"].named("xy")
@@ -62,7 +64,7 @@ def _room(room: Entry, doors: dict[str, list[str]], text: str) -> SourceRoom:
             openings += [opening] if opening is not None else []
     things = [item for item in room.listed("objects")]
     names = {item["id"].text() for item in things}
-    objects = tuple(_object(item, name, walls, names, floor) for item in things)
+    objects = tuple(_object(item, name, walls, names, floor, folders) for item in things)
     return SourceRoom(
         name, room.word("room_type"), outline, height, tuple(openings), objects, text=text, notes=tuple(notes)
     )
@@ -115,7 +117,9 @@ def _opening(
     )
 
 
-def _object(item: Entry, room: str, walls: dict[str, Entry], names: set[str], floor: float) -> SourceObject:
+def _object(
+    item: Entry, room: str, walls: dict[str, Entry], names: set[str], floor: float, folders: list[Path]
+) -> SourceObject:
     size = item["dimensions"]
     width, depth, height = size.sides(size.named(("width", "length", "height")))
     theirs = euler_matrix(item["rotation"].named("xyz", -1e6, 1e6)) if item.has("rotation") else np.eye(3)
@@ -136,11 +140,22 @@ def _object(item: Entry, room: str, walls: dict[str, Entry], names: set[str], fl
         theirs @ _TURN,
         (depth, width, height),
         asset=item.word("source_id") or None,
+        mesh=_mesh(folders, item.word("source"), item.word("source_id")),
+        mesh_axes=_TURN.T,
         support=place if place in names else None,
         mount=mount,
         description=item.word("description"),
         keep=item.kept("placement_constraints", "mass", "source"),
     )
+
+
+def _mesh(folders: list[Path], source: str, name: str) -> Path | None:
+    """The mesh of an object: ``<source>/<source_id>.ply`` beside the plan or in the asset folder."""
+    for folder in folders if source and name else ():
+        place = named_inside(folder, folder / source / f"{name}.ply")
+        if place is not None and place.is_file():
+            return place
+    return None
 
 
 FORMAT = SourceFormat(
@@ -152,6 +167,7 @@ FORMAT = SourceFormat(
         "Read: rooms with walls, doors, openings, windows (a fraction along the wall, of their middle), objects.",
         "Positions are of the bottom centre in the frame of the house; angles [degrees] about fixed x, y, z; at 0 a "
         "thing faces +y (their solver), so length is its depth and width its width. Floors are moved to z = 0.",
+        "Meshes (<source>/<source_id>.ply, z up, facing +y) are used where they lie beside the plan or in the folder.",
         "Lost: which way doors open, materials; masses and placement constraints are kept with the object.",
     ),
     licence="Apache-2.0 (code); SAGE-10k has its own",
