@@ -134,7 +134,8 @@ def _stretched(thing: SceneObject, asset: Asset) -> SceneObject:
 def _hollow(thing: SceneObject, source: SourceObject) -> SceneObject:
     """The object as the boxes that its file says it consists of; the tops of all of them carry."""
     parts = tuple(
-        Part(polygon=((x0, y0), (x1, y0), (x1, y1), (x0, y1)), z=(z0, z1)) for (x0, y0, z0), (x1, y1, z1) in source.parts
+        Part(polygon=((x0, y0), (x1, y0), (x1, y1), (x0, y1)), z=(z0, z1))
+        for (x0, y0, z0), (x1, y1, z1) in source.parts
     )
     tops = [p for p in parts if p.z[1] < thing.size[2] - 1e-6]
     surfaces = [Surface(name=f"part_{k}", polygon=p.polygon, z=p.z[1]) for k, p in enumerate(tops)]

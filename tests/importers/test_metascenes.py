@@ -33,7 +33,11 @@ def matrices():
 
 def test_annotated_scenes(tmp_path):
     scan = data_set(tmp_path)
-    written(tmp_path, "Layout/Heuristic/scene0001_00.json", {"vert": [[-3, -2, 0], [3, -2, 0], [3, 2, 0], [-3, 2, 0]], "quads": []})
+    written(
+        tmp_path,
+        "Layout/Heuristic/scene0001_00.json",
+        {"vert": [[-3, -2, 0], [3, -2, 0], [3, 2, 0], [-3, 2, 0]], "quads": []},
+    )
     (room,) = rooms_of("metascenes", scan).values()
     things = things_of(room)
     assert room.outline == ((-3, -2), (3, -2), (3, 2), (-3, 2))

@@ -197,7 +197,10 @@ def test_what_we_write_comes_back(tmp_path):
         (changed(document(), math.nan, "scene", "object", 1, "transform", "data", 12), ("NaN",)),
         (changed(document(), [0.0] * 16, "scene", "object", 2, "transform", "data"), ("flattens",)),
         (changed(document(), [0, 0.6, 0.8], "scene", "up"), ("axes",)),
-        (changed(document(), {"min": [2, 0], "max": [1, 2]}, "scene", "arch", "elements", 1, "holes", 0, "box"), ("box",)),
+        (
+            changed(document(), {"min": [2, 0], "max": [1, 2]}, "scene", "arch", "elements", 1, "holes", 0, "box"),
+            ("box",),
+        ),
         ("", ("empty",)),
     ],
 )

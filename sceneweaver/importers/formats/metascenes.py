@@ -115,7 +115,7 @@ def _object(
     pose: tuple[np.ndarray, np.ndarray],
     middle: np.ndarray,
 ) -> SourceObject:
-    """An object with the least box of its mesh, seen from above in the annotated frame, and turned as the matrix says."""
+    """An object with the least box of its mesh, seen from above in the annotated frame, turned as the matrix says."""
     linear, _ = pose
     turn = linear / np.linalg.norm(linear, axis=0)
     yaw = _least(points)

@@ -24,7 +24,19 @@ from ..shells import (
     upright,
 )
 
-_ROBOTS = ("robot", "gripper", "panda", "mobilebase", "fixed_base", "eef", "franka", "ur5", "jaco", "sawyer", "humanoid")
+_ROBOTS = (
+    "robot",
+    "gripper",
+    "panda",
+    "mobilebase",
+    "fixed_base",
+    "eef",
+    "franka",
+    "ur5",
+    "jaco",
+    "sawyer",
+    "humanoid",
+)
 _ACTUATED = 3
 """Driven joints of a body and what hangs on it from which on it is a robot."""
 
@@ -122,7 +134,9 @@ def _read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
     if robots:
         notes.append(f"robots are left out: {', '.join(robots[:10])}")
     outline, height, openings = _room(model, own, shell, notes)
-    yield SourceRoom(path.stem if path.stem != "scene" else "", "", outline, height, openings, tuple(objects), "", tuple(notes))
+    yield SourceRoom(
+        path.stem if path.stem != "scene" else "", "", outline, height, openings, tuple(objects), "", tuple(notes)
+    )
 
 
 def _units(model: _Model) -> list[int]:
@@ -236,8 +250,8 @@ FORMAT = SourceFormat(
     notes=(
         "Read: each body of the world, with all that hangs on it, as one thing in its initial pose; a body without "
         "geoms and joints that only holds others is a group. Boxes are of all geoms along the body's axes.",
-        "Walls, floors, ceilings, doors and windows are told by their names (every word of it), geoms of the world also "
-        "by shape; the room is the rectangle between the walls, exact where the model is our own export.",
+        "Walls, floors, ceilings, doors and windows are told by their names (every word of it), geoms of the world "
+        "also by shape; the room is the rectangle between the walls, exact where the model is our own export.",
         "Assumed: a body faces its +x (RoboCasa's, told by their sites, -y); what of its axes points up is up.",
         "Lost: robots (three driven joints, or by name), which are named; joints, masses, materials, planes, height "
         "fields. Categories are guessed from the names of bodies.",
