@@ -76,7 +76,7 @@ def _outline(floors: list[Entry]) -> tuple[tuple[float, float], ...]:
     shape = shapely.unary_union(boxes).buffer(WALL, join_style="mitre").buffer(-WALL, join_style="mitre")
     largest = max(getattr(shape, "geoms", [shape]), key=lambda part: part.area)
     corners = shapely.get_coordinates(shapely.Polygon(shapely.get_exterior_ring(largest)).simplify(1e-6))[:-1]
-    return tuple((float(x), float(y)) for x, y in corners[::-1])
+    return tuple((round(float(x), 9) + 0.0, round(float(y), 9) + 0.0) for x, y in corners[::-1])
 
 
 def _window(fixture: Fixture) -> SourceOpening:
