@@ -55,7 +55,7 @@ def test_a_room(tmp_path):
         assert things[name].size == (d, w, h)
     assert things["lamp_1"].support == "desk_1" and things["bed_1"].label == "double bed"
     door, window = room.openings
-    np.testing.assert_allclose(sorted((door.start[0], door.end[0])), (1.5, 2.5), atol=1e-9)
+    np.testing.assert_allclose(sorted((door.start[0], door.end[0])), (1.55, 2.45), atol=1e-9)
     np.testing.assert_allclose(sorted((window.start[1], window.end[1])), (0.95, 2.05), atol=1e-9)
     assert (window.bottom, window.height) == (0.8, 1.3)
 

@@ -15,10 +15,10 @@ from ..frames import facing, yaw_matrix
 from ..model import Mount, ReadOptions, SourceFormat, SourceObject, SourceOpening, SourceRoom
 from ..plans import along
 
-DOOR = (1.0, 2.1)
+DOOR = (0.9, 2.0)
 """Width and height [m] of a door of which only the place is known, as HSM makes it."""
 
-WINDOW = (1.5, 1.2, 0.9)
+WINDOW = (1.6, 1.2, 1.0)
 """Width, height and lower edge [m] of such a window."""
 
 _MOUNTS: dict[str, Mount] = {"wall": "wall", "ceiling": "ceiling", "small": "surface"}
