@@ -36,10 +36,13 @@ def with_body(thing: SceneObject, source: SourceObject, named: Named, assets: As
         notes: gets a line where a box has to do.
     """
     if assets == "theirs" and source.mesh is not None:
-        return _stretched(thing, _imported(source, named.category, thing.mount))
+        try:
+            return _stretched(thing, _imported(source, named.category, thing.mount))
+        except InputError as error:
+            notes.append(f"{thing.id}: its mesh is not taken ({error}); our own furniture stands for it")
     if source.parts:
         return _hollow(thing, source)
-    if assets == "theirs":
+    if assets == "theirs" and source.mesh is None:
         notes.append(f"{thing.id}: no mesh in the asset folder; our own furniture stands for it")
     if assets != "boxes":
         asset = _drawn(named.body, _steps(named.body, thing.size))

@@ -81,17 +81,15 @@ def _object(
     )
 
 
-def _openings(
-    root: Entry, key: str, corners: list[tuple[float, float]], notes: list[str]
-) -> Iterator[SourceOpening]:
+def _openings(root: Entry, key: str, corners: list[tuple[float, float]], notes: list[str]) -> Iterator[SourceOpening]:
     """Openings of a field: a place [x, y], several, or cut-outs with location, width and height."""
     if not root.has(key):
         return
     kind = "door" if key.startswith("door") else "window"
     field = root[key]
-    single = isinstance(field.value, dict) or (isinstance(field.value, list) and field.value and not any(
-        isinstance(v, list | dict) for v in field.value
-    ))
+    single = isinstance(field.value, dict) or (
+        isinstance(field.value, list) and field.value and not any(isinstance(v, list | dict) for v in field.value)
+    )
     bare = False
     for k, item in enumerate([field] if single else field.entries()):
         cut = isinstance(item.value, dict)
