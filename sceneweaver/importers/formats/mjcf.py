@@ -168,7 +168,7 @@ def _units(model: _Model) -> list[int]:
 
 
 def _loose(model: _Model, units: list[int]) -> dict[str, list[int]]:
-    """In our own export, what can be taken off each thing: bodies named after it with a dot, as books of a stack are."""
+    """In our own export, what can be taken off each thing: bodies named after it with a dot, as books of a stack."""
     names = {model.name(body) for body in units}
     found: dict[str, list[int]] = {}
     for body in units if model.own else ():
