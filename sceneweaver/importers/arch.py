@@ -149,9 +149,7 @@ def _element(item: Entry, kind: str, default: Entry | None, unit: float) -> Elem
 
 def _hole(item: Entry, unit: float) -> Hole:
     box = item["box"]
-    low, high = (
-        [v.number() * unit for v in box[key].entries()][:2] for key in ("min", "max")
-    )
+    low, high = ([v.number() * unit for v in box[key].entries()][:2] for key in ("min", "max"))
     if len(low) < 2 or len(high) < 2 or not (low[0] < high[0] and low[1] < high[1]):
         raise box.error("must hold min and max as [along, up], min below max")
     return Hole(_word(item, "id") or item.place, item.word("type", "Door"), (low[0], low[1]), (high[0], high[1]))
@@ -167,8 +165,9 @@ def _word(item: Entry, key: str) -> str:
 
 def _openings(wall: Element) -> Iterator[SourceOpening]:
     for hole in wall.holes:
-        start, end = along(wall.points[0], wall.points[-1], hole.low[0], hole.high[0])
-        kind = {"door": "door", "window": "window"}.get(hole.kind.lower(), "passage")
+        start, end = along(wall.points[0].tolist(), wall.points[-1].tolist(), hole.low[0], hole.high[0])
+        word = hole.kind.lower()
+        kind = "door" if word == "door" else "window" if word == "window" else "passage"
         bottom = hole.low[1] if kind == "window" else max(0.0, hole.low[1])
         yield SourceOpening(hole.name, kind, start, end, bottom, hole.high[1] - hole.low[1])
 

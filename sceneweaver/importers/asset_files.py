@@ -85,7 +85,9 @@ def _meshes(folder: Path) -> dict[str, Path]:
         for file in sorted(files):
             seen += 1
             if seen > MAX_FILES:
-                raise InputError(f"--asset-folder: {folder} holds more than {MAX_FILES} files; give the one of the assets")
+                raise InputError(
+                    f"--asset-folder: {folder} holds more than {MAX_FILES} files; give the one of the assets"
+                )
             place = Path(here) / file
             rank = _RANK.get(place.suffix.lower())
             if rank is None:

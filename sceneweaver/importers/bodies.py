@@ -36,10 +36,13 @@ def with_body(thing: SceneObject, source: SourceObject, named: Named, assets: As
         notes: gets a line where a box has to do.
     """
     if assets == "theirs" and source.mesh is not None:
-        return _stretched(thing, _imported(source, named.category, thing.mount))
+        try:
+            return _stretched(thing, _imported(source, named.category, thing.mount))
+        except InputError as error:
+            notes.append(f"{thing.id}: its mesh is not taken ({error}); our own furniture stands for it")
     if source.parts:
         return _hollow(thing, source)
-    if assets == "theirs":
+    if assets == "theirs" and source.mesh is None:
         notes.append(f"{thing.id}: no mesh in the asset folder; our own furniture stands for it")
     if assets != "boxes":
         asset = _drawn(named.body, _steps(named.body, thing.size))
@@ -134,7 +137,8 @@ def _stretched(thing: SceneObject, asset: Asset) -> SceneObject:
 def _hollow(thing: SceneObject, source: SourceObject) -> SceneObject:
     """The object as the boxes that its file says it consists of; the tops of all of them carry."""
     parts = tuple(
-        Part(polygon=((x0, y0), (x1, y0), (x1, y1), (x0, y1)), z=(z0, z1)) for (x0, y0, z0), (x1, y1, z1) in source.parts
+        Part(polygon=((x0, y0), (x1, y0), (x1, y1), (x0, y1)), z=(z0, z1))
+        for (x0, y0, z0), (x1, y1, z1) in source.parts
     )
     tops = [p for p in parts if p.z[1] < thing.size[2] - 1e-6]
     surfaces = [Surface(name=f"part_{k}", polygon=p.polygon, z=p.z[1]) for k, p in enumerate(tops)]

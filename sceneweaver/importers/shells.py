@@ -25,7 +25,20 @@ _WORDS: dict[str, Shell] = {
     **dict.fromkeys(("window", "windows"), "window"),
     **dict.fromkeys(("room", "arch", "architecture", "structure"), "room"),
 }
-_FILL = {"exterior", "interior", "outer", "inner", "backing", "left", "right", "front", "back", "north", "south", "east"}
+_FILL = {
+    "exterior",
+    "interior",
+    "outer",
+    "inner",
+    "backing",
+    "left",
+    "right",
+    "front",
+    "back",
+    "north",
+    "south",
+    "east",
+}
 _FILL |= {"west", "main", "visual", "collision", "plane", "geom", "geo", "mesh", "part", "stage", "root"}
 _CAMEL = re.compile(r"(?<=[a-z])(?=[A-Z])|[^A-Za-z]+")
 
@@ -36,10 +49,11 @@ def shell_of(name: str) -> Shell | None:
     Every word of it has to be one of a room or say only which: a floor_lamp and a door_mat are furniture.
     """
     words = [w for w in _CAMEL.sub(" ", name).lower().split() if len(w) > 1]
-    kinds = [_WORDS[w] for w in words if w in _WORDS]
+    kinds: list[Shell] = [_WORDS[w] for w in words if w in _WORDS]
     if not kinds or any(w not in _WORDS and w not in _FILL for w in words):
         return None
-    return next((kind for kind in kinds if kind != "room"), "room")
+    named: list[Shell] = [kind for kind in kinds if kind != "room"]
+    return named[0] if named else "room"
 
 
 class WallShell(NamedTuple):
@@ -65,21 +79,21 @@ def shell_of_walls(walls: Sequence[tuple[np.ndarray, Sequence[Part]]]) -> WallSh
     for k, (_, parts) in enumerate(walls):
         a, b = corners[k], corners[(k + 1) % len(walls)]
         for kind, low, high, bottom, top in _holes(parts):
-            start, end = along(a, b, low, high)
+            start, end = along(a.tolist(), b.tolist(), low, high)
             openings.append(SourceOpening(f"{kind}_{len(openings)}", kind, start, end, bottom, top - bottom))
     return WallShell(outline, max(tops, default=0.0) or 2.7, tuple(openings))
 
 
 def _holes(parts: Sequence[Part]) -> list[tuple[Literal["door", "window"], float, float, float, float]]:
     """Kind, extent along the wall, bottom and top [m] of each hole in a wall of boxes."""
-    spans = [
-        tuple(float(v) for v in (c[0] - h[0], c[0] + h[0], c[2] - h[2], c[2] + h[2], h[1])) for c, h in parts
-    ]
+    spans = [tuple(float(v) for v in (c[0] - h[0], c[0] + h[0], c[2] - h[2], c[2] + h[2], h[1])) for c, h in parts]
     found: list[tuple[Literal["door", "window"], float, float, float, float]] = []
     for low, high, bottom, top, half in spans:
         if half < 0.01:
             found.append(("window", low, high, bottom, top))
-        elif bottom > 0.01 and not any(o[0] < high - 1e-6 and o[1] > low + 1e-6 and o[3] <= bottom + 1e-6 for o in spans):
+        elif bottom > 0.01 and not any(
+            o[0] < high - 1e-6 and o[1] > low + 1e-6 and o[3] <= bottom + 1e-6 for o in spans
+        ):
             found.append(("door", low, high, 0.0, bottom))
     return found
 

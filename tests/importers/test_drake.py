@@ -116,7 +116,10 @@ def test_end_to_end(tmp_path):
         ("directives: {}\n", ("directives", "list")),
         (HOUSE.replace("    file: package://scene/assets/desk.sdf\n", ""), ("'file' is missing",)),
         (HOUSE.replace("[0.4, -0.7, 0.0]", "[0.4, .nan, 0.0]"), ("finite",)),
-        (HOUSE.replace("parent: room_study_frame\n    child: desk_0", "parent: nowhere\n    child: desk_0"), ("nowhere",)),
+        (
+            HOUSE.replace("parent: room_study_frame\n    child: desk_0", "parent: nowhere\n    child: desk_0"),
+            ("nowhere",),
+        ),
         (HOUSE.replace("base_frame: house_frame", "base_frame: room_study_frame"), ("hangs on itself",)),
         (HOUSE.replace("package://scene/assets/desk.sdf", "../../etc/passwd"), ("outside",)),
     ],

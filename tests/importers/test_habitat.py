@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 import sceneweaver as sw
-from tests.importers.reading import changed, compass, require_error, rooms_of, things_of, without, written
 from tests.importers.meshes import box_obj
+from tests.importers.reading import changed, compass, require_error, rooms_of, things_of, without, written
 
 # x, y (of Habitat, up), z, angle about +y
 SEEN = {"sofa": (1.2, 0.4, -2.3, 0.3), "desk": (-0.7, 0.0, 0.9, -1.2), "lamp": (2.0, 0.9, 1.1, 2.4)}
@@ -52,7 +52,13 @@ def test_meshes_configurations_and_regions(tmp_path):
     config = {"render_asset": "../sofa/raw_model.obj", "up": [0, 0, 1], "front": [0, 1, 0], "COM": [0.1, 0.2, 0.3]}
     written(folder, "configs/sofa.object_config.json", config)
     loop = [[-3, 0.1, -4], [4, 0.1, -4], [4, 0.1, 2], [-3, 0.1, 2]]
-    region = {"name": "living_0", "label": "living room", "poly_loop": loop, "floor_height": 0.1, "extrusion_height": 2.4}
+    region = {
+        "name": "living_0",
+        "label": "living room",
+        "poly_loop": loop,
+        "floor_height": 0.1,
+        "extrusion_height": 2.4,
+    }
     written(folder, "semantics/scenes/a.semantic_config.json", {"region_annotations": [region]})
     path = written(tmp_path, "a.scene_instance.json", scene())
     (room,) = rooms_of("habitat", path, folder).values()

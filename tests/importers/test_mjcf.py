@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import sceneweaver as sw
+from sceneweaver.assets import Library
 from sceneweaver.export.mjcf import write_mjcf
 from tests.importers.reading import compass, require_error, require_pose, rooms_of, things_of, written
 
@@ -104,3 +105,21 @@ def test_what_we_write_comes_back(tmp_path):
 )
 def test_broken_files_are_one_line(tmp_path, broken, words):
     require_error(written(tmp_path, "broken.xml", broken), "mjcf", *words)
+
+
+def test_our_furniture_comes_back_whole(tmp_path):
+    """Drawers, doors and what can be taken off belong to their piece; hulls that bulge do not make it larger."""
+    scene = sw.Scene.example("bedroom")
+    drawn = {}
+    for name, category in (("books", "book_stack"), ("dresser", "dresser"), ("armchair", "armchair")):
+        thing = scene.object(name)
+        asset = Library().load(f"parametric:{category}?seed=0&size={','.join(f'{v:g}' for v in thing.size)}")
+        drawn[name] = thing.model_copy(update={"asset": asset.id, "size": asset.size, "parts": asset.parts})
+    scene = scene.model_copy(update={"objects": tuple(drawn.get(o.id, o) for o in scene.objects)})
+    path = write_mjcf(scene, tmp_path / "out", textures=False)
+    (back,) = sw.read_scenes(path, assets="boxes", relations=False)
+    assert {o.id for o in back.scene.objects} == {o.id for o in scene.objects}
+    for name, thing in drawn.items():
+        other = back.scene.object(name)
+        np.testing.assert_allclose(other.pose.position, thing.pose.position, atol=1e-5, err_msg=name)
+        np.testing.assert_allclose(other.size, thing.size, atol=1e-5, err_msg=name)

@@ -29,8 +29,8 @@ room:
 main_group:
   bottom_row:
     - {name: sink, type: sink, size: [0.5, 0.4, 0.2]}
-    - {name: counter, type: counter, interior_obj: sink, obj_x_percent: 0.3, obj_y_percent: 0.5, size: [1.9, 0.65, 0.92],
-       pos: [1.2, -0.325, 0.46]}
+    - {name: counter, type: counter, interior_obj: sink, obj_x_percent: 0.3, obj_y_percent: 0.5,
+       size: [1.9, 0.65, 0.92], pos: [1.2, -0.325, 0.46]}
     - {name: stove, type: stove, size: [0.7, 0.6, 0.9], align_to: counter, side: right, alignment: top_back,
        offset: [0.01, -0.02, -0.01]}
     - {name: fridge, type: fridge_french_door, size: [0.8, 0.7, 1.7]}
@@ -99,7 +99,9 @@ def test_sizes_of_the_models_of_a_style(tmp_path):
     rows = "".join(f'<site name="ext_{end}" pos="{pos}"/>' for end, pos in sites.items())
     written(folder, "fixtures/stoves/Stove7/model.xml", f"<mujoco><worldbody><body>{rows}</body></worldbody></mujoco>")
     written(tmp_path, "style001.yaml", "stove: Stove7\ncabinet: {default: [gray]}\n")
-    layout = LAYOUT.replace("size: [0.7, 0.6, 0.9], align_to: counter, side: right", "pos: [3, -1, 0.1], size: [null, 0.8, null]")
+    layout = LAYOUT.replace(
+        "size: [0.7, 0.6, 0.9], align_to: counter, side: right", "pos: [3, -1, 0.1], size: [null, 0.8, null]"
+    )
     layout = layout.replace(", alignment: top_back,\n       offset: [0.01, -0.02, -0.01]", "")
     (room,) = rooms_of("robocasa", written(tmp_path, "layout001.yaml", layout), folder).values()
     stove = things_of(room)["stove_main_group"]

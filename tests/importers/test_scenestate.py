@@ -197,7 +197,10 @@ def test_what_we_write_comes_back(tmp_path):
         (changed(document(), math.nan, "scene", "object", 1, "transform", "data", 12), ("NaN",)),
         (changed(document(), [0.0] * 16, "scene", "object", 2, "transform", "data"), ("flattens",)),
         (changed(document(), [0, 0.6, 0.8], "scene", "up"), ("axes",)),
-        (changed(document(), {"min": [2, 0], "max": [1, 2]}, "scene", "arch", "elements", 1, "holes", 0, "box"), ("box",)),
+        (
+            changed(document(), {"min": [2, 0], "max": [1, 2]}, "scene", "arch", "elements", 1, "holes", 0, "box"),
+            ("box",),
+        ),
         ("", ("empty",)),
     ],
 )
@@ -214,3 +217,16 @@ def test_real_files_are_as_the_matrices_say():
     np.testing.assert_allclose(last.position, (5.30491304, 5.45860672, 0.0), atol=1e-6)
     np.testing.assert_allclose(last.rotation @ (1, 0, 0), compass(0.0062832), atol=1e-5)
     np.testing.assert_allclose(last.rotation @ (0, 0, 1), (0, 0, 1), atol=1e-6)
+
+
+def test_a_mesh_that_is_not_taken_is_said(tmp_path):
+    """A desk of 12 m: the file is read, the mesh left, and a note says why."""
+    folder = tmp_path / "assets"
+    box_obj(folder, "desk", (-6.0, 0.0, -0.3), (6.0, 9.0, 0.3))
+    written(folder, "desk/data.json", {"annotations": {"category": "desk"}})
+    data = document()
+    data["scene"]["object"] = data["scene"]["object"][1:2]
+    path = written(tmp_path, "s.json", data)
+    (found,) = sw.read_scenes(path, assets="theirs", folder=folder, relations=False)
+    assert len(found.scene.objects) == 1 and found.scene.objects[0].asset is None
+    assert any("desk" in note and "not taken" in note for note in found.notes)

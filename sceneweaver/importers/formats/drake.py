@@ -203,7 +203,9 @@ def _outline(pose: np.ndarray, box: Bounds) -> tuple[tuple[tuple[float, float], 
     low, high = box
     x, y, tall = (float(v) for v in high - low)
     corners = np.array([(*c, 0.0) for c in rectangle(x, y, float(low[0]), float(low[1]))])
-    return tuple((float(p[0]), float(p[1])) for p in corners @ pose[:3, :3].T + pose[:3, 3]), tall + min(float(low[2]), 0)
+    return tuple((float(p[0]), float(p[1])) for p in corners @ pose[:3, :3].T + pose[:3, 3]), tall + min(
+        float(low[2]), 0
+    )
 
 
 def _object(model: _Model, pose: np.ndarray, box: Bounds | None) -> SourceObject:

@@ -24,12 +24,27 @@ from ..shells import (
     upright,
 )
 
-_ROBOTS = ("robot", "gripper", "panda", "mobilebase", "fixed_base", "eef", "franka", "ur5", "jaco", "sawyer", "humanoid")
+_ROBOTS = (
+    "robot",
+    "gripper",
+    "panda",
+    "mobilebase",
+    "fixed_base",
+    "eef",
+    "franka",
+    "ur5",
+    "jaco",
+    "sawyer",
+    "humanoid",
+)
 _ACTUATED = 3
 """Driven joints of a body and what hangs on it from which on it is a robot."""
 
 _OWN = "room:"
 """What the names of our own walls and doors begin with."""
+
+_SEEN = 2
+"""Group of the geoms of our own export that are seen."""
 
 
 def _matches(path: Path, head: bytes) -> bool:
@@ -54,6 +69,7 @@ class _Model:
         self.children: dict[int, list[int]] = {}
         for body in range(1, self.model.nbody):
             self.children.setdefault(int(self.parents[body]), []).append(body)
+        self.own = any(self.model.body(k).name.startswith(f"{_OWN}wall:") for k in range(self.model.nbody))
         self.geoms: dict[int, list[int]] = {}
         for geom, body in enumerate(self.model.geom_bodyid):
             self.geoms.setdefault(int(body), []).append(geom)
@@ -90,8 +106,11 @@ class _Model:
         return local @ turn.T + at
 
     def span(self, bodies: Iterator[int] | list[int]) -> np.ndarray | None:
-        """Points [n, 3] in the world that span bodies."""
-        found = [p for body in bodies for geom in self.geoms.get(body, []) if (p := self.points(geom)) is not None]
+        """Points [n, 3] in the world that span bodies; of our own export what is seen of them, where that is there."""
+        geoms = [geom for body in bodies for geom in self.geoms.get(body, [])]
+        if self.own:
+            geoms = [geom for geom in geoms if int(self.model.geom_group[geom]) == _SEEN] or geoms
+        found = [p for geom in geoms if (p := self.points(geom)) is not None]
         return np.concatenate(found) if found else None
 
 
@@ -103,12 +122,16 @@ def _read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
     robots: list[str] = []
     own: list[int] = []
     front = _front(model, notes)
-    for body in _units(model):
+    units = _units(model)
+    loose = _loose(model, units)
+    for body in units:
         name = model.name(body)
         if name.startswith(f"{_OWN}wall:"):
             own.append(body)
             continue
-        points = model.span(list(model.below(body)))
+        if model.own and name.partition(".")[0] in loose and "." in name:
+            continue
+        points = model.span([b for one in (body, *loose.get(name, [])) for b in model.below(one)])
         if points is None:
             continue
         part = shell_of(name)
@@ -122,7 +145,9 @@ def _read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
     if robots:
         notes.append(f"robots are left out: {', '.join(robots[:10])}")
     outline, height, openings = _room(model, own, shell, notes)
-    yield SourceRoom(path.stem if path.stem != "scene" else "", "", outline, height, openings, tuple(objects), "", tuple(notes))
+    yield SourceRoom(
+        path.stem if path.stem != "scene" else "", "", outline, height, openings, tuple(objects), "", tuple(notes)
+    )
 
 
 def _units(model: _Model) -> list[int]:
@@ -139,6 +164,17 @@ def _units(model: _Model) -> list[int]:
             todo += reversed(children)
         else:
             found.append(body)
+    return found
+
+
+def _loose(model: _Model, units: list[int]) -> dict[str, list[int]]:
+    """In our own export, what can be taken off each thing: bodies named after it with a dot, as books of a stack."""
+    names = {model.name(body) for body in units}
+    found: dict[str, list[int]] = {}
+    for body in units if model.own else ():
+        whole, _, part = model.name(body).partition(".")
+        if part and whole in names:
+            found.setdefault(whole, []).append(body)
     return found
 
 
@@ -236,8 +272,8 @@ FORMAT = SourceFormat(
     notes=(
         "Read: each body of the world, with all that hangs on it, as one thing in its initial pose; a body without "
         "geoms and joints that only holds others is a group. Boxes are of all geoms along the body's axes.",
-        "Walls, floors, ceilings, doors and windows are told by their names (every word of it), geoms of the world also "
-        "by shape; the room is the rectangle between the walls, exact where the model is our own export.",
+        "Walls, floors, ceilings, doors and windows are told by their names (every word of it), geoms of the world "
+        "also by shape; the room is the rectangle between the walls, exact where the model is our own export.",
         "Assumed: a body faces its +x (RoboCasa's, told by their sites, -y); what of its axes points up is up.",
         "Lost: robots (three driven joints, or by name), which are named; joints, masses, materials, planes, height "
         "fields. Categories are guessed from the names of bodies.",

@@ -9,9 +9,10 @@ import numpy as np
 
 from sceneweaver.io import load_yaml
 
+from ..built_in import Box, solid
 from ..entries import Entry
 from ..fixture_models import FixtureModels
-from ..fixtures import Box, Fixture, Kitchen, label_of, solid
+from ..fixtures import Fixture, Kitchen, label_of
 from ..frames import facing, yaw_matrix
 from ..model import Mount, ReadOptions, SourceFormat, SourceObject, SourceOpening, SourceRoom
 
@@ -43,8 +44,8 @@ def _read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
     notes.append(
         f"sizes of appliances are those of style {models.style.stem}"
         if models.style is not None and any(f.asset for f in standing)
-        else "sizes of appliances are in RoboCasa's models: without them (--asset-folder robocasa/models/assets, with a "
-        "style) usual ones stand for what the layout leaves open, and what is aligned to them moves along"
+        else "sizes of appliances are in RoboCasa's models: without them (--asset-folder robocasa/models/assets and "
+        "a style) usual ones stand for what the layout leaves open, and what is aligned to them moves along"
     )
     for what, names in (
         ("of assumed size", [f.name for f in standing if not f.given]),
@@ -74,8 +75,8 @@ def _outline(floors: list[Entry]) -> tuple[tuple[float, float], ...]:
         boxes.append(shapely.box(x - w, y - d, x + w, y + d))
     shape = shapely.unary_union(boxes).buffer(WALL, join_style="mitre").buffer(-WALL, join_style="mitre")
     largest = max(getattr(shape, "geoms", [shape]), key=lambda part: part.area)
-    corners = shapely.Polygon(largest.exterior).simplify(1e-6).exterior.coords[:-1]
-    return tuple((float(x), float(y)) for x, y in corners[::-1])
+    corners = shapely.get_coordinates(shapely.Polygon(shapely.get_exterior_ring(largest)).simplify(1e-6))[:-1]
+    return tuple((round(float(x), 9) + 0.0, round(float(y), 9) + 0.0) for x, y in corners[::-1])
 
 
 def _window(fixture: Fixture) -> SourceOpening:
@@ -99,9 +100,13 @@ def _object(fixture: Fixture, things: list[Fixture], walls: list[Entry]) -> Sour
     x, y, z = (float(v) for v in fixture.at)
     config = fixture.entry.word("config_name")
     mount: Mount | None = None
-    if fixture.type in _HUNG or (fixture.type.endswith("_cabinet") and fixture.low[2] > 1.0):
-        mount = "wall"
-    elif fixture.low[2] > 0.002 and fixture.type in _BUILT_IN and _behind(fixture, walls):
+    if (
+        fixture.type in _HUNG
+        or (fixture.type.endswith("_cabinet") and fixture.low[2] > 1.0)
+        or fixture.low[2] > 0.002
+        and fixture.type in _BUILT_IN
+        and _behind(fixture, walls)
+    ):
         mount = "wall"
     return SourceObject(
         fixture.name,

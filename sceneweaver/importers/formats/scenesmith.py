@@ -92,7 +92,7 @@ def _opening(item: Entry, at: np.ndarray) -> SourceOpening:
     if length < 1e-6:
         raise item.error("wall_start and wall_end are one point; give a wall of some length")
     width, low = item["width"].length(), item["position_along_wall"].number()
-    start, end = along(a + at[:2], b + at[:2], low, low + width)
+    start, end = along((a + at[:2]).tolist(), (b + at[:2]).tolist(), low, low + width)
     kind = _KINDS.get(item.word("opening_type").lower(), "passage")
     bottom = item["sill_height"].length() if item.has("sill_height") else 0.0
     return SourceOpening(

@@ -1,4 +1,4 @@
-"""SceneState (``scene@1.0.x``): what SceneEval, SSTK, HSSD, HSM and SceneSmith exchange, and what we write ourselves."""
+"""SceneState (``scene@1.0.x``): what SceneEval, SSTK, HSSD, HSM and SceneSmith exchange, and what we write."""
 
 from __future__ import annotations
 
@@ -48,9 +48,7 @@ def _read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
     if up == "z" and things:
         notes.append("models are z up with their front along +y (as SceneSmith has them), not y up with front +z")
     names = _names(things)
-    objects = [
-        _object(thing, names, k, *turned[k], up, unit, frame, files, notes) for k, thing in enumerate(things)
-    ]
+    objects = [_object(thing, names, k, *turned[k], up, unit, frame, files, notes) for k, thing in enumerate(things)]
     _tell(objects, files, notes)
     yield from _rooms(arch, objects, scene.word("description"), notes)
 

@@ -58,7 +58,9 @@ class _Stage:
         matrix[:3, :3] = self.frame * self.metres
         matrix = matrix @ to_world
         if not np.isfinite(matrix).all():
-            raise InputError(f"{path_name(self.path)}: {prim.GetPath()}: its transform is not finite; mend its xformOps")
+            raise InputError(
+                f"{path_name(self.path)}: {prim.GetPath()}: its transform is not finite; mend its xformOps"
+            )
         return matrix
 
     def points(self, prim: Any) -> np.ndarray | None:
