@@ -34,7 +34,7 @@ def arrays() -> dict[str, Any]:
     slots = [[0, 1, None, 2], [2, None, None, None]]
     found: dict[str, Any] = {"class_labels": [], "translations": [], "sizes": [], "angles": []}
     for room in slots:
-        picked = [THINGS[k] if k is not None else ("end", (0, 0, 0), (0.1, 0.1, 0.1), 0.0) for k in room]
+        picked: Any = [THINGS[k] if k is not None else ("end", (0, 0, 0), (0.1, 0.1, 0.1), 0.0) for k in room]
         found["class_labels"].append([[1.0 if n == name else -1.0 for n in names] for name, *_ in picked])
         for key, column in (("translations", 1), ("sizes", 2)):
             found[key].append([list(row[column]) for row in picked])
@@ -53,7 +53,8 @@ def test_poses_by_an_independent_route(tmp_path: Path, suffix: str) -> None:
     statistics(tmp_path)
     file = tmp_path / f"sampled.{suffix}"
     if suffix == "npz":
-        np.savez(file, **{key: np.array(value) for key, value in arrays().items()})
+        given: dict[str, Any] = {key: np.array(value) for key, value in arrays().items()}
+        np.savez(file, **given)
     else:
         file.write_text(json.dumps(arrays()))
     first, second = rooms(file, "diffuscene")
@@ -67,7 +68,7 @@ def test_the_networks_own_output(tmp_path: Path) -> None:
     """(cos, sin) in that order, and centres and half sizes scaled to [-1, 1]."""
     statistics(tmp_path)
     given = arrays()
-    raw = {
+    raw: dict[str, Any] = {
         "class_labels": np.array(given["class_labels"]),
         "translations": 2 * (np.array(given["translations"]) - LOW) / (HIGH - LOW) - 1,
         "sizes": 2 * (np.array(given["sizes"]) - LEAST) / (MOST - LEAST) - 1,
@@ -114,7 +115,8 @@ def test_pickles_are_never_loaded(tmp_path: Path) -> None:
             list(sw.read_scenes(file))
     refused("diffuscene", tmp_path / "results.pkl", match="numpy.savez")
     inside = tmp_path / "inside.npz"
-    np.savez(inside, **{**{k: np.array(v) for k, v in arrays().items()}, "sizes": np.array([_Evil()], dtype=object)})
+    given: dict[str, Any] = {key: np.array(value) for key, value in arrays().items()}
+    np.savez(inside, **{**given, "sizes": np.array([_Evil()], dtype=object)})
     refused("diffuscene", inside, match="numpy.savez")
     assert not Path("/tmp/sceneweaver_was_here").exists()
 

@@ -46,7 +46,7 @@ def test_objs_and_boxes(tmp_path: Path) -> None:
 
 def test_many_rooms_as_npz(tmp_path: Path) -> None:
     file = tmp_path / "scenes.npz"
-    both = {key: np.array([value, value]) for key, value in graph().items() if key != "object_types"}
+    both: dict[str, Any] = {key: np.array([value, value]) for key, value in graph().items() if key != "object_types"}
     np.savez(file, **both, object_types=np.array(TYPES))
     found = rooms(file, "instructscene")
     assert len(found) == 2
