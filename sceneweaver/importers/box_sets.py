@@ -5,7 +5,8 @@ floor plan's box; ``sizes`` [n, 3] are HALF extents along x, y, z of the object'
 +y, counter-clockwise seen from above (x' = x cos + z sin, z' = -x sin + z cos), with the front along +z at 0.
 
 A network's own output differs: ``angles`` [n, 2] are (cos, sin) in that order, and translations and half sizes are
-scaled to [-1, 1] by the bounds in ``dataset_stats.txt``. Negative half sizes tell it.
+scaled to [-1, 1] by the bounds in ``dataset_stats.txt``. Negative half sizes tell it. ``objectness`` [n, 1], against
+its name, is the score of the class "empty": boxes are those where it is NEGATIVE.
 """
 
 from __future__ import annotations
@@ -155,10 +156,14 @@ def boxes_of(data: Mapping[str, Any], statistics: Statistics, where: str) -> Box
     notes = []
     if "objectness" in data and count:
         scores = _column(data["objectness"], count, f"{where}: objectness")
-        absent = [k for k in kept if scores[k] < 0] if (scores < 0).any() else [k for k in kept if scores[k] < 0.5]
-        if 0 < len(absent) < len(kept):
-            notes.append(f"{len(absent)} boxes whose objectness says that they are none are left out")
-            kept = [k for k in kept if k not in absent]
+        empty = [k for k in kept if scores[k] >= 0]
+        if len(empty) == len(kept):
+            notes.append("objectness is negative nowhere, which would leave nothing: classes alone tell what is empty")
+        elif empty:
+            notes.append(
+                f"{len(empty)} boxes are left out: their objectness, the score of being empty, is not negative"
+            )
+            kept = [k for k in kept if scores[k] < 0]
     translations, sizes, angles = translations[kept], sizes[kept], angles[kept]
     if (sizes <= 0).any():
         scaled = bool(np.abs(sizes).max() <= 1.2 and np.abs(translations).max() <= 1.2)
