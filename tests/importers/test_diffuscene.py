@@ -11,7 +11,9 @@ import numpy as np
 import pytest
 
 import sceneweaver as sw
-from tests.importers.boxes import about_y, corners, only, refused, rooms, y_up_corners
+from sceneweaver.importers.formats import formats
+from sceneweaver.importers.model import ReadOptions
+from tests.importers.boxes import about_y, corners, only, refused, rooms, same_ring, y_up_corners
 
 CLASSES = ["desk", "bookshelf", "floor_lamp", "start", "end"]
 LOW, HIGH = np.array([-2.8, 0.05, -2.7]), np.array([2.9, 3.1, 2.6])
@@ -101,6 +103,27 @@ def test_names_in_the_file_and_one_room_alone(tmp_path: Path) -> None:
     (imported,) = sw.read_scenes(file)
     assert imported.boundary == "objects"
     sw.check(imported.scene)
+
+
+def test_floor_plans_of_the_users_folder(tmp_path: Path) -> None:
+    """Boxes move to where the floor plan is in its house."""
+    corners_of_floor = np.array([(7.0, 0.5, 1.0), (13.0, 0.5, 1.0), (13.0, 0.5, 7.0), (7.0, 0.5, 7.0)])
+    for name in ("house_Library-8", "house_Library-88"):
+        (tmp_path / name).mkdir()
+        np.savez(
+            tmp_path / name / "boxes.npz",
+            floor_plan_vertices=corners_of_floor,
+            floor_plan_faces=np.array([[0, 1, 2], [0, 2, 3]]),
+            floor_plan_centroid=np.array([10.0, 0.5, 4.0]),
+        )
+    statistics(tmp_path)
+    file = tmp_path / "sampled.json"
+    file.write_text(json.dumps({**arrays(), "scene_ids": ["Library-8", "Bedroom-3"]}))
+    first, second = formats()["diffuscene"].read(file, ReadOptions(folder=tmp_path))
+    same_ring(first.outline, [(7, -1), (13, -1), (13, -7), (7, -7)])
+    assert (first.type, second.type, second.outline) == ("library", "bedroom", None)
+    for thing, (name, centre, half, angle) in zip(first.objects, THINGS, strict=True):
+        check(thing, (name, np.array(centre) + (10.0, 0.0, 4.0), half, angle))
 
 
 class _Evil:
