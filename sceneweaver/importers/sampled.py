@@ -67,7 +67,7 @@ def _centre(data: Mapping[str, Any], k: int, where: str) -> np.ndarray:
 
 def _type_of(name: str) -> str:
     """ "livingroom" of a name with an id of 3D-FRONT in it, such as "<house>_LivingRoom-1234"."""
-    found = re.search(r"([A-Za-z]*(?:room|Library))-\d+", name)
+    found = re.search(r"([a-z]*(?:room|library))-\d+", name, re.IGNORECASE)
     return found[1].lower() if found else ""
 
 
