@@ -12,7 +12,7 @@ import numpy as np
 from sceneweaver.io import InputError
 from sceneweaver.io.messages import path_name
 
-from .box_sets import load_arrays
+from .box_files import load_arrays
 from .frames import Y_UP
 from .outlines import of_triangles
 from .values import numbers

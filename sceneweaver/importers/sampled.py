@@ -12,7 +12,8 @@ import numpy as np
 from sceneweaver.io import InputError, read_text
 from sceneweaver.io.messages import path_name
 
-from .box_sets import Statistics, boxes_of, load_arrays, several, things
+from .box_files import Statistics, load_arrays
+from .box_sets import boxes_of, several, things
 from .floor_plans import FloorPlans
 from .model import ReadOptions, SourceRoom
 from .values import numbers, sequence, word

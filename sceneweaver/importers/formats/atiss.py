@@ -13,7 +13,8 @@ from typing import Any
 from sceneweaver.io import InputError
 from sceneweaver.io.messages import path_name
 
-from ..box_sets import Statistics, boxes_of, is_archive, load_arrays, members, things
+from ..box_files import Statistics, is_archive, load_arrays, members
+from ..box_sets import boxes_of, things
 from ..floor_plans import FILE, FloorPlan
 from ..model import ReadOptions, SourceFormat, SourceRoom
 from ..values import word

@@ -11,7 +11,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-from ..box_sets import ARRAYS, is_archive, members
+from ..box_files import is_archive, members
+from ..box_sets import ARRAYS
 from ..model import ReadOptions, SourceFormat, SourceRoom
 from ..sampled import read_sampled
 from ..values import keys_seen

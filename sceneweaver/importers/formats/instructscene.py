@@ -15,7 +15,7 @@ from typing import Any
 from sceneweaver.io import InputError
 from sceneweaver.io.messages import path_name
 
-from ..box_sets import is_archive, load_arrays, members
+from ..box_files import is_archive, load_arrays, members
 from ..model import ReadOptions, SourceFormat, SourceRoom
 from ..sampled import read_sampled
 from ..values import keys_seen

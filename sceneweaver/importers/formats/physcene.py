@@ -23,7 +23,8 @@ from sceneweaver.geometry.walls import walls_of
 from sceneweaver.io import InputError, read_mesh
 from sceneweaver.io.messages import path_name
 
-from ..box_sets import PADDING, is_archive, load_arrays, members, rotation_of, size_of, thing
+from ..box_files import is_archive, load_arrays, members
+from ..box_sets import PADDING, rotation_of, size_of, thing
 from ..frames import Y_UP
 from ..model import ReadOptions, SourceFormat, SourceObject, SourceOpening, SourceRoom
 from ..outlines import of_triangles
