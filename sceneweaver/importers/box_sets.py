@@ -5,22 +5,22 @@ floor plan's box; ``sizes`` [n, 3] are HALF extents along x, y, z of the object'
 +y, counter-clockwise seen from above (x' = x cos + z sin, z' = -x sin + z cos), with the front along +z at 0.
 
 A network's own output differs: ``angles`` [n, 2] are (cos, sin) in that order, and translations and half sizes are
-scaled to [-1, 1] by the bounds in ``dataset_stats.txt``. Negative half sizes tell it.
+scaled to [-1, 1] by the bounds in ``dataset_stats.txt``. Negative half sizes tell it. ``objectness`` [n, 1], against
+its name, is the score of the class "empty": boxes are those where it is NEGATIVE.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from sceneweaver.io import InputError, read_arrays
-from sceneweaver.io.messages import path_name
+from sceneweaver.io import InputError
 
+from .box_files import STATISTICS, Statistics, class_names
 from .frames import Y_UP, facing
-from .model import ReadOptions, SourceObject
-from .values import loaded, mapping, member, numbers, word
+from .model import SourceObject
+from .values import member, numbers
 
 if TYPE_CHECKING:
     import numpy as np
@@ -32,92 +32,6 @@ HANGING = frozenset({"pendant_lamp", "ceiling_lamp", "chandelier"})
 """Classes of 3D-FRONT that hang from the ceiling, whose height none of these files has."""
 
 ARRAYS = ("class_labels", "translations", "sizes", "angles")
-
-STATISTICS = "dataset_stats.txt"
-
-PICKLE = (
-    "a pickle, which can run any program when it is loaded, so none is read; convert it where it was made, such as "
-    "with numpy.savez(file, class_labels=..., translations=..., sizes=..., angles=...)"
-)
-
-
-def is_pickle(path: Path, head: bytes) -> bool:
-    """Whether a file is a pickle, by its name or its first bytes."""
-    return path.suffix.lower() in (".pkl", ".pickle") or (
-        head[:1] == b"\x80" and head[1:2] in (b"\x02", b"\x03", b"\x04", b"\x05")
-    )
-
-
-def is_archive(path: Path, head: bytes) -> bool:
-    """Whether a file is a NumPy archive, by its name and first bytes."""
-    return path.suffix.lower() == ".npz" and head[:2] == b"PK"
-
-
-def members(path: Path) -> set[str]:
-    """Names of the arrays of a NumPy archive.
-
-    Raises:
-        InputError: as `sceneweaver.io.open_zip`.
-    """
-    from sceneweaver.io import open_zip
-
-    with open_zip(path) as packed:
-        return {entry.removesuffix(".npy") for entry in packed.namelist()}
-
-
-def load_arrays(path: Path) -> dict[str, Any]:
-    """The arrays of a NumPy archive, or the members of a JSON object, by name.
-
-    Raises:
-        InputError: damaged; a pickle, or pickles in it.
-    """
-    name = path_name(path)
-    if is_pickle(path, b""):
-        raise InputError(f"{name}: it is {PICKLE}")
-    if path.suffix.lower() != ".npz":
-        return dict(mapping(loaded(path), name))
-    try:
-        return dict(read_arrays(path))
-    except InputError as error:
-        if "objects of Python" in str(error):
-            raise InputError(f"{name}: an array in it is {PICKLE}") from None
-        raise
-
-
-@dataclass(frozen=True)
-class Statistics:
-    """What ``dataset_stats.txt`` says: names of the classes, and the bounds [2, 3] that scale a network's output."""
-
-    classes: tuple[str, ...] = ()
-    translations: np.ndarray | None = None
-    sizes: np.ndarray | None = None
-
-    @classmethod
-    def near(cls, path: Path, options: ReadOptions) -> Statistics:
-        """Those beside a file, in the folders above it, or in the user's folder; else none.
-
-        Raises:
-            InputError: they are broken.
-        """
-        places = [options.folder] if options.folder else []
-        places += [path, *path.parents[:2]]
-        for place in places:
-            file = place if place.name == STATISTICS else place / STATISTICS
-            if file.is_file():
-                return cls.of(file)
-        return cls()
-
-    @classmethod
-    def of(cls, file: Path) -> Statistics:
-        """Those of a file; errors as `near`."""
-        name = path_name(file)
-        data = mapping(loaded(file), name)
-        bounds = {
-            key: numbers(data[f"bounds_{key}"], (6,), f"{name}: bounds_{key}").reshape(2, 3)
-            for key in ("translations", "sizes")
-            if f"bounds_{key}" in data
-        }
-        return cls(_names(member(data, "class_labels", name), f"{name}: class_labels"), **bounds)
 
 
 @dataclass(frozen=True)
@@ -155,10 +69,14 @@ def boxes_of(data: Mapping[str, Any], statistics: Statistics, where: str) -> Box
     notes = []
     if "objectness" in data and count:
         scores = _column(data["objectness"], count, f"{where}: objectness")
-        absent = [k for k in kept if scores[k] < 0] if (scores < 0).any() else [k for k in kept if scores[k] < 0.5]
-        if 0 < len(absent) < len(kept):
-            notes.append(f"{len(absent)} boxes whose objectness says that they are none are left out")
-            kept = [k for k in kept if k not in absent]
+        empty = [k for k in kept if scores[k] >= 0]
+        if len(empty) == len(kept):
+            notes.append("objectness is negative nowhere, which would leave nothing: classes alone tell what is empty")
+        elif empty:
+            notes.append(
+                f"{len(empty)} boxes are left out: their objectness, the score of being empty, is not negative"
+            )
+            kept = [k for k in kept if scores[k] < 0]
     translations, sizes, angles = translations[kept], sizes[kept], angles[kept]
     if (sizes <= 0).any():
         scaled = bool(np.abs(sizes).max() <= 1.2 and np.abs(translations).max() <= 1.2)
@@ -285,18 +203,11 @@ def _column(value: Any, count: int, where: str) -> np.ndarray:
     return numbers(value, (count,), where)
 
 
-def _names(value: Any, where: str) -> tuple[str, ...]:
-    listed = value.tolist() if hasattr(value, "tolist") else value
-    if not isinstance(listed, list) or not all(isinstance(name, str) for name in listed):
-        raise InputError(f'{where}: names of the classes are needed, such as ["bed", "nightstand"]')
-    return tuple(word(name) for name in listed)
-
-
 def _classes(data: Mapping[str, Any], statistics: Statistics, where: str) -> tuple[str, ...]:
     """Names of the classes: of the file itself where it has them, else of the statistics."""
     for key in ("classes", "class_names", "object_types"):
         if key in data:
-            return _names(data[key], f"{where}: {key}")
+            return class_names(data[key], f"{where}: {key}")
     return statistics.classes
 
 
@@ -310,7 +221,7 @@ def _labels(value: Any, count: int, classes: tuple[str, ...], where: str) -> lis
     except ValueError:
         array = np.asarray(None)
     if array.dtype.kind == "U":
-        found = _names(array, place)
+        found = class_names(array, place)
         if len(found) != count:
             raise InputError(f"{place}: {len(found)} classes, but translations has {count} boxes")
         return list(found)

@@ -14,6 +14,7 @@ MAX_TRIANGLES = 50_000
 """Triangles of a floor whose union is taken."""
 
 _STRAIGHT = 1e-4  # sine below which a corner is none: meshes are written in single precision
+_SAME = 1e-5  # [m] corners nearer than this are one
 _CRACK = 2e-3  # [m] cracks between pieces of a floor that are closed
 
 
@@ -37,13 +38,12 @@ def of_triangles(points: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray | No
     area = np.abs(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]) / 2
     pieces: Any = shapely.polygons(corners[area > 1e-9])
     found = union(list(pieces))
-    if found.geom_type != "Polygon":
-        found = found.buffer(_CRACK, join_style="mitre").buffer(-_CRACK, join_style="mitre")
-    return of_shape(found)
+    return of_shape(found.buffer(_CRACK, join_style="mitre").buffer(-_CRACK, join_style="mitre"))
 
 
 def of_shape(shape: Any) -> tuple[np.ndarray | None, list[str]]:
     """The outline [k, 2] of the largest polygon of a shapely geometry, and notes on what was left out."""
+    import numpy as np
     import shapely
 
     parts = [part for part in shapely.get_parts(shape) if part.geom_type == "Polygon" and part.area > 1e-6]
@@ -56,7 +56,9 @@ def of_shape(shape: Any) -> tuple[np.ndarray | None, list[str]]:
         notes.append(f"the floor has {len(parts)} separate parts; the largest is kept, {rest:.2f} m2 are left out")
     if len(parts[0].interiors):
         notes.append(f"{len(parts[0].interiors)} holes of the floor are filled")
-    return tidy(shapely.get_coordinates(parts[0].exterior)[:-1], _STRAIGHT), notes
+    corners = shapely.get_coordinates(parts[0].exterior)[:-1]
+    apart = np.hypot(*(corners - np.roll(corners, 1, axis=0)).T) > _SAME
+    return tidy(corners[apart] if apart.sum() >= 3 else corners, _STRAIGHT), notes
 
 
 def ring_of_edges(edges: np.ndarray, tolerance: float) -> np.ndarray | None:

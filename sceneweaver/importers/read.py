@@ -11,7 +11,7 @@ from sceneweaver.io import InputError, open_regular, reason
 from sceneweaver.io.messages import path_name, quote, suggest
 
 from .bodies import Assets
-from .box_sets import PICKLE, is_pickle
+from .box_files import PICKLE, is_pickle
 from .formats import formats
 from .model import HEAD, ReadOptions, SourceFormat, SourceRoom
 from .scene import ImportedScene, to_scene

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -31,7 +32,7 @@ SVG = """\
 UNIT = 0.8 / 72.0  # doors of 64 and 80 units: the middle one is 72
 
 
-def metres(points: list[tuple[float, float]]) -> np.ndarray:
+def metres(points: Sequence[tuple[float, float]]) -> np.ndarray:
     """Points of the group in metres, y up; the group is moved by (100, 40)."""
     return np.array([((x + 100) * UNIT, -(y + 40) * UNIT) for x, y in points])
 

@@ -11,7 +11,9 @@ import numpy as np
 import pytest
 
 import sceneweaver as sw
-from tests.importers.boxes import about_y, corners, only, refused, rooms, y_up_corners
+from sceneweaver.importers.formats import formats
+from sceneweaver.importers.model import ReadOptions
+from tests.importers.boxes import about_y, corners, only, refused, rooms, same_ring, y_up_corners
 
 CLASSES = ["desk", "bookshelf", "floor_lamp", "start", "end"]
 LOW, HIGH = np.array([-2.8, 0.05, -2.7]), np.array([2.9, 3.1, 2.6])
@@ -34,7 +36,7 @@ def arrays() -> dict[str, Any]:
     slots = [[0, 1, None, 2], [2, None, None, None]]
     found: dict[str, Any] = {"class_labels": [], "translations": [], "sizes": [], "angles": []}
     for room in slots:
-        picked = [THINGS[k] if k is not None else ("end", (0, 0, 0), (0.1, 0.1, 0.1), 0.0) for k in room]
+        picked: Any = [THINGS[k] if k is not None else ("end", (0, 0, 0), (0.1, 0.1, 0.1), 0.0) for k in room]
         found["class_labels"].append([[1.0 if n == name else -1.0 for n in names] for name, *_ in picked])
         for key, column in (("translations", 1), ("sizes", 2)):
             found[key].append([list(row[column]) for row in picked])
@@ -53,7 +55,8 @@ def test_poses_by_an_independent_route(tmp_path: Path, suffix: str) -> None:
     statistics(tmp_path)
     file = tmp_path / f"sampled.{suffix}"
     if suffix == "npz":
-        np.savez(file, **{key: np.array(value) for key, value in arrays().items()})
+        given: dict[str, Any] = {key: np.array(value) for key, value in arrays().items()}
+        np.savez(file, **given)
     else:
         file.write_text(json.dumps(arrays()))
     first, second = rooms(file, "diffuscene")
@@ -67,7 +70,7 @@ def test_the_networks_own_output(tmp_path: Path) -> None:
     """(cos, sin) in that order, and centres and half sizes scaled to [-1, 1]."""
     statistics(tmp_path)
     given = arrays()
-    raw = {
+    raw: dict[str, Any] = {
         "class_labels": np.array(given["class_labels"]),
         "translations": 2 * (np.array(given["translations"]) - LOW) / (HIGH - LOW) - 1,
         "sizes": 2 * (np.array(given["sizes"]) - LEAST) / (MOST - LEAST) - 1,
@@ -102,6 +105,27 @@ def test_names_in_the_file_and_one_room_alone(tmp_path: Path) -> None:
     sw.check(imported.scene)
 
 
+def test_floor_plans_of_the_users_folder(tmp_path: Path) -> None:
+    """Boxes move to where the floor plan is in its house."""
+    corners_of_floor = np.array([(7.0, 0.5, 1.0), (13.0, 0.5, 1.0), (13.0, 0.5, 7.0), (7.0, 0.5, 7.0)])
+    for name in ("house_Library-8", "house_Library-88"):
+        (tmp_path / name).mkdir()
+        np.savez(
+            tmp_path / name / "boxes.npz",
+            floor_plan_vertices=corners_of_floor,
+            floor_plan_faces=np.array([[0, 1, 2], [0, 2, 3]]),
+            floor_plan_centroid=np.array([10.0, 0.5, 4.0]),
+        )
+    statistics(tmp_path)
+    file = tmp_path / "sampled.json"
+    file.write_text(json.dumps({**arrays(), "scene_ids": ["Library-8", "Bedroom-3"]}))
+    first, second = formats()["diffuscene"].read(file, ReadOptions(folder=tmp_path))
+    same_ring(first.outline, [(7, -1), (13, -1), (13, -7), (7, -7)])
+    assert (first.type, second.type, second.outline) == ("library", "bedroom", None)
+    for thing, (name, centre, half, angle) in zip(first.objects, THINGS, strict=True):
+        check(thing, (name, np.array(centre) + (10.0, 0.0, 4.0), half, angle))
+
+
 class _Evil:
     def __reduce__(self) -> tuple:
         return (Path.touch, (Path("/tmp/sceneweaver_was_here"),))
@@ -114,7 +138,8 @@ def test_pickles_are_never_loaded(tmp_path: Path) -> None:
             list(sw.read_scenes(file))
     refused("diffuscene", tmp_path / "results.pkl", match="numpy.savez")
     inside = tmp_path / "inside.npz"
-    np.savez(inside, **{**{k: np.array(v) for k, v in arrays().items()}, "sizes": np.array([_Evil()], dtype=object)})
+    given: dict[str, Any] = {key: np.array(value) for key, value in arrays().items()}
+    np.savez(inside, **{**given, "sizes": np.array([_Evil()], dtype=object)})
     refused("diffuscene", inside, match="numpy.savez")
     assert not Path("/tmp/sceneweaver_was_here").exists()
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import sceneweaver as sw
-from tests.importers.boxes import about_y, corners, only, refused, rooms, y_up_corners
+from tests.importers.boxes import about_y, corners, only, refused, rooms, same_ring, y_up_corners
 
 TYPES = ["armchair", "coffee_table", "multi_seat_sofa"]
 THINGS = [
@@ -46,7 +46,7 @@ def test_objs_and_boxes(tmp_path: Path) -> None:
 
 def test_many_rooms_as_npz(tmp_path: Path) -> None:
     file = tmp_path / "scenes.npz"
-    both = {key: np.array([value, value]) for key, value in graph().items() if key != "object_types"}
+    both: dict[str, Any] = {key: np.array([value, value]) for key, value in graph().items() if key != "object_types"}
     np.savez(file, **both, object_types=np.array(TYPES))
     found = rooms(file, "instructscene")
     assert len(found) == 2
@@ -71,6 +71,21 @@ def test_joined_arrays_with_the_instruction(tmp_path: Path) -> None:
     (imported,) = sw.read_scenes(folder / "boxes.json")
     assert imported.scene.prompt == room.text
     sw.check(imported.scene)
+
+
+def test_the_floor_plan_that_the_folders_name_has_in_it(tmp_path: Path) -> None:
+    for name, x in (("abc_LivingRoom-1", 100.0), ("abc_LivingRoom-12", 0.0)):
+        (tmp_path / "set" / name).mkdir(parents=True)
+        floor = np.array([(x, 0, 0), (x + 5, 0, 0), (x + 5, 0, 4), (x, 0, 4)])
+        faces = np.array([[0, 1, 2], [0, 2, 3]])
+        np.savez(tmp_path / "set" / name / "boxes.npz", floor_plan_vertices=floor, floor_plan_faces=faces)
+    folder = tmp_path / "0007@abc_LivingRoom-12_cfg1.0_1.0"
+    folder.mkdir()
+    (folder / "scene.json").write_text(json.dumps(graph()))
+    room = only(rooms(folder / "scene.json", "instructscene", folder=tmp_path / "set"))
+    same_ring(room.outline, [(0, 0), (5, 0), (5, -4), (0, -4)])
+    assert room.type == "livingroom"
+    np.testing.assert_allclose(room.objects[0].position, np.array((-0.4, -1.5, 0.41)) + (2.5, -2.0, 0), atol=1e-9)
 
 
 @pytest.mark.parametrize(

@@ -36,7 +36,7 @@ def sampled() -> dict[str, Any]:
         "sizes": [[list(s) for _, _, s, _ in slots]],
         "angles": [[[a] for *_, a in slots]],
         "objfeats_32": [[[0.0] * 32] * 4],
-        "objectness": [[[1.0]] * 4],
+        "objectness": [[[-0.98], [-0.7], [-0.99], [0.97]]],  # the score of being empty
         "scene_ids": ["house_Bedroom-9"],
         "object_types": names,
     }
@@ -83,6 +83,20 @@ def test_sampled_rooms(tmp_path: Path) -> None:
     room = only(rooms(file, "physcene"))
     check(room.objects)
     assert (room.name, room.type) == ("house_Bedroom-9", "bedroom")
+
+
+def test_objectness_is_the_score_of_being_empty(tmp_path: Path) -> None:
+    """A slot whose best class is furniture, but whose objectness is not negative, is none to PhyScene."""
+    data = sampled()
+    data["objectness"][0][1] = [0.2]
+    file = tmp_path / "sampled.json"
+    file.write_text(json.dumps(data))
+    room = only(rooms(file, "physcene"))
+    assert [o.label for o in room.objects] == ["dressing_table", "single_bed"]
+    assert any("1 boxes are left out" in note for note in room.notes)
+    data["objectness"] = [[[1.0]] * 4]
+    file.write_text(json.dumps(data))
+    assert len(only(rooms(file, "physcene")).objects) == 3
 
 
 def test_models_are_placed_by_origin_and_centroid(tmp_path: Path) -> None:

@@ -13,13 +13,11 @@ from typing import Any
 from sceneweaver.io import InputError
 from sceneweaver.io.messages import path_name
 
-from ..box_sets import Statistics, boxes_of, is_archive, load_arrays, members, things
-from ..frames import Y_UP
+from ..box_files import Statistics, is_archive, load_arrays, members
+from ..box_sets import boxes_of, things
+from ..floor_plans import FILE, FloorPlan
 from ..model import ReadOptions, SourceFormat, SourceRoom
-from ..outlines import of_triangles
-from ..values import numbers, word
-
-FILE = "boxes.npz"
+from ..values import word
 
 
 def matches(path: Path, head: bytes) -> bool:
@@ -45,47 +43,18 @@ def _files(folder: Path) -> Iterator[Path]:
 
 
 def _room(file: Path, statistics: Statistics) -> SourceRoom:
-    import numpy as np
-
     name = path_name(file)
     data = load_arrays(file)
     boxes = boxes_of(data, statistics, name)
-    notes = list(boxes.notes)
-    outline, floor = None, 0.0
-    if "floor_plan_vertices" in data:
-        vertices = numbers(data["floor_plan_vertices"], (None, 3), f"{name}: floor_plan_vertices")
-        faces = _faces(data.get("floor_plan_faces"), len(vertices), name)
-        corners, left = of_triangles((vertices @ Y_UP.T)[:, :2], faces)
-        notes += left
-        if corners is not None:
-            outline, floor = tuple((float(x), float(y)) for x, y in corners), float(vertices[:, 1].min())
-    centroid = np.zeros(3)
-    if "floor_plan_centroid" in data:
-        centroid = numbers(data["floor_plan_centroid"], (3,), f"{name}: floor_plan_centroid")
-    elif outline is not None:
-        centroid = (vertices.min(axis=0) + vertices.max(axis=0)) / 2
-        notes.append("no floor_plan_centroid: the centre of the floor plan's box is taken")
-    if abs(floor) > 1e-9:
-        notes.append(f"the floor lies at {floor:g} m in the house; it is moved to 0")
+    plan = FloorPlan.of(data, name)
     room = file.parent.name
     return SourceRoom(
         name=room,
         type=_text(data.get("scene_type")) or _type_in(room),
-        outline=outline,
-        objects=things(boxes, centroid - np.array([0.0, floor, 0.0]), _texts(data.get("jids"))),
-        notes=tuple(notes),
+        outline=plan.outline,
+        objects=things(boxes, plan.centre, _texts(data.get("jids"))),
+        notes=(*boxes.notes, *plan.notes),
     )
-
-
-def _faces(value: Any, count: int, name: str) -> Any:
-    import numpy as np
-
-    if value is None:
-        raise InputError(f"{name}: 'floor_plan_faces' is missing; floor_plan_vertices alone are no outline")
-    faces = numbers(value, (None, 3), f"{name}: floor_plan_faces").astype(np.int64)
-    if len(faces) and not 0 <= faces.min() <= faces.max() < count:
-        raise InputError(f"{name}: floor_plan_faces: {int(faces.max())} is no index of the {count} vertices")
-    return faces
 
 
 def _text(value: Any) -> str:

@@ -11,7 +11,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-from ..box_sets import ARRAYS, is_archive, members
+from ..box_files import is_archive, members
+from ..box_sets import ARRAYS
 from ..model import ReadOptions, SourceFormat, SourceRoom
 from ..sampled import read_sampled
 from ..values import keys_seen
@@ -48,12 +49,13 @@ FORMAT = SourceFormat(
     read=read,
     notes=(
         "Read: .npz or .json with class_labels, translations, sizes and angles of one room or of many; names of the "
-        "classes from dataset_stats.txt beside it or in --asset-folder, or from an array 'classes'.",
+        "classes from dataset_stats.txt beside it or in --asset-folder, or from an array 'classes'; outlines from the "
+        "folder of ATISS' <room>/boxes.npz as --asset-folder, where scene_ids name the rooms.",
         "Meaning: y up, half extents, the front along +z; two columns of angles are (cos, sin); where half sizes are "
         "negative the values are the network's in [-1, 1], and dataset_stats.txt scales them.",
         "Assumed: coordinates are relative to the centre of the floor plan; the floor is at height 0.",
-        "Lost: the outline (drawn around the objects), doors, windows, features of the objects. Pickles are never "
-        "loaded: the error says how to convert them.",
+        "Lost: without those floor plans the outline (drawn around the objects), doors, windows, features of the "
+        "objects. Pickles are never loaded: the error says how to convert them.",
     ),
     licence="3D-FRONT's terms of use",
 )

@@ -15,7 +15,7 @@ from typing import Any
 from sceneweaver.io import InputError
 from sceneweaver.io.messages import path_name
 
-from ..box_sets import is_archive, load_arrays, members
+from ..box_files import is_archive, load_arrays, members
 from ..model import ReadOptions, SourceFormat, SourceRoom
 from ..sampled import read_sampled
 from ..values import keys_seen
@@ -75,11 +75,12 @@ FORMAT = SourceFormat(
     notes=(
         "Read: .npz or .json with class_labels, translations, sizes and angles, or with objs and boxes (translation, "
         "half size, cos, sin); names of the classes from dataset_stats.txt beside it or in --asset-folder; the "
-        "instruction from description.txt beside it.",
+        "instruction from description.txt beside it; outlines from the folder of <room>/boxes.npz as --asset-folder, "
+        "by scene_ids or the name of the file's folder.",
         "Meaning: y up, half extents, the front along +z; negative half sizes mean the network's own scale in [-1, 1], "
         "which dataset_stats.txt undoes.",
-        "Lost: the outline (InstructScene draws a rectangle around the objects, and so do we), doors, windows, the "
-        "scene graph's edges, features. Pickles are never loaded.",
+        "Lost: without floor plans the outline (InstructScene draws a rectangle around the objects, and so do we), "
+        "doors, windows, the scene graph's edges, features. Pickles are never loaded.",
     ),
     licence="3D-FRONT's terms of use",
     priority=1,

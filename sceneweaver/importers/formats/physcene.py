@@ -23,7 +23,8 @@ from sceneweaver.geometry.walls import walls_of
 from sceneweaver.io import InputError, read_mesh
 from sceneweaver.io.messages import path_name
 
-from ..box_sets import PADDING, is_archive, load_arrays, members, rotation_of, size_of, thing
+from ..box_files import is_archive, load_arrays, members
+from ..box_sets import PADDING, rotation_of, size_of, thing
 from ..frames import Y_UP
 from ..model import ReadOptions, SourceFormat, SourceObject, SourceOpening, SourceRoom
 from ..outlines import of_triangles
@@ -185,6 +186,7 @@ FORMAT = SourceFormat(
         "is added; coordinates are relative to the centre of the floor.",
         "Assumed: a door of *_bbox.json lies in the wall nearest to it; a model without centroid stands on its origin; "
         "of 3D-FUTURE models the size is 'size' (what was asked for, query_size, is halved twice in the file).",
+        "Sampled rooms have an outline where --asset-folder is the folder of <room>/boxes.npz that scene_ids name.",
         "Lost: the outline where the floor's mesh is not there, windows, features, joints of GAPartNet models.",
     ),
     licence="3D-FRONT's terms of use",

@@ -21,7 +21,7 @@ import numpy as np
 from sceneweaver.io import InputError, load_json
 from sceneweaver.io.messages import path_name, show
 
-from ..box_sets import is_pickle
+from ..box_files import is_pickle
 from ..model import ReadOptions, SourceFormat, SourceOpening, SourceRoom
 from ..outlines import middle_line, near_wall, of_shape
 from ..values import LARGEST, MAX_JSON, keys_seen, mapping, sequence, word
