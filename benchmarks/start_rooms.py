@@ -11,6 +11,7 @@ from __future__ import annotations
 import argparse
 import re
 import shutil
+import textwrap
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -33,6 +34,9 @@ GONE_ON = "2ad0682d-77c6-420a-bc7c-157447bc6481_MasterBedroom-76652"
 """The room that is gone on from."""
 
 PAGE = ROOT / "docs" / "starts.md"
+LINE = 120
+"""Characters of a line of the page."""
+
 TALLER = 12
 """Pixels between two pictures."""
 
@@ -100,7 +104,9 @@ def table(results: Mapping[str, Result]) -> str:
     text = ["\n".join(rows)]
     for way, result in results.items():
         lines = [f"**{way}**, {WAYS[way]}:", "", *(f"- {line}" for line in facts(result))]
-        lines += [f"- {note}" for note in result.notes[:2] if note.startswith(("begun", "took", "a model", "init prior"))]
+        lines += [
+            f"- {note}" for note in result.notes[:2] if note.startswith(("begun", "took", "a model", "init prior"))
+        ]
         text.append("\n".join(lines))
     return "\n\n".join(text)
 
@@ -122,6 +128,18 @@ def put(page: str, mark: str, text: str) -> str:
     return re.sub(f"{re.escape(begin)}.*?{re.escape(end)}", lambda _: f"{begin}\n\n{text}\n\n{end}", page, flags=re.S)
 
 
+def wrapped(page: str) -> str:
+    """The page with its long lines of lists and paragraphs broken; tables stay."""
+    lines = []
+    for line in page.splitlines():
+        if len(line) <= LINE or line.startswith("|"):
+            lines.append(line)
+        else:
+            inset = "  " if line.startswith("- ") else ""
+            lines += textwrap.wrap(line, LINE, subsequent_indent=inset, break_on_hyphens=False, break_long_words=False)
+    return "\n".join(lines) + "\n"
+
+
 def main() -> None:
     """Make the rooms, their pictures and the page."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks.start_rooms", description=main.__doc__)
@@ -141,9 +159,10 @@ def main() -> None:
     print("gone on from", *facts(one), sep="\n  ")
     picture(origin, "before", given.device)
     picture(one.scene, "after", given.device)
-    page = PAGE.read_text("utf-8")
-    page = put(page, "four rooms", table(results))
-    PAGE.write_text(put(page, "gone on from", refined(one, sw.check(origin))), "utf-8")
+    page = put(PAGE.read_text("utf-8"), "four rooms", table(results))
+    page = put(page, "gone on from", refined(one, sw.check(origin)))
+    page = page.replace(f"{given.work}/", "").replace(f"{OUTPUTS}#{GONE_ON}", "the room that LayoutGPT wrote")
+    PAGE.write_text(wrapped(page), "utf-8")
 
 
 if __name__ == "__main__":
