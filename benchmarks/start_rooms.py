@@ -2,8 +2,8 @@
 
 python -m benchmarks.start_rooms --work out/starts [--device cuda:0]
 
-Designs, pictures, and the parts of the page between its marks. The scenes of another system and what the scripted model
-says are in ``data/starts``.
+Designs, pictures, and the parts of the page between its marks; rooms and pictures that the folder has already are not
+made again. The scenes of another system and what the scripted model says are in ``data/starts``.
 """
 
 from __future__ import annotations
@@ -63,14 +63,21 @@ def options(way: str, outputs: Path) -> dict[str, Any]:
 
 
 def design(folder: Path, device: str, **more: Any) -> Result:
-    """One design, anew."""
-    shutil.rmtree(folder, ignore_errors=True)
+    """One design; where its folder is there already it goes on there, which a finished one does at once."""
     common: dict[str, Any] = {"seed": SEED, "steps": STEPS, "time_limit": None, "pictures": "none", "export": "none"}
     return sw.design(REQUEST, out=folder, device=device, **common, **more)
 
 
-def picture(scene: sw.Scene, name: str, device: str) -> None:
-    """A room at eye level over the room from above, as a light JPEG."""
+def picture(scene: sw.Scene, file: Path, device: str) -> None:
+    """A room at eye level over the room from above, as a light JPEG among the pictures of docs; drawn once."""
+    folder = IMAGES / "starts"
+    folder.mkdir(exist_ok=True)
+    if not file.exists():
+        _drawn(scene, device).save(file, quality=82, optimize=True)
+    shutil.copy(file, folder / file.name)
+
+
+def _drawn(scene: sw.Scene, device: str) -> Image.Image:
     width, height = SIZE
     eye = draw_room(scene, None, "eye-corner", 2 * width, 2 * height, quality=Quality.fine(), device=device)
     above = draw_room(scene, None, "top", 2 * width, 2 * width, quality=Quality.normal(), device=device)
@@ -79,9 +86,7 @@ def picture(scene: sw.Scene, name: str, device: str) -> None:
     sheet.paste(eye.resize(SIZE, Image.Resampling.LANCZOS), (0, 0))
     above.thumbnail((width, width))
     sheet.paste(above, ((width - above.width) // 2, height + TALLER))
-    folder = IMAGES / "starts"
-    folder.mkdir(exist_ok=True)
-    sheet.convert("RGB").save(folder / f"{name}.jpg", quality=82, optimize=True)
+    return sheet.convert("RGB")
 
 
 def facts(result: Result) -> list[str]:
@@ -105,7 +110,7 @@ def table(results: Mapping[str, Result]) -> str:
     for way, result in results.items():
         lines = [f"**{way}**, {WAYS[way]}:", "", *(f"- {line}" for line in facts(result))]
         lines += [
-            f"- {note}" for note in result.notes[:2] if note.startswith(("begun", "took", "a model", "init prior"))
+            f"- {note}" for note in result.notes[:3] if note.startswith(("begun", "took", "a model", "init prior"))
         ]
         text.append("\n".join(lines))
     return "\n\n".join(text)
@@ -153,12 +158,12 @@ def main() -> None:
     for way in WAYS:
         results[way] = design(given.work / way, given.device, **options(way, outputs))
         print(way, *facts(results[way]), sep="\n  ")
-        picture(results[way].scene, way, given.device)
+        picture(results[way].scene, given.work / f"{way}.jpg", given.device)
     one = design(given.work / "gone_on_from", given.device, start=f"{outputs / OUTPUTS}#{GONE_ON}")
     origin = sw.Scene.load(given.work / "gone_on_from" / "start.json")
     print("gone on from", *facts(one), sep="\n  ")
-    picture(origin, "before", given.device)
-    picture(one.scene, "after", given.device)
+    picture(origin, given.work / "before.jpg", given.device)
+    picture(one.scene, given.work / "after.jpg", given.device)
     page = put(PAGE.read_text("utf-8"), "four rooms", table(results))
     page = put(page, "gone on from", refined(one, sw.check(origin)))
     page = page.replace(f"{given.work}/", "").replace(f"{OUTPUTS}#{GONE_ON}", "the room that LayoutGPT wrote")
