@@ -105,7 +105,7 @@ def facts(result: Result) -> list[str]:
 def table(results: Mapping[str, Result]) -> str:
     """The four rooms side by side, and a list of what each is."""
     rows = ["| " + " | ".join(results) + " |", "| " + " | ".join("---" for _ in results) + " |"]
-    rows.append("| " + " | ".join(f"![begun with {way}](images/starts/{way}.jpg)" for way in results) + " |")
+    rows.append("| " + " | ".join(f"![{k}](images/starts/{way}.jpg)" for k, way in enumerate(results, 1)) + " |")
     text = ["\n".join(rows)]
     for way, result in results.items():
         lines = [f"**{way}**, {WAYS[way]}:", "", *(f"- {line}" for line in facts(result))]
