@@ -63,6 +63,8 @@ if TYPE_CHECKING:
     from sceneweaver.scene import Scene as Scene
     from sceneweaver.scene import SceneObject as SceneObject
     from sceneweaver.scene import SceneWeaverError as SceneWeaverError
+    from sceneweaver.tools.scene_model import SceneModel as SceneModel
+    from sceneweaver.tools.scene_model import SceneRequest as SceneRequest
     from sceneweaver.verify import Report as Report
     from sceneweaver.verify import Violation as Violation
     from sceneweaver.verify import check as check
@@ -94,7 +96,9 @@ __all__ = [
     "Room",
     "Scene",
     "SceneBuilder",
+    "SceneModel",
     "SceneObject",
+    "SceneRequest",
     "SceneWeaverError",
     "Solution",
     "Variable",
@@ -155,7 +159,9 @@ _HOME = {
     "Room": "scene",
     "Scene": "scene",
     "SceneBuilder": "building",
+    "SceneModel": "tools.scene_model",
     "SceneObject": "scene",
+    "SceneRequest": "tools.scene_model",
     "SceneWeaverError": "scene",
     "Solution": "layout",
     "Variable": "layout",

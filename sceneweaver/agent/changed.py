@@ -44,7 +44,7 @@ class Start:
         >>> import sceneweaver as sw
         >>> result = sw.design("a bedroom", start=sw.Scene.example("bedroom"), steps=1, candidates=8, device="cpu")
         >>> result.start.objects, result.start.removed
-        (4, ())
+        (16, ())
     """
 
     name: str

@@ -182,7 +182,7 @@ def design(prompt: str = "", **options: Unpack[AllOptions]) -> Result:
         state = recorded(asking.replay)
         prompt, roles = prompt_of(state, prompt), roles_of(state, *who)
         settings = settings_of(state, chosen if time_limit == "auto" else {**chosen, "seconds": time_limit})
-        starting = Starting.of({**given, **settings.begin.model_dump()})
+        starting = Starting.of({**given, **settings.begin.given(given)})
     offline = read_request(prompt)
     folder = RunFolder(Path(out)) if out is not None else None
     limit = Deadline(began + (settings.seconds or math.inf), stop=given["stop"] or Stop())

@@ -12,7 +12,7 @@ from sceneweaver.io.messages import shorten
 from sceneweaver.scene import Scene
 
 Starts = Callable[[Scene, int, int], np.ndarray | None]
-"""Poses [candidates, objects, 4] of x, y, z, yaw for a scene, a number of candidates and a seed; None: none are drawn."""
+"""Poses [candidates, objects, 4] of x, y, z, yaw for a scene, a number of candidates and a seed; or None."""
 
 NONE = "init prior: the learned prior is not installed; poses are drawn as usual"
 

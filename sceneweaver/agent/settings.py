@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import Any
+
 from pydantic import Field
 
 from sceneweaver.knowledge.small_things import CLUTTER
@@ -26,6 +29,11 @@ class Begin(FrozenModel):
     scene_model: str | None = Field(default=None, description="What makes scenes")
     start: str | None = Field(default=None, description="The scene that is gone on from")
     source: str = Field(default="auto", description="Format of that scene, or of the outputs of the model")
+
+    def given(self, given: Mapping[str, Any]) -> dict[str, Any]:
+        """These as arguments; of those that are given as objects the objects."""
+        kept = self.model_dump()
+        return {name: value if isinstance(given[name], str | None) else given[name] for name, value in kept.items()}
 
 
 class Settings(FrozenModel):

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+from typing import Any
 
 import pytest
+from pydantic_ai.models.function import FunctionModel
 
 import sceneweaver as sw
 from sceneweaver.agent import design
@@ -27,6 +29,17 @@ def store(name: str = "store") -> Scene:
     )
     room = Room.rectangle(3.0, 2.6, kind="store_room").with_door("south", at=0.3)
     return Scene(id=name, prompt=SMALL, room=room, objects=objects)
+
+
+def store_programme() -> dict[str, Any]:
+    """A store room as a language model may write it down."""
+    items = [
+        item("shelf", "metal_shelf", need="needed", count=[1, 1], place=[place("against_wall")], fill="boxes"),
+        item("bin", "plastic_bin", place=[place("against_wall")]),
+        item("box", "cardboard_box", place=[place("against_wall")]),
+        item("light", "ceiling_light", need="needed", place=[place("on_grid")]),
+    ]
+    return {**PROGRAMME, "kind": "store room", "area": 8, "people": 1, "style": "", "items": items}
 
 
 class Model:
@@ -135,14 +148,7 @@ def test_poses_of_a_learned_prior_are_where_the_search_begins(monkeypatch):
 
 
 def test_a_language_model_writes_the_room_down():
-    items = [
-        item("shelf", "metal_shelf", need="needed", count=[1, 1], place=[place("against_wall")], fill="boxes"),
-        item("bin", "plastic_bin", place=[place("against_wall")]),
-        item("box", "cardboard_box", place=[place("against_wall")]),
-        item("light", "ceiling_light", need="needed", place=[place("on_grid")]),
-    ]
-    room = {**PROGRAMME, "kind": "store room", "area": 8, "people": 1, "style": "", "items": items}
-    script = Script(room)
+    script = Script(store_programme())
     result = design(SMALL, init="llm", model=script.client, steps=1, **QUICK)
     assert result.steps[0].call.tool == "init_llm" and script.calls == 1, result.steps[0].tried
     assert result.models is not None and result.models.planned == ("rules",)
@@ -202,3 +208,13 @@ def test_what_was_changed():
     assert (start.added, start.removed) == (("stool-0",), ("shelf-b",)) and "windows from 0 to 1" in start.room
     assert start.lines[0] == "x: 0 of 2 objects stand where they stood"
     assert start_of("x", before, before).lines == ("x: 2 of 2 objects stand where they stood",)
+
+
+def test_a_run_that_a_language_model_began_is_made_again_from_its_records(tmp_path):
+    script = Script(store_programme())
+    more = {"pictures": "none", "export": "none", "steps": 1, **QUICK}
+    model = FunctionModel(script._answer)
+    first = design(SMALL, init="llm", model=model, out=tmp_path / "first", **more)
+    again = design(replay=tmp_path / "first", out=tmp_path / "again", **more)
+    assert first.steps[0].call.tool == again.steps[0].call.tool == "init_llm" and again.scene == first.scene
+    assert script.calls == 1
