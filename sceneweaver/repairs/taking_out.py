@@ -85,8 +85,8 @@ def _without(work: Work, names: Sequence[str]) -> Work:
     held, wishes = (
         frozenset(new for new, old in enumerate(kept) if old in numbers) for numbers in (work.held, work.wishes)
     )
-    names = {scene.objects[i].id for i in work.square}
-    square = frozenset(i for i, o in enumerate(objects) if o.id in names)
+    ids = {scene.objects[i].id for i in work.square}
+    square = frozenset(i for i, o in enumerate(objects) if o.id in ids)
     return Work(smaller, judged(smaller, work.relations, walkable=False), work.relations, held, wishes, square)
 
 

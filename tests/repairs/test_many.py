@@ -84,11 +84,8 @@ def test_what_stands_on_a_carrier_goes_with_it_also_with_wishes():
 def overfull():
     """Two rafts that do not fit side by side, a box on one of them, and a stool."""
     a, b = thing("a", (2.4, 1.4, 0.5)), thing("b", (2.4, 1.2, 0.5))
-    return scene(
-        [at(a, 1.3, 0.8), at(b, 1.4, 1.3), at(thing("stool", (0.3, 0.3, 0.4)), 0.2, 2.0)],
-        [],
-        room=Room(outline=((0, 0), (2.6, 0), (2.6, 2.3), (0, 2.3))),
-    )
+    objects = [at(a, 1.3, 0.8), at(b, 1.4, 1.3), at(thing("stool", (0.3, 0.3, 0.4)), 0.2, 2.0)]
+    return scene(objects, [], room=Room(outline=((0, 0), (2.6, 0), (2.6, 2.3), (0, 2.3))))
 
 
 def test_an_overfull_room_is_proved_to_be_so_and_nothing_is_lost_silently():

@@ -168,7 +168,7 @@ class _Room:
 
 
 def _object(label: str, box: Mapping[str, float], unit: float, number: int) -> SourceObject:
-    x, y, z = points(Y_UP, [unit * np.array([box["left"], box["depth"], box["top"]])])[0]
+    x, y, z = points(Y_UP, unit * np.array([[box["left"], box["depth"], box["top"]]]))[0]
     stands = unit * (box["depth"] - box["height"] / 2) <= CLOSE
     return SourceObject(
         name=f"{label}-{number}",
