@@ -99,8 +99,9 @@ class Budget:
     times: int = 1
 
     def count(self, scene: Scene) -> int:
-        """Candidates of a scene, so many times as many as asked for or by its size."""
-        return self.times * (self.candidates or max(LEAST, min(MOST, WORK // max(1, len(scene.objects)))))
+        """Candidates of a scene: as asked for or by its size, or so many times as many, up to `MOST`."""
+        base = self.candidates or max(LEAST, min(MOST, WORK // max(1, len(scene.objects))))
+        return max(base, min(MOST, self.times * base))
 
 
 def judged(scene: Scene, relations: bool, *, walkable: bool = True) -> Report:
