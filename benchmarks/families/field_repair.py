@@ -69,11 +69,12 @@ def run(settings: Settings, judge: Judge) -> Result:
         "field_repair",
         "Repair of other systems' scenes",
         f"Public scenes of other systems, imported and repaired ({CANDIDATES} candidates a scene; hard: bodies, room, "
-        "supports, zones, openings; soft relations that geometry shows are to be kept). Boxes: as the file has it. Own: "
-        "our furniture in these sizes, with the zones to open, use and pass it. Valid is what sw.check says. Movement is "
-        "in the plane, over all objects. Proved infeasible: arithmetic shows that no layout with all objects is valid. "
-        f"Wanted: {VALID:.0%} of the others valid, a median movement of at most {100 * MOVEMENT:g} cm, {KEPT:.0%} of the "
-        "relations that held before.",
+        "supports, zones, openings; soft relations that geometry shows are to be kept). Boxes: as the file has it. "
+        "Own: our furniture in these sizes, with the zones to open, use and pass it. Valid is what sw.check says. "
+        "Movement is in the plane, over all objects. Proved infeasible: by arithmetic no layout with all objects is "
+        "valid. "
+        f"Wanted: {VALID:.0%} of the others valid, a median movement of at most {100 * MOVEMENT:g} cm, {KEPT:.0%} of "
+        "the relations that held before.",
     )
     shares = result.add("shares", "Before and after", SHARES, keys=2)
     kinds = result.add("violations", "Violations", VIOLATIONS, keys=3)

@@ -179,7 +179,9 @@ def repair(
     candidates: Annotated[
         int | None,
         typer.Option(
-            min=1, help="How many repairs to choose from (default: by the size of the scene).", show_default=False
+            min=1,
+            help="How many repairs to choose from (default: by the size of the scene; of many scenes 8).",
+            show_default=False,
         ),
     ] = None,
     format_name: Annotated[

@@ -23,6 +23,9 @@ if TYPE_CHECKING:
 MOST_TOLD = 12
 """Scenes that stayed invalid that are listed on a terminal; repair.json has them all."""
 
+CANDIDATES = 8
+"""Repairs of each scene to choose from, unless something else is asked for."""
+
 ROWS = {
     "collision": "collisions",
     "out_of_bounds": "out of bounds",
@@ -56,7 +59,7 @@ def choose(soft: bool, options: dict[str, Any]) -> Choice:
     """How to repair many scenes."""
     from sceneweaver.repairs.stream import Choice
 
-    return Choice(soft=soft, **options)
+    return Choice(**{**options, "soft": soft, "candidates": options["candidates"] or CANDIDATES})
 
 
 def run_repair_many(

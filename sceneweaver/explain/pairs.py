@@ -1,7 +1,7 @@
 """Proofs that one body, or two bodies side by side, fit into a convex room at no poses.
 
-Two convex bodies that do not overlap are parted by a line. It cuts a convex room in two, and either body has to fit into
-its part. How far from the far side such a line may run, so that a body still fits, is a number for each of its
+Two convex bodies that do not overlap are parted by a line. It cuts a convex room in two, and either body has to fit
+into its part. How far from the far side such a line may run, so that a body still fits, is a number for each of its
 directions; where these numbers of two bodies leave no line in any direction, they do not fit together. Angles are
 looked at in small steps, and what lies between them is allowed for: what is called impossible is so.
 """

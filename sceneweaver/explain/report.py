@@ -248,7 +248,8 @@ def certificate(scene: Scene, solution: Solution, *, device: str) -> str | None:
         >>> import sceneweaver as sw
         >>> from sceneweaver.explain import certificate
         >>> room = sw.Room(outline=((0, 0), (4, 0), (4, 3), (0, 3)))
-        >>> scene = sw.Scene(id="hall", room=room, objects=(sw.SceneObject(id="raft", category="raft", size=(6, 2, 1)),))
+        >>> raft = sw.SceneObject(id="raft", category="raft", size=(6, 2, 1))
+        >>> scene = sw.Scene(id="hall", room=room, objects=(raft,))
         >>> solution = sw.refine(scene, candidates=2, device="cpu", explain=False)
         >>> print(certificate(scene, solution, device="cpu"))
         raft (6 m x 2 m) fits nowhere in the room: its floor is 4 m x 3 m.

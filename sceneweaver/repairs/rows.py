@@ -121,7 +121,7 @@ def _moved(done: Repair) -> list[float]:
 
 
 def _counts(report: Report) -> dict[str, int]:
-    counts = dict.fromkeys(KINDS, 0)
+    counts: dict[str, int] = dict.fromkeys(KINDS, 0)
     for violation in report.violations:
         if violation.hard and violation.kind in counts:
             counts[violation.kind] += 1

@@ -138,9 +138,10 @@ def repair_many(
     mend(broken, budget, clock)
     proofs = {id(each): _proof(each) for each in broken if not each.best.report.valid}
     again = [each for each in broken if not each.best.report.valid and not proofs.get(id(each)) and not clock.passed]
-    mend(again, replace(budget, times=AGAIN), clock)
+    more = replace(budget, times=AGAIN, seed=(seed + 1) % 2**32)
+    mend(again, more, clock)
     again = [each for each in again if not each.best.report.valid and not clock.passed]
-    lay_out_anew(again, replace(budget, times=AGAIN), clock)
+    lay_out_anew(again, more, clock)
     if drop:
         for each in broken:
             if not each.best.report.valid:

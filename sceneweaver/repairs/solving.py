@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -15,7 +16,7 @@ from sceneweaver.verify import Report, check
 
 from .report import Move, moves_between
 from .upright import engine_scene, put_back
-from .wishes import NEARLY, holding
+from .wishes import NEARLY, holding, squared
 
 MOST, LEAST, WORK = 64, 4, 1280  # candidates: as many as WORK objects, within these bounds
 TRIES = 4  # of a candidate from the first feasible one on
@@ -24,25 +25,27 @@ VARIANTS = 6  # of a scene that loses wishes
 JUDGED = 0.5  # [s] beyond a time limit in which what was found is judged
 LOST = 1.0  # [m] of movement that a relation is worth that held before
 UNMET = 0.1  # [m] the same of one that nearly did
+SKEWED = 0.3  # [m] the same of an object that was square to the room
 
 
 @dataclass(frozen=True)
 class Option:
     """A layout to choose from: the scene in it, the judge on it, who moved, the wishes that it loses (those that held
-    before) and leaves unmet (those that nearly did), who is gone."""
+    before) and leaves unmet (those that nearly did), how many objects are square to the room no more, who is gone."""
 
     scene: Scene
     report: Report
     moves: tuple[Move, ...]
     lost: frozenset[int] = frozenset()
     unmet: frozenset[int] = frozenset()
+    skewed: int = 0
     taken_out: tuple[str, ...] = ()
 
     @property
     def badness(self) -> tuple[int, float]:
         """Order of options: by how many things are wrong, then by how far objects went and what got lost."""
         wrong = sum(v.hard for v in self.report.violations)
-        price = LOST * len(self.lost) + UNMET * len(self.unmet)
+        price = LOST * len(self.lost) + UNMET * len(self.unmet) + SKEWED * self.skewed
         return wrong, sum(m.distance + abs(m.rise) for m in self.moves) + price
 
 
@@ -56,6 +59,7 @@ class Work:
         relations: whether its hard relations are to hold.
         held: soft relations that hold and should go on holding.
         wishes: these, and those that nearly hold.
+        square: objects that should stay square to the room.
         options: what was found so far.
         solution: of the pass with all that is hard and nothing else; None before.
     """
@@ -65,6 +69,7 @@ class Work:
     relations: bool
     held: frozenset[int] = frozenset()
     wishes: frozenset[int] = frozenset()
+    square: frozenset[int] = frozenset()
     options: list[Option] = field(default_factory=list)
     solution: Solution | None = None
     unjudged: bool = False
@@ -81,7 +86,7 @@ class Work:
         before = judged(scene, relations)
         if not soft or before.valid:
             return cls(scene, before, relations)
-        return cls(scene, before, relations, holding(scene), holding(scene, slack=NEARLY))
+        return cls(scene, before, relations, holding(scene), holding(scene, slack=NEARLY), squared(scene))
 
 
 @dataclass(frozen=True)
@@ -94,8 +99,9 @@ class Budget:
     times: int = 1
 
     def count(self, scene: Scene) -> int:
-        """Candidates of a scene, so many times as many as asked for or by its size."""
-        return self.times * (self.candidates or max(LEAST, min(MOST, WORK // max(1, len(scene.objects)))))
+        """Candidates of a scene: as asked for or by its size, or so many times as many, up to `MOST`."""
+        base = self.candidates or max(LEAST, min(MOST, WORK // max(1, len(scene.objects))))
+        return max(base, min(MOST, self.times * base))
 
 
 def judged(scene: Scene, relations: bool, *, walkable: bool = True) -> Report:
@@ -113,10 +119,23 @@ Found = list[tuple[Solution, np.ndarray]]
 """Of each scene its solution, and how far its objects were lifted for the engine [m]."""
 
 
-def project(work: Sequence[Work], hard: Hard, budget: Budget, clock: Deadline, *, anew: bool = False) -> Found:
-    """Solve scenes in shared launches with the relations of these numbers to hold; ``anew``: not from where they are
-    but from layouts that are searched for."""
-    models = [engine_scene(_with_hard(each.scene, numbers), True) for each, numbers in zip(work, hard, strict=True)]
+def project(
+    work: Sequence[Work], hard: Hard, budget: Budget, clock: Deadline, *, square: bool = False, anew: bool = False
+) -> Found:
+    """Solve scenes in shared launches with the relations of these numbers to hold.
+
+    Args:
+        work: the scenes.
+        hard: of each the numbers of the relations.
+        budget: candidates, seed, device.
+        clock: when to be back.
+        square: whether what is square to the room keeps its yaw.
+        anew: not from where they are but from layouts that are searched for.
+    """
+    models = []
+    for each, numbers in zip(work, hard, strict=True):
+        kept = _squared(each.scene, each.square) if square else each.scene
+        models.append(engine_scene(_with_hard(kept, numbers), True))
     solutions = engine.refine_many(
         [model for model, _ in models],
         candidates=[budget.count(each.scene) for each in work],
@@ -138,10 +157,19 @@ def judge(work: Sequence[Work], found: Found, nearest: bool = False) -> list[Sol
     for each in work:
         each.unjudged = True
     for each, (solution, lift) in zip(work, found, strict=True):
-        for k in _chosen(solution, nearest or bool(each.wishes)):
+        for k in _chosen(solution, nearest or bool(each.wishes or each.square)):
             _judge(each, put_back(each.scene, lift, solution.poses[k]))
         each.unjudged = False
     return [solution for solution, _ in found]
+
+
+def _squared(scene: Scene, square: frozenset[int]) -> Scene:
+    """The scene with these objects bound to their yaw."""
+    objects = tuple(
+        o.model_copy(update={"yaw_domain": (math.degrees(o.pose.yaw),)}) if i in square else o
+        for i, o in enumerate(scene.objects)
+    )
+    return scene.model_copy(update={"objects": objects})
 
 
 def _with_hard(scene: Scene, numbers: frozenset[int]) -> Scene:
@@ -172,7 +200,8 @@ def _judge(work: Work, scene: Scene) -> None:
     report = judged(scene, work.relations, walkable=False)  # floor is measured of what is chosen
     missed = work.wishes - holding(scene, work.wishes)
     moves = moves_between(work.scene, scene)
-    work.options.append(Option(scene, report, moves, missed & work.held, missed - work.held))
+    skewed = len(work.square - squared(scene)) if work.square else 0
+    work.options.append(Option(scene, report, moves, missed & work.held, missed - work.held, skewed))
 
 
 def hard_relations(scene: Scene) -> frozenset[int]:
@@ -197,7 +226,7 @@ def mend(work: Sequence[Work], budget: Budget, clock: Deadline) -> None:
         bare = [each for each, numbers in zip(work, asked, strict=True) if numbers and _failed(each.solution)]
         if bare:
             judge(bare, project(bare, [frozenset()] * len(bare), budget, clock))
-        wishing = [(each, numbers) for each, numbers in zip(work, asked, strict=True) if each.wishes]
+        wishing = [(each, n) for each, n in zip(work, asked, strict=True) if each.wishes or each.square]
         _mend_wishing([trial for trial in wishing if not _failed(trial[0].solution)], budget, clock)
 
 
@@ -216,33 +245,40 @@ Trial = tuple[Work, frozenset[int]]
 
 
 def _mend_wishing(scenes: Sequence[Trial], budget: Budget, clock: Deadline) -> None:
-    """Passes in which wishes have to hold as if they were hard.
+    """Passes in which wishes have to hold as if they were hard, and what is square keeps its yaw.
 
     First all wishes; where that fails those that held before; where that fails those that hold in the layout nearest to
-    valid. Then, of scenes that lose some that held, each of these again beside all others that need not be lost.
+    valid. Where nothing that stays square is valid the same again with any yaw. Then, of scenes that lose some that
+    held, each of these again beside all others that need not be lost.
 
     Args:
         scenes: with the relations that have to hold anyway.
     """
 
-    def run(trials: Sequence[Trial]) -> list[tuple[Trial, Solution]]:
+    def run(trials: Sequence[Trial], square: bool) -> list[tuple[Trial, Solution]]:
         if not trials or clock.passed:
             return []
         some = [each for each, _ in trials]
-        return list(zip(trials, judge(some, project(some, [n for _, n in trials], budget, clock)), strict=True))
+        found = project(some, [numbers for _, numbers in trials], budget, clock, square=square)
+        return list(zip(trials, judge(some, found), strict=True))
 
-    tried = run([(each, numbers | each.wishes) for each, numbers in scenes])
-    failed = {id(each) for (each, _), solution in tried if _failed(solution)}
-    tried = run([(each, n | each.held) for each, n in scenes if id(each) in failed and each.held != each.wishes])
-    tried = [((each, numbers), solution) for (each, numbers), solution in tried if _failed(solution)]
-    run([(each, numbers - (each.held & _unmet(solution))) for (each, numbers), solution in tried])
-    trials = []
-    for each, numbers in scenes:
-        lost = each.best.lost
-        if lost and each.best.report.valid:
-            trials += [(each, numbers | (each.held - {k})) for k in sorted(each.held)[:VARIANTS] if len(lost) > 1]
-            trials += [(each, numbers | (each.held - lost) | {k}) for k in sorted(lost)[:VARIANTS]]
-    run(trials)
+    def chain(trials: Sequence[Trial], square: bool) -> None:
+        tried = run([(each, numbers | each.wishes) for each, numbers in trials], square)
+        failed = {id(each) for (each, _), solution in tried if _failed(solution)}
+        less = [(each, n | each.held) for each, n in trials if id(each) in failed and each.held != each.wishes]
+        tried = [trial for trial in run(less, square) or tried if _failed(trial[1])]
+        run([(each, numbers - (each.wishes & _unmet(solution))) for (each, numbers), solution in tried], square)
+
+    chain(scenes, True)
+    chain([trial for trial in scenes if trial[0].best.skewed], False)
+    for square in (True, False):
+        trials = []
+        for each, numbers in scenes:
+            lost = each.best.lost
+            if lost and (each.best.skewed == 0) == square:
+                trials += [(each, numbers | (each.held - {k})) for k in sorted(each.held)[:VARIANTS] if len(lost) > 1]
+                trials += [(each, numbers | (each.held - lost) | {k}) for k in sorted(lost)[:VARIANTS]]
+        run(trials, square)
 
 
 def _failed(solution: Solution | None) -> bool:

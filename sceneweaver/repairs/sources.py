@@ -68,9 +68,7 @@ def _own_files(path: Path) -> list[Path]:
     return sorted(file for file in path.rglob("*.json") if file.is_file() and is_own(file))
 
 
-def _own_scenes(
-    path: Path, files: list[Path], infer: bool, on_error: Callable[[str], None] | None
-) -> Iterator[Given]:
+def _own_scenes(path: Path, files: list[Path], infer: bool, on_error: Callable[[str], None] | None) -> Iterator[Given]:
     used: set[str] = set()
     for file in files:
         try:

@@ -13,7 +13,6 @@ from contextlib import nullcontext
 from dataclasses import asdict, dataclass
 from itertools import islice
 from pathlib import Path
-from typing import Any
 
 from sceneweaver.io import InputError, load_json, locked, write_atomic
 from sceneweaver.runtime.processes import pool
@@ -127,16 +126,16 @@ def _claim(out: Path, settings: Row) -> None:
     out.mkdir(parents=True, exist_ok=True)
     if (out / SETTINGS).exists():
         if load_json(out / SETTINGS) != json.loads(json.dumps(settings)):
-            raise InputError(f"--out: {out} has the repair of another source or with other options; choose another folder")
+            raise InputError(
+                f"--out: {out} has the repair of another source or with other options; choose another folder"
+            )
         return
     if any(out.iterdir()):
         raise InputError(f"--out: {out} is not empty; choose another folder")
     write_atomic(out / SETTINGS, json.dumps(settings, ensure_ascii=False, indent=1) + "\n")
 
 
-def _chunks(
-    given: Iterable[Given], out: Path, choice: Choice, jobs: int, stop: Callable[[], bool]
-) -> Iterator[Path]:
+def _chunks(given: Iterable[Given], out: Path, choice: Choice, jobs: int, stop: Callable[[], bool]) -> Iterator[Path]:
     """The shards of all chunks in order, made where they are not there yet."""
     for folder in (SHARDS, SCENES):
         (out / folder).mkdir(exist_ok=True)

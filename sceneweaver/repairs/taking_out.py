@@ -48,7 +48,9 @@ def take_out(work: Work, budget: Budget, clock: Deadline) -> None:
 def _as_option(work: Work, option: Work) -> Option:
     """The best layout of what is left, as an option of the whole scene."""
     best, left = option.best, {o.id for o in option.scene.objects}
-    kept = [k for k, r in enumerate(work.scene.relations) if left.issuperset({r.subject, *r.targets} & _ids(work.scene))]
+    kept = [
+        k for k, r in enumerate(work.scene.relations) if left.issuperset({r.subject, *r.targets} & _ids(work.scene))
+    ]
     lost = {kept[k] for k in best.lost} | (work.held - set(kept))
     unmet = {kept[k] for k in best.unmet} | (work.wishes - work.held - set(kept))
     taken = tuple(o.id for o in work.scene.objects if o.id not in left)
@@ -83,7 +85,9 @@ def _without(work: Work, names: Sequence[str]) -> Work:
     held, wishes = (
         frozenset(new for new, old in enumerate(kept) if old in numbers) for numbers in (work.held, work.wishes)
     )
-    return Work(smaller, judged(smaller, work.relations, walkable=False), work.relations, held, wishes)
+    ids = {scene.objects[i].id for i in work.square}
+    square = frozenset(i for i, o in enumerate(objects) if o.id in ids)
+    return Work(smaller, judged(smaller, work.relations, walkable=False), work.relations, held, wishes, square)
 
 
 def _with_carried(scene: Scene, names: Iterable[str]) -> set[str]:

@@ -64,6 +64,7 @@ PUBLIC = [
     "refine",
     "refine_many",
     "repair",
+    "repair_many",
     "repair_report",
     "residual_cost",
     "undefine_check",

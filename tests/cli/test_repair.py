@@ -115,7 +115,8 @@ def test_options_reach_the_repair(run, broken, tmp_path, monkeypatch):
     options = ["--candidates", 9, "--seed", 3, "--device", "cuda:1", "--time-limit", 900, "--no-relations"]
     assert run("repair", broken, "-o", tmp_path / "out", *options).code == 0
     assert 600 < calls[0].pop("time_limit") < 900  # the rest is for what comes after
-    assert calls == [{"relations": False, "candidates": 9, "seed": 3, "device": "cuda:1"}]
+    asked = {"relations": False, "soft": False, "drop": False, "candidates": 9, "seed": 3, "device": "cuda:1"}
+    assert calls == [asked]
 
 
 def test_a_device_that_is_not_there_is_4(run, broken, tmp_path, monkeypatch):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-
 import numpy as np
 import pytest
 import shapely
@@ -10,8 +9,8 @@ from shapely import affinity
 
 import sceneweaver as sw
 from sceneweaver.explain import certificate
-from sceneweaver.scene import Part
 from sceneweaver.explain.pairs import Body, fit_together, fits
+from sceneweaver.scene import Part
 
 
 def body(depth, width):
@@ -84,7 +83,9 @@ def test_certificates_name_who_and_why():
 
 def test_no_certificate_without_a_proof():
     assert proof(scene_of((1.9, 1.6, 0.5), (0.6, 2.0, 2.0))) is None, "a valid layout is there"
-    three = scene_of((1.0, 1.2, 0.5), (1.0, 1.2, 0.5), (1.0, 1.2, 0.5), outline=((0, 0), (2.3, 0), (2.3, 1.9), (0, 1.9)))
+    three = scene_of(
+        (1.0, 1.2, 0.5), (1.0, 1.2, 0.5), (1.0, 1.2, 0.5), outline=((0, 0), (2.3, 0), (2.3, 1.9), (0, 1.9))
+    )
     assert proof(three) is None, "by pairs it could be, and its floor is large enough"
 
 

@@ -109,7 +109,11 @@ def test_without_a_room_size_and_with_flat_boxes(tmp_path):
 
 
 def test_equal_names_and_one_room(tmp_path):
-    assert [r.name for r in rooms(tmp_path, [entry(), entry(), entry(name="b")])] == ["a_Bedroom-1", "a_Bedroom-1-2", "b"]
+    assert [r.name for r in rooms(tmp_path, [entry(), entry(), entry(name="b")])] == [
+        "a_Bedroom-1",
+        "a_Bedroom-1-2",
+        "b",
+    ]
     assert [r.name for r in rooms(tmp_path, [entry(), entry(name="b")], room="b")] == ["b"]
 
 

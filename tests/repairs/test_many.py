@@ -84,7 +84,8 @@ def test_what_stands_on_a_carrier_goes_with_it_also_with_wishes():
 def overfull():
     """Two rafts that do not fit side by side, a box on one of them, and a stool."""
     a, b = thing("a", (2.4, 1.4, 0.5)), thing("b", (2.4, 1.2, 0.5))
-    return scene([at(a, 1.3, 0.8), at(b, 1.4, 1.3), at(thing("stool", (0.3, 0.3, 0.4)), 0.2, 2.0)], [], room=Room(outline=((0, 0), (2.6, 0), (2.6, 2.3), (0, 2.3))))
+    objects = [at(a, 1.3, 0.8), at(b, 1.4, 1.3), at(thing("stool", (0.3, 0.3, 0.4)), 0.2, 2.0)]
+    return scene(objects, [], room=Room(outline=((0, 0), (2.6, 0), (2.6, 2.3), (0, 2.3))))
 
 
 def test_an_overfull_room_is_proved_to_be_so_and_nothing_is_lost_silently():
@@ -110,6 +111,8 @@ def test_drop_leaves_alone_what_can_be_mended():
 def test_drop_takes_what_stands_on_a_thing_and_relations_with_it():
     whale = at(table("whale", (6.0, 3.0, 0.75)), 2.0, 1.5)
     cup = CUP.model_copy(update={"support": Support(object="whale", surface="top")})
-    what = scene([whale, at(cup, 2.0, 1.5, 0.75), at(thing("b"), 0.2, 0.6)], [relation("near", "b", "whale", hard=False)])
+    what = scene(
+        [whale, at(cup, 2.0, 1.5, 0.75), at(thing("b"), 0.2, 0.6)], [relation("near", "b", "whale", hard=False)]
+    )
     done = sw.repair_report(what, drop=True, soft=True, candidates=4, device="cpu")
     assert done.valid and done.taken_out == ("whale", "cup") and done.scene.relations == ()

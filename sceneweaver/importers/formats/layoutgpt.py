@@ -168,7 +168,7 @@ class _Room:
 
 
 def _object(label: str, box: Mapping[str, float], unit: float, number: int) -> SourceObject:
-    x, y, z = points(Y_UP, [unit * np.array([box["left"], box["depth"], box["top"]])])[0]
+    x, y, z = points(Y_UP, unit * np.array([[box["left"], box["depth"], box["top"]]]))[0]
     stands = unit * (box["depth"] - box["height"] / 2) <= CLOSE
     return SourceObject(
         name=f"{label}-{number}",
@@ -202,7 +202,9 @@ def _shorter_side(folder: Path, name: str) -> float | None:
         with np.load(io.BytesIO(read_bytes(file, within=folder)), allow_pickle=False) as data:
             vertices = np.asarray(data["floor_plan_vertices"], dtype=float)
     except (KeyError, ValueError, OSError, EOFError) as error:
-        raise InputError(f"{name}/boxes.npz: no floor_plan_vertices that can be read ({type(error).__name__})") from None
+        raise InputError(
+            f"{name}/boxes.npz: no floor_plan_vertices that can be read ({type(error).__name__})"
+        ) from None
     if vertices.ndim != 2 or vertices.shape[1] != 3 or not np.isfinite(vertices).all() or not len(vertices):
         raise InputError(f"{name}/boxes.npz: floor_plan_vertices must be finite numbers [n, 3]")
     side = float(np.ptp(vertices[:, [0, 2]], axis=0).min())
