@@ -34,7 +34,7 @@ from sceneweaver.evaluation import (
     moving,
     standing,
 )
-from sceneweaver.evaluation.files import add_row, read_known, row_file, write_all
+from sceneweaver.evaluation.files import add_row, read_known, row_file, write_comparison
 from sceneweaver.evaluation.openings import openings
 from sceneweaver.evaluation.summary import number_text
 from sceneweaver.runtime.threads import cores
@@ -86,7 +86,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     }
     say(f"{len(systems)} systems ...")
     found = _compared(systems, readings, asked)
-    write_all(found, asked.work, "comparison")
+    write_comparison(found, asked.work, "comparison")
     say("SceneEval's definitions ...")
     agreed = agreement(systems, asked.agreement)
     kinds = {f"ours, {kind}s": kind for kind in KINDS} | {entry["name"]: entry["kind"] for entry in there}

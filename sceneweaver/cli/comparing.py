@@ -79,8 +79,9 @@ def _judged(
     until: Clock,
 ) -> tuple[Comparison, list[Path]]:
     from sceneweaver.evaluation import compare
-    from sceneweaver.evaluation.files import add_row, read_known, row_file, write_all
+    from sceneweaver.evaluation.files import add_row, read_known, row_file, schema, write_comparison
 
+    schema()  # Parquet needs pyarrow: better now than after an hour
     known = read_known(out)
     deadline = until.deadline.before(_kept(until.deadline))
     with row_file(out) as file:
@@ -103,7 +104,7 @@ def _judged(
             deadline=deadline,
             pictures=options.pictures,
         )
-    return found, write_all(found, out, stem, until.deadline)
+    return found, write_comparison(found, out, stem, until.deadline)
 
 
 def _complain(name: str, line: str) -> None:

@@ -10,7 +10,7 @@ import pytest
 import sceneweaver as sw
 from sceneweaver.evaluation import METRICS, Candidate, SceneRow, candidates, compare, evaluate, judge_scene
 from sceneweaver.evaluation.candidate import Reading
-from sceneweaver.evaluation.files import ROWS, add_row, read_known, row_file, table_rows, write_all
+from sceneweaver.evaluation.files import ROWS, add_row, read_known, row_file, table_rows, write_comparison
 from sceneweaver.evaluation.summary import summed
 from sceneweaver.evaluation.work import Task, rows_of
 from sceneweaver.io import InputError, open_parquet
@@ -190,7 +190,7 @@ def test_a_process_that_dies_costs_one_scene(monkeypatch):
 
 def test_the_files(tmp_path):
     found = compare({"<b>a</b>": [STUDY, BROKEN], "b": imported(STUDY, sizes="category")}, stability=False, pictures=1)
-    paths = write_all(found, tmp_path, "comparison")
+    paths = write_comparison(found, tmp_path, "comparison")
     assert [path.name for path in paths] == ["comparison.json", "comparison.parquet", "comparison.html"]
     data = json.loads(paths[0].read_text())
     assert data["schema"] == "sceneweaver.comparison/1" and data["systems"][0]["scenes"] == 2
