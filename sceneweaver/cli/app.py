@@ -398,7 +398,7 @@ def evaluate(
     as_json: Json = False,
 ) -> int:
     """Judge scenes of any format: collisions, stability, support, access, what was asked, sizes, diversity."""
-    from .comparing import CompareOptions, run_compare
+    from .comparing import CompareOptions, run_evaluate
 
     options = CompareOptions(
         formats=formats or (),
@@ -416,7 +416,7 @@ def evaluate(
         time_limit=time_limit,
         as_json=as_json,
     )
-    return run_compare(sources, out, options, "evaluation", context.obj)
+    return run_evaluate(sources, out, options, context.obj)
 
 
 @app.command()
@@ -463,7 +463,7 @@ def compare(
         time_limit=time_limit,
         as_json=as_json,
     )
-    return run_compare(systems, out, options, "comparison", context.obj)
+    return run_compare(systems, out, options, context.obj)
 
 
 @app.command()
