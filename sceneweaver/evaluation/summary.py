@@ -101,8 +101,8 @@ class Evaluation:
 
     @property
     def lacks(self) -> dict[str, int]:
-        """Why figures are missing, with the number of scenes, the most first."""
-        counts = Counter(reason for row in self.rows for reason in dict.fromkeys(row.missing.values()))
+        """What files do not say and why else figures are missing, with the number of scenes, the most first."""
+        counts = Counter(why for row in self.rows for why in dict.fromkeys((*row.lacks, *row.missing.values())))
         return dict(counts.most_common())
 
     def to_dict(self) -> dict[str, Any]:

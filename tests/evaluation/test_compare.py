@@ -75,6 +75,8 @@ def test_assumed_sizes_are_marked():
     assert figure.value == 0.0 and figure.assumed and figure.text(METRICS[2]).startswith("~ ")
     assert found.figures["sizes_usual"].value is None
     assert not found.figures["objects"].assumed
+    bare = evaluate(imported(STUDY, sizes="category", openings=False), stability=False)
+    assert {"sizes are not in the files", "doors and windows are not in the files"} <= set(bare.lacks)
     unnamed = evaluate(imported(STUDY, sizes="category", sure=0.0), stability=False, reading=Reading(assume_sizes=True))
     assert unnamed.figures["collisions"].value is None, "what is not known has no usual size"
 
