@@ -34,7 +34,7 @@ from sceneweaver.evaluation import (
     moving,
     standing,
 )
-from sceneweaver.evaluation.files import add_row, read_known, row_file, write_all
+from sceneweaver.evaluation.files import add_row, read_known, row_file, write_comparison
 from sceneweaver.evaluation.openings import openings
 from sceneweaver.evaluation.summary import number_text
 from sceneweaver.runtime.threads import cores
@@ -68,7 +68,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     p.add_argument("--work", type=Path, default=ROOT / "out" / "comparison", help="folder for designs and results")
     p.add_argument("--count", type=int, default=10, help="designs of each kind (default: 10)")
     p.add_argument("--limit", type=int, help="scenes of each system at most (default: all)")
-    p.add_argument("--agreement", type=int, default=20, help="scenes of each system for SceneEval's definitions")
+    p.add_argument("--agreement", type=int, default=5, help="scenes of each system for SceneEval's definitions")
     p.add_argument("--seed", type=int, default=0, help="first seed of the designs")
     p.add_argument("--jobs", type=int, default=cores())
     p.add_argument("--device", default="cpu")
@@ -86,7 +86,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     }
     say(f"{len(systems)} systems ...")
     found = _compared(systems, readings, asked)
-    write_all(found, asked.work, "comparison")
+    write_comparison(found, asked.work, "comparison")
     say("SceneEval's definitions ...")
     agreed = agreement(systems, asked.agreement)
     kinds = {f"ours, {kind}s": kind for kind in KINDS} | {entry["name"]: entry["kind"] for entry in there}
@@ -160,6 +160,7 @@ _REMARKS = {
     "collision": "pairs; ours counts from 1 mm, SceneEval what still overlaps when moved apart by 5 mm",
     "collision, deeper than 5 mm": "pairs that either has deeper than 5 mm",
     "out of bounds": "objects; ours counts from 1 mm, SceneEval where under 99 % of the surface is over the floor",
+    "out of bounds, by SceneEval": "objects that SceneEval has out of bounds; ours has them, too",
     "support": "objects",
     "navigability": f"rooms, within {CLOSE:g}; one of three widths of the base, as cells are 5 cm",
     "accessibility": f"things, within {CLOSE:g}",
@@ -191,6 +192,7 @@ def _verdicts(candidate: Candidate) -> dict[str, tuple[int, int]]:
         "collision": (pairs - len(set(ours) ^ theirs), pairs),
         "collision, deeper than 5 mm": (len(deep & theirs), len(either)),
         "out of bounds": (len(things) - len(outside ^ low), len(things)),
+        "out of bounds, by SceneEval": (len(low & outside), len(low)),
         "support": (sum(held[name] == their_held[name] for name in held), len(held)),
         "navigability": (_near(free, their_free), 1),
         "accessibility": (sum(abs(a - b) <= CLOSE for a, b in zip(*near, strict=True)), len(near[0])),

@@ -435,7 +435,7 @@ def evaluate(
     as_json: Json = False,
 ) -> int:
     """Judge scenes of any format: collisions, stability, support, access, what was asked, sizes, diversity."""
-    from .comparing import CompareOptions, run_compare
+    from .comparing import CompareOptions, run_evaluate
 
     options = CompareOptions(
         formats=formats or (),
@@ -453,7 +453,7 @@ def evaluate(
         time_limit=time_limit,
         as_json=as_json,
     )
-    return run_compare(sources, out, options, "evaluation", context.obj)
+    return run_evaluate(sources, out, options, context.obj)
 
 
 @app.command()
@@ -500,7 +500,7 @@ def compare(
         time_limit=time_limit,
         as_json=as_json,
     )
-    return run_compare(systems, out, options, "comparison", context.obj)
+    return run_compare(systems, out, options, context.obj)
 
 
 @app.command()

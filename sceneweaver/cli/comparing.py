@@ -50,9 +50,20 @@ class CompareOptions:
     as_json: bool = False
 
 
-def run_compare(sources: Sequence[str], out: Path, options: CompareOptions, stem: str, began: float) -> int:
+def run_evaluate(sources: Sequence[str], out: Path, options: CompareOptions, began: float) -> int:
+    """Judge files and folders of one system; as `run_compare`."""
+    named = named_sources(sources)
+    name = next(iter(named)) if len(named) == 1 else "scenes"
+    return _run({name: list(named.values())}, out, options, "evaluation", began)
+
+
+def run_compare(sources: Sequence[str], out: Path, options: CompareOptions, began: float) -> int:
     """Judge systems and write their table; the time limit [s] counts from ``began``, by ``time.monotonic()``."""
-    systems = named_sources(sources)
+    systems = {name: [path] for name, path in named_sources(sources).items()}
+    return _run(systems, out, options, "comparison", began)
+
+
+def _run(systems: Mapping[str, list[Path]], out: Path, options: CompareOptions, stem: str, began: float) -> int:
     with no_chatter():
         from sceneweaver.evaluation import Requests
 
@@ -70,7 +81,7 @@ def run_compare(sources: Sequence[str], out: Path, options: CompareOptions, stem
 
 
 def _judged(
-    systems: Mapping[str, Path],
+    systems: Mapping[str, list[Path]],
     readings: Mapping[str, Reading],
     requests: Requests | None,
     out: Path,
@@ -79,8 +90,9 @@ def _judged(
     until: Clock,
 ) -> tuple[Comparison, list[Path]]:
     from sceneweaver.evaluation import compare
-    from sceneweaver.evaluation.files import add_row, read_known, row_file, write_all
+    from sceneweaver.evaluation.files import add_row, read_known, row_file, schema, write_comparison
 
+    schema()  # Parquet needs pyarrow: better now than after an hour
     known = read_known(out)
     deadline = until.deadline.before(_kept(until.deadline))
     with row_file(out) as file:
@@ -103,7 +115,7 @@ def _judged(
             deadline=deadline,
             pictures=options.pictures,
         )
-    return found, write_all(found, out, stem, until.deadline)
+    return found, write_comparison(found, out, stem, until.deadline)
 
 
 def _complain(name: str, line: str) -> None:
@@ -174,7 +186,7 @@ def named_sources(sources: Sequence[str]) -> dict[str, Path]:
     return found
 
 
-def _readings(systems: Mapping[str, Path], options: CompareOptions) -> dict[str, Reading]:
+def _readings(systems: Mapping[str, list[Path]], options: CompareOptions) -> dict[str, Reading]:
     from sceneweaver.evaluation import Reading
     from sceneweaver.evaluation.candidate import OWN
     from sceneweaver.importers import AUTO, formats
@@ -204,7 +216,7 @@ def _readings(systems: Mapping[str, Path], options: CompareOptions) -> dict[str,
     return found
 
 
-def _by_name(option: str, values: Sequence[str], systems: Mapping[str, Path]) -> dict[str, str]:
+def _by_name(option: str, values: Sequence[str], systems: Mapping[str, list[Path]]) -> dict[str, str]:
     """The values of an option by system: those for all, then those for one."""
     found: dict[str, str] = {}
     for value in sorted(values, key=lambda v: v.partition("=")[0] in systems and "=" in v):

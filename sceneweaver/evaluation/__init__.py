@@ -10,6 +10,7 @@ from .candidate import candidates as candidates
 from .compare import Comparison as Comparison
 from .compare import compare as compare
 from .compare import evaluate as evaluate
+from .files import write_comparison as write_comparison
 from .judge import SceneRow as SceneRow
 from .judge import judge_scene as judge_scene
 from .metrics import METRICS as METRICS
@@ -32,4 +33,5 @@ __all__ = [
     "compare",
     "evaluate",
     "judge_scene",
+    "write_comparison",
 ]

@@ -59,8 +59,14 @@ def add_row(file: IO[bytes], row: SceneRow) -> None:
     file.write(json.dumps(row.to_dict(), ensure_ascii=False, allow_nan=False).encode() + b"\n")
 
 
-def write_all(found: Comparison, folder: Path, stem: str, deadline: Deadline | None = None) -> list[Path]:
+def write_comparison(found: Comparison, folder: Path, stem: str, deadline: Deadline | None = None) -> list[Path]:
     """Write ``<stem>.json``, ``<stem>.parquet`` and ``<stem>.html``; each is whole or the one before.
+
+    Args:
+        found: what is written.
+        folder: where; it must be there.
+        stem: the first part of the names.
+        deadline: after which no more pictures are drawn.
 
     Raises:
         InputError: a file cannot be written.

@@ -43,6 +43,7 @@ class SceneRow:
         prompt: the request that it was made for.
         figures: by metric the numerator and the denominator of the scene.
         missing: by metric why there is none.
+        lacks: all that the scene's file does not say.
         depths: of its penetrations over 1 mm [mm].
         categories: how many objects there are of each.
         plan: what is covered in plan, `PLAN` rows of cells as integers, bit by bit.
@@ -60,6 +61,7 @@ class SceneRow:
     prompt: str = ""
     figures: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     missing: Mapping[str, str] = field(default_factory=dict)
+    lacks: tuple[str, ...] = ()
     depths: tuple[float, ...] = ()
     categories: Mapping[str, int] = field(default_factory=dict)
     plan: tuple[int, ...] = ()
@@ -85,7 +87,7 @@ class SceneRow:
         Raises:
             TypeError, ValueError, KeyError: data that is none.
         """
-        more = {name: tuple(data[name]) for name in ("depths", "plan", "notes")}
+        more = {name: tuple(data.get(name, ())) for name in ("lacks", "depths", "plan", "notes")}
         figures = {str(k): (float(a), float(b)) for k, (a, b) in data["figures"].items()}
         return cls(**{**data, **more, "figures": figures})
 
@@ -137,6 +139,7 @@ def judge_scene(
         **named,
         figures=found.figures,
         missing=found.missing,
+        lacks=tuple(candidate.lacks.values()),
         depths=tuple(found.depths),
         categories=dict(Counter(sorted(o.category for o in scene.objects))),
         plan=found.plan,

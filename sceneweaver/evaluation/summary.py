@@ -19,7 +19,6 @@ MOST_NOTES = 12
 """Notes of a system that are kept, the commonest first."""
 
 _PERCENTILES = {"depth_p50": 50.0, "depth_p95": 95.0, "depth_most": 100.0}
-_NAMES = re.compile(r"^[^\s:]+: ")
 _NUMBERS = re.compile(r"\d+(\.\d+)?")
 
 
@@ -102,8 +101,8 @@ class Evaluation:
 
     @property
     def lacks(self) -> dict[str, int]:
-        """Why figures are missing, with the number of scenes, the most first."""
-        counts = Counter(reason for row in self.rows for reason in dict.fromkeys(row.missing.values()))
+        """What files do not say and why else figures are missing, with the number of scenes, the most first."""
+        counts = Counter(why for row in self.rows for why in dict.fromkeys((*row.lacks, *row.missing.values())))
         return dict(counts.most_common())
 
     def to_dict(self) -> dict[str, Any]:
@@ -214,7 +213,14 @@ def _notes(rows: Sequence[SceneRow]) -> tuple[tuple[str, int], ...]:
     """Notes of the rows, those that differ in names and numbers alone taken together."""
     kinds: dict[str, list[str]] = {}
     for row in rows:
-        for kind, note in {_NUMBERS.sub("#", _NAMES.sub("", note)): note for note in row.notes}.items():
+        for kind, note in {_kind(note): note for note in row.notes}.items():
             kinds.setdefault(kind, []).append(note)
     common = sorted(kinds.values(), key=lambda notes: (-len(notes), notes[0]))[:MOST_NOTES]
     return tuple((notes[0] if len(notes) == 1 else f"such as: {notes[0]}", len(notes)) for notes in common)
+
+
+def _kind(note: str) -> str:
+    """What a note is about: of "of assumed size: sink, stove" the first part, of "bed: taken for a sofa" the second."""
+    before, colon, after = note.partition(": ")
+    said = before if colon and " " in before else after or before
+    return _NUMBERS.sub("#", said)

@@ -86,7 +86,7 @@ def _one_pool(
     left: Iterator[Task], jobs: int, deadline: Deadline, alone: list[Task]
 ) -> Generator[SceneRow, None, bool]:
     """Rows until all is done (True) or a process died or hung; what was in work then is added to ``alone``."""
-    with pool(jobs) as processes:
+    with pool(jobs, deaf=True) as processes:
         running: dict[Future[SceneRow], tuple[Task, float]] = {}
         while True:
             while len(running) < AHEAD * jobs and not deadline.passed:
@@ -132,7 +132,7 @@ def _overdue(task: Task, began: float, waits: int) -> bool:
 
 def _apart(task: Task, deadline: Deadline) -> Iterator[SceneRow]:
     """The row of a scene that was in work when a process ended, judged alone."""
-    with pool(1) as processes:
+    with pool(1, deaf=True) as processes:
         future = _submit(processes, task)
         limit = min(task.time_limit + 2 * GRACE, max(deadline.left, 1.0))
         done, _ = wait([future], timeout=limit)

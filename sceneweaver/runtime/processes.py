@@ -43,9 +43,15 @@ def processor_seconds(pid: int) -> float:
 
 
 @contextlib.contextmanager
-def pool(workers: int) -> Iterator[ProcessPoolExecutor]:
-    """So many processes for small pieces of work, for as long as the block runs."""
-    with ProcessPoolExecutor(workers, mp_context=SPAWN, initializer=_begin) as processes:
+def pool(workers: int, *, deaf: bool = False) -> Iterator[ProcessPoolExecutor]:
+    """So many processes for small pieces of work, for as long as the block runs.
+
+    Args:
+        workers: how many.
+        deaf: whether they do not hear Ctrl-C, as who started them ends them.
+    """
+    begin = _begin_deaf if deaf else _begin
+    with ProcessPoolExecutor(workers, mp_context=SPAWN, initializer=begin) as processes:
         with _environment(THREADS):
             for _ in range(workers):  # each spawns one, as long as none is idle
                 processes.submit(int)
@@ -56,6 +62,12 @@ def _begin() -> None:
     """The first that a process of a pool does; one that was spawned late has not seen the variables yet."""
     os.environ.update(THREADS)
     end_with_parent()
+
+
+def _begin_deaf() -> None:
+    """As `_begin`, of a process that its parent ends."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    _begin()
 
 
 class Worker:

@@ -51,6 +51,13 @@ def test_one_system(run, scenes, tmp_path):
     assert listing(out) == ["evaluation.html", "evaluation.json", "evaluation.parquet", "scenes.jsonl"]
 
 
+def test_several_folders_of_one_system(run, scenes, tmp_path):
+    options = ("-o", tmp_path / "out", "--no-stability", "--pictures", 0, "--json")
+    (system,) = run("evaluate", scenes / "good", scenes / "bad", *options).json["systems"]
+    assert system["name"] == "scenes" and system["scenes"] == 2
+    assert system["figures"]["penetrating_scenes"]["value"] == 0.5
+
+
 @pytest.mark.parametrize(
     ("words", "says"),
     [

@@ -15,9 +15,11 @@ import sceneweaver
 from sceneweaver.runtime.package import DISTRIBUTION
 
 PUBLIC = [
+    "Comparison",
     "Dropped",
     "EditResult",
     "EditSession",
+    "Evaluation",
     "Fault",
     "ImportedScene",
     "InputError",
@@ -48,12 +50,14 @@ PUBLIC = [
     "build",
     "check",
     "check_gradient",
+    "compare",
     "compile",
     "define_check",
     "define_relation",
     "define_term",
     "design",
     "draw_top",
+    "evaluate",
     "hypervolume",
     "improve",
     "learn_weights",

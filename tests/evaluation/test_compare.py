@@ -10,7 +10,7 @@ import pytest
 import sceneweaver as sw
 from sceneweaver.evaluation import METRICS, Candidate, SceneRow, candidates, compare, evaluate, judge_scene
 from sceneweaver.evaluation.candidate import Reading
-from sceneweaver.evaluation.files import ROWS, add_row, read_known, row_file, table_rows, write_all
+from sceneweaver.evaluation.files import ROWS, add_row, read_known, row_file, table_rows, write_comparison
 from sceneweaver.evaluation.summary import summed
 from sceneweaver.evaluation.work import Task, rows_of
 from sceneweaver.io import InputError, open_parquet
@@ -75,6 +75,8 @@ def test_assumed_sizes_are_marked():
     assert figure.value == 0.0 and figure.assumed and figure.text(METRICS[2]).startswith("~ ")
     assert found.figures["sizes_usual"].value is None
     assert not found.figures["objects"].assumed
+    bare = evaluate(imported(STUDY, sizes="category", openings=False), stability=False)
+    assert {"sizes are not in the files", "doors and windows are not in the files"} <= set(bare.lacks)
     unnamed = evaluate(imported(STUDY, sizes="category", sure=0.0), stability=False, reading=Reading(assume_sizes=True))
     assert unnamed.figures["collisions"].value is None, "what is not known has no usual size"
 
@@ -190,7 +192,7 @@ def test_a_process_that_dies_costs_one_scene(monkeypatch):
 
 def test_the_files(tmp_path):
     found = compare({"<b>a</b>": [STUDY, BROKEN], "b": imported(STUDY, sizes="category")}, stability=False, pictures=1)
-    paths = write_all(found, tmp_path, "comparison")
+    paths = write_comparison(found, tmp_path, "comparison")
     assert [path.name for path in paths] == ["comparison.json", "comparison.parquet", "comparison.html"]
     data = json.loads(paths[0].read_text())
     assert data["schema"] == "sceneweaver.comparison/1" and data["systems"][0]["scenes"] == 2

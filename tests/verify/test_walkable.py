@@ -44,7 +44,7 @@ def test_free_cells_are_exact(name):
         free = shapely.contains(room, centres) & (away >= 0.2)
         sure = np.abs(away - 0.2) > 1e-7
         assert sure.mean() > 0.95
-        np.testing.assert_array_equal(walkable._free(placed, grid, walkable.RADIUS)[sure], free[sure])
+        np.testing.assert_array_equal(walkable.free_for(placed, grid, walkable.RADIUS)[sure], free[sure])
 
 
 def test_the_grid_turns_with_the_room():
@@ -54,7 +54,7 @@ def test_the_grid_turns_with_the_room():
         outline = np.array([[0, 0], [5, 0], [5, 3], [0, 3]]) @ [[c, s], [-s, c]] + (2.0, -7.0)
         made = Placed.of(scene([], outline=outline.tolist()))
         grid = Grid(made)
-        counts.add((grid.shape, int(walkable._free(made, grid, walkable.RADIUS).sum()), int(grid.inside().sum())))
+        counts.add((grid.shape, int(walkable.free_for(made, grid, walkable.RADIUS).sum()), int(grid.inside().sum())))
     assert counts == {((60, 100), 52 * 92, 60 * 100)}
 
 
