@@ -77,11 +77,15 @@ def judgeable(scene: Scene) -> Scene:
     return scene.model_copy(update={"relations": tuple(r for r in scene.relations if r.type not in OWN)})
 
 
+def movable(scene: Scene) -> list[str]:
+    """Floor objects that may move, in the same mixed order every time."""
+    ids = [o.id for o in scene.objects if o.mount == "floor" and o.support is None and not o.fixed]
+    return [ids[i] for i in np.random.default_rng(7).permutation(len(ids))]
+
+
 def mixed(scene: Scene, name: str) -> Scene:
     """A scene whose soft relations are those of a mix."""
-    movable = [o.id for o in scene.objects if o.mount == "floor" and o.support is None and not o.fixed]
-    rng = np.random.default_rng(7)
-    soft = MIXES[name]([movable[i] for i in rng.permutation(len(movable))])
+    soft = MIXES[name](movable(scene))
     return bare(scene).model_copy(update={"relations": (*bare(scene).relations, *soft)})
 
 
@@ -89,14 +93,14 @@ def _soft(kind: str, subject: str, target: str | None = None, weight: float = 1.
     return Relation(type=kind, subject=subject, target=target, params=params, hard=False, weight=weight)
 
 
-def _pairs(ids: Sequence[str], count: int) -> list[tuple[str, str]]:
+def pairs_of(ids: Sequence[str], count: int) -> list[tuple[str, str]]:
     """So many pairs, each object as often as any other."""
     gaps = ((ids[i], ids[(i + gap) % len(ids)]) for gap in range(1, len(ids)) for i in range(len(ids)))
     return list(islice(gaps, count))
 
 
 def _of_pairs(kind: str, count: int, weight: float = 1.0, **params: Any) -> Callable[[Sequence[str]], list[Relation]]:
-    return lambda ids: [_soft(kind, a, b, weight, **params) for a, b in _pairs(ids, count)]
+    return lambda ids: [_soft(kind, a, b, weight, **params) for a, b in pairs_of(ids, count)]
 
 
 def _of_each(kind: str, weight: float, **params: Any) -> Callable[[Sequence[str]], list[Relation]]:
@@ -122,7 +126,7 @@ def _of_all(ids: Sequence[str]) -> list[Relation]:
     types = ("near", "facing", "left_of", "parallel", "side_by_side", "centered_on", "same place", "wire")
     return [
         _soft(types[int(rng.integers(len(types)))], a, b, float(rng.uniform(1, 20)))
-        for a, b in _pairs(ids, 4 * len(ids))
+        for a, b in pairs_of(ids, 4 * len(ids))
     ]
 
 

@@ -15,6 +15,7 @@ import sceneweaver as sw
 from benchmarks import rooms
 from benchmarks.judging import Judge
 from benchmarks.machine import resolve
+from benchmarks.parallel import each
 from benchmarks.results import Column, Result
 from benchmarks.settings import Settings
 from sceneweaver import problems
@@ -160,28 +161,40 @@ def compare(name: str, problem: sw.Problem, kind: str, poses: np.ndarray, most: 
     return Compared(name, kind, slopes[used], expected[used], where, int(kinks.sum()), int(lost.sum()))
 
 
+def one_of(name: str, kind: str, device: str, count: int, most: int, seed: int) -> tuple[Compared, float]:
+    """One kind of parameter in one problem, and the processor time of the derivatives [s]."""
+    with user_term():
+        problem = sw.compile(scenes()[name], device=device)
+        poses = layouts(problem, count, seed)
+        began = time.process_time()
+        problem.parameter_gradient(poses, of=kind)
+        spent = time.process_time() - began
+        return compare(name, problem, kind, poses, most, seed), spent
+
+
 def run(settings: Settings, judge: Judge) -> Result:
     """All kinds in all problems."""
     about = (
         "Derivatives of the energy by parameters (`problem.parameter_gradient`) beside central differences of problems "
         f"compiled anew, in {len(scenes())} problems: rooms of `tests/zoo`, examples, and made ones. Errors are shares "
         f"of the slope, of slopes below {FLOOR:g} of the largest of their kind in a problem shares of that; angles are "
-        "radians. Samples are left out as lying at kinks where differences over two steps disagree."
+        "radians. Samples are left out as lying at kinks where differences over two steps disagree. Of a kind at most "
+        f"{settings.count or MOST} parameters are looked at in a problem (`--count`); problems are shared out among "
+        "`--jobs` processes."
     )
     result = Result("derivatives", "Derivatives", about)
     table = result.add("kinds", "Errors by kind of parameter", COLUMNS)
-    found: dict[str, list[Compared]] = {kind: [] for kind in KINDS}
-    spent = {kind: 0.0 for kind in KINDS}
-    with user_term():
-        for name, scene in scenes().items():
-            problem = sw.compile(scene, device=resolve(settings.device))
-            poses = layouts(problem, QUICK_LAYOUTS if settings.quick else LAYOUTS, settings.seed)
-            for kind in KINDS:
-                started = time.process_time()
-                problem.parameter_gradient(poses, of=kind)
-                spent[kind] += time.process_time() - started
-                most = QUICK_MOST if settings.quick else MOST
-                found[kind].append(compare(name, problem, kind, poses, most, settings.seed))
+    most = QUICK_MOST if settings.quick else settings.count or MOST
+    count = QUICK_LAYOUTS if settings.quick else LAYOUTS
+    device = resolve(settings.device)
+    names = sorted(scenes(), key=lambda name: -len(scenes()[name].objects))  # what takes longest begins first
+    calls = [(name, kind, device, count, most, settings.seed) for name in names for kind in KINDS]
+    one_of(names[-1], KINDS[0], device, 1, 1, 0)  # compiles the kernels, before processes would do so side by side
+    measured = each(one_of, calls, settings.jobs)
+    order = list(scenes())
+    measured.sort(key=lambda found: order.index(found[0].name))
+    found = {kind: [part for part, _ in measured if part.kind == kind] for kind in KINDS}
+    spent = {kind: sum(seconds for part, seconds in measured if part.kind == kind) for kind in KINDS}
     for kind, parts in found.items():
         errors = np.concatenate([part.errors for part in parts])
         worst = max(parts, key=lambda part: part.errors.max(initial=0.0))

@@ -1,8 +1,7 @@
-"""Objectives: wire length of blocks beside sequence-pair annealing, validity beside soft rows, rooms."""
+"""Objectives: wire length of blocks beside sequence-pair annealing, and rooms."""
 
 from __future__ import annotations
 
-import json
 import time
 from typing import Any
 
@@ -21,8 +20,6 @@ from sceneweaver.scene import Scene
 SEARCH, OURS, RIVAL = "search alone", "sceneweaver", "sequence-pair annealing"
 RIVAL_SECONDS = 40.0
 CPU, GPU = (8, 750_000), (4_096, 40_000)  # candidates and moves of each: less than the time of the rival
-MIXES = 20
-WEIGHTS = (1.0, 10.0, 100.0)
 ROOMS = {
     "bedroom": [
         ObjectiveTerm("wire_length", ("bed", "wardrobe", "door")),
@@ -42,14 +39,6 @@ BLOCKS = (
     Column("mean", "mean of the seeds [m]", "number"),
     Column("best", "best of the seeds [m]", "number"),
 )
-VALIDITY = (
-    Column("mix", "mix"),
-    Column("rows", "soft rows", "count"),
-    Column("weight", "weight", "number"),
-    Column("without", "valid without", "share"),
-    Column("soft", "valid with soft rows", "share"),
-    Column("objective", "valid with objective", "share"),
-)
 IN_ROOMS = (
     Column("room", "room"),
     Column("before", "search: best", "number"),
@@ -65,11 +54,9 @@ def run(settings: Settings, judge: Judge) -> Result:
     result = Result(
         "objectives",
         "Objectives",
-        "What is minimised over valid layouts: quality next to time, with a rival in the same run, and whether "
-        "anything soft costs a valid layout.",
+        "What is minimised over valid layouts: quality next to time, with a rival in the same run.",
     )
     _blocks(settings, judge, result)
-    _validity(settings, judge, result)
     _rooms(settings, judge, result)
     return result
 
@@ -128,43 +115,6 @@ def _row(
         "mean": float(np.mean(found)),
         "best": float(np.min(found)),
     }
-
-
-def _validity(settings: Settings, judge: Judge, result: Result) -> None:
-    table = result.add("validity", "Valid layouts with soft rows and objectives, at default settings", VALIDITY)
-    candidates = settings.size(32, 4)
-    for number in range(2 if settings.quick else MIXES):
-        rng = np.random.default_rng([settings.seed, number])
-        problem = block_problem(number)
-        scene = Scene.example(("bedroom", "study")[number // 2 % 2]) if number % 2 else problem.scene
-        things = [o.id for o in scene.objects if o.mount == "floor" and not o.fixed]
-        pairs = [tuple(map(str, rng.choice(things, 2, replace=False))) for _ in range(int(rng.integers(10, 46)))]
-        weight = float(rng.choice(WEIGHTS))
-        terms = [ObjectiveTerm("wire_length", pair, weight) for pair in pairs]
-        pulled = _with_nets(scene, pairs, weight)
-        shares, floor = {}, None
-        for key, asked, options in (
-            ("without", scene, {}),
-            ("soft", pulled, {}),
-            ("objective", pulled, {"objective": terms}),
-        ):
-            solution, _ = timed(asked, settings, candidates=candidates, seed=number, **options)
-            audit(solution, judge, result, f"mix {number} {key}", settings.out)
-            shares[key] = float(np.mean(solution.status == 0))
-            floor = shares[key] if floor is None else floor
-            if shares[key] < floor:
-                result.failures.append(f"mix {number}: {shares[key]:.0%} valid with {key}, {floor:.0%} without")
-        row = {"mix": f"{number}: {scene.id}", "rows": len(pairs), "weight": weight}
-        table.rows.append(row | shares)
-
-
-def _with_nets(scene: Scene, pairs: list[tuple[str, ...]], weight: float) -> Scene:
-    """A scene with soft relations that draw pairs of things together."""
-    data = json.loads(scene.model_dump_json())
-    data["relations"] += [
-        {"type": "near", "subject": a, "target": b, "hard": False, "weight": weight} for a, b in pairs
-    ]
-    return Scene.from_json(data)
 
 
 def _rooms(settings: Settings, judge: Judge, result: Result) -> None:

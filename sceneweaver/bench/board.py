@@ -149,7 +149,7 @@ def board_markdown(data: Mapping[str, Any]) -> str:
     clock = "processor time" if settings["clock"] == "cpu" else "wall time"
     parts = [
         f"Version {data['version']} ({data['hash'][:12]}); {machine['system']}, {machine['cores']} cores, "
-        f"{settings['device']}{' ' + machine['device'] if settings['device'] != 'cpu' else ''}; budgets in {clock}, "
+        f"{' '.join([settings['device'], machine.get('device') or '']).strip()}; budgets in {clock}, "
         f"{settings['candidates']} candidates."
     ]
     for budget in data["budgets"]:

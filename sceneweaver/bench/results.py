@@ -89,7 +89,7 @@ class Row:
     layout: Annotated[
         bytes | None,
         "binary",
-        "where a budget is spent and at the end the best valid candidate: poses [N, 4], little-endian float32; or null",
+        "at budgets and at the end: the best valid poses [N, 4], float32, little-endian; or null",
     ] = None
     outcome: Annotated[str, "string", '"running"; at the last look "ended", "budget", "failed" or "killed"'] = "running"
     reason: Annotated[str, "string", "why it failed or was killed, in one line; empty otherwise"] = ""
@@ -216,13 +216,23 @@ def describe(settings: Settings) -> dict[str, Any]:
     """What the rows are of: settings, versions, machine."""
     import warp as wp
 
-    device = wp.get_device(settings.device).name if settings.device != "cpu" else platform.processor()
+    device = wp.get_device(settings.device).name if settings.device != "cpu" else _processor()
     found = {name: found for name in PACKAGES if (found := _version(name))}
     return {
         "settings": settings.to_dict(),
         "versions": {"python": platform.python_version(), "sceneweaver": package_version(), **found},
         "machine": {"system": f"{platform.system()} {platform.machine()}", "cores": os.cpu_count(), "device": device},
     }
+
+
+def _processor() -> str:
+    """The name of the processor, as far as the system tells it."""
+    try:
+        lines = Path("/proc/cpuinfo").read_text().splitlines()
+    except OSError:
+        lines = []
+    names = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
+    return names[0] if names else platform.processor()
 
 
 def _version(name: str) -> str | None:

@@ -117,6 +117,14 @@ class Hanging(Momentum):
         return state
 
 
+class Busy(Momentum):
+    """Does not come back, and works all the time."""
+
+    def step(self, state):
+        while True:
+            pass
+
+
 class Crashing(Momentum):
     """Takes its process along."""
 

@@ -183,6 +183,14 @@ def test_a_process_that_hangs_or_crashes_is_a_row(tmp_path):
     assert runs["momentum"].last("outcome") in ("ended", "budget")
 
 
+def test_the_limit_is_of_the_runs_clock(tmp_path):
+    """By processor time a step that never ends is killed, however long others make it wait."""
+    few = Settings(candidates=2, seconds=50.0, clock="cpu", limit=1.0)
+    run(["endless=tests.bench.optimizers:Busy"], [PAIR], tmp_path, seeds=1, settings=few, isolate=True)
+    (found,) = read_runs(tmp_path)
+    assert found.last("outcome") == "killed" and found.last("reason") == "killed after 1 s"
+
+
 def test_a_folder_goes_on_where_it_was_left(tmp_path):
     made = []
 
