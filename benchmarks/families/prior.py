@@ -29,8 +29,11 @@ SIZES = {"cpu": (4, 16, 64), "gpu": (64, 512, 4096)}
 BUDGETS = {"cpu": (0.1, 0.3, 1.0), "gpu": (0.05, 0.1, 0.3)}
 """Seconds at which best layouts are compared."""
 
-GPU_SECONDS = 200.0
+GPU_SECONDS = 70.0
 """After which on a GPU, where rooms are tried one after the other, no more of them is begun."""
+
+CASE_SECONDS = 40.0
+"""After which no further seed is tried in a room."""
 
 RATED = 256
 """Valid candidates of which the median is taken: of more, the free floor is not measured."""
@@ -165,7 +168,10 @@ def _case(
         for size in sizes[:1] if device == "cpu" else sizes:
             _solved(scene, compiled, prior, init, size, 12345, device, drawn_on)
     rows, grades, layouts = [], [], {"scene": scene.dumps(), "kind": kind}
+    began = time.perf_counter()
     for seed in seeds:
+        if time.perf_counter() - began > CASE_SECONDS:
+            break
         for init in STARTS:
             for size in sizes:
                 solution, drawing, seconds = _solved(scene, compiled, prior, init, size, seed, device, drawn_on)
