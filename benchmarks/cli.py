@@ -16,6 +16,7 @@ from benchmarks import (
     noun_table,
     plots,
     prior_data,
+    prior_memory,
     prior_train,
     problems,
     report,
@@ -52,6 +53,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return dataset_scenes.main(words[1:])
         if words[:1] == ["prior_data"]:
             return prior_data.main(words[1:])
+        if words[:1] == ["prior_memory"]:
+            return prior_memory.main(words[1:])
         if words[:1] == ["prior_train"]:
             return prior_train.main(words[1:])
         if words[:1] == ["nouns"]:
@@ -79,7 +82,7 @@ def parser() -> argparse.ArgumentParser:
         description="Measure sceneweaver. Ends with 1 when an answer is wrong, never because it is slow.",
         epilog="python -m benchmarks report --help: write the page of results; problems --help: the zoo of problems; "
         "layouts --help: layouts as a data set; datasets --help: scenes of one; "
-        "prior_data --help, prior_train --help: the learned prior; nouns --help: the table of nouns; "
+        "prior_data, prior_train, prior_memory --help: the learned prior; nouns --help: the table of nouns; "
         "comparison --help: our scenes beside those of other systems.",
     )
     p.add_argument("families", nargs="*", metavar="FAMILY", help=f"some of {', '.join(FAMILIES)} (default: all)")

@@ -29,10 +29,13 @@ from sceneweaver.runtime.threads import cores
 from sceneweaver.scene import Scene
 from sceneweaver.scene.catalogue import CATALOGUE
 
-AT_ONCE = 24
+AT_ONCE = 8
 """Rooms that a process searches together."""
 
-AHEAD = 12
+LONGEST = 25.0
+"""Seconds in which they are searched at most: a room that is hard is left at what was found."""
+
+AHEAD = 16
 """As many times these rooms are drawn ahead while the kernels compile."""
 
 LEAST = 4
@@ -158,7 +161,9 @@ def _searched(drawn: list, candidates: int, keep: int, device: str, seed: int) -
     if not drawn:
         return []
     scenes, terms = [d[2] for d in drawn], [d[3] for d in drawn]
-    solutions = refine_many(scenes, candidates=candidates, seed=seed, device=device, quality=terms, snap=True)
+    solutions = refine_many(
+        scenes, candidates=candidates, seed=seed, device=device, quality=terms, snap=True, time_limit=LONGEST
+    )
     found = []
     for (kind, own, scene, _), solution in zip(drawn, solutions, strict=True):
         ranked = solution.ranked

@@ -1,29 +1,28 @@
-"""Does the prior repeat what it was trained on? Distances to training layouts, and of layouts from each other."""
+"""Does the prior repeat what it was trained on? Distances of layouts of unseen rooms to training layouts of their kind.
+
+Compared are layouts that the engine found from its own starts (`sample`), from the prior's (`prior`), and those that
+the prior draws (`drawn`), in units of the room (half its longer side). Were the prior to repeat what it was trained on,
+its layouts would be nearer to that than those of the engine are.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import argparse
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
+from benchmarks.console import say
+from benchmarks.drafts import draft
 from benchmarks.prior_data import all_words, read_parts
-from benchmarks.results import Column, Result
+from benchmarks.prior_rooms import problems_of_known_kinds
+from sceneweaver.layout.engine import refine
+from sceneweaver.prior import LayoutPrior
 from sceneweaver.prior.tokens import tokens_of
 from sceneweaver.scene import Scene
 
 MISSING = 2.0
 """Distance, in units of the room, of an object whose category the other layout lacks."""
-
-COLUMNS = (
-    Column("layouts", "layouts"),
-    Column("count", "count", "count"),
-    Column("least", "least", "number"),
-    Column("tenth", "10 %", "number"),
-    Column("median", "median", "number"),
-    Column("near", "nearer than 5 cm of 2 m", "share"),
-)
 
 
 def spread(scene: Scene, poses: np.ndarray) -> float | None:
@@ -57,35 +56,46 @@ def nearest(
     return best
 
 
-def memory_table(result: Result, folder: Path, rooms: Sequence[dict[str, Any]]) -> None:
-    """Distances of layouts of held-out rooms to the training layouts of their kind."""
-    words, data = all_words(), read_parts(folder)
+def main(arguments: list[str] | None = None) -> int:
+    """Measure, and print the table."""
+    p = argparse.ArgumentParser(prog="python -m benchmarks prior_memory", description=__doc__)
+    p.add_argument("--data", type=Path, required=True, help="the folder of prior_data that the prior was trained on")
+    p.add_argument("--count", type=int, default=40, help="held-out rooms")
+    p.add_argument("--candidates", type=int, default=16, help="layouts of each that are refined")
+    p.add_argument("--each", type=int, default=2, help="layouts of each that are compared")
+    p.add_argument("--device", default="cpu")
+    asked = p.parse_args(arguments)
+    words, data = all_words(), read_parts(asked.data)
     first = np.concatenate([[0], np.cumsum(data["counts"])])
+    prior = LayoutPrior.load()
     found: dict[str, list[float]] = {"sample": [], "prior": [], "drawn": []}
-    for room in rooms:
-        scene = Scene.loads(room["scene"])
-        tokens = tokens_of(scene, words)
-        chosen = np.flatnonzero(data["token.kind"] == words.kind(room["kind"]))
+    for kind, seed in problems_of_known_kinds(asked.count):
+        chosen = np.flatnonzero(data["token.kind"] == words.kind(kind))
         if not len(chosen):
             continue
+        made = draft(kind, seed)
+        tokens = tokens_of(made.plain, words)
         rows = np.concatenate([np.arange(first[k], first[k + 1]) for k in chosen])
         owner = np.repeat(chosen, data["counts"][chosen])
         theirs = data["token.categories"][owner]
         there = data["token.mask"][owner][:, -theirs.shape[1] :]
-        for name, distances in found.items():
-            for poses in room.get(name, ())[:2]:
-                mine = tokens.local(poses)
-                distances.append(nearest(mine, tokens.categories, data["poses"][rows], theirs, there))
-    table = result.add("memory", "Distance to the nearest training layout of the kind, in units", list(COLUMNS))
-    for name, distances in found.items():
-        if distances:
-            values = np.array(distances)
-            table.rows.append(
-                {"layouts": name, "count": len(values), "least": float(values.min())}
-                | {"tenth": float(np.quantile(values, 0.1)), "median": float(np.median(values))}
-                | {"near": float((values < 0.025).mean())}
-            )
-    result.notes.append(
-        "Layouts of held-out rooms that the engine found from its own starts (`sample`) and from the prior's "
-        "(`prior`), and the prior's own (`drawn`): were it to repeat what it was trained on, these would be nearer."
-    )
+        drawn = prior.sample(made.plain, asked.candidates, seed)
+        options = {"seed": seed, "device": asked.device, "snap": True, "quality": made.terms, "walk": False}
+        layouts = {"drawn": drawn[: asked.each]}
+        for name, init in (("sample", "sample"), ("prior", drawn)):
+            solution = refine(made.plain, candidates=asked.candidates, init=init, **options)
+            layouts[name] = solution.poses[solution.ranked[: asked.each]]
+        for name, poses in layouts.items():
+            found[name] += [
+                nearest(one, tokens.categories, data["poses"][rows], theirs, there) for one in tokens.local(poses)
+            ]
+    say(f"{'layouts':8} {'count':>6} {'least':>7} {'10 %':>7} {'median':>7}")
+    for name, values in found.items():
+        if values:
+            tenth, middle = np.quantile(values, [0.1, 0.5])
+            say(f"{name:8} {len(values):6} {min(values):7.3f} {tenth:7.3f} {middle:7.3f}")
+    return 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
