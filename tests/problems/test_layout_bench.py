@@ -10,6 +10,8 @@ from sceneweaver import problems
 from sceneweaver.cli import main
 from sceneweaver.problems import layout_bench, store
 from sceneweaver.scene import InputError
+from tests.oracle.check_scene import check as oracle
+from tests.problems.test_zoo import KNOWN
 
 
 def test_a_split_is_made_anew_with_its_published_hash():
@@ -103,3 +105,18 @@ def test_the_command_verifies_a_split(capsys):
     assert capsys.readouterr().out == "8 of 8 problems are in order\n"
     assert main(["problems", "verify", "--split", "test"]) == 2
     assert main(["problems", "verify", "packing/n005-t60", "--split", "dev"]) == 2
+
+
+def test_the_independent_checker_finds_all_published_layouts_valid():
+    cases = [case for case in map(problems.load, layout_bench.names()) if case.feasible]
+    layouts = [(c, poses) for c in cases for poses in (c.witness, c.best_layout) if poses is not None]
+    assert len(cases) == 81 and len(layouts) > len(cases)
+    assert [c.name for c, poses in layouts if not _by_the_oracle(c, poses)] == []
+    spoilt = [_by_the_oracle(c, c.start("random", 1, 0)[0]) for c in cases[:5]]
+    assert not any(spoilt)
+
+
+def _by_the_oracle(case, poses) -> bool:
+    scene = case.layout(poses).to_json()
+    scene["relations"] = [r for r in scene["relations"] if r["type"] in KNOWN]
+    return oracle(scene)["valid"]
