@@ -23,6 +23,7 @@ PUBLIC = [
     "Fault",
     "ImportedScene",
     "InputError",
+    "LayoutPrior",
     "LearnedWeights",
     "MissingDependencyError",
     "ObjectHandle",
