@@ -151,14 +151,16 @@ def _shared(ones: Sequence[Any], others: Sequence[Any]) -> Array | None:
 
 def out_of_bounds(scene: Scene, things: Sequence[Thing], seed: int = 0) -> dict[str, float]:
     """Of each object the share of points on its surface that are over the floor."""
-    from matplotlib.path import Path as Polygon
+    import shapely
 
-    floor, random = Polygon(np.asarray(scene.room.outline)), np.random.default_rng(seed)
+    random = np.random.default_rng(seed)
+    floor = shapely.buffer(shapely.Polygon(scene.room.outline), 1e-3)  # what touches a wall is in: rays at edges miss
+    shapely.prepare(floor)
     found = {}
     for thing in things:
         points = sampled(thing.triangles, 2000, random)
-        over = floor.contains_points(points[:, :2], radius=1e-9) | floor.contains_points(points[:, :2], radius=-1e-9)
-        found[thing.item.id] = float((over & (points[:, 2] >= -1e-9)).mean())
+        over = shapely.contains_xy(floor, points[:, 0], points[:, 1])
+        found[thing.item.id] = float((over & (points[:, 2] >= -1e-3)).mean())
     return found
 
 
