@@ -77,6 +77,8 @@ def arguments(found) -> list[str]:
     """What can be given to it by name or place; of a model its fields."""
     if fields := getattr(found, "model_fields", None):
         return [name for name in fields if name != "schema_"]  # which nobody writes in Python
+    if getattr(found, "_is_protocol", False):  # what others write has no arguments of its own
+        return []
     return [name for name in inspect.signature(found).parameters if name not in ("self", "cls")]
 
 

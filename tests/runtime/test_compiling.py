@@ -186,6 +186,7 @@ def test_warming_covers_every_module_that_commands_launch():
             all_of_them.add(name)
     apart = {"sceneweaver.envs.batched.task_kernels", "sceneweaver.envs.batched.reset_kernels"}
     apart |= {"sceneweaver.kernels.evaluator"}  # in one launch what others do in several; for comparison
+    apart |= {"sceneweaver.prior.flow_kernels"}  # of the learned prior, where one asks for it
     apart |= {"sceneweaver.kernels.adjoint"}  # derivatives by parameters, which no command asks for
     assert all_of_them - warmed == apart
 
