@@ -22,7 +22,7 @@ from .metrics import ABSENT, Needs
 Source = Scene | ImportedScene | str | os.PathLike[str]
 """A scene, or a file or folder of scenes."""
 
-OWN = "sceneweaver"
+OWN = "scene"
 """The name of our own format."""
 
 _HEAD = 4096

@@ -95,7 +95,7 @@ def sources(path: Path, name: str = AUTO) -> Iterator[tuple[Path, SourceFormat]]
                 some = True
                 yield here / file, entry
     if not some:
-        raise InputError(f"{path_name(path)}: no file in it is of a known format; say which with --from")
+        raise InputError(f"{path_name(path)}: no file in this folder is of a known format; say which with --from")
 
 
 def _recognised(path: Path, name: str, head: bytes | None) -> SourceFormat | None:

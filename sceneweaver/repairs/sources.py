@@ -13,7 +13,7 @@ from sceneweaver.scene import Scene
 
 from .stream import Given, file_name
 
-OWN = "sceneweaver"
+OWN = "scene"
 """Name of the format of our own scene files, for --from."""
 
 _HEAD = 4096
@@ -41,7 +41,7 @@ def given_scenes(
 
     Args:
         path: a file or a folder; in a folder with scene files of ours these are taken, else what importers recognise.
-        source: a format of importers, "sceneweaver" for scene files of ours, or "auto".
+        source: a format of importers, "scene" for scene files of ours, or "auto".
         infer: whether soft relations are inferred from the geometry, to be kept by the repair. Those of scene files of
             ours are not written.
         on_error: as for `sceneweaver.importers.read_scenes`.

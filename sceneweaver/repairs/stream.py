@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Future
 from contextlib import nullcontext
 from dataclasses import asdict, dataclass
-from itertools import islice
+from itertools import chain, islice
 from pathlib import Path
 
 from sceneweaver.io import InputError, load_json, locked, write_atomic
@@ -92,14 +92,18 @@ def repair_stream(
         told: called with the number of scenes done and of those that are valid, after each chunk.
 
     Raises:
-        InputError: the folder has another run.
+        InputError: the folder has another run, or there is no scene.
     """
+    todo = iter(given)
+    first = list(islice(todo, 1))  # read before anything is written
+    if not first:
+        raise InputError("there is no scene to repair")
     settings = {"source": source, "choice": {k: v for k, v in asdict(choice).items() if k != "device"}, "chunk": CHUNK}
     _claim(out, settings)
     with locked(out / SETTINGS, f"--out: {out}"):
         shards: list[Path] = []
         count = valid = 0
-        for shard in _chunks(given, out, choice, jobs, stop):
+        for shard in _chunks(chain(first, todo), out, choice, jobs, stop):
             shards.append(shard)
             rows = load_json(shard)["scenes"]
             count, valid = count + len(rows), valid + sum(row["valid_after"] for row in rows)

@@ -63,7 +63,7 @@ def test_a_folder_gets_scenes_tables_and_a_report(run, folder, tmp_path):
     import pyarrow.parquet as pq
 
     rows, objects = (pq.read_table(out / f"{name}.parquet").to_pylist() for name in ("scenes", "objects"))
-    assert len(rows) == 5 and len(objects) == 11 and rows[0]["format"] == "sceneweaver"
+    assert len(rows) == 5 and len(objects) == 11 and rows[0]["format"] == "scene"
     moved = {(row["scene"], row["object"]): row["distance"] for row in objects}
     for k in (0, 1, 3, 4):
         after = Scene.load(out / "scenes" / f"room-{k}.json")
@@ -147,4 +147,4 @@ def test_nothing_to_read_is_one_line(run, tmp_path):
     ended = run("repair", tmp_path / "in", "-o", tmp_path / "out", *OPTIONS)
     assert ended.code == 2 and ended.err.count("\n") == 1
     with pytest.raises(InputError):
-        list(given_scenes(tmp_path / "in", "sceneweaver"))
+        list(given_scenes(tmp_path / "in", "scene"))
