@@ -116,12 +116,23 @@ def run_protocol(
     """
     until = math.inf if minutes is None else time.monotonic() + 60.0 * minutes
     methods = tuned_methods(optimizers, tuned)
+    _compile_kernels(device)
     run(
         methods, cases, out, seeds=seeds, settings=settings_of(budgets, device, candidates), isolate=True, jobs=jobs,
         until=until, progress=progress,
     )  # fmt: skip
     there = {r.key for r in read_protocol(out, required=False)}
     return all((m.name, c.name, seed) in there for m in methods for c in cases for seed in range(seeds))
+
+
+def _compile_kernels(device: str) -> None:
+    """Compile what optimisers launch before any run: workers side by side would do it within the limits of theirs."""
+    from sceneweaver.layout.devices import pick_devices
+    from sceneweaver.layout.warming import kernel_modules
+    from sceneweaver.runtime.compiling import load
+
+    name = pick_devices(device)[0]
+    load(name, kernel_modules(name))
 
 
 def read_protocol(out: Path | str, *, required: bool = True) -> list[Run]:
