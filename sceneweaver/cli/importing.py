@@ -82,6 +82,7 @@ def run_import(
                 imported.scene.save(place)
             rows.append(_row(imported, place))
     if single and kept is not None:
+        out.parent.mkdir(parents=True, exist_ok=True)
         kept.scene.save(out)
     report = {"scenes": rows, "refused": refused}
     if rows and not single:
