@@ -33,6 +33,8 @@ NAMED = re.compile(rf"\b(?:{'|'.join({'open', *MODULES, *METHODS, *(name.partiti
 ALONE = {
     "runtime/deadline.py": "what the system says of this process",
     "runtime/memory.py": "what the system says of this process",
+    "runtime/processes.py": "what the system says of a process",
+    "bench/results.py": "what the system says of its processor",
     "physics/mjcf_file.py": "a program that runs where the library is not installed",
     "assets/sources/infinigen_worker.py": "a program for another environment",
 }

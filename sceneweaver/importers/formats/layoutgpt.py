@@ -14,7 +14,6 @@ given: it is where the highest lamp hangs from it. There are neither doors nor w
 
 from __future__ import annotations
 
-import io
 import math
 import re
 import statistics
@@ -25,7 +24,7 @@ from typing import Any
 
 import numpy as np
 
-from sceneweaver.io import InputError, load_json, read_bytes
+from sceneweaver.io import InputError, load_json, named_inside, read_arrays
 from sceneweaver.io.messages import path_name, quote, show
 
 from ..categories import category_of
@@ -195,13 +194,12 @@ def _pixel(rooms: Sequence[_Room]) -> float:
 
 def _shorter_side(folder: Path, name: str) -> float | None:
     """The shorter side [m] of the floor of a room of ATISS's data set; None where the folder has no such room."""
-    file = folder / name / "boxes.npz"
-    if Path(name).name != name or name in ("", ".", "..") or not file.is_file():
+    file = named_inside(folder, folder / name / "boxes.npz")
+    if Path(name).name != name or name in ("", ".", "..") or file is None or not file.is_file():
         return None
     try:
-        with np.load(io.BytesIO(read_bytes(file, within=folder)), allow_pickle=False) as data:
-            vertices = np.asarray(data["floor_plan_vertices"], dtype=float)
-    except (KeyError, ValueError, OSError, EOFError) as error:
+        vertices = np.asarray(read_arrays(file)["floor_plan_vertices"], dtype=float)
+    except (KeyError, ValueError, OSError) as error:
         raise InputError(
             f"{name}/boxes.npz: no floor_plan_vertices that can be read ({type(error).__name__})"
         ) from None
