@@ -47,6 +47,8 @@ TABLES = {
     "openable": {"rooms": 2, "seeds": 1},
     "by_model": {"rooms": 2},
     "variables": {"optima": 1, "fronts": 1},
+    "field_repair": {"shares": 0, "violations": 0, "left": 0},  # without a folder of scenes there is nothing to repair
+    "prior": {"prior": 4, "equal": 6, "grades": 4, "detail": 12},
 }
 
 
@@ -59,6 +61,7 @@ def settings(tmp_path):
 SLOW = (
     *("openable", "odd", "pictures", "ablations", "by_model", "requests", "stability", "variety"),
     *("cold", "memory", "throughput", "design", "quality", "patterns", "large", "soft_rows", "weights", "derivatives"),
+    "prior",
 )
 """Families whose design is one that another family makes as well, and what takes longest."""
 
