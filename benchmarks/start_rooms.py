@@ -103,10 +103,10 @@ def facts(result: Result) -> list[str]:
 
 
 def table(results: Mapping[str, Result]) -> str:
-    """The four rooms side by side, and a list of what each is."""
+    """The four rooms side by side, and a list of what each is; pictures by reference, as a row is one line."""
     rows = ["| " + " | ".join(results) + " |", "| " + " | ".join("---" for _ in results) + " |"]
-    rows.append("| " + " | ".join(f"![{k}](images/starts/{way}.jpg)" for k, way in enumerate(results, 1)) + " |")
-    text = ["\n".join(rows)]
+    rows.append("| " + " | ".join(f"![{way}]" for way in results) + " |")
+    text = ["\n".join(rows), "\n".join(f"[{way}]: images/starts/{way}.jpg" for way in results)]
     for way, result in results.items():
         lines = [f"**{way}**, {WAYS[way]}:", "", *(f"- {line}" for line in facts(result))]
         lines += [
