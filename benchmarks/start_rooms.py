@@ -166,7 +166,7 @@ def main() -> None:
     picture(one.scene, given.work / "after.jpg", given.device)
     page = put(PAGE.read_text("utf-8"), "four rooms", table(results))
     page = put(page, "gone on from", refined(one, sw.check(origin)))
-    page = page.replace(f"{given.work}/", "").replace(f"{OUTPUTS}#{GONE_ON}", "the room that LayoutGPT wrote")
+    page = page.replace(f"{given.work}/", "").replace(f"layoutgpt/{OUTPUTS}#{GONE_ON}", "the room that LayoutGPT wrote")
     PAGE.write_text(wrapped(page), "utf-8")
 
 
