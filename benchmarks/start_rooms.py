@@ -45,7 +45,7 @@ SIZE = 560, 400
 
 WAYS: Mapping[str, str] = {
     "library": "`--init library`: the scene of our own library that is most like the request, adapted",
-    "model": "`--init model --scene-model layoutgpt/`: of LayoutGPT's rooms the one nearest to the request, as it is, "
+    "model": "`--init model --scene-model FOLDER`: of LayoutGPT's rooms the one nearest to the request, as it is, "
     "then mended and completed",
     "llm": "`--init llm`: what a language model writes down. No model was asked here: the reply is scripted "
     "(`benchmarks/data/starts/programme.yaml`)",
