@@ -149,8 +149,9 @@ def _shared(ones: Sequence[Any], others: Sequence[Any]) -> Array | None:
     return np.concatenate(points).mean(axis=0) if points else None
 
 
-def out_of_bounds(scene: Scene, things: Sequence[Thing], seed: int = 0) -> dict[str, float]:
-    """Of each object the share of points on its surface that are over the floor."""
+def out_of_bounds(scene: Scene, things: Sequence[Thing], seed: int = 0, *, deep: bool = True) -> dict[str, float]:
+    """Of each object the share of points on its surface that are over the floor: from those below it SceneEval's rays,
+    which go down, do not hit it. ``deep=False`` leaves that out, and is about the plan alone."""
     import shapely
 
     random = np.random.default_rng(seed)
@@ -160,7 +161,7 @@ def out_of_bounds(scene: Scene, things: Sequence[Thing], seed: int = 0) -> dict[
     for thing in things:
         points = sampled(thing.triangles, 2000, random)
         over = shapely.contains_xy(floor, points[:, 0], points[:, 1])
-        found[thing.item.id] = float((over & (points[:, 2] >= -1e-3)).mean())
+        found[thing.item.id] = float((over & (points[:, 2] >= -1e-3) if deep else over).mean())
     return found
 
 

@@ -45,7 +45,7 @@ SIZE = 560, 400
 
 WAYS: Mapping[str, str] = {
     "library": "`--init library`: the scene of our own library that is most like the request, adapted",
-    "model": "`--init model --scene-model layoutgpt/`: of LayoutGPT's rooms the one nearest to the request, as it is, "
+    "model": "`--init model --scene-model FOLDER`: of LayoutGPT's rooms the one nearest to the request, as it is, "
     "then mended and completed",
     "llm": "`--init llm`: what a language model writes down. No model was asked here: the reply is scripted "
     "(`benchmarks/data/starts/programme.yaml`)",
@@ -103,10 +103,10 @@ def facts(result: Result) -> list[str]:
 
 
 def table(results: Mapping[str, Result]) -> str:
-    """The four rooms side by side, and a list of what each is."""
+    """The four rooms side by side, and a list of what each is; pictures by reference, as a row is one line."""
     rows = ["| " + " | ".join(results) + " |", "| " + " | ".join("---" for _ in results) + " |"]
-    rows.append("| " + " | ".join(f"![{k}](images/starts/{way}.jpg)" for k, way in enumerate(results, 1)) + " |")
-    text = ["\n".join(rows)]
+    rows.append("| " + " | ".join(f"![{way}]" for way in results) + " |")
+    text = ["\n".join(rows), "\n".join(f"[{way}]: images/starts/{way}.jpg" for way in results)]
     for way, result in results.items():
         lines = [f"**{way}**, {WAYS[way]}:", "", *(f"- {line}" for line in facts(result))]
         lines += [
@@ -166,7 +166,7 @@ def main() -> None:
     picture(one.scene, given.work / "after.jpg", given.device)
     page = put(PAGE.read_text("utf-8"), "four rooms", table(results))
     page = put(page, "gone on from", refined(one, sw.check(origin)))
-    page = page.replace(f"{given.work}/", "").replace(f"{OUTPUTS}#{GONE_ON}", "the room that LayoutGPT wrote")
+    page = page.replace(f"{given.work}/", "").replace(f"layoutgpt/{OUTPUTS}#{GONE_ON}", "the room that LayoutGPT wrote")
     PAGE.write_text(wrapped(page), "utf-8")
 
 

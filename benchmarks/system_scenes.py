@@ -82,13 +82,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
     systems: dict[str, Any] = {f"ours, {kind}s": ours[kind] for kind in KINDS}
     systems |= {entry["name"]: asked.samples / entry["path"] for entry in there}
     readings = {
-        entry["name"]: Reading(folder=asked.samples / entry["folder"] if "folder" in entry else None) for entry in there
+        entry["name"]: Reading(
+            folder=asked.samples / entry["folder"] if "folder" in entry else None,
+            assume_sizes=entry.get("assume_sizes", False),
+        )
+        for entry in there
     }
     say(f"{len(systems)} systems ...")
     found = _compared(systems, readings, asked)
     write_comparison(found, asked.work, "comparison")
     say("SceneEval's definitions ...")
-    agreed = agreement(systems, asked.agreement)
+    agreed = agreement(list(dict.fromkeys(systems.values())), asked.agreement)
     kinds = {f"ours, {kind}s": kind for kind in KINDS} | {entry["name"]: entry["kind"] for entry in there}
     origin = {entry["name"]: entry["from"] for entry in there}
     _write(asked.to, _text(found, kinds, origin, agreed, asked))
@@ -145,10 +149,10 @@ class Agreement(NamedTuple):
     remark: str
 
 
-def agreement(systems: dict[str, Any], most: int) -> list[Agreement]:
+def agreement(systems: Sequence[Path], most: int) -> list[Agreement]:
     """The figures against SceneEval's definitions, over some scenes of each system, sizes assumed where need be."""
     alike, whole = Counter[str](), Counter[str]()
-    for sources in systems.values():
+    for sources in systems:
         for candidate in islice(candidates(sources, Reading(assume_sizes=True), lambda _: None), most):
             for name, (same, count) in _verdicts(candidate).items():
                 alike[name] += same
@@ -158,9 +162,11 @@ def agreement(systems: dict[str, Any], most: int) -> list[Agreement]:
 
 _REMARKS = {
     "collision": "pairs; ours counts from 1 mm, SceneEval what still overlaps when moved apart by 5 mm",
-    "collision, of all found": "pairs that either has: a grazing pair still overlaps when moved along, not apart",
-    "out of bounds": "objects; ours counts from 1 mm, SceneEval under 99 % of the surface over the floor",
-    "out of bounds, by SceneEval": "objects that SceneEval has out of bounds; ours has them, too",
+    "collision, of all found": "pairs that either has; SceneEval counts furniture on rugs of 0.5 mm",
+    "collision, without sheets": "pairs that either has, but for things thinner than the move of 5 mm",
+    "out of bounds in plan": "objects; ours from 1 mm, SceneEval under 99 % of the surface",
+    "out of bounds in plan, of all found": "objects that either has; 1 mm may be under 1 %",
+    "sunk into the floor": "objects that SceneEval has out of bounds for that; ours: unsupported",
     "support": "objects",
     "navigability": f"rooms, within {CLOSE:g}; one of three widths of the base, as cells are 5 cm",
     "accessibility": f"things, within {CLOSE:g}",
@@ -177,20 +183,27 @@ def _verdicts(candidate: Candidate) -> dict[str, tuple[int, int]]:
     ours = {frozenset(v.objects): v.amount for v in report.violations if v.kind == "collision"}
     theirs = twin.collisions(things)
     pairs = math.comb(len(things), 2)
+    either = set(ours) | theirs
+    sheets = {o.id for o in scene.objects if o.size[2] < twin.APART}
+    thick = {pair for pair in either if not pair & sheets}
     outside = {v.objects[0] for v in report.violations if v.kind == "out_of_bounds"}
-    low = {name for name, share in twin.out_of_bounds(scene, things).items() if share < twin.IN_BOUNDS}
+    flat, deep = (twin.out_of_bounds(scene, things, deep=d) for d in (False, True))
+    low = {name for name, share in flat.items() if share < twin.IN_BOUNDS}
+    sunk = {name for name, share in deep.items() if share < twin.IN_BOUNDS} - low
     held = dict(zip((b.id for b in placed.bodies), standing.supported(placed), strict=True))
     their_held = twin.supported(scene, things)
     free = moving.navigability(placed)
     their_free = [twin.navigability(scene, things, moving.BASE + d) for d in (-0.05, 0.0, 0.05)]
-    near = sorted(moving.accessibility(placed)), sorted(twin.accessibility(scene, things).values())
+    near = moving.accessibility(placed), list(twin.accessibility(scene, things).values())
     before = {o.id: o.share for o in openings(placed)}
     their_before = twin.openings_covered(scene, things, with_role("window_dressing"))
     return {
         "collision": (pairs - len(set(ours) ^ theirs), pairs),
-        "collision, of all found": (len(set(ours) & theirs), len(set(ours) | theirs)),
-        "out of bounds": (len(things) - len(outside ^ low), len(things)),
-        "out of bounds, by SceneEval": (len(low & outside), len(low)),
+        "collision, of all found": (len(set(ours) & theirs), len(either)),
+        "collision, without sheets": (len(set(ours) & theirs & thick), len(thick)),
+        "out of bounds in plan": (len(things) - len(outside ^ low), len(things)),
+        "out of bounds in plan, of all found": (len(low & outside), len(low | outside)),
+        "sunk into the floor": (sum(not held[name] for name in sunk), len(sunk)),
         "support": (sum(held[name] == their_held[name] for name in held), len(held)),
         "navigability": (_near(free, their_free), 1),
         "accessibility": (sum(abs(a - b) <= CLOSE for a, b in zip(*near, strict=True)), len(near[0])),
@@ -229,17 +242,29 @@ def _text(
 
 
 def tables(systems: Sequence[Evaluation]) -> list[str]:
-    """The figures of some systems as Markdown, in as many tables as keep their lines short; what none of them can have
-    without requests or a reference set is left out."""
-    heads = [f"{s.name} (n = {s.judged})" for s in systems]
-    lines = ["| figure | " + " | ".join(heads) + " |", "| --- |" + " ---: |" * len(heads)]
+    """The figures of some systems as Markdown, in as many tables as keep their lines short, without those that none of
+    them has; which of these only the files are to blame for is said below."""
+    shown, without = [], []
     for metric in METRICS:
         figures = [s.figures[metric.key] for s in systems]
-        if any(f.value is not None or "not in the files" in f.missing for f in figures) and not _asks(metric):
-            lines.append(f"| {metric.title} | " + " | ".join(_cell(f, metric) for f in figures) + " |")
+        if _asks(metric):
+            continue
+        if any(f.value is not None for f in figures):
+            shown.append(metric)
+        elif any("not in the files" in f.missing for f in figures):
+            without.append(metric.title)
+    told = f"What these figures need is in none of the files: {'; '.join(without)}."
+    return [*_tables(systems, shown), *([*_wrapped(told), ""] if without else [])]
+
+
+def _tables(systems: Sequence[Evaluation], metrics: Sequence[Metric]) -> list[str]:
+    heads = [f"{s.name} (n = {s.judged})" for s in systems]
+    lines = ["| figure | " + " | ".join(heads) + " |", "| --- |" + " ---: |" * len(heads)]
+    for metric in metrics:
+        lines.append(f"| {metric.title} | " + " | ".join(_cell(s.figures[metric.key], metric) for s in systems) + " |")
     if len(systems) > 1 and max(map(len, lines)) > LONGEST:
         middle = (len(systems) + 1) // 2
-        return [*tables(systems[:middle]), *tables(systems[middle:])]
+        return [*_tables(systems[:middle], metrics), *_tables(systems[middle:], metrics)]
     return [*lines, ""]
 
 
@@ -250,7 +275,7 @@ def _asks(metric: Metric) -> bool:
 def _cell(figure: Figure, metric: Metric) -> str:
     if figure.value is None:
         return "not in the files" if "not in the files" in figure.missing else "-"
-    shown = number_text(figure.value, metric)
+    shown = "~ " * figure.assumed + number_text(figure.value, metric)
     if figure.low is not None and figure.high is not None:
         shown += f" ({_bare(figure.low, metric)} to {_bare(figure.high, metric)})"
     return shown
@@ -261,7 +286,9 @@ def _bare(value: float, metric: Metric) -> str:
 
 
 def _wrapped(text: str) -> list[str]:
-    return textwrap.wrap(text, LONGEST, subsequent_indent="  ", break_long_words=False, break_on_hyphens=False)
+    return textwrap.wrap(
+        text, LONGEST, subsequent_indent="  " * text.startswith("- "), break_long_words=False, break_on_hyphens=False
+    )
 
 
 def _told(system: Evaluation, origin: str) -> list[str]:

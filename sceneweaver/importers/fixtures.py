@@ -158,27 +158,30 @@ class Kitchen:
     def _size(self, item: Entry, kind: str, group: str, usual: np.ndarray, known: bool) -> tuple[np.ndarray, bool]:
         """Width, depth and height [m], and whether they are known: a model keeps its shape where one is null."""
         given: list[float | None] = [None, None, None]
+        sure = True
         if item.has("size"):
             values = list(item["size"].entries())
             if len(values) != 3:
                 raise item["size"].error("must hold width, depth and height; null where free")
             for k, value in enumerate(values):
                 if isinstance(value.value, str):
-                    given[k] = float(self._named(value, group).size[k])
+                    other = self._named(value, group)
+                    given[k], sure = float(other.size[k]), sure and other.given
                 elif value.value is not None:
                     given[k] = value.number(1e-4, 100.0)
         if item.has("stack_height"):
-            below = sum(float(self._named(f, group).size[2]) for f in item.listed("stack_fixtures"))
-            given[2] = item["stack_height"].length() - below
+            stack = [self._named(f, group) for f in item.listed("stack_fixtures")]
+            given[2] = item["stack_height"].length() - sum(float(f.size[2]) for f in stack)
+            sure = sure and all(f.given for f in stack)
             if given[2] <= 0:
                 raise item["stack_height"].error("is lower than what stands below; nothing is left for it")
         if kind == "housing_cabinet" and not item.has("size"):
-            return usual, True
+            return usual, item.has("interior_obj")  # it is as large as what is in it
         scale: list[float | None] = [None if v is None else v / u for v, u in zip(given, usual, strict=True)]
         order = ((0, 2, 1), (1, 0, 2), (2, 0, 1))
         filled = [next((s for k in row if (s := scale[k]) is not None), 1.0) for row in order]
         # In RoboCasa width follows height before depth, depth follows width, height follows width.
-        return usual * np.array(filled), known or all(v is not None for v in given)
+        return usual * np.array(filled), sure and (known or all(v is not None for v in given))
 
     def _housed(self, item: Entry, inner: Fixture, size: np.ndarray) -> np.ndarray:
         """The size of a housing: its own, or that of what is in it with the padding."""

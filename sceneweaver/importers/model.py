@@ -22,7 +22,8 @@ class SourceObject:
     """One object of a file.
 
     ``position`` [m] is that of ``anchor``; ``rotation`` [3, 3] turns the object's frame (front +x, left +y, up +z)
-    into the room's. ``size`` is (depth along the front, width, height) [m], None where the file does not say.
+    into the room's. ``size`` is (depth along the front, width, height) [m], None where the file does not say;
+    ``size_assumed`` says that the reader took a usual one, because other things stand where that one's faces are.
 
     ``mesh`` is a file of the user's that shows it; ``mesh_axes`` [3, 3] turns the mesh's frame into the object's after
     its coordinates are multiplied by ``scale``. ``support`` is the name of what carries it, as the file says.
@@ -46,6 +47,7 @@ class SourceObject:
     description: str = ""
     fixed: bool = False
     parts: tuple[tuple[tuple[float, float, float], tuple[float, float, float]], ...] = ()
+    size_assumed: bool = False
     keep: dict[str, Any] = field(default_factory=dict)
 
 

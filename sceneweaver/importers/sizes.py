@@ -62,9 +62,10 @@ def _row(path: Path, name: str, values: Any) -> Size:
 
 
 def find_size(thing: SourceObject, category: str, table: SizeTable) -> Found:
-    """The size of an object: of the file, of its mesh, of the user's table, or the middle of what is usual."""
+    """The size of an object: of the file (or what its reader assumed), of its mesh, of the user's table, or what is
+    usual."""
     if thing.size is not None:
-        return Found(_least(thing.size), "file")
+        return Found(_least(thing.size), "category" if thing.size_assumed else "file")
     if thing.mesh is not None:
         low, high = _bounds(thing)
         centre = (low + high) / 2

@@ -119,6 +119,17 @@ def test_real_kitchens(number):
     assert found.scene.room.height == pytest.approx(3.0) and found.scene.room.type == "kitchen"
 
 
+def test_sizes_that_the_reader_assumes_are_not_the_files(tmp_path):
+    layout = LAYOUT.replace("{name: sink, type: sink, size: [0.5, 0.4, 0.2]}", "{name: sink, type: sink}")
+    layout = layout.replace("size: [0.7, 0.6, 0.9], align_to", "size: [0.7, null, null], align_to")
+    (found,) = sw.read_scenes(written(tmp_path, "layout.yaml", layout), assets="boxes", relations=False)
+    assumed = {name.removesuffix("_main_group") for name, origin in found.sizes_from.items() if origin == "category"}
+    assert assumed == {"sink", "stove", "cab"}  # the cabinet is as wide as the stove, and begins at its top
+    assert set(found.sizes_from.values()) == {"file", "category"}
+    told = found.scene.provenance["imported"]["objects"]
+    assert told["stove_main_group"]["size_from"] == "category" and told["fridge_main_group"]["size_from"] == "file"
+
+
 def test_poses_of_a_real_kitchen():
     """By hand from layout001: sizes are in the file from the counter to the cabinets above."""
     (room,) = rooms_of("robocasa", DATA / "robocasa_layout001.yaml").values()

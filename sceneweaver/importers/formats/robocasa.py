@@ -114,6 +114,7 @@ def _object(fixture: Fixture, things: list[Fixture], walls: list[Entry]) -> Sour
         (x, y, z),
         turn @ _AXES.T,
         (depth, width, height),
+        size_assumed=not fixture.given,
         asset=fixture.asset,
         mount=mount,
         parts=() if full else tuple(_part(low, high, height) for low, high in boxes),
@@ -152,8 +153,8 @@ FORMAT = SourceFormat(
         "height; front -y) by position or by align_to, side, alignment and offset, stacks and housings, sinks and hobs "
         "in their counters, group_origin, group_pos, group_z_rot, z_rot.",
         "Sizes that the layout leaves to the model come from the model of the style (style*.yaml beside the layout or "
-        "in --asset-folder, models in --asset-folder); else the usual ones. RoboCasa joins styles and layouts freely: "
-        "the first style there is taken.",
+        "in --asset-folder, models in --asset-folder); else the usual ones, which count as assumed. RoboCasa joins "
+        "styles and layouts freely: the first style there is taken.",
         "Built-in things lie within each other: a counter over cabinets is its top, sinks and hobs are cut out of "
         "counters and cabinets, housings are hollow around what they hold.",
         "Lost: what RoboCasa places by chance when it loads (accessories with `placement`), doors and drawers of "
