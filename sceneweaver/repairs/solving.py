@@ -120,7 +120,14 @@ Found = list[tuple[Solution, np.ndarray]]
 
 
 def project(
-    work: Sequence[Work], hard: Hard, budget: Budget, clock: Deadline, *, square: bool = False, anew: bool = False
+    work: Sequence[Work],
+    hard: Hard,
+    budget: Budget,
+    clock: Deadline,
+    *,
+    square: bool = False,
+    anew: bool = False,
+    bound: Sequence[frozenset[int]] = (),
 ) -> Found:
     """Solve scenes in shared launches with the relations of these numbers to hold.
 
@@ -131,10 +138,11 @@ def project(
         clock: when to be back.
         square: whether what is square to the room keeps its yaw.
         anew: not from where they are but from layouts that are searched for.
+        bound: of each the numbers of the objects that stay where they are.
     """
     models = []
-    for each, numbers in zip(work, hard, strict=True):
-        kept = _squared(each.scene, each.square) if square else each.scene
+    for each, numbers, still in zip(work, hard, bound or [frozenset[int]()] * len(work), strict=True):
+        kept = _still(_squared(each.scene, each.square) if square else each.scene, still)
         models.append(engine_scene(_with_hard(kept, numbers), True))
     solutions = engine.refine_many(
         [model for model, _ in models],
@@ -161,6 +169,14 @@ def judge(work: Sequence[Work], found: Found, nearest: bool = False) -> list[Sol
             _judge(each, put_back(each.scene, lift, solution.poses[k]))
         each.unjudged = False
     return [solution for solution, _ in found]
+
+
+def _still(scene: Scene, bound: frozenset[int]) -> Scene:
+    """The scene with these objects fixed."""
+    if not bound:
+        return scene
+    objects = (o.model_copy(update={"fixed": True}) if i in bound else o for i, o in enumerate(scene.objects))
+    return scene.model_copy(update={"objects": tuple(objects)})
 
 
 def _squared(scene: Scene, square: frozenset[int]) -> Scene:
