@@ -7,42 +7,59 @@ often had with fewer objects moved. So objects are bound to where they were, and
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 
-from sceneweaver.runtime.deadline import Deadline
+from sceneweaver.runtime.deadline import Deadline, TimeUp
 
-from .solving import Budget, Work, hard_relations, judge, project
+from .solving import JUDGED, MOVED, Budget, Work, add_option, hard_relations, judge, project
 
 ROUNDS = 4  # at most; a scene whose price a round leaves as it was is done
 TOGETHER = 4  # sets of several objects that are bound at once
 ALONE = 12  # objects that are bound each by itself, beside those that stay anyway
-MOVED = 1e-3  # [m] and [degrees] from which an object counts as moved
 
 
 def let_stay(work: Sequence[Work], budget: Budget, clock: Deadline) -> None:
     """Project valid scenes again with objects bound to where they were; what costs less becomes the best option.
 
-    Relations that hold in the best option have to hold again, and what is square there keeps its yaw.
+    Relations that hold in the best option have to hold again, and what is square there keeps its yaw. In scenes that
+    stay invalid objects that moved for nothing are put back.
     """
+    with suppress(TimeUp), clock.enforced(lambda: JUDGED):
+        _bind(work, budget, clock)
+        for each in work:
+            if not each.best.report.valid and not clock.passed:
+                _return(each)
+
+
+def _bind(work: Sequence[Work], budget: Budget, clock: Deadline) -> None:
     left = [each for each in work if each.best.report.valid and each.best.moves and not each.best.taken_out]
     for number in range(ROUNDS):
-        trials = [(each, bound) for each in left for bound in _bound(each, number == 0)]
+        trials = [(each, b, hard) for each in left for b in _bound(each, number == 0) for hard in _kept(each)]
         if not trials or clock.passed:
             return
         prices = {id(each): each.best.badness for each in left}
         for square in (True, False):
-            some = [(each, bound) for each, bound in trials if (each.best.skewed == 0) == square]
+            some = [trial for trial in trials if (trial[0].best.skewed == 0) == square]
             if some and not clock.passed:
-                scenes = [each for each, _ in some]
-                hard = [_kept(each) for each in scenes]
-                found = project(scenes, hard, budget, clock, square=square, bound=[bound for _, bound in some])
-                judge(scenes, found)
+                scenes, bound, hard = zip(*some, strict=True)
+                judge(scenes, project(scenes, hard, budget, clock, square=square, bound=bound))
         left = [each for each in left if each.best.badness < prices[id(each)]]
 
 
-def _kept(work: Work) -> frozenset[int]:
-    """Relations that have to hold: those that are hard, and the wishes that hold in the best option."""
-    asked = hard_relations(work.scene) if work.relations else frozenset()
-    return asked | (work.wishes - work.best.lost - work.best.unmet)
+def _return(work: Work) -> None:
+    """Put objects back one after another, nearest first, where that makes nothing worse."""
+    carriers = {o.support.object for o in work.scene.objects if o.support is not None}
+    for move in sorted(work.best.moves, key=lambda m: m.distance + abs(m.rise)):
+        obj = work.scene.object(move.id)
+        if obj.support is None and obj.id not in carriers:
+            add_option(work, work.best.scene.replace_poses({obj.id: obj.pose}))
+
+
+def _kept(work: Work) -> list[frozenset[int]]:
+    """Relations that have to hold: those that are hard, and the wishes that hold in the best option; and of the wishes
+    only those that held before."""
+    asked, best = hard_relations(work.scene) if work.relations else frozenset(), work.best
+    return list(dict.fromkeys([asked | (work.wishes - best.lost - best.unmet), asked | (work.held - best.lost)]))
 
 
 def _bound(work: Work, together: bool) -> list[frozenset[int]]:
