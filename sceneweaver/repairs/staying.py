@@ -25,6 +25,7 @@ def let_stay(work: Sequence[Work], budget: Budget, clock: Deadline) -> None:
     stay invalid objects that moved for nothing are put back.
     """
     with suppress(TimeUp), clock.enforced(lambda: JUDGED):
+        _bind_blameless([each for each in work if not each.best.report.valid], budget, clock)
         _bind(work, budget, clock)
         for each in work:
             if not each.best.report.valid and not clock.passed:
@@ -44,6 +45,25 @@ def _bind(work: Sequence[Work], budget: Budget, clock: Deadline) -> None:
                 scenes, bound, hard = zip(*some, strict=True)
                 judge(scenes, project(scenes, hard, budget, clock, square=square, bound=bound))
         left = [each for each in left if each.best.badness < prices[id(each)]]
+
+
+def _bind_blameless(work: Sequence[Work], budget: Budget, clock: Deadline) -> None:
+    """Of scenes that stay invalid, project what the judge names alone: what is wrong with the rest cannot be much."""
+    named = [_roots(each, _named(each)) for each in work]
+    trials = [(each, _loose(each) - who) for each, who in zip(work, named, strict=True) if _loose(each) - who]
+    if trials and not clock.passed:
+        scenes, bound = zip(*trials, strict=True)
+        judge(scenes, project(scenes, [_kept(each)[0] for each in scenes], budget, clock, square=True, bound=bound))
+
+
+def _named(work: Work) -> list[int]:
+    index = {o.id: i for i, o in enumerate(work.scene.objects)}
+    return [index[name] for v in work.before.violations if v.hard for name in v.objects if name in index]
+
+
+def _loose(work: Work) -> frozenset[int]:
+    """Objects that may move and stand on no other."""
+    return frozenset(i for i, o in enumerate(work.scene.objects) if not o.fixed and o.support is None)
 
 
 def _return(work: Work) -> None:
@@ -66,7 +86,7 @@ def _bound(work: Work, together: bool) -> list[frozenset[int]]:
     """Sets of objects to bind: what stays anyway with each that moved, and ``together`` with several of the nearest."""
     far = {m.id: m.distance + abs(m.rise) for m in work.best.moves if m.distance + abs(m.rise) > MOVED or m.turn}
     objects = work.scene.objects
-    roots = [i for i, o in enumerate(objects) if not o.fixed and o.support is None]
+    roots = _loose(work)
     clashes = _clashes(work)
     stay = frozenset(i for i in roots if objects[i].id not in far)
     moved = sorted((i for i in roots if objects[i].id in far), key=lambda i: far[objects[i].id])
