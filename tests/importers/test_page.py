@@ -13,7 +13,9 @@ def sections() -> str:
     parts: list[str] = []
     for name, entry in sorted(formats().items()):
         parts.append(f"### `{name}`: {entry.title}")
-        parts.append("\n".join(textwrap.wrap(" ".join(entry.notes), 118, break_on_hyphens=False, break_long_words=False)))
+        parts.append(
+            "\n".join(textwrap.wrap(" ".join(entry.notes), 118, break_on_hyphens=False, break_long_words=False))
+        )
     return "\n\n".join(parts)
 
 
