@@ -82,6 +82,8 @@ def run(settings: Settings, judge: Judge) -> Result:
     everything: dict[str, tuple[list[Row], list[Row], float]] = {bodies: ([], [], 0.0) for bodies in BODIES}
     first: list[Given] = []
     for source in yaml.safe_load(SOURCES.read_text("utf-8")):
+        if _unsized(source, settings) and _files(source, settings):
+            result.notes.append(f"{source['name']}: sizes unknown, boxes of 0.12 to 0.28 m; not part of all")
         for bodies in BODIES:
             given = list(_given(source, bodies, settings, result))
             if not given:
@@ -89,6 +91,8 @@ def run(settings: Settings, judge: Judge) -> Result:
             first = first or given
             scenes, objects, seconds = _repaired(given, settings, settings.size(CANDIDATES, 4))
             _tell(source["name"], bodies, scenes, objects, seconds, shares.rows, kinds.rows, left.rows)
+            if _unsized(source, settings):
+                continue
             rows, more, before = everything[bodies]
             everything[bodies] = [*rows, *scenes], [*more, *objects], before + seconds
     for bodies, (scenes, objects, seconds) in everything.items():
@@ -104,13 +108,13 @@ def run(settings: Settings, judge: Judge) -> Result:
 def _given(source: dict[str, Any], bodies: str, settings: Settings, result: Result) -> Iterator[Given]:
     """The scenes of a set; a note says where there are none."""
     name = source["name"]
-    files = [file for folder in settings.designs for file in sorted(Path(folder).glob(source["files"]))]
+    files = _files(source, settings)
     if source["format"] not in formats() or not files:
         if bodies == BODIES[0]:
             why = "no such files under --designs" if source["format"] in formats() else "its format is not read here"
             result.notes.append(f"{name}: left out, {why}")
         return
-    table = next((f for folder in settings.designs for f in Path(folder).glob(source.get("sizes", "-"))), None)
+    table = _table(source, settings)
     options: dict[str, Any] = {"assets": bodies, "sizes": None if table is None else load_sizes(table)}
     count = 0
     for file in files:
@@ -122,6 +126,19 @@ def _given(source: dict[str, Any], bodies: str, settings: Settings, result: Resu
                 yield given
         except InputError as error:
             result.notes.append(f"{name}: {error}")
+
+
+def _files(source: dict[str, Any], settings: Settings) -> list[Path]:
+    return [file for folder in settings.designs for file in sorted(Path(folder).glob(source["files"]))]
+
+
+def _table(source: dict[str, Any], settings: Settings) -> Path | None:
+    return next((f for folder in settings.designs for f in Path(folder).glob(source.get("sizes", "-"))), None)
+
+
+def _unsized(source: dict[str, Any], settings: Settings) -> bool:
+    """Whether nothing says how large the objects of a set are."""
+    return source.get("unsized", False) and _table(source, settings) is None
 
 
 def _repaired(given: Sequence[Given], settings: Settings, candidates: int) -> tuple[list[Row], list[Row], float]:

@@ -14,7 +14,7 @@ from sceneweaver.geometry.polygons import rectangle
 from sceneweaver.scene import InputError, Part, SceneObject, Surface, Zone
 
 from .categories import Named
-from .model import Mount, SourceObject
+from .model import Corners, Mount, SourceObject
 
 Assets = Literal["own", "theirs", "boxes"]
 
@@ -135,15 +135,18 @@ def _stretched(thing: SceneObject, asset: Asset) -> SceneObject:
 
 
 def _hollow(thing: SceneObject, source: SourceObject) -> SceneObject:
-    """The object as the boxes that its file says it consists of; the tops of all of them carry."""
-    parts = tuple(
-        Part(polygon=((x0, y0), (x1, y0), (x1, y1), (x0, y1)), z=(z0, z1))
-        for (x0, y0, z0), (x1, y1, z1) in source.parts
-    )
+    """The object as the boxes that its file says it consists of; the tops of all of them carry, and hollows too."""
+    parts = tuple(Part(polygon=_flat(box), z=(box[0][2], box[1][2])) for box in source.parts)
+    hollows = [Surface(name=f"hollow_{k}", polygon=_flat(box), z=box[0][2]) for k, box in enumerate(source.hollows)]
     tops = [p for p in parts if p.z[1] < thing.size[2] - 1e-6]
     surfaces = [Surface(name=f"part_{k}", polygon=p.polygon, z=p.z[1]) for k, p in enumerate(tops)]
     made = _box(thing)
-    return made.model_copy(update={"parts": parts, "surfaces": (*made.surfaces, *surfaces)})
+    return made.model_copy(update={"parts": parts, "surfaces": (*hollows, *made.surfaces, *surfaces)})
+
+
+def _flat(box: Corners) -> tuple[tuple[float, float], ...]:
+    (x0, y0, _), (x1, y1, _) = box
+    return (x0, y0), (x1, y0), (x1, y1), (x0, y1)
 
 
 def _box(thing: SceneObject) -> SceneObject:

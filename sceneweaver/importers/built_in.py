@@ -73,6 +73,17 @@ def _opened(whole: Box, front: bool) -> list[Box]:
     return boxes
 
 
+def built_into(fixture: Fixture, local: Sequence[tuple[Fixture, Box]]) -> list[tuple[Fixture, Box]]:
+    """Those of the other fixtures that a counter or a housing holds within itself, with their boxes in its frame."""
+    whole: Box = (-fixture.size / 2, fixture.size / 2)
+    within = [(other, box) for other, box in local if _in(whole, box)]
+    if fixture.type == "counter":
+        return [(other, box) for other, box in within if _let(other)]
+    if fixture.type == "housing_cabinet":
+        return [(other, box) for other, box in within if other.type not in ("counter", "stack")]
+    return []
+
+
 def _let(other: Fixture) -> bool:
     return other.type in ("sink", "stovetop")
 

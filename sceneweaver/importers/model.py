@@ -13,6 +13,9 @@ from typing import Any, Literal
 import numpy as np
 
 Mount = Literal["floor", "wall", "ceiling", "surface"]
+
+Corners = tuple[tuple[float, float, float], tuple[float, float, float]]
+"""Least and largest corner of a box [m]."""
 Anchor = Literal["centre", "bottom", "origin"]
 """Which point of an object a position is of: the centre of its box, the bottom centre, or the origin of its model."""
 
@@ -29,7 +32,8 @@ class SourceObject:
     its coordinates are multiplied by ``scale``. ``support`` is the name of what carries it, as the file says.
 
     ``parts`` are least and largest corners [m] of the boxes that a hollow thing consists of, in the object's frame with
-    the origin in the middle of its bottom; empty: it fills its box.
+    the origin in the middle of its bottom; empty: it fills its box. ``hollows`` are such boxes for what is built into
+    it and rests there, as a sink in its counter.
     """
 
     name: str
@@ -46,7 +50,8 @@ class SourceObject:
     mount: Mount | None = None
     description: str = ""
     fixed: bool = False
-    parts: tuple[tuple[tuple[float, float, float], tuple[float, float, float]], ...] = ()
+    parts: tuple[Corners, ...] = ()
+    hollows: tuple[Corners, ...] = ()
     size_assumed: bool = False
     keep: dict[str, Any] = field(default_factory=dict)
 

@@ -14,6 +14,7 @@ from sceneweaver.scene import InputError, Scene
 
 from .report import Repair, notes_on
 from .solving import Budget, Work, judged, lay_out_anew, mend
+from .staying import let_stay
 from .taking_out import take_out
 
 AGAIN = 8  # times as many candidates for a scene that stays invalid, and of which nothing proves that it is
@@ -142,6 +143,8 @@ def repair_many(
     mend(again, more, clock)
     again = [each for each in again if not each.best.report.valid and not clock.passed]
     lay_out_anew(again, more, clock)
+    if soft:
+        let_stay(broken, budget, clock)
     if drop:
         for each in broken:
             if not each.best.report.valid:

@@ -23,15 +23,18 @@ TRIES = 4  # of a candidate from the first feasible one on
 TRIED = 4  # layouts that are judged when none is valid, and of each pass where wishes count
 VARIANTS = 6  # of a scene that loses wishes
 JUDGED = 0.5  # [s] beyond a time limit in which what was found is judged
+MOVED = 1e-3  # [m] from which an object counts as moved
 LOST = 1.0  # [m] of movement that a relation is worth that held before
 UNMET = 0.1  # [m] the same of one that nearly did
 SKEWED = 0.3  # [m] the same of an object that was square to the room
+STIRRED = 0.01  # [m] the same of an object that need not move at all, where wishes count
 
 
 @dataclass(frozen=True)
 class Option:
     """A layout to choose from: the scene in it, the judge on it, who moved, the wishes that it loses (those that held
-    before) and leaves unmet (those that nearly did), how many objects are square to the room no more, who is gone."""
+    before) and leaves unmet (those that nearly did), how many objects are square to the room no more, how many moved
+    where that counts by itself, who is gone."""
 
     scene: Scene
     report: Report
@@ -39,13 +42,14 @@ class Option:
     lost: frozenset[int] = frozenset()
     unmet: frozenset[int] = frozenset()
     skewed: int = 0
+    stirred: int = 0
     taken_out: tuple[str, ...] = ()
 
     @property
     def badness(self) -> tuple[int, float]:
         """Order of options: by how many things are wrong, then by how far objects went and what got lost."""
         wrong = sum(v.hard for v in self.report.violations)
-        price = LOST * len(self.lost) + UNMET * len(self.unmet) + SKEWED * self.skewed
+        price = LOST * len(self.lost) + UNMET * len(self.unmet) + SKEWED * self.skewed + STIRRED * self.stirred
         return wrong, sum(m.distance + abs(m.rise) for m in self.moves) + price
 
 
@@ -120,7 +124,14 @@ Found = list[tuple[Solution, np.ndarray]]
 
 
 def project(
-    work: Sequence[Work], hard: Hard, budget: Budget, clock: Deadline, *, square: bool = False, anew: bool = False
+    work: Sequence[Work],
+    hard: Hard,
+    budget: Budget,
+    clock: Deadline,
+    *,
+    square: bool = False,
+    anew: bool = False,
+    bound: Sequence[frozenset[int]] = (),
 ) -> Found:
     """Solve scenes in shared launches with the relations of these numbers to hold.
 
@@ -131,10 +142,11 @@ def project(
         clock: when to be back.
         square: whether what is square to the room keeps its yaw.
         anew: not from where they are but from layouts that are searched for.
+        bound: of each the numbers of the objects that stay where they are.
     """
     models = []
-    for each, numbers in zip(work, hard, strict=True):
-        kept = _squared(each.scene, each.square) if square else each.scene
+    for each, numbers, still in zip(work, hard, bound or [frozenset[int]()] * len(work), strict=True):
+        kept = _still(_squared(each.scene, each.square) if square else each.scene, still)
         models.append(engine_scene(_with_hard(kept, numbers), True))
     solutions = engine.refine_many(
         [model for model, _ in models],
@@ -158,9 +170,17 @@ def judge(work: Sequence[Work], found: Found, nearest: bool = False) -> list[Sol
         each.unjudged = True
     for each, (solution, lift) in zip(work, found, strict=True):
         for k in _chosen(solution, nearest or bool(each.wishes or each.square)):
-            _judge(each, put_back(each.scene, lift, solution.poses[k]))
+            add_option(each, put_back(each.scene, lift, solution.poses[k]))
         each.unjudged = False
     return [solution for solution, _ in found]
+
+
+def _still(scene: Scene, bound: frozenset[int]) -> Scene:
+    """The scene with these objects fixed."""
+    if not bound:
+        return scene
+    objects = (o.model_copy(update={"fixed": True}) if i in bound else o for i, o in enumerate(scene.objects))
+    return scene.model_copy(update={"objects": tuple(objects)})
 
 
 def _squared(scene: Scene, square: frozenset[int]) -> Scene:
@@ -196,12 +216,14 @@ def _chosen(solution: Solution, nearest: bool) -> np.ndarray:
     return np.unique(np.concatenate([chosen, near]))
 
 
-def _judge(work: Work, scene: Scene) -> None:
+def add_option(work: Work, scene: Scene) -> None:
+    """Make a layout of the scene an option, with what the judge says of it."""
     report = judged(scene, work.relations, walkable=False)  # floor is measured of what is chosen
     missed = work.wishes - holding(scene, work.wishes)
     moves = moves_between(work.scene, scene)
     skewed = len(work.square - squared(scene)) if work.square else 0
-    work.options.append(Option(scene, report, moves, missed & work.held, missed - work.held, skewed))
+    stirred = sum(m.distance + abs(m.rise) > MOVED for m in moves) if work.wishes or work.square else 0
+    work.options.append(Option(scene, report, moves, missed & work.held, missed - work.held, skewed, stirred))
 
 
 def hard_relations(scene: Scene) -> frozenset[int]:

@@ -93,6 +93,23 @@ def test_built_in_things_do_not_collide(tmp_path):
     assert sw.check(found.scene).collisions == 0
 
 
+def test_built_in_things_rest_in_what_holds_them_and_go_with_it(tmp_path):
+    path = written(tmp_path, "layout.yaml", LAYOUT.replace("[0.01, -0.02, -0.01]", "[0, 0, 0]"))
+    (room,) = sw.read_scenes(path, assets="boxes")
+    held = {o.id: o.support for o in room.scene.objects if o.support is not None}
+    assert {name: support.object for name, support in held.items()} == {
+        "sink_main_group": "counter_main_group",
+        "fridge_main_group": "housing_main_group",
+    }
+    for name, support in held.items():
+        holder, obj = room.scene.object(support.object), room.scene.object(name)
+        (hollow,) = (s for s in holder.surfaces if s.name == support.surface)
+        assert hollow.name.startswith("hollow")
+        assert holder.pose.position[2] + hollow.z == pytest.approx(obj.pose.position[2], abs=1e-9)
+    wrong = {v.objects[0] for v in sw.check(room.scene).violations if v.kind == "unsupported"}
+    assert not wrong & set(held)
+
+
 def test_sizes_of_the_models_of_a_style(tmp_path):
     folder = tmp_path / "assets"
     sites = {"p0": "-0.2 -0.3 0", "px": "0.4 -0.3 0", "py": "-0.2 0.1 0", "pz": "-0.2 -0.3 0.8"}
@@ -115,7 +132,7 @@ def test_sizes_of_the_models_of_a_style(tmp_path):
 def test_real_kitchens(number):
     (found,) = sw.read_scenes(DATA / f"robocasa_layout{number}.yaml", assets="boxes", relations=False)
     report = sw.check(found.scene)
-    assert len(found.scene.objects) > 20 and report.collisions <= 1
+    assert len(found.scene.objects) > 20 and report.collisions <= 1 and report.valid == (number == "001")
     assert found.scene.room.height == pytest.approx(3.0) and found.scene.room.type == "kitchen"
 
 

@@ -7,7 +7,10 @@ import math
 import pytest
 
 import sceneweaver as sw
+from sceneweaver.repairs.solving import Budget, Work, add_option
+from sceneweaver.repairs.staying import let_stay
 from sceneweaver.repairs.wishes import holding
+from sceneweaver.runtime.deadline import Deadline
 from sceneweaver.scene import Pose, Relation, Room
 from sceneweaver.scene.objects import Support
 from tests.layout.made import CUP, scene, table, thing, zoo
@@ -116,3 +119,30 @@ def test_drop_takes_what_stands_on_a_thing_and_relations_with_it():
     )
     done = sw.repair_report(what, drop=True, soft=True, candidates=4, device="cpu")
     assert done.valid and done.taken_out == ("whale", "cup") and done.scene.relations == ()
+
+
+def moved(done):
+    return {m.id for m in done.moves if m.distance > 1e-3}
+
+
+def test_with_wishes_one_object_makes_way_instead_of_both():
+    a, b = thing("a", (1.0, 1.0, 1.0)), thing("b", (1.0, 1.0, 1.0))
+    what = scene([at(a, 1.2, 1.5), at(b, 2.1, 1.5)], [])
+    spread = sw.repair_report(what, candidates=4, device="cpu")
+    one = sw.repair_report(what, soft=True, candidates=4, device="cpu")
+    assert spread.valid and moved(spread) == {"a", "b"}, "squares spread the movement"
+    assert one.valid and len(moved(one)) == 1
+    assert sum(m.distance for m in one.moves) == pytest.approx(0.1, abs=2e-3)
+
+
+def test_in_a_room_that_stays_invalid_nothing_moves_for_nothing():
+    small = [at(thing(name, (0.3, 0.3, 0.4)), x, y) for name, x, y in (("c", 1.3, 2.25), ("d", 0.2, 2.12))]
+    what = scene([*overfull().objects[:2], *small], [], room=overfull().room)
+    work = Work.on(what, True, True)
+    add_option(
+        work, what.replace_poses({o.id: Pose.from_yaw(x, 2.1, 0, 0) for o, x in zip(small, (1.3, 0.7), strict=True)})
+    )
+    assert [v.kind for v in work.best.report.violations if v.hard] == ["collision"] and len(work.best.moves) == 2
+    let_stay([work], Budget(4, 0, "cpu"), Deadline(math.inf))
+    assert [m.id for m in work.best.moves] == ["c"], "c stood in the wall, d was right where it was"
+    assert [v.kind for v in work.best.report.violations if v.hard] == ["collision"]

@@ -9,7 +9,7 @@ import numpy as np
 
 from sceneweaver.io import load_yaml
 
-from ..built_in import Box, solid
+from ..built_in import Box, built_into, solid
 from ..entries import Entry
 from ..fixture_models import FixtureModels
 from ..fixtures import Fixture, Kitchen, label_of
@@ -57,7 +57,8 @@ def _read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
             notes.append(f"{what}: {', '.join(names[:30])}{' ...' if len(names) > 30 else ''}")
     openings = tuple(_window(f) for f in standing if f.type.startswith("window"))
     things = [f for f in standing if not f.type.startswith("window")]
-    objects = tuple(_object(f, things, list(kitchen.walls.values())) for f in things)
+    holders = {other.name: f.name for f in things for other, _ in built_into(f, _local(f, things))}
+    objects = tuple(_object(f, things, list(kitchen.walls.values()), holders.get(f.name)) for f in things)
     carved = [o.name for o in objects if o.parts]
     if carved:
         notes.append(f"hollow or cut out where others are built in: {', '.join(carved)}")
@@ -87,13 +88,20 @@ def _window(fixture: Fixture) -> SourceOpening:
     return SourceOpening(fixture.name, "window", *ends, low, float(fixture.size[2]))
 
 
-def _object(fixture: Fixture, things: list[Fixture], walls: list[Entry]) -> SourceObject:
+def _local(fixture: Fixture, things: list[Fixture]) -> list[tuple[Fixture, Box]]:
+    """The other fixtures of a group with their boxes in the frame of this one."""
     turn = yaw_matrix(fixture.yaw)
     local: list[tuple[Fixture, Box]] = []
     for other in things:
         if other is not fixture and other.group == fixture.group:
             middle = turn.T @ (other.at - fixture.at)
             local.append((other, (middle - other.size / 2, middle + other.size / 2)))
+    return local
+
+
+def _object(fixture: Fixture, things: list[Fixture], walls: list[Entry], holder: str | None) -> SourceObject:
+    turn = yaw_matrix(fixture.yaw)
+    local = _local(fixture, things)
     boxes = solid(fixture, local)
     width, depth, height = (float(v) for v in fixture.size)
     full = len(boxes) == 1 and np.allclose(boxes[0], (-fixture.size / 2, fixture.size / 2))
@@ -116,7 +124,9 @@ def _object(fixture: Fixture, things: list[Fixture], walls: list[Entry]) -> Sour
         (depth, width, height),
         size_assumed=not fixture.given,
         asset=fixture.asset,
-        mount=mount,
+        support=holder,
+        mount=None if holder else mount,
+        hollows=tuple(_part(low, high, height) for _, (low, high) in built_into(fixture, local)),
         parts=() if full else tuple(_part(low, high, height) for low, high in boxes),
         keep={"type": fixture.type, "size_given": fixture.given},
     )
@@ -156,7 +166,7 @@ FORMAT = SourceFormat(
         "in --asset-folder, models in --asset-folder); else the usual ones, which count as assumed. RoboCasa joins "
         "styles and layouts freely: the first style there is taken.",
         "Built-in things lie within each other: a counter over cabinets is its top, sinks and hobs are cut out of "
-        "counters and cabinets, housings are hollow around what they hold.",
+        "counters and cabinets, housings are hollow around what they hold; that rests in them and goes with them.",
         "Lost: what RoboCasa places by chance when it loads (accessories with `placement`), doors and drawers of "
         "cabinets, textures, partition walls within the outline.",
     ),
