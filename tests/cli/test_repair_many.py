@@ -56,7 +56,7 @@ def test_a_folder_gets_scenes_tables_and_a_report(run, folder, tmp_path):
     assert [row["scene"] for row in report["unmended"]] == ["room-2"] and "whale" in report["unmended"][0][
         "explanation"
     ]
-    assert report["violations_before"]["collision"] >= 5 and 0 < report["movement_moved"]["p50"] < 0.3
+    assert report["violations_before"]["collision"] >= 5 and report["movement_moved"]["p50"] > 0
     assert "seconds" not in report
     for text in ("collisions", "out of bounds", "share valid", "80.0 %", "p50", "p90", "max", "whale", str(out)):
         assert text in ended.out
@@ -66,6 +66,8 @@ def test_a_folder_gets_scenes_tables_and_a_report(run, folder, tmp_path):
     assert len(rows) == 5 and len(objects) == 11 and rows[0]["format"] == "scene"
     moved = {(row["scene"], row["object"]): row["distance"] for row in objects}
     for k in (0, 1, 3, 4):
+        far = [distance for (room, _), distance in moved.items() if room == f"room-{k}"]
+        assert sum(d > 1e-3 for d in far) == 1 and sum(far) < 0.4, "one of the two makes way for both"
         after = Scene.load(out / "scenes" / f"room-{k}.json")
         x, y, _ = after.object("a").pose.position
         assert moved[f"room-{k}", "a"] == pytest.approx(((x - 0.1) ** 2 + (y - 1.0 - 0.1 * k) ** 2) ** 0.5, abs=1e-9)
