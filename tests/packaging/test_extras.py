@@ -68,6 +68,23 @@ async def main():
         print("tools:", len((await client.list_tools()).tools))
 asyncio.run(main())
 """
+PRIOR = """
+import numpy as np
+import sceneweaver as sw
+from sceneweaver.prior.network import Shape
+from sceneweaver.prior.tokens import TRAINED, padded, tokens_of
+from sceneweaver.prior.training import Recipe, train
+words = sw.LayoutPrior.load().words
+scene = sw.Scene.example("bedroom")
+token = tokens_of(scene, words)
+poses = np.zeros((2, TRAINED["objects"], 4), dtype=np.float32)
+poses[:, : len(token.index)] = token.local(np.array([(*o.pose.position, o.pose.yaw) for o in scene.objects]))
+data = {f"token.{name}": value for name, value in padded([token], **TRAINED).arrays().items()}
+data |= {"poses": poses, "counts": np.array([2])}
+small = {"wide": 32, "deep": 1, "heads": 2, "slim": 32, "steps": 1, "eyes": 2}
+shape = Shape(len(words.categories), len(words.kinds), len(words.relations), **small)
+print("steps:", sum(n for _, _, n in train(data, shape, Recipe(rooms=1, layouts=2, low="float32"), steps=25)))
+"""
 RUN = ["--optimizers", "adam", "--seeds", "1", "--candidates", "8", "--evaluations", "400", "--no-isolate"]
 MAKE = ["dataset", "make", "spec.yaml", "--workers", "1", "--device", "cpu"]
 CARD = ["dataset", "push-card", "few", "--repo", "a/b", "--endpoint", "http://127.0.0.1:9", "--token-env", "CARD_TOKEN"]
@@ -89,6 +106,7 @@ USES: dict[str, list[tuple[str | list[str], str]]] = {
     "ray": [([*MAKE, "-o", "by_ray", "--engine", "ray"], "")],
     "llm": [(LLM, "answer: steps=0")],
     "mcp": [(MCP, "tools: 22")],
+    "prior": [(PRIOR, "steps: 25")],
 }
 """What each extra is for: programs and arguments of the command, each with what it prints."""
 
