@@ -9,6 +9,7 @@ import numpy as np
 
 from sceneweaver.assets import Asset, Library, Store
 from sceneweaver.assets.category import Sizes
+from sceneweaver.assets.sources.stored import OF_SCENES
 from sceneweaver.assets.taxonomy import category_named
 from sceneweaver.geometry.polygons import rectangle
 from sceneweaver.scene import InputError, Part, SceneObject, Surface, Zone
@@ -94,7 +95,7 @@ def _imported(source: SourceObject, category: str, mount: Mount) -> Asset:
         metres=1.0,
         mount=mount,
         transform=(*transform, (0.0, 0.0, 0.0, 1.0)),
-        source="imported",
+        source=OF_SCENES,
     )
     asset = prepare(hints, cache=_store().cache)
     _store().add(asset, content_hash(asset))

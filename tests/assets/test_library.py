@@ -51,6 +51,18 @@ def test_the_store_comes_first_and_licences_count(both: Library) -> None:
         both.choose("wardrobe", wish=Wish(licences=frozenset({"MIT"})))
 
 
+def test_what_came_with_a_scene_is_offered_to_no_other(tmp_path) -> None:
+    asset = make("wardrobe", 3)
+    asset = replace(asset, id="", origin=replace(asset.origin, source="imported"))
+    content = content_hash(asset)
+    own = f"imported:wardrobe-{content[:12]}"
+    store = Store(tmp_path / "store")
+    store.add(replace(asset, id=own), content)
+    library = Library([StoreSource(store), ParametricSource()])
+    assert library.choose("wardrobe")[0].id.startswith("parametric:")
+    assert library.load(own).category == "wardrobe"
+
+
 def test_size_decides_between_equals(both: Library) -> None:
     asset = both.find("wardrobe").cards[0]
     other = (asset.size[0], 0.85 if asset.size[1] > 1.2 else 1.9, asset.size[2])

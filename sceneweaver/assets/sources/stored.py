@@ -10,6 +10,10 @@ from ..taxonomy import members
 from .base import Card, Wish
 
 
+OF_SCENES = "imported"
+"""Source of assets that came with a scene of another system: they stand in that scene, and are offered to no other."""
+
+
 class StoreSource:
     """The assets of a store; its rows are read once."""
 
@@ -22,7 +26,7 @@ class StoreSource:
     def find(self, category: str, wish: Wish) -> Iterator[Card]:
         """Assets of the category, or of its members when it is a group."""
         names = {category, *members(category)}
-        yield from (card for card in self.cards() if card.category in names)
+        yield from (card for card in self.cards() if card.category in names and card.source != OF_SCENES)
 
     def cards(self) -> list[Card]:
         """All assets of the store."""
