@@ -188,8 +188,8 @@ def named_sources(sources: Sequence[str]) -> dict[str, Path]:
 
 def _readings(systems: Mapping[str, list[Path]], options: CompareOptions) -> dict[str, Reading]:
     from sceneweaver.evaluation import Reading
-    from sceneweaver.evaluation.candidate import OWN
     from sceneweaver.importers import AUTO, formats
+    from sceneweaver.importers.own import OWN
     from sceneweaver.importers.read import KINDS
     from sceneweaver.importers.sizes import load_sizes
 

@@ -45,7 +45,7 @@ def is_single(source: Path, format_name: str) -> bool:
         return True
     with no_chatter():
         from sceneweaver.importers import format_of
-        from sceneweaver.repairs.sources import is_own
+        from sceneweaver.importers.own import is_own
     if is_own(source):
         return True
     try:

@@ -12,8 +12,9 @@ from sceneweaver.datasets import Folder
 from sceneweaver.datasets.reading import scenes_of, shards_of, spans_of
 from sceneweaver.importers import AUTO, ImportedScene, read_scenes
 from sceneweaver.importers.bodies import Assets
+from sceneweaver.importers.own import OWN, own_files, own_scenes
 from sceneweaver.importers.sizes import SizeTable
-from sceneweaver.io import InputError, open_regular
+from sceneweaver.io import InputError
 from sceneweaver.io.messages import clean, path_name
 from sceneweaver.scene import Scene
 
@@ -22,10 +23,6 @@ from .metrics import ABSENT, Needs
 Source = Scene | ImportedScene | str | os.PathLike[str]
 """A scene, or a file or folder of scenes."""
 
-OWN = "scene"
-"""The name of our own format."""
-
-_HEAD = 4096
 _GUESSED = "category"  # where a size comes from that is in no file
 
 
@@ -87,18 +84,11 @@ def candidates(
 
 
 def _of_path(path: Path, how: Reading, on_error: Callable[[str], None] | None) -> Iterator[Candidate]:
-    own = list(_own_files(path)) if how.format in (AUTO, OWN) else []
+    own = own_files(path) if how.format in (AUTO, OWN) else []
     if how.format in (AUTO, OWN) and path.is_dir() and (path / "dataset.json").is_file():
         yield from _of_data_set(path, how)
         return
-    for file in own:
-        try:
-            scene = Scene.load(file)
-        except InputError as error:
-            if on_error is None:
-                raise
-            on_error(str(error))
-            continue
+    for file, scene in own_scenes(own, on_error):
         inside = file.relative_to(path) if path.is_dir() else Path(file.name)
         name = str(inside.parent) if file.name == "scene.json" and inside.parent != Path() else str(inside)
         yield _of_scene(scene, name.removesuffix(".json"), how)
@@ -110,30 +100,6 @@ def _of_path(path: Path, how: Reading, on_error: Callable[[str], None] | None) -
         path, how.format, assets=how.assets, folder=how.folder, sizes=how.sizes, relations=False, on_error=on_error
     ):
         yield _of_import(found, how)
-
-
-def _own_files(path: Path) -> Iterator[Path]:
-    """The scene files of ours that a path holds, by name; of a design's folder only its scene."""
-    if not path.exists():
-        raise InputError(f"{path_name(path)}: no such file or folder")
-    if path.is_dir():
-        for folder, folders, files in os.walk(path):
-            folders.sort()
-            if "scene.json" in files and _is_own(Path(folder) / "scene.json"):
-                folders.clear()  # its steps are no scenes of their own
-                yield Path(folder) / "scene.json"
-                continue
-            yield from (Path(folder) / f for f in sorted(files) if f.endswith(".json") and _is_own(Path(folder) / f))
-    elif _is_own(path):
-        yield path
-
-
-def _is_own(path: Path) -> bool:
-    try:
-        with open_regular(path, 2**62) as file:
-            return b'"sceneweaver.scene/' in file.read(_HEAD)
-    except (InputError, OSError):
-        return False
 
 
 def _of_data_set(path: Path, how: Reading) -> Iterator[Candidate]:

@@ -10,13 +10,14 @@ from typing import Any
 import jinja2
 
 from sceneweaver.importers import formats
+from sceneweaver.importers.own import OWN
 from sceneweaver.io import packaged
 from sceneweaver.report.html import clean, counted, picture_url
 from sceneweaver.runtime.deadline import Deadline, TimeUp
 from sceneweaver.scene import SceneWeaverError
 from sceneweaver.verify import check
 
-from .candidate import OWN, Candidate
+from .candidate import Candidate
 from .compare import Comparison
 from .metrics import METRICS, Metric
 from .summary import Evaluation, Figure, number_text

@@ -7,26 +7,11 @@ from pathlib import Path
 from typing import Any
 
 from sceneweaver.importers import AUTO, read_scenes
+from sceneweaver.importers.own import OWN, own_files, own_scenes
 from sceneweaver.importers.relations import relations_of
-from sceneweaver.io import InputError, open_regular
-from sceneweaver.scene import Scene
+from sceneweaver.io import InputError
 
 from .stream import Given, file_name
-
-OWN = "scene"
-"""Name of the format of our own scene files, for --from."""
-
-_HEAD = 4096
-_MARK = b'"sceneweaver.scene/'
-
-
-def is_own(path: Path) -> bool:
-    """Whether a file begins like a scene of ours."""
-    try:
-        with open_regular(path, 2**62) as file:
-            return _MARK in file.read(_HEAD)
-    except (InputError, OSError):
-        return False
 
 
 def given_scenes(
@@ -50,7 +35,7 @@ def given_scenes(
     Raises:
         InputError: nothing is recognised, or a file is broken and there is no ``on_error``.
     """
-    own = _own_files(path) if source in (AUTO, OWN) else []
+    own = own_files(path) if source in (AUTO, OWN) else []
     if source == OWN and not own:
         raise InputError(f"{path}: no scene file in it; give scene.json files, or another format with --from")
     if own:
@@ -62,22 +47,9 @@ def given_scenes(
         yield Given(_unused(imported.scene.id, used), imported.scene, about)
 
 
-def _own_files(path: Path) -> list[Path]:
-    if path.is_file():
-        return [path] if is_own(path) else []
-    return sorted(file for file in path.rglob("*.json") if file.is_file() and is_own(file))
-
-
 def _own_scenes(path: Path, files: list[Path], infer: bool, on_error: Callable[[str], None] | None) -> Iterator[Given]:
     used: set[str] = set()
-    for file in files:
-        try:
-            scene = Scene.load(file)
-        except InputError as error:
-            if on_error is None:
-                raise
-            on_error(str(error))
-            continue
+    for file, scene in own_scenes(files, on_error):
         said = {(r.type, r.subject, r.target) for r in scene.relations}
         found = relations_of(scene) if infer else ()
         more = tuple(r for r in found if (r.type, r.subject, r.target) not in said)

@@ -9,7 +9,6 @@ from ..store import Store
 from ..taxonomy import members
 from .base import Card, Wish
 
-
 OF_SCENES = "imported"
 """Source of assets that came with a scene of another system: they stand in that scene, and are offered to no other."""
 
