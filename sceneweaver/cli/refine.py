@@ -78,7 +78,7 @@ def run_refine(
     *,
     candidates: int,
     seed: int,
-    init: Literal["sample", "random", "current"],
+    init: Literal["sample", "random", "current", "prior"],
     device: str,
     optimizer: str,
     time_limit: float | None,
