@@ -145,7 +145,8 @@ def beginnings(situation: Situation) -> list[Call]:
         Call(tool=name, instruction=text, seed=settings.seed, confidence=trust, reason="there is no scene yet")
         for trust, name in found
     ]
-    fixed = situation.brief.size is not None or situation.brief.area is not None
+    brief, begin = situation.brief, settings.begin
+    fixed = brief.size is not None or brief.area is not None or begin.room is not None
     for k in range(len(calls), LAST_BEGINNING):
         inputs = {} if fixed else {"roomier": round(1.0 + ROOMIER * (k - len(found)), 2)}
         reason = "another draw" if fixed or k == len(found) else "another draw, with more floor"

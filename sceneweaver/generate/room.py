@@ -28,7 +28,7 @@ from .rows import in_rows, lines_of, row_variants
 from .run import Variant, has_place
 from .seats import lengthened
 from .setup import Proposal, Setup
-from .shell import floor_area, shell
+from .shell import floor_area, shell_of
 from .stacks import stacked
 from .stated_lengths import with_stated_lengths
 from .stated_states import pulled_out, with_stated_looks, with_stated_states
@@ -106,7 +106,7 @@ class _Attempt:
 
 def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried: Callable[[], bool] = bool) -> Proposal:
     """Draw the room that the knowledge base and the request describe: objects at the origin but for what stands on
-    others, relations, other rooms for the same things and larger ones.
+    others, relations, other rooms for the same things and larger ones. A room that is given stays as it is.
 
     Args:
         setup: request, kind of room, library and seed; its scene is not read.
@@ -115,7 +115,7 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
         hurried: whether what could be drawn once more is left as it is.
     """
     room, brief, seed = setup.room_type, setup.brief, setup.seed
-    area, people, given, notes = floor_area(room, brief, seed)
+    area, people, given, notes = floor_area(room, brief, seed, setup.room)
     most = LARGEST * room.area[2]
     shrinks = not given and brief.scale == 1.0
     least = max(LEAST * area, 0.8 * room.area[0])
@@ -134,7 +134,7 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
     elif woods:
         look = look.model_copy(update={"woods": tuple(woods[:2])})
     avoid = (*(wanted.avoid if wanted is not None else ()), *unnamed(brief.colors), *unwanted)
-    palette = kept(look, style, seed, tuple(dict.fromkeys(avoid)))
+    palette = setup.palette or kept(look, style, seed, tuple(dict.fromkeys(avoid)))
 
     made = _shelled(setup, floor, palette, roomier, hurried)
     smallest: tuple[float, _Attempt] | None = None
@@ -188,7 +188,7 @@ def _shelled(setup: Setup, floor: _Floor, palette: Palette, roomier: float, hurr
     """The first shell of a floor whose walls and corners may hold what stands at them; the last one if none does."""
     room, brief, drawn = setup.room_type, setup.brief, 0
     while True:
-        space, remarks = shell(room, brief, floor.area, setup.seed, drawn)
+        space, remarks = shell_of(setup, floor.area, drawn)
         program = _program(setup, space, floor.area, floor.people, palette)
         # Nobody asked for this size: a floor that would stay empty shrinks, once, to what it holds.
         needed = roomier * program.footprint / (LEAN * room.fill) + kept_free(brief)
@@ -198,7 +198,7 @@ def _shelled(setup: Setup, floor: _Floor, palette: Palette, roomier: float, hurr
         rows = rows_of(brief, program.wanted)
         corners, cost = fitted(program, _free_of_rows(program.wanted, rows), space, setup.library)
         suits = cost < POOR and walls_hold(space, program.wanted) and may_hold(space, program.wanted, rows)
-        if suits or drawn == SHELLS or hurried():
+        if suits or drawn == SHELLS or setup.room is not None or hurried():
             return _Attempt(space, program, rows, corners, remarks)
         drawn += 1
 
@@ -230,6 +230,8 @@ def _alternatives(
     """Other rooms for the same things, and larger ones, as far as the request leaves them to us."""
     room, brief, wanted = setup.room_type, setup.brief, made.program.wanted
     others, larger = list[Room](), list[Room]()
+    if setup.room is not None:
+        return others, larger
     if not made.variants:
         fixed = floor.given or brief.shape == "round"
         others = other_rooms(room, brief, space, floor.area, setup.seed, fixed, DRAWN)
