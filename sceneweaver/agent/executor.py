@@ -176,7 +176,7 @@ class Executor:
             if not best.faults or self.deadline.left < AGAIN * took:
                 break
             at_once = 1 + max(len(notes) // 2, round_ // 2)  # the longer it takes, the more
-            lighter = relaxed(draft, best.faults, at_once)
+            lighter = relaxed(draft, best.faults, at_once, fixed=self.settings.begin.room is not None)
             if lighter is None:
                 break
             if (lighter.unmet or lighter.late) and not patient:  # before anything that was asked for goes

@@ -82,13 +82,14 @@ LARGEST = 1.5
 @dataclass
 class _Floor:
     """The floor [m2] of an attempt: whether the request fixes it, whether it may shrink to what it holds, and down to
-    how much."""
+    how much; and the factor on the share of it that is put under furniture."""
 
     area: float
     people: int
     given: bool
     shrinks: bool
     least: float
+    fill: float = 1.0
 
 
 @dataclass
@@ -104,7 +105,9 @@ class _Attempt:
     variants: list[Variant] = field(default_factory=list)
 
 
-def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried: Callable[[], bool] = bool) -> Proposal:
+def first_draft(
+    setup: Setup, *, style: str = "", roomier: float = 1.0, fill: float = 1.0, hurried: Callable[[], bool] = bool
+) -> Proposal:
     """Draw the room that the knowledge base and the request describe: objects at the origin but for what stands on
     others, relations, other rooms for the same things and larger ones. A room that is given stays as it is.
 
@@ -112,6 +115,7 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
         setup: request, kind of room, library and seed; its scene is not read.
         style: where the request names none; empty: one of the room's.
         roomier: factor on a floor that nobody fixed.
+        fill: factor on the share of the floor that is put under furniture.
         hurried: whether what could be drawn once more is left as it is.
     """
     room, brief, seed = setup.room_type, setup.brief, setup.seed
@@ -121,7 +125,7 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
     least = max(LEAST * area, 0.8 * room.area[0])
     if people_of(brief) is not None and room.area_per_person:
         least = max(least, room.area_per_person * people)
-    floor = _Floor(area if given else min(area * roomier, most), people, given, shrinks, least)
+    floor = _Floor(area if given else min(area * roomier, most), people, given, shrinks, least, fill)
     styles = [one for one in room.styles if one not in styles_unwanted(brief)] or room.styles
     style = brief.style or style or random.Random(seed ^ 0x57).choice(styles)
     wanted = look_of(brief)
@@ -189,7 +193,7 @@ def _shelled(setup: Setup, floor: _Floor, palette: Palette, roomier: float, hurr
     room, brief, drawn = setup.room_type, setup.brief, 0
     while True:
         space, remarks = shell_of(setup, floor.area, drawn)
-        program = _program(setup, space, floor.area, floor.people, palette)
+        program = _program(setup, space, floor, palette)
         # Nobody asked for this size: a floor that would stay empty shrinks, once, to what it holds.
         needed = roomier * program.footprint / (LEAN * room.fill) + kept_free(brief)
         if floor.shrinks and needed < floor.area:
@@ -336,15 +340,15 @@ def _scene(setup: Setup, space: Room, made: _Attempt, palette: Palette, people: 
     return scene, unmet
 
 
-def _program(setup: Setup, space: Room, area: float, people: int, palette: Palette) -> Program:
-    room, brief = setup.room_type, setup.brief
+def _program(setup: Setup, space: Room, floor: _Floor, palette: Palette) -> Program:
+    room, brief, area, people = setup.room_type, setup.brief, floor.area, floor.people
     wishes = [
         replace(wish, count=lamp_count(wish.item, space.outline, wish.count)) if wish.asked is None else wish
         for wish in demands(room, brief, area, people, len(space.windows), setup.seed)
     ]
     first = space.windows[0] if space.windows else None
     pane = (first.width, first.height, first.sill + first.height) if first is not None else None
-    fill = FILL[brief.density] * room.fill
+    fill = floor.fill * FILL[brief.density] * room.fill
     walls = walls_of(space)
     limits = Limits(max(area - kept_free(brief), 0.5 * area), fill, walls, WALLED * walls)
     program = build(wishes, room, setup.library, limits, setup.seed, palette, pane, space.height)
