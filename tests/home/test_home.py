@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from typing import Any
 
 import pytest
 import shapely
@@ -27,7 +28,7 @@ def changed(home: Home, path: str, value: object) -> dict:
     """The home's data with one value changed: "doors.0.to"."""
     data = home.to_json()
     *head, last = [int(k) if k.isdigit() else k for k in path.split(".")]
-    node = data
+    node: Any = data
     for key in head:
         node = node[key]
     node[last] = value
