@@ -14,6 +14,7 @@ from sceneweaver.assets import Library
 from sceneweaver.export import formats_named
 from sceneweaver.export.formats import USUAL
 from sceneweaver.generate.asked_room import asked_room, headline
+from sceneweaver.generate.draft import area_of
 from sceneweaver.generate.look import in_time, suited
 from sceneweaver.generate.people import with_people
 from sceneweaver.generate.stands import with_stands
@@ -21,6 +22,7 @@ from sceneweaver.knowledge import RoomType, match_room
 from sceneweaver.knowledge.learned import all_rooms
 from sceneweaver.knowledge.likely import likeliest_room, told_by
 from sceneweaver.knowledge.names import room_of_part
+from sceneweaver.knowledge.small_floors import on_floor
 from sceneweaver.language import SceneGraph, read_request
 from sceneweaver.llm import Limits, Prices
 from sceneweaver.runtime.deadline import Deadline, Stop
@@ -269,6 +271,8 @@ def chosen_room(brief: SceneGraph, room: Room | None = None) -> tuple[RoomType, 
     """
     told = all_rooms().get(room.type) if room is not None and brief.room_type is None else None
     kind, remarks = (told, ()) if told is not None else _kind_of_room(brief)
+    if room is not None:
+        kind = on_floor(kind, area_of(room))
     return suited(kind, brief), remarks
 
 

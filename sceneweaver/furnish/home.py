@@ -199,12 +199,13 @@ def _made(jobs: Sequence[RoomJob], workers: int, deadline: Deadline) -> Iterator
             yield furnish_room(job, _share(deadline, len(order) - at, 1), deadline.stop)
         return
     with processes.pool(count, deaf=True) as pool:
+        running = list((pool._processes or {}).values())  # noqa: SLF001 - there is no public way to end one
         try:
             yield from _side_by_side(pool, order, count, deadline)
         finally:
-            pool.shutdown(wait=False, cancel_futures=True)
-            if deadline.passed:
-                for process in list((pool._processes or {}).values()):  # noqa: SLF001 - has no public way to end one
+            if deadline.passed or deadline.stop.reason:
+                pool.shutdown(wait=False, cancel_futures=True)
+                for process in running:
                     process.kill()
 
 

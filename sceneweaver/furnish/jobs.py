@@ -2,16 +2,27 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
-from sceneweaver.agent import Result, design
+from sceneweaver.agent import design
+from sceneweaver.agent.design import chosen_room
 from sceneweaver.critic import Review
+from sceneweaver.knowledge.kin import excluded_kinds
+from sceneweaver.language import SceneGraph
 from sceneweaver.runtime.deadline import Stop
 from sceneweaver.scene import InputError, Palette, Room, Scene
 from sceneweaver.verify import Report
+
+
+AGAIN = 0x5BD1E995
+"""What lies between the seeds of two draws of a room."""
+
+LEAST = 2.0
+"""Seconds without which a room is not drawn again."""
 
 
 @dataclass(frozen=True)
@@ -57,6 +68,7 @@ class FurnishedRoom:
         report: the judge on it.
         review: grades of the critic and what it finds fault with.
         unmet: what was asked for and is not so.
+        lacking: categories of what such a room needs and has not.
         notes: what was assumed.
         seconds: processor time that it took [s].
         cut_off: what ended its search before it was done; empty: nothing.
@@ -69,6 +81,7 @@ class FurnishedRoom:
     report: Report | None = None
     review: Review | None = None
     unmet: tuple[str, ...] = ()
+    lacking: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     seconds: float = 0.0
     cut_off: str = ""
@@ -81,25 +94,45 @@ class FurnishedRoom:
 
     @property
     def satisfied(self) -> bool:
-        """Whether it is valid and holds what was asked for."""
-        return self.valid and not self.unmet
+        """Whether it is valid and holds what was asked for and what such a room needs."""
+        return self.valid and not self.unmet and not self.lacking
+
+    @property
+    def worth(self) -> tuple[float, ...]:
+        """Larger is better: valid, as asked, with what it needs, then the critic's grades."""
+        total = self.review.total if self.review is not None else 0.0
+        return float(self.valid), -float(len(self.unmet)), -float(len(self.lacking)), round(total, 6)
 
 
 def furnish_room(job: RoomJob, seconds: float | None = None, stop: Stop | None = None) -> FurnishedRoom:
-    """Furnish a room.
+    """Furnish a room; where something has no place, once more from another seed, and the better of both is kept.
 
     Args:
         job: the room.
         seconds: that it may take; None: any.
         stop: asks it to end before, with what is best then.
     """
-    began = time.process_time()
+    began, until = time.process_time(), math.inf if seconds is None else time.monotonic() + seconds
+    best: FurnishedRoom | None = None
+    for seed in (job.seed, job.seed ^ AGAIN):
+        left = None if seconds is None else until - time.monotonic()
+        if best is not None and (best.cut_off or (left is not None and left < LEAST)):
+            break
+        made = _furnished(job, seed, left, stop)
+        best = made if best is None else max(best, made, key=lambda room: room.worth)
+        if best.satisfied:
+            break
+    assert best is not None
+    return replace(best, seconds=round(time.process_time() - began, 3))
+
+
+def _furnished(job: RoomJob, seed: int, seconds: float | None, stop: Stop | None) -> FurnishedRoom:
     try:
         result = design(
             job.request,
             room=job.shell,
             palette=job.palette,
-            seed=job.seed,
+            seed=seed,
             pictures="none",
             export="none",
             time_limit=seconds,
@@ -107,11 +140,7 @@ def furnish_room(job: RoomJob, seconds: float | None = None, stop: Stop | None =
             **job.options,
         )
     except InputError as error:
-        return FurnishedRoom(job.room_id, job.request, failed=str(error), seconds=time.process_time() - began)
-    return _furnished(job, result, time.process_time() - began)
-
-
-def _furnished(job: RoomJob, result: Result, seconds: float) -> FurnishedRoom:
+        return FurnishedRoom(job.room_id, job.request, failed=str(error))
     return FurnishedRoom(
         job.room_id,
         job.request,
@@ -119,7 +148,20 @@ def _furnished(job: RoomJob, result: Result, seconds: float) -> FurnishedRoom:
         result.report,
         result.review,
         result.unmet,
+        lacking(result.scene, result.brief),
         result.notes,
-        round(seconds, 3),
-        result.report.cut_off or "",
+        cut_off=result.report.cut_off or "",
     )
+
+
+def lacking(scene: Scene, brief: SceneGraph) -> tuple[str, ...]:
+    """Categories of what a room of its kind needs on such a floor and a scene has not, as far as nobody wants it so."""
+    kind, _ = chosen_room(brief, scene.room)
+    there = {o.intent.program_item for o in scene.objects}
+    categories = {o.category for o in scene.objects}
+    unwanted = excluded_kinds(brief.without)
+    needed = [item for item in kind.items if item.need == "needed" and not brief.only]
+    gone = [i for i in needed if i.id not in there and not categories & {*i.what} and not unwanted >= {*i.what}]
+    hosts = {item.id for item in gone}
+    unwanted_hosts = {item.id for item in needed if unwanted >= {*item.what}}
+    return tuple(item.what[0] for item in gone if item.with_ not in hosts | unwanted_hosts)

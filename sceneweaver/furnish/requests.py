@@ -1,7 +1,8 @@
 """What the rooms of a home are furnished with where nobody says it: each so that the home as a whole has it once.
 
 A room by itself is furnished as such rooms usually are, with a table to eat at in each kitchen. In a home one room is
-for that: the dining room, else a kitchen that has the floor for it, else the living room.
+for that: the one that is by its type, else a kitchen that has the floor for it, else the living room, else the kitchen
+with a small one.
 """
 
 from __future__ import annotations
@@ -14,10 +15,12 @@ from sceneweaver.geometry.polygons import signed_area
 from sceneweaver.home import Home, HomeRoom
 from sceneweaver.language import read_request
 
+from sceneweaver.plans.room_types import room_types
+
 from .kinds import kind_of
 
-EAT_IN = 11.0
-"""Floor [m2] from which on a kitchen has a table for all."""
+EAT_IN, EAT_LIVING = 13.5, 20.0
+"""Floors [m2] from which on a kitchen, and a living room, have a table for all."""
 
 DOUBLE = (9.0, 2.55)
 """Floor [m2] and least side [m] from which on a bedroom has a bed for two."""
@@ -92,13 +95,15 @@ def _sleepers(place: _Place) -> int:
 
 def _eaten_in(places: list[_Place], told: Mapping[str, str]) -> str:
     """The id of the room with the table to eat at; empty where a dining room or a request has it."""
-    if any(p.kind in ("dining_room", "kitchen_diner") for p in places):
+    if any(p.kind in ("dining_room", "kitchen_diner", "break_room") for p in places):
         return ""
     for text in told.values():
         if any(has_role(e.category, "seated_at") and "dining" in e.category for e in read_request(text).entities):
             return ""
-    for kind, least in (("kitchen", EAT_IN), ("living_room", 0.0), ("kitchen", 0.0)):
-        fitting = [p for p in places if p.kind == kind and p.area >= least and p.room.id not in told]
+    free = [p for p in places if p.room.id not in told]
+    meant = [p for p in free if p.room.type in room_types() and "eating" in room_types()[p.room.type].roles]
+    for kind, least in (("kitchen", EAT_IN), ("living_room", EAT_LIVING), ("kitchen", 0.0), ("living_room", 0.0)):
+        fitting = meant or [p for p in free if p.kind == kind and p.area >= least]
         if fitting:
             return max(fitting, key=lambda p: (p.area, p.room.id)).room.id
     return ""
@@ -110,7 +115,9 @@ def _usual(place: _Place, beds: Mapping[str, int], table: str, people: int) -> s
     if place.kind in BEDROOMS:
         return f"{text} with a double bed" if beds[place.room.id] == 2 else f"{text} with a single bed"
     if place.kind == "kitchen":
-        return text if table == place.room.id else f"{text} without a dining table"
+        if table != place.room.id:
+            return f"{text} without a dining table"
+        return text if place.area >= EAT_IN else f"{text} with a small dining table and 2 chairs"
     if place.kind == "living_room" and table == place.room.id:
         return f"{text} with a dining table for {people} people"
     if place.kind == "hallway" and place.side <= NARROW:
