@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -56,6 +57,18 @@ class Ways:
         door = next(d for d in self.home.doors if d.id == door_id)
         floor = self.floors[self.home.room(door.room).storey]
         return frozenset((floor.storey, k) for k in floor.passes(floor.doorways[door_id]))
+
+    @cached_property
+    def entered(self) -> tuple[str | None, frozenset[Place]]:
+        """The entrance from which the base gets into most rooms, the first of equals, and all regions that it gets to
+        from there; None where it gets in nowhere."""
+        best, found, most = None, frozenset[Place](), -1
+        for door in self.home.entrances:
+            there = self.reached(self.from_entrance(door.id))
+            rooms = sum(self.holds(there, room.id) for room in self.home.rooms)
+            if there and rooms > most:
+                best, found, most = door.id, there, rooms
+        return best, found
 
     def reached(self, start: frozenset[Place], *, stairs: bool = True) -> frozenset[Place]:
         """All regions that can be got to from some of them."""
@@ -110,12 +123,7 @@ def used_things(placed: Placed) -> list[Body]:
 def measure(ways: Ways, radius: float = RADIUS) -> tuple[HomeAccess, list[HomeViolation]]:
     """How far a base gets, and everything that it does not get to."""
     home = ways.home
-    best, reached, count = None, frozenset[Place](), -1
-    for door in home.entrances:
-        there = ways.reached(ways.from_entrance(door.id))
-        rooms = sum(ways.holds(there, room.id) for room in home.rooms)
-        if there and rooms > count:
-            best, reached, count = door.id, there, rooms
+    best, reached = ways.entered
     wheels = ways.reached(ways.from_entrance(best), stairs=False) if best is not None else reached
     missed = tuple(room.id for room in home.rooms if not ways.holds(reached, room.id))
     stairs = tuple(r.id for r in home.rooms if r.id not in missed and not ways.holds(wheels, r.id))
