@@ -140,7 +140,7 @@ def _report(scene: Scene, found: list[Violation], relations: RelationTally, **mo
         blocked_openings=counts["blocked_opening"],
         relations=relations,
         violations=tuple(found),
-        versions=dict(_versions()),
+        versions=versions(),
         **more,
     )
 
@@ -185,6 +185,11 @@ class _Clock:
 
     def seconds(self) -> dict[str, float]:
         return {"total": time.perf_counter() - self._start, **self._laps}
+
+
+def versions() -> dict[str, str]:
+    """Of the library and of what it measures with, by name."""
+    return dict(_versions())
 
 
 @cache

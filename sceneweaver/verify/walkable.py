@@ -108,19 +108,16 @@ def _entered(placed: Placed, grid: Grid, free: np.ndarray, regions: np.ndarray) 
 
 def _unreached(placed: Placed, grid: Grid, reached: np.ndarray, radius: float) -> tuple[int, tuple[str, ...]]:
     """How many objects stand on the floor, and the ids of those that cannot be reached."""
-    tied = {name for r in placed.scene.relations if r.type in TUCKED for name in _ends(r)}
     standing = [body for body in placed.bodies if body.item.mount == "floor"]
     if not standing:
         return 0, ()
-    fronts = grid.to_grid(np.array([_front(body) for body in standing]))
+    fronts = grid.to_grid(np.array([front_of(body) for body in standing]))
     near = grid.touches(reached, grid.spans(fronts, radius + ARM), len(standing))
     left = [body for body, touched in zip(standing, near.tolist(), strict=True) if not touched]
     shapes: list[Array] = []  # the others of what has not been reached by its front
     owner: list[str] = []
     for body in left:
-        found = [convex_hull(placed.zones.xy[row]) for row in np.flatnonzero(placed.zones.owner == body.index)]
-        if body.id in tied or body.z[1] <= STEP:
-            found += list(placed.parts.xy[placed.part_rows(body)])
+        found = other_sides(placed, body)
         shapes += found
         owner += [body.id] * len(found)
     held: set[str] = set()
@@ -134,6 +131,15 @@ def _ends(relation: Relation) -> tuple[str, ...]:
     return (relation.subject, relation.target) if isinstance(relation.target, str) else (relation.subject,)
 
 
-def _front(body: Body) -> Array:
+def other_sides(placed: Placed, body: Body) -> list[Array]:
+    """Convex polygons [v, 2] that a body is reached by beside its front: see `Access`."""
+    found = [convex_hull(placed.zones.xy[row]) for row in np.flatnonzero(placed.zones.owner == body.index)]
+    if body.z[1] <= STEP or any(r.type in TUCKED and body.id in _ends(r) for r in placed.scene.relations):
+        found += list(placed.parts.xy[placed.part_rows(body)])
+    return found
+
+
+def front_of(body: Body) -> Array:
+    """The front face of a body in plan: its two ends [2, 2]."""
     (x, y), (nx, ny), half = body.face("front")
     return np.array([(x + ny * half, y - nx * half), (x - ny * half, y + nx * half)])
