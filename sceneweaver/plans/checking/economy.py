@@ -9,7 +9,7 @@ from itertools import combinations
 from ..profile import Rule
 from ..room_types import selects
 from .facts import PlanFacts, RoomFacts, metres
-from .geometry import _facing
+from .geometry import facing_span
 from .readings import Reading, measure
 
 SHARED_WALL, THICK = 300, 400
@@ -36,7 +36,7 @@ def share_wall(a: RoomFacts, b: RoomFacts) -> bool:
     if max(ax0 - bx1, bx0 - ax1) > THICK or max(ay0 - by1, by0 - ay1) > THICK:
         return False
     if a.straight and b.straight:
-        spans = (_facing(wall, far) for wall in a.walls for far in b.walls)
+        spans = (facing_span(wall, far) for wall in a.walls for far in b.walls)
         return any(span is not None and span[0] <= THICK and span[2] - span[1] >= SHARED_WALL for span in spans)
     return a.polygon.buffer(THICK / 2).intersection(b.polygon.buffer(THICK / 2)).length >= 2 * SHARED_WALL + 2 * THICK
 

@@ -68,7 +68,7 @@ def thinnest(plan: PlanFacts, a: RoomFacts, b: RoomFacts) -> float | None:
     for wall in a.walls:
         open_spans = [(offset, offset + d.width) for d in passages for w, offset in [d.place_in(a)] if w is wall]
         for far in b.walls:
-            span = _facing(wall, far)
+            span = facing_span(wall, far)
             if span is not None and _remains(span[1:], open_spans):
                 found.append(span[0])
     for (px, py), (qx, qy) in ((p, q) for p in a.outline for q in b.outline):
@@ -82,7 +82,7 @@ def _gap(p: tuple[int, ...], q: tuple[int, ...], axis: int) -> int:
     return max(p[axis] - q[axis + 2], q[axis] - p[axis + 2])
 
 
-def _facing(wall: Wall, far: Wall) -> tuple[int, int, int] | None:
+def facing_span(wall: Wall, far: Wall) -> tuple[int, int, int] | None:
     """(distance, first, last offset along ``wall``) of where two walls face each other; None: nowhere."""
     (ax, ay), (nx, ny) = ([round(v) for v in pair] for pair in (wall.along, wall.outward))
     bx, by = (round(v) for v in far.along)

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from ..profile import Rule
-from .facts import OPEN_WIDTH, OpeningFacts, PlanFacts, RoomFacts, exact, metres
+from .facts import OPEN_WIDTH, DoorFacts, OpeningFacts, PlanFacts, RoomFacts, exact, metres
 from .readings import Reading, fault, measure
 
 ESCAPE_AREA, ESCAPE_WIDTH, ESCAPE_HEIGHT, ESCAPE_SILL = Fraction(53, 100), 510, Fraction(61, 100), Fraction(112, 100)
@@ -20,9 +20,8 @@ def glazed(plan: PlanFacts, room: RoomFacts) -> list[tuple[OpeningFacts, Fractio
     """
     found = [(w, metres(w.width) * (w.top - w.bottom)) for w in plan.windows_of(room)]
     for door in plan.doors_of(room):
-        to_balcony = door.other is not None and (door.other.outdoor != room.outdoor)
         to_garden = door.leads_out and door not in plan.entrances
-        if (to_balcony or to_garden) and not room.outdoor:
+        if (_onto_balcony(door) or to_garden) and not room.outdoor:
             found.append((door, metres(door.width) * door.top))
     return found
 
@@ -79,9 +78,7 @@ def escape(plan: PlanFacts, rule: Rule) -> Iterator[Reading]:
             and metres(window.width) * (window.top - window.bottom) >= ESCAPE_AREA
             and window.bottom <= ESCAPE_SILL
         ]
-        ways += [
-            d.id for d in plan.doors_of(room) if d.leads_out or (d.other is not None and _to_outdoors(d.other, d.room))
-        ]
+        ways += [d.id for d in plan.doors_of(room) if d.leads_out or _onto_balcony(d)]
         yield Reading(
             (room.id,),
             Fraction(len(ways)),
@@ -89,8 +86,8 @@ def escape(plan: PlanFacts, rule: Rule) -> Iterator[Reading]:
         )
 
 
-def _to_outdoors(a: RoomFacts, b: RoomFacts) -> bool:
-    return a.outdoor != b.outdoor
+def _onto_balcony(door: DoorFacts) -> bool:
+    return door.other is not None and door.other.outdoor != door.room.outdoor
 
 
 @measure("sun")

@@ -28,6 +28,8 @@ def entrances(plan: PlanFacts, rule: Rule) -> Iterator[Reading]:
 @measure("unreached")
 def unreached(plan: PlanFacts, rule: Rule) -> Iterator[Reading]:
     """Rooms that no way leads to."""
+    if not plan.entrances:
+        return  # told by the row about entrances
     seen = reached(plan)
     physical = reached(plan, anywhere=True)
     for room in plan.rooms:
@@ -109,7 +111,9 @@ def shared_toilets(plan: PlanFacts, rule: Rule) -> Iterator[Reading]:
     seen = reached(plan, closed=("sleeping",) if len(bedrooms) > 1 else ())
     toilets = [room for room in plan.rooms if room.has("toilet")]
     found = tuple(room.id for room in toilets if room.id in seen)
-    line = "there is no toilet; add a bathroom" if not toilets else "every toilet lies behind a bedroom"
+    behind = any(room.id in reached(plan) for room in toilets)
+    line = "every toilet lies behind a bedroom; one opens to a hall" if behind else "the entrance reaches no toilet"
+    line = line if toilets else "there is no toilet; add a bathroom"
     yield Reading(found, Fraction(len(found)), line)
 
 
