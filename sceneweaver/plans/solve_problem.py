@@ -324,14 +324,17 @@ def _frame_arrays(programme: Programme, frames: Iterable[Frame]) -> dict[str, np
 
 
 def _facade_arrays(envelope: Envelope) -> dict[str, np.ndarray]:
-    corners = millimetres(envelope.inner)
+    corners, outer = millimetres(envelope.inner), millimetres(envelope.outline)
     facades, flags = [], []
     for wall, (a, b) in enumerate(zip(corners, corners[1:] + corners[:1], strict=True)):
+        c, d = outer[wall], outer[(wall + 1) % len(outer)]
         along = (np.sign(b[0] - a[0]), np.sign(b[1] - a[1]))
         side = SIDES[int(along[1]), -int(along[0])]
         axis = side % 2
-        ends = sorted((a[1 - axis], b[1 - axis]))
-        facades.append([side, a[axis], *ends])
+        # at an inward corner the inner face goes on behind the wall that meets it there
+        low = max(min(a[1 - axis], b[1 - axis]), min(c[1 - axis], d[1 - axis]))
+        high = min(max(a[1 - axis], b[1 - axis]), max(c[1 - axis], d[1 - axis]))
+        facades.append([side, a[axis], low, high])
         windows = wall in envelope.open_walls
         entrance = envelope.entrance_wall in (None, wall)
         flags.append(tables.WINDOWS * windows + tables.ENTRANCE * entrance)
