@@ -5,7 +5,6 @@ from __future__ import annotations
 import html
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from typing import Literal, overload
 
 import shapely
 from PIL import Image
@@ -30,93 +29,99 @@ _PALE, _PALER = 0.55, 0.72  # how much paler than in plans of single rooms furni
 _LEAST = 0.03  # what is lower is a rug: names may lie on it [m]
 _DEEP = 0.25  # what hangs on a wall and is less deep is left out [m]
 _SHOWN = 0.4  # things on furniture with a smaller side are left out [m] ...
-_BUILT_IN = frozenset("sink basin hob cooktop stove lamp tv television monitor computer microwave oven".split())
+_BUILT_IN = frozenset(["sink", "basin", "hob", "cooktop", "stove", "oven", "microwave", "lamp", "tv", "monitor"])
 """... but for these."""
 
 
-@overload
 def draw_plan(
     home: Home,
     storey: str | None = None,
     *,
-    format: Literal["svg"] = "svg",
-    width: int | None = None,
     furniture: bool = True,
     dimensions: bool = True,
     links: Mapping[str, str] | None = None,
-) -> str: ...
-@overload
-def draw_plan(
-    home: Home,
-    storey: str | None = None,
-    *,
-    format: Literal["png"],
-    width: int | None = None,
-    furniture: bool = True,
-    dimensions: bool = True,
-    links: Mapping[str, str] | None = None,
-) -> Image.Image: ...
-def draw_plan(
-    home: Home,
-    storey: str | None = None,
-    *,
-    format: Literal["svg", "png"] = "svg",
-    width: int | None = None,
-    furniture: bool = True,
-    dimensions: bool = True,
-    links: Mapping[str, str] | None = None,
-) -> str | Image.Image:
-    """Draw the plan of a storey: walls, doors with their swings, windows, stairs, rooms with areas, dimensions.
+) -> str:
+    """Draw the plan of a storey as SVG: walls, doors with their swings, windows, stairs, areas of rooms, dimensions.
 
-    The sheet is to scale on paper (1:50, 1:100 ...): the SVG has its size in millimetres, the picture its resolution.
+    The sheet is to scale on paper (1:50, 1:100 ...): the SVG has its size in millimetres.
 
     Args:
         home: The home.
         storey: Its id; None: the lowest one.
-        format: "svg" for the text of an SVG, "png" for a Pillow picture.
-        width: Width of the picture in pixels; None: that of 160 dots an inch. An SVG has no pixels.
         furniture: Whether what stands in furnished rooms is drawn.
         dimensions: Whether there are dimension chains around the plan.
-        links: For rooms by id, where a click on them leads; of an SVG alone.
+        links: For rooms by id, where a click on them leads.
 
     Raises:
-        InputError: no such storey, a storey without rooms, or a width out of range.
+        InputError: no such storey, or one without rooms.
 
     Examples:
         >>> import sceneweaver as sw
         >>> from sceneweaver.render.home import draw_plan
-        >>> home = sw.Home.example("flat")
-        >>> draw_plan(home).startswith("<svg"), draw_plan(home, format="png", width=600).size[0]
-        (True, 600)
+        >>> draw_plan(sw.Home.example("flat"))[:4]
+        '<svg'
     """
-    if format not in ("svg", "png"):
-        raise InputError(f"format: '{format}' is unknown; use 'svg' or 'png'")
+    sheet = _sheet(home, _storey(home, storey), dimensions)
+    drawing = SvgPlan(round(sheet.width), round(sheet.height), sheet.view(1.0), 1.0)
+    _draw(drawing, home, sheet, furniture, dimensions)
+    titles = plan_names.room_titles(home)
+    for room in home.rooms_of(sheet.storey) if links else ():
+        _link(drawing, room, titles[room.id], (links or {}).get(room.id))
+    return drawing.document(f"{home.id}: {sheet.storey}", (sheet.width * MM, sheet.height * MM))
+
+
+def plan_picture(
+    home: Home,
+    storey: str | None = None,
+    *,
+    width: int | None = None,
+    furniture: bool = True,
+    dimensions: bool = True,
+) -> Image.Image:
+    """The drawing of `draw_plan` as a picture, drawn with Pillow alone.
+
+    Args:
+        home: The home.
+        storey: Its id; None: the lowest one.
+        width: Width in pixels; None: that of 160 dots an inch. ``info["dpi"]`` is the resolution at which it prints to
+            scale.
+        furniture: Whether what stands in furnished rooms is drawn.
+        dimensions: Whether there are dimension chains around the plan.
+
+    Raises:
+        InputError: no such storey, one without rooms, or a width out of range.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> from sceneweaver.render.home import plan_picture
+        >>> plan_picture(sw.Home.example("flat"), width=600).size[0]
+        600
+    """
     if width is not None and not MIN_WIDTH <= width <= MAX_WIDTH:
         raise InputError(f"width: {width} is not between {MIN_WIDTH} and {MAX_WIDTH} pixels")
-    one = home.storeys[0].id if storey is None else home.storey(storey).id
-    if not home.rooms_of(one):
-        raise InputError(f"storey: '{one}' has no rooms to draw")
-    sheet = _sheet(home, one, dimensions)
-    facts = f"{sum(plan_names.clear_area(r) for r in home.rooms_of(one) if not r.outdoor):.1f} sq m clear"
-    if format == "svg":
-        drawing = SvgPlan(round(sheet.width), round(sheet.height), sheet.view(1.0), 1.0)
-        _draw(drawing, home, one, sheet, furniture, dimensions, facts)
-        for room in home.rooms_of(one) if links else ():
-            _link(drawing, room, plan_names.room_titles(home)[room.id], (links or {}).get(room.id))
-        return drawing.document(f"{home.id}: {one}", (sheet.width * MM, sheet.height * MM))
+    sheet = _sheet(home, _storey(home, storey), dimensions)
     share = 1.0 if width is None else width / sheet.width
     plan = Plan(round(sheet.width * share), round(sheet.height * share), sheet.view(share), share)
-    _draw(plan, home, one, sheet, furniture, dimensions, facts)
+    _draw(plan, home, sheet, furniture, dimensions)
     picture = plan.finish()
     picture.info["dpi"] = (25.4 * share / MM, 25.4 * share / MM)
     return picture
 
 
+def _storey(home: Home, storey: str | None) -> str:
+    """The id of the storey that is meant."""
+    one = home.storeys[0].id if storey is None else home.storey(storey).id
+    if not home.rooms_of(one):
+        raise InputError(f"storey: '{one}' has no rooms to draw")
+    return one
+
+
 @dataclass(frozen=True)
 class _Sheet:
-    """A sheet [units]: its size, the scale on paper 1 : ``denominator``, where the plan lies on it, what it shows [m],
-    and the building without balconies [m]."""
+    """A sheet [units]: of which storey, its size, the scale on paper 1 : ``denominator``, where the plan lies on it,
+    what it shows [m], and the building without balconies [m]."""
 
+    storey: str
     width: float
     height: float
     denominator: int
@@ -150,10 +155,11 @@ def _sheet(home: Home, storey: str, dimensions: bool) -> _Sheet:
     left = near + margin - 20.0 + (width - needed) / 2
     top = beyond[0] + margin - 20.0
     height = top + whole.height * scale + near + 10.0 + plan_frame.HEIGHT
-    return _Sheet(width, height, denominator, left, top, whole, bare)
+    return _Sheet(storey, width, height, denominator, left, top, whole, bare)
 
 
-def _draw(plan: Plan, home: Home, storey: str, sheet: _Sheet, furniture: bool, dimensions: bool, facts: str) -> None:
+def _draw(plan: Plan, home: Home, sheet: _Sheet, furniture: bool, dimensions: bool) -> None:
+    storey = sheet.storey
     rooms = home.rooms_of(storey)
     plan_walls.draw_walls(plan, home, storey)
     plan_walls.draw_floors(plan, rooms)
@@ -171,6 +177,7 @@ def _draw(plan: Plan, home: Home, storey: str, sheet: _Sheet, furniture: bool, d
     if dimensions:
         plan_dimensions.draw_dimensions(plan, home, storey, sheet.whole, sheet.bare)
     several = len(home.storeys) > 1
+    facts = f"{sum(plan_names.clear_area(room) for room in rooms if not room.outdoor):.1f} sq m clear"
     title = printable(storey.replace("_", " ").replace("-", " ").capitalize()) if several else "Floor plan"
     title = f"{title} floor" if title.lower() in ("ground", "first", "second", "third", "upper", "top") else title
     plan_frame.draw_frame(plan, title, printable(home.prompt), facts, sheet.denominator)

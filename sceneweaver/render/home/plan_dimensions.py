@@ -18,6 +18,8 @@ from .plan_walls import LINE
 
 Side = Literal["south", "north", "west", "east"]
 
+_PAIRS: tuple[tuple[Side, Side], ...] = (("south", "north"), ("west", "east"))
+
 FIRST, SECOND = 44.0, 84.0
 """How far [units] the chain of rooms and that of the whole lie from the plan."""
 
@@ -89,7 +91,7 @@ def draw_dimensions(plan: Plan, home: Home, storey: str, whole: Bounds, bare: Bo
         whole: What the chains lie around [m].
         bare: The building without balconies, whose length the whole is [m].
     """
-    for side, other in (("south", "north"), ("west", "east")):
+    for side, other in _PAIRS:
         chain, far = room_chain(home, storey, side, bare), room_chain(home, storey, other, bare)
         _draw_chain(plan, chain, whole, FIRST)
         ends = (bare.x0, bare.x1) if side == "south" else (bare.y0, bare.y1)
@@ -100,10 +102,10 @@ def draw_dimensions(plan: Plan, home: Home, storey: str, whole: Bounds, bare: Bo
 
 def far_sides(home: Home, storey: str, bare: Bounds) -> tuple[bool, bool]:
     """Whether there is a chain on the north and on the east side."""
-    return tuple(
-        room_chain(home, storey, far, bare).at != room_chain(home, storey, near, bare).at
-        for near, far in (("south", "north"), ("west", "east"))
-    )  # pyright: ignore[reportReturnType]
+    north, east = (
+        room_chain(home, storey, far, bare).at != room_chain(home, storey, near, bare).at for near, far in _PAIRS
+    )
+    return north, east
 
 
 def _draw_chain(plan: Plan, chain: Chain, whole: Bounds, away: float) -> None:

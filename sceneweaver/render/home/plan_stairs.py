@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-
 from sceneweaver.home import Home, Stair
 
 from ..canvas import Point, Text

@@ -65,15 +65,20 @@ def _tiles(outline: Sequence[tuple[float, float]]) -> Iterable[list[tuple[float,
     lines += [shapely.LineString([(x0, y), (x1, y)]) for y in np.arange(y0 + _TILE, y1 - 0.02, _TILE)]
     for part in shapely.get_parts(shapely.intersection(lines, floor)):
         if part.length > 0.02:
-            yield list(part.coords)
+            yield [(float(x), float(y)) for x, y in part.coords]
+
+
+def corners_of(ring: shapely.LinearRing) -> list[tuple[float, float]]:
+    """The corners of a ring, the first one once."""
+    return [(float(x), float(y)) for x, y, *_ in ring.coords[:-1]]
 
 
 def draw_walls(plan: Plan, home: Home, storey: str) -> None:
     """The walls, filled; rooms have to be drawn after it, as they lie in its holes."""
     for wall in sorted(wall_polygons(home, storey), key=lambda p: -shapely.Polygon(p.exterior).area):
-        plan.polygon(plan.points(wall.exterior.coords[:-1]), fill=POCHE)
+        plan.polygon(plan.points(corners_of(wall.exterior)), fill=POCHE)
         for hole in wall.interiors:
-            plan.polygon(plan.points(hole.coords[:-1]), fill=palette.PAPER)
+            plan.polygon(plan.points(corners_of(hole)), fill=palette.PAPER)
 
 
 def draw_railings(plan: Plan, home: Home, storey: str) -> None:
@@ -86,7 +91,7 @@ def draw_railings(plan: Plan, home: Home, storey: str) -> None:
         rail = shapely.line_merge(free).buffer(_RAIL, cap_style="flat", join_style="mitre")
         for part in shapely.get_parts(rail.intersection(shapely.Polygon(room.outline))):
             if isinstance(part, shapely.Polygon) and part.area > 1e-4:
-                plan.polygon(plan.points(part.exterior.coords[:-1]), palette.PAPER, LINE, 1.1)
+                plan.polygon(plan.points(corners_of(part.exterior)), palette.PAPER, LINE, 1.1)
 
 
 def draw_openings(plan: Plan, home: Home, storey: str) -> None:
