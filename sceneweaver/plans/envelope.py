@@ -29,9 +29,6 @@ _MODULE = 0.05
 _CLEAR = 0.855
 """Floor between the walls by what the outer faces enclose: walls of 0.30 and 0.10 m around rooms of usual size."""
 
-_STAIRS = 4.6
-"""What stairs take of each storey that they join [m2]; halls of programmes do not count it."""
-
 _LEAST_WINDOW_ROOM = 2.4
 """Length of an outer wall [m] that a room with daylight takes, where no least side is given."""
 
@@ -251,7 +248,6 @@ def _gross(programme: Programme, storey: int) -> float:
     floor = sum(room.area[1] for room in rooms)
     if len(rooms) > 3 and not any("circulation" in room.kind.roles for room in rooms):
         floor *= 1.08
-    floor += _STAIRS if programme.storeys > 1 else 0.0
     return floor / _CLEAR
 
 

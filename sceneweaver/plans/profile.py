@@ -22,11 +22,11 @@ from .room_types import roles, room_types
 
 MEASURES = MappingProxyType({
     # of a room
-    "area": "floor between the walls, without the footprint of stairs [m2]",
+    "area": "floor between the walls [m2]",
     "side": "shorter side of the largest rectangle along the axes that fits into the room [m]",
     "aspect": "longer by shorter side of the rectangle around the room",
     "turning": "side of the largest square along the axes that fits beside swinging leaves and stairs [m]",
-    "passage": "side of the largest square that slides within the room from each of its openings to each other [m]",
+    "passage": "side of the largest square that slides within the room from each of its doors to each other [m]",
     "ceiling": "height of the storey between floor and ceiling [m]",
     "glazing": "area of the windows by area of the floor, of all rooms that open passages join to it",
     "dark": "1 where neither the room nor one that an open passage of 1.2 m joins to it has a window, else 0",
@@ -43,9 +43,9 @@ MEASURES = MappingProxyType({
     "riser": "height of a step [m]",
     "going": "depth of a step [m]",
     "stair_width": "clear width of the flight [m]",
-    "headroom": "least height over a step to the floor above [m]",
+    "headroom": "least height over a step, to a ceiling or to stairs above [m]",
     "stair_run_lack": "by how much the footprint is too short for its goings and landings [m]",
-    "stair_fault": "stairs that do not lie in both rooms or stand before a door",
+    "stair_fault": "stairs that do not lie in both stairwells, or whose first or last step no door or floor lies before",
     # of the plan
     "largest_area": "floor of the largest of the rooms [m2]",
     "circulation_share": "floor of halls, corridors and landings by floor of all rooms indoors, without stairs",

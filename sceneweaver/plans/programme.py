@@ -50,8 +50,7 @@ class RoomSpec(FrozenModel):
     Attributes:
         id: of the room, also in the home that is planned.
         type: of the room, see `sceneweaver.plans.room_types`.
-        area: (least, target, most) floor between the walls [m2], without the footprint of stairs; of the type where
-            it is not given.
+        area: (least, target, most) floor between the walls [m2]; of the type where it is not given.
         side: least clear width [m]; None: what the profile asks for.
         storey: 0 is the ground floor; None: any.
         daylight: whether it needs a window; None: as its type.
@@ -207,13 +206,17 @@ class Programme(FrozenModel):
         return self.rooms[self.index[room_id]]
 
     def with_storeys(self) -> Self:
-        """The programme with a storey for each room.
+        """The programme with a storey for each room, and with stairs: what `solve_plans` plans.
 
-        Rooms without one go where their type usually lies, and else, largest first, to the storey with least floor;
-        annexes that belong to one room go to its storey.
+        Rooms without a storey go where their type usually lies, and else, largest first, to the storey with least
+        floor; annexes that belong to one room go to its storey. Where no room is of type stairs, each storey gets one,
+        ``stairs-0`` and so on, joined by an open passage to its first hall: stairwells lie one over the other.
         """
         if self.storeys == 1:
             return self._rebuilt(rooms=tuple(room.at_storey(0) for room in self.rooms))
+        return self._placed()._with_stairs()
+
+    def _placed(self) -> Self:
         placed = {room.id: room.storey for room in self.rooms if room.storey is not None}
         placed.setdefault(self.entrance, 0)
         usual = {"ground": 0, "upper": 1}
@@ -230,6 +233,18 @@ class Programme(FrozenModel):
             placed[room.id] = storey
             floors[storey] += room.area[1]
         return self._rebuilt(rooms=tuple(room.at_storey(placed[room.id]) for room in self.rooms))
+
+    def _with_stairs(self) -> Self:
+        if any(room.type == "stairs" for room in self.rooms):
+            return self
+        rooms, adjacencies = list(self.rooms), list(self.adjacencies)
+        for storey in range(self.storeys):
+            name = f"stairs-{storey}"
+            rooms.append(RoomSpec(id=name, type="stairs", area=room_type("stairs").area, storey=storey))
+            ways = [r for r in self.rooms if r.storey == storey and r.kind.transit == "all"]
+            ways.sort(key=lambda r: (r.id != self.entrance, "circulation" not in r.kind.roles))
+            adjacencies += [Adjacency(a=ways[0].id, b=name, kind="open")] if ways else []
+        return self._rebuilt(rooms=tuple(rooms), adjacencies=tuple(adjacencies))
 
     def _joined(self) -> dict[str, list[str]]:
         """Rooms that a door joins, by room."""
