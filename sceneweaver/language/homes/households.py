@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from .lexicon import plain
+from .lexicon import data, plain
 from .parts import Named, Person, Reading
 from .tokens import Token
 
+_ROLE = {"couples": "couple", "adults": "adult", "seniors": "senior", "children": "child", "twins": "twins", "babies": "baby"}
 _OWNERS = ("my", "our", "his", "her", "their", "the")
 _STAYS = ("stay", "visit", "visits", "come", "comes", "visiting", "over")
 _ORDER = ("couples", "parents", "partners", "twins", "babies", "children", "seniors", "adults", "families")
@@ -264,3 +265,32 @@ def _speaker_counts(reading: Reading) -> bool:
         if token.text == "i" and at and tokens[at - 1].text == "and":
             return True
     return False
+
+
+def bedrooms_for(reading: Reading) -> list[tuple[str, int]]:
+    """Kinds of bedrooms with their number, for those who live there."""
+    found: dict[str, int] = {}
+    rows = data("people")["bedrooms"]
+    for person in reading.people:
+        role = _ROLE.get(person.role)
+        if role is None:
+            continue
+        count = person.count
+        if role == "child" and reading.share and count > 1:
+            count = (count + 1) // 2
+        kind = rows[role]["kind"]
+        found[kind] = found.get(kind, 0) + count * rows[role]["each"]
+    told = people_told(reading)
+    if reading.household is not None and told is not None and told < reading.household:
+        kind = "childrens_room" if "master_bedroom" in found else "bedroom"
+        found[kind] = found.get(kind, 0) + reading.household - told
+    if reading.household is not None and not reading.people:
+        found["bedroom"] = reading.household
+    return list(found.items())
+
+
+def people_told(reading: Reading) -> int | None:
+    """How many live there by those who are named; None where nobody is."""
+    many = {"couples": 2, "twins": 2}
+    total = sum(person.count * many.get(person.role, 1) for person in reading.people)
+    return total or None

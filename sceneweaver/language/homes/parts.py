@@ -91,6 +91,8 @@ class Reading:
     """How many people a number alone tells: "we are five"."""
     own_rooms: bool = False
     """Whether everybody is to have a room."""
+    share_ground: bool = False
+    """Whether the rooms that all use are told to be on the ground floor."""
     share: bool = False
     """Whether children share."""
     visitors: bool = False
