@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from sceneweaver.home import Home
-from sceneweaver.plans import Envelope, PlanReport, Programme, check_plan, solve_plans
+from sceneweaver.plans import Envelope, PlanReport, Programme, check_plan
+from sceneweaver.plans.solve import solve_plans
 from sceneweaver.scene import InputError
 
 from .demands import short_walls

@@ -35,6 +35,7 @@ from .stated_states import pulled_out, with_stated_looks, with_stated_states
 from .supports import Places, laid, supported
 from .under import below_windows, with_room_below, without_company
 from .unwanted_looks import avoided, of_room, styles_unwanted
+from .ways import ways_of
 
 FILL = {"sparse": 0.73, "normal": 1.0, "full": 1.21}
 """Share of what a kind of room usually has under furniture up to which more is put in."""
@@ -309,7 +310,7 @@ def _scene(setup: Setup, space: Room, made: _Attempt, palette: Palette, people: 
     made_of: dict[str, list[str]] = {}
     for one in program.wanted:
         made_of.setdefault(one.asked or "", []).append(one.id)
-    areas = free_areas_of(brief, made_of, space)
+    areas = (*free_areas_of(brief, made_of, space), *(ways_of(space) if setup.room is not None else ()))
     relations = agreeing(relations, areas)
     relations = pulled_out(relations, program.wanted, brief)
     relations = _widened(relations, levels := _levels(program.wanted, relations))
