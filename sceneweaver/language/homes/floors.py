@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from .mentions import is_thing
 from .parts import Named, Reading
 
 _ALL = ("all", "both")
@@ -36,6 +37,14 @@ def _count(reading: Reading, at: int) -> None:
         number = 2
     if number is None or not 1 <= number <= 6 or before is None or before.text in ("a", "an"):
         return
+    after = tokens[at + 1] if at + 1 < len(tokens) else None
+    single = tokens[at].text in ("floor", "level", "storey", "story", "storied", "storeyed")
+    if single and number > 1 and not (before.glued or after is not None and after.has("use")):
+        return  # "two floor lamps"
+    if not single and after is not None and is_thing(after):
+        return
+    if any(t.text in ("its", "their") for t in tokens[max(0, at - 3) : at]):
+        return  # "on its three levels"
     reading.storeys = max(reading.storeys or 0, number)
     if number == 1:
         reading.one_storey = True
