@@ -62,7 +62,10 @@ def _place(reading: Reading, sentence: range) -> None:
         if reading.use_at is not None and _is_of_home(reading, k):
             reading.did(k, "storeys")
             continue
-        before = tokens[k - 1] if k > sentence.start else None
+        start = k
+        while start > sentence.start and tokens[start - 1].text in ("in", "on", "at", "the", "its", "to"):
+            start -= 1
+        before = tokens[start - 1] if start > sentence.start else None
         after = tokens[k + 1] if k + 1 < sentence.stop else None
         lead = before is None or before.breaks or before.text in ("and", "with", "the", "then") and (after is not None and not after.breaks and after.text != "and")
         behind = [one for one in names if one.at > k]
@@ -71,7 +74,7 @@ def _place(reading: Reading, sentence: range) -> None:
         if after is not None and (after.text in ("for", "is") or after.breaks and after.text == ":"):
             lead = bool([one for one in behind if one.at < until])
         if lead and (found := [one for one in behind if one.at < until]):
-            chosen = found if not _next_is_suffix(reading, words, number, found) else found[:1]
+            chosen = found
         elif ahead:
             chosen = _joined(reading, ahead, k)
         else:
@@ -91,10 +94,6 @@ def _is_of_home(reading: Reading, at: int) -> bool:
     if any(tokens[k].breaks or any(one.first <= k <= one.last for one in reading.named) for k in between):
         return False
     return at == use_at - 1 or (at > use_at and len(between) <= 2)
-
-
-def _next_is_suffix(reading: Reading, words: list[int], number: int, found: list[Named]) -> bool:
-    return False
 
 
 def _joined(reading: Reading, ahead: list[Named], at: int) -> list[Named]:
