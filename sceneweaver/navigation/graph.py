@@ -85,7 +85,8 @@ class NavigationGraph:
 
     def route(self, start: str, goal: str) -> tuple[str, ...]:
         """The rooms on the way that is shortest by the lengths of the joints; empty where there is none."""
-        away, left = {start: 0.0}, {start: (start,)}
+        away: dict[str, float] = {start: 0.0}
+        left: dict[str, tuple[str, ...]] = {start: (start,)}
         while left:
             here = min(left, key=lambda name: (away[name], name))
             way = left.pop(here)
