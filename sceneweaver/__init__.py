@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from sceneweaver.extend import residual_cost as residual_cost
     from sceneweaver.extend import undefine_relation as undefine_relation
     from sceneweaver.extend import undefine_term as undefine_term
+    from sceneweaver.home import Home as Home
     from sceneweaver.importers import ImportedScene as ImportedScene
     from sceneweaver.importers import read_scenes as read_scenes
     from sceneweaver.layout import ObjectiveTerm as ObjectiveTerm
@@ -78,6 +79,7 @@ __all__ = [
     "EditSession",
     "Evaluation",
     "Fault",
+    "Home",
     "ImportedScene",
     "InputError",
     "LayoutPrior",
@@ -141,6 +143,7 @@ _HOME = {
     "EditSession": "editing",
     "Evaluation": "evaluation",
     "Fault": "critic",
+    "Home": "home",
     "ImportedScene": "importers",
     "InputError": "scene",
     "LayoutPrior": "prior",

@@ -34,7 +34,7 @@ _EXPECTED = {
     "model_attributes_type": "an object {...}",
     "tuple_type": "a list",
 }
-_LABELLED = ("doors", "windows", "objects", "relations", "dropped")
+_LABELLED = ("doors", "windows", "objects", "relations", "dropped", "storeys", "rooms", "stairs")
 
 
 class FieldError(ValueError):

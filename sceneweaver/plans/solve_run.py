@@ -1,0 +1,147 @@
+"""Rounds of the search for plans on one device: kernels, pieces of the batch in threads, time limits."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import warp as wp
+
+from sceneweaver.io import InputError
+from sceneweaver.kernels import load, plan_tables
+from sceneweaver.kernels.plan_cuts import solve_cuts
+from sceneweaver.kernels.plan_search import search_plans
+from sceneweaver.kernels.plan_tables import STATE, PlanState
+from sceneweaver.kernels.plan_verdict import finish_plans
+from sceneweaver.runtime.compiling import start_warp
+from sceneweaver.runtime.threads import cores, map_threads
+
+from .solve_problem import CompiledPlan
+
+MODULES = ("plan_search", "plan_cuts", "plan_verdict")
+MOVES, MORE = 1500, 300
+"""Moves of a round, and after a plan is valid."""
+HOT, COLD = 4.0, 0.25
+"""Temperatures at the ends of a round; a hard violation of 1 m is 10."""
+STEPS = 12
+"""Of the cuts' least squares."""
+PIECE = 64
+"""Candidates that a thread on a CPU takes at a time."""
+BLOCK = 64
+"""Threads of a block on a GPU."""
+
+
+def pick_device(device: str) -> str:
+    """The Warp device of a name: "auto" is the first GPU, else the CPU.
+
+    Raises:
+        InputError: no such device.
+    """
+    start_warp()
+    if device == "auto":
+        return "cuda:0" if wp.is_cuda_available() else "cpu"
+    known = ["cpu", *(f"cuda:{k}" for k in range(wp.get_cuda_device_count()))]
+    name = "cuda:0" if device == "cuda" else device
+    if name not in known:
+        raise InputError(f'device: "{device}" is not there; give auto or one of {", ".join(known)}')
+    return name
+
+
+def streams(seed: int, candidates: int) -> np.ndarray:
+    """Seeds of the candidates' random streams: of the run's seed and the candidate's number alone (MurmurHash3)."""
+    mask = np.uint64(0xFFFFFFFF)
+    x = np.arange(candidates, dtype=np.uint64) * np.uint64(0x9E3779B1) + np.uint64(seed % 2**32) * np.uint64(0x85EBCA77)
+    for _ in range(2):
+        x &= mask
+        x ^= x >> np.uint64(16)
+        x = (x * np.uint64(0x85EBCA6B)) & mask
+        x ^= x >> np.uint64(13)
+        x = (x * np.uint64(0xC2B2AE35)) & mask
+        x ^= x >> np.uint64(16)
+    return x.astype(np.uint32)
+
+
+def new_state(candidates: int, device: str) -> Any:
+    """A state of zeros."""
+    counts = {
+        "candidate": candidates,
+        "code": plan_tables.MAX_CODE,
+        "cell": plan_tables.MAX_CELLS,
+        "door": plan_tables.MAX_DOORS,
+        "window": plan_tables.MAX_WINDOWS,
+        "rule": plan_tables.RULE_COUNT,
+    }
+    state = PlanState()
+    for table in STATE:
+        shape = tuple(counts.get(name) or int(name) for name in table.shape)
+        setattr(state, table.name, wp.zeros(shape, dtype=table.dtype, device=device))
+    return state
+
+
+def part_of(state: Any, first: int, last: int) -> Any:
+    """Some candidates of a state, in the same memory."""
+    part = PlanState()
+    for table in STATE:
+        setattr(part, table.name, getattr(state, table.name)[first:last])
+    return part
+
+
+def run_rounds(
+    plan: CompiledPlan, candidates: int, seed: int, rounds: int, moves: int, device: str, end: float
+) -> tuple[dict[str, np.ndarray], bool]:
+    """Search all candidates for so many rounds at most, or until ``time.monotonic()`` passes ``end``.
+
+    Returns:
+        Arrays by name of `kernels.plan_tables.STATE`, and whether time was up before the last round's end.
+    """
+    load(device, *MODULES)
+    problem = plan.on_device(device)
+    state = new_state(candidates, device)
+    state.rng.assign(streams(seed, candidates))
+
+    def one_round(part: Any, size: int) -> None:
+        wp.launch(search_plans, size, [problem, moves, MORE, HOT, COLD], [part], device=device, block_dim=BLOCK)
+        wp.launch(solve_cuts, size, [problem, STEPS], [part], device=device, block_dim=BLOCK)
+        wp.launch(finish_plans, size, [problem], [part], device=device, block_dim=BLOCK)
+
+    run = _on_cpu if device == "cpu" else _on_gpu
+    timed_out = run(one_round, state, candidates, rounds, device, end)
+    return {table.name: getattr(state, table.name).numpy() for table in STATE}, timed_out
+
+
+def _on_cpu(
+    one_round: Callable[[Any, int], None], state: Any, candidates: int, rounds: int, device: str, end: float
+) -> bool:
+    """All rounds of one piece after the other, in threads."""
+
+    def work(first: int) -> bool:
+        last = min(first + PIECE, candidates)
+        part = part_of(state, first, last)
+        for _ in range(rounds):
+            if time.monotonic() > end:
+                return True
+            one_round(part, last - first)
+            if part.status.numpy().all():
+                break
+        return False
+
+    return any(map_threads(work, range(0, candidates, PIECE), cores()))
+
+
+def _on_gpu(
+    one_round: Callable[[Any, int], None], state: Any, candidates: int, rounds: int, device: str, end: float
+) -> bool:
+    """Rounds of all candidates: recorded once, as a graph; the host looks at the clock in between."""
+    with wp.ScopedCapture(device=device, force_module_load=False) as capture:
+        one_round(state, candidates)
+    assert capture.graph is not None
+    for _ in range(rounds):
+        if time.monotonic() > end:
+            return True
+        wp.capture_launch(capture.graph)
+        wp.synchronize_device(device)
+        if state.status.numpy().all():
+            break
+    return False
