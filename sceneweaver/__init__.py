@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from sceneweaver.evaluation import evaluate as evaluate
     from sceneweaver.explain import refine as refine
     from sceneweaver.explain import refine_many as refine_many
+    from sceneweaver.export import export_home as export_home
     from sceneweaver.extend import check_gradient as check_gradient
     from sceneweaver.extend import define_relation as define_relation
     from sceneweaver.extend import define_term as define_term
@@ -118,6 +119,7 @@ __all__ = [
     "design",
     "draw_top",
     "evaluate",
+    "export_home",
     "hypervolume",
     "improve",
     "learn_weights",
@@ -181,6 +183,7 @@ _HOME = {
     "design": "agent",
     "draw_top": "render",
     "evaluate": "evaluation",
+    "export_home": "export",
     "hypervolume": "layout",
     "improve": "layout",
     "learn_weights": "learning",

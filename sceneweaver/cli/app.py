@@ -517,6 +517,7 @@ def export(
         str | None,
         typer.Option(
             "--to",
+            "--format",
             metavar="FORMATS",
             help=f"With a folder: {', '.join(FORMATS)}, or all (default: {','.join(USUAL)}). For one reader: "
             + ", ".join(f"{one.name}:CLIENT ({', '.join(one.clients)})" for one in FORMATS.values() if one.clients)
@@ -533,7 +534,7 @@ def export(
     time_limit: TimeLimit = None,
     as_json: Json = False,
 ) -> int:
-    """Write a scene for other tools: USD for Isaac Sim, MJCF for MuJoCo, GLB, SceneState."""
+    """Write a scene or a whole home for other tools: USD for Isaac Sim, MJCF for MuJoCo, GLB, SceneState."""
     from .export import run_export
 
     return run_export(

@@ -1,10 +1,11 @@
-"""Scenes in the formats of other tools. Writers are imported when they are first used."""
+"""Scenes and homes in the formats of other tools. Writers are imported when they are first used."""
 
 from importlib import import_module as _import_module
 from typing import TYPE_CHECKING
 
 from .formats import FORMATS as FORMATS
 from .formats import export_file as export_file
+from .formats import export_home as export_home
 from .formats import export_scene as export_scene
 from .formats import format_named as format_named
 from .formats import formats_named as formats_named
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
 __all__ = [
     "FORMATS",
     "export_file",
+    "export_home",
     "export_scene",
     "format_named",
     "formats_named",

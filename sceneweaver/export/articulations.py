@@ -12,7 +12,7 @@ Collision parts are boxes where they are boxes, else convex meshes.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -20,14 +20,16 @@ import numpy as np
 from sceneweaver.assets import Material, Mesh
 from sceneweaver.assets.placed import Load
 from sceneweaver.geometry.rotations import Quaternion, from_yaw, matrix
+from sceneweaver.geometry.se2 import SE2
+from sceneweaver.physics.enclosure import Standing, room_enclosure
 from sceneweaver.physics.inertia import Inertia, triangles
 from sceneweaver.physics.leaves import Leaf, leaves
 from sceneweaver.physics.model import COVERING
-from sceneweaver.physics.shell import FLOOR_FRICTION, floor_slab, wall_slabs
+from sceneweaver.physics.shell import FLOOR_FRICTION, Slab, floor_slab
 from sceneweaver.physics.solids import Solid
 from sceneweaver.physics.things import Joint, RigidBody, Thing, things_of
 from sceneweaver.runtime.deadline import checkpoint
-from sceneweaver.scene import Room, Scene
+from sceneweaver.scene import Scene
 
 from .bodies import body_of
 from .names import Names, legal_name, model_name
@@ -37,7 +39,7 @@ from .room import floor_mesh, wall_mesh
 BASE = "base"
 """Name of the link that all others hang on."""
 
-OURS = r"(meshes/)?(room|[a-z0-9_]+-[0-9a-f]{10})(-.*)?\.(obj|mtl|urdf)"
+OURS = r"(meshes/)?(room|home|[a-z0-9_]+-[0-9a-f]{10})(-.*)?\.(obj|mtl|urdf)"
 """Paths of the files of articulations in a folder of their own."""
 
 KINDS = {"hinge": "revolute", "slide": "prismatic"}
@@ -45,7 +47,6 @@ KINDS = {"hinge": "revolute", "slide": "prismatic"}
 
 _EFFORT = {"hinge": 50.0, "slide": 200.0}  # [N m], [N]: what a person's pull comes to
 _SPEED = {"hinge": 3.0, "slide": 2.0}  # [rad/s], [m/s]
-_LIBRARY = "room-materials.mtl"
 _LOOKS = {
     "glass": Material("glass", (0.86, 0.93, 0.95), opacity=0.2),
     "leaf": Material("leaf", (0.82, 0.74, 0.62)),
@@ -115,9 +116,19 @@ def placed_articulations(scene: Scene, load: Load | None = None, *, loose: bool 
     Raises:
         InputError: when an asset cannot be loaded.
     """
-    found = [PlacedArticulation("room", "room", _room(scene.room), (0, 0, 0), (0, 0, 0, 1), True)]
+    return [standing_still("room", _room(scene)), *placed_things(things_of(scene, load, loose=loose))]
+
+
+def standing_still(category: str, model: Articulation) -> PlacedArticulation:
+    """An articulation in the frame of the world, with its own name."""
+    return PlacedArticulation(model.name, category, model, (0, 0, 0), (0, 0, 0, 1), True)
+
+
+def placed_things(things: Iterable[Thing]) -> list[PlacedArticulation]:
+    """All things in their order, each followed by what can be taken off it; see `placed_articulations`."""
+    found: list[PlacedArticulation] = []
     made: dict[str, Articulation] = {}
-    for thing in things_of(scene, load, loose=loose):
+    for thing in things:
         checkpoint()
         pose = thing.object.pose
         hanging = [body for body in thing.bodies if not body.loose]
@@ -138,33 +149,63 @@ def _without_collisions(model: Articulation) -> Articulation:
     return replace(model, links=tuple(replace(link, shapes=()) for link in model.links))
 
 
-def _room(room: Room) -> Articulation:
-    """Floor and walls as the base link in the frame of the world, and the leaves of the doors."""
+def _room(scene: Scene) -> Articulation:
+    room = scene.room
+    pieces: list[tuple[dict[str, Mesh], Standing | None]] = [({"floor": floor_mesh(room)}, None)]
+    for k, standing in enumerate(room_enclosure(scene).standing):
+        pieces.append(({f"wall_{k}": wall_mesh(room, k)}, standing))
+    return building("room", [floor_slab(room)], pieces, leaves(room))
+
+
+def building(
+    name: str,
+    floors: Sequence[Slab],
+    pieces: Iterable[tuple[Mapping[str, Mesh], Standing | None]],
+    doors: Sequence[Leaf],
+) -> Articulation:
+    """What is around things: a base link in the frame of the world, and the leaves of the doors.
+
+    Args:
+        name: Of the articulation, with which the names of its files begin.
+        floors: Slabs in the world.
+        pieces: Meshes of what is seen by names that all readers take, each of one material, and what they collide as.
+        doors: Their leaves.
+    """
     files: dict[str, bytes] = {}
     looks = dict(_LOOKS)
-    floor = floor_slab(room)
-    shapes = [Shape(2 * floor.half, floor.centre)]
-    visuals = [_seen("floor", floor_mesh(room), looks, files)]
-    for wall in room.walls:
-        visuals.append(_seen(f"wall_{wall.index}", wall_mesh(room, wall.index), looks, files))
-        for slab in wall_slabs(room, wall.index):
-            along, inward, up = slab.centre
-            shapes.append(Shape(2 * slab.half, np.array([*wall.point(along, inward), up]), wall.yaw))
+    library = f"{name}-materials.mtl"
+    shapes = [Shape(2 * floor.half, floor.centre) for floor in floors]
+    visuals = []
+    for meshes, standing in pieces:
+        for title, mesh in meshes.items():
+            (looks[title],) = mesh.materials
+            file = f"{name}-{title}.obj"
+            files[file] = obj(mesh.vertices, mesh.faces, material=(library, title))
+            visuals.append((Shape(file=file), title))
+        for k, slab in enumerate(standing.slabs if standing is not None else ()):
+            assert standing is not None
+            shapes.append(_standing(standing, slab, f"{name}-{legal_name(standing.name)}-part-{k}.obj", files))
             if slab.pane:
                 visuals.append((shapes[-1], "glass"))
     links = [ArticulatedLink(BASE, _STANDING, tuple(shapes), tuple(visuals))]
-    found = leaves(room)
-    for name, leaf in zip(legal_names([BASE, *(f"door_{leaf.door}" for leaf in found)])[1:], found, strict=True):
-        links.append(_leaf(name, leaf))
-    files[_LIBRARY] = material_library(looks)
-    return Articulation("room", tuple(links), FLOOR_FRICTION, looks, files)
+    titles = [f"door_{leaf.name.partition(':door:')[2]}" for leaf in doors]
+    for title, leaf in zip(legal_names([BASE, *titles])[1:], doors, strict=True):
+        links.append(_leaf(title, leaf))
+    files[library] = material_library(looks)
+    return Articulation(name, tuple(links), FLOOR_FRICTION, looks, files)
 
 
-def _seen(name: str, mesh: Mesh, looks: dict[str, Material], files: dict[str, bytes]) -> tuple[Shape, str]:
-    """A mesh of one material as a file."""
-    (looks[name],) = mesh.materials
-    files[f"room-{name}.obj"] = obj(mesh.vertices, mesh.faces, material=(_LIBRARY, name))
-    return Shape(file=f"room-{name}.obj"), name
+def _standing(standing: Standing, slab: Slab, file: str, files: dict[str, bytes]) -> Shape:
+    """A slab in the world; a hull is a file."""
+    x, y, z = standing.position
+    frame = SE2(x, y, standing.yaw)
+    if slab.points is None:
+        return Shape(2 * slab.half, np.array([*frame.world(*slab.centre[:2]), z + slab.centre[2]]), standing.yaw)
+    corners = triangles(slab.points)[1].reshape(-1, 3)
+    points, packed = np.unique(corners, axis=0, return_inverse=True)
+    points = np.column_stack([*frame.world(points[:, 0], points[:, 1]), points[:, 2] + z])
+    files[file] = obj(points, packed.reshape(-1, 3))
+    return Shape(file=file, points=points)
 
 
 def _leaf(name: str, leaf: Leaf) -> ArticulatedLink:

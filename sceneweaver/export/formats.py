@@ -17,6 +17,7 @@ from sceneweaver.runtime.deadline import checkpoint
 
 if TYPE_CHECKING:
     from sceneweaver.assets.placed import Load
+    from sceneweaver.home import Home
     from sceneweaver.scene import InputError, Scene
 
 
@@ -34,6 +35,7 @@ class Format:
         seconds: About how long it takes to write a room, and each of its objects, where a design takes 3.5 s to start.
         shared: As ``writer``, for data sets: called with scene, load and ``shared``, where meshes and images go, it
             returns the bytes of the file; empty: data sets do not have it.
+        home: As ``writer``, called with a home; empty: homes are not written in it.
     """
 
     name: str
@@ -43,11 +45,23 @@ class Format:
     seconds: tuple[float, float]
     clients: tuple[str, ...] = ()
     shared: str = ""
+    home: str = ""
 
-    def write(self, scene: Scene, path: Path, load: Load, textures: bool) -> None:
-        """Write a scene to a path, whole or not at all."""
+    def write(self, scene: Scene | Home, path: Path, load: Load, textures: bool) -> None:
+        """Write a scene to a path, whole or not at all; the format of `for_homes` writes a home."""
         client = {"client": self.name.partition(":")[2] or None} if self.clients else {}
         _function(self.writer)(scene, path, load, textures=textures, **client)
+
+    def for_homes(self) -> Format:
+        """The same format for homes, whose file is ``home`` where that of a scene is ``scene``.
+
+        Raises:
+            InputError: where it has none.
+        """
+        if not self.home:
+            known = ", ".join(name for name, one in FORMATS.items() if one.home)
+            raise _wrong(f"export: '{self.name}' is for single rooms; homes are written as {known}")
+        return replace(self, file="home" + self.file.removeprefix("scene"), writer=self.home)
 
     def shared_bytes(self, scene: Scene, load: Load, shared: Any) -> bytes:
         """The file of a scene whose meshes and images are ``SharedFiles``."""
@@ -62,9 +76,32 @@ def _function(place: str) -> Callable[..., Any]:
 FORMATS: dict[str, Format] = {
     f.name: f
     for f in (
-        Format("glb", "scene.glb", "glTF 2.0 binary", "glb:write_glb", (0.3, 0.005), shared="glb:glb_bytes"),
-        Format("usd", "scene.usdc", "USD with physics, binary", "usd:write_usd", (0.4, 0.026), shared="usd:usd_bytes"),
-        Format("usda", "scene.usda", "USD with physics, as text", "usd:write_usd", (0.4, 0.026)),
+        Format(
+            "glb",
+            "scene.glb",
+            "glTF 2.0 binary",
+            "glb:write_glb",
+            (0.3, 0.005),
+            shared="glb:glb_bytes",
+            home="home.glb:write_home_glb",
+        ),
+        Format(
+            "usd",
+            "scene.usdc",
+            "USD with physics, binary",
+            "usd:write_usd",
+            (0.4, 0.026),
+            shared="usd:usd_bytes",
+            home="home.usd:write_home_usd",
+        ),
+        Format(
+            "usda",
+            "scene.usda",
+            "USD with physics, as text",
+            "usd:write_usd",
+            (0.4, 0.026),
+            home="home.usd:write_home_usd",
+        ),
         Format(
             "mjcf",
             "scene.xml",
@@ -73,10 +110,26 @@ FORMATS: dict[str, Format] = {
             (0.4, 0.004),
             ("mujoco", "robosuite", "genesis", "drake", "dm_control", "newton"),
             "mjcf:mjcf_bytes",
+            "home.mjcf:write_file",
         ),
         Format("scenestate", "scenestate.json", "SceneState, with models/", "scenestate:write_file", (0.1, 0.004)),
-        Format("sdf", "scene.sdf", "one SDF world, with sdf/", "sdf:write_file", (0.1, 0.005), ("pybullet",)),
-        Format("urdf", "scene.urdf.json", "a URDF a piece, with urdf/", "urdf:write_file", (0.2, 0.003)),
+        Format(
+            "sdf",
+            "scene.sdf",
+            "one SDF world, with sdf/",
+            "sdf:write_file",
+            (0.1, 0.005),
+            ("pybullet",),
+            home="home.robots:write_sdf",
+        ),
+        Format(
+            "urdf",
+            "scene.urdf.json",
+            "a URDF a piece, with urdf/",
+            "urdf:write_file",
+            (0.2, 0.003),
+            home="home.robots:write_urdf",
+        ),
     )
 }
 
@@ -99,8 +152,9 @@ def format_named(name: str) -> Format:
     return replace(found, name=name)
 
 
-def formats_named(names: str | Iterable[str]) -> tuple[str, ...]:
-    """Names of formats from a list or from text with commas; "all" and "none" are understood.
+def formats_named(names: str | Iterable[str], *, homes: bool = False) -> tuple[str, ...]:
+    """Names of formats from a list or from text with commas; "all", of ``homes`` those they have, and "none" are
+    understood.
 
     Raises:
         InputError: for a name that is no format, or two of one file.
@@ -109,7 +163,7 @@ def formats_named(names: str | Iterable[str]) -> tuple[str, ...]:
     found: list[str] = []
     for name in (text.strip().lower() for text in listed):
         if name == "all":
-            found += [n for n in FORMATS if n != "usda"]
+            found += [n for n, one in FORMATS.items() if n != "usda" and (one.home or not homes)]
         elif name not in ("none", ""):
             found.append(format_named(name).name)
     files: dict[str, str] = {}
@@ -161,9 +215,48 @@ def export_scene(
             file is there whole or as it was before.
     """
     wanted = [format_named(name) for name in formats_named(formats)]
-    target = Path(folder)
+    return _export(scene, Path(folder), wanted, _assets(load, welded), textures)
+
+
+def export_home(
+    home: Home,
+    folder: str | os.PathLike[str],
+    formats: str | Sequence[str] = USUAL,
+    load: Load | None = None,
+    *,
+    textures: bool = True,
+    welded: bool = False,
+) -> dict[str, Path]:
+    """Write a whole home as one scene of other tools into a folder, which is made where it is not there.
+
+    Rooms are groups or prefixes of names, ``<room>:<object>``; walls, floors, stairs, windows and the leaves of doors,
+    which open, are there once.
+
+    Args:
+        home: The home; rooms without a scene are empty.
+        folder: Where the files go: ``home.glb``, ``home.usdc``, ``home.xml`` with its sleeping twin, ``home.sdf``,
+            ``home.urdf.json``.
+        formats: As for `export_scene`, a list or text with commas: glb, usd, usda, mjcf, sdf, urdf, or "all".
+        load, textures, welded: As for `export_scene`.
+
+    Returns:
+        The path of each format's file.
+
+    Raises:
+        InputError: as `export_scene`, and for a format that homes are not written in.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> files = sw.export_home(sw.Home.example("flat"), "flat", ["mjcf"])
+        >>> files["mjcf"].as_posix()
+        'flat/home.xml'
+    """
+    wanted = [format_named(name).for_homes() for name in formats_named(formats, homes=True)]
+    return _export(home, Path(folder), wanted, _assets(load, welded), textures)
+
+
+def _export(scene: Scene | Home, target: Path, wanted: Sequence[Format], load: Load, textures: bool) -> dict[str, Path]:
     fresh = not target.exists()
-    load = _assets(load, welded)
     done: dict[str, Path] = {}
     try:  # time may be up anywhere from here on
         checkpoint()
@@ -184,14 +277,15 @@ def export_scene(
 
 
 def export_file(
-    scene: Scene,
+    scene: Scene | Home,
     path: str | os.PathLike[str],
     load: Load | None = None,
     *,
     textures: bool = True,
     welded: bool = False,
 ) -> Path:
-    """Write a scene to one file, in the format that its suffix stands for; meshes of MJCF go to ``meshes/`` beside it.
+    """Write a scene or a home to one file, in the format that its suffix stands for; meshes of MJCF go to ``meshes/``
+    beside it.
 
     Raises:
         InputError: as for ``export_scene``.
@@ -200,6 +294,10 @@ def export_file(
     one = format_of(target)
     if not target.parent.is_dir():
         raise _wrong(f"out: {target.parent} is no folder; make it first")
+    from sceneweaver.home import Home
+
+    if isinstance(scene, Home):
+        one = one.for_homes()
     one.write(scene, target, _assets(load, welded), textures)
     return target
 

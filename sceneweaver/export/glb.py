@@ -76,12 +76,12 @@ def glb_bytes(
     meshes = room_meshes(scene.room)
     meshes |= {f"room:window:{w.id}": window_mesh(scene.room, w) for w in scene.room.windows}
     children = [
-        file.node(_free_name(name, ids), {"mesh": file.mesh(f"\0{name}", partial(meshes.__getitem__, name), name)})
+        file.node(free_name(name, ids), {"mesh": file.mesh(f"\0{name}", partial(meshes.__getitem__, name), name)})
         for name in meshes
     ]
-    children += [_add_leaf(file, leaf, ids) for leaf in leaves(scene.room)]
-    children += [_add_object(file, body, ids) for body in found]
-    top = file.node(_free_name("scene", ids), {"children": children})
+    children += [add_leaf(file, leaf, ids) for leaf in leaves(scene.room)]
+    children += [add_object(file, body, ids) for body in found]
+    top = file.node(free_name("scene", ids), {"children": children})
     extras = {"prompt": scene.prompt, "room": scene.room.model_dump(mode="json")}
     return file.bytes(top, {"name": scene.id, "extras": extras})
 
@@ -107,7 +107,7 @@ def room_meshes(room: Room) -> dict[str, Mesh]:
     return {name: mesh for name, mesh in meshes.items() if len(mesh.faces)}  # a wall may be all opening
 
 
-def _free_name(name: str, taken: set[str]) -> str:
+def free_name(name: str, taken: set[str]) -> str:
     """The name, or a longer one where it is taken, which it is from now on: objects keep theirs."""
     while name in taken:
         name += " (room)"
@@ -115,7 +115,7 @@ def _free_name(name: str, taken: set[str]) -> str:
     return name
 
 
-def _add_object(file: GlbFile, body: Body, taken: set[str]) -> int:
+def add_object(file: GlbFile, body: Body, taken: set[str]) -> int:
     """An object's node: its mesh, its pose and what else is known of it; below it what moves of it.
 
     Args:
@@ -152,14 +152,14 @@ def _add_object(file: GlbFile, body: Body, taken: set[str]) -> int:
             part = partial(_part, body, link_of == number, anchor)
             place = (number, body.scale)
             below["mesh"] = file.mesh(f"{key}.{number}", part, f"{key}.{link.name}", body.asset, place)
-        children.append(file.node(_free_name(f"{thing.id}.{link.name}", taken), below))
+        children.append(file.node(free_name(f"{thing.id}.{link.name}", taken), below))
     if (link_of == 0).any():
         base = partial(_part, body, link_of == 0, np.zeros(3))
         node["mesh"] = file.mesh(f"{key}.0", base, key, body.asset, (0, body.scale))
     return file.node(thing.id, {**node, "children": children, "extras": extras})
 
 
-def _add_leaf(file: GlbFile, leaf: Leaf, taken: set[str]) -> int:
+def add_leaf(file: GlbFile, leaf: Leaf, taken: set[str]) -> int:
     """The node of a door's leaf, closed."""
     joint = {"type": leaf.joint, **_axes(leaf.axis), "limits": list(leaf.limits), "role": "door"}
     node: dict[str, Any] = {
@@ -168,7 +168,7 @@ def _add_leaf(file: GlbFile, leaf: Leaf, taken: set[str]) -> int:
         "rotation": _rotation(from_yaw(leaf.yaw)),
         "extras": {"joint": joint},
     }
-    return file.node(_free_name(leaf.name, taken), node)
+    return file.node(free_name(leaf.name, taken), node)
 
 
 def _joint(link: Link, scale: tuple[float, float, float]) -> dict[str, Any]:

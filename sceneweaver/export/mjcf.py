@@ -70,8 +70,12 @@ def write_mjcf(
 def write_file(scene: Scene, path: Path, load: Load, *, textures: bool = True, client: str | None = None) -> None:
     """As `formats.Format.write` calls it: the text with ``meshes/`` and ``textures/`` beside it, and its sleeping twin,
     which the file for all has."""
-    model = mjcf(scene, load, textures=textures, client=client)
-    twin = {f"{path.stem}-sleep.xml": sleeping_twin(path.name, scene.id)} if client is None else {}
+    write_model(mjcf(scene, load, textures=textures, client=client), path, scene.id, client)
+
+
+def write_model(model: Model, path: Path, name: str, client: str | None = None) -> None:
+    """Write the text of a model of that name and what it names; the file for all has a sleeping twin."""
+    twin = {f"{path.stem}-sleep.xml": sleeping_twin(path.name, name)} if client is None else {}
     write_beside(path, {**model.files, **twin, path.name: model.xml.encode()}, {"meshes": r"[^/]*\.obj"})
 
 
@@ -97,8 +101,13 @@ def mjcf(
         client: One of those of the format; None: the file that most readers take.
         shared: Where meshes and images go, as files that the text names; None: into ``files``.
     """
-    looks = _Looks(scene.room, textures, client, shared)
-    return replace(build(scene, load, looks), files=looks.files)
+    looks = _RoomLooks(scene.room, textures, client, shared)
+    return with_files(build(scene, load, looks), looks)
+
+
+def with_files(model: Model, looks: Looks) -> Model:
+    """A model with the files of its looks."""
+    return replace(model, files=looks.files)
 
 
 def _without_slashes(root: Xml.Element) -> None:
@@ -124,13 +133,13 @@ def _without_slashes(root: Xml.Element) -> None:
             given[key] = renamed[old]
 
 
-class _Looks(Plain):
-    """Gives bodies and the room their looks; meshes and materials are there once, however many use them."""
+class Looks(Plain):
+    """Gives bodies their looks; meshes and materials are there once, however many use them."""
 
     visible = True
 
-    def __init__(self, room: Room, textured: bool, client: str | None, shared: SharedFiles | None) -> None:
-        self._room, self._textured, self._client, self._shared = room, textured, client, shared
+    def __init__(self, textured: bool, client: str | None, shared: SharedFiles | None = None) -> None:
+        self._textured, self._client, self._shared = textured, client, shared
         self._textures: set[str] = set()
         self.files: dict[str, bytes] = {}
         self._materials: dict[Material, str] = {}
@@ -138,7 +147,8 @@ class _Looks(Plain):
         self._included: dict[str, str] = {}
 
     def finish(self, root: Xml.Element) -> None:
-        self._paper(root)
+        """Looks of the surroundings, legal names, margins, and what one reader needs."""
+        self.paper(root)
         _without_slashes(root)
         for geom in root.iterfind("default/default/geom[@group='3']"):
             geom.set("margin", str(_MARGIN))
@@ -146,32 +156,18 @@ class _Looks(Plain):
             CLIENTS[self._client](root)
 
     def dress(self, assets: Xml.Element, frame: Xml.Element, thing: Thing, body: RigidBody) -> None:
+        """Meshes of a body of a thing with an asset."""
         if thing.asset is None:
             return  # its collision parts are all there is to see
         if self._shared is not None:
             self._shared.uses(thing.asset.id, self._included[thing.shape])
         for k, (name, number) in enumerate(self._made[thing.shape].get(body.number, ())):
-            look = self._material(assets, thing.asset.mesh.materials[number])
+            look = self.material(assets, thing.asset.mesh.materials[number])
             seen = {"name": f"{body.name}:visual:{k}", "class": f"{ROOM}:visual"}
             child(frame, "geom", seen, mesh=name, material=look)
 
-    def _paper(self, root: Xml.Element) -> None:
-        """Give floor and walls the looks of the room; the floor's image repeats at its real size."""
-        floor, assets = root.find(".//geom[@name='room:floor']"), root.find("asset")
-        assert floor is not None and assets is not None
-        look = room_looks(self._room).floor
-        found = maps(look.texture) if self._textured else None
-        if found is not None:
-            floor.set("rgba", UNSET)
-            u, v = found.size
-            repeat = {"texuniform": "true", "texrepeat": f"{1 / u:.6g} {1 / v:.6g}"}
-            floor.set("material", self._material(assets, look, repeat))
-        else:
-            floor.set("rgba", " ".join(f"{c:.4g}" for c in (*look.color, 1)))
-        for k in range(len(self._room.outline)):
-            for geom in root.iterfind(f".//body[@name='room:wall:{k}']/geom"):
-                if geom.get("rgba", "").endswith(" 1"):  # not a pane
-                    geom.set("rgba", " ".join(f"{c:.4g}" for c in (*wall_look(self._room, k).color, 1)))
+    def paper(self, root: Xml.Element) -> None:
+        """Give what is around things its looks."""
 
     def shape(self, thing: Thing) -> str:
         """Equal for things with the same meshes: in two finishes, where their images have the same sizes."""
@@ -195,19 +191,21 @@ class _Looks(Plain):
         for k, solid in enumerate(thing.solids):
             if solid.box is None:
                 name = hull_name(thing, k)
-                file = self._file(f"meshes/{name}.obj", obj(*hull_mesh(solid.points), digits=6))
+                file = self.add_file(f"meshes/{name}.obj", obj(*hull_mesh(solid.points), digits=6))
                 child(assets, "mesh", name=name, inertia="convex", file=file)
         for link, found in self._made.get(thing.shape, {}).items():
             for name, number in found:
-                file = self._file(f"meshes/{name}.obj", seen_obj(thing, link, number, self._textured))
+                file = self.add_file(f"meshes/{name}.obj", seen_obj(thing, link, number, self._textured))
                 # Sheets and open pieces enclose no volume; as shells they have a frame all the same.
                 child(assets, "mesh", name=name, file=file, inertia="shell")
 
-    def _file(self, name: str, content: bytes) -> str:
+    def add_file(self, name: str, content: bytes) -> str:
+        """Keep a file by its path; returns that."""
         self.files[name] = content
         return name
 
-    def _material(self, assets: Xml.Element, material: Material, more: Mapping[str, str] | None = None) -> str:
+    def material(self, assets: Xml.Element, material: Material, more: Mapping[str, str] | None = None) -> str:
+        """The name of the element of a material, which is made when it is first asked for."""
         if material not in self._materials:
             name = f"{material.name} {len(self._materials)}"
             tint, look = self._texture(assets, material)
@@ -239,7 +237,32 @@ class _Looks(Plain):
             if self._shared is not None:
                 file = self._shared.path(name, "png", image)
             else:
-                file = self._file(f"textures/{name}.png", image())
+                file = self.add_file(f"textures/{name}.png", image())
             child(assets, "texture", name=name, type="2d", file=file)
         color, _ = tinted(material, linear(material.color))
         return to_srgb(np.array(color)).tolist(), {"texture": name}
+
+
+class _RoomLooks(Looks):
+    """Floor and walls have the looks of the room; the floor's image repeats at its real size."""
+
+    def __init__(self, room: Room, textured: bool, client: str | None, shared: SharedFiles | None) -> None:
+        super().__init__(textured, client, shared)
+        self._room = room
+
+    def paper(self, root: Xml.Element) -> None:
+        floor, assets = root.find(".//geom[@name='room:floor']"), root.find("asset")
+        assert floor is not None and assets is not None
+        look = room_looks(self._room).floor
+        found = maps(look.texture) if self._textured else None
+        if found is not None:
+            floor.set("rgba", UNSET)
+            u, v = found.size
+            repeat = {"texuniform": "true", "texrepeat": f"{1 / u:.6g} {1 / v:.6g}"}
+            floor.set("material", self.material(assets, look, repeat))
+        else:
+            floor.set("rgba", " ".join(f"{c:.4g}" for c in (*look.color, 1)))
+        for k in range(len(self._room.outline)):
+            for geom in root.iterfind(f".//body[@name='room:wall:{k}']/geom"):
+                if geom.get("rgba", "").endswith(" 1"):  # not a pane
+                    geom.set("rgba", " ".join(f"{c:.4g}" for c in (*wall_look(self._room, k).color, 1)))

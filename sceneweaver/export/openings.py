@@ -40,9 +40,9 @@ def door_leaves(room: Room) -> Iterator[tuple[int, Leaf, Mesh]]:
         yield door.wall, leaf, leaf_mesh(leaf)
 
 
-def window_mesh(room: Room, window: Window) -> Mesh:
-    """Frame, sill and pane of a window in the world's frame."""
-    blocks = _window(window.offset, window.width, window.sill, window.height)
+def window_mesh(room: Room, window: Window, thickness: float = WALL_THICKNESS) -> Mesh:
+    """Frame, sill and pane of a window in the world's frame, in a wall of that thickness [m]."""
+    blocks = _window(window.offset, window.width, window.sill, window.height, thickness)
     return _built(room.walls[window.wall], blocks)
 
 
@@ -69,15 +69,15 @@ def _door(wall: Wall, door: Door, ceiling: float) -> list[Block]:
     return blocks
 
 
-def _window(offset: float, width: float, sill: float, height: float) -> list[Block]:
+def _window(offset: float, width: float, sill: float, height: float, thickness: float) -> list[Block]:
     top = sill + height
     bar = min(_BAR, width / 4, height / 4)
-    blocks = _border(offset, width, sill, top, (0.02, WALL_THICKNESS - 0.01))
+    blocks = _border(offset, width, sill, top, (0.02, thickness - 0.01))
     blocks.append(((offset - 0.03, offset + width + 0.03), (-0.05, 0.02), (sill - 0.025, sill), _FRAME))
     panes = max(1, round(width / 0.9))
     for k in range(1, panes):
         at = offset + width * k / panes
-        blocks.append(((at - bar / 2, at + bar / 2), (0.03, WALL_THICKNESS - 0.02), (sill + bar, top - bar), _FRAME))
+        blocks.append(((at - bar / 2, at + bar / 2), (0.03, thickness - 0.02), (sill + bar, top - bar), _FRAME))
     blocks.append(((offset + bar, offset + width - bar), (0.05, 0.056), (sill + bar, top - bar), _GLASS))
     return blocks
 

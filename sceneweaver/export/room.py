@@ -28,7 +28,7 @@ def floor_mesh(room: Room) -> Mesh:
     for plan in plans[1:]:
         section = section + CrossSection([np.asarray(plan)], FillRule.Positive)
     slab = Manifold.extrude(section, FLOOR_THICKNESS).translate((0.0, 0.0, -FLOOR_THICKNESS))
-    return _mesh(slab, room_looks(room).floor)
+    return manifold_mesh(slab, room_looks(room).floor)
 
 
 def wall_mesh(room: Room, wall: int) -> Mesh:
@@ -45,7 +45,7 @@ def wall_mesh(room: Room, wall: int) -> Mesh:
         hole = Manifold.cube((opening.width, 4 * WALL_THICKNESS, high - low))
         hole = hole.translate((opening.offset, -3 * WALL_THICKNESS, low))
         body = body - hole.rotate((0.0, 0.0, turn)).translate((*walls[wall].start, 0.0))
-    return _mesh(body, wall_look(room, wall))
+    return manifold_mesh(body, wall_look(room, wall))
 
 
 def leaf_mesh(leaf: Leaf) -> Mesh:
@@ -59,7 +59,7 @@ def leaf_mesh(leaf: Leaf) -> Mesh:
     return Mesh(mesh.vertices, mesh.faces, which, mesh.face_link, (_LEAF, _HANDLE)[: which.max() + 1])
 
 
-def _mesh(body, material: Material) -> Mesh:
+def manifold_mesh(body, material: Material) -> Mesh:
     """The arrays of a manifold; float64 where the library has them."""
     raw = body.to_mesh64()
     faces = np.asarray(raw.tri_verts, dtype=np.int32)

@@ -9,6 +9,7 @@ moves the joints of static models: for it, all that stands still is static.
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from pathlib import Path
 from xml.etree import ElementTree as Xml
 
@@ -45,13 +46,18 @@ def sdf(scene: Scene, load: Load | None = None, *, loose: bool = True, bullet: b
 
     ``bullet`` is for PyBullet, which departs from the standard in what stands still and in friction.
     """
+    return world_sdf(scene.id, placed_articulations(scene, load, loose=loose), bullet)
+
+
+def world_sdf(name: str, articulations: Sequence[PlacedArticulation], bullet: bool = False) -> dict[str, bytes]:
+    """The files of a world of that name, as `sdf` has them."""
     root = Xml.Element("sdf", {} if bullet else {"xmlns:drake": "http://drake.mit.edu"}, version="1.7")
-    world = Xml.SubElement(root, "world", name=model_name(scene.id))
+    world = Xml.SubElement(root, "world", name=model_name(name))
     _text(world, "gravity", (0, 0, -9.81))
     files: dict[str, bytes] = {}
-    for placed in placed_articulations(scene, load, loose=loose):
+    for placed in articulations:
         _model(world, placed, bullet)
-        files |= {f"{FOLDER}/{name}": content for name, content in placed.model.files.items()}
+        files |= {f"{FOLDER}/{file}": content for file, content in placed.model.files.items()}
     Xml.indent(root, " ")
     files["scene.sdf"] = f'<?xml version="1.0"?>\n{Xml.tostring(root, encoding="unicode")}\n'.encode()
     return files

@@ -20,6 +20,7 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Sequence
 from pathlib import Path
 from xml.etree import ElementTree as Xml
 
@@ -35,6 +36,7 @@ from .articulations import (
     KINDS,
     OURS,
     Articulation,
+    PlacedArticulation,
     Shape,
     articulation_of,
     limits_of,
@@ -80,13 +82,18 @@ def urdf(piece: Asset | SceneObject, load: Load | None = None) -> tuple[str, dic
 
 def room_urdf(scene: Scene, load: Load | None = None, *, loose: bool = True) -> dict[str, bytes]:
     """All files by path, ``scene.urdf.json`` among them; for the arguments see `placed_articulations`."""
+    return robots(scene.id, placed_articulations(scene, load, loose=loose))
+
+
+def robots(name: str, articulations: Sequence[PlacedArticulation]) -> dict[str, bytes]:
+    """The files of articulations under the name of their scene, as `room_urdf` has them."""
     files: dict[str, bytes] = {}
     rows = []
-    for placed in placed_articulations(scene, load, loose=loose):
+    for placed in articulations:
         path = f"{FOLDER}/{placed.model.name}.urdf"
         if path not in files:
             files[path] = robot(placed.model)
-            files |= {f"{FOLDER}/meshes/{name}": content for name, content in placed.model.files.items()}
+            files |= {f"{FOLDER}/meshes/{file}": content for file, content in placed.model.files.items()}
         rows.append(
             {
                 "name": placed.name,
@@ -98,7 +105,7 @@ def room_urdf(scene: Scene, load: Load | None = None, *, loose: bool = True) -> 
                 "friction": placed.model.friction,
             }
         )
-    head = {"scene": scene.id, "unit": "m", "quaternion": "x y z w"}
+    head = {"scene": name, "unit": "m", "quaternion": "x y z w"}
     files["scene.urdf.json"] = (json.dumps({**head, "robots": rows}, indent=1) + "\n").encode()
     return files
 

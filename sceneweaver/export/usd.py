@@ -19,18 +19,20 @@ from __future__ import annotations
 
 import os
 import tempfile
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 from sceneweaver.assets.placed import Load
 from sceneweaver.io import open_writable, read_bytes, whole
+from sceneweaver.physics.frames import views
 from sceneweaver.physics.model import coverings
-from sceneweaver.physics.things import things_of
+from sceneweaver.physics.things import Thing, things_of
 from sceneweaver.scene import InputError, Scene
 
 from .folder import fill, move
 from .shared import SharedFiles
-from .usd_bodies import filter_pair
+from .usd_bodies import Solids, filter_pair
 from .usd_engines import tune_scene
 from .usd_layer import attribute, prim, prim_names, usd
 from .usd_looks import Looks
@@ -56,14 +58,20 @@ def write_usd(scene: Scene, path: str | os.PathLike[str], load: Load | None = No
     Raises:
         InputError: an asset is missing, the suffix is another, or the place cannot be written.
     """
+    name = usd_path(path)
+    layer, files = _layer(scene, load, textures)
+    save_layer(layer, name, files)
+
+
+def usd_path(path: str | os.PathLike[str]) -> str:
+    """The path of a stage, which has one of the ``SUFFIXES`` and is no folder; InputError for any other."""
     name = os.fspath(path)
     suffix = os.path.splitext(name)[1].lower()
     if suffix not in SUFFIXES:
         raise InputError(f"path: {name} must end in .usda (text) or .usdc (binary)")
     if os.path.isdir(name):
         raise InputError(f"path: {name} is a folder; give a file name in it, such as scene{suffix}")
-    layer, files = _layer(scene, load, textures)
-    _save(layer, name, files)
+    return name
 
 
 def usd_layer(scene: Scene, load: Load | None = None) -> Any:
@@ -90,7 +98,8 @@ def _layer(
     things = things_of(scene, load)
     layer = usd().Sdf.Layer.CreateAnonymous(".usda")
     with usd().Sdf.ChangeBlock():
-        _head(layer, scene)
+        facts = {"id": scene.id, "prompt": scene.prompt, "room": scene.room.type}
+        head(layer, facts)
         world = prim(layer, "World", kind="assembly", displayName=scene.id)
         looks = Looks(prim(world, "Looks", "Scope"), prim(world, "PhysicsMaterials", "Scope"), textures, shared)
         prototypes = Prototypes(prim(world, "Prototypes", "Scope"), looks)
@@ -99,24 +108,28 @@ def _layer(
         titles = [names(thing.object.id) for thing in things]
         doors = add_room(prim(world, "Room", kind="group"), scene.room, looks, names)
         add_lights(prim(world, "Lights", "Scope"), scene.room)
-        add_cameras(prim(world, "Cameras", "Scope"), scene)
+        add_cameras(prim(world, "Cameras", "Scope"), views(scene.room, scene.objects))
         objects = prim(world, "Objects", kind="group")
         solids = [
             add_object(objects, title, thing, prototypes, names) for title, thing in zip(titles, things, strict=True)
         ]
-        for cover, above in coverings(things):  # they share the layer of what stands or swings over them
-            for other in (*doors, *(solids[k] for k in above)):
-                filter_pair(solids[cover], other, layer)
+        filter_coverings(things, solids, doors, layer)
     return layer, looks.files
 
 
-def _head(layer: Any, scene: Scene) -> None:
-    """Units, facts of the scene and the physics of a layer."""
+def filter_coverings(things: Sequence[Thing], solids: Sequence[Solids], doors: Sequence[Solids], layer: Any) -> None:
+    """Leave out contacts of rugs and mats, which share the layer of what stands or swings over them."""
+    for cover, above in coverings(things):
+        for other in (*doors, *(solids[k] for k in above)):
+            filter_pair(solids[cover], other, layer)
+
+
+def head(layer: Any, facts: dict[str, Any]) -> None:
+    """Units, facts of what is in it and the physics of a layer."""
     layer.defaultPrim = "World"
     layer.comment = "Made by sceneweaver"
     for key, value in (("upAxis", "Z"), ("metersPerUnit", 1.0), ("kilogramsPerUnit", 1.0)):
         layer.pseudoRoot.SetInfo(key, value)
-    facts = {"id": scene.id, "prompt": scene.prompt, "room": scene.room.type}
     layer.customLayerData = {"sceneweaver": facts, **AUTO_EXPOSURE}
     physics = prim(layer, "PhysicsScene", "PhysicsScene")
     attribute(physics, "physics:gravityDirection", "Vector3f", (0.0, 0.0, -1.0))
@@ -124,7 +137,8 @@ def _head(layer: Any, scene: Scene) -> None:
     tune_scene(physics)
 
 
-def _save(layer: Any, name: str, files: dict[str, bytes]) -> None:
+def save_layer(layer: Any, name: str, files: dict[str, bytes]) -> None:
+    """Write a layer and the images that it names, whole or not at all."""
     try:
         with whole(name) as temporary:
             # Made here first: the system says better than USD why a place cannot be written.

@@ -44,7 +44,7 @@ def add_room(parent: Prim, room: Room, looks: Looks, names: Names) -> list[Solid
             place(made, *wall_pose(room.walls[window.wall]))
             render_mesh(made, "Mesh", _in_wall(window_mesh(room, window), room, window.wall), looks)
             pane = wall_slab((window.offset, window.offset + window.width), heights(window), pane=True)
-            _boxes(made, [(pane.centre, pane.half)], looks, FLOOR_FRICTION)
+            add_boxes(made, [(pane.centre, pane.half)], looks, FLOOR_FRICTION)
     found = leaves(room)
     if not found:
         return []
@@ -52,7 +52,7 @@ def add_room(parent: Prim, room: Room, looks: Looks, names: Names) -> list[Solid
     doors = prim(parent, "Doors", kind="group")
     moving = []
     for leaf, door in zip(found, room.doors, strict=True):
-        moving.append(_door(doors, names, leaf, looks))
+        moving.append(add_door(doors, names, leaf, looks))
         # Its hinge is in the opening: it may touch the wall that carries it, and no more than touch.
         filter_pair(moving[-1], stays[door.wall], parent.layer)
     return moving
@@ -68,7 +68,7 @@ def _floor(parent: Prim, room: Room, looks: Looks) -> None:
     label(made, "floor")
     render_mesh(made, "Mesh", floor_mesh(room), looks)
     slab = floor_slab(room)
-    _boxes(made, [(slab.centre, slab.half)], looks, FLOOR_FRICTION)
+    add_boxes(made, [(slab.centre, slab.half)], looks, FLOOR_FRICTION)
 
 
 def _wall(parent: Prim, room: Room, wall: int, looks: Looks) -> Solids:
@@ -77,10 +77,10 @@ def _wall(parent: Prim, room: Room, wall: int, looks: Looks) -> Solids:
     place(made, *wall_pose(room.walls[wall]))
     render_mesh(made, "Mesh", _in_wall(wall_mesh(room, wall), room, wall), looks)
     slabs = [(slab.centre, slab.half) for slab in wall_slabs(room, wall) if not slab.pane]
-    return Solids((), _boxes(made, slabs, looks, FLOOR_FRICTION))
+    return Solids((), add_boxes(made, slabs, looks, FLOOR_FRICTION))
 
 
-def _boxes(made: Prim, boxes: Sequence[Any], looks: Looks, friction: float) -> tuple[Any, ...]:
+def add_boxes(made: Prim, boxes: Sequence[Any], looks: Looks, friction: float) -> tuple[Any, ...]:
     """Colliders below a prim, by centres [3] and half extents [3]; returns their paths."""
     scope = prim(made, "Collision", "Scope")
     for number, (centre, half) in enumerate(boxes):
@@ -94,7 +94,7 @@ def _in_wall(mesh: Mesh, room: Room, wall: int) -> Mesh:
     return replace(mesh, vertices=points)
 
 
-def _door(parent: Prim, names: Names, leaf: Leaf, looks: Looks) -> Solids:
+def add_door(parent: Prim, names: Names, leaf: Leaf, looks: Looks) -> Solids:
     """A leaf on a frame that is fixed to the world: an articulation like that of any piece with doors."""
     name = names(leaf.name)
     made = prim(parent, name, kind="component", displayName=leaf.door)
@@ -109,7 +109,7 @@ def _door(parent: Prim, names: Names, leaf: Leaf, looks: Looks) -> Solids:
     rigid(panel, leaf.inertia)
     render_mesh(panel, "Mesh", leaf_mesh(leaf), looks)
     add_frames(panel, leaf_frames(leaf))
-    _boxes(panel, leaf.boxes, looks, LEAF_FRICTION)
+    add_boxes(panel, leaf.boxes, looks, LEAF_FRICTION)
     joints = prim(made, "joints", "Scope")
     weld(joints, names(f"{name}_frame_joint"), made, frame)
     join(joints, names(f"{name}_joint"), frame, panel, leaf.moves)

@@ -7,14 +7,15 @@ a thousand times as bright, unless its exposure is automatic, which `AUTO_EXPOSU
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
 from sceneweaver.assets import Mesh
 from sceneweaver.geometry.rotations import from_matrix
-from sceneweaver.physics.frames import Frame, views
-from sceneweaver.scene import Room, Scene
+from sceneweaver.geometry.walls import Wall
+from sceneweaver.physics.frames import Frame, View
+from sceneweaver.scene import Room
 
 from .usd_layer import Prim, attribute, attributes, place, prim, prim_names, triple, usd
 from .usd_looks import LAMP
@@ -31,6 +32,12 @@ _ASPECT = 4 / 3  # of the pictures that cameras take
 
 def add_lights(parent: Prim, room: Room) -> None:
     """A sky all around, and a sun that shines through the windows of the wall that has most."""
+    x, y = room.outline[0]
+    light(parent, _to_the_sun(room), (float(x), float(y), 2 * room.height))
+
+
+def light(parent: Prim, toward: np.ndarray, position: tuple[float, float, float]) -> None:
+    """A sky all around, and a sun in a unit direction [3], whose prim stands at a position."""
     sky = prim(parent, "Sky", "DomeLight")
     attributes(sky, {"inputs:intensity": ("Float", _SKY), "inputs:color": ("Color3f", (0.94, 0.97, 1.0))})
     sun = prim(parent, "Sun", "DistantLight")
@@ -38,11 +45,10 @@ def add_lights(parent: Prim, room: Room) -> None:
     attributes(sun, {key: ("Float", value) for key, value in shown.items()})
     attribute(sun, "inputs:color", "Color3f", (1.0, 0.93, 0.82))
     # A distant light shines along its -z.
-    toward = _to_the_sun(room)
     side = np.cross((0.0, 0.0, 1.0), toward)
     side /= np.linalg.norm(side)
     turn = from_matrix(np.column_stack([side, np.cross(toward, side), toward]))
-    place(sun, (float(room.outline[0][0]), float(room.outline[0][1]), 2 * room.height), turn)
+    place(sun, position, turn)
 
 
 def add_lamp(parent: Prim, mesh: Mesh, scale: Sequence[float]) -> None:
@@ -62,10 +68,10 @@ def add_lamp(parent: Prim, mesh: Mesh, scale: Sequence[float]) -> None:
     attribute(made, "xformOpOrder", "TokenArray", ["xformOp:translate"], uniform=True)
 
 
-def add_cameras(parent: Prim, scene: Scene) -> None:
-    """The views of a room; names as `room:eye-door` are kept for display."""
+def add_cameras(parent: Prim, found: Iterable[View]) -> None:
+    """Cameras; names as `room:eye-door` are kept for display."""
     names = prim_names()
-    for view in views(scene.room, scene.objects):
+    for view in found:
         made = prim(parent, names(view.name.removeprefix("room:").replace("-", "_")), "Camera", displayName=view.name)
         place(made, view.position, view.quaternion)
         tall = _FILM / _ASPECT
@@ -93,10 +99,14 @@ def add_frames(parent: Prim, frames: Sequence[Frame]) -> None:
 def _to_the_sun(room: Room) -> np.ndarray:
     """The unit direction [3] to the sun: behind the wall with most glass, a little aslant, so that bars draw lines."""
     glass = [sum(w.width * w.height for w in room.windows if w.wall == k) for k in range(len(room.outline))]
-    if max(glass) <= 0:
+    return sun_behind(room.walls[int(np.argmax(np.round(glass, 6)))] if max(glass) > 0 else None)
+
+
+def sun_behind(wall: Wall | None) -> np.ndarray:
+    """The unit direction [3] to a sun that shines through a wall, or through none."""
+    if wall is None:
         toward = np.array([-0.30, 0.34, 1.3])
     else:
-        wall = room.walls[int(np.argmax(np.round(glass, 6)))]
         slant = np.asarray(wall.outward) + 0.42 * np.asarray(wall.along)
         toward = np.array([*(slant / np.linalg.norm(slant)), math.tan(_HEIGHT)])
     return toward / np.linalg.norm(toward)

@@ -106,31 +106,57 @@ def _leaves(outline: tuple[tuple[float, float], ...], doors: tuple[Door, ...]) -
 
 
 def _swinging(room: Room, door: Door) -> Leaf:
-    out, right = door.swing == "out", door.swing == "in-right"
+    out, wall = door.swing == "out", room.walls[door.wall]
+    span, names = (door.offset, door.width), (door.id, f"room:door:{door.id}")
+    leaf = swinging(
+        wall, span, door.height, names, -WALL_THICKNESS if out else 0.0, out=out, far=door.swing == "in-right"
+    )
+    return limited(leaf, _walls(room))
+
+
+def swinging(
+    wall: Wall,
+    span: tuple[float, float],
+    height: float,
+    names: tuple[str, str],
+    face: float,
+    *,
+    out: bool = False,
+    far: bool = False,
+) -> Leaf:
+    """A leaf on a hinge, which opens by a right angle.
+
+    Args:
+        wall: In which it is.
+        span: Where it begins along the wall, and how wide the opening is for it [m].
+        height: Of the opening [m].
+        names: Id of the door, and name of the leaf.
+        face: Depth [m] of the wall's face on the side to which it opens: 0, or less.
+        out: Whether it opens out of the wall's room.
+        far: Whether it hangs at the end of the span.
+    """
+    offset, wide = span
     # At its far end the leaf's outer edge is farther from the axis than the leaf is wide.
-    gap = min(_GAP + THICK**2 / (2 * door.width), door.width / 8)
-    width, top = door.width - 2 * gap, max(door.height - _GAP, 2 * _FOOT)
-    wall = room.walls[door.wall]
-    turn = wall.yaw + (math.pi if right else 0.0)
-    along = door.offset + door.width - gap if right else door.offset + gap
-    x, y = wall.point(along, -WALL_THICKNESS if out else 0.0)
+    gap = min(_GAP + THICK**2 / (2 * wide), wide / 8)
+    width, top = wide - 2 * gap, max(height - _GAP, 2 * _FOOT)
+    turn = wall.yaw + (math.pi if far else 0.0)
+    x, y = wall.point(offset + wide - gap if far else offset + gap, face)
     # +y of the leaf's frame is into the room at its offset and out of it at the other end.
-    opens = -1.0 if out or right else 1.0
+    opens = -1.0 if out != far else 1.0
     body = ((width / 2, -opens * THICK / 2, (_FOOT + top) / 2), (width / 2, THICK / 2, (top - _FOOT) / 2))
-    long, height = min(0.12, 0.3 * width), min(1.02, 0.55 * top)
+    long, high = min(0.12, 0.3 * width), min(1.02, 0.55 * top)
     end = width - min(0.05, 0.1 * width)
     boxes: list[Box] = [body]
     grasps: list[Grasp] = []
-    for face, side in ((0.0, opens), (-opens * THICK, -opens)):
-        neck = face + side * (_OUT - 0.015) / 2
-        boxes.append(((end - 0.01, neck, height), (0.01, (_OUT - 0.015) / 2, 0.01)))
-        lever = (end - long / 2, face + side * (_OUT - 0.0075), height)
+    for surface, side in ((0.0, opens), (-opens * THICK, -opens)):
+        neck = surface + side * (_OUT - 0.015) / 2
+        boxes.append(((end - 0.01, neck, high), (0.01, (_OUT - 0.015) / 2, 0.01)))
+        lever = (end - long / 2, surface + side * (_OUT - 0.0075), high)
         boxes.append((lever, (long / 2, 0.0075, 0.01)))
         name = "inside" if side * math.cos(turn - wall.yaw) > 0 else "outside"
         grasps.append(Grasp(name, 0, lever, (0.0, -side, 0.0), (0.0, 0.0, 1.0), 0.02, long))
-    leaf = Leaf(
-        door.id,
-        f"room:door:{door.id}",
+    return Leaf(
+        *names,
         (x, y, 0.0),
         turn,
         "hinge",
@@ -140,41 +166,60 @@ def _swinging(room: Room, door: Door) -> Leaf:
         tuple(boxes),
         tuple(grasps),
     )
-    return _limited(leaf, _way(leaf, _walls(room), _OPEN))
 
 
 def _sliding(room: Room, door: Door) -> Leaf:
     walls = _walls(room)
+    wall, span, names = room.walls[door.wall], (door.offset, door.width), (door.id, f"room:door:{door.id}")
+    before = (-WALL_THICKNESS, -0.01 - THICK / 2)
     # The leaf covers the opening and a little more where no other wall begins.
-    plans = [_slide(room, door, over, flip) for over in (0.03, 0.0, -0.01) for flip in (False, True)]
+    plans = [
+        sliding(wall, span, door.height, names, before, over, far=far)
+        for over in (0.03, 0.0, -0.01)
+        for far in (False, True)
+    ]
     clear = [leaf for leaf in plans if not _hits(leaf, [0.0], walls)[0]] or plans[-2:]
     ways = [(_way(leaf, walls, leaf.limits[1]), leaf) for leaf in clear[:2]]
     travel, best = max(ways, key=lambda pair: pair[0])
     return _limited(best, travel)
 
 
-def _slide(room: Room, door: Door, over: float, flip: bool) -> Leaf:
-    """The leaf, ``over`` metres wider than the opening at each end, that slides along the wall, or back."""
-    width, top = door.width + 2 * over, door.height + max(over, -0.002)
-    wall = room.walls[door.wall]
-    turn = wall.yaw + (math.pi if flip else 0.0)
-    x, y = wall.point(door.offset + (door.width + over if flip else -over), -WALL_THICKNESS)
-    outward = 1.0 if flip else -1.0
-    middle = outward * (0.01 + THICK / 2)
-    at = over + min(0.06, 0.15 * door.width)  # of the handle, near the end that is left when it opens
-    tall, height = min(0.15, 0.3 * top), min(1.05, 0.55 * top)
+def sliding(
+    wall: Wall,
+    span: tuple[float, float],
+    height: float,
+    names: tuple[str, str],
+    depths: tuple[float, float],
+    over: float,
+    *,
+    far: bool = False,
+) -> Leaf:
+    """A leaf that slides along a wall, away from its start, or with ``far`` back towards it.
+
+    Args:
+        wall, span, height, names: As for `swinging`.
+        depths: Of the leaf's frame in the wall, and from there on of the middle of the leaf [m]: 0, or less.
+        over: By how much it is wider than the opening at each end [m].
+        far: Whether it slides back.
+    """
+    offset, wide = span
+    width, top = wide + 2 * over, height + max(over, -0.002)
+    turn = wall.yaw + (math.pi if far else 0.0)
+    x, y = wall.point(offset + (wide + over if far else -over), depths[0])
+    middle = -depths[1] if far else depths[1]
+    at = over + min(0.06, 0.15 * wide)  # of the handle, near the end that is left when it opens
+    tall, high = min(0.15, 0.3 * top), min(1.05, 0.55 * top)
     boxes: list[Box] = [((width / 2, middle, (_FOOT + top) / 2), (width / 2, THICK / 2, (top - _FOOT) / 2))]
     grasps = []
     for side in (1.0, -1.0):
-        boxes.append(((at, middle + side * (THICK + 0.045) / 2, height), (0.01, 0.0225, tall)))
+        boxes.append(((at, middle + side * (THICK + 0.045) / 2, high), (0.01, 0.0225, tall)))
         name = "inside" if side * math.cos(turn - wall.yaw) > 0 else "outside"
-        place = (at, middle + side * (THICK / 2 + 0.03), height)
+        place = (at, middle + side * (THICK / 2 + 0.03), high)
         grasps.append(Grasp(name, 0, place, (0.0, -side, 0.0), (1.0, 0.0, 0.0), 0.02, 2 * tall))
     # Open, the handle in the opening stands just before the jamb.
-    travel = max(over + door.width - 0.015 - (at + 0.01), _STEP)
+    travel = max(over + wide - 0.015 - (at + 0.01), _STEP)
     return Leaf(
-        door.id,
-        f"room:door:{door.id}",
+        *names,
         (x, y, 0.0),
         turn,
         "slide",
@@ -185,6 +230,11 @@ def _slide(room: Room, door: Door, over: float, flip: bool) -> Leaf:
         tuple(grasps),
         travel,
     )
+
+
+def limited(leaf: Leaf, walls: Any) -> Leaf:
+    """The leaf, opening as far as no wall is in its way; ``walls`` is a plan of them less the doorways."""
+    return _limited(leaf, _way(leaf, walls, leaf.limits[1]))
 
 
 def _limited(leaf: Leaf, most: float) -> Leaf:

@@ -46,12 +46,13 @@ from sceneweaver.assets.placed import Load
 from sceneweaver.assets.recent import Recent
 from sceneweaver.geometry.rotations import from_yaw, wxyz
 from sceneweaver.runtime.deadline import checkpoint
-from sceneweaver.scene import Room, Scene, SceneObject
+from sceneweaver.scene import Scene, SceneObject
 
-from .frames import Frame, frames_of, leaf_frames, spawns, views
+from .enclosure import Enclosure, room_enclosure
+from .frames import Frame, frames_of, leaf_frames
 from .inertia import inertia_of, shares_of
-from .leaves import Leaf, leaves
-from .shell import FLOOR_FRICTION, LEAF_FRICTION, wall_slabs
+from .leaves import Leaf
+from .shell import FLOOR_FRICTION, LEAF_FRICTION
 from .solids import Solid
 from .things import Joint, RigidBody, Thing, things_of
 from .xml import attributes, child, document
@@ -135,11 +136,16 @@ def build(scene: Scene, load: Load | None = None, look: Plain | None = None, *, 
     Raises:
         InputError: when an asset cannot be loaded.
     """
+    return assemble(room_enclosure(scene), things_of(scene, load, loose=loose), look)
+
+
+def assemble(around: Enclosure, things: Sequence[Thing], look: Plain | None = None) -> Model:
+    """The MuJoCo model of things and what is around them; ``look`` as for `build`."""
     writer = look or Plain()
-    things = [replace(thing, shape=writer.shape(thing)) for thing in things_of(scene, load, loose=loose)]
-    root = Xml.Element("mujoco", model=scene.id)
+    things = [replace(thing, shape=writer.shape(thing)) for thing in things]
+    root = Xml.Element("mujoco", model=around.id)
     add_options(root)
-    child(root, "statistic", center=_middle(scene.room), extent=_reach(scene.room))
+    child(root, "statistic", center=around.middle, extent=around.reach)
     visual = child(root, "visual")
     child(visual, "headlight", ambient="0.42 0.42 0.44", diffuse="0.3 0.3 0.3", specular="0 0 0")
     child(visual, "quality", shadowsize="4096")
@@ -152,29 +158,29 @@ def build(scene: Scene, load: Load | None = None, look: Plain | None = None, *, 
     child(
         world,
         "light",
-        name="room:light",
+        name=f"{around.name}:light",
         directional="true",
-        pos=(*_middle(scene.room)[:2], 2 * scene.room.height),
+        pos=(*around.middle[:2], 2 * float(around.high[2])),
         dir="-0.35 0.25 -1",
         diffuse="0.55 0.53 0.5",
         specular="0.1 0.1 0.1",
     )
-    _shell(world, scene.room)
+    _shell(world, assets, around)
     contact = child(root, "contact")
     covers = {k for k, _ in coverings(things)}
     bodies = _Bodies(world, assets, contact, writer)
     for k, thing in enumerate(things):
         over = covers and thing.object.mount == "floor"
         bodies.add(thing, "room:covering" if k in covers else "room:grounded" if over else ROOM)
-    for leaf in leaves(scene.room):
+    for leaf in around.leaves:
         _leaf(world, leaf, "room:grounded" if covers else ROOM)
         if leaf.stuck:
-            for k in range(len(scene.room.outline)):
-                child(contact, "exclude", body1=leaf.name, body2=f"room:wall:{k}")
-    for frame in spawns(scene.room):
+            for standing in around.standing:
+                child(contact, "exclude", body1=leaf.name, body2=standing.name)
+    for frame in around.spawns:
         turn = wxyz(frame.quaternion)
         child(world, "site", {"name": frame.name, "pos": frame.position, "quat": turn, "class": ROOM})
-    for view in views(scene.room, scene.objects):
+    for view in around.views:
         turn, angle = wxyz(view.quaternion), round(math.degrees(view.angle), 6)
         child(world, "camera", name=view.name, pos=view.position, quat=turn, fovy=angle)
     child(child(root, "keyframe"), "key", name="start")  # without numbers: those of the bodies, whatever joins them
@@ -212,28 +218,32 @@ def _defaults(root: Xml.Element) -> None:
     child(seen, "geom", type="mesh", group="2", contype="0", conaffinity="0", mass="0", rgba=UNSET)
 
 
-def _shell(world: Xml.Element, room: Room) -> None:
-    """The floor, and each wall as boxes around its openings; windows have a pane, doorways are open."""
-    middle = _middle(room)
+def _shell(world: Xml.Element, assets: Xml.Element, around: Enclosure) -> None:
+    """The floor, and what stands still as boxes, and hulls where they are none."""
     child(
         world,
         "geom",
         {"class": ROOM},
-        name="room:floor",
+        name=f"{around.name}:floor",
         type="plane",
-        pos=(*middle[:2], 0),
-        size=(_reach(room),) * 2 + (0.1,),
+        pos=(*around.middle[:2], float(around.low[2])),
+        size=(around.reach,) * 2 + (0.1,),
         group="0",
         rgba="0.74 0.62 0.48 1",
         friction=FLOOR_FRICTION,
     )
-    for wall in room.walls:
-        place = {"pos": (*wall.start, 0), "quat": wxyz(from_yaw(wall.yaw)), "childclass": ROOM}
-        frame = child(world, "body", place, name=f"room:wall:{wall.index}")
-        for k, slab in enumerate(wall_slabs(room, wall.index)):
+    for standing in around.standing:
+        place = {"pos": standing.position, "quat": wxyz(from_yaw(standing.yaw)), "childclass": ROOM}
+        frame = child(world, "body", place, name=standing.name)
+        for k, slab in enumerate(standing.slabs):
             look = {"group": "0", "rgba": "0.75 0.85 0.9 0.25" if slab.pane else "0.92 0.91 0.88 1"}
-            name = f"room:wall:{wall.index}:part:{k}"
-            child(frame, "geom", {"name": name, "type": "box", "pos": slab.centre, "size": slab.half, **look})
+            name = f"{standing.name}:part:{k}"
+            if slab.points is None:
+                shape: dict[str, Any] = {"type": "box", "pos": slab.centre, "size": slab.half}
+            else:
+                child(assets, "mesh", name=name, inertia="convex", vertex=slab.points.reshape(-1))
+                shape = {"type": "mesh", "mesh": name}
+            child(frame, "geom", {"name": name, **shape, **look})
 
 
 def _leaf(world: Xml.Element, leaf: Leaf, kind: str) -> None:
@@ -385,12 +395,3 @@ def coverings(things: Sequence[Thing]) -> list[tuple[int, list[int]]]:
         return near and other is not cover and (k not in flat or other.id > cover.id)
 
     return [(i, [k for k in floor if over(things[i].object, k)]) for i in flat]
-
-
-def _middle(room: Room) -> tuple[float, float, float]:
-    low, high = np.min(room.outline, axis=0), np.max(room.outline, axis=0)
-    return float(low[0] + high[0]) / 2, float(low[1] + high[1]) / 2, room.height / 2
-
-
-def _reach(room: Room) -> float:
-    return float(np.linalg.norm(np.max(room.outline, axis=0) - np.min(room.outline, axis=0)))

@@ -19,11 +19,15 @@ _NEAR = 1.2 * WALL_THICKNESS  # [m] from a corner, a door is in the way of the n
 
 @dataclass(frozen=True, eq=False)
 class Slab:
-    """A box by its ``centre`` [3] and ``half`` extents [3] [m]; ``pane``: it closes a window."""
+    """A box by its ``centre`` [3] and ``half`` extents [3] [m]; ``pane``: it closes a window.
+
+    With ``points`` [N, 3] it is their hull, and the box is around it.
+    """
 
     centre: np.ndarray
     half: np.ndarray
     pane: bool = False
+    points: np.ndarray | None = None
 
 
 def floor_slab(room: Room) -> Slab:

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 from sceneweaver.assets.placed import Load
+from sceneweaver.export.home.built import BuiltHome
 from sceneweaver.geometry.rotations import from_yaw, matrix, wxyz
-from sceneweaver.physics.leaves import leaves
-from sceneweaver.physics.things import things_of
+from sceneweaver.home import Home
+from sceneweaver.physics.leaves import Leaf, leaves
+from sceneweaver.physics.things import Thing, things_of
 from sceneweaver.scene import Scene
 
 
@@ -22,9 +24,20 @@ def expected(scene: Scene, load: Load | None = None, *, loose: bool = True) -> d
     ``free``, whether it or something on it ``moves``, and the ``middle`` of its box in the first.
     A joint has its kind, limits [rad] or [m], and its axis and anchor in the world.
     """
+    return expected_of(things_of(scene, load, loose=loose), leaves(scene.room))
+
+
+def expected_of_home(home: Home, load: Load | None = None) -> dict[str, Mapping[str, Any]]:
+    """The same for a home."""
+    built = BuiltHome.of(home, load)
+    return expected_of(built.things, [leaf for found in built.leaves for leaf in found])
+
+
+def expected_of(things: Sequence[Thing], doors: Sequence[Leaf]) -> dict[str, Mapping[str, Any]]:
+    """What `expected` has, of things and the leaves of doors."""
     bodies: dict[str, Any] = {}
     joints: dict[str, Any] = {}
-    for thing in things_of(scene, load, loose=loose):
+    for thing in things:
         pose = thing.object.pose
         turn, at, facing = matrix(pose.quaternion), np.asarray(pose.position), wxyz(pose.quaternion)
         for body in thing.bodies:
@@ -44,7 +57,7 @@ def expected(scene: Scene, load: Load | None = None, *, loose: bool = True) -> d
                 row["link"] = (anchor.tolist(), list(facing))
                 row["node"] = row["link"] if joint.kind == "hinge" else here
                 joints[body.name] = _joint(joint.kind, turn @ joint.axis, anchor, joint.limits)
-    for leaf in leaves(scene.room):
+    for leaf in doors:
         facing = list(wxyz(from_yaw(leaf.yaw)))
         bodies[leaf.name] = {
             "object": (list(leaf.position), facing),

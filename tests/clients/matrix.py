@@ -1,4 +1,4 @@
-"""Exported rooms in all clients: ``python -m tests.clients.matrix SCENE.JSON... [--clients a,b] [--out FILE]``.
+"""Exported rooms and homes in all clients: ``python -m tests.clients.matrix FILE.JSON... [--clients a,b] [--out FILE]``.
 
 Each client runs in a process and an environment of its own, one after the other, and what hangs is stopped. The lines
 of JSON go to the file as they come; at the end the table of them is printed, as docs/simulators.md shows it.
@@ -16,10 +16,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from sceneweaver.export import export_scene
+from sceneweaver.assets.placed import loader
+from sceneweaver.export import export_scene, format_named
+from sceneweaver.home import Home, is_home
 from sceneweaver.scene import Scene
 from tests.clients.environments import UnavailableError, python_of
-from tests.clients.expected import expected
+from tests.clients.expected import expected, expected_of_home
 
 SECONDS, LIMIT = 3.0, 900.0
 """How long rooms are let loose, and how long a client may take for one, in seconds."""
@@ -70,11 +72,13 @@ def run(python: Path, module: str, folder: Path, wanted: Path, seconds: float, l
 def measure_room(
     path: Path, names: Sequence[str], seconds: float = SECONDS, *, welded: bool = False
 ) -> list[dict[str, Any]]:
-    """The rows of one scene file in those clients."""
-    scene, rows = Scene.load(path), []
+    """The rows of one file of a scene or a home in those clients."""
+    rows: list[dict[str, Any]] = []
+    home = Home.load(path) if is_home(json.loads(path.read_text())) else None
     with tempfile.TemporaryDirectory() as place:
         wanted = Path(place) / "expected.json"
-        wanted.write_text(json.dumps(expected(scene, loose=not welded)))
+        found = expected(Scene.load(path), loose=not welded) if home is None else expected_of_home(home)
+        wanted.write_text(json.dumps(found))
         for name in names:
             entry = CLIENTS[name]
             row: dict[str, Any] = {"name": name, "scene": path.parent.name, "format": entry.format}
@@ -82,7 +86,12 @@ def measure_room(
             folder = Path(place) / entry.format.replace(":", "-")
             try:
                 if not folder.exists():
-                    export_scene(scene, folder, [entry.format], welded=welded)
+                    if home is None:
+                        export_scene(Scene.load(path), folder, [entry.format], welded=welded)
+                    else:  # under the name of a scene's file, by which clients load it
+                        folder.mkdir()
+                        one = format_named(entry.format)
+                        one.for_homes().write(home, folder / one.file, loader(), textures=True)
                 row |= run(python_of(entry.environment), entry.module, folder, wanted, seconds)
             except UnavailableError as error:
                 row["error"] = f"skipped: {error}"

@@ -71,9 +71,11 @@ def plain(name):
 def usd_name(path):
     """The name of the body at a path of a USD stage: objects have their links below them, doors a frame and a leaf.
 
-    Joints have the name of their body and "_joint".
+    Joints have the name of their body and "_joint". In a home, objects are below their rooms.
     """
     _, _, group, *names = path.split("/")
+    if group == "Rooms" and len(names) > 2:
+        _, group, *names = names
     if not names:
         return path
     name = names[-1].removesuffix("_joint")
