@@ -119,12 +119,11 @@ class Roadmap:
 
     def _stair_links(self) -> list[tuple[tuple[Array, int], tuple[Array, int], float]]:
         """Of each stair and pair of regions that it joins: the points at its ends, and the length between them [m]."""
-        import shapely
         from shapely.ops import nearest_points
 
         found = []
         for stair in self.home.stairs:
-            edges = [shapely.union_all(some) for some in stair_ends(stair)]
+            edges = stair_ends(stair)
             length = stair_length(self.home, stair)
             for below in sorted(self.ways.stairs[stair.id][0]):
                 for above in sorted(self.ways.stairs[stair.id][1]):
