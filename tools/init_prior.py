@@ -13,7 +13,9 @@ class InitPrior:
     name = "init_prior"
 
     def propose(self, context: Context) -> Proposal:
-        """A new scene; ``inputs`` may hold ``style``, and ``roomier``, a factor on a floor that nobody fixed."""
+        """A new scene; ``inputs`` may hold ``style``, ``roomier``, a factor on a floor that nobody fixed, and ``fill``,
+        a factor on what is put into it."""
         inputs = context.inputs
         style, roomier = str(inputs.get("style") or ""), float(inputs.get("roomier", 1.0))
-        return first_draft(context, style=style, roomier=roomier, hurried=context.hurried)
+        fill = float(inputs.get("fill", 1.0))
+        return first_draft(context, style=style, roomier=roomier, fill=fill, hurried=context.hurried)

@@ -14,6 +14,7 @@ from sceneweaver.assets import Library
 from sceneweaver.export import formats_named
 from sceneweaver.export.formats import USUAL
 from sceneweaver.generate.asked_room import asked_room, headline
+from sceneweaver.generate.draft import area_of
 from sceneweaver.generate.look import in_time, suited
 from sceneweaver.generate.people import with_people
 from sceneweaver.generate.stands import with_stands
@@ -21,12 +22,13 @@ from sceneweaver.knowledge import RoomType, match_room
 from sceneweaver.knowledge.learned import all_rooms
 from sceneweaver.knowledge.likely import likeliest_room, told_by
 from sceneweaver.knowledge.names import room_of_part
+from sceneweaver.knowledge.small_floors import on_floor
 from sceneweaver.language import SceneGraph, read_request
 from sceneweaver.llm import Limits, Prices
 from sceneweaver.runtime.deadline import Deadline, Stop
 from sceneweaver.runtime.memory import freed_memory_given_back
 from sceneweaver.runtime.options import DesignOptions, PictureSet, defaults_of
-from sceneweaver.scene import InputError
+from sceneweaver.scene import InputError, Palette, Room
 from sceneweaver.tools.registry import Registered
 from sceneweaver.tools.registry import tools as registered
 
@@ -43,7 +45,7 @@ from .result import Result
 from .roles import Roles
 from .schedule import EXPECTED, LEAST, Schedule
 from .settings import Settings
-from .starting import Starting, check_tools
+from .starting import TOOLS, Starting, check_tools
 
 TIME, TIME_BY_MODEL = 120.0, 600.0
 """Time limit [s] where none is given, without and with a model."""
@@ -68,6 +70,8 @@ class AllOptions(DesignOptions, total=False):
     began: float | None
     stop: Stop | None
     library: Library | None
+    room: Room | None
+    palette: Palette | None
     limits: Limits | None
     prices: Prices | None
     side_by_side: int
@@ -86,7 +90,7 @@ class AllOptions(DesignOptions, total=False):
     tools: tuple[str, ...] | None
 
 
-OBJECTS = dict.fromkeys(("out", "said", "ready", "began", "stop", "library", "limits", "prices"))
+OBJECTS = dict.fromkeys(("out", "said", "ready", "began", "stop", "library", "room", "palette", "limits", "prices"))
 """Options that only Python has, with their defaults."""
 
 NO_SETTINGS = {
@@ -123,6 +127,10 @@ def design(prompt: str = "", **options: Unpack[AllOptions]) -> Result:
         began: when the time began to run, by ``time.monotonic()``; None: now.
         stop: asks it to end before, with what is best then.
         library: where assets come from; None: the library of this user.
+        room: the shell to furnish, as it is: neither its outline nor its doors and windows change, nor its finish where
+            it has one. Its type says what it is where the request does not; what the request says of its size is not
+            followed. None: a room is drawn for the request.
+        palette: style and colours of what stands in it, as in ``scene.palette``; None: chosen for the request.
         init: what the room begins with: "library", the scene of ``scenes`` that is most like the request, adapted to
             it; "model", what ``scene_model`` answers; "llm", what a language model writes for the request; "prior", a
             draft of our own whose poses the learned prior draws; "auto": what the planner likes. Where that brings
@@ -199,10 +207,12 @@ def design(prompt: str = "", **options: Unpack[AllOptions]) -> Result:
         )
         with session.known_rooms(prompt):
             brief = in_time(session.read(offline, folder))
-            room_type, remarks = chosen_room(brief)
+            room_type, remarks = chosen_room(brief, starting.kept.room)
             brief = with_stands(with_people(brief, room_type), room_type)
             there = session.in_tools, starting.model is not None
             tools = {n: tool for n, tool in registered().items() if usable(n, tool, settings, room_type, *there)}
+            if starting.alone:
+                tools = {n: tool for n, tool in tools.items() if tool.card.role != "initializer" or n == TOOLS["prior"]}
             check_tools(starting, tools)
             library = given["library"] or Library()
             run = Run(brief, room_type, settings, tools, session.planner, library, folder=folder, said=given["said"])
@@ -254,9 +264,15 @@ def usable(
     return (settings.tools is None or name in settings.tools) and tool.card.suits(room_type.name)
 
 
-def chosen_room(brief: SceneGraph) -> tuple[RoomType, tuple[str, ...]]:
-    """The kind of room that a request means, in the look that it wants, and what was assumed where it does not say."""
-    kind, remarks = _kind_of_room(brief)
+def chosen_room(brief: SceneGraph, room: Room | None = None) -> tuple[RoomType, tuple[str, ...]]:
+    """The kind of room that a request means, in the look that it wants, and what was assumed where it does not say.
+
+    Where it names none, a ``room`` that is given says it by its type.
+    """
+    told = all_rooms().get(room.type) if room is not None and brief.room_type is None else None
+    kind, remarks = (told, ()) if told is not None else _kind_of_room(brief)
+    if room is not None:
+        kind = on_floor(kind, area_of(room))
     return suited(kind, brief), remarks
 
 

@@ -13,6 +13,7 @@ import numpy as np
 from sceneweaver.assets import Library
 from sceneweaver.critic import Review, review_scene
 from sceneweaver.generate.carry import carried, has_place
+from sceneweaver.generate.ways import WAYS
 from sceneweaver.knowledge import RoomType
 from sceneweaver.language import SceneGraph
 from sceneweaver.layout import QualityTerm, Solution, improve, joined, refine, refine_many
@@ -60,6 +61,9 @@ IMPROVED = 2
 OPENED = 4
 """Layouts of a new room in which doors and drawers are opened, of those that the critic likes best."""
 
+NARROW = 2.0
+"""What a way that is too narrow weighs, in points of the mean of all grades."""
+
 STEADY = 3
 """Layouts that are tried in physics, of those that the critic likes best."""
 
@@ -92,12 +96,18 @@ class Outcome:
         return self.report.valid and not self.review.unmet
 
     @property
+    def narrow(self) -> int:
+        """How many of the ways are too narrow that a shell which is given keeps; a room that is drawn keeps none."""
+        ways = (v for v in self.report.violations if v.kind == "narrow_path" and v.objects[0].startswith(WAYS))
+        return sum(1 for _ in ways)
+
+    @property
     def key(self) -> tuple[float, ...]:
         """Smaller is better: what is wrong, what was given up; then soft relations that fail, what is not as asked, and
         the critic's grades."""
         soft = self.report.relations.soft
         missing = (soft.total - soft.satisfied) / max(1, soft.total)
-        worth = self.review.total - ASKED * self.review.unmet
+        worth = self.review.total - ASKED * self.review.unmet - NARROW * self.narrow
         return len(self.faults), len(self.scene.dropped), round(4.0 * missing - worth, 6)
 
 
@@ -176,7 +186,7 @@ class Executor:
             if not best.faults or self.deadline.left < AGAIN * took:
                 break
             at_once = 1 + max(len(notes) // 2, round_ // 2)  # the longer it takes, the more
-            lighter = relaxed(draft, best.faults, at_once)
+            lighter = relaxed(draft, best.faults, at_once, fixed=self.settings.begin.room is not None)
             if lighter is None:
                 break
             if (lighter.unmet or lighter.late) and not patient:  # before anything that was asked for goes

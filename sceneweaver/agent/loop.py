@@ -9,7 +9,7 @@ from typing import Any
 
 from sceneweaver.assets import Library
 from sceneweaver.critic import CRITERIA, Review
-from sceneweaver.generate.shell import floor_area, shell
+from sceneweaver.generate.shell import floor_area, shell_of
 from sceneweaver.io.messages import shorten
 from sceneweaver.knowledge import RoomType
 from sceneweaver.knowledge.small_things import CLUTTER
@@ -129,7 +129,7 @@ class Run:
             executor.starts, why = learned_starts()
             self.notes = (*self.notes, *([why] if why else ()))
         if self.best is None and self.folder is not None:
-            bare = bare_scene(self.brief, self.room_type, self.settings.seed)
+            bare = self._bare()
             self.folder.keep(bare, check(bare))
         self.limit.stop.ready = True
         reason, spent = self.memory.finished, self.memory.spent
@@ -155,7 +155,7 @@ class Run:
         if best is None and (self.cut_off or self.undone):
             best = self.first
             if best is None:
-                bare = bare_scene(self.brief, self.room_type, self.settings.seed)
+                bare = self._bare()
                 first = Outcome(bare, check(bare), Review(grades=dict.fromkeys(CRITERIA, 0.0)))
                 best = replace(self._judged(executor, first), unmet=(NOTHING_YET,) if self.cut_off else ())
             self.notes, self.unmet = best.notes, best.unmet
@@ -169,6 +169,13 @@ class Run:
             self.notes, self.unmet = (*self.notes, *lighter.notes), (*self.unmet, *lighter.unmet)
             best = self._judged(executor, replace(best, scene=lighter.scene, report=report))
         return best
+
+    def _bare(self) -> Scene:
+        """The room with nothing in it."""
+        empty = empty_scene(self.brief, self.room_type)
+        setup, begin = self.context(empty, self.settings.seed), self.settings.begin
+        area = floor_area(self.room_type, self.brief, self.settings.seed, begin.room)[0]
+        return empty.model_copy(update={"room": shell_of(setup, area)[0]})
 
     @property
     def closing(self) -> Deadline:
@@ -359,6 +366,8 @@ class Run:
             clutter=clutter,
             client=self.client,
             beginning=beginning,
+            room=self.settings.begin.room,
+            palette=self.settings.begin.palette,
         )
 
     def _take(
@@ -438,12 +447,6 @@ def _complete(outcome: Outcome) -> bool:
     return outcome.report.valid and not (
         outcome.unmet or outcome.scene.dropped or any(REASON in note for note in outcome.notes)
     )
-
-
-def bare_scene(brief: SceneGraph, room_type: RoomType, seed: int) -> Scene:
-    """The room that a request describes, with nothing in it."""
-    area = floor_area(room_type, brief, seed)[0]
-    return empty_scene(brief, room_type).model_copy(update={"room": shell(room_type, brief, area, seed)[0]})
 
 
 def empty_scene(brief: SceneGraph, room_type: RoomType) -> Scene:

@@ -37,6 +37,9 @@ ADDING = frozenset(("add_objects", "add_tabletop", "add_crowd", "add_wall_object
 LAST_BEGINNING, ROOMIER = 4, 0.15
 """Ways to begin at most, and how much more floor each draw after the second has."""
 
+LEANER = 0.8
+"""Share of what a room usually holds that another draw of one puts into a shell that is given."""
+
 FIRST = 6.0
 """How much more a point of what is not as asked counts than one of any other fault."""
 
@@ -145,9 +148,11 @@ def beginnings(situation: Situation) -> list[Call]:
         Call(tool=name, instruction=text, seed=settings.seed, confidence=trust, reason="there is no scene yet")
         for trust, name in found
     ]
-    fixed = situation.brief.size is not None or situation.brief.area is not None
+    brief, begin = situation.brief, settings.begin
+    fixed = brief.size is not None or brief.area is not None or begin.room is not None
     for k in range(len(calls), LAST_BEGINNING):
-        inputs = {} if fixed else {"roomier": round(1.0 + ROOMIER * (k - len(found)), 2)}
+        leaner = {"fill": LEANER} if begin.room is not None else {}
+        inputs = leaner if fixed else {"roomier": round(1.0 + ROOMIER * (k - len(found)), 2)}
         reason = "another draw" if fixed or k == len(found) else "another draw, with more floor"
         calls.append(
             calls[0].model_copy(update={"seed": seed_of(settings.seed, k, "init"), "inputs": inputs, "reason": reason})

@@ -44,7 +44,7 @@ class Relaxed(NamedTuple):
     late: bool = False
 
 
-def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1) -> Relaxed | None:
+def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1, *, fixed: bool = False) -> Relaxed | None:
     """The scene without what is least wanted of all that its best layout has trouble with.
 
     First go objects that are optional, then usual ones, ``at_once`` of them; then relations that do not hold become
@@ -57,6 +57,9 @@ def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1) -> Rela
     priority, those last that most of what was asked for is told to be at; of one that was asked for all relations
     become soft and so light that it may be anywhere, before it goes. None when the faults are about nothing that could
     give way.
+
+    Where the room is ``fixed`` no larger one comes to help: there half of what stands in it and is optional or usual
+    goes, the largest first, before a relation of what is needed or asked for gives way, or that itself.
     """
     ours = max(at_once, len(scene.objects)) if _harms_asked(scene, faults) else at_once
     for priority in PRIORITIES[:2]:
@@ -68,6 +71,10 @@ def relaxed(scene: Scene, faults: Sequence[Violation], at_once: int = 1) -> Rela
     false = {(fault.relation.type, fault.objects) for fault in faults if fault.relation is not None}
     broken = [r for r in scene.relations if r.hard and (r.type, (r.subject, *r.targets)) in false]
     unasked = [r for r in broken if not r.asked]
+    if fixed and any(o.intent.priority not in PRIORITIES[:2] for o in pool):
+        others = sorted(_spare(scene, pool, ()), key=lambda o: (-o.size[0] * o.size[1], o.id))
+        if others:
+            return _without(scene, others[: (len(others) + 1) // 2])
     if unasked:
         return _softened(scene, unasked[:1] if ours == 1 else unasked)
     named = {name for r in scene.relations if r.asked for name in (r.subject, *r.targets)}

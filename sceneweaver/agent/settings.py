@@ -9,6 +9,7 @@ from pydantic import Field
 
 from sceneweaver.knowledge.small_things import CLUTTER
 from sceneweaver.runtime.options import Init
+from sceneweaver.scene import Palette, Room
 from sceneweaver.scene.base import FrozenModel
 
 ASKED = 4.0
@@ -22,17 +23,19 @@ eyes: docs/gpu.md has the figures."""
 
 
 class Begin(FrozenModel):
-    """What a room begins with, as text: objects by the names of their classes."""
+    """What a room begins with: objects but its shell and its look as text, by the names of their classes."""
 
     init: Init = "auto"
     scenes: str | None = Field(default=None, description="Folder of the scenes that a library is; null: our own")
     scene_model: str | None = Field(default=None, description="What makes scenes")
     start: str | None = Field(default=None, description="The scene that is gone on from")
     source: str = Field(default="auto", description="Format of that scene, or of the outputs of the model")
+    room: Room | None = Field(default=None, description="The shell that is furnished; null: one is drawn")
+    palette: Palette | None = Field(default=None, description="The look of what stands in it; null: one is chosen")
 
     def given(self, given: Mapping[str, Any]) -> dict[str, Any]:
         """These as arguments; of those that are given as objects the objects."""
-        kept = self.model_dump()
+        kept = {name: getattr(self, name) for name in type(self).model_fields}
         return {name: value if isinstance(given[name], str | None) else given[name] for name, value in kept.items()}
 
 

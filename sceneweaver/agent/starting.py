@@ -9,7 +9,7 @@ from typing import Any, cast, get_args
 
 from sceneweaver.io.messages import quote, suggest
 from sceneweaver.runtime.options import Init
-from sceneweaver.scene import InputError, Scene
+from sceneweaver.scene import InputError, Palette, Room, Scene
 from sceneweaver.tools.beginning import Beginning
 from sceneweaver.tools.found_models import name_of, scene_model
 from sceneweaver.tools.model_outputs import ModelOutputs
@@ -47,7 +47,8 @@ class Starting:
 
     @classmethod
     def of(cls, given: Mapping[str, Any]) -> Starting:
-        """As the arguments of a design say: ``init``, ``scenes``, ``scene_model``, ``start``, ``source``.
+        """As the arguments of a design say: ``init``, ``scenes``, ``scene_model``, ``start``, ``source``, ``room``,
+        ``palette``.
 
         Raises:
             InputError: words that are unknown, arguments that exclude each other, or what is not there.
@@ -79,12 +80,17 @@ class Starting:
             model = _gone_on_from(start, source)
         elif given["scene_model"] is not None:
             model = scene_model(given["scene_model"], source)
+        room, palette = _shell(given, init), given["palette"]
+        if not isinstance(palette, Palette | None):
+            raise InputError(f"palette: {type(palette).__name__} is no palette; give scene.palette of some scene")
         kept = Begin(
             init=cast("Init", init),
             scenes=str(scenes) if scenes is not None else None,
             scene_model=name_of(given["scene_model"]) if given["scene_model"] is not None else None,
             start=_name(start) if start is not None else None,
             source=source,
+            room=room,
+            palette=palette,
         )
         return cls(scenes, model, kept)
 
@@ -97,6 +103,11 @@ class Starting:
     def tool(self) -> str | None:
         """The initialiser that begins; None: whichever the planner likes."""
         return TOOLS["start"] if self.kept.start is not None else TOOLS.get(self.kept.init)
+
+    @property
+    def alone(self) -> bool:
+        """Whether a draft of our own is all that can begin: a shell that is given takes no other scene's furniture."""
+        return self.kept.room is not None
 
     @property
     def by_model(self) -> bool:
@@ -113,6 +124,9 @@ class Starting:
         Raises:
             InputError: the file of that scene is damaged, or holds none.
         """
+        if self.kept.room is not None and not prompt.strip():
+            kind = self.kept.room.type.replace("_", " ")
+            return f"{'an' if kind[0] in 'aeiou' else 'a'} {kind}"
         if self.kept.start is None or self.model is None:
             return prompt
         made = self.model.generate(SceneRequest(prompt or ""))
@@ -150,6 +164,18 @@ def _gone_on_from(start: Any, source: str) -> SceneModel:
     if path.is_dir() and (path / "scene.json").is_file():
         path = path / "scene.json"
     return ModelOutputs(path, source, name)
+
+
+def _shell(given: Mapping[str, Any], init: str) -> Room | None:
+    """The room that is to be furnished; None: one is drawn."""
+    room = given["room"]
+    if not isinstance(room, Room | None):
+        raise InputError(f"room: {type(room).__name__} is no room; give a Room, such as scene.room of some scene")
+    if room is not None:
+        told = "start" if given["start"] is not None else f"init {init}" if init not in ("auto", "prior") else ""
+        if told:
+            raise InputError(f"room: a shell that is given is furnished from a draft of our own; leave out {told}")
+    return room
 
 
 def _name(start: Any) -> str:

@@ -34,7 +34,10 @@ def finished(room: Room, room_type: RoomType, palette: Palette, seed: int, brief
 
     ``brief`` is the request: what it states of a part of the room is done so, what it says of the look of the whole
     room comes next. Of the colours that it names for the room one that the palette has as its accent shows on a wall.
+    A room that has a finish keeps it.
     """
+    if room.finish is not None:
+        return room
     brief = brief or SceneGraph(text=" ")
     look = look_of(brief) or Look(name="", kind="style")
     said = brief.finish_of

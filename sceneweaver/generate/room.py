@@ -28,13 +28,14 @@ from .rows import in_rows, lines_of, row_variants
 from .run import Variant, has_place
 from .seats import lengthened
 from .setup import Proposal, Setup
-from .shell import floor_area, shell
+from .shell import floor_area, shell_of
 from .stacks import stacked
 from .stated_lengths import with_stated_lengths
 from .stated_states import pulled_out, with_stated_looks, with_stated_states
 from .supports import Places, laid, supported
 from .under import below_windows, with_room_below, without_company
 from .unwanted_looks import avoided, of_room, styles_unwanted
+from .ways import ways_of
 
 FILL = {"sparse": 0.73, "normal": 1.0, "full": 1.21}
 """Share of what a kind of room usually has under furniture up to which more is put in."""
@@ -82,13 +83,14 @@ LARGEST = 1.5
 @dataclass
 class _Floor:
     """The floor [m2] of an attempt: whether the request fixes it, whether it may shrink to what it holds, and down to
-    how much."""
+    how much; and the factor on the share of it that is put under furniture."""
 
     area: float
     people: int
     given: bool
     shrinks: bool
     least: float
+    fill: float = 1.0
 
 
 @dataclass
@@ -104,24 +106,27 @@ class _Attempt:
     variants: list[Variant] = field(default_factory=list)
 
 
-def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried: Callable[[], bool] = bool) -> Proposal:
+def first_draft(
+    setup: Setup, *, style: str = "", roomier: float = 1.0, fill: float = 1.0, hurried: Callable[[], bool] = bool
+) -> Proposal:
     """Draw the room that the knowledge base and the request describe: objects at the origin but for what stands on
-    others, relations, other rooms for the same things and larger ones.
+    others, relations, other rooms for the same things and larger ones. A room that is given stays as it is.
 
     Args:
         setup: request, kind of room, library and seed; its scene is not read.
         style: where the request names none; empty: one of the room's.
         roomier: factor on a floor that nobody fixed.
+        fill: factor on the share of the floor that is put under furniture.
         hurried: whether what could be drawn once more is left as it is.
     """
     room, brief, seed = setup.room_type, setup.brief, setup.seed
-    area, people, given, notes = floor_area(room, brief, seed)
+    area, people, given, notes = floor_area(room, brief, seed, setup.room)
     most = LARGEST * room.area[2]
     shrinks = not given and brief.scale == 1.0
     least = max(LEAST * area, 0.8 * room.area[0])
     if people_of(brief) is not None and room.area_per_person:
         least = max(least, room.area_per_person * people)
-    floor = _Floor(area if given else min(area * roomier, most), people, given, shrinks, least)
+    floor = _Floor(area if given else min(area * roomier, most), people, given, shrinks, least, fill)
     styles = [one for one in room.styles if one not in styles_unwanted(brief)] or room.styles
     style = brief.style or style or random.Random(seed ^ 0x57).choice(styles)
     wanted = look_of(brief)
@@ -134,7 +139,7 @@ def first_draft(setup: Setup, *, style: str = "", roomier: float = 1.0, hurried:
     elif woods:
         look = look.model_copy(update={"woods": tuple(woods[:2])})
     avoid = (*(wanted.avoid if wanted is not None else ()), *unnamed(brief.colors), *unwanted)
-    palette = kept(look, style, seed, tuple(dict.fromkeys(avoid)))
+    palette = setup.palette or kept(look, style, seed, tuple(dict.fromkeys(avoid)))
 
     made = _shelled(setup, floor, palette, roomier, hurried)
     smallest: tuple[float, _Attempt] | None = None
@@ -188,8 +193,8 @@ def _shelled(setup: Setup, floor: _Floor, palette: Palette, roomier: float, hurr
     """The first shell of a floor whose walls and corners may hold what stands at them; the last one if none does."""
     room, brief, drawn = setup.room_type, setup.brief, 0
     while True:
-        space, remarks = shell(room, brief, floor.area, setup.seed, drawn)
-        program = _program(setup, space, floor.area, floor.people, palette)
+        space, remarks = shell_of(setup, floor.area, drawn)
+        program = _program(setup, space, floor, palette)
         # Nobody asked for this size: a floor that would stay empty shrinks, once, to what it holds.
         needed = roomier * program.footprint / (LEAN * room.fill) + kept_free(brief)
         if floor.shrinks and needed < floor.area:
@@ -198,7 +203,7 @@ def _shelled(setup: Setup, floor: _Floor, palette: Palette, roomier: float, hurr
         rows = rows_of(brief, program.wanted)
         corners, cost = fitted(program, _free_of_rows(program.wanted, rows), space, setup.library)
         suits = cost < POOR and walls_hold(space, program.wanted) and may_hold(space, program.wanted, rows)
-        if suits or drawn == SHELLS or hurried():
+        if suits or drawn == SHELLS or setup.room is not None or hurried():
             return _Attempt(space, program, rows, corners, remarks)
         drawn += 1
 
@@ -230,6 +235,8 @@ def _alternatives(
     """Other rooms for the same things, and larger ones, as far as the request leaves them to us."""
     room, brief, wanted = setup.room_type, setup.brief, made.program.wanted
     others, larger = list[Room](), list[Room]()
+    if setup.room is not None:
+        return others, larger
     if not made.variants:
         fixed = floor.given or brief.shape == "round"
         others = other_rooms(room, brief, space, floor.area, setup.seed, fixed, DRAWN)
@@ -303,7 +310,7 @@ def _scene(setup: Setup, space: Room, made: _Attempt, palette: Palette, people: 
     made_of: dict[str, list[str]] = {}
     for one in program.wanted:
         made_of.setdefault(one.asked or "", []).append(one.id)
-    areas = free_areas_of(brief, made_of, space)
+    areas = (*free_areas_of(brief, made_of, space), *(ways_of(space) if setup.room is not None else ()))
     relations = agreeing(relations, areas)
     relations = pulled_out(relations, program.wanted, brief)
     relations = _widened(relations, levels := _levels(program.wanted, relations))
@@ -334,15 +341,15 @@ def _scene(setup: Setup, space: Room, made: _Attempt, palette: Palette, people: 
     return scene, unmet
 
 
-def _program(setup: Setup, space: Room, area: float, people: int, palette: Palette) -> Program:
-    room, brief = setup.room_type, setup.brief
+def _program(setup: Setup, space: Room, floor: _Floor, palette: Palette) -> Program:
+    room, brief, area, people = setup.room_type, setup.brief, floor.area, floor.people
     wishes = [
         replace(wish, count=lamp_count(wish.item, space.outline, wish.count)) if wish.asked is None else wish
         for wish in demands(room, brief, area, people, len(space.windows), setup.seed)
     ]
     first = space.windows[0] if space.windows else None
     pane = (first.width, first.height, first.sill + first.height) if first is not None else None
-    fill = FILL[brief.density] * room.fill
+    fill = floor.fill * FILL[brief.density] * room.fill
     walls = walls_of(space)
     limits = Limits(max(area - kept_free(brief), 0.5 * area), fill, walls, WALLED * walls)
     program = build(wishes, room, setup.library, limits, setup.seed, palette, pane, space.height)

@@ -2,24 +2,30 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from sceneweaver.assets import Library
 from sceneweaver.knowledge import RoomType
 from sceneweaver.language import SceneGraph
-from sceneweaver.scene import Relation, Room, Scene
+from sceneweaver.scene import Palette, Relation, Room, Scene
 from sceneweaver.scene.edits import AnyEdit
 
 
 @dataclass(frozen=True)
 class Setup:
-    """A request with its kind of room, the scene so far, where bodies come from, and the seed of all that is drawn."""
+    """A request with its kind of room, the scene so far, where bodies come from, and the seed of all that is drawn.
+
+    ``room`` is the shell where somebody gives it: neither its outline nor its openings change, nor a finish that it
+    has. ``palette`` is the look where somebody gives that. None of either: they are drawn.
+    """
 
     brief: SceneGraph
     room_type: RoomType
     scene: Scene
     library: Library
     seed: int
+    room: Room | None = field(default=None, kw_only=True)
+    palette: Palette | None = field(default=None, kw_only=True)
 
 
 @dataclass(frozen=True)

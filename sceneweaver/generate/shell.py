@@ -9,9 +9,11 @@ from sceneweaver.knowledge import RoomType
 from sceneweaver.language import SceneGraph
 from sceneweaver.scene import Room
 
+from .draft import area_of
 from .free_floor import kept_free, people_of
 from .openings import ENTRY, doors_of, windows_of
 from .outline import LARGEST, SMALLEST, Plan, asked_outline, drawn_shape, mirrored, outline, sides_of, turned, winged
+from .setup import Setup
 from .stated_openings import walls_stated
 from .wall_parts import with_wall_parts
 
@@ -28,11 +30,15 @@ FEW = 3
 """Things that a request may name while the shape of the room is still drawn."""
 
 
-def floor_area(room_type: RoomType, brief: SceneGraph, seed: int) -> tuple[float, int, bool, list[str]]:
-    """Floor [m2], people, whether the request fixes the floor, and what was assumed."""
+def floor_area(
+    room_type: RoomType, brief: SceneGraph, seed: int, room: Room | None = None
+) -> tuple[float, int, bool, list[str]]:
+    """Floor [m2], people, whether the request or a room that is given fixes the floor, and what was assumed."""
     rng, notes = random.Random(f"floor area {room_type.name} {seed}"), []
     told = people_of(brief)
     people = told if told is not None else room_type.people
+    if room is not None:
+        return area_of(room), people, True, notes
     if brief.size is not None:
         more = brief.wing[0] * brief.wing[1] if brief.wing is not None else 0.0
         return brief.size[0] * brief.size[1] + more, people, True, notes
@@ -44,6 +50,13 @@ def floor_area(room_type: RoomType, brief: SceneGraph, seed: int) -> tuple[float
     free = kept_free(brief)
     area += free
     return min(max(area, 0.8 * room_type.area[0]), max(room_type.area[2], 1.0) + free), people, False, notes
+
+
+def shell_of(setup: Setup, area: float, vary: int = 0) -> tuple[Room, list[str]]:
+    """The room that is given, of that kind, or else one that is drawn, see `shell`."""
+    if setup.room is not None:
+        return setup.room.model_copy(update={"type": setup.room_type.name}), []
+    return shell(setup.room_type, setup.brief, area, setup.seed, vary)
 
 
 def shell(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any, Literal, Self
+from typing import TYPE_CHECKING, Any, Literal, Self
 
 from pydantic import model_validator
 
@@ -16,9 +16,13 @@ from .joints import place_between, place_in_wall
 from .parts import DoorKind, HomeDoor, HomeRoom, HomeWindow, WallThickness
 from .references import check_references
 from .shells import room_shell
+from .wall_polygons import WallOpening, wall_openings, wall_polygons
 
 Rectangle = tuple[float, float, float, float]
 """Least x, least y, greatest x, greatest y [m]."""
+
+if TYPE_CHECKING:
+    from shapely import Polygon
 
 
 class Home(HomeContent):
@@ -179,6 +183,14 @@ class Home(HomeContent):
         """The home with some fields changed, checked as a new one."""
         kept = {name: getattr(self, name) for name in type(self).model_fields if name != "schema_"}
         return type(self)(**{**kept, **changes})
+
+    def wall_polygons(self, storey_id: str) -> list[Polygon]:
+        """The walls of a storey in plan, see `sceneweaver.home.wall_polygons`."""
+        return wall_polygons(self, self.storey(storey_id).id)
+
+    def openings(self, storey_id: str) -> list[WallOpening]:
+        """The doors and windows of a storey with what they take of the walls, doors first."""
+        return wall_openings(self, self.storey(storey_id).id)
 
     def graph(self) -> dict[str, list[tuple[str, str]]]:
         """For each room the (room, door or stair) pairs that one can go on to, in order; doors out are left out."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from .model import Home
+from .content import HomeContent
 from .parts import HomeDoor, HomeWindow
 from .shells import place_in
 
@@ -26,7 +26,7 @@ class WallOpening:
     thickness: float
 
 
-def wall_polygons(home: Home, storey_id: str) -> list[Polygon]:
+def wall_polygons(home: HomeContent, storey_id: str) -> list[Polygon]:
     """The walls of a storey in plan, without openings taken out: disjoint polygons, holes where rooms are [m].
 
     Rooms are grown by the outer thickness with square corners; what is between the grown rooms and none of them is
@@ -45,7 +45,7 @@ def wall_polygons(home: Home, storey_id: str) -> list[Polygon]:
     return [shapely.geometry.polygon.orient(shapely.set_precision(p, 1e-6)) for p in kept]
 
 
-def wall_openings(home: Home, storey_id: str) -> list[WallOpening]:
+def wall_openings(home: HomeContent, storey_id: str) -> list[WallOpening]:
     """The doors and windows of a storey with what they take of the walls, doors first."""
     found: list[WallOpening] = []
     rooms = {r.id: r for r in home.rooms_of(storey_id)}

@@ -249,7 +249,7 @@ def _write(draw: ImageDraw.ImageDraw, text: Text, at: Point) -> None:
     if text.halo is not None and text.halo_width > 0:
         for where, line in zip(places, text.lines, strict=True):
             draw.text(where, line, text.halo, face, anchor, stroke_width=text.halo_width, stroke_fill=text.halo)
-    shifts = (0.0, max(0.5, text.size / 40)) if text.bold else (0.0,)
+    shifts = (0.0, max(1.0, text.size / 40)) if text.bold else (0.0,)
     for (x, y), line in zip(places, text.lines, strict=True):
         for shift in shifts:
             draw.text((x + shift, y), line, text.color, face, anchor)

@@ -229,8 +229,8 @@ class _Grid:
         owners = self.owners[box]
         cost[(owners == w.owner) | ((owners == w.below) & (w.below > 0))] = _COST_KIN
         cost[self.edges[box]] += _COST_EDGE
-        cover = _window_sums(cost, rows, cols) / (rows * cols)
-        blocked = _window_sums(self.taken[box].astype(np.float32), rows, cols)
+        cover = window_sums(cost, rows, cols) / (rows * cols)
+        blocked = window_sums(self.taken[box].astype(np.float32), rows, cols)
         y, x = np.mgrid[0 : cover.shape[0], 0 : cover.shape[1]].astype(np.float32)
         dx = np.maximum(np.abs(x + left + cols / 2 - cx) - cols / 2, 0)
         dy = np.maximum(np.abs(y + top + rows / 2 - cy) - rows / 2, 0)
@@ -307,7 +307,7 @@ class _Grid:
         rows, cols = (long, short) if upright else (short, long)
         if rows > mask.shape[0] or cols > mask.shape[1]:
             return None
-        ys, xs = np.nonzero(_window_sums(mask, rows, cols) > rows * cols - 0.5)
+        ys, xs = np.nonzero(window_sums(mask, rows, cols) > rows * cols - 0.5)
         if not xs.size:
             return None
         all_ys, all_xs = np.nonzero(mask)
@@ -345,7 +345,7 @@ def _cells(pixels: float) -> int:
     return max(1, math.ceil(pixels / CELL))
 
 
-def _window_sums(values: np.ndarray, rows: int, cols: int) -> np.ndarray:
+def window_sums(values: np.ndarray, rows: int, cols: int) -> np.ndarray:
     """Sums of all windows of rows x cols cells."""
     table = np.zeros((values.shape[0] + 1, values.shape[1] + 1), dtype=np.float64)
     table[1:, 1:] = values.cumsum(0, dtype=np.float64).cumsum(1)

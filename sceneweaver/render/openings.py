@@ -40,20 +40,54 @@ def add_door(builder: Builder, wall: Wall, door: Door, look: Finishes, panelled:
         ajar: How far a leaf that swings in stands open [rad]. None: somebody stands in the door, it has no leaf, and a
             bit of a corridor is behind it.
     """
-    start, end, top = door.offset, door.offset + door.width, door.height
-    for s in ((start, start + _LINING), (end - _LINING, end)):
-        builder.prism(wall_block(wall, s, (0.0, WALL_THICKNESS)), (0.0, top), look.trim)
-    builder.prism(wall_block(wall, (start, end), (0.0, WALL_THICKNESS)), (top - _LINING, top), look.trim)
-    path = [(start, 0.0), (start, top), (end, top), (end, 0.0)]
-    inside, outside = Plane.on_wall(wall), Plane.on_wall(wall, WALL_THICKNESS)
-    for plane in (inside, outside):
-        moulding(builder, plane, path, _ARCHITRAVE, look.trim)
-    builder.prism(wall_block(wall, (start, end), (0.0, WALL_THICKNESS)), (-0.002, 0.005), look.leaf)
+    add_frame(builder, wall, door, look)
     if ajar is None:
         _corridor(builder, wall, door, look)
-        return
-    far = {"out": WALL_THICKNESS - 0.006, "slide": 0.5 * (WALL_THICKNESS + _LEAF)}.get(door.swing, _LEAF + 0.006)
-    span = (start + _LINING + 0.003, end - _LINING - 0.003)
+    else:
+        add_leaf(builder, wall, leaf_span(door), door, look, panelled, ajar)
+
+
+def add_frame(builder: Builder, wall: Wall, door: Door, look: Finishes, thick: float = WALL_THICKNESS) -> None:
+    """Lining, architraves and threshold of a door in a wall that is ``thick`` [m]."""
+    start, end, top = door.offset, door.offset + door.width, door.height
+    for s in ((start, start + _LINING), (end - _LINING, end)):
+        builder.prism(wall_block(wall, s, (0.0, thick)), (0.0, top), look.trim)
+    builder.prism(wall_block(wall, (start, end), (0.0, thick)), (top - _LINING, top), look.trim)
+    path = [(start, 0.0), (start, top), (end, top), (end, 0.0)]
+    for plane in (Plane.on_wall(wall), Plane.on_wall(wall, thick)):
+        moulding(builder, plane, path, _ARCHITRAVE, look.trim)
+    builder.prism(wall_block(wall, (start, end), (0.0, thick)), (-0.002, 0.005), look.leaf)
+
+
+def leaf_span(door: Door) -> tuple[float, float]:
+    """Where along its wall the leaf of a door is [m]."""
+    return door.offset + _LINING + 0.003, door.offset + door.width - _LINING - 0.003
+
+
+def add_leaf(
+    builder: Builder,
+    wall: Wall,
+    span: tuple[float, float],
+    door: Door,
+    look: Finishes,
+    panelled: bool,
+    ajar: float,
+    thick: float = WALL_THICKNESS,
+) -> None:
+    """A leaf with panels, lever and hinges.
+
+    Args:
+        builder: Takes the triangles.
+        wall: The wall that it is in.
+        span: Where along it the leaf is [m].
+        door: How it swings, and how high it is.
+        look: What the shell is made of.
+        panelled: Whether it has panels and is painted; else it is plain and of wood.
+        ajar: How far one that swings in stands open [rad].
+        thick: Thickness of the wall [m].
+    """
+    top = door.height
+    far = {"out": thick - 0.006, "slide": 0.5 * (thick + _LEAF)}.get(door.swing, _LEAF + 0.006)
     at_end = door.swing == "in-right"  # left and right are those of somebody who comes in
     edge, way = (span[0], 1.0) if at_end else (span[1], -1.0)
     if ajar and door.swing.startswith("in"):
@@ -145,8 +179,16 @@ _BOARD = (
 """Profile of a window board (above the sill, into the room) [m]."""
 
 
-def add_window(builder: Builder, wall: Wall, window: Window, look: Finishes, bright: bool = False) -> None:
-    """A window in its opening, with clear panes: what is outside is seen, or ``bright`` daylight."""
+def add_window(
+    builder: Builder,
+    wall: Wall,
+    window: Window,
+    look: Finishes,
+    bright: bool = False,
+    thick: float = WALL_THICKNESS,
+) -> None:
+    """A window in its opening in a wall that is ``thick`` [m], with clear panes: what is outside is seen, or ``bright``
+    daylight."""
     start, end = window.offset, window.offset + window.width
     low, high = window.sill, window.sill + window.height
     plane = Plane.on_wall(wall)
@@ -171,7 +213,7 @@ def add_window(builder: Builder, wall: Wall, window: Window, look: Finishes, bri
     if low > 0.1:  # one down to the floor has no board
         ends = [(start - 0.045, low), (end + 0.045, low)]
         moulding(builder, plane, ends, _BOARD, look.trim)
-    ledge = wall_block(wall, (start, end), (0.085, WALL_THICKNESS + 0.04))
+    ledge = wall_block(wall, (start, end), (0.085, thick + 0.04))
     builder.prism(ledge, (low - 0.012, low + 0.002), look.metal)
     if bright:
         builder.prism(wall_block(wall, (start, end), (0.095, 0.097)), (low, high), look.daylight)

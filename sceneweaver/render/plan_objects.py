@@ -95,14 +95,15 @@ def draw_zones(plan: Plan, items: Sequence[Item], alarmed: frozenset[str]) -> No
             plan.dashed(points, (*color, 140), 1.1, closed=True)
 
 
-def draw_items(plan: Plan, items: Sequence[Item], room: Room) -> None:
-    """All objects, lowest first; each layer throws a soft shadow on what lies under it."""
+def draw_items(plan: Plan, items: Sequence[Item], room: Room, shadows: bool = True) -> None:
+    """All objects, lowest first; with ``shadows`` each layer throws a soft one on what lies under it."""
     floor = plan.points(room.outline)
     floor_level = [i for i in items if i.layer == 0]
     on_top = [i for i in items if 0 < i.layer < HANGING and not i.translucent]
-    _draw_shadows(plan, floor_level, floor)
+    if shadows:
+        _draw_shadows(plan, floor_level, floor)
     _draw_layer(plan, floor_level)
-    if on_top:
+    if on_top and shadows:
         _draw_shadows(plan, on_top, floor)
     _draw_layer(plan, [i for i in items if 0 < i.layer < HANGING])
     _draw_hidden(plan, floor_level)

@@ -116,17 +116,17 @@ def add_wall_finish(builder: Builder, room: Room, wall: Wall, look: Finishes, he
     kind, band, accent = look.accented(wall.index), look.tiled(wall.index), look.looks.accent
     high = look.plan.accent.high if look.plan.accent is not None else None
     if kind == "paper" and accent is not None:
-        _facing(builder, room, wall, (0.0, min(high or height, height)), _PAPER, accent)
+        add_facing(builder, room, wall, (0.0, min(high or height, height)), _PAPER, accent)
     elif kind == "panelling" and accent is not None:
         _panels(builder, room, wall, accent, height, high or PANELS)
     elif kind == "paint" and accent is not None and high is not None:
-        _facing(builder, room, wall, (0.0, min(high, height)), _PAPER, accent)
+        add_facing(builder, room, wall, (0.0, min(high, height)), _PAPER, accent)
     elif kind == "paint" and accent is not None and (of := look.plan.accent and look.plan.accent.of) in _CLAD:
         _clad(builder, room, wall, accent, height, *_CLAD[of or ""])
     if look.plan.walls_of in _CLAD and kind is None:
         _clad(builder, room, wall, look.looks.wall, height, *_CLAD[look.plan.walls_of])
     if band is not None and look.looks.tiles is not None:
-        _facing(builder, room, wall, (band[0], min(band[1], height)), _TILE, look.looks.tiles)
+        add_facing(builder, room, wall, (band[0], min(band[1], height)), _TILE, look.looks.tiles)
 
 
 _CLAD = {"logs": (0.24, 0.05, False), "boards": (0.16, 0.007, False), "metal": (1.2, 0.012, True)}
@@ -163,7 +163,7 @@ def _clad(
                 _slab(builder, wall, (a + k * wide, a + (k + 1) * wide - _JOINT), z, deep, material)
 
 
-def _facing(builder: Builder, room: Room, wall: Wall, z: Range, thick: float, material: Material) -> None:
+def add_facing(builder: Builder, room: Room, wall: Wall, z: Range, thick: float, material: Material) -> None:
     """A thin layer on the parts of a wall between two heights [m] that are no openings."""
     for along, (low, high) in _solid(room, wall, z):
         plate(builder, Plane.on_wall(wall), rectangle(along, (low, high)), (0.0, thick), material)

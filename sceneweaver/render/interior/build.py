@@ -50,31 +50,54 @@ def build_interior(scene: Scene, look: Finishes, cameras: Sequence[Camera] = ())
         cameras: Who looks: a door in which one of them stands is open.
     """
     room = scene.room
-    meshes: list[tuple[str, str, Mesh | None]] = []
-
-    def part(name: str, category: str, build: Callable[..., None], *given: Any) -> None:
-        builder = Builder()
-        build(builder, *given)
-        meshes.append((name, category, builder.mesh()))
-
-    meshes.append(("floor", "floor", floor_mesh(look.looks.floor, np.array(outer_outline(room.walls)))))
+    meshes: list[Element | None] = [
+        _element("floor", "floor", floor_mesh(look.looks.floor, np.array(outer_outline(room.walls))))
+    ]
     for wall in room.walls:
-        part(f"wall:{wall.index}", "wall", _add_whole_wall, room, wall, look)
-    part("ceiling", "ceiling", _add_ceiling, room, look)
-    part("coving", "coving", _add_coving, room, look, scene.objects)
-    part("beams", "beams", _add_beams, room, look)
-    part("skirting", "skirting", _add_skirting, room, look)
-    part("glow", "glow", _add_glow, room)
-    panelled = not is_one_of(room.type, "plain doors")
+        meshes.append(_part(f"wall:{wall.index}", "wall", _add_whole_wall, room, wall, look))
+    meshes.append(_part("ceiling", "ceiling", _add_ceiling, np.array(outer_outline(room.walls)), room.height, look))
+    meshes += trim_of(scene, look)
+    panelled = has_panelled_doors(room)
     for door in room.doors:
         wall = room.walls[door.wall]
         is_open = any(is_in_doorway(wall, door, np.asarray(camera.eye)) for camera in cameras)
-        part(door.id, "door", add_door, wall, door, look, panelled, None if is_open else 0.0)
+        meshes.append(_part(door.id, "door", add_door, wall, door, look, panelled, None if is_open else 0.0))
     for window in room.windows:
-        part(window.id, "window", add_window, room.walls[window.wall], window, look)
-    part("fittings", "fittings", add_fittings, room.walls, plan_fittings(scene), look)
-    meshes.append(("outside", "outside", outside_mesh(room)))
-    return [Element(name, category, mesh) for name, category, mesh in meshes if mesh is not None]
+        meshes.append(_part(window.id, "window", add_window, room.walls[window.wall], window, look))
+    meshes.append(fittings_of(scene, look))
+    meshes.append(_element("outside", "outside", outside_mesh(room)))
+    return [element for element in meshes if element is not None]
+
+
+def trim_of(scene: Scene, look: Finishes) -> list[Element | None]:
+    """Coving, beams, skirting boards and lines of light of a room."""
+    room = scene.room
+    return [
+        _part("coving", "coving", _add_coving, room, look, scene.objects),
+        _part("beams", "beams", _add_beams, room, look),
+        _part("skirting", "skirting", _add_skirting, room, look),
+        _part("glow", "glow", _add_glow, room),
+    ]
+
+
+def fittings_of(scene: Scene, look: Finishes) -> Element | None:
+    """Switches, sockets and radiators of a room."""
+    return _part("fittings", "fittings", add_fittings, scene.room.walls, plan_fittings(scene), look)
+
+
+def has_panelled_doors(room: Room) -> bool:
+    """Whether the doors of a kind of room have panels."""
+    return not is_one_of(room.type, "plain doors")
+
+
+def _part(name: str, category: str, build: Callable[..., None], *given: Any) -> Element | None:
+    builder = Builder()
+    build(builder, *given)
+    return _element(name, category, builder.mesh())
+
+
+def _element(name: str, category: str, mesh: Mesh | None) -> Element | None:
+    return None if mesh is None else Element(name, category, mesh)
 
 
 def _add_whole_wall(builder: Builder, room: Room, wall: Wall, look: Finishes) -> None:
@@ -106,13 +129,12 @@ def _runs(room: Room, look: Finishes) -> Iterator[np.ndarray]:
         yield np.array(piece)
 
 
-def _add_ceiling(builder: Builder, room: Room, look: Finishes) -> None:
-    """The ceiling over room and walls."""
+def _add_ceiling(builder: Builder, plan: np.ndarray, height: float, look: Finishes) -> None:
+    """The ceiling over a plan [N, 2]: room and walls."""
     import manifold3d
 
-    plan = np.array(outer_outline(room.walls))
     triangles = np.asarray(manifold3d.triangulate([plan]), dtype=np.int32)
-    levels = (room.height, room.height + WALL_THICKNESS)
+    levels = (height, height + WALL_THICKNESS)
     for level, faces in zip(levels, (triangles[:, ::-1], triangles), strict=True):
         builder.add(np.column_stack([plan, np.full(len(plan), level)]), faces, look.ceiling)
 

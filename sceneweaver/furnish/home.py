@@ -1,0 +1,256 @@
+"""All rooms of a home furnished together: in one look, side by side in processes, the same on any number of them."""
+
+from __future__ import annotations
+
+import math
+import random
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import suppress
+from dataclasses import dataclass, field
+from typing import Any
+
+from sceneweaver.geometry.polygons import signed_area
+from sceneweaver.home import Home
+from sceneweaver.language import read_request
+from sceneweaver.runtime import processes
+from sceneweaver.runtime.deadline import Deadline, Stop
+from sceneweaver.scene import InputError
+
+from .jobs import FurnishedRoom, RoomJob, furnish_room
+from .kinds import kind_of
+from .requests import room_requests
+from .scheme import Scheme, is_wet, scheme_of
+
+TICK = 0.2
+"""Seconds between two looks at the clock and at signals while rooms are furnished elsewhere."""
+
+LATE = 5.0
+"""Seconds after its time is up that a process gets to come back with a room."""
+
+Kept = Callable[[RoomJob], FurnishedRoom | None]
+"""Finds a room that was furnished before."""
+
+Said = Callable[[FurnishedRoom], None]
+"""Is told of each room when it is done."""
+
+
+@dataclass(frozen=True)
+class FurnishedHome:
+    """A home with its rooms furnished.
+
+    Attributes:
+        home: the home; a room of which nothing could be made is empty.
+        rooms: by id, what became of each room that was to be furnished.
+        style: of all of it.
+        palette: its name.
+        seconds: wall time [s].
+        cut_off: what ended it before it was done; empty: nothing.
+    """
+
+    home: Home
+    rooms: Mapping[str, FurnishedRoom]
+    style: str = ""
+    palette: str = ""
+    seconds: float = 0.0
+    cut_off: str = ""
+    jobs: Mapping[str, RoomJob] = field(default_factory=dict, repr=False)
+
+    @property
+    def valid(self) -> bool:
+        """Whether every room is."""
+        return all(room.valid for room in self.rooms.values())
+
+    @property
+    def unmet(self) -> tuple[str, ...]:
+        """What was asked for and is not so, each with its room."""
+        return tuple(f"{name}: {text}" for name, room in self.rooms.items() for text in room.unmet)
+
+    @property
+    def processor_seconds(self) -> float:
+        """Processor time of all rooms [s]."""
+        return round(sum(room.seconds for room in self.rooms.values()), 3)
+
+
+def furnish_home(
+    home: Home,
+    requests: Mapping[str, str] | None = None,
+    *,
+    seed: int = 0,
+    prompt: str = "",
+    device: str = "cpu",
+    workers: int | None = None,
+    time_limit: float | None = None,
+    kept: Kept | None = None,
+    said: Said | None = None,
+    stop: Stop | None = None,
+    **options: Any,
+) -> FurnishedHome:
+    """Furnish the rooms of a home together.
+
+    Outlines, doors and windows stay as they are; leaves and passages are kept free on both of their sides. A room is
+    the same whatever is furnished beside it, in whatever order, and on however many processes, unless a time limit cuts
+    it off.
+
+    Args:
+        home: the plan. Rooms that are furnished already are furnished anew.
+        requests: by id of a room, what it is to hold, in words; the other rooms are furnished as such rooms usually are,
+            so that the home as a whole lacks nothing, see `room_requests`.
+        seed: equal seeds give equal homes.
+        prompt: the request for the whole home; its style and colours are those of all rooms.
+        device: where layouts are computed: "cpu", "cuda" ...
+        workers: processes; 1: this one alone, None: one for each core.
+        time_limit: seconds that all may take; what is best then is kept. None: as long as it takes.
+        kept: finds rooms that were furnished before, of the same job.
+        said: called with each room when it is done.
+        stop: asks it to end before, with what is best then.
+        options: of `sceneweaver.design` for each room: steps, candidates, clutter, settle.
+
+    Raises:
+        InputError: for a room that the home has not, or options out of range.
+
+    Examples:
+        >>> import sceneweaver as sw
+        >>> flat = sw.Home.example("flat")
+        >>> some = flat.with_changes(rooms=flat.rooms[:1], doors=(), windows=())
+        >>> done = sw.furnish_home(some, {"hall": "a hallway with a coat rack"}, workers=1, steps=1, candidates=8)
+        >>> done.valid, [o.category for o in done.home.room("hall").scene.objects if "coat" in o.category]
+        (True, ['coat_rack'])
+    """
+    began = time.monotonic()
+    for name in requests or {}:
+        home.room(name)
+    if workers is not None and workers < 1:
+        raise InputError(f"workers: {workers} is too few; give at least 1, or leave it out for one a core")
+    if time_limit is not None and not time_limit > 0:
+        raise InputError(f"time_limit: {time_limit:g} is no time; give seconds above 0, or leave it out")
+    deadline = Deadline(began + (time_limit or math.inf), stop=stop or Stop())
+    scheme, jobs = room_jobs(home, requests, seed=seed, prompt=prompt, device=device, **options)
+    done = {job.room_id: room for job in jobs if kept is not None and (room := kept(job)) is not None}
+    left = [job for job in jobs if job.room_id not in done]
+    if said is not None:
+        for room in done.values():
+            said(room)
+    for room in _made(left, workers or processes.cores(), deadline):
+        done[room.room_id] = room
+        if said is not None:
+            said(room)
+    rooms = {job.room_id: done[job.room_id] for job in jobs}
+    scenes = {name: room.scene for name, room in rooms.items()}
+    furnished = home.with_changes(
+        rooms=tuple(room.model_copy(update={"scene": scenes.get(room.id)}) for room in home.rooms)
+    )
+    cut = next((room.cut_off for room in rooms.values() if room.cut_off), "")
+    return FurnishedHome(
+        furnished,
+        rooms,
+        scheme.style,
+        scheme.palette.name,
+        round(time.monotonic() - began, 3),
+        cut or deadline.stop.reason,
+        {job.room_id: job for job in jobs},
+    )
+
+
+def room_jobs(
+    home: Home,
+    requests: Mapping[str, str] | None = None,
+    *,
+    seed: int = 0,
+    prompt: str = "",
+    device: str = "cpu",
+    **options: Any,
+) -> tuple[Scheme, list[RoomJob]]:
+    """The look of a home, and what is to be done with each of its rooms that does not stay empty."""
+    texts = room_requests(home, requests)
+    kinds = {room.id: kind for room in home.rooms if (kind := kind_of(room.type)) is not None}
+    if not kinds:
+        raise InputError("home: none of its rooms is of a kind that is furnished; give rooms types such as bedroom")
+    scheme = scheme_of(list(kinds.values()), read_request(prompt or "a home"), seed)
+    jobs = []
+    for name, text in texts.items():
+        kind, brief = kinds[name], read_request(text)
+        floor = scheme.floor_of(kind, outdoor=home.room(name).outdoor, opens_to_dry=_opens_to_dry(home, name))
+        bare = home.shell(name).model_copy(update={"type": kind.name})
+        shell = scheme.shell(bare, kind, brief, floor)
+        own = random.Random(f"room {name} of a home {seed}").randrange(2**32)
+        jobs.append(RoomJob(name, text, shell, scheme.look(kind, brief), own, {"device": device, **options}))
+    return scheme, jobs
+
+
+def _opens_to_dry(home: Home, room_id: str) -> bool:
+    """Whether a passage without a leaf leads from a room to one with the floor of living rooms."""
+    for door in home.doors_of(room_id):
+        other = door.to if door.room == room_id else door.room
+        kind = kind_of(home.room(other).type) if other is not None and door.kind == "open" else None
+        if kind is not None and not is_wet(kind):
+            return True
+    return False
+
+
+def _made(jobs: Sequence[RoomJob], workers: int, deadline: Deadline) -> Iterator[FurnishedRoom]:
+    """The rooms, each as it gets done; those that take longest are begun first."""
+    order = sorted(jobs, key=lambda job: (-_work(job), job.room_id))
+    count = min(workers, len(order))
+    if count <= 1:
+        for at, job in enumerate(order):
+            yield furnish_room(job, _share(deadline, len(order) - at, 1), deadline.stop)
+        return
+    with processes.pool(count, deaf=True) as pool:
+        running = list((pool._processes or {}).values())  # noqa: SLF001 - there is no public way to end one
+        try:
+            yield from _side_by_side(pool, order, count, deadline)
+        finally:
+            if deadline.passed or deadline.stop.reason:
+                pool.shutdown(wait=False, cancel_futures=True)
+                for process in running:
+                    process.kill()
+
+
+def _side_by_side(
+    pool: ProcessPoolExecutor, order: Sequence[RoomJob], count: int, deadline: Deadline
+) -> Iterator[FurnishedRoom]:
+    waiting, running = list(order), dict[Future[FurnishedRoom], RoomJob]()
+    while waiting or running:
+        while waiting and len(running) < count and not (deadline.passed and len(waiting) < len(order)):
+            job = waiting.pop(0)
+            seconds = _share(deadline, len(waiting) + len(running) + 1, count)
+            try:
+                running[pool.submit(furnish_room, job, seconds)] = job
+            except BrokenProcessPool as error:
+                yield _broken(job, error)
+        if not running and deadline.passed:
+            break
+        ready, _ = wait(running, TICK, FIRST_COMPLETED)
+        for future in ready:
+            job = running.pop(future)
+            try:
+                yield future.result()
+            except BrokenProcessPool as error:
+                yield _broken(job, error)
+        if deadline.stop.reason or deadline.left < -LATE:
+            break
+    for job in [*running.values(), *waiting]:
+        reason = deadline.stop.reason or "time was up"
+        yield FurnishedRoom(job.room_id, job.request, failed=reason, cut_off=reason)
+
+
+def _broken(job: RoomJob, error: BaseException) -> FurnishedRoom:
+    """A room whose process ended under it."""
+    return FurnishedRoom(job.room_id, job.request, failed=f"the process that made it ended: {error}")
+
+
+def _work(job: RoomJob) -> float:
+    """How long a room takes, in no unit: with its floor, and longer where units have to fit a wall."""
+    with suppress(ValueError, ZeroDivisionError):
+        return signed_area(job.shell.outline) + (8.0 if "kitchen" in job.shell.type else 0.0)
+    return 0.0
+
+
+def _share(deadline: Deadline, left: int, workers: int) -> float | None:
+    """Seconds that the next of some rooms may take, so that the others get as much; None: any."""
+    if deadline.left == math.inf:
+        return None
+    return max(1.0, deadline.left * min(1.0, workers / left))

@@ -1,0 +1,158 @@
+"""From resolved rooms to the programme of a plan: storeys, areas, what lies next to what, the entrance."""
+
+from __future__ import annotations
+
+from sceneweaver.plans import Adjacency, Programme, RoomSpec, room_type
+
+from .model import JointAsked
+from .needed import add_landings
+from .parts import Joint, Named, Reading
+from .resolve import Room, bedroomlike
+
+SOFT = 2.0
+"""Weight of near and apart, which are no more than wished."""
+
+_ORDER = {"open": 0, "door": 1, "near": 2, "apart": 3}
+_COMES_IN = ("entrance_hall", "vestibule", "reception", "mudroom", "hallway", "corridor", "open_office", "waiting_room", "living_room", "living_dining",
+             "living_kitchen", "cloakroom")
+
+
+def storeys_of(reading: Reading, rooms: list[Room]) -> tuple[int, dict[str, int | None]]:
+    """How many storeys there are, and on which each room is told to be."""
+    level = {"ground": 0, "first": 1, "second": 2, "third": 3}
+    told = [room.storey for room in rooms if room.storey]
+    least = 1 + max([level[s] for s in told if s in level], default=0)
+    upper = any(s in ("upper", "top") for s in told)
+    asked = reading.storeys or (1 if reading.one_storey else None)
+    if asked is None and any(s == "ground" for s in told) and reading.use.plan == "house":
+        upper = True
+    count = max(asked or 1, least, 2 if upper and not reading.one_storey else 1)
+    if reading.use.plan in ("flat", "office") and asked is None and set(told) <= {"first", "second", "third", "ground"} and len(set(told)) <= 1:
+        count = 1  # where the flat is in its building
+    count = min(count, 6)
+    place = {**level, "top": count - 1, "upper": 1}
+    return count, {room.id: min(place[room.storey], count - 1) if room.storey and count > 1 else None for room in rooms}
+
+
+def place_rooms(reading: Reading, rooms: list[Room], count: int, placed: dict[str, int | None]) -> list[str]:
+    """Storeys for rooms of which none is told: the bedroom of who is old or in a wheelchair and a bathroom on the
+    ground floor, en-suites with their bedrooms; adds landings."""
+    said: list[str] = []
+    if count == 1:
+        return said
+    if reading.accessible:
+        beds = [room for room in rooms if bedroomlike(room.kind)]
+        first = next((r for r in beds if r.kind.name == "senior_bedroom"), beds[0] if beds else None)
+        bath = next((r for r in rooms if r.counts_as("bathroom") and r.kind.name != "ensuite"), None)
+        for room in (first, bath):
+            if room is not None and placed.get(room.id) is None:
+                placed[room.id] = 0
+                said.append(f"{room.id} on the ground floor: for who cannot climb stairs")
+    for joint in reading.joints:
+        if joint.kind == "door" and isinstance(joint.b, Named):
+            for a, b in pairs_of(joint):
+                if placed.get(a) is None and placed.get(b) is not None:
+                    placed[a] = placed[b]
+    living = ("living_room", "kitchen", "living_kitchen", "living_dining", "kitchen_diner", "dining_room")
+    lowest = 0
+    if reading.share_ground:
+        for room in rooms:
+            if room.type in living and placed.get(room.id) is None:
+                placed[room.id] = lowest
+    said += add_landings(rooms, count, placed) if count > 1 and any(v for v in placed.values()) or count > 1 else []
+    return said
+
+
+def pairs_of(joint: Joint) -> list[tuple[str, str]]:
+    """The pairs of rooms that a joint is about."""
+    if not isinstance(joint.b, Named):
+        return []
+    a, b = joint.a.ids, joint.b.ids
+    if not a or not b:
+        return []
+    if joint.a is joint.b or joint.a.root is joint.b.root and a == b:
+        return [(a[i], a[k]) for i in range(len(a)) for k in range(i + 1, len(a))]
+    if joint.kind == "apart":
+        return [(x, y) for x in a for y in b if x != y]
+    if len(a) == len(b):
+        return [(x, y) for x, y in zip(a, b, strict=True) if x != y]
+    if joint.a.per is not None and len(a) % len(b) == 0:
+        return [(x, b[i // (len(a) // len(b))]) for i, x in enumerate(a)]
+    if len(a) == 1:
+        return [(a[0], y) for y in (b if joint.each or joint.kind == "near" else b[:1]) if y != a[0]]
+    if len(b) == 1:
+        return [(x, b[0]) for x in a if x != b[0]]
+    return [(x, b[i % len(b)]) for i, x in enumerate(a) if x != b[i % len(b)]]
+
+
+def joined(reading: Reading, rooms: list[Room], entrance: str, notes: list[str]) -> tuple[list[Adjacency], list[JointAsked]]:
+    """What was said of rooms to each other, as adjacencies of ids: what is open or a door has to be, near and apart are
+    wished."""
+    found: dict[frozenset[str], Adjacency] = {}
+    asked: list[JointAsked] = []
+    for joint in sorted(reading.joints, key=lambda j: _ORDER[j.kind]):
+        words = reading.text[joint.span.start : joint.span.end]
+        if isinstance(joint.b, str):
+            pairs = _to_place(joint, entrance, notes, words)
+            if joint.a.ids:
+                place = "street" if joint.b == "street" else joint.b
+                asked.append(JointAsked(tuple(joint.a.ids), (), _kind(joint.kind), words, place))
+        else:
+            pairs = pairs_of(joint)
+            if pairs:
+                asked.append(JointAsked(tuple(a for a, _ in pairs), tuple(b for _, b in pairs), _kind(joint.kind), words))
+        for a, b in pairs:
+            key = frozenset((a, b))
+            if len(key) == 2 and key not in found:
+                hard = joint.kind in ("door", "open") and joint.hard
+                found[key] = Adjacency(a=a, b=b, kind=_kind(joint.kind), hard=hard, weight=1.0 if hard else SOFT)
+    return list(found.values()), asked
+
+
+def _kind(kind: str) -> str:
+    return kind
+
+
+def _to_place(joint: Joint, entrance: str, notes: list[str], words: str) -> list[tuple[str, str]]:
+    """The entrance is a room's; the side to street or garden is none that plans know."""
+    if joint.b in ("entrance", "street"):
+        if joint.b == "street":
+            notes.append("sides of the street are not planned: what is to be far from it lies apart from the entrance")
+        return [(i, entrance) for i in joint.a.ids if i != entrance]
+    notes.append(f"'{words} the {joint.b}': plans have no such side")
+    return []
+
+
+def entrance_of(reading: Reading, rooms: list[Room], placed: dict[str, int | None]) -> str:
+    """The room that one comes into first."""
+    beside = [i for j in reading.joints if j.b == "entrance" and j.kind != "apart" for i in j.a.ids]
+    ground = [room for room in rooms if not placed.get(room.id)]
+    halls = [room for room in ground if room.type in ("entrance_hall", "vestibule")]
+    if halls:
+        return halls[0].id
+    for room in ground:
+        if room.id in beside and room.type in _COMES_IN:
+            return room.id
+    for kind in _COMES_IN:
+        for room in ground:
+            if room.type == kind:
+                return room.id
+    usable = [room for room in ground if room_type(room.type).transit == "all"]
+    return (usable or ground or rooms)[0].id
+
+
+def programme_of(
+    reading: Reading, rooms: list[Room], count: int, placed: dict[str, int | None], entrance: str, adjacencies: list[Adjacency]
+) -> Programme:
+    """The programme of the plan."""
+    daylight: dict[str, bool] = {}
+    for room in rooms:
+        for one in room.named:
+            if one.daylight is not None:
+                daylight[room.id] = one.daylight
+    specs = [
+        RoomSpec(id=room.id, type=room.type, area=room.area or room_type(room.type).area, storey=placed.get(room.id), daylight=daylight.get(room.id))
+        for room in rooms
+    ]
+    return Programme(name=f"{reading.use.name}, {len(rooms)} rooms", use=reading.use.plan, rooms=tuple(specs), adjacencies=tuple(adjacencies),
+                     storeys=count, entrance=entrance)  # fmt: skip

@@ -1,0 +1,296 @@
+"""People: who lives or works in a home, who visits, and whom single rooms are for."""
+
+from __future__ import annotations
+
+from .lexicon import data, plain
+from .parts import Named, Person, Reading
+from .tokens import Token
+
+_ROLE = {"couples": "couple", "adults": "adult", "seniors": "senior", "children": "child", "twins": "twins", "babies": "baby"}
+_OWNERS = ("my", "our", "his", "her", "their", "the")
+_STAYS = ("stay", "visit", "visits", "come", "comes", "visiting", "over")
+_ORDER = ("couples", "parents", "partners", "twins", "babies", "children", "seniors", "adults", "families")
+
+
+def read_people(reading: Reading) -> None:
+    """Reads who a home is for; see above."""
+    for sentence in reading.sentences():
+        _sentence(reading, sentence)
+    _settle(reading)
+
+
+def _sentence(reading: Reading, sentence: range) -> None:
+    tokens = reading.tokens
+    depth = 0
+    work = reading.use.plan in ("clinic", "office")
+    names = [one for one in reading.named if one.at in sentence]
+    for at in sentence:
+        token = tokens[at]
+        depth += (token.text == "(") - (token.text == ")")
+        if token.done:
+            continue
+        if token.has("animal"):
+            reading.did(at, "people")
+            continue
+        if token.text in ("each", "everyone", "everybody") and _gets_a_room(reading, at, sentence):
+            reading.own_rooms = True
+            reading.did(at, "people")
+        if not token.has("person", "staff", "me", "we", "groups", "visitors"):
+            continue
+        room = _of_room(reading, names, at)
+        if room is not None:
+            continue  # whom a room is for, its own request says
+        if work:
+            _workers(reading, at)
+        else:
+            _lives(reading, at, sentence, depth)
+
+
+def _gets_a_room(reading: Reading, at: int, sentence: range) -> bool:
+    """ "Everyone gets their own room", "we each want a door we can close", "for each of us"."""
+    tokens = reading.tokens
+    said = {tokens[k].text for k in range(at, min(at + 7, sentence.stop))}
+    before = tokens[at - 1] if at else None
+    if reading.use.plan not in ("flat", "house"):
+        return False
+    if "us" in said and "of" in said:
+        return True
+    if before is not None and before.has("we", "person") or tokens[at].text in ("everyone", "everybody"):
+        return bool(said & {"room", "rooms", "bedroom", "door", "space", "own bedroom"})
+    return False
+
+
+def _of_room(reading: Reading, names: list[Named], at: int) -> Named | None:
+    """The room that people are named with: "waiting room for eight", "a study where two can work"."""
+    tokens = reading.tokens
+    before = [one for one in names if one.last < at]
+    if not before:
+        return None
+    room = before[-1]
+    gap = tokens[room.last + 1 : at]
+    if any(t.breaks or t.done and t.done != "rooms" or t.has("person") and t.text not in ("two",) for t in gap):
+        return None
+    ties = [t.text for t in gap]
+    if not ties or not {"for", "where", "of", "that", "seats", "seating", "with", "in"} & set(ties[:2]):
+        return None
+    sleeping = "bedroom" in (room.root.kind.name, *room.root.kind.counts_as)
+    if sleeping and reading.use.plan in ("flat", "house") and room.count is None:
+        return None  # "bedrooms for us and for our twins" tells who lives there
+    return room
+
+
+def _workers(reading: Reading, at: int) -> None:
+    """How many work there; who has a room of his kind of work."""
+    tokens, token = reading.tokens, reading.tokens[at]
+    number = _count(tokens, at)
+    if token.has("groups") and at + 2 < len(tokens) and tokens[at + 1].text == "of" and tokens[at + 2].number:
+        reading.workers = tokens[at + 2].number
+        for k in (at, at + 1, at + 2):
+            reading.did(k, "people")
+        if at + 3 < len(tokens) and tokens[at + 3].has("person", "staff"):
+            reading.did(at + 3, "people")
+        return
+    single = plain(_single(token))
+    if single in reading.use.staff and number is not None:
+        kind = reading.use.staff[single]
+        reading.staff[kind] = reading.staff.get(kind, 0) + number
+        reading.did(at, "people")
+        _number_done(reading, at)
+    elif token.has("staff", "person") and number is not None and number > 1 and not token.has("visitors"):
+        reading.workers = max(reading.workers or 0, number)
+        reading.did(at, "people")
+        _number_done(reading, at)
+    elif token.has("visitors", "person", "staff", "we", "me"):
+        reading.did(at, "people")
+
+
+def _lives(reading: Reading, at: int, sentence: range, depth: int) -> None:
+    tokens, token = reading.tokens, reading.tokens[at]
+    if token.text.endswith(("'s", "s'")):
+        return
+    count = _count(tokens, at)
+    if token.has("visitors") and _visits(reading, at, sentence):
+        reading.visitors = True
+        reading.did(at, "people")
+        _number_done(reading, at)
+        return
+    if token.has("groups") and at + 2 < len(tokens) and tokens[at + 1].text == "of" and tokens[at + 2].number:
+        reading.household = tokens[at + 2].number
+        for k in (at, at + 1, at + 2):
+            reading.did(k, "people")
+        if token.get("person") == "families":
+            reading.people.append(Person("families", 1, token.span))
+        return
+    if token.has("we") and _we_are(reading, at):
+        return
+    role = token.get("person")
+    if role is None:
+        return
+    if role == "adults" and token.text in ("single",) or depth:
+        return
+    if role == "adults" and at >= 2 and tokens[at - 1].text in ("a", "single", "an") and any(
+        t.text in ("i am", "i'm", "am") for t in tokens[max(0, at - 4) : at]
+    ):
+        count = 1
+    if role == "adults" and at and tokens[at - 1].text == "au":
+        return
+    before = [t for t in tokens[max(0, at - 2) : at]]
+    if role in ("twins",) and at + 1 < len(tokens) and tokens[at + 1].text in ("bed", "beds", "room"):
+        return
+    if role == "twins" and at + 1 < len(tokens) and tokens[at + 1].get("person") in ("children", "babies"):
+        reading.did(at + 1, "people")
+    if role == "parents":
+        number = 1 if token.plural or token.text.endswith("s") else None
+        role, count = ("couples" if number else "adults"), 1
+        if token.text.startswith("grand"):
+            role = "couples"
+    elif count is None:
+        count = 2 if token.plural and role not in ("twins",) else 1
+    if role == "twins":
+        count = 1
+    share = {t.text for t in tokens[at + 1 : min(at + 5, sentence.stop)]} & {"share", "together"}
+    if role in ("children", "twins") and share and not reading.named_between(at, min(at + 6, sentence.stop)):
+        reading.share = True
+        for t in tokens[at + 1 : at + 5]:
+            if t.text in ("share", "together", "shares"):
+                t.done = t.done or "people"
+    named_again = any(t.text in ("the",) for t in before) and any(p.role == role for p in reading.people)
+    again = _said_again(reading, role, token, before)
+    if not (named_again or again):
+        reading.people.append(Person(role, count, token.span))
+    reading.did(at, "people")
+    _number_done(reading, at)
+
+
+def _said_again(reading: Reading, role: str, token: Token, before: list[Token]) -> bool:
+    """Whether the same people were named before: "the boys" of three boys."""
+    if not any(t.text in ("the", "those", "both") for t in before):
+        return False
+    kin = {"children": ("children", "twins", "babies"), "babies": ("babies", "children")}.get(role, (role,))
+    return any(p.role in kin for p in reading.people)
+
+
+def _we_are(reading: Reading, at: int) -> bool:
+    """ "We are five", "there are four of us"."""
+    tokens = reading.tokens
+    if tokens[at].text in ("we", "we're"):
+        k = at + 1 + (tokens[at].text == "we" and at + 1 < len(tokens) and tokens[at + 1].text == "are")
+        follows = tokens[k + 1] if k + 1 < len(tokens) else None
+        if k < len(tokens) and tokens[k].get("number") and (follows is None or follows.breaks):
+            reading.household = int(tokens[k].get("number"))
+            reading.did(k, "people")
+            reading.did(at, "people")
+            return True
+    before = tokens[at - 2 : at] if at > 1 else []
+    if tokens[at].text == "us" and len(before) == 2 and before[0].get("number") and before[1].text == "of":
+        reading.household = int(before[0].get("number"))
+        reading.did(at - 2, "people")
+        return True
+    return False
+
+
+def _visits(reading: Reading, at: int, sentence: range) -> bool:
+    tokens = reading.tokens
+    near = {tokens[k].text for k in range(max(sentence.start, at - 6), min(at + 6, sentence.stop))}
+    return bool(near & {*_STAYS}) or tokens[at].text.startswith("grand") or tokens[at].text in ("visitors", "visitor")
+
+
+def _count(tokens: tuple[Token, ...], at: int) -> int | None:
+    """How many, by the number, article or owner before people; None where nothing tells it."""
+    for k in range(at - 1, max(-1, at - 5), -1):
+        token = tokens[k]
+        if token.breaks or token.has("room", "use", "joint") and not token.has("own", "size"):
+            return None
+        if token.get("number") is not None:
+            return int(token.get("number"))
+        if token.text in ("a", "an", "another"):
+            return 1
+        if token.text in _OWNERS and not tokens[at].plural:
+            return 1
+        if token.has("person") and not token.text.endswith(("'s", "s'")) and token.get("person") not in ("adults",):
+            return None
+    return None
+
+
+def _number_done(reading: Reading, at: int) -> None:
+    for k in range(at - 1, max(-1, at - 4), -1):
+        if reading.tokens[k].get("number") is not None:
+            reading.did(k, "people")
+            return
+
+
+def _single(token: Token) -> str:
+    from sceneweaver.assets.plurals import singular
+
+    head, _, last = token.text.rpartition(" ")
+    return f"{head} {singular(last) if token.plural else last}".strip()
+
+
+def _settle(reading: Reading) -> None:
+    """Adults of a family that names its children, and partners as couples."""
+    roles = {person.role for person in reading.people}
+    found = list[Person]()
+    for person in reading.people:
+        if person.role == "partners":
+            person = Person("couples", 1, person.span)
+            found = [p for p in found if not (p.role == "couples")]
+        if person.role == "families":
+            if "couples" not in roles and "partners" not in roles and "adults" not in roles:
+                found.append(Person("couples", 1, person.span))
+            if not roles & {"children", "twins", "babies"}:
+                children = 2 if reading.household is None else max(0, reading.household - 2)
+                if children:
+                    found.append(Person("children", children, person.span))
+            continue
+        found.append(person)
+    spoken = {token.text for token in reading.tokens}
+    if not any(p.role in ("couples", "adults") for p in found) and found and reading.use.plan in ("flat", "house"):
+        we, me = bool(spoken & {"we", "us", "our", "we're", "we'd"}), bool(spoken & {"i", "me", "my", "i'm", "myself"})
+        if we and any(p.role in ("children", "twins", "babies", "seniors") for p in found):
+            found.insert(0, Person("couples", 1, found[0].span))
+        elif me and not we:
+            found.insert(0, Person("adults", 1, found[0].span))
+    elif spoken & {"me", "i"} and any(p.role == "adults" for p in found) and not any(p.role == "couples" for p in found):
+        if _speaker_counts(reading):
+            found.append(Person("adults", 1, found[0].span))
+    reading.people = found
+
+
+def _speaker_counts(reading: Reading) -> bool:
+    """Whether the speaker lives there beside the others: "for my brother and me"."""
+    tokens = reading.tokens
+    for at, token in enumerate(tokens):
+        if token.text == "me" and at and (tokens[at - 1].text in ("and", "for", "&") or at + 1 < len(tokens) and tokens[at + 1].text == "and"):
+            return True
+        if token.text == "i" and at and tokens[at - 1].text == "and":
+            return True
+    return False
+
+
+def bedrooms_for(reading: Reading) -> list[tuple[str, int]]:
+    """Kinds of bedrooms with their number, for those who live there."""
+    found: dict[str, int] = {}
+    rows = data("people")["bedrooms"]
+    for person in reading.people:
+        role = _ROLE.get(person.role)
+        if role is None:
+            continue
+        count = person.count
+        if role == "child" and reading.share and count > 1:
+            count = (count + 1) // 2
+        kind = rows[role]["kind"]
+        found[kind] = found.get(kind, 0) + count * rows[role]["each"]
+    told = people_told(reading)
+    if reading.household is not None and told is not None and told < reading.household:
+        kind = "childrens_room" if "master_bedroom" in found else "bedroom"
+        found[kind] = found.get(kind, 0) + reading.household - told
+    if reading.household is not None and not reading.people:
+        found["bedroom"] = reading.household
+    return list(found.items())
+
+
+def people_told(reading: Reading) -> int | None:
+    """How many live there by those who are named; None where nobody is."""
+    many = {"couples": 2, "twins": 2}
+    total = sum(person.count * many.get(person.role, 1) for person in reading.people)
+    return total or None

@@ -1,0 +1,292 @@
+"""What a request says of rooms to each other: doors, open passages, near, apart, between, each with its own."""
+
+from __future__ import annotations
+
+from sceneweaver.language.model import Span
+
+from .parts import Joint, Named, Reading
+
+_ANNEXES = ("bathroom", "ensuite", "guest_toilet", "washroom", "accessible_bathroom", "accessible_toilet", "wet_room", "kids_bathroom", "pantry",
+            "walk_in_closet", "dressing_room", "balcony", "terrace", "storage_room", "study", "nap_room", "laundry_room", "sauna", "sunroom", "kitchen",
+            "kitchenette", "examination_room", "cloakroom", "utility_room", "dining_room", "living_room", "archive", "changing_room")
+"""Kinds that belong to the rooms that are "with" them."""
+
+_WEAK = ("by", "near", "at", "behind", "off", "opposite", "facing", "in front of", "sees", "next to", "beside", "directly off")
+_GAP = ("the", "a", "an", "our", "my", "their", "his", "her", "its", "of", "to", "as", "it", "is", "on", "only", "both", "very", "right", "that")
+_PER_EACH = ("each", "both", "everyone", "everybody", "per", "every", "each of them", "both of them", "each of which", "for each", "each one")
+
+
+def read_joints(reading: Reading) -> None:
+    """Reads what rooms are to each other; see above."""
+    _pronouns(reading)
+    for sentence in reading.sentences():
+        at_names = {k: one for k, one in reading.named_at().items() if k in sentence}
+        for k in sentence:
+            token = reading.tokens[k]
+            if token.text == "/":
+                _slash(reading, at_names, k)
+            elif token.has("shared_by") and not token.done:
+                _shared(reading, at_names, sentence, k)
+            elif token.has("joint") and not token.done and k not in at_names:
+                _joint(reading, at_names, sentence, k, token.get("joint"))
+            elif token.text == "with" and not token.done:
+                _with(reading, at_names, sentence, k)
+        _en_suites(reading, at_names, sentence)
+
+
+def _pronouns(reading: Reading) -> None:
+    """ "One of them", "each with", "two on the ground floor": some of the rooms that were named last."""
+    tokens = reading.tokens
+    for sentence in reading.sentences():
+        for k in sentence:
+            token = tokens[k]
+            before = [one for one in reading.named if one.at < k and one.at >= sentence.start and one.of is None]
+            nearby = [one for one in before if k - one.at < 14]
+            after = tokens[k + 1] if k + 1 < len(tokens) else None
+            if not nearby or any(one.first <= k <= one.last for one in reading.named):
+                continue
+            whole = next((one for one in reversed(nearby) if one.count is None or one.count > 1), nearby[-1])
+            of_them = after is not None and (after.has("of_them") or after.text in ("of",) and k + 2 < len(tokens) and tokens[k + 2].text == "them")
+            count = token.get("number")
+            if count is not None and after is not None and (of_them or after.text in ("en-suite", "with", "is", "has", ",") or after.get("room") == "ensuite"):
+                if not of_them and tokens[k - 1].text not in (",", ":", "and", "("):
+                    continue
+                _refer(reading, whole, k, int(count), k + 1 if of_them else k)
+            elif token.text in _PER_EACH and after is not None and (after.text in ("with", "has", "have", "gets", "has its own", ",") or after.has("joint") or after.has("room")):
+                _refer(reading, whole, k, None, k)
+    reading.named.sort(key=lambda one: one.at)
+
+
+def _refer(reading: Reading, whole: Named, at: int, count: int | None, last: int) -> None:
+    if any(one.at == at for one in reading.named):
+        return
+    span = Span(reading.tokens[at].span.start, reading.tokens[last].span.end)
+    reading.named.append(Named(whole.kind, at, at, last, span, count, "number" if count else "", of=whole))
+    for k in range(at, last + 1):
+        reading.did(k, "rooms")
+
+
+def _slash(reading: Reading, names: dict[int, Named], at: int) -> None:
+    left, right = _before(names, at), _after(names, at)
+    if left is not None and right is not None and left.last == at - 1 and right.first == at + 1:
+        reading.joints.append(Joint(left, right, "open", reading.tokens[at].span))
+        reading.did(at, "joint")
+
+
+def _joint(reading: Reading, names: dict[int, Named], sentence: range, at: int, kind: str) -> None:
+    """A word for what rooms are to each other, with the rooms on both of its sides."""
+    tokens, token = reading.tokens, reading.tokens[at]
+    left = _before(names, at)
+    if left is None:
+        return
+    if kind in ("opposite_ends", "together"):
+        _alone(reading, names, at, kind, left)
+        return
+    if kind == "with_own":
+        _with(reading, names, sentence, at)
+        return
+    if kind == "between":
+        _between(reading, names, sentence, at, left)
+        return
+    end = _behind(reading, names, sentence, at)
+    if isinstance(end, Named):
+        _put(reading, left, end, kind, at)
+        if kind == "apart" and (more := _and_more(reading, names, end)) is not None:
+            _put(reading, left, more, kind, at)
+    elif isinstance(end, str) and end:
+        for one in _subjects(reading, names, left, at):
+            reading.joints.append(Joint(one, end, kind, token.span))
+        reading.did(at, "joint")
+    elif end == "" and left.of is None:
+        _to_pronoun(reading, names, at, left, kind)
+
+
+def _alone(reading: Reading, names: dict[int, Named], at: int, kind: str, left: Named) -> None:
+    """ "Kitchen and living room in one", "two bedrooms at opposite ends"."""
+    token = reading.tokens[at]
+    others = [one for k, one in sorted(names.items()) if one.at < left.at and one.of is None and left.first - one.last <= 2]
+    if kind == "together":
+        after = _after(names, at)
+        pair = (others[-1], left) if others else None
+        if pair is None and after is not None and after.first - at <= 2:
+            follows = [one for k, one in sorted(names.items()) if k > after.at and one.first - after.last <= 2]
+            pair = (after, follows[0]) if follows else None
+        if pair is not None:
+            reading.joints.append(Joint(pair[0], pair[1], "open", token.span))
+            reading.did(at, "joint")
+        return
+    reading.joints.append(Joint(left, left, "apart", token.span) if not others or left.count != 1 else Joint(others[-1], left, "apart", token.span))
+    reading.did(at, "joint")
+
+
+def _between(reading: Reading, names: dict[int, Named], sentence: range, at: int, left: Named) -> None:
+    token = reading.tokens[at]
+    end = _behind(reading, names, sentence, at)
+    if isinstance(end, Named):
+        reading.joints.append(Joint(left, end, "near", token.span, each=True))
+        if (more := _and_more(reading, names, end)) is not None:
+            reading.joints.append(Joint(left, more, "near", token.span))
+        reading.did(at, "joint")
+    elif end == "":
+        before = [one for one in reading.named if one.at < left.first and one.of is None and (one.count or 2) > 1]
+        if before and any(j.b is left or j.a is left for j in reading.joints if isinstance(j.b, Named)):
+            reading.did(at, "joint")  # "that share a bathroom between them"
+            _done_pronoun(reading, at)
+        elif before:
+            reading.joints.append(Joint(left, before[-1], "near", token.span, each=True))
+            reading.did(at, "joint")
+            _done_pronoun(reading, at)
+
+
+def _to_pronoun(reading: Reading, names: dict[int, Named], at: int, left: Named, kind: str) -> None:
+    """ "A bathroom off each of them", "with a kitchen behind it"."""
+    tokens = reading.tokens
+    before = [one for one in reading.named if one.at < left.first and one.of is None and one.root is not left]
+    if not before:
+        return
+    near = [one for one in before if one.at >= left.first - 14] or before[-1:]
+    pronoun = next((tokens[k] for k in range(at + 1, min(at + 4, len(tokens))) if tokens[k].has("them", "each")), None)
+    each = pronoun is not None and (pronoun.has("each") or pronoun.text in ("them", "these"))
+    target = next((one for one in reversed(near) if not each or one.count is None or one.count > 1), near[-1])
+    if each and left.told != "number" and (target.count or 2) > 1 and pronoun is not None and pronoun.has("each"):
+        left.per = target
+    reading.joints.append(Joint(left, target, kind, tokens[at].span, each=left.per is not None or each))
+    reading.did(at, "joint")
+    _done_pronoun(reading, at)
+
+
+def _done_pronoun(reading: Reading, at: int) -> None:
+    for k in range(at + 1, min(at + 4, len(reading.tokens))):
+        if reading.tokens[k].has("them", "each", "of_them"):
+            reading.did(k, "joint")
+
+
+def _with(reading: Reading, names: dict[int, Named], sentence: range, at: int) -> None:
+    """ "A bedroom with its own bathroom", "eight studios, each with a shower room"."""
+    tokens = reading.tokens
+    left, right = _before(names, at), _after(names, at)
+    if left is None or right is None or right.of is not None or not _close(reading, at, right):
+        return
+    gap = [tokens[k] for k in range(left.last + 1, at)]
+    if any(t.breaks or t.has("use", "person") for t in gap) or any(k == reading.use_at for k in range(left.at, at)):
+        return
+    rights = [right]
+    while (more := _and_more(reading, names, rights[-1])) is not None and len(rights) < 4:
+        rights.append(more)
+    whole = left.root
+    for one in rights:
+        if one.kind.type not in _ANNEXES or one.kind.name == whole.kind.name:
+            continue
+        follows = tokens[one.last + 1] if one.last + 1 < len(tokens) else None
+        pointed = follows is not None and follows.has("joint") and follows.get("joint") in ("door", "between", "open", "near")
+        many = whole.count is None or whole.count > 1
+        own = tokens[at].has("joint") or any(t.has("own") or t.text in ("their", "its") for t in tokens[at : one.at])
+        each = left.of is not None and left.count is None or any(t.text in _PER_EACH for t in [*gap, *tokens[one.last + 1 : one.last + 3]])
+        if many and (own or each) and (one.told != "number" or one.count == 1):
+            one.per = left
+        elif many and not each and left.of is None and one.count == 1 and not pointed and whole.told == "total":
+            continue
+        if pointed and follows is not None and follows.get("joint") == "between" and many:
+            continue
+        reading.joints.append(Joint(one, left, "door", tokens[at].span, each=one.per is not None))
+        reading.did(at, "joint")
+        for t in tokens[one.last + 1 : one.last + 3]:
+            if t.text in _PER_EACH:
+                t.done = t.done or "joint"
+
+
+def _shared(reading: Reading, names: dict[int, Named], sentence: range, at: int) -> None:
+    """ "Two rooms that share a bathroom": doors from both."""
+    left, right = _before(names, at), _after(names, at)
+    if left is None or right is None or right.count not in (1, None) or not _close(reading, at, right):
+        return
+    right.count = 1
+    reading.joints.append(Joint(right, left, "door", reading.tokens[at].span, each=True, hard=False))
+    reading.did(at, "joint")
+
+
+def _en_suites(reading: Reading, names: dict[int, Named], sentence: range) -> None:
+    """En-suites belong to the bedrooms that are named with them: "one of them en-suite", "en-suite bedrooms"."""
+    for k, one in sorted(names.items()):
+        if one.kind.name != "ensuite" or any(j.a is one or j.b is one for j in reading.joints):
+            continue
+        next_ = _after(names, k)
+        last = _before(names, one.first)
+        if next_ is not None and next_.first == one.last + 1 and "bedroom" in (next_.kind.name, *next_.kind.counts_as):
+            owner: Named | None = next_
+        elif last is not None and "bedroom" in (last.root.kind.name, *last.root.kind.counts_as):
+            owner = last
+        else:
+            beds = [r for r in reading.named if r.of is None and "bedroom" in (r.kind.name, *r.kind.counts_as)]
+            couples = any(p.role == "couples" for p in reading.people)
+            owner = None if couples or not beds else next((b for b in beds if b.kind.name == "master_bedroom"), beds[0])
+        if owner is None:
+            continue
+        if owner.of is not None and owner.count is not None:
+            one.count = owner.count
+        elif owner.count is None or owner.count > 1 and (one.told == "" or owner is next_):
+            one.per = owner
+        reading.joints.append(Joint(one, owner, "door", one.span, each=one.per is not None))
+
+
+def _before(names: dict[int, Named], at: int) -> Named | None:
+    found = [one for k, one in names.items() if one.last < at]
+    return max(found, key=lambda one: one.at) if found else None
+
+
+def _after(names: dict[int, Named], at: int) -> Named | None:
+    found = [one for k, one in names.items() if one.first > at]
+    return min(found, key=lambda one: one.at) if found else None
+
+
+def _close(reading: Reading, at: int, right: Named) -> bool:
+    """Whether only small words stand between a word and the room behind it."""
+    return all(
+        t.text in _GAP or t.has("own", "soft", "size") and not t.breaks or t.text in ("one",) for t in reading.tokens[at + 1 : right.first]
+    )
+
+
+def _behind(reading: Reading, names: dict[int, Named], sentence: range, at: int) -> Named | str | None:
+    """What stands behind a word of place: rooms, a place by its name, "" for a pronoun, None for something else."""
+    tokens = reading.tokens
+    for k in range(at + 1, sentence.stop):
+        token = tokens[k]
+        found = next((one for one in reading.named if one.first == k and one.of is None), None)
+        if found is not None:
+            return found
+        if token.has("place"):
+            reading.did(k, "joint")
+            return str(token.get("place"))
+        if token.has("them", "each") and token.text not in ("the rooms",):
+            return ""
+        if any(one.first == k for one in reading.named):
+            return ""
+        if not (token.text in _GAP or token.has("own", "soft", "size")) or token.breaks:
+            return None
+    return None
+
+
+def _and_more(reading: Reading, names: dict[int, Named], one: Named) -> Named | None:
+    """The room that "and" joins to another one."""
+    tokens = reading.tokens
+    if one.last + 1 >= len(tokens) or tokens[one.last + 1].text not in ("and", "&"):
+        return None
+    return next((o for o in names.values() if o.first == one.last + 2 or o.first == one.last + 3 and tokens[one.last + 2].text in _GAP), None)
+
+
+def _subjects(reading: Reading, names: dict[int, Named], left: Named, at: int) -> list[Named]:
+    return [left]
+
+
+def _put(reading: Reading, left: Named, right: Named, kind: str, at: int) -> None:
+    tokens = reading.tokens
+    each = any(t.text in _PER_EACH for t in tokens[at : right.first])
+    if each and left.told != "number":
+        left.per = right
+    elif right.definite and right.told == "":
+        right.count = right.count if right.count is not None else None
+    if left.root is right.root and left is not right:
+        return
+    reading.joints.append(Joint(left, right, kind, tokens[at].span, each=each or kind == "apart"))
+    reading.did(at, "joint")
+

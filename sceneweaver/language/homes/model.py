@@ -1,0 +1,143 @@
+"""What a request for a whole home says, read: a programme for its plan, and what each room's own request is to say."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from sceneweaver.io import InputError
+from sceneweaver.language.model import Span, Unread
+from sceneweaver.plans import Envelope, Programme, envelope_for
+
+
+@dataclass(frozen=True)
+class RoomAsked:
+    """A room of the programme, as its own request needs it.
+
+    Attributes:
+        id: of the room in the programme and in the home.
+        noun: what its own request calls it.
+        whose: for whom it is ("two children"), empty where nobody is told.
+        looks: what it is like ("bright", "red"), in the words of the request.
+        wishes: what it is to have besides, in the words of the request.
+        unwanted: things that it is not to have.
+        size: "big", "small" or "" for a usual one.
+        assumed: whether the request does not name it.
+        span: where the request names it.
+    """
+
+    id: str
+    noun: str
+    whose: str = ""
+    looks: tuple[str, ...] = ()
+    wishes: tuple[str, ...] = ()
+    unwanted: tuple[str, ...] = ()
+    size: str = ""
+    assumed: bool = False
+    span: Span | None = None
+
+
+@dataclass(frozen=True)
+class Understood:
+    """Words of the request, and what became of them: ``kind`` is rooms, area, storeys, joint, people, request, style ..."""
+
+    words: str
+    kind: str
+    row: str
+    span: Span
+
+
+@dataclass(frozen=True)
+class JointAsked:
+    """What the request says of rooms to each other: ids, or "entrance" and "street" in the place of ``b``."""
+
+    a: tuple[str, ...]
+    b: tuple[str, ...]
+    kind: Literal["door", "open", "near", "apart"]
+    words: str
+    place: str = ""
+
+
+@dataclass(frozen=True)
+class HomeRequest:
+    """A request for a home, read.
+
+    Attributes:
+        text: the request.
+        language: of it.
+        use: flat, house, dental_practice, office ... (``uses.yaml``).
+        programme: rooms, areas, storeys, adjacencies for the plan.
+        profile: of rules that the plan has to keep: "base" or "accessible".
+        rooms: what each room's own request is to say.
+        joints: what was said of rooms to each other.
+        counts: how many rooms of a kind were asked for in so many words, by type of the plan.
+        people: how many live or work there; None where nothing tells it.
+        styles: words for the style of all rooms.
+        area: of all rooms together [m2]; width, depth: of the envelope [m].
+        l_shape: whether the envelope is L-shaped.
+        window_sides: how many sides may have windows.
+        storeys: how many were asked for in so many words.
+        excluded: types of rooms that are not wanted.
+        understood: the words of the request with what became of them.
+        assumed: what the request does not say and was chosen, one line each.
+        unread: words that were not understood.
+        notes: what else the user should know.
+    """
+
+    text: str
+    language: str
+    use: str
+    programme: Programme
+    profile: str = "base"
+    rooms: tuple[RoomAsked, ...] = ()
+    joints: tuple[JointAsked, ...] = ()
+    counts: tuple[tuple[str, int], ...] = ()
+    people: int | None = None
+    styles: tuple[str, ...] = ()
+    area: float | None = None
+    width: float | None = None
+    depth: float | None = None
+    l_shape: bool = False
+    window_sides: int | None = None
+    storeys: int | None = None
+    excluded: tuple[str, ...] = ()
+    understood: tuple[Understood, ...] = ()
+    assumed: tuple[str, ...] = ()
+    unread: tuple[Unread, ...] = ()
+    notes: tuple[str, ...] = ()
+
+    def room(self, room_id: str) -> RoomAsked:
+        """What is asked for the room of this id; InputError where there is none."""
+        for room in self.rooms:
+            if room.id == room_id:
+                return room
+        raise InputError(f"room '{room_id}' is none of the request; its rooms are {', '.join(r.id for r in self.rooms)}")
+
+    def envelope(self, seed: int = 0) -> Envelope:
+        """What the plan has to fit into: of the sides, the shape and the light that are asked for, and else as
+        `sceneweaver.plans.envelope_for` chooses it by the ``seed``.
+
+        Examples:
+            >>> from sceneweaver.language.homes import read_home
+            >>> envelope = read_home("a two-bedroom house on a plot of 6 m, windows only on two sides").envelope()
+            >>> max(x for x, _ in envelope.outline), envelope.open_walls
+            (6.0, (0, 2))
+        """
+        chosen = envelope_for(self.programme, seed)
+        if not (self.width or self.depth or self.l_shape or self.window_sides):
+            return chosen
+        need = chosen.area if self.width is None or self.depth is None else self.width * self.depth
+        cut = 0.14 if self.l_shape else 0.0
+        full = need / (1 - cut)
+        width = self.width or (full / self.depth if self.depth else (full * 1.2) ** 0.5)
+        depth = self.depth or full / width
+        width, depth = round(width * 20) / 20, round(depth * 20) / 20
+        # light from the two short sides of a narrow plot, else from the south, and the north, and the west
+        closed = {1: (1, 2, 3), 2: (1, 3), 3: (1,)}.get(self.window_sides or 4, ())
+        fields = {"storeys": self.programme.storeys, "height": chosen.height}
+        if not self.l_shape:
+            return Envelope.rectangle(width, depth, closed=closed, entrance_wall=0 if closed else None, **fields)
+        side = round((cut * width * depth) ** 0.5 * 20) / 20
+        sides = (min(side, round(width / 2, 2)), min(side, round(depth / 2, 2)))
+        number = {0: 0, 1: 1, 2: 4, 3: 5}
+        return Envelope.l_shape(width, depth, cut=sides, closed=[number[k] for k in closed], **fields)

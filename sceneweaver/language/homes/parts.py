@@ -1,0 +1,140 @@
+"""What is read of a request for a home, before it is a programme: rooms as they were named, and what was said of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from sceneweaver.language.model import Span
+
+from .lexicon import RoomKind, Use
+from .tokens import Token
+
+
+@dataclass(eq=False)
+class Named:
+    """Rooms as one phrase names them, or refers to them ("one of them").
+
+    Attributes:
+        kind: of the rooms.
+        at, first, last: number of the token that names them, and of the first and the last one of the phrase.
+        count: how many; None where it is open ("meeting rooms").
+        told: how its number was told: "number", "article", "total" (of a two-bedroom flat), or "" for none.
+        definite: whether it is "the" or somebody's, so that it may have been named before.
+        of: the rooms that it refers to some of.
+        per: the rooms of which each one has its own.
+        size: factor on the usual area, area: (least, most) [m2] of each.
+        storey: "ground", "upper" ... as it was said.
+        wishes: what its own request says besides, in words; unwanted: what it is not to have.
+    """
+
+    kind: RoomKind
+    at: int
+    first: int
+    last: int
+    span: Span
+    count: int | None = None
+    told: str = ""
+    definite: bool = False
+    of: Named | None = None
+    per: Named | None = None
+    size: float | None = None
+    area: tuple[float, float] | None = None
+    equal: bool = False
+    storey: str | None = None
+    accessible: bool = False
+    daylight: bool | None = None
+    looks: list[str] = field(default_factory=list[str])
+    wishes: list[str] = field(default_factory=list[str])
+    noun: str = ""
+    barred: bool = False
+    ids: list[str] = field(default_factory=list[str])
+
+    @property
+    def root(self) -> Named:
+        """The rooms that it refers to some of, or itself."""
+        return self.of.root if self.of is not None else self
+
+
+@dataclass
+class Joint:
+    """What rooms are to others, or to a place ("entrance"): ``kind`` is one of an `Adjacency`."""
+
+    a: Named
+    b: Named | str
+    kind: str
+    span: Span
+    each: bool = False
+    hard: bool = True
+
+
+@dataclass
+class Person:
+    """So many people of a role: adults, children, babies, twins, couples, seniors."""
+
+    role: str
+    count: int
+    span: Span
+
+
+@dataclass
+class Reading:
+    """All that was read so far."""
+
+    text: str
+    tokens: tuple[Token, ...]
+    use: Use
+    use_at: int | None
+    named: list[Named] = field(default_factory=list[Named])
+    joints: list[Joint] = field(default_factory=list[Joint])
+    people: list[Person] = field(default_factory=list[Person])
+    household: int | None = None
+    """How many people a number alone tells: "we are five"."""
+    own_rooms: bool = False
+    """Whether everybody is to have a room."""
+    share_ground: bool = False
+    """Whether the rooms that all use are told to be on the ground floor."""
+    share: bool = False
+    """Whether children share."""
+    visitors: bool = False
+    workers: int | None = None
+    staff: dict[str, int] = field(default_factory=dict[str, int])
+    storeys: int | None = None
+    one_storey: bool = False
+    accessible: bool = False
+    area: tuple[float, float] | None = None
+    width: float | None = None
+    depth: float | None = None
+    l_shape: bool = False
+    window_sides: int | None = None
+    styles: list[str] = field(default_factory=list[str])
+    loose: list[tuple[str, Span]] = field(default_factory=list[tuple[str, Span]])
+    """What is asked for and is in no room that is named."""
+    unwanted: list[tuple[str, Span]] = field(default_factory=list[tuple[str, Span]])
+    """Things that are not wanted."""
+    notes: list[str] = field(default_factory=list[str])
+    rows: list[tuple[Span, str, str]] = field(default_factory=list[tuple[Span, str, str]])
+    """What was understood: where it stands, of what kind it is, what became of it."""
+
+    def did(self, token: Token | int, what: str) -> None:
+        """Token is accounted for."""
+        one = self.tokens[token] if isinstance(token, int) else token
+        one.done = one.done or what
+
+    def sentences(self) -> list[range]:
+        """Numbers of the tokens of each sentence."""
+        found: list[range] = []
+        start = 0
+        for at, token in enumerate(self.tokens):
+            if token.stops:
+                found.append(range(start, at))
+                start = at + 1
+        found.append(range(start, len(self.tokens)))
+        return [one for one in found if len(one)]
+
+    def named_at(self) -> dict[int, Named]:
+        """Rooms by the number of the token that names them."""
+        return {one.at: one for one in self.named}
+
+    def named_between(self, start: int, stop: int) -> list[Named]:
+        """Rooms whose name stands between two tokens."""
+        return [one for one in self.named if start <= one.at < stop]

@@ -1,0 +1,201 @@
+"""``read_home``: a request for a whole home as the programme of its plan and the requests of its rooms."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from sceneweaver.language.model import Span, Unread
+from sceneweaver.plans import room_type
+from sceneweaver.language.vocabulary import category_of, vocabulary
+
+from .areas import set_areas
+from .build import entrance_of, joined, place_rooms, programme_of, storeys_of
+from .floors import read_floors
+from .households import people_told, read_people
+from .joined import read_joints
+from .lexicon import Use, uses
+from .mentions import read_mentions
+from .model import HomeRequest, RoomAsked, Understood
+from .needed import add_needed
+from .parts import Named, Reading
+from .resolve import Room, resolve
+from .site import read_site
+from .tokens import Spoken, spoken
+from .use_named import use_by_rooms, use_in
+from .wishes import read_wishes
+
+
+def read_home(request: str) -> HomeRequest:
+    """What a request for a home says; what it does not say is assumed and told, what is not understood is listed.
+
+    Raises:
+        InputError: when there is nothing to read.
+
+    Examples:
+        >>> from sceneweaver.language.homes import read_home
+        >>> asked = read_home("a two-bedroom flat with a big kitchen, 70 m2")
+        >>> sorted({room.type for room in asked.programme.rooms}), asked.area
+        (['bathroom', 'bedroom', 'entrance_hall', 'kitchen', 'living_room'], 70.0)
+    """
+    reading, said = read_parts(request)
+    rooms = resolve(reading)
+    _persons_storeys(reading, rooms)
+    assumed = add_needed(reading, rooms)
+    count, placed = storeys_of(reading, rooms)
+    assumed += place_rooms(reading, rooms, count, placed)
+    notes = list(dict.fromkeys(reading.notes))
+    notes += set_areas(reading, rooms)
+    entrance = entrance_of(reading, rooms, placed)
+    adjacencies, joints = joined(reading, rooms, entrance, notes)
+    programme = programme_of(reading, rooms, count, placed, entrance, adjacencies)
+    own = _asked(reading, rooms)
+    counts: dict[str, int] = {}
+    for room in rooms:
+        if not room.assumed:
+            counts[room.type] = counts.get(room.type, 0) + 1
+    return HomeRequest(
+        text=request,
+        language=said.language,
+        use=reading.use.name,
+        programme=programme,
+        profile="accessible" if reading.accessible else "base",
+        rooms=tuple(own),
+        joints=tuple(joints),
+        counts=tuple(counts.items()),
+        people=people_told(reading) or reading.household or reading.workers,
+        styles=tuple(dict.fromkeys(reading.styles)),
+        area=round(sum(reading.area) / 2, 1) if reading.area else None,
+        width=reading.width,
+        depth=reading.depth,
+        l_shape=reading.l_shape,
+        window_sides=reading.window_sides,
+        storeys=reading.storeys or (1 if reading.one_storey else None),
+        excluded=tuple(dict.fromkeys(one.kind.type for one in reading.named if one.barred)),
+        understood=tuple(_understood(reading)),
+        assumed=tuple(assumed),
+        unread=tuple(_unread(reading)),
+        notes=tuple(dict.fromkeys(notes)),
+    )
+
+
+def read_parts(request: str, use: Use | None = None) -> tuple[Reading, Spoken]:
+    """All that a request says, before rooms get ids."""
+    said = spoken(request)
+    found = use_in(said.tokens)
+    if found is None:
+        first = Reading(request, said.tokens, uses()["house"], None)
+        read_mentions(first)
+        kinds = [one.kind.name for one in first.named]
+        said = spoken(request)
+        found = (use_by_rooms(kinds, 2 if any(t.has("storey") for t in said.tokens) else 1), None)
+    reading = Reading(request, said.tokens, use or found[0], found[1])
+    if found[1] is not None:
+        reading.did(found[1], "use")
+        token = said.tokens[found[1]]
+        reading.rows.append((token.span, "use", found[0].name.replace("_", " ")))
+    read_mentions(reading)
+    read_joints(reading)
+    read_floors(reading)
+    read_site(reading)
+    read_people(reading)
+    read_wishes(reading)
+    return reading, said
+
+
+def _persons_storeys(reading: Reading, rooms: list[Room]) -> None:
+    """ "Grandad sleeps downstairs": his bedroom is there."""
+
+
+def _asked(reading: Reading, rooms: list[Room]) -> list[RoomAsked]:
+    """What each room's own request is to say; things in no room that is named go where such things are."""
+    own: dict[str, RoomAsked] = {}
+    for room in rooms:
+        named = room.named
+        size = next((one.size for one in reversed(named) if one.size is not None), None)
+        own[room.id] = RoomAsked(
+            id=room.id,
+            noun=next((one.noun for one in reversed(named) if one.noun), room.kind.noun),
+            whose=_whose(reading, room),
+            looks=tuple(dict.fromkeys(word for one in named for word in one.looks)),
+            wishes=tuple(dict.fromkeys(words for one in named for words in one.wishes)),
+            size="" if size is None or size == 1 else "big" if size > 1 else "small",
+            assumed=not named,
+            span=named[0].span if named else None,
+        )
+    for words, span in reading.loose:
+        for room in _places(words, rooms)[:1]:
+            own[room.id] = replace(own[room.id], wishes=(*own[room.id].wishes, words))
+            reading.rows.append((span, "request", f"{words}: in the request of {room.id}"))
+    for words, span in reading.unwanted:
+        there = _places(words, rooms)
+        for room in there or rooms:
+            own[room.id] = replace(own[room.id], unwanted=(*own[room.id].unwanted, words))
+        reading.rows.append((span, "not wanted", f"{words}: in the request of {', '.join(r.id for r in there) or 'all rooms'}"))
+    return list(own.values())
+
+
+def _whose(reading: Reading, room: Room) -> str:
+    """For whom a bedroom is by its kind and the people."""
+    if room.kind.whose:
+        return room.kind.whose
+    if room.kind.name == "master_bedroom":
+        return "two people"
+    if room.kind.name == "childrens_room":
+        if any(p.role == "twins" for p in reading.people) or reading.share:
+            return "two children"
+        return "a child"
+    return ""
+
+
+def _places(words: str, rooms: list[Room]) -> list[Room]:
+    """The rooms in which a thing usually is, else the one where people live."""
+    from sceneweaver.knowledge.likely import told_by
+    from sceneweaver.knowledge.load import room_types
+
+    spoken_words = words.split()
+    pairs = [" ".join(two) for two in zip(spoken_words, spoken_words[1:], strict=False)]
+    nouns = [w for w in (*pairs, *spoken_words) if "noun" in vocabulary().get(w, {})]
+    categories = {category_of(str(vocabulary()[w]["noun"])) for w in nouns}
+    found: list[tuple[float, int, Room]] = []
+    for index, room in enumerate(rooms):
+        kind = room_type(room.type).furnish
+        if kind in room_types() and (share := told_by(categories, room_types()[kind])) > 0:
+            found.append((-share, index, room))
+    if found:
+        return [room for _, _, room in sorted(found, key=lambda one: one[:2])]
+    return [room for room in rooms if room.type in ("living_room", "living_kitchen", "living_dining", "open_office", "waiting_room")]
+
+
+def _understood(reading: Reading) -> list[Understood]:
+    rows = [(span, kind, row) for span, kind, row in reading.rows]
+    for one in reading.named:
+        if not one.barred and one.ids:
+            rows.append((one.span, "rooms", ", ".join(one.ids)))
+    for joint in reading.joints:
+        ends = [joint.a, joint.b]
+        ids = [", ".join(end.ids) if isinstance(end, Named) else end for end in ends]
+        rows.append((joint.span, "joint", f"{ids[0]} {joint.kind} {ids[1]}"))
+    for person in reading.people:
+        rows.append((person.span, "people", f"{person.count} {person.role}"))
+    for one in reading.named:
+        for words in one.wishes:
+            rows.append((one.span, "request", f"{words}: in the request of {', '.join(one.root.ids)}"))
+    rows.sort(key=lambda one: (one[0].start, one[0].end))
+    return [Understood(reading.text[s.start : s.end], kind, row, s) for s, kind, row in rows]
+
+
+def _unread(reading: Reading) -> list[Unread]:
+    """Runs of words that became nothing; small words, and words that no plan can answer, are no part of them."""
+    found: list[Unread] = []
+    run: list[Span] = []
+    for token in (*reading.tokens, None):
+        open_ = token is not None and not token.done and not token.breaks and not token.has(
+            "function", "soft", "own", "each", "no", "them", "equal", "of_them", "size", "number", "animal", "we", "me"
+        ) and any(c.isalpha() for c in token.text)
+        if open_ and token is not None:
+            run.append(token.span)
+        elif run:
+            start, end = min(s.start for s in run), max(s.end for s in run)
+            found.append(Unread(words=reading.text[start:end].lower(), span=Span(start, end)))
+            run = []
+    return found

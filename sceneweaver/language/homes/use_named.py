@@ -1,0 +1,124 @@
+"""Which home, practice, office or school a request is for, and whether it is for one at all."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cache
+
+from sceneweaver.language.vocabulary import vocabulary
+
+from .lexicon import Use, data, room_kinds, uses
+from .tokens import Token
+
+_SETTING = ("in", "of", "at", "from", "near", "to", "into", "inside", "by", "on", "around", "outside", "like", "as", "behind")
+_WEAK = ("place", "unit", "residence", "home", "hall", "annexe")
+"""Names of homes that are also other words."""
+
+_ONE_ROOM = ("studio", "loft", "one room", "tiny", "doll", "dolls", "doll's", "tree", "single room", "play", "wendy", "show", "bed sit")
+"""What stands before a home that is one room, or none to live in."""
+
+_FIRST = ("home", "house", "flat", "apartment")
+
+
+def use_in(tokens: Sequence[Token]) -> tuple[Use, int] | None:
+    """The use that a request names as what it is for, and the number of its token; None where it names none."""
+    found: list[tuple[bool, int, str]] = []
+    for at, token in enumerate(tokens):
+        named = token.get("use")
+        if named is None or _is_setting(tokens, at) or _is_modifier(tokens, at) or _is_one_room(tokens, at):
+            continue
+        if token.text in _WEAK and not _is_asked(tokens, at):
+            continue
+        if not named[1] and token.has("room", "means") and _after_rooms(tokens, at):
+            continue
+        found.append((not (named[1] or not token.has("room", "means")), at, named[0]))
+    if not found:
+        return None
+    whole = [one for one in found if not one[0]]
+    _, at, name = (whole or found)[0]
+    first = found[0]
+    if first[0] and whole and not uses()[whole[0][2]].plan == "flat" and first[1] < at and not tokens[at].get("use")[1]:
+        _, at, name = whole[0]
+    return uses()[name], at
+
+
+def _is_setting(tokens: Sequence[Token], at: int) -> bool:
+    """Whether a home is only where the room is: "in a flat", "of our house"."""
+    k = at - 1
+    while k >= 0 and not tokens[k].breaks and at - k < 6:
+        token = tokens[k]
+        if token.text in _SETTING or token.has("joint") and not token.has("own", "size"):
+            return not _is_wish_of(tokens, k)
+        if token.text == "for":
+            return any(t.has("room", "known_room") for t in tokens[:k] if not t.has("use"))
+        if token.has("room") and not token.has("use"):
+            return False
+        k -= 1
+    return False
+
+
+def _is_wish_of(tokens: Sequence[Token], at: int) -> bool:
+    """ "The plan of a house", "a kind of cottage": what stands before it is no room."""
+    before = tokens[at - 1].text if at else ""
+    return tokens[at].text == "of" and before in ("plan", "kind", "sort", "type", "layout", "design", "model", "floor plan")
+
+
+def _is_modifier(tokens: Sequence[Token], at: int) -> bool:
+    """Whether a home only says what kind of thing or room follows: "cabin living room", "house plants"."""
+    after = tokens[at + 1] if at + 1 < len(tokens) else None
+    if after is None or after.breaks or after.number is not None:
+        return False
+    if after.text in ("style", "styled", "themed", "like", "type", "feel", "atmosphere", "vibe", "room", "rooms", "corner", "nook"):
+        return True
+    if after.has("room", "known_room") and not after.has("joint", "storey", "own", "function"):
+        return after.text not in ("living",)
+    if after.kinds or tokens[at].plural:
+        return False
+    kinds = vocabulary().get(after.text, {})
+    return bool(kinds.keys() & {"noun", "room", "group"}) and "verb" not in kinds and "preposition" not in kinds
+
+
+def _is_one_room(tokens: Sequence[Token], at: int) -> bool:
+    """ "A studio apartment", "a tiny house" are one room."""
+    before = tokens[at - 1].text if at else ""
+    two = f"{tokens[at - 2].text} {before}" if at > 1 else ""
+    return before in _ONE_ROOM or two in _ONE_ROOM or (before == "room" and at > 1 and tokens[at - 2].text in ("one", "1", "single"))
+
+
+def _is_asked(tokens: Sequence[Token], at: int) -> bool:
+    """Whether a word that often is no home is one: with an article, or behind its rooms."""
+    token = tokens[at]
+    before = [t.text for t in tokens[max(0, at - 4) : at]]
+    behind_rooms = any(t.has("room") or t.text in ("bed", "bath", "beds", "baths", "storey", "story") for t in tokens[max(0, at - 5) : at])
+    if token.text in ("place", "unit", "hall"):
+        return behind_rooms
+    return behind_rooms or bool({"a", "an", "new", "our", "the", "this", "family", "one", "storey"} & set(before)) or at == 0 or (
+        tokens[at - 1].breaks
+    )
+
+
+def _after_rooms(tokens: Sequence[Token], at: int) -> bool:
+    """Whether other rooms are named before, so that this is one of them."""
+    if tokens[at].plural:
+        return True
+    number = next((t.get("number") for t in reversed(tokens[max(0, at - 3) : at]) if t.get("number") is not None), None)
+    if number is not None and number > 1 and not any(t.text in ("storey", "floor") for t in tokens[max(0, at - 3) : at]):
+        return True
+    return any(t.has("room") and not t.has("use") for t in tokens[:at])
+
+
+@cache
+def _roles() -> frozenset[str]:
+    return frozenset(name for row in data("uses").values() for name in row.get("needs", {}))
+
+
+def use_by_rooms(kinds: Sequence[str], storeys: int) -> Use:
+    """The use that rooms tell, where none is named: where people sleep or cook they live."""
+    types = {room_kinds()[kind].type if kind in room_kinds() else kind for kind in kinds}
+    if types & {"examination_room", "doctors_office", "treatment_room", "waiting_room", "operating_theatre"}:
+        return uses()["clinic"]
+    if types & {"classroom"}:
+        return uses()["school"]
+    if types & {"open_office", "meeting_room", "private_office"} and not types & {"bedroom", "living_room"}:
+        return uses()["office"]
+    return uses()["house" if storeys > 1 or "garage" in types else "flat"]

@@ -1,0 +1,195 @@
+"""What single rooms are to have besides: the words behind their names, and before "in the ...". What is not wanted."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from sceneweaver.language.model import Span
+from sceneweaver.language.vocabulary import vocabulary
+
+from .lexicon import plain
+from .parts import Named, Reading
+from .tokens import Token
+
+_BEGIN = ("with", "for", "has", "have", "where", "and", "that", "which", "big", "of", "seats", "seating", "including", "plus", "without", "to", "it", "in", "no")
+_STYLE = ("styles", "moods")
+_KEEP_SMALL = ("at", "next", "under", "by", "beside", "behind", "above", "in", "to", "on")
+
+
+def read_wishes(reading: Reading) -> None:
+    """Gives each room the words that are said of it alone, see above; what is in no room stays loose."""
+    for sentence in reading.sentences():
+        _unwanted(reading, sentence)
+        _before_rooms(reading, sentence)
+        _behind_rooms(reading, sentence)
+        _loose(reading, sentence)
+    _styles(reading)
+
+
+def _unwanted(reading: Reading, sentence: range) -> None:
+    """Rooms and things that are not to be there."""
+    tokens = reading.tokens
+    for at in sentence:
+        if not tokens[at].has("no") or tokens[at].done:
+            continue
+        barring = True
+        for k in range(at + 1, min(at + 12, sentence.stop)):
+            token = tokens[k]
+            named = next((one for one in reading.named if one.first <= k <= one.last and one.of is None), None)
+            if named is not None and barring and not any(j.a is named or j.b is named for j in reading.joints):
+                if named.told in ("", "article") and k == named.at:
+                    named.barred = True
+                    reading.rows.append((named.span, "not wanted", named.kind.name))
+                    reading.did(at, "not wanted")
+                continue
+            if token.has("joint") and not token.done:
+                break
+            if token.breaks and token.text != "," or token.text in ("but", "with", "please", "if"):
+                break
+            if is_thing(token) and not token.done:
+                end = _thing_end(reading, k, sentence.stop)
+                words = " ".join(t.text for t in tokens[k:end])
+                reading.unwanted.append((words, Span(tokens[k].span.start, tokens[end - 1].span.end)))
+                for j in (at, *range(k, end)):
+                    reading.did(j, "not wanted")
+            elif token.text == "," and k + 1 < sentence.stop and not tokens[k + 1].has("no") and not tokens[k + 1].text == "or":
+                break
+            elif token.text not in ("a", "an", "the", "any", "or", "and", ",") and not token.done and not token.has("no", "size", "own"):
+                break
+
+
+def _thing_end(reading: Reading, at: int, stop: int) -> int:
+    end = at + 1
+    while end < stop and is_thing(reading.tokens[end]) and not reading.tokens[end].done:
+        end += 1
+    return end
+
+
+def _before_rooms(reading: Reading, sentence: range) -> None:
+    """ "A crib in the parents' bedroom": the words before belong to the room."""
+    tokens = reading.tokens
+    for one in reading.named:
+        k = one.first - 1
+        if one.at not in sentence or k <= sentence.start or tokens[k].text not in ("in", "inside", "into", "for"):
+            continue
+        start = k
+        while start > sentence.start and not tokens[start - 1].breaks and not tokens[start - 1].done and k - start < 9:
+            start -= 1
+        while start < k and tokens[start].text in ("and", "put", "with", "we", "need", "want", "would", "like", "there", "is", "there's", "be", "should"):
+            start += 1
+        if any(is_thing(tokens[j]) for j in range(start, k)):
+            words = _words(tokens[start:k])
+            one.wishes.append(words)
+            for j in range(start, k + 1):
+                reading.did(j, f"request of {one.kind.name}")
+
+
+def _behind_rooms(reading: Reading, sentence: range) -> None:
+    """ "With a table for six", "where two can work": to the next room, or where something else is said."""
+    tokens = reading.tokens
+    for one in sorted(reading.named, key=lambda n: n.at):
+        if one.at not in sentence:
+            continue
+        k = one.last + 1
+        while k < sentence.stop and tokens[k].text in (",",) and k + 1 < sentence.stop and tokens[k + 1].text in ("with", "for", "without"):
+            k += 1
+        if k >= sentence.stop or tokens[k].breaks or tokens[k].text not in _BEGIN and not tokens[k].has("size"):
+            continue
+        end = k
+        while end < sentence.stop and not tokens[end].breaks and not any(n.first == end for n in reading.named):
+            if tokens[end].done and tokens[end].done not in ("request",) or tokens[end].has("storey"):
+                break
+            end += 1
+        follows = end < sentence.stop and any(n.first == end for n in reading.named)
+        last = end
+        while last > k and (tokens[last - 1].text in ("and", "with", "a", "an", "the", "or", "plus", "in", "by", "of", "at", "to") or tokens[last - 1].has("joint") and follows):
+            last -= 1
+        told = tokens[k:last]
+        if not told or not any(is_thing(t) or t.has("person", "staff", "visitors", "number", "groups", "size", "animal") or not t.kinds for t in told):
+            continue
+        sizes = [t for t in told if t.has("size")]
+        if sizes and len([t for t in told if t.has("size") or is_thing(t) or not t.kinds]) == len(sizes):
+            one.root.size = one.root.size or sizes[0].get("size")
+        else:
+            one.root.wishes.append(_words(told)) if one.of is None or one.count is None else one.wishes.append(_words(told))
+        for j in range(k, last):
+            reading.did(j, f"request of {one.root.kind.name}")
+
+
+def _loose(reading: Reading, sentence: range) -> None:
+    """Things that are asked for in no room that is named: each with the words around it."""
+    tokens = reading.tokens
+    at = sentence.start
+    while at < sentence.stop:
+        token = tokens[at]
+        if token.done or not is_thing(token) or _is_style(token):
+            at += 1
+            continue
+        start = at
+        while start > sentence.start and not tokens[start - 1].breaks and not tokens[start - 1].done and (
+            not tokens[start - 1].kinds or tokens[start - 1].has("own", "size", "number") or tokens[start - 1].text in ("a", "an")
+        ):
+            start -= 1
+        end = _thing_end(reading, at, sentence.stop)
+        while end < sentence.stop and not tokens[end].breaks and not tokens[end].done and end - at < 10 and (
+            tokens[end].text in ("for", "of", "with", "each", "the", "a", "an", "by", "under", "on", "in") or tokens[end].has("person", "number", "each", "groups") or is_thing(tokens[end])
+        ):
+            end += 1
+        while end - 1 > at and tokens[end - 1].text in ("for", "of", "with", "the", "a", "an", "by", "under", "on", "in"):
+            end -= 1
+        words = _words(tokens[start:end])
+        reading.loose.append((words, Span(tokens[start].span.start, tokens[end - 1].span.end)))
+        for j in range(start, end):
+            reading.did(j, "request")
+        at = end
+
+
+def _styles(reading: Reading) -> None:
+    """Words for a style that belong to no room are for all of them."""
+    for at, token in enumerate(reading.tokens):
+        if not _is_style(token) or token.done:
+            continue
+        reading.styles.append(token.text)
+        reading.rows.append((token.span, "style", f"{token.text}, in the request of each room"))
+        reading.did(at, "style")
+        after = reading.tokens[at + 1] if at + 1 < len(reading.tokens) else None
+        if after is not None and after.text in ("style", "styled", "look", "feel"):
+            reading.did(at + 1, "style")
+
+
+def _is_style(token: Token) -> bool:
+    if token.kinds and not token.has("accessible"):
+        return False
+    kinds = vocabulary().get(token.text, {})
+    return any(kind in kinds for kind in _STYLE) and not token.has("accessible")
+
+
+@cache
+def _noun(word: str) -> bool:
+    kinds = vocabulary().get(word, {})
+    return "noun" in kinds and "room" not in kinds
+
+
+def is_thing(token: Token) -> bool:
+    """Whether a token is a thing of a room by the vocabulary."""
+    if token.kinds and not set(token.kinds) <= {"plot", "means", "place"}:
+        return False
+    return _noun(plain(token.text))
+
+
+def _words(tokens: tuple[Token, ...] | list[Token]) -> str:
+    """Words as they are said, without what ends or begins a clause for nothing."""
+    said = [t.text for t in tokens]
+    while said and said[0] in ("and", "has", "have", "plus", "it", "that", "which", "is"):
+        said.pop(0)
+    while said and said[-1] in ("and", "or", "too", "please", "also"):
+        said.pop()
+    return " ".join(said)
+
+
+def owner(named: Named) -> str:
+    """For whom rooms are by their kind."""
+    return named.kind.whose
+
+
+__all__ = ["is_thing", "owner", "read_wishes"]
