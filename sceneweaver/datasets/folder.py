@@ -72,8 +72,8 @@ class Folder:
         return self.rooms(number) / f"{place:04d}"
 
     def table(self, product: str) -> Path:
-        """The table with a row a request: of "scenes", or of "layouts", whose programs have many."""
-        return self.index if product == "scenes" else self.programs
+        """The table with a row a request: of "scenes", "homes", or of "layouts", whose programs have many."""
+        return self.programs if product == "layouts" else self.index
 
 
 class DiskFullError(SceneWeaverError):

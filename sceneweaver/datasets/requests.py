@@ -28,7 +28,7 @@ class Request:
         index: number of its first scene.
         layouts: scenes that are wanted of it.
         prompt: the request in words.
-        kind: the kind of room that was drawn; empty for a prompt of a user.
+        kind: the kind of room, or the programme of a home, that was drawn; empty for a prompt of a user.
         seed: what all draws of this room follow from.
         clutter: how lived-in it looks, 0 to 1.
         scene: a file of a user whose layouts are wanted; None where a room is drawn.
@@ -81,8 +81,8 @@ class Requests:
         elif self._prompts is not None:
             prompt = self._prompts[room % len(self._prompts)]
         else:
-            kind = _drawn(rng, spec.requests.kinds or {})
-            prompt = _words(spec, kind, rng)
+            kind = _drawn(rng, spec.requests.programmes or spec.requests.kinds or {})
+            prompt = _words(spec, kind, rng) if spec.requests.programmes is None else ""
         index = room * spec.rooms.layouts
         return Request(room, index, min(spec.rooms.layouts, spec.count - index), prompt, kind, seed, clutter, scene)
 

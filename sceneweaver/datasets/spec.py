@@ -7,7 +7,7 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field, SerializerFunctionWrapHandler, model_serializer, model_validator
 
 from sceneweaver.export import FORMATS
 from sceneweaver.io import load_yaml
@@ -32,17 +32,31 @@ Weights = Annotated[dict[str, Annotated[float, Field(gt=0)]], Field(min_length=1
 Share = Annotated[float, Field(ge=0, le=1)]
 
 
-class Requests(FrozenModel):
-    """What is asked for: kinds of rooms by weight, prompts, a CSV file with a column ``prompt``, or for layouts scene
-    files; one of the four.
+class _Brief(FrozenModel):
+    """A model that says nothing of some fields where they are not given, as before there were any."""
+
+    _later: ClassVar[tuple[str, ...]] = ()
+
+    @model_serializer(mode="wrap")
+    def _without_later(self, usual: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        data = usual(self)
+        return {name: value for name, value in data.items() if value is not None or name not in self._later}
+
+
+class Requests(_Brief):
+    """What is asked for: kinds of rooms by weight, prompts, a CSV file with a column ``prompt``, for layouts scene
+    files, or for homes programmes by weight; one of the five.
 
     The other fields are said in each request of a kind of room: its area, style and number of people.
     """
+
+    _later = ("programmes",)
 
     kinds: Weights | None = None
     prompts: tuple[str, ...] | None = None
     prompts_file: str | None = None
     scenes: tuple[str, ...] | None = Field(default=None, description="Scene files whose layouts are wanted")
+    programmes: Weights | None = Field(default=None, description="Programmes of homes that ship with the library")
     area: dict[str, tuple[float, float]] = Field(default={}, description="Least and greatest floor area [m2] by kind")
     sizes: Weights = Field(default={"": 1.0}, description='Words of size: "", small, large, ...')
     styles: Weights = Field(default={"": 1.0}, description='Words of style: "", industrial, scandinavian, ...')
@@ -51,8 +65,9 @@ class Requests(FrozenModel):
 
     @model_validator(mode="after")
     def _one_source(self) -> Requests:
-        if sum(given is not None for given in (self.kinds, self.prompts, self.prompts_file, self.scenes)) != 1:
-            raise ValueError("give one of kinds, prompts, prompts_file and scenes")
+        sources = (self.kinds, self.prompts, self.prompts_file, self.scenes, self.programmes)
+        if sum(given is not None for given in sources) != 1:
+            raise ValueError("give one of kinds, prompts, prompts_file, scenes and programmes")
         return self
 
 
@@ -76,18 +91,32 @@ class Views(FrozenModel):
     height: int = Field(default=480, ge=16, le=8192, description="[pixels]")
 
 
-class Spec(FrozenModel):
+class Homes(FrozenModel):
+    """How homes are planned, furnished and described, where they are the product."""
+
+    profile: str = Field(default="base", description="Rules that plans keep")
+    plans: int = Field(default=256, ge=1, le=65536, description="Plans that are searched for each home")
+    furnished: bool = Field(default=True, description="Whether rooms are furnished; plans alone are quick")
+    radius: float = Field(default=0.25, ge=0.01, le=5, description="Of the base that ways and maps are for [m]")
+    resolution: float = Field(default=0.05, ge=0.005, le=1, description="Side of a cell of maps [m]")
+    point_goals: int = Field(default=20, ge=0, le=10**5, description="Episodes to points of each home")
+    object_goals: int = Field(default=20, ge=0, le=10**5, description="Episodes to things of each furnished home")
+
+
+class Spec(_Brief):
     """All that the content of a data set depends on. Equal specifications give equal data sets, whoever makes them."""
 
     _noun: ClassVar[str] = "spec"
+    _later = ("homes",)
 
     schema_: Literal["sceneweaver.dataset/1"] = Field(alias="schema")
     name: str = Field(pattern=r"^[a-z0-9][a-z0-9_-]{0,63}$")
-    product: Literal["scenes", "layouts"] = "scenes"
-    count: int = Field(ge=1, le=10**9, description="Scenes, or layouts")
+    product: Literal["scenes", "layouts", "homes"] = "scenes"
+    count: int = Field(ge=1, le=10**9, description="Scenes, layouts, or homes")
     seed: int = Field(default=0, ge=0, le=2**32 - 1)
     requests: Requests
     rooms: Rooms = Rooms()
+    homes: Homes | None = Field(default=None, description="Of homes, where they are the product; null: the usual")
     exports: tuple[Export, ...] = ("glb", "mjcf")
     views: Views = Views()
     captions: bool = True
@@ -98,6 +127,29 @@ class Spec(FrozenModel):
     time_limit: float = Field(default=120.0, gt=0, description="Seconds for a scene, after which it has failed")
     block: int = Field(default=16, ge=1, le=4096, description="Rooms that are made together, and kept or lost together")
     shard: int = Field(default=200, ge=1, le=4096, description="Size of a shard of data [MB]")
+
+    @model_validator(mode="after")
+    def _of_homes(self) -> Spec:
+        asked = self.requests
+        if self.product != "homes":
+            if asked.programmes is not None or self.homes is not None:
+                raise ValueError("programmes and homes are for product: homes")
+            return self
+        if asked.kinds is not None or asked.scenes is not None:
+            raise ValueError("requests of homes are programmes, prompts or a prompts_file")
+        if self.rooms.layouts != 1 or self.counterfactuals or self.views.cameras or self.views.passes:
+            raise ValueError("homes have no layouts, counterfactuals or views; leave these out")
+        return self
+
+    @property
+    def of_homes(self) -> Homes:
+        """How homes are made."""
+        return self.homes or Homes()
+
+    @property
+    def table(self) -> str:
+        """The name in ``columns.yaml`` of the columns of its index."""
+        return "homes" if self.product == "homes" else "index"
 
     @property
     def hash(self) -> str:

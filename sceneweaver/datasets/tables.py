@@ -46,7 +46,7 @@ def arrow():
 
 @cache
 def schema_of(table: str) -> pa.Schema:
-    """The columns of a table: "index", "programs", "assets" or "seconds"."""
+    """The columns of a table: "index", "homes", "programs", "assets" or "seconds"."""
     columns = read_yaml(resources.files(__package__ or "").joinpath("columns.yaml"))[table]
     return arrow().schema([(name, _type(kind)) for name, kind in columns.items()])
 

@@ -53,7 +53,7 @@ def make_rooms(
 
         write_programs(path, requests, rooms, device)
     else:
-        write_block(path, (produce or usual())(requests.spec, rooms, store_of(folder), device))
+        write_block(path, (produce or usual(requests.spec))(requests.spec, rooms, store_of(folder), device))
 
 
 def join_rooms(folder: Folder, requests: Requests, number: int, failed: Mapping[int, str]) -> None:
@@ -94,8 +94,12 @@ def pack(folder: Folder, requests: Requests) -> None:
         pack_scenes(folder, requests)
 
 
-def usual() -> Produce:
-    """`produce`, which is loaded only where scenes are made."""
+def usual(spec: Spec) -> Produce:
+    """What makes the product of a specification, which is loaded only where it is made."""
+    if spec.product == "homes":
+        from .homes import produce_homes
+
+        return produce_homes
     from .produce import produce
 
     return produce

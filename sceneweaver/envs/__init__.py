@@ -1,12 +1,14 @@
-"""Rooms as environments for robots: Gymnasium over MuJoCo. It needs the extra ``envs``.
+"""Rooms and homes as environments for robots, for Gymnasium. It needs the extra ``envs``.
 
-`make` gives one; ``gymnasium.make("sceneweaver/Room-v0", scenes=...)`` does the same once this module is imported.
+`make` gives a room over MuJoCo; ``gymnasium.make("sceneweaver/Room-v0", scenes=...)`` does the same once this module is
+imported. `HomeEnv`, or ``gymnasium.make("sceneweaver/Home-v0", homes=...)``, is a whole home for navigation.
 """
 
 from typing import Any
 
 from .env import RoomEnv as RoomEnv
 from .geometry import SceneGeometry as SceneGeometry
+from .homes import HomeEnv as HomeEnv
 from .layouts import layouts_of as layouts_of
 from .layouts import poses_of as poses_of
 from .navigation import FloorMap as FloorMap
@@ -30,6 +32,7 @@ from .world import World as World
 __all__ = [
     "Close",
     "FloorMap",
+    "HomeEnv",
     "NavigateTo",
     "Open",
     "PutIn",
@@ -72,6 +75,8 @@ def _register() -> None:
 
     if "sceneweaver/Room-v0" not in gymnasium.registry:
         gymnasium.register("sceneweaver/Room-v0", entry_point="sceneweaver.envs.env:RoomEnv")
+    if "sceneweaver/Home-v0" not in gymnasium.registry:
+        gymnasium.register("sceneweaver/Home-v0", entry_point="sceneweaver.envs.homes:HomeEnv")
 
 
 _register()

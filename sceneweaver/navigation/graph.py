@@ -13,6 +13,7 @@ import numpy as np
 from sceneweaver.home import Home
 from sceneweaver.io import write_atomic
 from sceneweaver.verify.home import RADIUS, Ways
+from sceneweaver.verify.home.floors import stair_ends
 
 from .roadmap import Distances, Roadmap
 
@@ -23,8 +24,8 @@ _WITHIN = 0.5  # [m] from the middle of a room or an opening to where a base sta
 
 @dataclass(frozen=True)
 class RoomNode:
-    """A room: where a base stands for it (``point`` [3], the middle of its largest free disc; None: nowhere), the area
-    [m2] of its floor, and whether it is got to from the entrance."""
+    """A room: where a base stands for it (``point`` [3], the middle of the largest free disc that is got to, or else of
+    all; None: nowhere), the area [m2] of its floor, and whether it is got to from the entrance."""
 
     id: str
     type: str
@@ -85,7 +86,8 @@ class NavigationGraph:
 
     def route(self, start: str, goal: str) -> tuple[str, ...]:
         """The rooms on the way that is shortest by the lengths of the joints; empty where there is none."""
-        away, left = {start: 0.0}, {start: (start,)}
+        away: dict[str, float] = {start: 0.0}
+        left: dict[str, tuple[str, ...]] = {start: (start,)}
         while left:
             here = min(left, key=lambda name: (away[name], name))
             way = left.pop(here)
@@ -169,7 +171,7 @@ def navigation_graph(home: Home, radius: float = RADIUS, *, roadmap: Roadmap | N
             if passable:
                 middles[name] = middle
     for stair in home.stairs:
-        foot = np.mean(stair.outline, axis=0) - _half_run(stair) * np.asarray(stair.up)
+        foot = np.asarray(stair_ends(stair)[0].centroid.coords[0])
         at = _point(foot, home.storey_of(stair.lower).elevation)
         passable = all(ways.stairs[stair.id])
         length = away(stair.lower, stair.upper) if passable else None
@@ -203,11 +205,6 @@ def _point(at: np.ndarray, height: float) -> tuple[float, float, float]:
     return round(float(at[0]), 6), round(float(at[1]), 6), height
 
 
-def _half_run(stair: Any) -> float:
-    along = np.asarray(stair.outline) @ np.asarray(stair.up)
-    return float(np.ptp(along)) / 2
-
-
 def _area(outline: Any) -> float:
     import shapely
 
@@ -215,12 +212,15 @@ def _area(outline: Any) -> float:
 
 
 def _middle(ways: Ways, room_id: str) -> tuple[float, float, float] | None:
-    """The middle of the largest free disc of a room, of its largest region."""
+    """The middle of the largest free disc of a room: of the largest piece of its floor that is got to from the
+    entrance, or of all pieces where none is."""
     import shapely
 
     room = ways.home.room(room_id)
     outline = shapely.Polygon(room.outline)
-    parts = [shapely.intersection(part, outline) for part in ways.floors[room.storey].inside[room_id].values()]
+    inside, reached = ways.floors[room.storey].inside[room_id], ways.entered[1]
+    some = {k: part for k, part in inside.items() if (room.storey, k) in reached} or inside
+    parts = [shapely.intersection(part, outline) for part in some.values()]
     pieces = [piece for part in parts for piece in shapely.get_parts(part) if piece.geom_type == "Polygon"]
     if not pieces:
         return None

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from sceneweaver.home import Home
+from sceneweaver.home import Home, wall_polygons
 from sceneweaver.io import InputError, dump_yaml, write_atomic
 from sceneweaver.io.messages import is_number, show
 from sceneweaver.verify.home import RADIUS, Ways
@@ -136,7 +136,7 @@ def occupancy_map(
     found = home.storeys[0] if storey is None else home.storey(storey)
     ways = Ways.of(home, radius=radius) if ways is None else ways
     floor, rooms = ways.floors[found.id], home.rooms_of(found.id)
-    solid = [*home.wall_polygons(found.id), *(shapely.Polygon(room.outline) for room in rooms)]
+    solid = [*wall_polygons(home, found.id), *(shapely.Polygon(room.outline) for room in rooms)]
     bounds = np.array([shape.bounds for shape in solid])
     low = np.floor((bounds[:, :2].min(axis=0) - _MARGIN) / resolution) * resolution
     count = np.ceil((bounds[:, 2:].max(axis=0) + _MARGIN - low) / resolution).astype(int)

@@ -8,6 +8,7 @@ Arimoto, 1991). The polygons are the regions of `sceneweaver.verify.home`, so th
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -29,6 +30,7 @@ SLACK = 1e-6
 SNAP = 0.05
 """How far [m] a point that is asked for may be from the floor that the middle of the base can be on."""
 
+_SLIDE = 0.01  # [m] of a step along what is in the way: shorter than what is grown by the radius is thick
 _CHUNK = 256  # corners whose tangents to all others are looked at together
 
 
@@ -117,12 +119,11 @@ class Roadmap:
 
     def _stair_links(self) -> list[tuple[tuple[Array, int], tuple[Array, int], float]]:
         """Of each stair and pair of regions that it joins: the points at its ends, and the length between them [m]."""
-        import shapely
         from shapely.ops import nearest_points
 
         found = []
         for stair in self.home.stairs:
-            edges = [shapely.union_all(some) for some in stair_ends(stair)]
+            edges = stair_ends(stair)
             length = stair_length(self.home, stair)
             for below in sorted(self.ways.stairs[stair.id][0]):
                 for above in sorted(self.ways.stairs[stair.id][1]):
@@ -208,7 +209,34 @@ class Roadmap:
             given = np.array(nearest_points(self._region(best[1]), place)[0].coords[0])
         return given[:2], best[1]
 
-    def to(self, goals: Sequence[Sequence[float]] | Array, within: float = SNAP) -> Distances:
+    def slide(self, region: int, start: Array, target: Array) -> tuple[Array, bool]:
+        """Where the base gets [2] that goes straight from a place to another, and whether something is in the way.
+
+        Where something is, it goes in short steps, each to the place nearest to where it would have got, and so slides
+        along it.
+
+        Args:
+            region: number of the region, from `region`.
+            start, target: places [2] [m].
+        """
+        import shapely
+        from shapely.ops import nearest_points
+
+        shape, place = self._shapes[region], np.array(start, dtype=float)
+        way: Any = shapely.LineString([start, target])
+        if shapely.covers(shape, way):
+            return np.array(target, dtype=float), False
+        step = np.asarray(target, dtype=float) - place
+        count = max(1, math.ceil(float(np.linalg.norm(step)) / _SLIDE))
+        for _ in range(count):
+            beside = nearest_points(self._region(region), shapely.Point(place + step / count))[0]
+            following = np.array(beside.coords[0])
+            if np.linalg.norm(following - place) > 2 * _SLIDE:  # across what is in the way
+                break
+            place = following
+        return place, True
+
+    def to(self, goals: Sequence[Sequence[float] | Array] | Array, within: float = SNAP) -> Distances:
         """The shortest ways to the nearest of some points.
 
         Raises:

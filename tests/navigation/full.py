@@ -59,7 +59,7 @@ def seen_from_everywhere(region: Any, points: np.ndarray) -> Any:
     grown = region.buffer(1e-7, join_style="mitre")
     shapely.prepare(grown)
     i, j = np.triu_indices(len(nodes), 1)
-    lines = shapely.linestrings(np.stack([nodes[i], nodes[j]], axis=1))
+    lines: Any = shapely.linestrings(np.stack([nodes[i], nodes[j]], axis=1))
     seen = shapely.covers(grown, lines)
     graph = networkx.Graph()
     graph.add_weighted_edges_from(

@@ -107,7 +107,9 @@ def test_the_graph_has_rooms_doors_and_lengths():
     points = {room.id: room.point for room in graph.rooms}
     for joint in graph.joints:
         if joint.rooms[1] is not None:
-            path = roadmap.path(points[joint.rooms[0]], points[joint.rooms[1]])
+            here, there = (points[name] for name in joint.rooms if name is not None)
+            assert here is not None and there is not None
+            path = roadmap.path(here, there)
             assert path is not None and joint.length == pytest.approx(path.length, abs=1e-5)
     assert all(room.reached for room in graph.rooms)
     assert all(length > 0 for *_, length in graph.between_doors)

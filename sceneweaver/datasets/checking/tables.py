@@ -133,14 +133,14 @@ def gates_failed(row: Mapping[str, Any], spec: Spec) -> Iterator[str]:
     yield from failures(spec.gates, row.get)
 
 
-def check_schema(folder: Folder, found: Findings) -> bool:
+def check_schema(folder: Folder, table: str, found: Findings) -> bool:
     """The types of the columns of the index. Only those that all else needs have to be there: versions add some.
 
     Returns:
         Whether they are right, so that rows can be looked at.
     """
     there, before = {field.name: field.type for field in read_schema(folder.index)}, found.faults["index"]
-    for field in schema_of("index"):
+    for field in schema_of(table):
         if there.get(field.name, None if field.name in _NEEDED else field.type) != field.type:
             found.fault("index", folder.index.name, f"column {field.name} is {there.get(field.name)}, not {field.type}")
     return found.faults["index"] == before

@@ -182,7 +182,7 @@ def verify_dataset(
         work = layout_tasks(folder, spec, found, sample)
     else:
         with tables.guarded(found, "index", folder.index.name):
-            if tables.check_schema(folder, found):
+            if tables.check_schema(folder, spec.table, found):
                 tables.check_version(dataset, rows_of(folder, ["version"]), found)
                 tables.check_rows(rows_of(folder), spec, found, tables.asset_licences(folder, found))
                 tables.check_statistics(folder, rows_of(folder), found)

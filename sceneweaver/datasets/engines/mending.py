@@ -58,7 +58,7 @@ def missing(dataset: Dataset, shard: tuple[int, int] | None = None) -> list[int]
     """The blocks of a data set, or of a shard of the work, that are not made yet and are needed."""
     folder, (first, step) = dataset.folder, shard or (0, 1)
     if packing_began(folder):
-        found = needed(folder, dataset.requests) if dataset.spec.product == "scenes" else []
+        found = needed(folder, dataset.requests) if dataset.spec.product != "layouts" else []
         return [number for number in found if number % step == first]
     return [n for n in range(first, dataset.requests.blocks, step) if not folder.block(n).exists()]
 
@@ -144,7 +144,7 @@ class _Mender:
             self._say(folder.plan, f"{fault}; packing begins anew")
             start_over(folder)
             return
-        if self._dataset.spec.product != "scenes":
+        if self._dataset.spec.product == "layouts":
             return
         wanted = planned(folder)
         for path in _sorted(folder.data):
@@ -185,7 +185,7 @@ class _Mender:
     def sources(self) -> None:
         """Blocks which, made again, bring back files and records of assets that others need as well."""
         folder, spec = self._folder, self._dataset.spec
-        if spec.product != "scenes" or not folder.blocks.exists():
+        if spec.product == "layouts" or not folder.blocks.exists():
             return
         from ..store import AssetStore
         from ..store.scene_files import asset_rows
@@ -308,7 +308,7 @@ def _plan_of(dataset: Dataset, damaged: set[str]) -> dict[str, Entry] | None:
     Shards of layouts are not written one by one.
     """
     folder, known = dataset.folder, _known(dataset.folder)
-    tables = [folder.asset_table, folder.index] if dataset.spec.product == "scenes" else [folder.programs]
+    tables = [folder.programs] if dataset.spec.product == "layouts" else [folder.asset_table, folder.index]
     needed = [path.relative_to(folder.path).as_posix() for path in tables]
     if dataset.spec.product == "layouts":
         needed += [name for name in known if name.startswith("data/")]

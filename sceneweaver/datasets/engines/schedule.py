@@ -83,7 +83,7 @@ def _carry_out(
     start, folder, whole = time.time(), dataset.folder, dataset.folder.block(task.number)
 
     def watched(spec: Spec, requests: Sequence[Request], store: AssetStore, device: str = "auto") -> Iterator[Sample]:
-        for sample in (produce or usual())(spec, requests, store, device):
+        for sample in (produce or usual(spec))(spec, requests, store, device):
             alive()
             yield sample
 

@@ -150,7 +150,7 @@ def card(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Licence
     fields: dict[str, Any] = {
         "spec": spec,
         "numbers": numbers,
-        "product": "furnished scenes" if spec.product == "scenes" else "layouts",
+        "product": "furnished scenes" if spec.product == "scenes" else spec.product,
         "there": lambda pattern: bool(fnmatch.filter(found, pattern)),
         "licences": list(dict.fromkeys(one.name for one in used)),
         "version": sceneweaver.__version__,
@@ -166,7 +166,7 @@ def _front(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Licen
     one = names[0] if len(names) == 1 and names[0] in TEXTS else None
     mixed = {"license": "other", "license_name": "mixed", "license_link": "LICENSES.md"}
     licence = {"license": one.lower()} if one else mixed
-    suffix = "tar" if spec.product == "scenes" else "parquet"
+    suffix = "parquet" if spec.product == "layouts" else "tar"
     splits = [name for name in sorted(spec.splits) if any(folder.data.glob(f"{name}-*.{suffix}"))]
     data = [{"split": name, "path": f"data/{name}-*.{suffix}"} for name in splits]
     return {
@@ -177,7 +177,7 @@ def _front(folder: Folder, spec: Spec, numbers: dict[str, Any], used: list[Licen
         "tags": ["indoor scenes", "3d", "layout", "synthetic", "simulation", "sceneweaver"],
         "size_categories": [next((name for most, name in SIZES if _items(numbers) < most), "n>10M")],
         "configs": [{"config_name": "default", "data_files": data}] if data else [],
-        **({"dataset_info": _info(folder, splits, numbers)} if spec.product == "scenes" else {}),
+        **({"dataset_info": _info(folder, splits, numbers)} if spec.product != "layouts" else {}),
     }
 
 

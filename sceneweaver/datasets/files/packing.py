@@ -53,7 +53,7 @@ def write_plan(folder: Folder, requests: Requests) -> None:
         raise InputError(f"{folder.path}: block {missing[0]} of {len(blocks)} is missing; resume the data set")
     placed = _placed(requests.spec, blocks)
     with whole_folder(folder.plan) as draft:
-        write_table(draft / INDEX, _indexed(blocks, placed), schema_of("index"))
+        write_table(draft / INDEX, _indexed(blocks, placed), schema_of(requests.spec.table))
         write_table(draft / SECONDS_TABLE, seconds_rows(blocks), schema_of("seconds"))
         write_table(draft / ASSETS, _assets(folder, blocks), schema_of("assets"))
 
@@ -204,7 +204,7 @@ def _numbers(folder: Folder, spec: Spec) -> dict[str, Any]:
     """Statistics of the scenes; of layouts those of their programs, and how many layouts there are."""
     table = folder.table(spec.product)
     names = [name for name in read_schema(table).names if name not in LONG]
-    if spec.product == "scenes":
+    if spec.product != "layouts":
         return statistics(read_table(table, names))
     rows = ({**row, "room": row["program"]} for row in read_table(table, names))
     size = sum(path.stat().st_size for path in folder.data.glob("*.parquet"))

@@ -46,9 +46,9 @@ class Ways:
         for stair in home.stairs:
             ends = zip((stair.lower, stair.upper), stair_ends(stair), strict=True)
             joined = []
-            for room, edges in ends:
+            for room, edge in ends:
                 floor = floors[home.room(room).storey]
-                joined.append(frozenset((floor.storey, k) for k in floor.near(room, edges, radius + AT_STAIR)))
+                joined.append(frozenset((floor.storey, k) for k in floor.near(room, [edge], radius + AT_STAIR)))
             stairs[stair.id] = (joined[0], joined[1])
         return cls(home, made, floors, stairs)
 

@@ -15,7 +15,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from sceneweaver.home import Home, HomeDoor, HomeRoom, Stair
+from sceneweaver.home import Home, HomeDoor, HomeRoom, Stair, wall_openings
+from sceneweaver.home.treads import treads
 from sceneweaver.verify import walkable
 from sceneweaver.verify.solids import Placed
 
@@ -33,6 +34,9 @@ BEFORE = 0.3
 
 AT_STAIR = 0.1
 """How far [m] the edge of a base may be from the first or last step of a stair to get on it."""
+
+AGREED = 1e-3
+"""How far [m] parts of a home may be from where they meet: the home's grid."""
 
 _SEGMENTS = 16  # of a quarter of a circle
 _ARC = 1 - float(np.cos(np.pi / 4 / _SEGMENTS))
@@ -148,7 +152,7 @@ def floor_of(home: Home, storey: str, placed: Mapping[str, Placed], radius: floa
         beyond = _OVERLAP if doorway.door.to is not None else 2 * radius + BEFORE
         pieces.append(doorway.strip(-_OVERLAP, doorway.depth + beyond))
     in_the_way = [solid for room in rooms if room.id in placed for solid in obstacles(placed[room.id])]
-    in_the_way += [shapely.Polygon(stair.outline) for stair in stairs_on(home, storey)]
+    in_the_way += stair_plans(home, storey)
     ground = shapely.union_all(pieces, grid_size=_GRID)
     if in_the_way:
         ground = shapely.difference(ground, shapely.union_all(in_the_way, grid_size=_GRID), grid_size=_GRID)
@@ -172,7 +176,7 @@ def _inside(room: HomeRoom, doorways: Mapping[str, Doorway], regions: Sequence[P
 def doorways_of(home: Home, storey: str) -> dict[str, Doorway]:
     """The doorways of a storey by id of the door."""
     found = {}
-    for opening in home.openings(storey):
+    for opening in wall_openings(home, storey):
         if isinstance(opening.opening, HomeDoor):
             door = opening.opening
             wall = home.room(door.room).walls[door.wall]
@@ -188,30 +192,56 @@ def obstacles(placed: Placed) -> np.ndarray:
     return parts.polygons[rows]
 
 
-def stairs_on(home: Home, storey: str) -> list[Stair]:
-    """The stairs that begin or end on a storey, whose footprint is no floor there."""
-    return [s for s in home.stairs if storey in (home.room(s.lower).storey, home.room(s.upper).storey)]
-
-
-def stair_ends(stair: Stair) -> tuple[list[LineString], list[LineString]]:
-    """The edges of a stair's footprint at which it may be got on below, and left above.
-
-    Below it is the edge that lies against ``up``; above the opposite one of a straight stair, the same one of a stair
-    that turns back, and one at its side of a stair with a corner.
-    """
+def stair_plans(home: Home, storey: str) -> list[Polygon]:
+    """What stairs take of the floor of a storey: below, the treads that a base cannot pass under; above, all of them,
+    as they come up through a hole."""
     import shapely
 
-    corners = np.asarray(stair.outline, dtype=float)
-    steps = np.roll(corners, -1, axis=0) - corners
-    outward = np.stack([steps[:, 1], -steps[:, 0]], axis=1) / np.hypot(*steps.T)[:, None]
-    rise = outward @ np.asarray(stair.up)
-    edges = [shapely.LineString([a, a + step]) for a, step in zip(corners, steps, strict=True)]
-    below = [edge for edge, r in zip(edges, rise, strict=True) if r < -0.7]
-    above = {"straight": rise > 0.7, "u": rise < -0.7, "l": np.abs(rise) <= 0.7}[stair.shape]
-    return below, [edge for edge, there in zip(edges, above, strict=True) if there]
+    found = []
+    for stair in home.stairs:
+        rise = stair_rise(home, stair) / stair.risers
+        for tread in treads(stair):
+            low = storey == home.room(stair.lower).storey and (tread.number - 1) * rise < walkable.CLEARANCE
+            if low or storey == home.room(stair.upper).storey:
+                found.append(shapely.Polygon(tread.plan))
+    return found
+
+
+def stair_ends(stair: Stair) -> tuple[LineString, LineString]:
+    """The edges of a stair at which it is got on below, and left above: the near edge of its first tread, the far edge
+    of its last one."""
+    import shapely
+
+    steps = [tread.plan for tread in treads(stair)]
+    forward = np.asarray(stair.up, dtype=float)
+    edges = []
+    for step, way in ((steps[0], -forward), (steps[-1], _last_way(stair, steps))):
+        far = step @ way
+        edges.append(shapely.LineString(step[far > far.max() - AGREED]))
+    return edges[0], edges[1]
+
+
+def _last_way(stair: Stair, steps: Sequence[np.ndarray]) -> np.ndarray:
+    """The direction in which a stair is left: that from the tread before the last one to it."""
+    if stair.shape == "straight" or len(steps) < 2:
+        return np.asarray(stair.up, dtype=float)
+    step = steps[-1].mean(axis=0) - steps[-2].mean(axis=0)
+    length = float(np.hypot(*step))
+    axes = np.array([stair.up, (-stair.up[1], stair.up[0])])
+    along = axes @ step
+    return axes[int(np.abs(along).argmax())] * np.sign(along[np.abs(along).argmax()]) if length else -axes[0]
+
+
+def stair_rise(home: Home, stair: Stair) -> float:
+    """Height [m] between the floors that a stair joins."""
+    return home.storey_of(stair.upper).elevation - home.storey_of(stair.lower).elevation
 
 
 def stair_length(home: Home, stair: Stair) -> float:
-    """Length [m] of the way over a stair, along the slope of its steps."""
-    rise = home.storey_of(stair.upper).elevation - home.storey_of(stair.lower).elevation
-    return float(np.hypot((stair.risers - 1) * stair.going, rise))
+    """Length [m] of the way over the middles of a stair's treads, up and along."""
+    edges = stair_ends(stair)
+    middles = [np.asarray(edges[0].centroid.coords[0])]
+    middles += [tread.plan.mean(axis=0) for tread in treads(stair)]
+    middles.append(np.asarray(edges[1].centroid.coords[0]))
+    run = np.linalg.norm(np.diff(middles, axis=0), axis=1).sum()
+    return float(np.hypot(run, stair_rise(home, stair)))

@@ -10,20 +10,18 @@ from typing import Any
 import numpy as np
 
 from sceneweaver.geometry.hulls import convex_hull
-from sceneweaver.home import Home, HomeDoor, HomeRoom
+from sceneweaver.home import Home, HomeDoor, HomeRoom, wall_openings
 from sceneweaver.scene import Room
 from sceneweaver.verify import walkable
 from sceneweaver.verify.grid import padded
 from sceneweaver.verify.overlap import ZONE_AREA, ZONE_DEPTH, overlaps
 from sceneweaver.verify.solids import Placed, Prisms
 
+from .floors import AGREED
 from .reports import HomeViolation
 
 SAME = 1e-6
 """How far [m] a scene's room may differ from the home's: rounding, no more."""
-
-AGREED = 1e-3
-"""How far [m] the ends of an opening may be from the walls that it joins: the home's grid."""
 
 _ARC = 12  # corners of a quarter of a circle, along which a leaf turns
 
@@ -76,7 +74,7 @@ def openings(home: Home) -> Iterator[HomeViolation]:
     for storey in home.storeys:
         floors = {room.id: shapely.Polygon(room.outline) for room in home.rooms_of(storey.id) if not room.outdoor}
         outlines = {room.id: shapely.Polygon(room.outline).boundary for room in home.rooms_of(storey.id)}
-        for found in home.openings(storey.id):
+        for found in wall_openings(home, storey.id):
             opening, hole = found.opening, shapely.Polygon(found.corners)
             behind = opening.to if isinstance(opening, HomeDoor) else None
             wall = home.room(opening.room).walls[opening.wall]
@@ -103,7 +101,7 @@ def through_walls(home: Home, placed: Mapping[str, Placed]) -> Iterator[HomeViol
         places: list[tuple[str, tuple[str, ...], Any, float]] = [
             (room.id, (), shapely.Polygon(room.outline), storey.height) for room in here
         ]
-        for found in home.openings(storey.id):
+        for found in wall_openings(home, storey.id):
             if isinstance(door := found.opening, HomeDoor):
                 places.append((f"the opening of {door.id}", (door.id,), shapely.Polygon(found.corners), door.height))
         tree = shapely.STRtree([place[2] for place in places])

@@ -43,7 +43,7 @@ def turned(home: Home) -> Home:
 
 
 def mirrored(home: Home) -> Home:
-    """The home seen in a mirror along y."""
+    """The home seen in a mirror along y; stairs that turn go to their left in it as well."""
     return _mapped(home, lambda x, y: (-x, y), lambda yaw: math.pi - yaw, mirror=True)
 
 
@@ -91,7 +91,7 @@ def house(landing: float = 1.2, shape: str = "straight") -> Home:
         landing: free floor before the first step and behind the last one [m].
         shape: of the stair, straight or u.
     """
-    run = 14 * 0.25 if shape == "straight" else 7 * 0.25
+    run = 14 * 0.25 if shape == "straight" else 7 * 0.25 + 1.0
     wide = 1.0 if shape == "straight" else 2.0
     length = round(run + (2 if shape == "straight" else 1) * landing, 3)
     well = [[0.0, 0.0], [wide, 0.0], [wide, length], [0.0, length]]

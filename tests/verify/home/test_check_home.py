@@ -135,8 +135,7 @@ def test_a_door_narrower_than_the_base_is_blocked():
     assert check_home(home.with_changes(doors=tuple(doors))).access.blocked_doors == ("door-bath",)
 
 
-@pytest.mark.parametrize("seen", WAYS)
-@pytest.mark.parametrize("shape", ["straight", "u"])
+@pytest.mark.parametrize(("shape", "seen"), [*(("straight", seen) for seen in WAYS), ("u", WAYS[0]), ("u", turned)])
 def test_another_storey_is_reached_by_the_stair_and_not_on_wheels(shape, seen):
     report = check_home(seen(house(shape=shape)))
     assert report.valid and report.access.by_stairs == ("well-first", "room-first")
