@@ -99,9 +99,12 @@ def _parts(
     load, home = cache(library.load), result.home
     yield "plan", lambda: _plans(result, folder)
     for name in formats:
-        yield name, lambda name=name: [
-            path.relative_to(folder).as_posix() for path in export_home(home, folder, (name,), load).values()
-        ]
+        yield (
+            name,
+            lambda name=name: [
+                path.relative_to(folder).as_posix() for path in export_home(home, folder, (name,), load).values()
+            ],
+        )
     if pictures == "none":
         return
 
@@ -123,5 +126,3 @@ def _png(picture) -> bytes:
     content = io.BytesIO()
     picture.save(content, "PNG", dpi=picture.info.get("dpi", (160, 160)))
     return content.getvalue()
-
-

@@ -12,11 +12,11 @@ from pathlib import Path
 from typing import Any, get_args
 
 from sceneweaver.assets import Library
-from sceneweaver.export import formats_named
+from sceneweaver.export import format_named, formats_named
 from sceneweaver.export.formats import USUAL
 from sceneweaver.home import Home
-from sceneweaver.language.homes import HomeRequest, read_home
-from sceneweaver.language.homes.texts import room_requests as told_requests
+from sceneweaver.language.homes import HomeRequest, is_home, read_home
+from sceneweaver.language.homes import room_requests as told_requests
 from sceneweaver.plans import Envelope, PlanReport, Programme, check_plan, envelope_for
 from sceneweaver.runtime.deadline import Deadline, Stop
 from sceneweaver.runtime.options import PictureSet
@@ -110,6 +110,8 @@ def design_home(
     started = time.monotonic() if began is None else began
     wanted = _pictures(pictures)
     formats = formats_named(USUAL if export is None else export, homes=True)
+    for name in formats:
+        format_named(name).for_homes()  # says what homes are not written in
     if isinstance(time_limit, str) and time_limit != "auto":
         raise InputError(f"time_limit: {time_limit!r} is no time; give seconds, None or 'auto'")
     seconds = TIME if isinstance(time_limit, str) else time_limit
@@ -128,6 +130,17 @@ def design_home(
             return result
         done = deliver(result, folder.path, library or Library(), device, wanted, formats, limit)
         return replace(done, out=folder.path, seconds=_total(done.seconds, started))
+
+
+def asks_for_home(prompt: str) -> bool:
+    """Whether a request is for a whole home, practice or office, and not for one room.
+
+    Examples:
+        >>> from sceneweaver.furnish import asks_for_home
+        >>> asks_for_home("a two-bedroom flat"), asks_for_home("a bedroom with a desk")
+        (True, False)
+    """
+    return is_home(prompt)
 
 
 def _pictures(value: PictureSet | bool) -> PictureSet:
@@ -212,7 +225,7 @@ class _Run:
             had = self.folder.begin(self._key)
             home = self.folder.plan() if had else None
             if home is not None:
-                first, self.log = int(had["round"]), list(had["log"] or ())
+                first, self.log = int(had["round"]), [str(line) for line in had["log"] or ()]
                 programme = Programme.loads(str(had["asked"]))
                 self._say("went on from the plan of the run that was cut off")
         if home is None:
@@ -345,7 +358,9 @@ class _Run:
 
     def _room_said(self, room: FurnishedRoom) -> None:
         grade = f"grade {room.review.total:.1f}" if room.review is not None else "failed"
-        wrong = "; ".join([*room.unmet, *(f"no {what}" for what in room.lacking), *([room.failed] if room.failed else [])])
+        wrong = "; ".join(
+            [*room.unmet, *(f"no {what}" for what in room.lacking), *([room.failed] if room.failed else [])]
+        )
         objects = len(room.scene.objects) if room.scene is not None else 0
         self._say(f"{room.room_id}: {objects} objects, {grade}" + (f"; {wrong}" if wrong else ""))
 

@@ -101,7 +101,7 @@ def furnish_home(
 
     Args:
         home: the plan. Rooms that are furnished already are furnished anew.
-        requests: by id of a room, what it is to hold, in words; the other rooms are furnished as such rooms usually are,
+        requests: by id of a room, what it is to hold, in words; the others are furnished as such rooms usually are,
             so that the home as a whole lacks nothing, see `room_requests`.
         seed: equal seeds give equal homes.
         seeds: by id, seeds of rooms that differ from those that follow from ``seed``.

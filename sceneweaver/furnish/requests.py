@@ -14,7 +14,6 @@ from sceneweaver.assets.roles import has_role
 from sceneweaver.geometry.polygons import signed_area
 from sceneweaver.home import Home, HomeRoom
 from sceneweaver.language import read_request
-
 from sceneweaver.plans.room_types import room_types
 
 from .kinds import kind_of
