@@ -130,6 +130,11 @@ class RoomFacts:
         return Region.of_outline(self.outline)
 
     @cached_property
+    def rectangles(self) -> list[tuple[int, int]]:
+        """(width, depth) of the rectangles along the axes that fit and grow no further [mm]."""
+        return self.region.largest_rectangles()
+
+    @cached_property
     def area(self) -> Fraction:
         """[m2]"""
         return Fraction(doubled_area(self.outline), 2_000_000)
