@@ -132,7 +132,7 @@ def test_with_a_programme_an_annex_lies_behind_its_own_room():
     assert said == ["store: the way to it crosses shower, which is no way; give it a door to a hall"]
 
 
-def programme_of(*pairs: tuple[str, str], **changes: Any) -> Programme:
+def programme_of(*pairs: tuple[str, ...], **changes: Any) -> Programme:
     """The programme of the house."""
     storeys = {"ground": 0, "upper": 1}
     nodes = {
