@@ -11,8 +11,8 @@ import shapely
 
 from sceneweaver.assets.body import Material, Mesh
 from sceneweaver.geometry.walls import walls_of
-from sceneweaver.home import Home, HomeDoor, HomeRoom, HomeWindow, WallOpening, wall_openings, wall_polygons
-from sceneweaver.scene import Door, Room, Scene, Window
+from sceneweaver.home import Home, HomeDoor, HomeRoom, HomeWindow, wall_openings, wall_polygons
+from sceneweaver.scene import Room, Scene, Window
 
 from ..blocks import Builder, Finishes, Range, wall_block
 from ..interior.build import has_panelled_doors
@@ -50,9 +50,7 @@ def indoors(home: Home, storey: str) -> list[HomeRoom]:
 
 def is_glazed(home: Home, door: HomeDoor) -> bool:
     """Whether a door is of glass: one that slides, to the outside."""
-    return door.kind == "sliding" and (
-        door.to is None or home.room(door.to).outdoor or home.room(door.room).outdoor
-    )
+    return door.kind == "sliding" and (door.to is None or home.room(door.to).outdoor or home.room(door.room).outdoor)
 
 
 def glass_of(home: Home, room: HomeRoom) -> list[Window]:
@@ -161,7 +159,11 @@ def ceiling_mesh(home: Home, room: HomeRoom, look: Finishes) -> Mesh | None:
 
 
 def doors_of(
-    home: Home, storey: str, looks: Mapping[str, Finishes], ajar: Callable[[HomeDoor], float | None], top: float = np.inf
+    home: Home,
+    storey: str,
+    looks: Mapping[str, Finishes],
+    ajar: Callable[[HomeDoor], float | None],
+    top: float = np.inf,
 ) -> Iterator[tuple[str, Mesh]]:
     """The doors of a storey by id, with their frames.
 
@@ -257,7 +259,13 @@ def ground_mesh(home: Home, storey: str, look: Material) -> Mesh | None:
     builder = Builder()
     holes = [shapely.Polygon(s.outline) for s in home.stairs if home.room(s.upper).storey == storey]
     reach = 500.0
-    extrude(builder, shapely.box(-reach, -reach, reach, reach).difference(shapely.union_all(holes)), (-9.0, -0.051), look, look)
+    extrude(
+        builder,
+        shapely.box(-reach, -reach, reach, reach).difference(shapely.union_all(holes)),
+        (-9.0, -0.051),
+        look,
+        look,
+    )
     return builder.mesh()
 
 
@@ -309,11 +317,11 @@ def around(home: Home, storey: str) -> Room:
             near = [w for w in walls if w.outward[0] * wall.outward[0] + w.outward[1] * wall.outward[1] > 0.9]
             if near:
                 best = min(near, key=lambda w: abs(w.coordinates((x, y))[1]))
-                seen.setdefault(best.index, Window(id=window.id, wall=best.index, offset=0.0, width=0.1, sill=1, height=1))
+                seen.setdefault(
+                    best.index, Window(id=window.id, wall=best.index, offset=0.0, width=0.1, sill=1, height=1)
+                )
     light = next((r.scene.room.light for r in rooms if r.scene is not None and r.scene.room.light), None)
     height = home.storey(storey).height
     return Room.model_construct(
         type="home", outline=outline, height=height, doors=(), windows=tuple(seen.values()), finish=None, light=light
     )
-
-
