@@ -22,6 +22,9 @@ class RoomAsked:
         wishes: what it is to have besides, in the words of the request.
         unwanted: things that it is not to have.
         size: "big", "small" or "" for a usual one.
+        area: (least, most) [m2] as it was said; None where it was not.
+        storey: on which it was said to be, 0 the ground floor; None where it was not.
+        daylight: whether it was said to have windows; None where it was not.
         assumed: whether the request does not name it.
         span: where the request names it.
     """
@@ -33,6 +36,9 @@ class RoomAsked:
     wishes: tuple[str, ...] = ()
     unwanted: tuple[str, ...] = ()
     size: str = ""
+    area: tuple[float, float] | None = None
+    storey: int | None = None
+    daylight: bool | None = None
     assumed: bool = False
     span: Span | None = None
 
@@ -56,6 +62,23 @@ class JointAsked:
     kind: Literal["door", "open", "near", "apart"]
     words: str
     place: str = ""
+
+
+@dataclass(frozen=True)
+class HomeDemand:
+    """Something that a request asks for, as measured in a finished home.
+
+    Attributes:
+        kind: count, area, room_area, joint, storeys, storey, profile, envelope, light, excluded, thing.
+        words: what is asked for.
+        status: whether it is so.
+        detail: the numbers.
+    """
+
+    kind: str
+    words: str
+    status: Literal["met", "partly", "not met"]
+    detail: str
 
 
 @dataclass(frozen=True)

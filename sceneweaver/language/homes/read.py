@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 from sceneweaver.language.model import Span, Unread
@@ -43,7 +44,6 @@ def read_home(request: str) -> HomeRequest:
     """
     reading, said = read_parts(request)
     rooms = resolve(reading)
-    _persons_storeys(reading, rooms)
     assumed = add_needed(reading, rooms)
     count, placed = storeys_of(reading, rooms)
     assumed += place_rooms(reading, rooms, count, placed)
@@ -52,7 +52,7 @@ def read_home(request: str) -> HomeRequest:
     entrance = entrance_of(reading, rooms, placed)
     adjacencies, joints = joined(reading, rooms, entrance, notes)
     programme = programme_of(reading, rooms, count, placed, entrance, adjacencies)
-    own = _asked(reading, rooms)
+    own = _asked(reading, rooms, placed)
     counts: dict[str, int] = {}
     for room in rooms:
         if not room.assumed:
@@ -109,11 +109,7 @@ def read_parts(request: str, use: Use | None = None) -> tuple[Reading, Spoken]:
     return reading, said
 
 
-def _persons_storeys(reading: Reading, rooms: list[Room]) -> None:
-    """ "Grandad sleeps downstairs": his bedroom is there."""
-
-
-def _asked(reading: Reading, rooms: list[Room]) -> list[RoomAsked]:
+def _asked(reading: Reading, rooms: list[Room], placed: Mapping[str, int | None]) -> list[RoomAsked]:
     """What each room's own request is to say; things in no room that is named go where such things are."""
     own: dict[str, RoomAsked] = {}
     for room in rooms:
@@ -126,6 +122,9 @@ def _asked(reading: Reading, rooms: list[Room]) -> list[RoomAsked]:
             looks=tuple(dict.fromkeys(word for one in named for word in one.looks)),
             wishes=tuple(dict.fromkeys(words for one in named for words in one.wishes)),
             size="" if size is None or size == 1 else "big" if size > 1 else "small",
+            area=next((one.area for one in named if one.area is not None), None),
+            storey=placed.get(room.id) if room.storey else None,
+            daylight=next((one.daylight for one in named if one.daylight is not None), None),
             assumed=not named,
             span=named[0].span if named else None,
         )
