@@ -29,6 +29,11 @@ def _sentence(reading: Reading, sentence: range) -> None:
     names = [one for one in reading.named if one.at in sentence]
     for at in sentence:
         token = tokens[at]
+        if at == reading.use_at and not work and at + 2 < len(tokens) and tokens[at + 1].text in ("of", "for") and tokens[at + 2].number:
+            after = tokens[at + 3] if at + 3 < len(tokens) else None
+            if (after is None or after.breaks) and (tokens[at + 2].number or 0) > 1:  # "a house share of five"
+                reading.household = tokens[at + 2].number
+                reading.did(at + 2, "people")
         depth += (token.text == "(") - (token.text == ")")
         if token.done:
             continue
@@ -122,7 +127,7 @@ def _people_before(reading: Reading, at: int, who: Token | None) -> int | None:
         number = _count(tokens, k)
         if number is not None and number > 1:
             return number
-    return None
+    return None if who is not None else reading.household
 
 
 def _people_nearer(reading: Reading, at: int, pronoun: Named) -> bool:
@@ -151,8 +156,13 @@ def _gets_a_room(reading: Reading, at: int, sentence: range) -> bool:
         return False
     if "us" in said and "of" in said:
         return True
-    if before is not None and before.has("we", "person") or tokens[at].text in ("everyone", "everybody"):
-        return bool(said & {"room", "rooms", "bedroom", "door", "space", "own bedroom"})
+    after = tokens[at + 1] if at + 1 < len(tokens) else None
+    if before is not None and before.has("we", "person") or tokens[at].text in ("everyone", "everybody") or after is not None and after.has("person"):
+        end = next((k for k in range(at, min(at + 8, sentence.stop)) if tokens[k].text in ("room", "bedroom", "door", "rooms", "space")), None)
+        if end is not None and not any(one.first <= end <= one.last and one.told == "article" for one in reading.named):
+            for k in range(at, end + 1):
+                reading.did(k, "people")
+            return True
     return False
 
 
@@ -202,7 +212,8 @@ def _workers(reading: Reading, at: int) -> None:
 
 def _lives(reading: Reading, at: int, sentence: range, depth: int) -> None:
     tokens, token = reading.tokens, reading.tokens[at]
-    if token.text.endswith(("'s", "s'")) or at and tokens[at - 1].text in ("each", "every"):
+    of_use = at + 1 < len(tokens) and at + 1 == reading.use_at
+    if token.text.endswith(("'s", "s'")) and not of_use or at and tokens[at - 1].text in ("each", "every"):
         return
     count = _count(tokens, at)
     if token.has("visitors") and _visits(reading, at, sentence):
@@ -222,7 +233,8 @@ def _lives(reading: Reading, at: int, sentence: range, depth: int) -> None:
     role = token.get("person")
     if role is None:
         return
-    if depth:
+    if depth and reading.household is None:
+        reading.did(at, "people")
         return
     if token.text == "single":
         reading.did(at, "people")

@@ -52,7 +52,7 @@ def _pronouns(reading: Reading) -> None:
                 if not of_them and tokens[k - 1].text not in (",", ":", "and", "("):
                     continue
                 _refer(reading, whole, k, int(count), k + 1 if of_them else k)
-            elif token.text in _PER_EACH and after is not None and (after.text in ("with", "has", "have", "gets", "has its own", ",") or after.has("joint") or after.has("room")):
+            elif token.text in _PER_EACH and after is not None and (after.text in ("with", "has", "have", "gets", "has its own", ",") or after.has("joint", "room", "area")):
                 _refer(reading, whole, k, None, k)
     reading.named.sort(key=lambda one: one.at)
 
@@ -77,7 +77,7 @@ def _joint(reading: Reading, names: dict[int, Named], sentence: range, at: int, 
     """A word for what rooms are to each other, with the rooms on both of its sides."""
     tokens, token = reading.tokens, reading.tokens[at]
     left = _before(names, at)
-    if left is None:
+    if left is None or _something_between(reading, left, at):
         return
     if kind in ("opposite_ends", "together"):
         _alone(reading, names, at, kind, left)
@@ -101,18 +101,33 @@ def _joint(reading: Reading, names: dict[int, Named], sentence: range, at: int, 
         _to_pronoun(reading, names, at, left, kind)
 
 
+def _something_between(reading: Reading, left: Named, at: int) -> bool:
+    """Whether something else stands between rooms and a word of place, which is said of that: "a garage, garden access
+    from the living room"; or a side of the compass: "west facing"."""
+    gap = reading.tokens[left.last + 1 : at]
+    if gap and gap[-1].text in ("north", "south", "east", "west"):
+        return True
+    breaks = [k for k, token in enumerate(gap) if token.breaks]
+    return bool(breaks) and any(not t.kinds or t.has("place") for t in gap[breaks[-1] + 1 :])
+
+
 def _alone(reading: Reading, names: dict[int, Named], at: int, kind: str, left: Named) -> None:
     """ "Kitchen and living room in one", "two bedrooms at opposite ends"."""
     token = reading.tokens[at]
-    others = [one for k, one in sorted(names.items()) if one.at < left.at and one.of is None and left.first - one.last <= 2]
+    others: list[Named] = []
+    for one in sorted(names.values(), key=lambda n: -n.at):  # the list that ends with the last room
+        if one.at < left.at and one.of is None and (others[-1] if others else left).first - one.last <= 2:
+            others.append(one)
+    others.reverse()
     if kind == "together":
         after = _after(names, at)
-        pair = (others[-1], left) if others else None
+        pair: tuple[Named, Named] | None = None
         if pair is None and after is not None and after.first - at <= 2:
             follows = [one for k, one in sorted(names.items()) if k > after.at and one.first - after.last <= 2]
             pair = (after, follows[0]) if follows else None
-        if pair is not None:
-            reading.joints.append(Joint(pair[0], pair[1], "open", token.span))
+        chain = [*others, left] if others else list(pair or ())
+        for one, two in zip(chain, chain[1:], strict=False):
+            reading.joints.append(Joint(one, two, "open", token.span))
             reading.did(at, "joint")
         return
     reading.joints.append(Joint(left, left, "apart", token.span) if not others or left.count != 1 else Joint(others[-1], left, "apart", token.span))

@@ -142,8 +142,11 @@ def known(phrase: str) -> tuple[Mapping[str, Any], bool] | None:
             return kept, True
     if " " in phrase and _single(last) in data("words")["room_heads"]:
         kind = room_words().get(f"{head} {_single(last)}".strip())
-        if kind is not None:
+        if kind is not None and kind not in room_kinds():
             return {"known_room": kind}, single != last
+    owner = phrase.removesuffix("'s").removesuffix("s'")
+    if owner != phrase and "person" in table.get(owner, {}):
+        return {"person": table[owner]["person"]}, False
     return None
 
 

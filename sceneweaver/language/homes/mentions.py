@@ -38,6 +38,16 @@ def read_mentions(reading: Reading) -> None:
             reading.named.append(_named(reading, at, kind))
         elif token.text in ("sleeps", "sleep") and (sleeper := _sleeper(reading, at)) is not None:
             reading.named.append(sleeper)
+    _en_suites(reading)
+
+
+def _en_suites(reading: Reading) -> None:
+    """ "Four en-suite bedrooms": the number is that of the bedrooms."""
+    for one, two in zip(reading.named, reading.named[1:], strict=False):
+        if one.kind.name == "ensuite" and two.first == one.last + 1 and two.kind.name in ("bedroom", "master_bedroom", "guest_room"):
+            two.count, two.told = (one.count, one.told) if one.told else (two.count, two.told)
+            two.size = two.size or one.size
+            one.count, one.told, one.size = 1, "", None
 
 
 def _total(reading: Reading, at: int) -> Named | None:
@@ -49,6 +59,9 @@ def _total(reading: Reading, at: int) -> Named | None:
     after = tokens[at + 1] if at + 1 < len(tokens) else None
     glued = tokens[at - 1].glued
     leads = after is not None and (after.has("use") or after.get("number") is not None or after.text in ("place", "unit"))
+    behind = tokens[at + 2] if at + 2 < len(tokens) else None
+    if after is not None and after.text in ("+", "and", "&", "/", ",") and behind is not None and (at < 2 or tokens[at - 2].breaks):
+        leads = leads or token.text in _BEDS and (behind.text in ("bath", "baths") or behind.get("number") is not None)
     short = token.text in _BEDS and (leads or glued and not (after is not None and is_thing(after)))
     compound = token.text in ("bedroom", "bedrooms") and (leads or glued)
     rooms = token.text in ("room", "rooms", "roomed") and (leads or glued) and not token.plural
@@ -92,12 +105,14 @@ def _kind(reading: Reading, at: int) -> RoomKind | None:
         return None  # "kitchen table", "bathroom door"
     if after is not None and after.text in ("door", "doors", "wall", "window", "windows", "furniture") and not after.breaks:
         return None
-    if single in _LISTED and meant is None and not (after is None or after.breaks or after.text in _BEHIND_LIST):
+    if single in _LISTED and meant is None and not (after is None or after.breaks or after.has("joint") or after.text in _BEHIND_LIST):
         return None
     if single in _ONLY_COUNTED and not _may_be(tokens, at, single):
         return None
     if single == "room" and at and not tokens[at - 1].kinds and _unknown_room(tokens, at):
         words = _words_before(tokens, at)
+        if use.plan in ("flat", "house") and "noun" not in vocabulary().get(words[-1] if words else "", {}):
+            return room_kinds()[meant or "bedroom"]  # "a lockable room"
         base = room_kinds()[meant or "bedroom"] if use.plan not in ("flat", "house") else room_kinds()["hobby_room"]
         return RoomKind(base.name, base.type, " ".join([*words, "room"]), base.counts_as)
     if meant is not None:
@@ -117,6 +132,8 @@ def _may_be(tokens: Sequence[Token], at: int, single: str) -> bool:
         told = before is not None and (before.get("number") is not None or not before.kinds or before.has("own", "soft", "size"))
         in_one = before is not None and before.text in ("one", "single", "same") and at > 1 and tokens[at - 2].text in ("in", "same")
         return (tokens[at].plural or own or told) and not in_one
+    if single == "hall" and before is not None:
+        return before.breaks or before.number is not None or before.has("function", "own", "size", "soft")
     if single in ("double", "chair", "desk", "hot desk", "shower"):
         return tokens[at].plural or (single == "double" and counted)
     return True
@@ -153,8 +170,10 @@ def _named(reading: Reading, at: int, kind: RoomKind) -> Named:
     tokens = reading.tokens
     token = tokens[at]
     said = _singular(token)
-    noun = said if said in room_words() or said.endswith(f" {kind.noun}") else kind.noun
+    double = said.split()[0] in ("double", "single", "twin") and said.endswith(f" {kind.noun}")
+    noun = said if said in room_words() or double else kind.noun
     found = Named(kind, at, at, at, token.span, noun=noun)
+    found.said = said
     if kind.noun.endswith(" room") and said == "room":
         found.first = at - len(kind.noun.split()) + 1
     _left(reading, found)
@@ -163,6 +182,9 @@ def _named(reading: Reading, at: int, kind: RoomKind) -> Named:
     found.span = _over(first, last)
     if found.told == "" and not token.plural:
         found.count = 1
+    if said in ("desk", "hot desk"):  # places to work in one room
+        reading.workers = found.count or reading.workers
+        found.count, found.told = 1, ""
     for k in range(found.first, found.last + 1):
         reading.did(k, "rooms")
     return found
@@ -195,6 +217,7 @@ def _left(reading: Reading, found: Named) -> None:
         elif token.text in ("each", "both", "every", "all"):
             found.all = True
         elif token.has("own", "soft"):
+            found.open = found.open or token.text == "open"
             if token.text in ("several", "many", "few"):
                 found.count = None
         elif token.has("person", "visitors", "staff", "me", "we") or token.text in ("guest", "staff"):
@@ -235,6 +258,9 @@ def _right(reading: Reading, found: Named) -> None:
                 found.area = (found.area[0], round(found.area[1] * 1.35, 1))
             elif most:
                 found.area = (round(found.area[0] * 0.75, 1), found.area[1])
+        elif token.text == "(" and k + 2 < len(tokens) and tokens[k + 1].number and tokens[k + 2].text == ")" and not found.told:
+            found.count, found.told, found.last = tokens[k + 1].number, "number", k + 2
+            break
         elif seen and token.text in ("each", ")", "per"):
             found.last = k
         elif seen or not (token.text in ("of", "about", "around", "(", "approx", "roughly", "ca", "circa", "with", "each", "some", "is", "only")

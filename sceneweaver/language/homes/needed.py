@@ -51,7 +51,7 @@ def _instead(name: str, rooms: list[Room], barred: set[str]) -> bool:
 
 
 def _bedrooms(reading: Reading, rooms: list[Room]) -> list[str]:
-    own = [room for room in rooms if bedroomlike(room.kind) and room.kind.name not in ("guest_room", "carers_room")]
+    own = [room for room in rooms if bedroomlike(room.kind) and room.kind.name != "guest_room"]
     if any(room.type in ("dormitory", "studio_apartment", "ward") for room in rooms) or reading.use.name in ("hostel",):
         return []
     generic = [one for one in reading.named if one.of is None and bedroomlike(one.kind) and one.told in ("number", "total")

@@ -22,8 +22,9 @@ class Named:
         definite: whether it is "the" or somebody's, so that it may have been named before; all: whether it is every one.
         of: the rooms that it refers to some of.
         per: the rooms of which each one has its own; times: the people of whom each one has.
-        size: factor on the usual area, area: (least, most) [m2] of each.
+        open: whether it is an open one; size: factor on the usual area, area: (least, most) [m2] of each.
         storey: "ground", "upper" ... as it was said.
+        noun: what its own request calls it, said: as it stands in the singular.
         wishes: what its own request says besides, in words; unwanted: what it is not to have.
     """
 
@@ -42,12 +43,14 @@ class Named:
     size: float | None = None
     area: tuple[float, float] | None = None
     equal: bool = False
+    open: bool = False
     storey: str | None = None
     accessible: bool = False
     daylight: bool | None = None
     looks: list[str] = field(default_factory=list[str])
     wishes: list[str] = field(default_factory=list[str])
     noun: str = ""
+    said: str = ""
     barred: bool = False
     ids: list[str] = field(default_factory=list[str])
 

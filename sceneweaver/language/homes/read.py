@@ -19,7 +19,7 @@ from .lexicon import Use, uses
 from .mentions import read_mentions
 from .model import HomeRequest, RoomAsked, Understood
 from .needed import add_needed
-from .parts import Named, Reading
+from .parts import Joint, Named, Reading
 from .resolve import Room, resolve
 from .site import read_site
 from .tokens import Spoken, spoken
@@ -50,6 +50,7 @@ def read_home(request: str) -> HomeRequest:
     notes = list(dict.fromkeys(reading.notes))
     notes += set_areas(reading, rooms)
     entrance = entrance_of(reading, rooms, placed)
+    _open_kitchen(reading, rooms)
     adjacencies, joints = joined(reading, rooms, entrance, notes)
     programme = programme_of(reading, rooms, count, placed, entrance, adjacencies)
     own = _asked(reading, rooms, placed)
@@ -107,6 +108,20 @@ def read_parts(request: str, use: Use | None = None) -> tuple[Reading, Spoken]:
     read_people(reading)
     read_wishes(reading)
     return reading, said
+
+
+def _open_kitchen(reading: Reading, rooms: list[Room]) -> None:
+    """An open kitchen is open to the room where people live, where nothing else is said of it."""
+    living = next((room for room in rooms if room.type in ("living_room", "living_dining", "dining_room")), None)
+    for one in reading.named:
+        if not one.open or living is None or not one.ids or one.kind.type not in ("kitchen", "kitchen_diner"):
+            continue
+        if any(one in (joint.a, joint.b) and joint.kind == "open" for joint in reading.joints):
+            continue
+        there = next((n for n in reading.named if living.id in n.ids), None)
+        if there is None:
+            there = Named(living.kind, -1, -1, -1, one.span, 1, ids=[living.id])
+        reading.joints.append(Joint(one, there, "open", one.span))
 
 
 def _asked(reading: Reading, rooms: list[Room], placed: Mapping[str, int | None]) -> list[RoomAsked]:

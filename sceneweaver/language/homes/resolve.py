@@ -99,7 +99,8 @@ def _same(reading: Reading) -> None:
 def _means(one: Named, other: Named) -> bool:
     """Whether a name without a number may mean rooms that were named: "the kitchen" a dining kitchen."""
     if one.kind.name == other.kind.name:
-        return one.kind.noun == other.kind.noun
+        own = not bedroomlike(one.kind) and len(one.said.split()) > 1 and len(other.said.split()) > 1
+        return one.kind.noun == other.kind.noun and (one.said == other.said or not own or one.definite)
     return one.kind.name in other.kind.counts_as and not (one.kind.name == "bathroom" and not one.definite)
 
 

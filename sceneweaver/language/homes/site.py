@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from .parts import Reading
 
+SMALLEST = 14.0
+"""Least floor of a home [m2]."""
+
 
 def read_site(reading: Reading) -> None:
     """Reads area, sides, shape and light of a home, and whether the accessible profile is asked for."""
@@ -42,11 +45,13 @@ def _area(reading: Reading, at: int) -> None:
     """The area of the home, where no room is right beside it."""
     token = reading.tokens[at]
     low, high = token.get("area")
-    before = next((one for one in reversed(reading.named) if one.of is None and one.last < at), None)
-    if before is not None and before.area is None and 0 < at - before.last <= 4 and not any(
+    before = next((one for one in reversed(reading.named) if one.last < at), None)
+    if before is not None and before.root.area is None and 0 < at - before.last <= 4 and not any(
         t.breaks for t in reading.tokens[before.last + 1 : at]
     ):
-        before.area = (low, high)
+        before.root.area = (low, high)
+    elif high < SMALLEST and reading.named:
+        return  # no home is as small
     else:
         reading.area = (low, high)
         reading.rows.append((token.span, "area", f"{(low + high) / 2:g} m2 in all"))

@@ -91,6 +91,8 @@ def _is_modifier(tokens: Sequence[Token], at: int) -> bool:
         return False
     if tokens[at].text == "flat" and not after.kinds:
         return True
+    if after.text in data("words")["buildings"] and not tokens[at].get("use")[1]:
+        return False
     k = at + 1
     while k < len(tokens) and k < at + 4 and not tokens[k].kinds:
         k += 1
