@@ -211,9 +211,7 @@ def _capitals(text: str, origin: Sequence[int], request: str) -> tuple[frozenset
     return frozenset(found), frozenset(small)
 
 
-def _spaced(
-    text: str, language: str, table: Tables, names: frozenset[int], small: frozenset[int]
-) -> list[Told]:
+def _spaced(text: str, language: str, table: Tables, names: frozenset[int], small: frozenset[int]) -> list[Told]:
     """The words of a language that sets them apart, the longest known phrases first; those at ``names`` are nouns, and
     those at ``small`` none."""
     found = list(_WORD.finditer(text))

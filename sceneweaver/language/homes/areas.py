@@ -80,7 +80,11 @@ def _fitted(reading: Reading, rooms: list[Room], free: list[Room]) -> list[str]:
             continue
         least, target, most = room.area
         new = round(target * factor, 1)
-        room.area = (round(min(least, new * SPREAD[0]) if factor < 1 else min(new * SPREAD[0], new), 1), new, round(max(new * SPREAD[1], new + 1), 1))
+        room.area = (
+            round(min(least, new * SPREAD[0]) if factor < 1 else min(new * SPREAD[0], new), 1),
+            new,
+            round(max(new * SPREAD[1], new + 1), 1),
+        )
     total = fixed + sum(room.area[1] for room in open_ if room.area)
     if abs(total - asked) > 0.06 * asked:
         return [f"{asked:g} m2 do not fit {len(indoors)} rooms of usual size: they have {total:.0f} m2 together"]

@@ -45,7 +45,11 @@ def demands(request: HomeRequest, home: Home) -> list[HomeDemand]:
     return [
         *_counts(request, measured),
         *_areas(request, measured),
-        *(_joint(joint, request, measured) for joint in request.joints if joint.b or joint.place in ("entrance", "street")),
+        *(
+            _joint(joint, request, measured)
+            for joint in request.joints
+            if joint.b or joint.place in ("entrance", "street")
+        ),
         *_storeys(request, measured),
         *_profile(request, measured),
         *_envelope(request, measured),
@@ -66,7 +70,7 @@ def _counts(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand
     for group, count in asked.items():
         have = sum(_group(room.type) == group for room in measured.home.rooms)
         name = {"sleeping": "to sleep in", "bathing": "to bathe in"}.get(group, group.replace("_", " "))
-        yield HomeDemand("count", f"{count} {name}", _status(have == count, 0 < have), f"{have} of {count}")
+        yield HomeDemand("count", f"{count} {name}", _status(have == count, have > 0), f"{have} of {count}")
 
 
 def _group(type_: str) -> str:
@@ -82,7 +86,9 @@ def _group(type_: str) -> str:
 def _areas(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand]:
     if request.area is not None:
         off = abs(measured.total - request.area) / request.area
-        yield HomeDemand("area", f"{request.area:g} m2 in all", _status(off <= CLOSE, off <= FAR), f"{measured.total:.1f} m2")
+        yield HomeDemand(
+            "area", f"{request.area:g} m2 in all", _status(off <= CLOSE, off <= FAR), f"{measured.total:.1f} m2"
+        )
     for room in request.rooms:
         there = _place(room.id, request, measured)
         if there is None or there.type not in room_types():
@@ -94,11 +100,18 @@ def _areas(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand]
             low, high = room.area
             met = low * (1 - CLOSE) <= area <= high * (1 + CLOSE)
             text = f"{room.id}: {low:g} m2" if low == high else f"{room.id}: {low:g} to {high:g} m2"
-            yield HomeDemand("room_area", text, _status(met, low * (1 - FAR) <= area <= high * (1 + FAR)), f"{area:.1f} m2")
+            yield HomeDemand(
+                "room_area", text, _status(met, low * (1 - FAR) <= area <= high * (1 + FAR)), f"{area:.1f} m2"
+            )
         elif room.size:
             usual = room_types()[there.type].area[1]
             more = area / usual if room.size == "big" else usual / area
-            yield HomeDemand("room_area", f"{room.id}: {room.size}", _status(more >= 1.15, more >= 1.0), f"{area:.1f} m2, usual are {usual:g}")
+            yield HomeDemand(
+                "room_area",
+                f"{room.id}: {room.size}",
+                _status(more >= 1.15, more >= 1.0),
+                f"{area:.1f} m2, usual are {usual:g}",
+            )
 
 
 def _place(name: str, request: HomeRequest, measured: MeasuredHome) -> HomeRoom | None:
@@ -123,13 +136,13 @@ def _joint(joint: JointAsked, request: HomeRequest, measured: MeasuredHome) -> H
     found = [_best_pair(joint.kind, a, b, request, measured) for a, b in pairs]
     met, near = sum(f[0] for f in found), sum(f[1] for f in found)
     words = f"{', '.join(dict.fromkeys(joint.a))} {joint.words} {', '.join(dict.fromkeys(joint.b))}"
-    return HomeDemand("joint", f"{joint.kind}: {words}", _status(met == len(pairs), met + near > 0), "; ".join(f[2] for f in found))
+    return HomeDemand(
+        "joint", f"{joint.kind}: {words}", _status(met == len(pairs), met + near > 0), "; ".join(f[2] for f in found)
+    )
 
 
-def _best_pair(
-    kind: str, a: str, b: str, request: HomeRequest, measured: MeasuredHome
-) -> tuple[bool, bool, str]:
-    """A pair of rooms by their ids; of rooms of their types, where the home has no such ids, the pair that suits best."""
+def _best_pair(kind: str, a: str, b: str, request: HomeRequest, measured: MeasuredHome) -> tuple[bool, bool, str]:
+    """A pair of rooms by their ids; where the home has none of these, the pair of their types that suits best."""
     both = _room(measured, a) is not None and _room(measured, b) is not None
     groups = [_group(request.programme.room(name).type) for name in (a, b)]
     ones, twos = ([a], [b]) if both else ([r.id for r in measured.home.rooms if _group(r.type) == g] for g in groups)
@@ -142,7 +155,15 @@ def _best_pair(
 def _pair(kind: str, a: str, b: str, measured: MeasuredHome) -> tuple[bool, bool, str]:
     """Whether two rooms are to each other as is asked, whether nearly, and how they are."""
     joined, gap = measured.joined(a, b), measured.gap(a, b)
-    how = "open" if measured.open(a, b) else "a door" if joined else "on different storeys" if gap is None else f"{gap:.2f} m apart"
+    how = (
+        "open"
+        if measured.open(a, b)
+        else "a door"
+        if joined
+        else "on different storeys"
+        if gap is None
+        else f"{gap:.2f} m apart"
+    )
     beside = gap is not None and gap <= WALL
     if kind == "open":
         return measured.open(a, b), joined, how
@@ -158,7 +179,9 @@ def _to_entrance(joint: JointAsked, request: HomeRequest, measured: MeasuredHome
     there = {name: _place(name, request, measured) for name in joint.a}
     found = {name: steps.get(room.id) if room is not None else None for name, room in there.items()}
     words = f"{', '.join(joint.a)} {joint.words} the {joint.place}"
-    detail = "; ".join(f"{name} {'cannot be reached' if n is None else f'behind {n} doors'}" for name, n in found.items())
+    detail = "; ".join(
+        f"{name} {'cannot be reached' if n is None else f'behind {n} doors'}" for name, n in found.items()
+    )
     far = [n is not None and n >= 2 for n in found.values()]
     near = [n is not None and n <= 1 for n in found.values()]
     good = far if joint.kind == "apart" else near
@@ -168,12 +191,19 @@ def _to_entrance(joint: JointAsked, request: HomeRequest, measured: MeasuredHome
 def _storeys(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand]:
     have = len({room.storey for room in measured.home.rooms})
     if request.storeys is not None:
-        yield HomeDemand("storeys", f"{request.storeys} storey{'s' * (request.storeys > 1)}", _status(have == request.storeys), f"{have}")
+        yield HomeDemand(
+            "storeys",
+            f"{request.storeys} storey{'s' * (request.storeys > 1)}",
+            _status(have == request.storeys),
+            f"{have}",
+        )
     for room in request.rooms:
         there = _place(room.id, request, measured)
         if room.storey is not None and there is not None:
             level = measured.level(there)
-            yield HomeDemand("storey", f"{room.id} on storey {room.storey}", _status(level == room.storey), f"on {level}")
+            yield HomeDemand(
+                "storey", f"{room.id} on storey {room.storey}", _status(level == room.storey), f"on {level}"
+            )
 
 
 def _profile(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand]:
@@ -181,34 +211,59 @@ def _profile(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDeman
         return
     widths = measured.door_widths()
     wide = sum(width >= DOOR - 1e-6 for width in widths)
-    yield HomeDemand("profile", f"doors of {DOOR:g} m", _status(wide == len(widths), 2 * wide > len(widths)), f"{wide} of {len(widths)}, least {min(widths, default=0):.2f} m")
+    yield HomeDemand(
+        "profile",
+        f"doors of {DOOR:g} m",
+        _status(wide == len(widths), 2 * wide > len(widths)),
+        f"{wide} of {len(widths)}, least {min(widths, default=0):.2f} m",
+    )
     ways = [measured.narrowest(room) for room in measured.of_role("circulation") if room.type != "stairs"]
     if ways:
-        yield HomeDemand("profile", f"ways of {CORRIDOR:g} m", _status(min(ways) >= CORRIDOR - 0.02, max(ways) >= CORRIDOR), f"least {min(ways):.2f} m")
+        yield HomeDemand(
+            "profile",
+            f"ways of {CORRIDOR:g} m",
+            _status(min(ways) >= CORRIDOR - 0.02, max(ways) >= CORRIDOR),
+            f"least {min(ways):.2f} m",
+        )
     baths = measured.of_role("sanitary")
     turning = [room.id for room in baths if measured.turns(room)]
-    yield HomeDemand("profile", "a bathroom or toilet to turn in", _status(bool(turning)), ", ".join(turning) or "none of 1.5 m")
+    yield HomeDemand(
+        "profile", "a bathroom or toilet to turn in", _status(bool(turning)), ", ".join(turning) or "none of 1.5 m"
+    )
     if len(measured.home.storeys) > 1 and request.use in ("flat", "house", "care_home"):
         low = [room for room in measured.home.rooms if measured.level(room) == 0]
         beds = [room for room in measured.of_role("sleeping") if room in low]
         wet = [room for room in baths if room in low]
-        yield HomeDemand("profile", "bed and bath without stairs", _status(bool(beds and wet), bool(beds or wet)), f"{len(beds)} bedrooms and {len(wet)} bathrooms on the ground floor")
+        yield HomeDemand(
+            "profile",
+            "bed and bath without stairs",
+            _status(bool(beds and wet), bool(beds or wet)),
+            f"{len(beds)} bedrooms and {len(wet)} bathrooms on the ground floor",
+        )
 
 
 def _envelope(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand]:
     asked = [side for side in (request.width, request.depth) if side is not None]
     if asked:
         sides = measured.sides()
-        off = min(
-            max(abs(one - two) for one, two in zip(asked, order, strict=False)) for order in (sides, sides[::-1])
+        off = min(max(abs(one - two) for one, two in zip(asked, order, strict=False)) for order in (sides, sides[::-1]))
+        yield HomeDemand(
+            "envelope",
+            " x ".join(f"{side:g}" for side in asked) + " m",
+            _status(off <= 0.05, off <= 0.5),
+            f"{sides[0]:g} x {sides[1]:g} m",
         )
-        yield HomeDemand("envelope", " x ".join(f"{side:g}" for side in asked) + " m", _status(off <= 0.05, off <= 0.5), f"{sides[0]:g} x {sides[1]:g} m")
     if request.l_shape:
         share = measured.fills_rectangle()
         yield HomeDemand("envelope", "L-shaped", _status(share <= 0.96), f"fills {share:.0%} of its rectangle")
     if request.window_sides is not None:
         have = len(measured.window_directions())
-        yield HomeDemand("envelope", f"windows on {request.window_sides} sides", _status(0 < have <= request.window_sides), f"on {have}")
+        yield HomeDemand(
+            "envelope",
+            f"windows on {request.window_sides} sides",
+            _status(0 < have <= request.window_sides),
+            f"on {have}",
+        )
 
 
 def _light(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand]:
@@ -217,7 +272,9 @@ def _light(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand]
         if room.daylight is not None and there is not None:
             lit = measured.lit(there)
             words = "with" if room.daylight else "without"
-            yield HomeDemand("light", f"{room.id} {words} windows", _status(lit == room.daylight), "a window" if lit else "none")
+            yield HomeDemand(
+                "light", f"{room.id} {words} windows", _status(lit == room.daylight), "a window" if lit else "none"
+            )
 
 
 def _excluded(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand]:
@@ -237,7 +294,10 @@ def _things(request: HomeRequest, measured: MeasuredHome) -> Iterator[HomeDemand
             continue
         have = [thing.category for thing in there.scene.objects]
         for wish in room.wishes:
-            wanted = {entity.category: entity.count for entity in read_request(f"a room {wish}" if wish.split()[0] in ("with", "for") else wish).entities}
+            wanted = {
+                entity.category: entity.count
+                for entity in read_request(f"a room {wish}" if wish.split()[0] in ("with", "for") else wish).entities
+            }
             if wanted:
                 found = [name for name in wanted if name in have]
                 detail = ", ".join(f"{have.count(name)} {name}" for name in wanted)

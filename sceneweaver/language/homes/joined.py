@@ -2,23 +2,55 @@
 
 from __future__ import annotations
 
-from sceneweaver.language.model import Span
+from typing import Any
 
+from sceneweaver.plans.programme import AdjacencyKind
+
+from .lexicon import data
 from .parts import Joint, Named, Reading
+from .pronouns import PER_EACH, read_pronouns
 
-_ANNEXES = ("bathroom", "ensuite", "guest_toilet", "washroom", "accessible_bathroom", "accessible_toilet", "wet_room", "kids_bathroom", "pantry",
-            "walk_in_closet", "dressing_room", "balcony", "terrace", "storage_room", "study", "nap_room", "laundry_room", "sauna", "sunroom", "kitchen",
-            "kitchenette", "examination_room", "cloakroom", "utility_room", "dining_room", "living_room", "archive", "changing_room")
-"""Kinds that belong to the rooms that are "with" them."""
-
-_WEAK = ("by", "near", "at", "behind", "off", "opposite", "facing", "in front of", "sees", "next to", "beside", "directly off")
-_GAP = ("the", "a", "an", "our", "my", "their", "his", "her", "its", "of", "to", "as", "it", "is", "on", "only", "both", "very", "right", "that")
-_PER_EACH = ("each", "both", "everyone", "everybody", "per", "every", "each of them", "both of them", "each of which", "for each", "each one")
+_WEAK = (
+    "by",
+    "near",
+    "at",
+    "behind",
+    "off",
+    "opposite",
+    "facing",
+    "in front of",
+    "sees",
+    "next to",
+    "beside",
+    "directly off",
+)
+_GAP = (
+    "the",
+    "a",
+    "an",
+    "our",
+    "my",
+    "their",
+    "his",
+    "her",
+    "its",
+    "of",
+    "to",
+    "as",
+    "it",
+    "is",
+    "on",
+    "only",
+    "both",
+    "very",
+    "right",
+    "that",
+)
 
 
 def read_joints(reading: Reading) -> None:
     """Reads what rooms are to each other; see above."""
-    _pronouns(reading)
+    read_pronouns(reading)
     for sentence in reading.sentences():
         at_names = {k: one for k, one in reading.named_at().items() if k in sentence}
         for k in sentence:
@@ -34,38 +66,6 @@ def read_joints(reading: Reading) -> None:
         _en_suites(reading, at_names, sentence)
 
 
-def _pronouns(reading: Reading) -> None:
-    """ "One of them", "each with", "two on the ground floor": some of the rooms that were named last."""
-    tokens = reading.tokens
-    for sentence in reading.sentences():
-        for k in sentence:
-            token = tokens[k]
-            before = [one for one in reading.named if one.at < k and one.at >= sentence.start and one.of is None]
-            nearby = [one for one in before if k - one.at < 14]
-            after = tokens[k + 1] if k + 1 < len(tokens) else None
-            if not nearby or any(one.first <= k <= one.last for one in reading.named):
-                continue
-            whole = next((one for one in reversed(nearby) if one.count is None or one.count > 1), nearby[-1])
-            of_them = after is not None and (after.has("of_them") or after.text in ("of",) and k + 2 < len(tokens) and tokens[k + 2].text == "them")
-            count = token.get("number")
-            if count is not None and after is not None and (of_them or after.text in ("en-suite", "with", "is", "has", ",") or after.get("room") == "ensuite"):
-                if not of_them and tokens[k - 1].text not in (",", ":", "and", "("):
-                    continue
-                _refer(reading, whole, k, int(count), k + 1 if of_them else k)
-            elif token.text in _PER_EACH and after is not None and (after.text in ("with", "has", "have", "gets", "has its own", ",") or after.has("joint", "room", "area")):
-                _refer(reading, whole, k, None, k)
-    reading.named.sort(key=lambda one: one.at)
-
-
-def _refer(reading: Reading, whole: Named, at: int, count: int | None, last: int) -> None:
-    if any(one.at == at for one in reading.named):
-        return
-    span = Span(reading.tokens[at].span.start, reading.tokens[last].span.end)
-    reading.named.append(Named(whole.kind, at, at, last, span, count, "number" if count else "", of=whole))
-    for k in range(at, last + 1):
-        reading.did(k, "rooms")
-
-
 def _slash(reading: Reading, names: dict[int, Named], at: int) -> None:
     left, right = _before(names, at), _after(names, at)
     if left is not None and right is not None and left.last == at - 1 and right.first == at + 1:
@@ -73,9 +73,9 @@ def _slash(reading: Reading, names: dict[int, Named], at: int) -> None:
         reading.did(at, "joint")
 
 
-def _joint(reading: Reading, names: dict[int, Named], sentence: range, at: int, kind: str) -> None:
+def _joint(reading: Reading, names: dict[int, Named], sentence: range, at: int, kind: Any) -> None:
     """A word for what rooms are to each other, with the rooms on both of its sides."""
-    tokens, token = reading.tokens, reading.tokens[at]
+    token = reading.tokens[at]
     left = _before(names, at)
     if left is None or _something_between(reading, left, at):
         return
@@ -130,7 +130,11 @@ def _alone(reading: Reading, names: dict[int, Named], at: int, kind: str, left: 
             reading.joints.append(Joint(one, two, "open", token.span))
             reading.did(at, "joint")
         return
-    reading.joints.append(Joint(left, left, "apart", token.span) if not others or left.count != 1 else Joint(others[-1], left, "apart", token.span))
+    reading.joints.append(
+        Joint(left, left, "apart", token.span)
+        if not others or left.count != 1
+        else Joint(others[-1], left, "apart", token.span)
+    )
     reading.did(at, "joint")
 
 
@@ -153,7 +157,7 @@ def _between(reading: Reading, names: dict[int, Named], sentence: range, at: int
             _done_pronoun(reading, at)
 
 
-def _to_pronoun(reading: Reading, names: dict[int, Named], at: int, left: Named, kind: str) -> None:
+def _to_pronoun(reading: Reading, names: dict[int, Named], at: int, left: Named, kind: AdjacencyKind) -> None:
     """ "A bathroom off each of them", "with a kitchen behind it"."""
     tokens = reading.tokens
     before = [one for one in reading.named if one.at < left.first and one.of is None and one.root is not left]
@@ -190,13 +194,19 @@ def _with(reading: Reading, names: dict[int, Named], sentence: range, at: int) -
         rights.append(more)
     whole = left.root
     for one in rights:
-        if one.kind.type not in _ANNEXES or one.kind.name == whole.kind.name:
+        if one.kind.type not in data("words")["annexes"] or one.kind.name == whole.kind.name:
             continue
         follows = tokens[one.last + 1] if one.last + 1 < len(tokens) else None
-        pointed = follows is not None and follows.has("joint") and follows.get("joint") in ("door", "between", "open", "near")
+        pointed = (
+            follows is not None and follows.has("joint") and follows.get("joint") in ("door", "between", "open", "near")
+        )
         many = whole.count is None or whole.count > 1
         own = tokens[at].has("joint") or any(t.has("own") or t.text in ("their", "its") for t in tokens[at : one.at])
-        each = left.of is not None and left.count is None or any(t.text in _PER_EACH for t in [*gap, *tokens[one.last + 1 : one.last + 3]])
+        each = (
+            left.of is not None
+            and left.count is None
+            or any(t.text in PER_EACH for t in [*gap, *tokens[one.last + 1 : one.last + 3]])
+        )
         if not own and not each and many and _is_of_use(reading, whole):
             continue  # "a flat of three bedrooms with a kitchen"
         if many and (own or each) and (one.told != "number" or one.count == 1):
@@ -208,7 +218,7 @@ def _with(reading: Reading, names: dict[int, Named], sentence: range, at: int) -
         reading.joints.append(Joint(one, left, "door", tokens[at].span, each=one.per is not None))
         reading.did(at, "joint")
         for t in tokens[one.last + 1 : one.last + 3]:
-            if t.text in _PER_EACH:
+            if t.text in PER_EACH:
                 t.done = t.done or "joint"
 
 
@@ -266,7 +276,8 @@ def _after(names: dict[int, Named], at: int) -> Named | None:
 def _close(reading: Reading, at: int, right: Named) -> bool:
     """Whether only small words stand between a word and the room behind it."""
     return all(
-        t.text in _GAP or t.has("own", "soft", "size") and not t.breaks or t.text in ("one",) for t in reading.tokens[at + 1 : right.first]
+        t.text in _GAP or t.has("own", "soft", "size") and not t.breaks or t.text in ("one",)
+        for t in reading.tokens[at + 1 : right.first]
     )
 
 
@@ -295,16 +306,23 @@ def _and_more(reading: Reading, names: dict[int, Named], one: Named) -> Named | 
     tokens = reading.tokens
     if one.last + 1 >= len(tokens) or tokens[one.last + 1].text not in ("and", "&"):
         return None
-    return next((o for o in names.values() if o.first == one.last + 2 or o.first == one.last + 3 and tokens[one.last + 2].text in _GAP), None)
+    return next(
+        (
+            o
+            for o in names.values()
+            if o.first == one.last + 2 or o.first == one.last + 3 and tokens[one.last + 2].text in _GAP
+        ),
+        None,
+    )
 
 
 def _subjects(reading: Reading, names: dict[int, Named], left: Named, at: int) -> list[Named]:
     return [left]
 
 
-def _put(reading: Reading, left: Named, right: Named, kind: str, at: int) -> None:
+def _put(reading: Reading, left: Named, right: Named, kind: AdjacencyKind, at: int) -> None:
     tokens = reading.tokens
-    each = any(t.text in _PER_EACH for t in tokens[at : right.first])
+    each = any(t.text in PER_EACH for t in tokens[at : right.first])
     if each and left.told != "number":
         left.per = right
     elif right.definite and right.told == "":
@@ -313,4 +331,3 @@ def _put(reading: Reading, left: Named, right: Named, kind: str, at: int) -> Non
         return
     reading.joints.append(Joint(left, right, kind, tokens[at].span, each=each or kind == "apart"))
     reading.did(at, "joint")
-

@@ -133,7 +133,9 @@ class MeasuredHome:
         for storey in self.home.storeys:
             floors = [self.outlines[r.id] for r in self.home.rooms_of(storey.id) if not r.outdoor]
             if floors:
-                whole = shapely.union_all(floors).buffer(WALL / 2, join_style="mitre").buffer(-WALL / 2, join_style="mitre")
+                whole = (
+                    shapely.union_all(floors).buffer(WALL / 2, join_style="mitre").buffer(-WALL / 2, join_style="mitre")
+                )
                 x0, y0, x1, y1 = whole.bounds
                 shares.append(whole.area / ((x1 - x0) * (y1 - y0)))
         return round(min(shares), 3)

@@ -8,6 +8,7 @@ from typing import Literal
 from sceneweaver.io import InputError
 from sceneweaver.language.model import Span, Unread
 from sceneweaver.plans import Envelope, Programme, envelope_for
+from sceneweaver.plans.programme import AdjacencyKind
 
 
 @dataclass(frozen=True)
@@ -17,6 +18,7 @@ class RoomAsked:
     Attributes:
         id: of the room in the programme and in the home.
         noun: what its own request calls it.
+        said: what the request calls it; its noun where it does not name it.
         whose: for whom it is ("two children"), empty where nobody is told.
         looks: what it is like ("bright", "red"), in the words of the request.
         wishes: what it is to have besides, in the words of the request.
@@ -31,6 +33,7 @@ class RoomAsked:
 
     id: str
     noun: str
+    said: str = ""
     whose: str = ""
     looks: tuple[str, ...] = ()
     wishes: tuple[str, ...] = ()
@@ -45,7 +48,7 @@ class RoomAsked:
 
 @dataclass(frozen=True)
 class Understood:
-    """Words of the request, and what became of them: ``kind`` is rooms, area, storeys, joint, people, request, style ..."""
+    """Words of the request, and what became of them: ``kind`` is rooms, area, storeys, joint, people, request ..."""
 
     words: str
     kind: str
@@ -59,7 +62,7 @@ class JointAsked:
 
     a: tuple[str, ...]
     b: tuple[str, ...]
-    kind: Literal["door", "open", "near", "apart"]
+    kind: AdjacencyKind
     words: str
     place: str = ""
 
@@ -134,7 +137,9 @@ class HomeRequest:
         for room in self.rooms:
             if room.id == room_id:
                 return room
-        raise InputError(f"room '{room_id}' is none of the request; its rooms are {', '.join(r.id for r in self.rooms)}")
+        raise InputError(
+            f"room '{room_id}' is none of the request; its rooms are {', '.join(r.id for r in self.rooms)}"
+        )
 
     def envelope(self, seed: int = 0) -> Envelope:
         """What the plan has to fit into: of the sides, the shape and the light that are asked for, and else as

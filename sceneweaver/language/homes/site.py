@@ -27,7 +27,9 @@ def read_site(reading: Reading) -> None:
             reading.rows.append((token.span, "envelope", "L-shaped"))
             reading.did(at, "envelope")
         elif token.has("one_side", "two_sides", "three_sides") and _of_windows(reading, at):
-            reading.window_sides = next(n for n, k in ((1, "one_side"), (2, "two_sides"), (3, "three_sides")) if token.has(k))
+            reading.window_sides = next(
+                n for n, k in ((1, "one_side"), (2, "two_sides"), (3, "three_sides")) if token.has(k)
+            )
             reading.rows.append((token.span, "envelope", f"windows on {reading.window_sides} sides"))
             for k in range(max(0, at - 4), at + 1):
                 if k == at or tokens[k].has("windows"):
@@ -37,7 +39,11 @@ def read_site(reading: Reading) -> None:
     _light(reading)
     _sides_by(reading)
     at_home = reading.use.plan in ("flat", "house")  # an accessible toilet alone makes no practice of another profile
-    if reading.use.profile == "accessible" or at_home and any(one.accessible or one.kind.name.startswith("accessible") for one in reading.named):
+    if (
+        reading.use.profile == "accessible"
+        or at_home
+        and any(one.accessible or one.kind.name.startswith("accessible") for one in reading.named)
+    ):
         reading.accessible = True
 
 
@@ -46,8 +52,11 @@ def _area(reading: Reading, at: int) -> None:
     token = reading.tokens[at]
     low, high = token.get("area")
     before = next((one for one in reversed(reading.named) if one.last < at), None)
-    if before is not None and before.root.area is None and 0 < at - before.last <= 4 and not any(
-        t.breaks for t in reading.tokens[before.last + 1 : at]
+    if (
+        before is not None
+        and before.root.area is None
+        and 0 < at - before.last <= 4
+        and not any(t.breaks for t in reading.tokens[before.last + 1 : at])
     ):
         before.root.area = (low, high)
     elif high < SMALLEST and reading.named:
@@ -100,7 +109,12 @@ def _light(reading: Reading) -> None:
         before = next((one for one in reversed(reading.named) if one.last < at), None)
         after = next((one for one in reading.named if one.first > at), None)
         no = at and tokens[at - 1].has("no") or token.text == "windowless"
-        if token.text in ("daylight", "light") and after is not None and after.first - at <= 3 and tokens[at + 1].text in ("in", "for"):
+        if (
+            token.text in ("daylight", "light")
+            and after is not None
+            and after.first - at <= 3
+            and tokens[at + 1].text in ("in", "for")
+        ):
             after.root.daylight = True
         elif before is not None and at - before.last <= 5 and not any(t.stops for t in tokens[before.last : at]):
             if no:

@@ -25,7 +25,8 @@ _SQUARE = r"(?:m2|m²|sqm|sq\.? ?m(?:et(?:er|re)s?)?\b|square[- ]met(?:er|re)s?|
 _FEET2 = r"(?:sq\.? ?ft\.?|sqft|square[- ]f(?:ee|oo)t|ft2|ft²)"
 _LENGTH = r"(?:met(?:er|re)s?|m|feet|foot|ft)"
 _TOKEN = re.compile(
-    rf"(?P<area>(?P<low>{_NUMBER})(?: ?(?:to|-|–) ?(?P<high>{_NUMBER}))?[ -]?(?:(?P<sqm>{_SQUARE})|(?P<sqft>{_FEET2})))(?![\w])"
+    rf"(?P<area>(?P<low>{_NUMBER})(?: ?(?:to|-|–) ?(?P<high>{_NUMBER}))?[ -]?"
+    rf"(?:(?P<sqm>{_SQUARE})|(?P<sqft>{_FEET2})))(?![\w])"
     rf"|(?P<dims>(?P<w>{_NUMBER}) ?(?P<wu>{_LENGTH})? ?(?:x|×|by|\*) ?(?P<d>{_NUMBER}) ?(?P<du>{_LENGTH}))(?![\w])"
     rf"|(?P<length>(?P<l>{_NUMBER})[ -]?(?P<lu>{_LENGTH}))(?![\w²])"
     r"|(?P<number>\d+(?:\.\d+)?)"
