@@ -43,7 +43,7 @@ def set_areas(reading: Reading, rooms: list[Room]) -> list[str]:
             many = sum(r.type == "open_office" for r in rooms)
             base, each = data("words")["per_person"]["open_office"]
             usual = base + each * workers / many
-        usual = round(usual * (size or 1.0), 1)
+        usual = round(usual * (size or 1.0) * reading.scale, 1)
         if usual != room_type(room.type).area[1]:
             room.area = (round(usual * SPREAD[0], 1), usual, round(max(usual * SPREAD[1], usual + 1), 1))
         else:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .households import count_before, in_singular
+from .households import count_before, in_singular, number_done
 from .parts import Named, Reading
 from .tokens import Token
 
@@ -75,6 +75,7 @@ def _people_before(reading: Reading, at: int, who: Token | None) -> int | None:
             continue
         number = count_before(tokens, k)
         if number is not None and number > 1:
+            number_done(reading, k)
             return number
     return None if who is not None else reading.household
 

@@ -148,11 +148,11 @@ def _workers(reading: Reading, at: int) -> None:
         kind = reading.use.staff[single]
         reading.staff[kind] = reading.staff.get(kind, 0) + number
         reading.did(at, "people")
-        _number_done(reading, at)
+        number_done(reading, at)
     elif token.has("staff", "person") and number is not None and number > 1 and not token.has("visitors"):
         reading.workers = max(reading.workers or 0, number)
         reading.did(at, "people")
-        _number_done(reading, at)
+        number_done(reading, at)
     elif token.has("visitors", "person", "staff", "we", "me"):
         reading.did(at, "people")
 
@@ -166,7 +166,7 @@ def _lives(reading: Reading, at: int, sentence: range, depth: int) -> None:
     if token.has("visitors") and _visits(reading, at, sentence):
         reading.visitors = True
         reading.did(at, "people")
-        _number_done(reading, at)
+        number_done(reading, at)
         return
     if token.has("groups") and at + 2 < len(tokens) and tokens[at + 1].text == "of" and tokens[at + 2].number:
         reading.household = tokens[at + 2].number
@@ -233,7 +233,7 @@ def _lives(reading: Reading, at: int, sentence: range, depth: int) -> None:
     if not (named_again or again):
         reading.people.append(Person(role, count, token.span))
     reading.did(at, "people")
-    _number_done(reading, at)
+    number_done(reading, at)
 
 
 def before_article(tokens: tuple[Token, ...], at: int) -> bool:
@@ -291,7 +291,8 @@ def count_before(tokens: tuple[Token, ...], at: int) -> int | None:
     return None
 
 
-def _number_done(reading: Reading, at: int) -> None:
+def number_done(reading: Reading, at: int) -> None:
+    """The number before people is accounted for."""
     for k in range(at - 1, max(-1, at - 4), -1):
         if reading.tokens[k].get("number") is not None:
             reading.did(k, "people")

@@ -257,7 +257,7 @@ def _named(reading: Reading, at: int, kind: RoomKind) -> Named:
 
 
 def _noun(kind: RoomKind, said: str) -> str:
-    """What the room's own request calls it: as it is said, where the reader of rooms knows a kind of its own by that."""
+    """What the room's own request calls it: as said, where the reader of rooms knows a kind by that."""
     row = data("rooms").get(kind.name, {})
     if said.split()[0] in ("double", "single", "twin") and said.endswith(f" {kind.noun}"):
         return said

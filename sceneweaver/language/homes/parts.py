@@ -109,6 +109,8 @@ class Reading:
     one_storey: bool = False
     accessible: bool = False
     area: tuple[float, float] | None = None
+    scale: float = 1.0
+    """Factor on the usual areas of all rooms."""
     width: float | None = None
     depth: float | None = None
     l_shape: bool = False

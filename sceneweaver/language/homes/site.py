@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from .parts import Reading
 
+WHOLE = 0.5
+"""Share of what a word for a size changes of one room that it changes of all of them."""
+
 SMALLEST = 14.0
 """Least floor of a home [m2]."""
 
@@ -36,6 +39,7 @@ def read_site(reading: Reading) -> None:
                     reading.did(k, "envelope")
         elif token.has("accessible"):
             _accessible(reading, at)
+    _size(reading)
     _light(reading)
     _sides_by(reading)
     at_home = reading.use.plan in ("flat", "house")  # an accessible toilet alone makes no practice of another profile
@@ -45,6 +49,18 @@ def read_site(reading: Reading) -> None:
         and any(one.accessible or one.kind.name.startswith("accessible") for one in reading.named)
     ):
         reading.accessible = True
+
+
+def _size(reading: Reading) -> None:
+    """ "A small clinic", "a big house": all of its rooms are somewhat smaller or larger."""
+    k = (reading.use_at or 0) - 1
+    while k >= 0 and not reading.tokens[k].breaks and (reading.use_at or 0) - k < 5:
+        token = reading.tokens[k]
+        if token.has("size") and not token.done:
+            reading.scale = 1.0 + (token.get("size") - 1.0) * WHOLE
+            reading.rows.append((token.span, "area", f"rooms of {reading.scale:.0%} of their usual floor"))
+            reading.did(k, "area")
+        k -= 1
 
 
 def _area(reading: Reading, at: int) -> None:
