@@ -32,7 +32,9 @@ if TYPE_CHECKING:
     from sceneweaver.extend import undefine_relation as undefine_relation
     from sceneweaver.extend import undefine_term as undefine_term
     from sceneweaver.home import Home as Home
+    from sceneweaver.importers import ImportedHome as ImportedHome
     from sceneweaver.importers import ImportedScene as ImportedScene
+    from sceneweaver.importers import read_homes as read_homes
     from sceneweaver.importers import read_scenes as read_scenes
     from sceneweaver.layout import ObjectiveTerm as ObjectiveTerm
     from sceneweaver.layout import ParetoFront as ParetoFront
@@ -80,6 +82,7 @@ __all__ = [
     "Evaluation",
     "Fault",
     "Home",
+    "ImportedHome",
     "ImportedScene",
     "InputError",
     "LayoutPrior",
@@ -124,6 +127,7 @@ __all__ = [
     "objective_of",
     "optimize_variables",
     "pareto_front",
+    "read_homes",
     "read_scenes",
     "refine",
     "refine_many",
@@ -144,6 +148,7 @@ _HOME = {
     "Evaluation": "evaluation",
     "Fault": "critic",
     "Home": "home",
+    "ImportedHome": "importers",
     "ImportedScene": "importers",
     "InputError": "scene",
     "LayoutPrior": "prior",
@@ -187,6 +192,7 @@ _HOME = {
     "objective_of": "layout",
     "optimize_variables": "layout",
     "pareto_front": "layout",
+    "read_homes": "importers",
     "read_scenes": "importers",
     "refine": "explain",
     "refine_many": "explain",

@@ -5,6 +5,8 @@ A format is a small module in `formats`; what all need is here: frames, sizes, c
 
 from .categories import category_of as category_of
 from .formats import formats as formats
+from .home import ImportedHome as ImportedHome
+from .home import read_homes as read_homes
 from .model import ReadOptions as ReadOptions
 from .model import SourceFormat as SourceFormat
 from .model import SourceObject as SourceObject
@@ -19,6 +21,7 @@ from .scene import to_scene as to_scene
 
 __all__ = [
     "AUTO",
+    "ImportedHome",
     "ImportedScene",
     "ReadOptions",
     "SourceFormat",
@@ -28,6 +31,7 @@ __all__ = [
     "category_of",
     "format_of",
     "formats",
+    "read_homes",
     "read_scenes",
     "sources",
     "to_scene",
