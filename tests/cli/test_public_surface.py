@@ -21,6 +21,7 @@ PUBLIC = [
     "EditSession",
     "Evaluation",
     "Fault",
+    "Home",
     "ImportedScene",
     "InputError",
     "LayoutPrior",

@@ -1,0 +1,35 @@
+"""Plans of homes, practices and offices: what they are to hold, the rules that they keep, and whether they do."""
+
+from .envelope import Envelope as Envelope
+from .envelope import envelope_for as envelope_for
+from .profile import MEASURES as MEASURES
+from .profile import Profile as Profile
+from .profile import Rule as Rule
+from .profile import profile_names as profile_names
+from .programme import Adjacency as Adjacency
+from .programme import Programme as Programme
+from .programme import RoomSpec as RoomSpec
+from .programme import programme_names as programme_names
+from .report import PlanReport as PlanReport
+from .report import PlanViolation as PlanViolation
+from .room_types import RoomType as RoomType
+from .room_types import room_type as room_type
+from .room_types import room_types as room_types
+
+__all__ = [
+    "MEASURES",
+    "Adjacency",
+    "Envelope",
+    "PlanReport",
+    "PlanViolation",
+    "Profile",
+    "Programme",
+    "RoomSpec",
+    "RoomType",
+    "Rule",
+    "envelope_for",
+    "profile_names",
+    "programme_names",
+    "room_type",
+    "room_types",
+]
