@@ -91,10 +91,10 @@ def role_of(words: Sequence[str], closed: bool) -> tuple[Role | None, str]:
         kind = known_type(word)
         parts = [p for p in re.split(r"[^a-z]+", re.sub(r"(?<=[a-z])(?=[A-Z])", " ", word).lower()) if p]
         if {"front", "main", "entrance"} & {*parts} and {"door", "doors"} & {*parts}:
-            return "entrance", ""
+            return "entrance", ""  # "front door"
         if kind is not None and kind != "room" and closed:
             return "room", kind
-        found = next((ROLES[p] for p in parts if p in ROLES), None)
+        found: Role | None = next((ROLES[p] for p in parts if p in ROLES), None)
         if found == "room":
             own = [known_type(w) for w in words[:k]]
             return "room", next((t for t in own if t), "")

@@ -40,15 +40,15 @@ def read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
     """The rooms of the model space, in its order."""
     where = path_name(path)
     try:
-        import ezdxf
         from ezdxf import recover
+        from ezdxf.lldxf.const import DXFError
     except ImportError:
         raise InputError(f"{where}: DXF needs ezdxf; pip install 'sceneweaver[dxf]'") from None
     if path.stat().st_size > MOST_BYTES:
         raise InputError(f"{where}: larger than {MOST_BYTES >> 20} MB; export the plan's layers alone")
     try:
         document, _ = recover.readfile(str(path))
-    except (OSError, ezdxf.DXFError, ValueError, KeyError, IndexError) as error:
+    except (OSError, DXFError, ValueError, KeyError, IndexError) as error:
         raise InputError(f"{where}: no DXF ({reason(error)}); save it anew, as ASCII DXF of 2000 or later") from None
     drawing = Drawing(where)
     unit = UNITS.get(int(document.header.get("$INSUNITS", 0)))

@@ -186,8 +186,8 @@ FORMAT = SourceFormat(
     notes=(
         "Read: areas and openings of the table, shapes as WKT in metres; a flat is a unit_id, its storeys by elevation; "
         "pickled graphs and pictures are not read.",
-        "Meaning: areas are clear floors between walls; ROOM is taken for a bedroom; ENTRANCE_DOOR leads out of "
-        "the flat. Flats that are turned from the axes are turned back where they become homes.",
+        "Meaning: areas are clear floors between walls; ROOM is taken for a bedroom; ENTRANCE_DOOR leads out of the "
+        "flat. Flats that are turned from the axes are turned back where they become homes.",
         "Assumed: sills of windows (0.9 m) where the table has heights alone.",
         "Lost: separators (walls, railings), features (fixtures), areas that belong to no flat, such as stairwells.",
     ),
