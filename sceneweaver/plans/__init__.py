@@ -1,5 +1,6 @@
 """Plans of homes, practices and offices: what they are to hold, the rules that they keep, and whether they do."""
 
+from .check import check_plan as check_plan
 from .envelope import Envelope as Envelope
 from .envelope import envelope_for as envelope_for
 from .profile import MEASURES as MEASURES
@@ -27,6 +28,7 @@ __all__ = [
     "RoomSpec",
     "RoomType",
     "Rule",
+    "check_plan",
     "envelope_for",
     "profile_names",
     "programme_names",

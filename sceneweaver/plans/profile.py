@@ -45,7 +45,7 @@ MEASURES = MappingProxyType({
     "stair_width": "clear width of the flight [m]",
     "headroom": "least height over a step, to a ceiling or to stairs above [m]",
     "stair_run_lack": "by how much the footprint is too short for its goings and landings [m]",
-    "stair_fault": "stairs that do not lie in both stairwells, or whose first or last step no door or floor lies before",
+    "stair_fault": "stairs out of their stairwells, or with neither door nor floor before the first or last step",
     # of the plan
     "largest_area": "floor of the largest of the rooms [m2]",
     "circulation_share": "floor of halls, corridors and landings by floor of all rooms indoors, without stairs",

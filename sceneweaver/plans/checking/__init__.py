@@ -1,0 +1,1 @@
+"""What `sceneweaver.plans.check_plan` measures: integers in millimetres, shared with nothing that makes plans."""
