@@ -136,7 +136,7 @@ FORMAT = SourceFormat(
         "Read: LINE, LWPOLYLINE, POLYLINE, TEXT, MTEXT, DIMENSION of the model space, with the extra dxf (ezdxf): "
         "closed polylines on a layer of rooms, else what the lines of the layers of walls enclose.",
         "Meaning: a layer by a word in its name: wall, room, door, window (glaz), entrance, passage, dimension, or "
-        "that of a room. A text in a room names it. Doors and windows are lines along their wall, or blocks inserted on it.",
+        "that of a room. A text in a room names it. Doors and windows are lines or blocks along a wall.",
         "The scale is --scale, a dimension with a text, or the drawing's units ($INSUNITS); without one it is refused.",
         "Lost: arcs, hatches, other layers. Walls drawn as two lines are the gap between their faces. Heights are "
         "assumed.",

@@ -184,7 +184,7 @@ FORMAT = SourceFormat(
     matches=matches,
     read=read,
     notes=(
-        "Read: areas and openings of the table, shapes as WKT in metres; a flat is a unit_id, its storeys by elevation; "
+        "Read: areas and openings of the table, shapes as WKT in metres; a flat is a unit_id, storeys by elevation; "
         "pickled graphs and pictures are not read.",
         "Meaning: areas are clear floors between walls; ROOM is taken for a bedroom; ENTRANCE_DOOR leads out of the "
         "flat. Flats that are turned from the axes are turned back where they become homes.",

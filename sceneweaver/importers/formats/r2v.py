@@ -50,6 +50,16 @@ ROOMS = {
 TELLING = {"entrance": "entrance_hall", "bathtub": "wet_room", "toilet": "guest_toilet", "cooking_counter": "kitchen"}
 """Fixtures that tell what a room is where no word stands in it."""
 
+FRONT = 1.6
+"""Widest front [m] of a closet for which none is drawn."""
+
+APART = 0.3
+"""Pieces of a picture farther apart than this [m] are storeys."""
+
+CLOSET_OF = {"bedroom", "living_room", "living_kitchen", "hallway", "laundry_room", "kitchen", "entrance_hall", "room"}
+HALL_OF = {"hallway", "kitchen", "living_kitchen", "living_room", "entrance_hall", "bedroom", "stairs"}
+"""What a closet without an opening, and an entrance without a way on, are joined to."""
+
 KINDS = {*ROOMS, *TELLING, "wall", "door", "washing_basin", "special", "entrance"}
 MOST_BYTES = 2**20
 
@@ -78,8 +88,14 @@ def read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
     doors = [(np.array([e[0], -e[1]]), np.array([e[2], -e[3]])) for kind, e in lines if kind == "door"]
     kinds = [_kind(w, f) for w, f in zip(words, fixtures, strict=True)]
     inside = [_sides(a, b, rings, kinds) for a, b in doors]
-    unit, said = _unit(doors, inside, rings, kinds, options.scale)
+    opened = {k for sides in inside for k in sides}
+    kinds = ["shaft" if kind == "room" and k not in opened else kind for k, kind in enumerate(kinds)]
+    unit, known = _unit(doors, inside, rings, kinds, options.scale)
+    said = [known]
     entries = [k for k, f in enumerate(fixtures) if "entrance" in f]
+    if not any(len(sides) == 1 and sides[0] in entries for sides in inside):
+        entries, told = _entries(doors, inside, kinds)
+        said.append(told)
     openings = []
     for n, ((a, b), sides) in enumerate(zip(doors, inside, strict=True)):
         outer = len(sides) < 2
@@ -97,11 +113,13 @@ def read(path: Path, options: ReadOptions) -> Iterator[SourceRoom]:
                 leads_to="outside" if outer and not window else None,
             )
         )
+    metres = [ring * unit for ring in rings]
+    openings += _assumed(metres, kinds, entries, {k for sides in inside if len(sides) == 2 for k in sides}, said)
     names = numbered(kinds)
-    rooms = [(name, kind, ring * unit) for name, kind, ring in zip(names, kinds, rings, strict=True)]
-    for room in rooms_of(rooms, openings, 0.2, (said,)):
-        if options.room in (None, room.name):
-            yield room
+    pieces = _pieces(metres, entries)
+    for k, (name, kind, ring) in enumerate(zip(names, kinds, metres, strict=True)):
+        if options.room in (None, name):
+            yield from rooms_of([(name, kind, ring)], openings, 0.2, said, storey=pieces[k])
 
 
 def _lines(path: Path, where: str) -> list[tuple[str, tuple[float, float, float, float]]]:
@@ -132,6 +150,8 @@ def _lines(path: Path, where: str) -> list[tuple[str, tuple[float, float, float,
 def _kind(words: list[str], fixtures: list[str]) -> str:
     """What a room is by the words in it, else by its fixtures."""
     found = {ROOMS[word] for word in words}
+    if "wet_room" in found and "toilet" in fixtures:
+        return "bathroom"
     if {"living_room", "kitchen"} <= found:
         return "living_kitchen"
     for kind in ("living_room", "bedroom", "kitchen", "balcony"):
@@ -145,6 +165,74 @@ def _kind(words: list[str], fixtures: list[str]) -> str:
     if "wet_room" in told and "guest_toilet" in told:
         return "bathroom"
     return told[0] if told else "room"
+
+
+def _entries(
+    doors: list[tuple[np.ndarray, np.ndarray]], inside: list[list[int]], kinds: list[str]
+) -> tuple[list[int], str]:
+    """The room with the entrance, where no word says it: the hall, else the kitchen, that opens to the outside."""
+    outer = [sides[0] for sides in inside if len(sides) == 1]
+    for kind in ("entrance_hall", "hallway", "kitchen", "living_kitchen"):
+        found = next((k for k in outer if kinds[k] == kind), None)
+        if found is not None:
+            return [found], f"no word says where the entrance is: the opening of the {kind} to the outside is taken"
+    return [], "no word says where the entrance is"
+
+
+def _assumed(
+    rings: list[np.ndarray], kinds: list[str], entries: list[int], joined: set[int], notes: list[str]
+) -> list[SourceOpening]:
+    """Openings that the annotations leave out: fronts of closets, and the step between the entrance and the hall."""
+    found = []
+    for k, kind in enumerate(kinds):
+        if k in joined or (kind != "closet" and k not in entries):
+            continue
+        behind = CLOSET_OF if kind == "closet" else HALL_OF
+        shared = [line for j, other in enumerate(kinds) if j != k and other in behind for line in _shared(rings, k, j)]
+        if not shared:
+            continue
+        a, b = max(shared, key=lambda line: math.dist(*line))
+        length = math.dist(a, b)
+        low = 0.5 - min(FRONT, length - 0.2) / 2 / length
+        if length < 0.5:
+            continue
+        (x0, y0), (x1, y1) = a, b
+        ends = [(x0 + t * (x1 - x0), y0 + t * (y1 - y0)) for t in (low, 1 - low)]
+        if kind == "closet":
+            found.append(SourceOpening(f"front_{k}", "door", ends[0], ends[1], swing="slide"))
+        else:
+            found.append(SourceOpening(f"step_{k}", "passage", ends[0], ends[1]))
+    if found:
+        notes.append(
+            f"{len(found)} openings assumed: fronts of closets, the step at the entrance, which none is drawn for"
+        )
+    return found
+
+
+def _shared(rings: list[np.ndarray], k: int, j: int) -> list[tuple[tuple[float, float], tuple[float, float]]]:
+    """Lines that the outlines of two rooms share."""
+    import shapely
+
+    met = shapely.LinearRing(rings[k]).intersection(shapely.LinearRing(rings[j]))
+    lines = [line for line in shapely.get_parts(met) if line.geom_type == "LineString" and not line.is_empty]
+    merged = shapely.get_parts(shapely.line_merge(shapely.MultiLineString(lines))) if lines else []
+    ends = [(line.coords[0], line.coords[-1]) for line in merged]
+    return [((float(a[0]), float(a[1])), (float(b[0]), float(b[1]))) for a, b in ends]
+
+
+def _pieces(rings: list[np.ndarray], entries: list[int]) -> list[str]:
+    """The storey of each room: pieces of a picture that do not touch are storeys, that of the entrance the lowest."""
+    import shapely
+
+    grown = shapely.union_all([shapely.Polygon(ring).buffer(APART / 2, join_style="mitre") for ring in rings])
+    parts = shapely.get_parts(grown)
+    if len(parts) == 1:
+        return ["" for _ in rings]
+    inner = [shapely.Polygon(ring).representative_point() for ring in rings]
+    of = [next(n for n, part in enumerate(parts) if part.intersects(point)) for point in inner]
+    size = {n: sum(shapely.Polygon(r).area for r, m in zip(rings, of, strict=True) if m == n) for n in set(of)}
+    order = sorted(size, key=lambda n: (n not in [of[k] for k in entries], -size[n]))
+    return [str(order.index(n)) for n in of]
 
 
 def _sides(a: np.ndarray, b: np.ndarray, rings: list[np.ndarray], kinds: list[str]) -> list[int]:

@@ -21,6 +21,7 @@ from ..outline import DOOR, HEIGHT, SILL, WINDOW
 from ..plan_types import OPENS_FROM, OUTDOOR, plan_type
 from . import floors
 from .floors import Drawn
+from .leaves import faults_of, hang
 from .model import ImportedHome
 from .openings import Opening, Placed, Walls, place, unified
 
@@ -89,6 +90,7 @@ def home_of(rooms: Sequence[SourceRoom], format_name: str, *, name: str, drawn: 
     for level in range(len(levels)):
         here = [room for room in made if room.storey == level]
         _open_up(here, storeys[level].height, angle, used, doors, windows, notes)
+    said = {o.name for room in made for o in room.source.openings if o.swing is not None}
     home = Home(
         id=name,
         prompt=next((room.text for room in rooms if room.text), ""),
@@ -108,6 +110,9 @@ def home_of(rooms: Sequence[SourceRoom], format_name: str, *, name: str, drawn: 
         windows=tuple(windows),
         provenance={"imported": {"format": format_name, "rooms": {r.name: r.source.name for r in made}}},
     )
+    free = {door.id for door in home.doors if door.id not in said}
+    if free and any(faults_of(home).values()):
+        home = home.with_changes(doors=hang(home, free))
     return ImportedHome(home, format_name, tuple(dict.fromkeys(notes)), tuple(rooms))
 
 
@@ -154,7 +159,6 @@ def _outlines(
     notes += [f"{key}: nothing is left of it" for key in keys if key not in kept]
     found = floors.gaps(list(kept.values()))
     middles = drawn == "middles" or (drawn == "auto" and floors.on_middles(found))
-    walls = thick.inner if middles else floors.thickness(found, thick.inner)
     if middles:
         notes.append(f"rooms share lines: each wall is moved inwards by {thick.inner / 2:g} m, half its thickness")
     outlines = {}
@@ -165,7 +169,7 @@ def _outlines(
             notes.append(f"{key}: nothing is left of it between its walls")
             continue
         outlines[key] = outline
-    return outlines, walls
+    return outlines, floors.thickness(list(outlines.values()), thick.inner)
 
 
 def _stacked(rooms: list[_Room], levels: Sequence[str], notes: list[str]) -> list[_Room]:

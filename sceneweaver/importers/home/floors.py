@@ -33,6 +33,9 @@ SLIVER = 0.2
 NOTCH = 0.03
 """Steps of an outline shorter than this [m] are noise."""
 
+STUB = 0.1
+"""Thickness [m] of the wall from a room that stands free within another one to the wall next to it."""
+
 SLANT = 0.06
 """Tangent below which a wall is meant to lie along an axis."""
 
@@ -127,8 +130,21 @@ def _part(shapes: list[Any], notes: list[list[str]]) -> None:
                 continue
             shared = shapes[small].intersection(shapes[large]).area
             if shared > 1e-3:
-                shapes[large] = _largest(shapes[large].difference(shapes[small]))
+                shapes[large] = _largest(_cut(shapes[large], shapes[small]))
                 notes[large].append(f"{shared:.2f} m2 that another room has as well left out")
+
+
+def _cut(large: Any, small: Any) -> Any:
+    """A room without another, and where that one stands free in it without a wall from there to the nearest wall."""
+    left = large.difference(small)
+    parts = [p for p in shapely.get_parts(left) if p.geom_type == "Polygon"]
+    if len(parts) != 1 or not parts[0].interiors:
+        return left
+    link = shapely.shortest_line(shapely.Polygon(parts[0].interiors[0]), large.exterior)
+    (x0, y0), (x1, y1) = link.coords[0], link.coords[-1]
+    x, y = sorted((x0, x1)), sorted((y0, y1))
+    dx, dy = (NOTCH, STUB / 2) if abs(x1 - x0) >= abs(y1 - y0) else (STUB / 2, NOTCH)
+    return left.difference(shapely.box(x[0] - dx, y[0] - dy, x[1] + dx, y[1] + dy))
 
 
 def _level(outlines: list[Any], axis: int) -> None:
@@ -198,10 +214,25 @@ def on_middles(found: Sequence[tuple[float, float]]) -> bool:
     return total > 0 and sum(length for length, gap in found if gap < TOUCH) > 0.6 * total
 
 
-def thickness(found: Sequence[tuple[float, float]], usual: float) -> float:
-    """The thinnest wall [m] between rooms that are drawn to the faces of their walls, in whole millimetres."""
-    walls = [gap for _, gap in found if gap >= TOUCH]
-    return max(THIN, min(usual, np.floor(min(walls) * 1000 + 1e-6) / 1000)) if walls else usual
+def thickness(outlines: Sequence[Sequence[Sequence[float]]], usual: float) -> float:
+    """The thinnest wall [m] between rooms that do not touch, at most ``usual``, in whole millimetres.
+
+    Args:
+        outlines: clear floors.
+        usual: what walls are without two rooms.
+    """
+    boxes = []
+    for outline in outlines:
+        a = np.asarray(outline, dtype=float)
+        b = np.roll(a, -1, axis=0)
+        boxes.append((np.minimum(a, b), np.maximum(a, b)))
+    least = usual
+    for k, (low, high) in enumerate(boxes):
+        for low_, high_ in boxes[k + 1 :]:
+            apart = np.maximum(low[:, None] - high_[None], low_[None] - high[:, None]).max(axis=2).min()
+            if apart >= TOUCH:
+                least = min(least, float(apart))
+    return max(THIN, round(np.floor(least * 1000 + 1e-4) / 1000, 3))
 
 
 def inset(ring: np.ndarray, by: float) -> np.ndarray | None:

@@ -158,7 +158,7 @@ def test_noise_of_pixels_is_taken_out(tmp_path: Path) -> None:
     file = tmp_path / "noise.svg"
     file.write_text(
         '<svg xmlns="http://www.w3.org/2000/svg" data-scale="0.01">'
-        '<polygon id="bedroom" points="0,0 400,0 400,100 402,100 402,300 1,300 0,150 -8,150 -8,600 -14,600 -14,140 0,140"/>'
+        '<polygon id="bedroom" points="0,0 400,0 400,100 402,100 402,300 1,300 0,150 -8,150 -8,600 -14,600 -14,140 "/>'
         '<rect id="bath" x="380" y="200" width="200" height="100"/></svg>'
     )
     (imported,) = sw.read_homes(file, drawn="faces")
@@ -177,7 +177,7 @@ def test_walls_enclose_the_rooms_of_a_dxf(tmp_path: Path) -> None:
     document.header["$INSUNITS"] = 0
     space = document.modelspace()
     lines = [((0, 0), (6000, 0)), ((6000, 0), (6000, 3000)), ((6000, 3000), (0, 3000)), ((0, 3000), (0, 0))]
-    for a, b in [*lines, ((4000, 0), (4000, 3020))]:
+    for a, b in [*lines, ((4000, 0), (4000, 3000))]:
         space.add_line(a, b, dxfattribs={"layer": "WALLS"})
     space.add_text("Kitchen", dxfattribs={"insert": (1000, 1000)})
     space.add_line((4000, 1000), (4000, 1900), dxfattribs={"layer": "door"})
